@@ -1,0 +1,73 @@
+# asgard_module(NAME
+#     FILES   sources of the library (headers need no listing)
+#     USES    modules of ours that it may include and link
+#     LINKS   libraries of others
+#     TESTS   GoogleTest sources; they may also use TEST_USES
+#     PCH     core: the standard library's and Eigen's heavy headers; qt: Qt's too
+#     QT)     the sources have Q_OBJECT in them
+#
+# Declares a folder as a module: a static library of that name, linked with what it USES and nothing
+# else, a test program NAME_test, and a test `layering.NAME` that fails when a file of the folder
+# includes a module of ours that USES does not list.
+#
+# Includes are written from the folder that holds the module: #include "expression/expression.h".
+
+function(asgard_precompile target kind)
+    if(PRECOMPILED_HEADERS AND kind)
+        if(NOT TARGET pch_${kind})
+            file(WRITE ${CMAKE_BINARY_DIR}/pch_${kind}.cpp "\n")
+            add_library(pch_${kind} STATIC ${CMAKE_BINARY_DIR}/pch_${kind}.cpp)
+            target_link_libraries(pch_${kind} PRIVATE Eigen3::Eigen Threads::Threads)
+            set(headers <algorithm> <cmath> <cstdint> <functional> <memory> <optional> <span> <string>
+                <string_view> <unordered_map> <variant> <vector> <Eigen/Core> <Eigen/Geometry>)
+            if(kind STREQUAL qt)
+                target_link_libraries(pch_qt PRIVATE Qt6::Widgets)
+                list(APPEND headers <QtCore/QtCore> <QtGui/QtGui> <QtWidgets/QtWidgets>)
+            elseif(kind STREQUAL test)
+                target_link_libraries(pch_test PRIVATE GTest::gtest GTest::gmock)
+                list(APPEND headers <gtest/gtest.h> <gmock/gmock.h>)
+            endif()
+            target_precompile_headers(pch_${kind} PRIVATE ${headers})
+        endif()
+        target_precompile_headers(${target} REUSE_FROM pch_${kind})
+    endif()
+endfunction()
+
+function(asgard_module name)
+    cmake_parse_arguments(PARSE_ARGV 1 M "QT" "PCH" "FILES;USES;LINKS;TESTS;TEST_USES;TEST_LINKS")
+    get_filename_component(parent ${CMAKE_CURRENT_SOURCE_DIR} DIRECTORY)
+
+    if(M_FILES)
+        add_library(${name} STATIC ${M_FILES})
+        set(scope PUBLIC)
+        asgard_precompile(${name} "${M_PCH}")
+        if(M_QT)
+            set_target_properties(${name} PROPERTIES AUTOMOC ON)
+        endif()
+    else()
+        add_library(${name} INTERFACE)
+        set(scope INTERFACE)
+    endif()
+    target_include_directories(${name} ${scope} ${parent})
+    target_link_libraries(${name} ${scope} ${M_USES} ${M_LINKS})
+
+    string(REPLACE ";" "," uses "${name};${M_USES}")
+    add_test(NAME layering.${name}
+        COMMAND python3 ${CMAKE_SOURCE_DIR}/tests/layering/check_includes.py
+                ${CMAKE_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR} ${uses})
+    set_tests_properties(layering.${name} PROPERTIES LABELS layering)
+
+    if(M_TESTS)
+        add_executable(${name}_test ${M_TESTS})
+        target_link_libraries(${name}_test PRIVATE ${name} ${M_TEST_USES} ${M_TEST_LINKS} GTest::gtest GTest::gmock GTest::gtest_main)
+        if(M_QT)
+            set_target_properties(${name}_test PROPERTIES AUTOMOC ON)
+        else()
+            asgard_precompile(${name}_test test)
+        endif()
+        target_compile_definitions(${name}_test PRIVATE SOURCE_DIR="${CMAKE_SOURCE_DIR}" BINARY_DIR="${CMAKE_BINARY_DIR}")
+        add_test(NAME ${name} COMMAND ${name}_test)
+        set_tests_properties(${name} PROPERTIES LABELS unit TIMEOUT 300
+            ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LC_NUMERIC=C")
+    endif()
+endfunction()

@@ -1,0 +1,91 @@
+// Expressions as a hash-consed directed acyclic graph: equal expressions are one node.
+//
+// Every node is made by Graph, which folds constants and applies local algebra as it builds
+// (x*0 -> 0, x+0 -> x, x^1 -> x, --x -> x, ...), so that equations print as an author would write
+// them. Nodes are indices into their graph; a node's arguments always come before it.
+//
+// A graph belongs to one thread while it is built; afterwards it may be read by any.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace expression {
+
+enum class Op : std::uint8_t {
+    constant, symbol,
+    // one argument
+    negate, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, log10, sqrt,
+    abs, sign, floor, ceil, logicalNot,
+    // two
+    add, subtract, multiply, divide, power, atan2, hypot, min, max,
+    less, lessEqual, equal, notEqual, logicalAnd, logicalOr, // a > b is less(b, a)
+    // three: condition, value if it is not 0, value if it is
+    select,
+};
+
+struct Node {
+    std::uint32_t index = 0;
+    auto operator<=>(const Node&) const = default;
+};
+
+class Graph {
+  public:
+    Graph();
+
+    [[nodiscard]] Node constant(double value);
+    [[nodiscard]] Node symbol(std::string_view name); // the same name is the same node
+    [[nodiscard]] Node apply(Op op, Node a);
+    [[nodiscard]] Node apply(Op op, Node a, Node b);
+    [[nodiscard]] Node apply(Op op, Node a, Node b, Node c);
+
+    [[nodiscard]] Node add(Node a, Node b) { return apply(Op::add, a, b); }
+    [[nodiscard]] Node subtract(Node a, Node b) { return apply(Op::subtract, a, b); }
+    [[nodiscard]] Node multiply(Node a, Node b) { return apply(Op::multiply, a, b); }
+    [[nodiscard]] Node divide(Node a, Node b) { return apply(Op::divide, a, b); }
+    [[nodiscard]] Node negate(Node a) { return apply(Op::negate, a); }
+
+    [[nodiscard]] Op op(Node n) const { return entries_[n.index].op; }
+    [[nodiscard]] std::span<const Node> arguments(Node n) const;
+    [[nodiscard]] double value(Node constant) const { return entries_[constant.index].value; }
+    [[nodiscard]] const std::string& name(Node symbol) const;
+    [[nodiscard]] bool isConstant(Node n, double value) const;
+    [[nodiscard]] std::size_t size() const { return entries_.size(); }
+
+  private:
+    struct Entry {
+        Op op = Op::constant;
+        std::uint8_t count = 0;
+        Node arguments[3];
+        double value = 0;        // of a constant
+        std::uint32_t name = 0;  // of a symbol
+    };
+    struct Key;
+    Node intern(const Entry& entry);
+
+    std::deque<Entry> entries_;
+    std::vector<std::string> names_;
+    std::unordered_map<std::string, Node> symbols_;
+    std::unordered_multimap<std::size_t, std::uint32_t> table_;
+};
+
+// Infix text that parse() reads back to the same node.
+[[nodiscard]] std::string print(const Graph& graph, Node node);
+
+// d node / d symbol. Switching functions differentiate piecewise: d abs(x) = sign(x) dx,
+// d floor = d sign = 0, d min(a,b) = select(a < b, da, db).
+[[nodiscard]] Node differentiate(Graph& graph, Node node, Node symbol);
+
+// Every symbol replaced by the node given for it (symbols without one stay).
+[[nodiscard]] Node substitute(Graph& graph, Node node,
+                              const std::unordered_map<std::uint32_t, Node>& replacements);
+
+// The symbols that a node reads, in order of index.
+[[nodiscard]] std::vector<Node> symbolsOf(const Graph& graph, std::span<const Node> nodes);
+
+} // namespace expression

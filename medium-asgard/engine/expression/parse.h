@@ -1,0 +1,37 @@
+// Infix text of the scene language into a graph (docs/scene-language.md, "Expressions").
+#pragma once
+
+#include "expression/graph.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace expression {
+
+struct SyntaxError {
+    std::size_t from = 0, to = 0; // bytes of the text that are wrong
+    std::string message;          // one sentence
+    std::string suggestion;
+};
+
+// What a name, or a call that is not a built-in function ("B.px" with its argument nodes), means.
+// Returns the node, or the sentence that says why there is none.
+struct Meaning {
+    std::optional<Node> node;
+    std::string message, suggestion;
+};
+using Names = std::function<Meaning(Graph&, std::string_view name, std::span<const Node> arguments,
+                                    bool isCall)>;
+
+// Numbers are decimal and finite. At most 200 levels of nesting and 100,000 bytes.
+[[nodiscard]] std::variant<Node, SyntaxError> parse(Graph& graph, std::string_view text,
+                                                    const Names& names);
+
+// The names of the built-in functions, for messages and completion.
+[[nodiscard]] const std::vector<std::string>& functionNames();
+
+} // namespace expression

@@ -1,0 +1,64 @@
+// Expressions as straight-line code over slots, evaluated many times.
+//
+// The tape is the reference evaluator. It evaluates shared subexpressions once. Where an expression
+// switches (comparisons, ?:, abs, sign, min, max, floor, ceil), the tape can be told which branch
+// to take, so that an integrator sees a smooth function across one step and locates the switch as
+// a root of that switch's guard instead of stepping over a kink.
+//
+//   guard of a < b, a <= b, a == b, min(a,b), max(a,b):  a - b
+//   guard of abs(x), sign(x):                            x
+//   guard of floor(x), ceil(x):                          distance of x to the integers of its branch
+//
+// A decision is the branch taken: the sign of the guard (-1, 0, +1), or the integer that floor or
+// ceil gave. Logical operators and ?: have no guard of their own: they follow from comparisons.
+#pragma once
+
+#include "expression/graph.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace expression {
+
+using Decision = std::int64_t;
+
+class Tape {
+  public:
+    Tape() = default;
+    // Evaluates `outputs` as functions of `inputs` (symbols; every symbol read must be among them).
+    Tape(const Graph& graph, std::span<const Node> inputs, std::span<const Node> outputs);
+
+    [[nodiscard]] std::size_t inputs() const { return inputs_; }
+    [[nodiscard]] std::size_t outputs() const { return outputSlots_.size(); }
+    [[nodiscard]] std::size_t decisions() const { return guards_; }
+    [[nodiscard]] std::size_t operations() const { return code_.size(); }
+
+    // Scratch that one thread gives to every call; sized by the first.
+    using Scratch = std::vector<double>;
+
+    // Branches follow from the values.
+    void evaluate(std::span<const double> in, std::span<double> out, Scratch& scratch) const;
+    // Branches are as given, guards are written (decisions() of each; `guards` may be empty).
+    void evaluate(std::span<const double> in, std::span<double> out, Scratch& scratch,
+                  std::span<const Decision> decisions, std::span<double> guards) const;
+    // The branches that the values imply, and the guards.
+    void decide(std::span<const double> in, std::span<Decision> decisions,
+                std::span<double> guards, Scratch& scratch) const;
+
+    // One line per operation, for tests and `explain`.
+    [[nodiscard]] std::string print() const;
+
+  private:
+    struct Instruction {
+        Op op;
+        std::uint32_t result, a, b, c;
+        std::int32_t decision; // index, or -1
+    };
+    std::vector<Instruction> code_;
+    std::vector<double> constants_; // initial contents of the slots after the inputs
+    std::vector<std::uint32_t> outputSlots_;
+    std::size_t inputs_ = 0, slots_ = 0, guards_ = 0;
+};
+
+} // namespace expression

@@ -1,0 +1,263 @@
+// A scene as its author wrote it: elements, their options, and where each stands in the text.
+//
+// This is a plain value, made by script/ from one evaluation of the text, and read by everything
+// else. Expressions are kept as text (expression/ parses them), shapes as their description
+// (geometry/ makes hulls of them). Units are the author's, coherent; angles radians; world
+// coordinates unless a comment says "body". Defaults stand here, from the scene language.
+//
+// Reference: the scene language (docs/scene-language.md), sections "Elements" and "Physics".
+#pragma once
+
+#include "geometry/pose.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace scene {
+
+using geometry::Quaternion;
+using geometry::Vector;
+
+// Bytes [from, to) of the scene's text, UTF-8. An empty range means that no place is known: the
+// element came from a command that the text does not hold literally (an eval of computed text).
+struct Range {
+    std::size_t from = 0;
+    std::size_t to = 0;
+    [[nodiscard]] bool known() const { return to > from; }
+    bool operator==(const Range&) const = default;
+};
+
+// Where one value of an element comes from.
+struct Argument {
+    std::string option;    // "-init_pos", "-x"; "" for the name and for a shape given by position
+    Range word;            // the whole word, braces and quotes included
+    bool literal = false;  // the word's bytes are the value's own: safe to rewrite
+};
+
+// Where an element comes from: one command of the text, which may have run several times.
+struct Source {
+    Range command;
+    int runs = 0;  // how often that command ran in the evaluation; > 1: made by a loop or procedure
+    int line = 0;  // from 1; of the command's first character (or the nearest mapped caller)
+    int column = 0; // from 1, in characters
+    std::vector<Argument> arguments;
+};
+
+using Expression = std::string; // infix text of the scene language, not parsed
+
+struct Color {
+    double red = 0.7, green = 0.7, blue = 0.7; // 0..1
+    bool operator==(const Color&) const = default;
+};
+
+// What is not given is inherited: part <- body <- shape set <- the default grey.
+struct Appearance {
+    std::optional<Color> color;
+    std::optional<double> shininess;    // 0 matt .. 1 mirror-like highlight
+    std::optional<double> transparency; // 0 opaque .. 1 invisible
+    bool operator==(const Appearance&) const = default;
+};
+
+// --- shapes ---------------------------------------------------------------------------------
+
+struct SphereShape {
+    double radius = 1;
+    bool operator==(const SphereShape&) const = default;
+};
+struct BoxShape {
+    Vector edges = Vector::Ones(); // full edge lengths, centred
+    bool operator==(const BoxShape&) const = default;
+};
+struct HullShape {
+    std::vector<Vector> points; // the part is their convex hull
+    bool operator==(const HullShape&) const = default;
+};
+
+struct Part {
+    std::variant<SphereShape, BoxShape, HullShape> shape;
+    Vector position = Vector::Zero(); // in the shape's frame; the part is turned, then moved
+    Vector rotation = Vector::Zero(); // rotation vector
+    Appearance appearance;
+    bool operator==(const Part&) const = default;
+};
+
+struct ShapeSet {
+    std::string name;
+    std::vector<Part> parts; // the shape is their union; not empty
+    Appearance appearance;
+    Source source;
+};
+
+// --- bodies ---------------------------------------------------------------------------------
+
+struct Body {
+    std::string name;
+    std::string shape;                                   // a shape set's name
+    Vector initialPosition = Vector::Zero();             // of the reference point (the shape's origin)
+    Quaternion initialAttitude = Quaternion::Identity(); // normalised
+    Vector initialVelocity = Vector::Zero();             // of the centre of mass
+    Vector initialAngularVelocity = Vector::Zero();      // world axes
+    std::optional<double> mass;                          // given: the inertia is scaled to it
+    // Given: xx yy zz xy xz yz, the tensor's entries about the centre of mass in the body's axes.
+    std::optional<std::array<double, 6>> inertia;
+    double density = 1;
+    double restitution = 1;
+    bool fixed = false;
+    std::string articulatedBody; // -artbody, "" when not given
+    std::optional<int> collisionGroup;
+    Appearance appearance;
+    Source source;
+};
+
+// --- what acts ------------------------------------------------------------------------------
+
+enum class Frame { world, body };
+
+struct ComponentForce {
+    std::array<Expression, 3> components;
+    Frame frame = Frame::world;
+};
+struct TrajectoryForce {
+    std::string trajectory; // its value now is the force, world axes
+};
+struct GravitationalForce {
+    Vector acceleration = Vector::Zero(); // the force is this times the mass
+};
+
+struct Force {
+    std::string body;
+    bool couple = false;          // -torque 1: turns the body, makes no net force
+    std::optional<Vector> offset; // body frame, from the reference point; none: the centre of mass
+    std::variant<ComponentForce, TrajectoryForce, GravitationalForce> kind;
+    Source source;
+};
+
+struct BodyEnd {
+    std::string body;
+    std::optional<Vector> offset; // body frame, from the reference point; none: the centre of mass
+};
+struct PointEnd {
+    std::array<Expression, 3> coordinates; // may read positions, not velocities
+};
+struct TrajectoryEnd {
+    std::string trajectory;
+};
+
+// Force on the first end: F = -k d - c v (scene language, "Physics").
+struct Link {
+    BodyEnd first;
+    std::variant<BodyEnd, PointEnd, TrajectoryEnd> second;
+    double tightness = 0;          // k
+    std::optional<double> damping; // c; none: critical, 2 sqrt(k m)
+    Source source;
+};
+
+// --- trajectories ---------------------------------------------------------------------------
+
+// One Bezier curve over [from, to), its parameter linear in time. One control point: a constant.
+struct BezierCurve {
+    double from = 0, to = 0;
+    std::vector<Vector> control;
+    bool operator==(const BezierCurve&) const = default;
+};
+
+struct Trajectory {
+    std::string name;
+    std::vector<BezierCurve> curves; // ordered in time, disjoint; gaps are allowed
+    // As written by -points: t and place of each; empty for -bezier.
+    std::vector<std::pair<double, Vector>> points;
+    Source source;
+};
+
+enum class Held {
+    position,        // of the reference point, three components
+    attitude,        // a curve of rotation vectors
+    velocity,        // of the centre of mass
+    angularVelocity, // world axes
+    x, y, z,         // one component, from the trajectory's first
+    dx, dy, dz,
+};
+
+struct Constraint {
+    std::string body;
+    Held held = Held::position;
+    std::string trajectory;
+    std::optional<double> from, to; // none: the trajectory's own intervals
+    Source source;
+};
+
+// --- what is looked at ----------------------------------------------------------------------
+
+struct LightSource {
+    std::string name; // "" when not given
+    std::optional<Vector> direction;
+    std::optional<Vector> position; // without direction: a point light
+    Color color{1, 1, 1};
+    Source source;
+};
+
+using VectorValue = std::variant<Vector, std::array<Expression, 3>, std::string>; // string: a trajectory
+using ScalarValue = std::variant<double, Expression>;
+
+// A point p of the world is seen at scale * R(rotation) * (p - center) + position: the screen's x
+// right, y up, z towards the viewer. With eye and look instead: the camera stands at eye, looks at
+// look, with up upwards.
+struct View {
+    std::string name;
+    std::optional<VectorValue> position, rotation, center;
+    std::optional<ScalarValue> scale;
+    std::optional<VectorValue> eye, look, up;
+    Source source;
+};
+
+struct Parameter {
+    std::string name;
+    double value = 0;
+    std::optional<double> minimum, maximum;
+    std::string label, unit;
+    Source source;
+};
+
+struct Plot {
+    std::string name;
+    std::vector<Expression> values;
+    std::vector<std::string> labels;
+    std::string title;
+    Source source;
+};
+
+struct Simulator {
+    double start = 0;
+    double finish = 10;
+    std::optional<double> firstStep;
+    double accuracy = 1e-4; // largest position error over the size of the scene
+    std::string method = "auto";
+    bool collisions = true;
+    std::optional<Source> source; // none: the scene has no simulator command
+};
+
+struct Scene {
+    Simulator simulator;
+    std::vector<ShapeSet> shapeSets;
+    std::vector<Body> bodies; // in the order of the text, which is the order of output columns
+    std::vector<Force> forces;
+    std::vector<Link> links;
+    std::vector<Trajectory> trajectories;
+    std::vector<Constraint> constraints;
+    std::vector<LightSource> lights;
+    std::vector<View> views;
+    std::vector<Parameter> parameters;
+    std::vector<Plot> plots;
+};
+
+// The element of that name, or null.
+[[nodiscard]] const ShapeSet* findShapeSet(const Scene& scene, const std::string& name);
+[[nodiscard]] const Body* findBody(const Scene& scene, const std::string& name);
+[[nodiscard]] const Trajectory* findTrajectory(const Scene& scene, const std::string& name);
+
+} // namespace scene

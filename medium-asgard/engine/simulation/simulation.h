@@ -1,0 +1,84 @@
+// The engine's facade: a scene in, motion out.
+//
+// simulate() is the whole of it for batch use. Interactive use calls it on a worker thread with an
+// Observer: progress publishes partial motion, cancelled() is polled at least every few
+// milliseconds. The same scene and options give the same bits, whatever the thread, the observer
+// or the machine's load.
+#pragma once
+
+#include "scene/scene.h"
+#include "simulation/motion.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace simulation {
+
+struct Options {
+    std::optional<double> accuracy; // overrides the scene's
+    std::optional<double> finish;
+    std::string method = "";        // "" : the scene's
+    std::optional<double> fixedStep;
+    bool whole = false;        // one component for the whole scene (dissertation 5.2.1, 5.2.4)
+    bool eventDriven = true;   // false: finish each component before the next (5.2.4, case 5)
+    int threads = 1;
+    std::map<std::string, double> parameters; // override the scene's values
+};
+
+struct Observer {
+    std::function<bool()> cancelled;                     // true: stop soon, keep what there is
+    std::function<void(MotionPointer)> progress;         // a longer motion; any thread
+};
+
+// Work done, for tests and --stats. Counts are portable; seconds are not.
+struct ComponentStatistics {
+    std::size_t unknowns = 0;
+    std::string model;  // "closed-form" | "quadrature" | "linear" | "explicit" | "implicit"
+    std::string method; // "dop853", "radau5", ...
+    std::size_t steps = 0, evaluations = 0;
+};
+
+struct Statistics {
+    double seconds = 0; // CPU of the motion
+    std::size_t steps = 0, rejectedSteps = 0, discardedSteps = 0;
+    std::size_t evaluations = 0, equationEvaluations = 0, factorisations = 0;
+    std::size_t pairTests = 0, collisions = 0;
+    std::size_t components = 0, largestComponent = 0, historyBytes = 0;
+    double reached = 0;
+    std::optional<double> errorEstimate, predictableUntil;
+    std::vector<ComponentStatistics> componentList;
+};
+
+struct Result {
+    MotionPointer motion; // never null, except when `refusal` says why nothing could be computed
+    Statistics statistics;
+    std::vector<std::string> refusal; // faults that make the scene unusable; then motion is null
+    bool cancelled = false;
+};
+
+[[nodiscard]] Result simulate(const scene::Scene& scene, const Options& options = {},
+                              const Observer& observer = {});
+
+// Quantities: any expression of the scene language, and scene.energy, scene.px .. scene.lz,
+// events.collisions, read from a motion (command-line contract, "simulate").
+class Quantities {
+  public:
+    // Faulty expressions are reported in `faults`, one sentence each.
+    Quantities(const scene::Scene& scene, const Options& options, MotionPointer motion,
+               const std::vector<std::string>& expressions, std::vector<std::string>& faults);
+    ~Quantities();
+    Quantities(Quantities&&) noexcept;
+    Quantities& operator=(Quantities&&) noexcept;
+
+    // One value per expression, at a time in start..computed; NaN where it is not defined.
+    [[nodiscard]] std::vector<double> at(double time) const;
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace simulation

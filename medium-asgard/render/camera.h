@@ -1,0 +1,74 @@
+// Where a scene is seen from, and how pointer and keys move that.
+//
+// A point p of the world is seen at view = scale * R(rotation) * (p - center) + position, the
+// screen's x right, y up, z towards the viewer (dissertation 4.1.7; scene language, `view`).
+// The picture shows view coordinates -1..1 over its shorter side, in perspective about the plane
+// view z = 0, where lengths are exact.
+#pragma once
+
+#include "geometry/pose.h"
+#include "scene/scene.h"
+#include "simulation/motion.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace render {
+
+using geometry::Quaternion;
+using geometry::Vector;
+
+struct Camera {
+    Vector center = Vector::Zero();                   // world: centre of rotation and scaling
+    Quaternion rotation = Quaternion::Identity();     // world to view
+    double scale = 1;                                 // view units per world unit
+    Vector position = Vector::Zero();                 // view units: pan
+};
+
+struct Size {
+    int width = 640, height = 480; // device pixels
+};
+
+// Pixels (origin top left) of a world point, and back to the world at a given view depth z.
+[[nodiscard]] Eigen::Vector2d toPixels(const Camera& camera, Size size, const Vector& world);
+[[nodiscard]] Vector toWorld(const Camera& camera, Size size, const Eigen::Vector2d& pixels,
+                             double viewZ = 0);
+
+// The camera that shows all of the motion well: everything that moves, over the whole motion, and
+// what is fixed near it, with a margin; from slightly above and to the side when the motion is not
+// planar, straight on when it is.
+[[nodiscard]] Camera framed(const scene::Scene& scene, const simulation::Motion& motion, Size size);
+
+// The scene's view of that name (its first when empty), at a time; `framed` where it says nothing.
+// Values bound to trajectories or expressions follow time.
+[[nodiscard]] Camera cameraOf(const scene::Scene& scene, const simulation::Motion& motion,
+                              const std::string& view, double time, Size size);
+
+// Unshifted buttons move the view: left rotates by a virtual sphere, middle pans in the screen's
+// plane, right scales (vertical) or rolls about the line of sight (horizontal); the wheel scales
+// about the pointer. Rotations compose as quaternions.
+class CameraControl {
+  public:
+    enum class Button : std::uint8_t { left, middle, right };
+
+    explicit CameraControl(Camera camera = {}) : camera_(camera) {}
+    [[nodiscard]] const Camera& camera() const { return camera_; }
+    void set(const Camera& camera) { camera_ = camera; }
+
+    void press(Button button, Eigen::Vector2d pixels, Size size);
+    // True when the view changed.
+    bool move(Eigen::Vector2d pixels, Size size);
+    void release();
+    void wheel(Eigen::Vector2d pixels, double notches, Size size);
+    [[nodiscard]] bool active() const { return pressed_.has_value(); }
+
+  private:
+    Camera camera_;
+    std::optional<Button> pressed_;
+    Eigen::Vector2d last_ = Eigen::Vector2d::Zero();
+    Eigen::Vector2d first_ = Eigen::Vector2d::Zero();
+    std::optional<bool> rolls_; // of a right drag, once its direction is clear
+};
+
+} // namespace render

@@ -1,0 +1,63 @@
+// Draws a scene at a time into pixels.
+//
+// One renderer for documents, windows and files: EGL surfaceless, its own framebuffer, core profile
+// 3.3, no Qt. A Renderer owns one GL context and belongs to the thread that made it.
+#pragma once
+
+#include "render/camera.h"
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <variant>
+
+namespace render {
+
+struct Display {
+    bool wireframe = false;
+    bool axes = false;
+    bool grid = true;          // ground grid
+    bool trails = true;        // paths of the centres of mass up to now
+    bool positionHandles = false;
+    bool velocityHandles = false;
+    bool chosen = false;       // unused by documents: the host draws its own frame
+    scene::Color background{1, 1, 1};
+    int samples = 4;           // multisampling; clamped to what there is; 1 while it moves fast
+};
+
+struct Drawing {
+    const scene::Scene* scene = nullptr;
+    const simulation::Motion* motion = nullptr;
+    double time = 0;
+    Camera camera;
+    Display display;
+};
+
+// Pixels B, G, R, X, top row first.
+struct Image {
+    std::span<std::byte> pixels; // at least stride * height
+    std::size_t stride = 0;      // bytes per row, >= 4 * width
+    Size size;
+};
+
+class Renderer {
+  public:
+    // A renderer, or the sentence that says why there is none (no EGL, no driver: names the package).
+    [[nodiscard]] static std::variant<std::unique_ptr<Renderer>, std::string> create();
+    ~Renderer();
+
+    // Draws and reads back. False when the context was lost; then make a new renderer.
+    [[nodiscard]] bool draw(const Drawing& drawing, const Image& into);
+
+    [[nodiscard]] int maximumSamples() const;
+    [[nodiscard]] int maximumSize() const;
+    [[nodiscard]] std::string description() const; // driver and version, for About
+
+  private:
+    Renderer();
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace render
