@@ -12,7 +12,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
 namespace render {
 
@@ -28,7 +27,11 @@ struct Camera {
 
 struct Size {
     int width = 640, height = 480; // device pixels
+    bool operator==(const Size&) const = default;
 };
+
+// The eye stands on the view's z axis, this far in front of the plane z = 0.
+inline constexpr double eyeDistance = 5;
 
 // Pixels (origin top left) of a world point, and back to the world at a given view depth z.
 [[nodiscard]] Eigen::Vector2d toPixels(const Camera& camera, Size size, const Vector& world);
@@ -37,13 +40,9 @@ struct Size {
 
 // The camera that shows all of the motion well: everything that moves, over the whole motion, and
 // what is fixed near it, with a margin; from slightly above and to the side when the motion is not
-// planar, straight on when it is.
-[[nodiscard]] Camera framed(const scene::Scene& scene, const simulation::Motion& motion, Size size);
-
-// The scene's view of that name (its first when empty), at a time; `framed` where it says nothing.
-// Values bound to trajectories or expressions follow time.
-[[nodiscard]] Camera cameraOf(const scene::Scene& scene, const simulation::Motion& motion,
-                              const std::string& view, double time, Size size);
+// planar, straight on when it is. Without a motion: the bodies where they start.
+[[nodiscard]] Camera framed(const scene::Scene& scene, const simulation::MotionPointer& motion,
+                            Size size);
 
 // Unshifted buttons move the view: left rotates by a virtual sphere, middle pans in the screen's
 // plane, right scales (vertical) or rolls about the line of sight (horizontal); the wheel scales

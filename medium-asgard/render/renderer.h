@@ -21,14 +21,13 @@ struct Display {
     bool trails = true;        // paths of the centres of mass up to now
     bool positionHandles = false;
     bool velocityHandles = false;
-    bool chosen = false;       // unused by documents: the host draws its own frame
     scene::Color background{1, 1, 1};
     int samples = 4;           // multisampling; clamped to what there is; 1 while it moves fast
 };
 
 struct Drawing {
     const scene::Scene* scene = nullptr;
-    const simulation::Motion* motion = nullptr;
+    simulation::MotionPointer motion; // none: the bodies stand where they start
     double time = 0;
     Camera camera;
     Display display;
