@@ -1,0 +1,72 @@
+#include "confinement/confinement.h"
+
+#include "confinement/fences.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <vector>
+
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace confinement {
+
+namespace {
+
+void note(Report &report, bool &inForce, const std::string &failure) {
+    inForce = failure.empty();
+    if (!failure.empty())
+        report.missing += (report.missing.empty() ? "" : "; ") + failure;
+}
+
+// close_range(2) is younger than the kernels that we run on; /proc may be absent. Both, then.
+void closeRange(unsigned from, unsigned to) {
+#ifdef SYS_close_range
+    if (syscall(SYS_close_range, from, to, 0u) == 0)
+        return;
+#endif
+    const long most = sysconf(_SC_OPEN_MAX);
+    const unsigned last = most > 0 ? static_cast<unsigned>(most) : 65536u;
+    for (unsigned fd = from; fd <= to && fd < last; ++fd)
+        close(static_cast<int>(fd));
+}
+
+} // namespace
+
+Report confine(Role role, const Limits &limits, Fences wanted) {
+    Report report;
+    report.inForce = Fences{false, false, false, false};
+    if (wanted.limits)
+        note(report, report.inForce.limits, setLimits(role, limits));
+    if (wanted.privileges || wanted.paths || wanted.calls)
+        note(report, report.inForce.privileges, dropPrivileges(role));
+    if (wanted.paths)
+        note(report, report.inForce.paths, forbidPaths(role, report.landlockVersion));
+    if (wanted.calls)
+        note(report, report.inForce.calls, filterCalls(role));
+    return report;
+}
+
+void dieWithParent(int parent) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
+    if (getppid() != parent)
+        _exit(0);
+}
+
+void closeDescriptorsExcept(std::span<const int> keep) {
+    std::vector<int> kept(keep.begin(), keep.end());
+    std::sort(kept.begin(), kept.end());
+    unsigned from = 0;
+    for (const int fd : kept) {
+        if (static_cast<unsigned>(fd) > from)
+            closeRange(from, static_cast<unsigned>(fd) - 1);
+        from = static_cast<unsigned>(fd) + 1;
+    }
+    closeRange(from, ~0u);
+}
+
+void emptyEnvironment() { clearenv(); }
+
+} // namespace confinement
