@@ -1,0 +1,253 @@
+#include "ipc/wire.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <random>
+
+namespace ipc {
+namespace {
+
+using testing::HasSubstr;
+
+const AwaitedCall nothingAwaited = [](Integer) { return std::nullopt; };
+
+std::string bodyOf(const std::string &method, const std::string &params, bool request = true) {
+    return R"({"jsonrpc":"2.0",)" + std::string(request ? R"("id":7,)" : "") + R"("method":")" +
+           method + R"(","params":)" + params + "}";
+}
+
+// What came of reading it, in words.
+template <class Call> std::string described(const Decoded<Call> &decoded) {
+    if (auto *v = std::get_if<Violation>(&decoded))
+        return "violation: " + v->sentence;
+    if (auto *u = std::get_if<Unanswerable>(&decoded))
+        return "refused " + std::to_string(u->error.code) + ": " + u->error.message;
+    if (std::holds_alternative<Ignored>(decoded))
+        return "ignored";
+    const auto name = [](const auto &call) { return std::string(call.method); };
+    if (auto *asked = std::get_if<Asked<Call>>(&decoded))
+        return "asked " + std::visit(name, asked->call);
+    if (auto *told = std::get_if<Told<Call>>(&decoded))
+        return "told " + std::visit(name, told->call);
+    return "answered";
+}
+
+std::string forMedium(const std::string &body) {
+    return described(decodeForMedium(body, nothingAwaited));
+}
+
+template <class T> T sentToMedium(const T &call) {
+    if constexpr (IsRequest<T>) {
+        auto decoded = decodeForMedium(encodeRequest(5, ToMedium(call)), nothingAwaited);
+        EXPECT_EQ(std::get<Asked<ToMedium>>(decoded).id, Id(Integer{5}));
+        return std::get<T>(std::get<Asked<ToMedium>>(decoded).call);
+    } else {
+        auto decoded = decodeForMedium(encodeNotification(ToMedium(call)), nothingAwaited);
+        return std::get<T>(std::get<Told<ToMedium>>(decoded).call);
+    }
+}
+
+// Calls f with a default value of every alternative.
+template <class Variant, class F, std::size_t I = 0> void forEachCall(F f) {
+    if constexpr (I < std::variant_size_v<Variant>) {
+        f(std::variant_alternative_t<I, Variant>{});
+        forEachCall<Variant, F, I + 1>(f);
+    }
+}
+
+// Defaults that the ranges of the protocol refuse.
+template <class T> T smallest() {
+    T call;
+    if constexpr (requires {
+                      call.width;
+                      call.height;
+                  })
+        call.width = call.height = 1;
+    if constexpr (requires { call.availableWidth; })
+        call.availableWidth = 1;
+    return call;
+}
+
+TEST(Wire, EveryCallOfBothDirectionsSurvivesTheWire) {
+    int calls = 0;
+    forEachCall<ToMedium>([&](auto call) {
+        using T = decltype(call);
+        const ToMedium message = smallest<T>();
+        const std::string body =
+            IsRequest<T> ? encodeRequest(1, message) : encodeNotification(message);
+        const std::string kind = IsRequest<T> ? "asked " : "told ";
+        EXPECT_EQ(forMedium(body), kind + T::method) << body;
+        ++calls;
+    });
+    forEachCall<ToHost>([&](auto call) {
+        using T = decltype(call);
+        const ToHost message = smallest<T>();
+        const std::string body =
+            IsRequest<T> ? encodeRequest(1, message) : encodeNotification(message);
+        const std::string kind = IsRequest<T> ? "asked " : "told ";
+        EXPECT_EQ(described(decodeForHost(body, nothingAwaited)), kind + T::method) << body;
+        ++calls;
+    });
+    EXPECT_EQ(calls, 29 + 15);
+}
+
+TEST(Wire, FieldsArriveAsTheyWereSent) {
+    Initialize initialize;
+    initialize.oldest = 1;
+    initialize.newest = 3;
+    initialize.documentClass = "ANIMATION";
+    initialize.mode = Mode::batch;
+    initialize.frames = SharedMemory{5, 1 << 30};
+    const Initialize i = sentToMedium(initialize);
+    EXPECT_EQ(i.newest, 3);
+    EXPECT_EQ(i.mode, Mode::batch);
+    EXPECT_EQ(i.frames->bytes, 1 << 30);
+
+    const std::string text("body \xc3\xa9 {\n\t\"\\}\x01\x00z", 18);
+    EXPECT_EQ(sentToMedium(SubdocumentLoad{text, 4}).text, text);
+    EXPECT_EQ(sentToMedium(SubdocumentEdit{5, {{1, 2, "a"}, {4, 4, ""}}, "Typing"}).edits,
+              (std::vector<TextEdit>{{1, 2, "a"}, {4, 4, ""}}));
+
+    RenditionInput input;
+    input.type = InputType::wheel;
+    input.buttons = {Button::left, Button::right};
+    input.modifiers = {Modifier::control};
+    input.dy = -0.25;
+    const RenditionInput in = sentToMedium(input);
+    EXPECT_EQ(in.type, InputType::wheel);
+    EXPECT_EQ(in.buttons, input.buttons);
+    EXPECT_EQ(in.modifiers, input.modifiers);
+    EXPECT_EQ(in.dy, -0.25);
+    EXPECT_EQ(sentToMedium(TimeSeek{1.0 / 3}).time, 1.0 / 3);
+}
+
+TEST(Wire, BytesThatAreNotUtf8BecomeQuestionMarksOfTheSameLength) {
+    const std::pair<std::string, std::string> cases[] = {
+        {"plain", "plain"},
+        {"\xc3\xa9\xe2\x82\xac\xf0\x9f\x8e\x88", "\xc3\xa9\xe2\x82\xac\xf0\x9f\x8e\x88"},
+        {"a\xff"
+         "b",
+         "a?b"},
+        {"\xc3", "?"},
+        {"\xe2\x82", "??"},
+        {"\xc0\xaf", "??"},
+        {"\xed\xa0\x80", "???"},
+        {"\xf5\x80\x80\x80", "????"},
+        {"\xe0\x80\x80x", "???x"},
+        {"\xf4\x90\x80\x80", "????"},
+    };
+    for (const auto &[given, expected] : cases) {
+        EXPECT_EQ(asUtf8(given), expected);
+        EXPECT_EQ(sentToMedium(SubdocumentLoad{given, 1}).text, expected);
+    }
+}
+
+TEST(Wire, WhatIsWrongIsNamed) {
+    const std::pair<std::string, std::string> cases[] = {
+        {bodyOf("no/such", "{}"), "refused -32601: no method \"no/such\""},
+        {bodyOf("no/such", "{}", false), "ignored"},
+        {bodyOf("rendition/frame", "{}"), "refused -32601: no method \"rendition/frame\""},
+        {bodyOf("ping", "[]"), "refused -32602: ping must be an object"},
+        {bodyOf("ping", R"({"unknown":[1,{}]})"), "asked ping"},
+        {bodyOf("time/seek", "{}"), "refused -32602: time/seek.time is missing"},
+        {bodyOf("time/seek", R"({"time":"1"})"), "refused -32602: time/seek.time must be a number"},
+        {bodyOf("time/seek", R"({"time":null})"),
+         "refused -32602: time/seek.time must be a number"},
+        {bodyOf("time/rate", R"({"rate":0})"), "time/rate.rate must lie in 1e-06 to 1000000.0"},
+        {bodyOf("rendition/destroy", R"({"rendition":1.5})"), "rendition must be a whole number"},
+        {bodyOf("rendition/destroy", R"({"rendition":-1})"), "rendition must not be negative"},
+        {bodyOf("rendition/destroy", R"({"rendition":1e300})"), "rendition is out of range"},
+        {bodyOf("rendition/destroy", R"({"rendition":3.0})"), "asked rendition/destroy"},
+        {bodyOf("initialize", R"({"protocol":[1],"class":"A","mode":"play","frames":null})"),
+         "initialize.protocol must be two numbers"},
+        {bodyOf("initialize", R"({"protocol":[1,1],"class":"A","mode":"loud","frames":null})"),
+         "initialize.mode must be one of play, edit, batch"},
+        {bodyOf("initialize", R"({"protocol":[1,1],"class":"A","mode":"play","frames":{"fd":3}})"),
+         "initialize.frames.bytes is missing"},
+        {bodyOf("subdocument/edit",
+                R"({"revision":1,"edits":[{"from":0,"to":1,"text":""},{"from":-1}]})"),
+         "subdocument/edit.edits[1].from must not be negative"},
+        {bodyOf("rendition/input", R"({"rendition":1,"type":"press","buttons":["left",3]})", false),
+         "violation: rendition/input.buttons[1] must be one of none, left"},
+        {bodyOf("presentation/size", R"({"presentation":"p","available":7})"),
+         "presentation/size.available must be an object"},
+        {bodyOf("ping", "{}", false), "violation: ping is a request and came without an id"},
+        {bodyOf("rendition/show", R"({"rendition":1})"),
+         "refused -32600: rendition/show is a notification"},
+        {"[]", "violation: a message that is not a JSON-RPC 2.0 object"},
+        {"3", "violation"},
+        {"{", "violation: a message that is not JSON"},
+        {"{\"jsonrpc\":\"2.0\"}", "violation: a message without method"},
+        {"{\"jsonrpc\":\"2.0\",\"id\":{},\"method\":\"ping\"}", "violation: a request whose id"},
+        {"{\"jsonrpc\":\"2.0\",\"id\":3,\"result\":{}}",
+         "violation: an answer to a request that was not made"},
+        {"{\"jsonrpc\":\"2.0\",\"id\":null,\"error\":{\"code\":-32700,\"message\":\"eh\"}}",
+         "violation: the other side could not read a message: eh"},
+        {"{\"jsonrpc\":\"2.0\",\"id\":3,\"error\":7}", "violation: an error that has no code"},
+        {"{\"jsonrpc\":\"2.0\",\"method\":\"\xff\"}", "violation: a message that is not JSON"},
+        {std::string(40, '[') + std::string(40, ']'), "violation: a message that nests too deeply"},
+        {"[" + std::string(2'000'000, ',') + "]",
+         "violation: a message of more than a million values"},
+        {R"({"jsonrpc":"2.0","id":"abc","method":"ping"})", "asked ping"},
+    };
+    for (const auto &[body, expected] : cases)
+        EXPECT_THAT(forMedium(body), HasSubstr(expected)) << body.substr(0, 200);
+}
+
+TEST(Wire, AnswersAreReadByTheRequestThatTheyAnswer) {
+    const auto asPresentationList = [](Integer) { return ToMedium(PresentationList{}).index(); };
+    const std::string body = encodeAnswer(Id(Integer{9}), Presentations{{{"picture", "Picture"}}});
+    EXPECT_THAT(body, HasSubstr(R"("result":[{)"));
+    const auto decoded = decodeForHost(body, asPresentationList);
+    const auto &answered = std::get<Answered>(decoded);
+    EXPECT_EQ(answered.id, 9);
+    EXPECT_EQ(std::get<Presentations>(std::get<AnyResult>(answered.outcome)).items[0].label,
+              "Picture");
+
+    const auto asInitialize = [](Integer) { return ToMedium(Initialize{}).index(); };
+    EXPECT_THAT(described(decodeForHost(body, asInitialize)),
+                "violation: the answer to initialize must be an object");
+    const auto refused =
+        decodeForHost(encodeError(Id(Integer{9}), {ErrorCode::staleBase, "old"}), asInitialize);
+    EXPECT_EQ(std::get<Error>(std::get<Answered>(refused).outcome).code, -32002);
+}
+
+TEST(Wire, UndefinedValuesAreNull) {
+    const std::string body = encodeAnswer(Id(Integer{1}), Values{{1.5, std::nan(""), INFINITY}});
+    EXPECT_THAT(body, HasSubstr("[1.5,null,null]"));
+    const auto decoded = decodeForHost(body, [](Integer) { return ToMedium(ValueRead{}).index(); });
+    const Values values =
+        std::get<Values>(std::get<AnyResult>(std::get<Answered>(decoded).outcome));
+    EXPECT_EQ(values.values[0], 1.5);
+    EXPECT_TRUE(std::isnan(values.values[1]));
+}
+
+TEST(Wire, FlippedBitsAndCutsNeverDoMoreThanRefuse) {
+    RenditionCreate create;
+    create.rendition = 3;
+    create.presentation = "picture";
+    create.width = 300;
+    create.height = 200;
+    create.slots = {{0, 1200}, {240000, 1200}};
+    const std::string bodies[] = {
+        encodeRequest(1, ToMedium(create)),
+        encodeRequest(2, ToMedium(SubdocumentEdit{2, {{0, 4, "x"}}, "l"})),
+        encodeAnswer(Id(Integer{1}), Initialized{})};
+    for (const std::string &body : bodies)
+        for (std::size_t cut = 0; cut < body.size(); ++cut)
+            EXPECT_THAT(forMedium(body.substr(0, cut)), HasSubstr("violation")) << cut;
+    std::mt19937 random(3);
+    int refused = 0;
+    for (int round = 0; round < 20000; ++round) {
+        std::string damaged = bodies[random() % 3];
+        for (int flips = 1 + static_cast<int>(random() % 3); flips > 0; --flips)
+            damaged[random() % damaged.size()] ^= static_cast<char>(1u << random() % 8);
+        refused += forMedium(damaged).starts_with("asked") ? 0 : 1;
+        (void)decodeForHost(damaged, [](Integer id) { return static_cast<std::size_t>(id % 5); });
+    }
+    EXPECT_GT(refused, 1000);
+}
+
+} // namespace
+} // namespace ipc
