@@ -1,0 +1,71 @@
+// Events that no equation announces, such as collisions: a source is shown what is known so far and
+// answers with the earliest instant at which something happens.
+//
+// Protocol, one thread:
+//
+//     known advances                       all unknowns that did not stop are known up to `known`
+//     next(histories, known) -> none       nothing happens up to `known`: the source need never
+//                                          look at that interval again
+//     next(histories, known) -> event      event.time in [time of the last event, known]. The
+//     solver
+//                                          cuts what the event touches, and what reads that, at its
+//                                          time and asks apply()
+//     apply(histories, event, changes)     states just before the event are still there
+//                                          (pieceBefore, and piece too); write jumps and equations
+//                                          into `changes`
+//     next(histories, known)               again, with known = event.time or later: there may be
+//                                          another event at the same instant
+//
+// Events are handled in order of time, so none is ever undone by a later discovery; unknowns that
+// an event does not touch, and that read nothing it touches, keep every step they made.
+#pragma once
+
+#include "expression/equations.h"
+#include "solution/histories.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace solution {
+
+struct Event {
+    double time = 0;
+    std::vector<std::size_t>
+        touched;           // unknowns that restart here, whether or not their values jump
+    std::uint64_t tag = 0; // the source's own
+};
+
+struct Changes {
+    struct Jump {
+        std::size_t unknown;
+        double value;
+    };
+    struct Equation {
+        std::size_t unknown;
+        expression::Phase phase; // in force from the event on, in place of all later phases,
+                                 // which `later` may list again
+        std::vector<expression::Phase> later;
+    };
+    // Ends the motion of these unknowns (and of all in their components) at the event.
+    struct End {
+        std::vector<std::size_t> unknowns;
+        std::string sentence;
+    };
+    std::vector<Jump> jumps; // of differential unknowns; others are ignored
+    std::vector<Equation> equations;
+    std::vector<End> ends;
+};
+
+class EventSource {
+public:
+    virtual ~EventSource() = default;
+    [[nodiscard]] virtual std::optional<Event> next(const Histories &histories, double known) = 0;
+    // New nodes go into the graph of `equations`; what is in force now is read there too.
+    virtual void apply(const Histories &histories, const Event &event,
+                       expression::EquationSet &equations, Changes &changes) = 0;
+};
+
+} // namespace solution

@@ -1,0 +1,130 @@
+// The solved motion of all unknowns: piecewise polynomials over each unknown's own time points.
+//
+// A Histories is a value that shares its pieces: what the solver publishes never changes, any
+// thread may read it as long as it likes, and publishing costs as much as was added since.
+//
+// At an event an unknown may have two values. Everything here answers with the one after it, except
+// pieceBefore(). Past the last known time, and before the start, the nearest piece is continued:
+// check reached() first when that matters.
+#pragma once
+
+#include "solution/polynomial.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace solution {
+
+// Why the motion of some unknowns ended before the finish.
+struct Stop {
+    enum class Reason {
+        notFinite,     // a right-hand side has no finite value from here on
+        overflow,      // a value went over 1e100
+        stepUnderflow, // error control needs steps below what doubles can resolve
+        tooManySteps,  // more steps than Options::maximumSteps
+        decisions,     // switching expressions flip without time advancing
+        algebraicLoop, // held values that are defined by each other
+        tooManyEvents, // more events at one instant than Options::maximumEventsAtOnce
+        inputEnded,    // an unknown that this one reads ended
+        source,        // the source of events ended it
+    };
+    double time = 0;
+    Reason reason = Reason::notFinite;
+    std::vector<std::size_t> unknowns; // all whose motion ends here together
+    std::vector<std::size_t> culprits; // those that caused it: not finite, fastest, flipping
+    std::string sentence; // with names of unknowns as in the equation set; no time in it
+};
+
+// Steps of one component: breakpoints and, per step, a row of coefficients for each column.
+class History {
+public:
+    explicit History(std::size_t columns) : columns_(columns) {}
+
+    [[nodiscard]] std::size_t columns() const { return columns_; }
+    [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] bool empty() const { return size_ == 0; }
+    [[nodiscard]] double from() const { return size_ ? step(0).origin : infinity; }
+    [[nodiscard]] double until() const { return size_ ? step(size_ - 1).until : -infinity; }
+    [[nodiscard]] std::size_t bytes() const;
+
+    struct Step {
+        double origin = 0, until = 0, scale = 1;
+        bool fresh = false;            // begins at an event: values or derivatives may jump here
+        std::uint8_t coefficients = 0; // per column
+        std::uint32_t offset = 0;      // into Chunk::values
+    };
+    [[nodiscard]] const Step &step(std::size_t index) const;
+    [[nodiscard]] Piece piece(std::size_t index, std::size_t column) const;
+    // Index of the step that holds t: the later one at a joint. `near` is where to look first.
+    [[nodiscard]] std::size_t find(double t, std::size_t near = 0) const;
+
+    // `rows` has `coefficients` numbers for each column.
+    void append(const Step &step, std::span<const double> rows);
+    // Forgets everything after t. Returns the number of whole steps that were dropped.
+    std::size_t cut(double t);
+    // The last step begins at an event.
+    void markFresh() { nextIsFresh_ = true; }
+    // A copy that shares all full chunks.
+    [[nodiscard]] std::shared_ptr<const History> freeze() const;
+
+private:
+    static constexpr std::size_t stepsPerChunk = 64;
+    struct Chunk {
+        std::vector<Step> steps;
+        std::vector<double> values;
+    };
+    [[nodiscard]] Chunk &writableTail();
+
+    std::size_t columns_;
+    std::size_t size_ = 0;
+    bool nextIsFresh_ = false;
+    std::vector<std::shared_ptr<Chunk>> chunks_; // all but the last have stepsPerChunk steps
+};
+
+class Histories {
+public:
+    [[nodiscard]] std::size_t unknowns() const { return tracks_.size(); }
+    [[nodiscard]] double start() const { return start_; }
+    // The unknown is known from start() up to here (maybe past the finish, maybe infinity).
+    [[nodiscard]] double reached(std::size_t unknown) const;
+    // All unknowns that did not stop are known up to here.
+    [[nodiscard]] double known() const { return known_; }
+    [[nodiscard]] const Stop *stop(std::size_t unknown) const;
+    [[nodiscard]] const std::vector<Stop> &stops() const { return stops_; }
+
+    [[nodiscard]] double value(std::size_t unknown, double t) const;
+    [[nodiscard]] double derivative(std::size_t unknown, double t) const;
+    [[nodiscard]] double secondDerivative(std::size_t unknown, double t) const;
+
+    // The piece that holds t; at a joint the later one, and with pieceBefore the earlier one.
+    [[nodiscard]] Piece piece(std::size_t unknown, double t) const;
+    [[nodiscard]] Piece pieceBefore(std::size_t unknown, double t) const;
+
+    // Times, in order, at which the unknown was restarted by an event (value or derivative may
+    // jump).
+    [[nodiscard]] std::vector<double> restarts(std::size_t unknown) const;
+    [[nodiscard]] std::size_t bytes() const;
+
+private:
+    friend class Solver;
+    // A replaced equation gives an unknown another component: one span for each.
+    struct Span {
+        double from = 0;
+        std::shared_ptr<const History> history;
+        std::size_t column = 0;
+    };
+    struct Track {
+        std::vector<Span> spans;
+        std::optional<std::size_t> stop;
+    };
+    [[nodiscard]] const Span &spanAt(std::size_t unknown, double t) const;
+
+    double start_ = 0, known_ = 0;
+    std::vector<Track> tracks_;
+    std::vector<Stop> stops_;
+};
+
+} // namespace solution

@@ -1,0 +1,34 @@
+// Which equations must be solved together, and in which order?
+//
+// Nodes are unknowns; an arc runs from each unknown that an equation reads to the one it computes
+// (dissertation 5.2.1, Figure 5.8). Tarjan's algorithm (1972), iterative, gives the strongly
+// connected components in an order in which each comes after all that it reads.
+#pragma once
+
+#include "expression/equations.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace solution {
+
+// reads[i]: the unknowns that equation i reads, in order, each once; i itself may be among them.
+using Reads = std::vector<std::vector<std::size_t>>;
+
+// From all phases after `from` and the one in force then. The four of a quaternion read each other,
+// since they are renormalised together.
+[[nodiscard]] Reads readsOf(const expression::EquationSet &equations, double from);
+
+struct Partition {
+    // Unknowns of each component in order of index; components after those that they read.
+    std::vector<std::vector<std::size_t>> components;
+    std::vector<std::vector<std::size_t>>
+        reads;                            // components that each reads directly, without itself
+    std::vector<std::size_t> componentOf; // by unknown
+};
+
+[[nodiscard]] Partition partitionOf(const Reads &reads);
+// Everything in one component (the comparison of 5.2.4).
+[[nodiscard]] Partition wholePartition(const Reads &reads);
+
+} // namespace solution

@@ -1,0 +1,60 @@
+// Polynomials of low degree on an interval: the one form in which solved motion is kept.
+//
+//   value(t) = sum of coefficients[k] s^k,   s = (t - origin) / scale
+//
+// Whatever method made them, values, derivatives and bounds of an unknown are read from here.
+// Bounds come from the Bernstein coefficients of the part asked for, whose hull holds the curve.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace solution {
+
+inline constexpr std::size_t maximumDegree = 8;
+inline constexpr std::size_t maximumCoefficients = maximumDegree + 1;
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+using Coefficients = std::array<double, maximumCoefficients>; // unused ones are zero
+
+struct Interval {
+    double low = 0, high = 0;
+};
+
+// One polynomial piece of one unknown, valid for origin <= t <= until. It borrows coefficients.
+struct Piece {
+    double origin = 0, until = infinity, scale = 1;
+    std::span<const double> coefficients;
+
+    [[nodiscard]] double value(double t) const;
+    [[nodiscard]] double derivative(double t) const;
+    [[nodiscard]] double secondDerivative(double t) const;
+    // Holds every value for from <= t <= to.
+    [[nodiscard]] Interval bounds(double from, double to) const;
+    // Holds every derivative for from <= t <= to.
+    [[nodiscard]] Interval derivativeBounds(double from, double to) const;
+};
+
+[[nodiscard]] double evaluate(std::span<const double> coefficients, double s);
+[[nodiscard]] double evaluateDerivative(std::span<const double> coefficients, double s);
+
+// The same curve with s = a + b r as a polynomial in r.
+[[nodiscard]] Coefficients reparametrize(std::span<const double> coefficients, double a, double b);
+
+[[nodiscard]] Interval hull(std::span<const double> coefficients, double from, double to);
+
+// The first s in (from, to] at which the polynomial has changed to the sign opposite to `side`, in
+// the sense of isolating intervals: [low, high] with one change of sign, high - low at most
+// `resolution`. None: it certainly keeps its side, or touches zero without crossing.
+[[nodiscard]] std::optional<Interval> firstCrossing(std::span<const double> coefficients, int side,
+                                                    double from, double to, double resolution);
+
+// Points and matrix of interpolation of degree 8 on [0, 1]: Chebyshev's extremes, ends included.
+[[nodiscard]] const std::array<double, maximumCoefficients> &interpolationPoints();
+[[nodiscard]] Coefficients interpolate(std::span<const double> valuesAtPoints);
+
+} // namespace solution

@@ -1,0 +1,121 @@
+// How the unknowns of an equation set move: partition, schedule, integration, events.
+// Dissertation 5.2 to 5.2.5; methods and policies: docs/numerics.md.
+//
+// The equations are cut into strongly connected components (partition.h). Each has its own time
+// points, method and step, and reads others through their dense output. A solver advances the
+// component that is furthest behind:
+//
+//     advanceTo(finish):
+//         while some component is known for less than `finish`:
+//             component = the one furthest behind whose inputs are known far enough
+//             component.step()                      one accepted step, past `finish` if it likes,
+//                                                   or up to a switch, a phase's end, or its stop
+//             if all are known for longer than before:
+//                 while the source has an event up to there:
+//                     cut what it touches, and transitively what reads that, at the event's time
+//                     apply its jumps; its new equations repartition what they change
+//
+// Semantics of one step of one component, failure policy included:
+//
+//     boundary = end of the current phases, next event of an input, end of an input that stopped,
+//                or eight steps of an input, whichever comes first
+//     repeat
+//         try h = min(proposed, boundary - t)
+//         the branches of all switching expressions are frozen as decided at t
+//         right-hand side not finite: h / 4;  Newton fails: h / 2 ;  error > 1: h from the
+//         controller h below what doubles resolve at t: the component stops here, and says why
+//     first root of a switch's guard on the dense output: cut the step there, decide again
+//     renormalise quaternions; restart at events, else continue
+//
+// Determinism: a component's steps depend on its equations, its tolerance, its inputs' pieces and
+// its events, and on nothing else: not on `finish`, the other components, the thread, or the clock.
+// The numbers after an event follow from the state at the event alone, however far had been solved.
+//
+// LIMIT: one thread. Components hold no shared mutable state, so that several can advance at once.
+#pragma once
+
+#include "expression/equations.h"
+#include "solution/event_source.h"
+#include "solution/histories.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace solution {
+
+struct Options {
+    double start = 0;
+    // Largest error of one step: of a position relative to the extent of its component, of any
+    // other unknown relative to its own largest value so far. One for all, or one for each unknown
+    // (a component takes the smallest of its unknowns').
+    double tolerance = 1e-6;
+    std::vector<double> tolerances;
+    // Lengths that a component's extent is at least, per unknown (say, the diameter of its body);
+    // the extent grows with the range of positions it has seen. Empty: none.
+    std::vector<double> extents;
+    std::string method = "auto"; // or a name of methodNames(): then for all components and states
+    std::optional<double> fixedStep;
+    std::optional<double> firstStep;
+    bool whole = false;                    // one component of everything
+    bool eventDriven = true;               // false: run each component to the end before the next
+    std::size_t maximumSteps = 20'000'000; // of one component
+    std::size_t maximumEventsAtOnce = 10'000;
+    std::function<bool()> cancelled;            // polled between steps
+    std::function<void(double known)> progress; // known grew; snapshot() may be called from here
+};
+
+// Every name that Options::method takes, without "auto".
+[[nodiscard]] const std::vector<std::string> &methodNames();
+
+struct ComponentStatistics {
+    std::vector<std::size_t> unknowns;
+    std::string model;  // "closed-form" | "quadrature" | "explicit" | "implicit"
+    std::string method; // "exact", "dop853", "radau5", ...: the one that it used last
+    std::size_t order = 0;
+    std::size_t steps = 0, rejectedSteps = 0, discardedSteps = 0;
+    std::size_t evaluations = 0; // of the component's right-hand side
+    std::size_t factorisations = 0;
+    std::size_t switches = 0; // switching events located
+    std::string why;          // why this model and method, one clause
+};
+
+struct Statistics {
+    std::size_t steps = 0, rejectedSteps = 0, discardedSteps = 0;
+    std::size_t evaluations = 0, equationEvaluations = 0, factorisations = 0;
+    std::size_t events = 0, switches = 0;
+    std::size_t components = 0, largestComponent = 0, historyBytes = 0;
+    std::vector<ComponentStatistics> componentList; // those in force; ended ones are in the sums
+};
+
+struct Advance {
+    double reached = 0;     // all unknowns that did not stop are known up to here, at most `finish`
+    bool cancelled = false; // else all that can be done is done
+};
+
+class Solver {
+public:
+    // `source` may be null; it must outlive the solver.
+    Solver(expression::EquationSet equations, Options options, EventSource *source = nullptr);
+    ~Solver();
+    Solver(Solver &&) noexcept;
+    Solver &operator=(Solver &&) noexcept;
+
+    [[nodiscard]] Advance advanceTo(double finish);
+
+    // What is solved now; valid until the next call of advanceTo(). On the solver's thread only.
+    [[nodiscard]] const Histories &histories() const;
+    // The same, never to change again.
+    [[nodiscard]] std::shared_ptr<const Histories> snapshot() const;
+
+    [[nodiscard]] const expression::EquationSet &equations() const;
+    [[nodiscard]] Statistics statistics() const;
+
+private:
+    class Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace solution
