@@ -1,0 +1,78 @@
+// Reads a document's text into a tree. Method: one pass over the bytes with an explicit stack of
+// the nodes that are open; every loop either moves on in the text or closes a node, so the time is
+// linear in the text whatever it holds. Recovery, in the order in which it is tried:
+//
+//   an end tag whose element is open further out closes what lies between (missing end tags);
+//   an end tag that nothing open answers to is stray;
+//   content that is never closed ends before the next end tag of an open element;
+//   a tag that is never closed ends before the next `<`; an attribute value, at the end of its
+//   line; anything else is stray up to the next `<` or `{`.
+#pragma once
+
+#include "sgml/tree.h"
+
+#include <unordered_map>
+
+namespace sgml {
+
+class Parser {
+public:
+    Parser(Tree &tree, const Limits &limits);
+    void parse();
+
+private:
+    [[nodiscard]] bool atEnd() const { return at_ >= text_.size(); }
+    [[nodiscard]] char here() const { return text_[at_]; }
+    [[nodiscard]] bool startsHere(std::string_view token) const;
+    [[nodiscard]] NodeId top() const { return open_.back(); }
+    void skipBlanks();
+    Range readName();
+
+    void readItem();
+    void readDocumentLine();
+    void readStartTag();
+    void readAttributes(NodeId element);
+    bool readAttribute(NodeId element);
+    Range readAttributeValue(Range name);
+    Range unquotedValue(Range name);
+    void keepAttribute(NodeId element, const Attribute &attribute);
+    void finishStartTag(NodeId element);
+    void readEndTag();
+    void readContent();
+    [[nodiscard]] std::size_t closingBraceOf(std::size_t open);
+    [[nodiscard]] std::size_t endOfUnclosedContent() const;
+    void readMarkup();
+    void readStray(FaultKind kind, std::string message);
+
+    NodeId addNode(NodeKind kind, Range range);
+    void checkPlace(NodeKind kind, std::size_t at);
+    void checkPlaceInDocument(NodeId document, NodeKind kind, std::size_t at);
+    void open(NodeId node);
+    void close(std::size_t end, Range endTag);
+    [[nodiscard]] std::size_t endOfTop() const;
+    void closeMissing(std::size_t at);
+    void closeAllAtEnd();
+    void finishDocument(NodeId document);
+    void stop(std::string message);
+
+    void fault(FaultKind kind, Range range, std::string message,
+               Severity severity = Severity::error);
+    void checkBytes();
+    bool checkEncoding();
+    void placeFaults();
+
+    Tree &tree_;
+    std::string_view text_;
+    Limits limits_;
+    std::size_t at_ = 0;
+    std::vector<NodeId> open_;
+    std::size_t elementDepth_ = 0;
+    std::unordered_map<std::string_view, int> openNames_;
+    std::vector<std::size_t> unclosed_;
+    bool unclosedKnown_ = false;
+    bool noMoreQuotes_ = false;
+    bool trailingReported_ = false;
+    std::size_t unlisted_ = 0;
+};
+
+} // namespace sgml
