@@ -18,9 +18,9 @@ namespace expression {
 
 struct Phase {
     double from = -std::numeric_limits<double>::infinity(); // the phase begins at this time
-    Node derivative;              // d unknown / dt
-    std::optional<Node> given;    // the value itself, when it is held; derivative is then d given / dt
-    std::optional<Node> jump;     // a new value at `from` of a differential phase (release, reset)
+    Node derivative;                                        // d unknown / dt
+    std::optional<Node> given; // the value itself, when it is held; derivative is then d given / dt
+    std::optional<Node> jump;  // a new value at `from` of a differential phase (release, reset)
 };
 
 struct Unknown {

@@ -1,14 +1,16 @@
 // Expressions as a hash-consed directed acyclic graph: equal expressions are one node.
 //
 // Every node is made by Graph, which folds constants and applies local algebra as it builds
-// (x*0 -> 0, x+0 -> x, x^1 -> x, --x -> x, ...), so that equations print as an author would write
-// them. Nodes are indices into their graph; a node's arguments always come before it.
+// (x*0 -> 0, x+0 -> x, x^1 -> x, --x -> x, ...; simplify.h), so that equations print as an author
+// would write them. Nodes are indices into their graph; a node's arguments always come before it.
+// Constants are finite; what is not (1/0) stays the quotient that it is.
 //
 // A graph belongs to one thread while it is built; afterwards it may be read by any.
 #pragma once
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,24 +20,55 @@
 namespace expression {
 
 enum class Op : std::uint8_t {
-    constant, symbol,
+    constant,
+    symbol,
     // one argument
-    negate, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, log10, sqrt,
-    abs, sign, floor, ceil, logicalNot,
+    negate,
+    sin,
+    cos,
+    tan,
+    asin,
+    acos,
+    atan,
+    sinh,
+    cosh,
+    tanh,
+    exp,
+    log,
+    log10,
+    sqrt,
+    abs,
+    sign,
+    floor,
+    ceil,
+    logicalNot,
     // two
-    add, subtract, multiply, divide, power, atan2, hypot, min, max,
-    less, lessEqual, equal, notEqual, logicalAnd, logicalOr, // a > b is less(b, a)
+    add,
+    subtract,
+    multiply,
+    divide,
+    power,
+    atan2,
+    hypot,
+    min,
+    max,
+    less,
+    lessEqual,
+    equal,
+    notEqual,
+    logicalAnd,
+    logicalOr, // a > b is less(b, a)
     // three: condition, value if it is not 0, value if it is
     select,
 };
 
 struct Node {
     std::uint32_t index = 0;
-    auto operator<=>(const Node&) const = default;
+    auto operator<=>(const Node &) const = default;
 };
 
 class Graph {
-  public:
+public:
     Graph();
 
     [[nodiscard]] Node constant(double value);
@@ -51,22 +84,26 @@ class Graph {
     [[nodiscard]] Node negate(Node a) { return apply(Op::negate, a); }
 
     [[nodiscard]] Op op(Node n) const { return entries_[n.index].op; }
-    [[nodiscard]] std::span<const Node> arguments(Node n) const;
+    [[nodiscard]] std::span<const Node> arguments(Node n) const; // valid as long as the graph
     [[nodiscard]] double value(Node constant) const { return entries_[constant.index].value; }
-    [[nodiscard]] const std::string& name(Node symbol) const;
+    [[nodiscard]] const std::string &name(Node symbol) const;
     [[nodiscard]] bool isConstant(Node n, double value) const;
     [[nodiscard]] std::size_t size() const { return entries_.size(); }
 
-  private:
+private:
     struct Entry {
         Op op = Op::constant;
         std::uint8_t count = 0;
         Node arguments[3];
-        double value = 0;        // of a constant
-        std::uint32_t name = 0;  // of a symbol
+        double value = 0;       // of a constant
+        std::uint32_t name = 0; // of a symbol
     };
-    struct Key;
-    Node intern(const Entry& entry);
+    static Entry makeEntry(Op op, Node a, Node b = {}, Node c = {});
+    static std::size_t hashOf(const Entry &entry);
+    static bool isSame(const Entry &a, const Entry &b);
+    [[nodiscard]] std::optional<Node> find(const Entry &entry, std::size_t hash) const;
+    Node intern(const Entry &entry);
+    Node make(Op op, Node a, Node b, Node c);
 
     std::deque<Entry> entries_;
     std::vector<std::string> names_;
@@ -75,17 +112,17 @@ class Graph {
 };
 
 // Infix text that parse() reads back to the same node.
-[[nodiscard]] std::string print(const Graph& graph, Node node);
+[[nodiscard]] std::string print(const Graph &graph, Node node);
 
 // d node / d symbol. Switching functions differentiate piecewise: d abs(x) = sign(x) dx,
 // d floor = d sign = 0, d min(a,b) = select(a < b, da, db).
-[[nodiscard]] Node differentiate(Graph& graph, Node node, Node symbol);
+[[nodiscard]] Node differentiate(Graph &graph, Node node, Node symbol);
 
 // Every symbol replaced by the node given for it (symbols without one stay).
-[[nodiscard]] Node substitute(Graph& graph, Node node,
-                              const std::unordered_map<std::uint32_t, Node>& replacements);
+[[nodiscard]] Node substitute(Graph &graph, Node node,
+                              const std::unordered_map<std::uint32_t, Node> &replacements);
 
 // The symbols that a node reads, in order of index.
-[[nodiscard]] std::vector<Node> symbolsOf(const Graph& graph, std::span<const Node> nodes);
+[[nodiscard]] std::vector<Node> symbolsOf(const Graph &graph, std::span<const Node> nodes);
 
 } // namespace expression

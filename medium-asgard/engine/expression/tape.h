@@ -7,15 +7,18 @@
 //
 //   guard of a < b, a <= b, a == b, min(a,b), max(a,b):  a - b
 //   guard of abs(x), sign(x):                            x
-//   guard of floor(x), ceil(x):                          distance of x to the integers of its branch
+//   guard of floor(x), ceil(x):                          distance of x to the integers of its
+//   branch
 //
 // A decision is the branch taken: the sign of the guard (-1, 0, +1), or the integer that floor or
-// ceil gave. Logical operators and ?: have no guard of their own: they follow from comparisons.
+// ceil gave. On branch 0 abs, min and max follow from their values (both sides meet there). Logical
+// operators and ?: have no guard of their own: they follow from comparisons.
 #pragma once
 
 #include "expression/graph.h"
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -23,11 +26,15 @@ namespace expression {
 
 using Decision = std::int64_t;
 
+// The values imply no branch: they are not numbers, or so large that every double is whole. The
+// operation then follows from its values even when decisions are given.
+inline constexpr Decision noBranch = std::numeric_limits<Decision>::min();
+
 class Tape {
-  public:
+public:
     Tape() = default;
     // Evaluates `outputs` as functions of `inputs` (symbols; every symbol read must be among them).
-    Tape(const Graph& graph, std::span<const Node> inputs, std::span<const Node> outputs);
+    Tape(const Graph &graph, std::span<const Node> inputs, std::span<const Node> outputs);
 
     [[nodiscard]] std::size_t inputs() const { return inputs_; }
     [[nodiscard]] std::size_t outputs() const { return outputSlots_.size(); }
@@ -38,26 +45,31 @@ class Tape {
     using Scratch = std::vector<double>;
 
     // Branches follow from the values.
-    void evaluate(std::span<const double> in, std::span<double> out, Scratch& scratch) const;
+    void evaluate(std::span<const double> in, std::span<double> out, Scratch &scratch) const;
     // Branches are as given, guards are written (decisions() of each; `guards` may be empty).
-    void evaluate(std::span<const double> in, std::span<double> out, Scratch& scratch,
+    void evaluate(std::span<const double> in, std::span<double> out, Scratch &scratch,
                   std::span<const Decision> decisions, std::span<double> guards) const;
     // The branches that the values imply, and the guards.
-    void decide(std::span<const double> in, std::span<Decision> decisions,
-                std::span<double> guards, Scratch& scratch) const;
+    void decide(std::span<const double> in, std::span<Decision> decisions, std::span<double> guards,
+                Scratch &scratch) const;
 
     // One line per operation, for tests and `explain`.
     [[nodiscard]] std::string print() const;
 
-  private:
+private:
     struct Instruction {
         Op op;
         std::uint32_t result, a, b, c;
         std::int32_t decision; // index, or -1
     };
-    std::vector<Instruction> code_;
-    std::vector<double> constants_; // initial contents of the slots after the inputs
-    std::vector<std::uint32_t> outputSlots_;
+    // Runs all instructions; `atSwitch(instruction, a, b)` gives the values of those that decide.
+    template <class Switch>
+    void run(std::span<const double> in, Scratch &scratch, const Switch &atSwitch) const;
+    void copyOutputs(const Scratch &scratch, std::span<double> out) const;
+
+    std::vector<Instruction> code_;          // each result has a slot of its own (SSA)
+    std::vector<double> constants_;          // initial contents of the slots after the inputs
+    std::vector<std::uint32_t> outputSlots_; // may be an input's or a constant's
     std::size_t inputs_ = 0, slots_ = 0, guards_ = 0;
 };
 

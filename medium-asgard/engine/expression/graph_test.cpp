@@ -1,0 +1,181 @@
+#include "expression/graph.h"
+
+#include "expression/testing.h"
+
+#include <gtest/gtest.h>
+
+namespace expression {
+namespace {
+
+using testing::parsed;
+
+struct Row {
+    std::string given, expected;
+};
+
+TEST(Simplify, LocalAlgebraAsAnAuthorWouldWriteIt) {
+    const Row rows[] = {
+        {"x*0 + y", "y"},
+        {"0*q + 0/q - 0", "0"},
+        {"x - x", "0"},
+        {"x + x", "2*x"},
+        {"x/x", "1"},
+        {"--x", "x"},
+        {"-(a - b)", "b - a"},
+        {"a + -b", "a - b"},
+        {"a - -b", "a + b"},
+        {"-a + b", "b - a"},
+        {"a + -2*b", "a - 2*b"},
+        {"a - -2/b", "a + 2/b"},
+        {"x + -3", "x - 3"},
+        {"0 - x", "-x"},
+        {"x*1", "x"},
+        {"x*-1", "-x"},
+        {"x*2", "2*x"},
+        {"-x*-y", "x*y"},
+        {"-x*y", "-x*y"},
+        {"2*(3*x)", "6*x"},
+        {"2*x*3*y", "6*x*y"},
+        {"6*x/3", "2*x"},
+        {"-10*3/3", "-10"},
+        {"x/-2", "-x/2"},
+        {"x*x*x", "x^3"},
+        {"x^2*x", "x^3"},
+        {"(x^2)^3", "x^6"},
+        {"x^1 + x^0", "x + 1"},
+        {"x^0.5", "sqrt(x)"},
+        {"x^-1", "1/x"},
+        {"sin(-x) + cos(-x) + abs(-x)", "cos(x) - sin(x) + abs(x)"},
+        {"1/2", "0.5"},
+        {"2^3^2", "512"},
+        {"-2^2", "-4"},
+        {"2^-1", "0.5"},
+        {"2**3", "8"},
+        {"1 < 2 ? x : y", "x"},
+        {"x < 0 ? y : y", "y"},
+        {"min(x, x)", "x"},
+        {"1 && x < 2", "x < 2"},
+        {"0 || !(!(x < 2))", "x < 2"},
+        {"x && 0", "0"},
+        {"x > y", "y < x"},
+        {"x >= y", "y <= x"},
+        {"1/0", "1/0"},
+        {"log(-1)", "log(-1)"},
+        {"(x - 1000000) + 0.1", "x - 1000000 + 0.1"},
+        {"pow(x, 3) + hypot(x, y, z)", "x^3 + hypot(hypot(x, y), z)"},
+        {"pi", "3.141592653589793"},
+        {"B.x*A.mass", "B.x*A.mass"},
+    };
+    for (const Row &row : rows)
+        EXPECT_EQ(testing::simplified(row.given), row.expected) << row.given;
+}
+
+TEST(Graph, EqualExpressionsAreOneNode) {
+    Graph graph;
+    EXPECT_EQ(parsed(graph, "a*b + sin(c)"), parsed(graph, "sin(c) + b*a"));
+    EXPECT_EQ(parsed(graph, "2*x - 2*x"), graph.constant(0));
+    const std::size_t before = graph.size();
+    (void)parsed(graph, "sin(c) + a*b");
+    EXPECT_EQ(graph.size(), before);
+}
+
+TEST(Graph, ConstantsThatAreNotFiniteStayQuotients) {
+    Graph graph;
+    EXPECT_EQ(print(graph, graph.constant(std::numeric_limits<double>::infinity())), "1/0");
+    EXPECT_EQ(print(graph, graph.constant(-std::numeric_limits<double>::infinity())), "-1/0");
+    EXPECT_EQ(print(graph, graph.constant(std::nan(""))), "0/0");
+}
+
+TEST(Print, UsesOnlyTheParenthesesThatAreNeeded) {
+    const Row rows[] = {
+        {"a - (b - c)", "a - (b - c)"},
+        {"(a - b) - c", "a - b - c"},
+        {"a/(b/c)", "a/(b/c)"},
+        {"(a*b)/c", "a*b/c"},
+        {"a*(b*c)", "a*(b*c)"},
+        {"(a + b)*c", "(a + b)*c"},
+        {"(-a)^2", "(-a)^2"},
+        {"-a^2", "-a^2"},
+        {"a^(-(b*c))", "a^-(b*c)"},
+        {"a^b^c", "a^b^c"},
+        {"(a^b)^c", "(a^b)^c"},
+        {"(-2)^x", "(-2)^x"},
+        {"-(a*b)", "-a*b"},
+        {"-((a - b)*c)", "-((a - b)*c)"},
+        {"!(a < b)", "!(a < b)"},
+        {"(a ? b : c) ? d : e", "(a ? b : c) ? d : e"},
+        {"a ? b : c ? d : e", "a ? b : c ? d : e"},
+        {"(a < b) == (c < d)", "a < b == c < d"},
+        {"a < (b == c)", "a < (b == c)"},
+        {"a && (b || c)", "a && (b || c)"},
+        {"2*(x/y)", "2*x/y"},
+        {"-(a + b)", "-(a + b)"},
+    };
+    for (const Row &row : rows)
+        EXPECT_EQ(testing::simplified(row.given), row.expected) << row.given;
+}
+
+TEST(Differentiate, AsATextbookWouldWriteIt) {
+    const Row rows[] = {
+        {"y", "0"},
+        {"x", "1"},
+        {"3*x + 2", "3"},
+        {"x^3", "3*x^2"},
+        {"x*y", "y"},
+        {"1/x", "-1/x^2"},
+        {"sin(x^2)", "2*cos(x^2)*x"},
+        {"cos(2*x)", "-2*sin(2*x)"},
+        {"exp(-x)", "-exp(-x)"},
+        {"log(x)", "1/x"},
+        {"sqrt(x)", "1/(2*sqrt(x))"},
+        {"y^x", "log(y)*y^x"},
+        {"abs(x)", "sign(x)"},
+        {"sign(x) + floor(x)", "0"},
+        {"min(x, y)", "x < y"},
+        {"max(x, 2*y)", "2*y < x"},
+        {"x < y ? x^2 : 3*x", "x < y ? 2*x : 3"},
+        {"hypot(x, y)", "x/hypot(x, y)"},
+        {"atan2(y, x)", "-y/(x^2 + y^2)"},
+        {"tan(x)", "1 + tan(x)^2"},
+        {"tanh(x)", "1 - tanh(x)^2"},
+    };
+    for (const Row &row : rows) {
+        Graph graph;
+        const Node derivative = differentiate(graph, parsed(graph, row.given), graph.symbol("x"));
+        EXPECT_EQ(print(graph, derivative), row.expected) << row.given;
+    }
+}
+
+TEST(Substitute, ReplacesSymbolsAtOnceAndSimplifies) {
+    Graph graph;
+    const Node x = graph.symbol("x"), y = graph.symbol("y");
+    const Node swapped = substitute(graph, parsed(graph, "x - 2*y"), {{x.index, y}, {y.index, x}});
+    EXPECT_EQ(print(graph, swapped), "y - 2*x");
+    const Node gone = substitute(graph, parsed(graph, "x*y + 1"), {{x.index, graph.constant(0)}});
+    EXPECT_EQ(print(graph, gone), "1");
+}
+
+TEST(SymbolsOf, NamesWhatIsReadAndNothingElse) {
+    Graph graph;
+    const Node nodes[] = {parsed(graph, "b + 0*c"), parsed(graph, "a*b")};
+    std::string names;
+    for (const Node n : symbolsOf(graph, nodes))
+        names += graph.name(n) + ' ';
+    EXPECT_EQ(names, "b a ");
+}
+
+// 100,000 bytes of one sum are about 50,000 levels of a graph.
+TEST(Graph, DepthDoesNotExhaustTheStack) {
+    Graph graph;
+    Node sum = graph.symbol("x");
+    for (int i = 0; i < 50'000; ++i)
+        sum = graph.apply(i % 2 ? Op::sin : Op::cos, graph.add(sum, graph.constant(i + 1)));
+    const Node x = graph.symbol("x");
+    EXPECT_GT(print(graph, sum).size(), 400'000u);
+    EXPECT_NE(differentiate(graph, sum, x), graph.constant(0));
+    EXPECT_EQ(symbolsOf(graph, std::span(&sum, 1)).size(), 1u);
+    EXPECT_NE(substitute(graph, sum, {{x.index, graph.symbol("y")}}), sum);
+}
+
+} // namespace
+} // namespace expression

@@ -1,0 +1,264 @@
+#include "expression/simplify.h"
+
+#include "expression/operation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace expression {
+namespace {
+
+using Result = std::optional<Node>;
+
+// One operation's view of its arguments, with the questions that rules ask.
+struct Rules {
+    Graph &g;
+
+    [[nodiscard]] bool is(Node n, Op op) const { return g.op(n) == op; }
+    [[nodiscard]] bool isNumber(Node n) const { return g.op(n) == Op::constant; }
+    [[nodiscard]] Node first(Node n) const { return g.arguments(n)[0]; }
+    [[nodiscard]] Node second(Node n) const { return g.arguments(n)[1]; }
+    [[nodiscard]] bool isNegative(Node n) const { return isNumber(n) && g.value(n) < 0; }
+    // A product with a number in front: 2*x.
+    [[nodiscard]] bool isScaled(Node n) const { return is(n, Op::multiply) && isNumber(first(n)); }
+    // Its text would begin with a minus that belongs to a number: -2, -2*x, -2/x, -2*x/y.
+    [[nodiscard]] bool leadsNegative(Node n) const {
+        if (is(n, Op::divide))
+            n = first(n);
+        return isNegative(isScaled(n) ? first(n) : n);
+    }
+    // Base and exponent of a power with a whole number above; of any other x, x and 1.
+    [[nodiscard]] std::pair<Node, double> wholePower(Node n) const {
+        if (is(n, Op::power) && isNumber(second(n)) &&
+            g.value(second(n)) == std::floor(g.value(second(n))))
+            return {first(n), g.value(second(n))};
+        return {n, 1.0};
+    }
+
+    [[nodiscard]] Result folded(Op op, std::span<const Node> arguments) const;
+    [[nodiscard]] Result negate(Node a) const;
+    [[nodiscard]] Result add(Node a, Node b) const;
+    [[nodiscard]] Result subtract(Node a, Node b) const;
+    [[nodiscard]] Result multiply(Node a, Node b) const;
+    [[nodiscard]] Result multiplyByNumber(Node number, Node b) const;
+    [[nodiscard]] Result divide(Node a, Node b) const;
+    [[nodiscard]] Result power(Node a, Node b) const;
+    [[nodiscard]] Result function(Op op, Node a) const;
+    [[nodiscard]] Result least(Node a, Node b) const;
+    [[nodiscard]] Result logical(Op op, Node a, Node b) const;
+    [[nodiscard]] Node truthOf(Node n) const;
+};
+
+Result Rules::folded(Op op, std::span<const Node> arguments) const {
+    if (!std::ranges::all_of(arguments, [this](Node n) { return isNumber(n); }))
+        return std::nullopt;
+    double values[3] = {0, 0, 0};
+    std::ranges::transform(arguments, values, [this](Node n) { return g.value(n); });
+    const double value = compute(op, values[0], values[1], values[2]);
+    if (!std::isfinite(value))
+        return std::nullopt;
+    return g.constant(value);
+}
+
+Result Rules::negate(Node a) const {
+    if (is(a, Op::negate))
+        return first(a);
+    if (is(a, Op::subtract))
+        return g.subtract(second(a), first(a));
+    const bool isRatio = is(a, Op::divide) && (isNumber(first(a)) || isScaled(first(a)));
+    if (isScaled(a) || isRatio)
+        return g.apply(g.op(a), g.negate(first(a)), second(a));
+    return std::nullopt;
+}
+
+Result Rules::add(Node a, Node b) const {
+    if (g.isConstant(a, 0))
+        return b;
+    if (g.isConstant(b, 0))
+        return a;
+    if (a == b)
+        return g.multiply(g.constant(2), a);
+    if (is(b, Op::negate))
+        return g.subtract(a, first(b));
+    if (leadsNegative(b))
+        return g.subtract(a, g.negate(b));
+    if (is(a, Op::negate))
+        return g.subtract(b, first(a));
+    return std::nullopt;
+}
+
+Result Rules::subtract(Node a, Node b) const {
+    if (g.isConstant(b, 0))
+        return a;
+    if (g.isConstant(a, 0))
+        return g.negate(b);
+    if (a == b)
+        return g.constant(0);
+    if (is(b, Op::negate))
+        return g.add(a, first(b));
+    if (leadsNegative(b))
+        return g.add(a, g.negate(b));
+    return std::nullopt;
+}
+
+Result Rules::multiplyByNumber(Node number, Node b) const {
+    if (g.isConstant(number, 0))
+        return g.constant(0);
+    if (g.isConstant(number, 1))
+        return b;
+    if (g.isConstant(number, -1))
+        return g.negate(b);
+    if (is(b, Op::negate))
+        return g.multiply(g.negate(number), first(b));
+    if (isScaled(b)) {
+        const double product = g.value(number) * g.value(first(b));
+        if (std::isnormal(product))
+            return g.multiply(g.constant(product), second(b));
+    }
+    if (is(b, Op::divide) && !g.isConstant(second(b), 0))
+        return g.divide(g.multiply(number, first(b)), second(b));
+    return std::nullopt;
+}
+
+Result Rules::multiply(Node a, Node b) const {
+    if (isNumber(a))
+        return multiplyByNumber(a, b);
+    if (isNumber(b))
+        return g.multiply(b, a);
+    if (is(a, Op::negate))
+        return g.negate(g.multiply(first(a), b));
+    if (is(b, Op::negate))
+        return g.negate(g.multiply(a, first(b)));
+    if (isScaled(a))
+        return g.multiply(first(a), g.multiply(second(a), b));
+    if (isScaled(b))
+        return g.multiply(first(b), g.multiply(a, second(b)));
+    const auto x = wholePower(a), y = wholePower(b);
+    if (x.first == y.first && x.second > 0 && y.second > 0)
+        return g.apply(Op::power, x.first, g.constant(x.second + y.second));
+    return std::nullopt;
+}
+
+Result Rules::divide(Node a, Node b) const {
+    if (g.isConstant(b, 1))
+        return a;
+    if (g.isConstant(b, -1))
+        return g.negate(a);
+    if (is(a, Op::negate))
+        return g.negate(g.divide(first(a), b));
+    if (g.isConstant(b, 0))
+        return std::nullopt; // stays what it says
+    if (g.isConstant(a, 0))
+        return g.constant(0);
+    if (a == b)
+        return g.constant(1);
+    if (is(b, Op::negate))
+        return g.negate(g.divide(a, first(b)));
+    if (isNegative(b))
+        return g.negate(g.divide(a, g.negate(b)));
+    if (is(a, Op::divide) && !g.isConstant(second(a), 0))
+        return g.divide(first(a), g.multiply(second(a), b));
+    if (isNumber(b) && isScaled(a)) {
+        const double quotient = g.value(first(a)) / g.value(b);
+        if (std::isnormal(quotient))
+            return g.multiply(g.constant(quotient), second(a));
+    }
+    return std::nullopt;
+}
+
+Result Rules::power(Node a, Node b) const {
+    if (g.isConstant(b, 0) || g.isConstant(a, 1))
+        return g.constant(1);
+    if (g.isConstant(b, 1))
+        return a;
+    if (g.isConstant(b, 0.5))
+        return g.apply(Op::sqrt, a);
+    if (g.isConstant(b, -1))
+        return g.divide(g.constant(1), a);
+    const auto base = wholePower(a);
+    if (isNumber(b) && g.value(b) == std::floor(g.value(b)) && base.first != a)
+        return g.apply(Op::power, base.first, g.constant(base.second * g.value(b)));
+    return std::nullopt;
+}
+
+Result Rules::function(Op op, Node a) const {
+    if (op == Op::logicalNot && is(a, Op::logicalNot))
+        return truthOf(first(a));
+    if (!is(a, Op::negate))
+        return std::nullopt;
+    switch (op) {
+    case Op::sin:
+    case Op::tan:
+    case Op::asin:
+    case Op::atan:
+    case Op::sinh:
+    case Op::tanh:
+    case Op::sign:
+        return g.negate(g.apply(op, first(a)));
+    case Op::cos:
+    case Op::cosh:
+    case Op::abs:
+        return g.apply(op, first(a));
+    default:
+        return std::nullopt;
+    }
+}
+
+Result Rules::least(Node a, Node b) const { return a == b ? Result(a) : std::nullopt; }
+
+// n as 0 or 1.
+Node Rules::truthOf(Node n) const {
+    return isTruth(g.op(n)) ? n : g.apply(Op::notEqual, n, g.constant(0));
+}
+
+Result Rules::logical(Op op, Node a, Node b) const {
+    const bool isAnd = op == Op::logicalAnd;
+    if (isNumber(b) && !isNumber(a))
+        return logical(op, b, a);
+    if (isNumber(a))
+        return (g.value(a) != 0) == isAnd ? truthOf(b) : g.constant(isAnd ? 0 : 1);
+    if (a == b)
+        return truthOf(a);
+    return std::nullopt;
+}
+
+} // namespace
+
+std::optional<Node> simplified(Graph &graph, Op op, std::span<const Node> arguments) {
+    const Rules rules{graph};
+    if (const auto number = rules.folded(op, arguments))
+        return number;
+    switch (op) {
+    case Op::negate:
+        return rules.negate(arguments[0]);
+    case Op::add:
+        return rules.add(arguments[0], arguments[1]);
+    case Op::subtract:
+        return rules.subtract(arguments[0], arguments[1]);
+    case Op::multiply:
+        return rules.multiply(arguments[0], arguments[1]);
+    case Op::divide:
+        return rules.divide(arguments[0], arguments[1]);
+    case Op::power:
+        return rules.power(arguments[0], arguments[1]);
+    case Op::min:
+    case Op::max:
+        return rules.least(arguments[0], arguments[1]);
+    case Op::logicalAnd:
+    case Op::logicalOr:
+        return rules.logical(op, arguments[0], arguments[1]);
+    case Op::select:
+        if (graph.op(arguments[0]) == Op::constant)
+            return graph.value(arguments[0]) != 0 ? arguments[1] : arguments[2];
+        if (isTruth(graph.op(arguments[0])) && graph.isConstant(arguments[1], 1) &&
+            graph.isConstant(arguments[2], 0))
+            return arguments[0];
+        if (arguments[1] == arguments[2])
+            return arguments[1];
+        return std::nullopt;
+    default:
+        return arguments.size() == 1 ? rules.function(op, arguments[0]) : std::nullopt;
+    }
+}
+
+} // namespace expression

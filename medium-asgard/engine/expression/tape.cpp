@@ -1,0 +1,211 @@
+#include "expression/tape.h"
+
+#include "expression/operation.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+namespace expression {
+namespace {
+
+// Arguments before what reads them, in order of index; an own stack, since graphs may be deep.
+std::vector<Node> inOrder(const Graph &graph, std::span<const Node> outputs) {
+    std::vector<bool> seen(graph.size());
+    std::vector<Node> pending(outputs.begin(), outputs.end()), found;
+    while (!pending.empty()) {
+        const Node n = pending.back();
+        pending.pop_back();
+        if (seen[n.index])
+            continue;
+        seen[n.index] = true;
+        found.push_back(n);
+        const auto arguments = graph.arguments(n);
+        pending.insert(pending.end(), arguments.begin(), arguments.end());
+    }
+    std::ranges::sort(found);
+    return found;
+}
+
+double guardOf(Op op, double a, double b, Decision taken) {
+    if (taken == noBranch)
+        return 1; // never reaches 0
+    const auto branch = static_cast<double>(taken);
+    switch (op) {
+    case Op::abs:
+    case Op::sign:
+        return a;
+    case Op::floor:
+        return std::min(a - branch, branch + 1 - a);
+    case Op::ceil:
+        return std::min(branch - a, a - (branch - 1));
+    default:
+        return a - b;
+    }
+}
+
+Decision signOfGuard(double guard) {
+    return std::isnan(guard) ? noBranch : (guard > 0) - (guard < 0);
+}
+
+// Compares before subtracting: a - b of equal infinities is no number, and they are equal.
+Decision decisionOf(Op op, double a, double b) {
+    if (op == Op::abs || op == Op::sign)
+        return signOfGuard(a);
+    if (op != Op::floor && op != Op::ceil)
+        return std::isnan(a) || std::isnan(b) ? noBranch : (a > b) - (a < b);
+    const double whole = compute(op, a);
+    constexpr double largest = 9e18;
+    return std::abs(whole) < largest ? static_cast<Decision>(whole) : noBranch;
+}
+
+// The value on a branch that may not be the one that the values imply.
+double onBranch(Op op, double a, double b, Decision taken) {
+    if (taken == noBranch)
+        return compute(op, a, b);
+    switch (op) {
+    case Op::abs:
+        return taken > 0 ? a : taken < 0 ? -a : std::abs(a);
+    case Op::floor:
+    case Op::ceil:
+        return taken == 0 ? std::copysign(0.0, a) : static_cast<double>(taken);
+    case Op::sign:
+        return static_cast<double>(taken);
+    case Op::min:
+        return taken == 0 ? compute(op, a, b) : taken < 0 ? a : b;
+    case Op::max:
+        return taken == 0 ? compute(op, a, b) : taken > 0 ? a : b;
+    case Op::less:
+        return taken < 0;
+    case Op::lessEqual:
+        return taken <= 0;
+    case Op::equal:
+        return taken == 0;
+    default:
+        return taken != 0;
+    }
+}
+
+} // namespace
+
+Tape::Tape(const Graph &graph, std::span<const Node> inputs, std::span<const Node> outputs)
+    : inputs_(inputs.size()) {
+    std::unordered_map<std::uint32_t, std::uint32_t> slotOf;
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+        slotOf.emplace(inputs[i].index, static_cast<std::uint32_t>(i));
+    const std::vector<Node> nodes = inOrder(graph, outputs);
+    for (const Node n : nodes)
+        if (graph.op(n) == Op::constant) {
+            slotOf.emplace(n.index, static_cast<std::uint32_t>(inputs_ + constants_.size()));
+            constants_.push_back(graph.value(n));
+        }
+    slots_ = inputs_ + constants_.size();
+    for (const Node n : nodes) {
+        if (graph.op(n) == Op::constant || slotOf.contains(n.index))
+            continue;
+        assert(graph.op(n) != Op::symbol && "every symbol that is read must be an input");
+        const auto a = graph.arguments(n);
+        const auto slot = [&](std::size_t i) { return i < a.size() ? slotOf.at(a[i].index) : 0; };
+        const auto result = static_cast<std::uint32_t>(slots_++);
+        const std::int32_t decision =
+            isSwitch(graph.op(n)) ? static_cast<std::int32_t>(guards_++) : -1;
+        code_.push_back({graph.op(n), result, slot(0), slot(1), slot(2), decision});
+        slotOf.emplace(n.index, result);
+    }
+    std::ranges::transform(outputs, std::back_inserter(outputSlots_),
+                           [&](Node n) { return slotOf.at(n.index); });
+}
+
+template <class Switch>
+void Tape::run(std::span<const double> in, Scratch &scratch, const Switch &atSwitch) const {
+    assert(in.size() == inputs_);
+    if (scratch.size() < slots_)
+        scratch.resize(slots_);
+    std::ranges::copy(in, scratch.begin());
+    std::ranges::copy(constants_, scratch.begin() + static_cast<std::ptrdiff_t>(inputs_));
+    double *const s = scratch.data();
+    for (const Instruction &i : code_) {
+        switch (i.op) {
+        case Op::negate:
+            s[i.result] = -s[i.a];
+            break;
+        case Op::add:
+            s[i.result] = s[i.a] + s[i.b];
+            break;
+        case Op::subtract:
+            s[i.result] = s[i.a] - s[i.b];
+            break;
+        case Op::multiply:
+            s[i.result] = s[i.a] * s[i.b];
+            break;
+        case Op::divide:
+            s[i.result] = s[i.a] / s[i.b];
+            break;
+        default:
+            s[i.result] = i.decision < 0 ? compute(i.op, s[i.a], s[i.b], s[i.c])
+                                         : atSwitch(i, s[i.a], s[i.b]);
+        }
+    }
+}
+
+void Tape::copyOutputs(const Scratch &scratch, std::span<double> out) const {
+    assert(out.size() == outputSlots_.size());
+    std::ranges::transform(outputSlots_, out.begin(), [&](std::uint32_t s) { return scratch[s]; });
+}
+
+void Tape::evaluate(std::span<const double> in, std::span<double> out, Scratch &scratch) const {
+    run(in, scratch, [](const Instruction &i, double a, double b) { return compute(i.op, a, b); });
+    copyOutputs(scratch, out);
+}
+
+void Tape::evaluate(std::span<const double> in, std::span<double> out, Scratch &scratch,
+                    std::span<const Decision> decisions, std::span<double> guards) const {
+    assert(decisions.size() == guards_ && (guards.empty() || guards.size() == guards_));
+    run(in, scratch, [&](const Instruction &i, double a, double b) {
+        const auto index = static_cast<std::size_t>(i.decision);
+        if (!guards.empty())
+            guards[index] = guardOf(i.op, a, b, decisions[index]);
+        return onBranch(i.op, a, b, decisions[index]);
+    });
+    copyOutputs(scratch, out);
+}
+
+void Tape::decide(std::span<const double> in, std::span<Decision> decisions,
+                  std::span<double> guards, Scratch &scratch) const {
+    assert(decisions.size() == guards_ && (guards.empty() || guards.size() == guards_));
+    run(in, scratch, [&](const Instruction &i, double a, double b) {
+        const auto index = static_cast<std::size_t>(i.decision);
+        decisions[index] = decisionOf(i.op, a, b);
+        if (!guards.empty())
+            guards[index] = guardOf(i.op, a, b, decisions[index]);
+        return compute(i.op, a, b);
+    });
+}
+
+std::string Tape::print() const {
+    const auto named = [this](std::uint32_t slot) {
+        if (slot < inputs_)
+            return "in" + std::to_string(slot);
+        if (slot < inputs_ + constants_.size()) {
+            Graph graph;
+            return expression::print(graph, graph.constant(constants_[slot - inputs_]));
+        }
+        return "r" + std::to_string(slot - inputs_ - constants_.size());
+    };
+    std::string text;
+    for (const Instruction &i : code_) {
+        text += named(i.result) + " = " + std::string(nameOf(i.op)) + ' ' + named(i.a);
+        if (argumentCount(i.op) > 1)
+            text += ' ' + named(i.b);
+        if (argumentCount(i.op) > 2)
+            text += ' ' + named(i.c);
+        text += i.decision < 0 ? "\n" : "  [decision " + std::to_string(i.decision) + "]\n";
+    }
+    for (std::size_t i = 0; i < outputSlots_.size(); ++i)
+        text += "out" + std::to_string(i) + " = " + named(outputSlots_[i]) + '\n';
+    return text;
+}
+
+} // namespace expression

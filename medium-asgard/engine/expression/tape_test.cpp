@@ -1,0 +1,354 @@
+#include "expression/tape.h"
+
+#include "expression/testing.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <random>
+
+namespace expression {
+namespace {
+
+using testing::parsed;
+
+// What an expression means, node by node as one would explain it, knowing nothing of tapes, shared
+// subexpressions or compute().
+double explained(const Graph &g, Node n, std::span<const Node> symbols,
+                 std::span<const double> values) {
+    const auto value = [&](std::size_t i) {
+        return explained(g, g.arguments(n)[i], symbols, values);
+    };
+    switch (g.op(n)) {
+    case Op::constant:
+        return g.value(n);
+    case Op::symbol:
+        for (std::size_t i = 0; i < symbols.size(); ++i)
+            if (symbols[i] == n)
+                return values[i];
+        throw std::logic_error("a symbol without value");
+    case Op::negate:
+        return -value(0);
+    case Op::sin:
+        return std::sin(value(0));
+    case Op::cos:
+        return std::cos(value(0));
+    case Op::tan:
+        return std::tan(value(0));
+    case Op::asin:
+        return std::asin(value(0));
+    case Op::acos:
+        return std::acos(value(0));
+    case Op::atan:
+        return std::atan(value(0));
+    case Op::sinh:
+        return std::sinh(value(0));
+    case Op::cosh:
+        return std::cosh(value(0));
+    case Op::tanh:
+        return std::tanh(value(0));
+    case Op::exp:
+        return std::exp(value(0));
+    case Op::log:
+        return std::log(value(0));
+    case Op::log10:
+        return std::log10(value(0));
+    case Op::sqrt:
+        return std::sqrt(value(0));
+    case Op::abs:
+        return std::fabs(value(0));
+    case Op::sign: {
+        const double x = value(0);
+        return std::isnan(x) ? x : x == 0 ? 0 : std::copysign(1, x);
+    }
+    case Op::floor:
+        return std::floor(value(0));
+    case Op::ceil:
+        return -std::floor(-value(0));
+    case Op::logicalNot:
+        return value(0) == 0;
+    case Op::add:
+        return value(0) + value(1);
+    case Op::subtract:
+        return value(0) - value(1);
+    case Op::multiply:
+        return value(0) * value(1);
+    case Op::divide:
+        return value(0) / value(1);
+    case Op::power:
+        return std::pow(value(0), value(1));
+    case Op::atan2:
+        return std::atan2(value(0), value(1));
+    case Op::hypot:
+        return std::hypot(value(0), value(1));
+    case Op::min:
+    case Op::max: {
+        const double a = value(0), b = value(1);
+        if (std::isnan(a) || std::isnan(b))
+            return std::nan("");
+        return (g.op(n) == Op::min ? b < a : a < b) ? b : a;
+    }
+    case Op::less:
+        return value(0) < value(1);
+    case Op::lessEqual:
+        return value(0) <= value(1);
+    case Op::equal:
+        return value(0) == value(1);
+    case Op::notEqual:
+        return value(0) != value(1);
+    case Op::logicalAnd:
+        return value(0) != 0 && value(1) != 0;
+    case Op::logicalOr:
+        return value(0) != 0 || value(1) != 0;
+    case Op::select:
+        return value(0) != 0 ? value(1) : value(2);
+    }
+    return 0;
+}
+
+// The same number, bit for bit; every NaN is one, and 0 is -0.
+bool isSame(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+class RandomExpressions {
+public:
+    explicit RandomExpressions(std::uint32_t seed, bool withSpecial = true)
+        : random_(seed), withSpecial_(withSpecial) {}
+
+    Node make(Graph &graph, int depth) {
+        if (depth == 0 || pick(6) == 0)
+            return leaf(graph);
+        const auto op = static_cast<Op>(2 + pick(35));
+        const Node a = make(graph, depth - 1);
+        if (op < Op::add)
+            return graph.apply(op, a);
+        const Node b = make(graph, depth - 1);
+        return op < Op::select ? graph.apply(op, a, b)
+                               : graph.apply(op, a, b, make(graph, depth - 1));
+    }
+
+    double number() {
+        static constexpr double special[] = {0,
+                                             -0.0,
+                                             1,
+                                             -1,
+                                             2,
+                                             0.5,
+                                             -1.5,
+                                             3,
+                                             1e300,
+                                             1e-300,
+                                             std::numeric_limits<double>::infinity(),
+                                             -std::numeric_limits<double>::infinity(),
+                                             std::numeric_limits<double>::quiet_NaN()};
+        return withSpecial_ && pick(3) == 0 ? special[pick(13)]
+                                            : std::uniform_real_distribution(-4.0, 4.0)(random_);
+    }
+
+private:
+    Node leaf(Graph &graph) {
+        static constexpr std::string_view names[] = {"x", "y", "z"};
+        return pick(3) == 0 ? graph.constant(number()) : graph.symbol(names[pick(3)]);
+    }
+    std::uint32_t pick(std::uint32_t below) {
+        return std::uniform_int_distribution<std::uint32_t>(0, below - 1)(random_);
+    }
+    std::mt19937 random_;
+    bool withSpecial_; // numbers that are huge, tiny, infinite or none
+};
+
+struct Xyz {
+    Graph graph;
+    std::vector<Node> symbols{graph.symbol("x"), graph.symbol("y"), graph.symbol("z")};
+};
+
+bool readsPower(const Graph &graph) {
+    for (std::uint32_t i = 0; i < graph.size(); ++i)
+        if (graph.op(Node{i}) == Op::power)
+            return true;
+    return false;
+}
+
+// ASGARD_LONG=100 makes it the million.
+int repetitions(int usual) {
+    const char *factor = std::getenv("ASGARD_LONG");
+    return factor ? usual * std::atoi(factor) : usual;
+}
+
+TEST(Tape, AgreesWithAnExplanationNodeByNodeInfiniteAndUndefinedValuesIncluded) {
+    RandomExpressions random(1);
+    Tape::Scratch scratch;
+    int powers = 0, notNumbers = 0;
+    for (int i = 0; i < repetitions(10'000); ++i) {
+        Xyz s;
+        const Node n = random.make(s.graph, 5);
+        const double in[] = {random.number(), random.number(), random.number()};
+        double out = 0;
+        Tape(s.graph, s.symbols, std::span(&n, 1)).evaluate(in, std::span(&out, 1), scratch);
+        const double expected = explained(s.graph, n, s.symbols, in);
+        notNumbers += !std::isfinite(expected);
+        if (readsPower(s.graph)) // small powers are products, which pow may round otherwise
+            ++powers;
+        else
+            ASSERT_TRUE(isSame(out, expected))
+                << print(s.graph, n) << " is " << expected << ", the tape says " << out << " at "
+                << in[0] << ' ' << in[1] << ' ' << in[2];
+    }
+    EXPECT_GT(notNumbers, repetitions(1000)); // the test means something
+    EXPECT_LT(powers, repetitions(5000));
+}
+
+TEST(Print, ReadsBackToTheSameNode) {
+    RandomExpressions random(2);
+    for (int i = 0; i < repetitions(10'000); ++i) {
+        Graph graph;
+        const Node n = random.make(graph, 5);
+        const std::string text = print(graph, n);
+        ASSERT_EQ(parsed(graph, text), n) << text << "\n" << print(graph, parsed(graph, text));
+    }
+}
+
+TEST(Tape, SmallPowersAreWithinThreeUnitsInTheLastPlace) {
+    for (const double exponent :
+         {-4., -3.5, -3., -2.5, -2., -1.5, -1., -0.5, 0.5, 1.5, 2.5, 3., 4.})
+        for (double base = 0.013; base < 50; base *= 1.37) {
+            Xyz s;
+            const Node n = s.graph.apply(Op::power, s.symbols[0], s.graph.constant(exponent));
+            const double in[] = {base, 0, 0};
+            double out = 0;
+            Tape::Scratch scratch;
+            Tape(s.graph, s.symbols, std::span(&n, 1)).evaluate(in, std::span(&out, 1), scratch);
+            const auto exact = std::pow(static_cast<long double>(base), exponent);
+            EXPECT_NEAR(static_cast<double>(out / exact - 1), 0, 3 * 1.2e-16)
+                << base << '^' << exponent;
+        }
+}
+
+// Central differences of a smooth expression, against the symbolic derivative.
+TEST(Differentiate, AgreesWithFiniteDifferences) {
+    RandomExpressions random(3, false);
+    Tape::Scratch scratch;
+    int compared = 0;
+    for (int i = 0; i < repetitions(5000); ++i) {
+        Xyz s;
+        const Node n = random.make(s.graph, 3);
+        const Node outputs[] = {n, differentiate(s.graph, n, s.symbols[0])};
+        const Tape tape(s.graph, s.symbols, outputs);
+        const double h = 1e-5, x = random.number();
+        double in[] = {x, random.number(), random.number()}, out[2], at[2], below[2], above[2];
+        tape.evaluate(in, out, scratch);
+        const double slope = out[1];
+        std::vector<Decision> branch(tape.decisions());
+        tape.decide(in, branch, {}, scratch);
+        if (std::ranges::count(branch, 0) > 0)
+            continue; // on a switch there is no slope
+        // The slope far away bounds how much a straight line may be off.
+        const auto evaluateAt = [&](double place, double *values) {
+            in[0] = place;
+            tape.evaluate(in, std::span(values, 2), scratch, branch, {});
+        };
+        evaluateAt(x, at);
+        evaluateAt(x - h, below);
+        evaluateAt(x + h, above);
+        const double bend = std::abs(below[1] - slope) + std::abs(above[1] - slope);
+        const double size = std::abs(out[0]) + std::abs(slope);
+        const double step = std::abs(above[0] - at[0]) + std::abs(below[0] - at[0]);
+        const bool isJump = !(step < 0.3); // across a pole; h times the slopes allowed is 0.1
+        if (isJump || !std::isfinite(bend) || !std::isfinite(size) || size > 1e4 ||
+            bend > 1e-3 * (1 + size) || at[0] != out[0])
+            continue;
+        ++compared;
+        ASSERT_NEAR((above[0] - below[0]) / (2 * h), slope, bend + 1e-5 * (1 + size))
+            << print(s.graph, n) << "\nd/dx " << print(s.graph, outputs[1]) << " at " << x << ' '
+            << in[1] << ' ' << in[2];
+    }
+    EXPECT_GT(compared, repetitions(2000));
+}
+
+TEST(Tape, EvaluatesSharedSubexpressionsOnce) {
+    Xyz s;
+    const Node outputs[] = {parsed(s.graph, "sin(x*y) + 2"), parsed(s.graph, "sin(x*y)*z")};
+    const Tape tape(s.graph, s.symbols, outputs);
+    EXPECT_EQ(tape.print(), "r0 = * in0 in1\n"
+                            "r1 = sin r0\n"
+                            "r2 = + r1 2\n"
+                            "r3 = * r1 in2\n"
+                            "out0 = r2\n"
+                            "out1 = r3\n");
+    EXPECT_EQ(tape.operations(), 4u);
+}
+
+TEST(Tape, OutputsMayBeInputsAndConstants) {
+    Xyz s;
+    const Node outputs[] = {s.symbols[1], s.graph.constant(7), s.symbols[1]};
+    const double in[] = {1, 2, 3};
+    double out[3];
+    Tape::Scratch scratch;
+    Tape(s.graph, s.symbols, outputs).evaluate(in, out, scratch);
+    EXPECT_EQ(std::vector(out, out + 3), (std::vector<double>{2, 7, 2}));
+}
+
+struct SwitchRow {
+    const char *text;
+    double at; // where the branch is decided
+    Decision decision;
+    double guard; // there
+    double away;  // where it is then evaluated
+    double value, guardAway;
+};
+
+// The branch stays as decided while the guard tells that it was left.
+TEST(Tape, FrozenBranchesAreSmoothAndTheirGuardsChangeSign) {
+    const SwitchRow rows[] = {
+        {"abs(x)", -1, -1, -1, 2, -2, 2},
+        {"abs(x)", 1, 1, 1, -2, -2, -2},
+        {"abs(x)", 0, 0, 0, -2, 2, -2},
+        {"sign(x)", -1, -1, -1, 2, -1, 2},
+        {"min(x, 1)", 0, -1, -1, 3, 3, 2},
+        {"max(x, 1)", 0, -1, -1, 3, 1, 2},
+        {"x < 1 ? 10 : 20", 0, -1, -1, 3, 10, 2},
+        {"x >= 1 ? 10 : 20", 3, -1, -2, 0, 10, 1},
+        {"x == 1", 1, 0, 0, 3, 1, 2},
+        {"x != 1", 0, -1, -1, 1, 1, 0},
+        {"floor(x)", 2.25, 2, 0.25, 3.5, 2, -0.5},
+        {"ceil(x)", 2.25, 3, 0.25, 3.5, 3, -0.5},
+        {"floor(x)", -0.5, -1, 0.5, 1, -1, -1},
+        {"floor(x)", 1e300, noBranch, 1, 2.5, 2, 1},
+    };
+    for (const SwitchRow &row : rows) {
+        Graph graph;
+        const Node x = graph.symbol("x"), n = parsed(graph, row.text);
+        const Tape tape(graph, std::span(&x, 1), std::span(&n, 1));
+        ASSERT_EQ(tape.decisions(), 1u) << row.text;
+        Tape::Scratch scratch;
+        Decision decision = 77;
+        double guard = 77, value = 77;
+        tape.decide(std::span(&row.at, 1), std::span(&decision, 1), std::span(&guard, 1), scratch);
+        EXPECT_EQ(decision, row.decision) << row.text;
+        EXPECT_EQ(guard, row.guard) << row.text;
+        tape.evaluate(std::span(&row.away, 1), std::span(&value, 1), scratch,
+                      std::span(&decision, 1), std::span(&guard, 1));
+        EXPECT_EQ(value, row.value) << row.text;
+        EXPECT_EQ(guard, row.guardAway) << row.text;
+    }
+}
+
+TEST(Tape, BranchesThatTheValuesImplyChangeNothing) {
+    RandomExpressions random(4);
+    Tape::Scratch scratch;
+    for (int i = 0; i < repetitions(5000); ++i) {
+        Xyz s;
+        const Node n = random.make(s.graph, 5);
+        const Tape tape(s.graph, s.symbols, std::span(&n, 1));
+        const double in[] = {random.number(), random.number(), random.number()};
+        std::vector<Decision> decisions(tape.decisions());
+        tape.decide(in, decisions, {}, scratch);
+        double free = 0, frozen = 0;
+        tape.evaluate(in, std::span(&free, 1), scratch);
+        tape.evaluate(in, std::span(&frozen, 1), scratch, decisions, {});
+        ASSERT_TRUE(isSame(free, frozen)) << print(s.graph, n) << ' ' << free << ' ' << frozen;
+    }
+}
+
+} // namespace
+} // namespace expression
