@@ -1,0 +1,28 @@
+// Mass, centroid and inertia of a union of parts at one density.
+//
+// A polyhedron is the sum of the tetrahedra that its faces make with an inner point c. For a
+// tetrahedron with corners c, c+u, c+v, c+w and volume V = u.(v x w)/6, with s = u + v + w,
+//     integral of x  = V s / 4            integral of x x' = V (u u' + v v' + w w' + s s') / 20
+// (coordinates from c); inertia = trace(C) 1 - C for C = integral of x x'. Parts are added about
+// the common centroid (parallel axes).
+//
+// LIMIT: parts that overlap count twice there.
+#pragma once
+
+#include "geometry/shape.h"
+
+namespace geometry {
+
+struct MassProperties {
+    double volume = 0;
+    double mass = 0;
+    Vector centroid = Vector::Zero(); // in the shape's frame
+    Matrix inertia = Matrix::Zero();  // about the centroid, along the shape's axes
+};
+
+[[nodiscard]] MassProperties massProperties(const Shape &shape, double density);
+
+// The same body with another mass: inertia in proportion.
+[[nodiscard]] MassProperties scaledToMass(MassProperties properties, double mass);
+
+} // namespace geometry
