@@ -19,12 +19,12 @@ namespace {
 
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-bool before(const Vector &a, const Vector &b) {
+bool before(const Vector& a, const Vector& b) {
     return std::tie(a.x(), a.y(), a.z()) < std::tie(b.x(), b.y(), b.z());
 }
 
 // Indices of the distinct points, the first of equal ones, ordered by place.
-std::vector<std::size_t> distinct(const std::vector<Vector> &points) {
+std::vector<std::size_t> distinct(const std::vector<Vector>& points) {
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), 0u);
     std::stable_sort(order.begin(), order.end(),
@@ -36,7 +36,7 @@ std::vector<std::size_t> distinct(const std::vector<Vector> &points) {
 }
 
 template <typename Measure>
-std::size_t furthest(const std::vector<Vector> &points, const Measure &measure) {
+std::size_t furthest(const std::vector<Vector>& points, const Measure& measure) {
     std::size_t best = 0;
     double most = -1;
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -53,21 +53,21 @@ struct Start {
 };
 
 // Four points far apart: two ends, then the furthest from their line, then from the plane.
-Start findStart(const std::vector<Vector> &points) {
+Start findStart(const std::vector<Vector>& points) {
     Start start;
-    auto &[a, b, c, d] = start.corners;
+    auto& [a, b, c, d] = start.corners;
     a = 0; // the first by place is a corner of the hull
-    b = furthest(points, [&](const Vector &p) { return (p - points[a]).norm(); });
+    b = furthest(points, [&](const Vector& p) { return (p - points[a]).norm(); });
     const double size = (points[b] - points[a]).norm();
     const Vector line = (points[b] - points[a]) / size;
-    const auto fromLine = [&](const Vector &p) { return (p - points[a]).cross(line).norm(); };
+    const auto fromLine = [&](const Vector& p) { return (p - points[a]).cross(line).norm(); };
     c = furthest(points, fromLine);
     if (fromLine(points[c]) <= smallestThickness * size) {
         start.refusal = HullRefusal{"its points lie on one line, which bounds no volume"};
         return start;
     }
     const Vector normal = (points[b] - points[a]).cross(points[c] - points[a]).normalized();
-    const auto fromPlane = [&](const Vector &p) { return std::abs(normal.dot(p - points[a])); };
+    const auto fromPlane = [&](const Vector& p) { return std::abs(normal.dot(p - points[a])); };
     d = furthest(points, fromPlane);
     if (fromPlane(points[d]) <= smallestThickness * size ||
         orientation(points[a], points[b], points[c], points[d]) == 0)
@@ -75,10 +75,15 @@ Start findStart(const std::vector<Vector> &points) {
     return start;
 }
 
+struct Loop {
+    std::vector<std::size_t> vertices;
+    Triangle plane{}; // whose plane it lies in
+};
+
 // Joins triangles into regions that are flat within the tolerance, largest triangles first.
 class Regions {
 public:
-    Regions(const std::vector<Vector> &points, const std::vector<Triangle> &triangles,
+    Regions(const std::vector<Vector>& points, const std::vector<Triangle>& triangles,
             double tolerance)
         : points_(points), triangles_(triangles), tolerance_(tolerance),
           region_(triangles.size(), none) {
@@ -92,38 +97,39 @@ public:
         });
         for (std::size_t t : order)
             if (region_[t] == none)
-                grow(t, count_++);
+                grow(t, seeds_.size());
     }
 
     // The border of each region as one loop; empty when some region's border is not one loop.
-    [[nodiscard]] std::vector<std::vector<std::size_t>> polygons() const {
-        std::vector<std::map<std::size_t, std::size_t>> next(count_);
-        for (const auto &[edge, t] : owner_) {
+    [[nodiscard]] std::vector<Loop> polygons() const {
+        std::vector<std::map<std::size_t, std::size_t>> next(seeds_.size());
+        for (const auto& [edge, t] : owner_) {
             const std::size_t twin = owner_.at({edge.second, edge.first});
             if (region_[t] != region_[twin] &&
                 !next[region_[t]].insert({edge.first, edge.second}).second)
                 return {};
         }
-        std::vector<std::vector<std::size_t>> result;
-        for (const auto &border : next) {
+        std::vector<Loop> result;
+        for (const auto& border : next) {
             std::vector<std::size_t> loop;
             for (std::size_t v = border.empty() ? none : border.begin()->first;
                  v != none && (loop.empty() || v != loop.front()); v = border.at(v))
                 loop.push_back(v);
             if (loop.size() < 3 || loop.size() != border.size())
                 return {};
-            result.push_back(std::move(loop));
+            result.push_back({std::move(loop), triangles_[seeds_[result.size()]]});
         }
         return result;
     }
 
 private:
     [[nodiscard]] Vector areaVector(std::size_t t) const {
-        const auto &[a, b, c] = triangles_[t];
+        const auto& [a, b, c] = triangles_[t];
         return (points_[b] - points_[a]).cross(points_[c] - points_[a]);
     }
 
     void grow(std::size_t seed, std::size_t region) {
+        seeds_.push_back(seed);
         const Vector normal = areaVector(seed).normalized();
         const double offset = normal.dot(points_[triangles_[seed][0]]);
         const auto flat = [&](std::size_t v) {
@@ -136,7 +142,7 @@ private:
             front.pop_back();
             for (std::size_t i = 0; i < 3; ++i) {
                 const std::size_t n = owner_.at({triangles_[t][(i + 1) % 3], triangles_[t][i]});
-                const Triangle &corners = triangles_[n];
+                const Triangle& corners = triangles_[n];
                 if (region_[n] == none && std::all_of(corners.begin(), corners.end(), flat)) {
                     region_[n] = region;
                     front.push_back(n);
@@ -145,55 +151,61 @@ private:
         }
     }
 
-    const std::vector<Vector> &points_;
-    const std::vector<Triangle> &triangles_;
+    const std::vector<Vector>& points_;
+    const std::vector<Triangle>& triangles_;
     double tolerance_;
     std::vector<std::size_t> region_;
-    std::size_t count_ = 0;
+    std::vector<std::size_t> seeds_; // of each region: its largest triangle
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> owner_;
 };
 
 // A vertex where only two faces meet lies on an edge and is no corner.
-void dropStraightCorners(std::vector<std::vector<std::size_t>> &polygons) {
+void dropStraightCorners(std::vector<Loop>& loops) {
     std::map<std::size_t, int> faces;
-    for (const auto &polygon : polygons)
-        for (std::size_t v : polygon)
+    for (const Loop& loop : loops)
+        for (std::size_t v : loop.vertices)
             ++faces[v];
-    for (auto &polygon : polygons)
-        std::erase_if(polygon, [&](std::size_t v) { return faces[v] < 3; });
+    for (Loop& loop : loops)
+        std::erase_if(loop.vertices, [&](std::size_t v) { return faces[v] < 3; });
 }
 
-// `places`: the author's own points, of which the triangles' corners are indices into `sources`.
-Hull assemble(const std::vector<Vector> &places, const std::vector<std::size_t> &sources,
-              std::vector<std::vector<std::size_t>> polygons) {
+// `points`: the author's own, of which the loops' vertices are indices into `sources`.
+Hull assemble(const std::vector<Vector>& points, const std::vector<std::size_t>& sources,
+              const std::vector<Loop>& loops) {
     std::map<std::size_t, std::size_t> renumbered;
-    for (const auto &polygon : polygons)
-        for (std::size_t v : polygon)
+    for (const Loop& loop : loops)
+        for (std::size_t v : loop.vertices)
             renumbered.insert({v, 0});
     Hull hull;
     std::vector<Vector> vertices;
-    for (auto &[old, now] : renumbered) {
+    for (auto& [old, now] : renumbered) {
         now = vertices.size();
-        vertices.push_back(places[sources[old]]);
+        vertices.push_back(points[sources[old]]);
         hull.sources.push_back(sources[old]);
     }
-    for (auto &polygon : polygons)
-        for (std::size_t &v : polygon)
-            v = renumbered[v];
+    std::vector<Polygon> polygons;
+    for (const Loop& loop : loops) {
+        const auto place = [&](std::size_t i) { return points[sources[loop.plane[i]]]; };
+        Polygon polygon{{}, std::array<Vector, 3>{place(0), place(1), place(2)}};
+        for (std::size_t v : loop.vertices)
+            polygon.vertices.push_back(renumbered[v]);
+        polygons.push_back(std::move(polygon));
+    }
     hull.polyhedron = fromPolygons(std::move(vertices), polygons);
     return hull;
 }
 
-bool isSimple(const std::vector<std::vector<std::size_t>> &polygons) {
-    return polygons.size() >= 4 && std::all_of(polygons.begin(), polygons.end(),
-                                               [](const auto &p) { return p.size() > 2; });
+bool isSimple(const std::vector<Loop>& loops) {
+    return loops.size() >= 4 && std::all_of(loops.begin(), loops.end(), [](const Loop& loop) {
+               return loop.vertices.size() > 2;
+           });
 }
 
-std::optional<HullRefusal> unusable(const std::vector<Vector> &points) {
+std::optional<HullRefusal> unusable(const std::vector<Vector>& points) {
     if (points.size() > mostHullPoints)
         return HullRefusal{"it has more than " + std::to_string(mostHullPoints) + " points"};
     double largest = 0;
-    for (const Vector &p : points) {
+    for (const Vector& p : points) {
         if (!p.allFinite())
             return HullRefusal{"one of its points is not finite"};
         largest = std::max(largest, p.cwiseAbs().maxCoeff());
@@ -206,7 +218,7 @@ std::optional<HullRefusal> unusable(const std::vector<Vector> &points) {
 
 } // namespace
 
-std::variant<Hull, HullRefusal> convexHull(const std::vector<Vector> &points) {
+std::variant<Hull, HullRefusal> convexHull(const std::vector<Vector>& points) {
     if (auto refusal = unusable(points))
         return *refusal;
     const std::vector<Vector> grid = toGrid(points);
@@ -222,16 +234,18 @@ std::variant<Hull, HullRefusal> convexHull(const std::vector<Vector> &points) {
 
     const std::vector<Triangle> triangles = quickhull(chosen, start.corners);
     const double size = (chosen[start.corners[1]] - chosen[start.corners[0]]).norm();
-    auto polygons = Regions(chosen, triangles, flatness * size).polygons();
-    dropStraightCorners(polygons);
-    if (isSimple(polygons))
-        if (Hull hull = assemble(points, sources, polygons); !hull.polyhedron.vertices.empty())
+    // Grid coordinates are below 1 and known to 2^-53 there: no plane is known better than that.
+    const double tolerance = std::max(flatness * size, 0x1p-51);
+    auto loops = Regions(chosen, triangles, tolerance).polygons();
+    dropStraightCorners(loops);
+    if (isSimple(loops))
+        if (Hull hull = assemble(points, sources, loops); !hull.polyhedron.vertices.empty())
             return hull;
     // Merging failed to give proper polygons; the triangles themselves always close.
-    polygons.clear();
-    for (const Triangle &t : triangles)
-        polygons.emplace_back(t.begin(), t.end());
-    return assemble(points, sources, polygons);
+    loops.clear();
+    for (const Triangle& t : triangles)
+        loops.push_back({{t.begin(), t.end()}, t});
+    return assemble(points, sources, loops);
 }
 
 } // namespace geometry

@@ -28,6 +28,6 @@ inline constexpr double flatness = 1e-12;         // of the size: this far from 
 inline constexpr double smallestThickness = 1e-9; // of the size: flatter than this is refused
 inline constexpr std::size_t mostHullPoints = 100'000;
 
-[[nodiscard]] std::variant<Hull, HullRefusal> convexHull(const std::vector<Vector> &points);
+[[nodiscard]] std::variant<Hull, HullRefusal> convexHull(const std::vector<Vector>& points);
 
 } // namespace geometry

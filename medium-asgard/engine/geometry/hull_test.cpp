@@ -13,16 +13,16 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::vector<Vector> cubeCorners(double size, const Vector &offset = Vector::Zero()) {
+std::vector<Vector> cubeCorners(double size, const Vector& offset = Vector::Zero()) {
     std::vector<Vector> corners;
     for (int i = 0; i < 8; ++i)
         corners.emplace_back(offset + size * Vector(i & 1, (i >> 1) & 1, i >> 2));
     return corners;
 }
 
-std::string refusalOf(const std::vector<Vector> &points) {
+std::string refusalOf(const std::vector<Vector>& points) {
     const auto result = convexHull(points);
-    const auto *refusal = std::get_if<HullRefusal>(&result);
+    const auto* refusal = std::get_if<HullRefusal>(&result);
     return refusal ? refusal->sentence : "";
 }
 
@@ -45,7 +45,7 @@ TEST(ConvexHull, OfACubeHasSixSquaresAndTwelveEdgesAtAnyScaleAndPlace) {
             points.emplace_back((points[0] + points[1]) / 2);         // on an edge
             const auto result = convexHull(points);
             ASSERT_TRUE(std::holds_alternative<Hull>(result)) << refusalOf(points);
-            const Hull &hull = std::get<Hull>(result);
+            const Hull& hull = std::get<Hull>(result);
             EXPECT_EQ(hull.polyhedron.vertices.size(), 8u);
             EXPECT_EQ(hull.polyhedron.faces.size(), 6u);
             EXPECT_EQ(hull.polyhedron.edges.size(), 12u);
@@ -61,7 +61,7 @@ TEST(ConvexHull, OfARotatedCubeStillHasSixFaces) {
         const Quaternion q =
             fromRotationVector({uniform(random), uniform(random), uniform(random)});
         auto points = cubeCorners(1);
-        for (Vector &p : points)
+        for (Vector& p : points)
             p = q * p;
         const auto result = convexHull(points);
         ASSERT_TRUE(std::holds_alternative<Hull>(result));
@@ -89,7 +89,7 @@ TEST(ConvexHull, OfAnySetIsClosedConvexAndCompleteOrRefused) {
         const auto points = drawPoints(random);
         const auto result = convexHull(points);
         hulls += std::holds_alternative<Hull>(result);
-        ASSERT_EQ(faultOf(points, result), "") << "set " << i;
+        EXPECT_EQ(faultOf(points, result), "") << "set " << i;
     }
     EXPECT_GT(hulls, 5'000); // the sets are not all degenerate
 }
@@ -105,7 +105,7 @@ TEST(Support, FindsTheFurthestVertexByClimbing) {
     for (int i = 0; i < 1000; ++i) {
         const Vector d(normal(random), normal(random), normal(random));
         double best = -1e9;
-        for (const Vector &v : p.vertices)
+        for (const Vector& v : p.vertices)
             best = std::max(best, d.dot(v));
         EXPECT_EQ(d.dot(p.vertices[support(p, d, random() % 300)]), best);
     }

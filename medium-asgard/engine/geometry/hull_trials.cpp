@@ -1,5 +1,7 @@
 #include "geometry/hull_trials.h"
 
+#include <Eigen/SVD>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -9,15 +11,15 @@ namespace geometry {
 
 namespace {
 
-double uniform(std::mt19937_64 &random, double from, double to) {
+double uniform(std::mt19937_64& random, double from, double to) {
     return std::uniform_real_distribution<double>(from, to)(random);
 }
 
-Vector drawVector(std::mt19937_64 &random) {
+Vector drawVector(std::mt19937_64& random) {
     return {uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)};
 }
 
-Vector drawPoint(std::mt19937_64 &random, int kind) {
+Vector drawPoint(std::mt19937_64& random, int kind) {
     const Vector v = drawVector(random);
     switch (kind) {
     case 0: // on a sphere
@@ -43,16 +45,16 @@ Vector drawPoint(std::mt19937_64 &random, int kind) {
     }
 }
 
-double sizeOf(const std::vector<Vector> &points) {
+double sizeOf(const std::vector<Vector>& points) {
     double size = 0;
-    for (const Vector &p : points)
+    for (const Vector& p : points)
         size = std::max(size, (p - points[0]).norm());
     return size;
 }
 
 } // namespace
 
-std::vector<Vector> drawPoints(std::mt19937_64 &random) {
+std::vector<Vector> drawPoints(std::mt19937_64& random) {
     const int kind = static_cast<int>(random() % 12);
     const std::size_t count = 1 + random() % (random() % 8 == 0 ? 120 : 24);
     const Quaternion turn =
@@ -67,63 +69,61 @@ std::vector<Vector> drawPoints(std::mt19937_64 &random) {
 
 namespace {
 
-bool isClosed(const Polyhedron &p) {
+bool isClosed(const Polyhedron& p) {
     std::set<std::pair<std::size_t, std::size_t>> directed;
-    for (const Face &f : p.faces)
+    for (const Face& f : p.faces)
         for (std::size_t i = 0; i < f.vertices.size(); ++i)
             if (!directed.insert({f.vertices[i], f.vertices[(i + 1) % f.vertices.size()]}).second)
                 return false;
     return std::all_of(directed.begin(), directed.end(),
-                       [&](const auto &e) {
+                       [&](const auto& e) {
                            return directed.contains({e.second, e.first});
                        }) &&
            p.vertices.size() + p.faces.size() == p.edges.size() + 2;
 }
 
 // The furthest that any point lies outside of any face's plane.
-double worstOutside(const Polyhedron &p, const std::vector<Vector> &points) {
+double worstOutside(const Polyhedron& p, const std::vector<Vector>& points) {
     double worst = 0;
-    for (const Face &f : p.faces)
-        for (const Vector &x : points)
+    for (const Face& f : p.faces)
+        for (const Vector& x : points)
             worst = std::max(worst, f.normal.dot(x - p.vertices[f.vertices[0]]));
     return worst;
 }
 
-// The smallest extent of the points along any line through three of them... bounded from above by
-// the distances from the planes of many triples.
-double thickness(const std::vector<Vector> &points) {
-    double least = sizeOf(points);
-    for (std::size_t i = 2; i < points.size(); ++i) {
-        const Vector n = (points[i - 1] - points[0]).cross(points[i] - points[0]);
-        if (n.norm() == 0)
-            continue;
-        double most = 0;
-        for (const Vector &x : points)
-            most = std::max(most, std::abs(n.normalized().dot(x - points[0])));
-        least = std::min(least, most);
-    }
-    return least;
+// The root mean square distance of the points from the plane that fits them best.
+double thickness(const std::vector<Vector>& points) {
+    Eigen::MatrixX3d rows(points.size(), 3);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        rows.row(static_cast<Eigen::Index>(i)) = points[i] - points[0];
+    rows.rowwise() -= rows.colwise().mean().eval();
+    const double largest = rows.cwiseAbs().maxCoeff();
+    if (largest == 0)
+        return 0;
+    const Eigen::JacobiSVD<Eigen::MatrixX3d> svd(rows / largest);
+    return svd.singularValues()[2] * largest / std::sqrt(static_cast<double>(points.size()));
 }
 
 } // namespace
 
-std::string faultOf(const std::vector<Vector> &points,
-                    const std::variant<Hull, HullRefusal> &result) {
+std::string faultOf(const std::vector<Vector>& points,
+                    const std::variant<Hull, HullRefusal>& result) {
     const double size = sizeOf(points);
     double largest = 0;
-    for (const Vector &p : points)
+    for (const Vector& p : points)
         largest = std::max(largest, p.cwiseAbs().maxCoeff());
-    if (const auto *refusal = std::get_if<HullRefusal>(&result)) {
+    if (const auto* refusal = std::get_if<HullRefusal>(&result)) {
         const bool deserved = points.size() < 4 || largest > 1e60 || largest < 1e-60 ||
                               thickness(points) <= 1e-8 * size;
         return deserved ? "" : "refused a solid: " + refusal->sentence;
     }
-    const Polyhedron &p = std::get<Hull>(result).polyhedron;
+    const Polyhedron& p = std::get<Hull>(result).polyhedron;
     if (!isClosed(p))
         return "not closed";
     const double outside = worstOutside(p, points);
-    if (outside > 4 * flatness * size + 4e-16 * largest)
-        return "a point lies outside by " + std::to_string(outside / size) + " of the size";
+    if (outside > 4 * flatness * size + 2e-15 * largest)
+        return "a point lies outside by " + std::to_string(1e12 * outside / size) +
+               "e-12 of the size";
     return "";
 }
 

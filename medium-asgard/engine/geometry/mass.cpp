@@ -14,20 +14,20 @@ struct Moments {
     Matrix second = Matrix::Zero();
 };
 
-Moments ofSphere(const Part &part) {
+Moments ofSphere(const Part& part) {
     const double r = part.radius;
     const double volume = 4.0 / 3.0 * std::numbers::pi * r * r * r;
     return {volume, part.center(), Matrix::Identity() * (volume * r * r / 5)};
 }
 
-Moments ofPolyhedron(const Polyhedron &polyhedron) {
+Moments ofPolyhedron(const Polyhedron& polyhedron) {
     Vector inner = Vector::Zero();
-    for (const Vector &v : polyhedron.vertices)
+    for (const Vector& v : polyhedron.vertices)
         inner += (v - polyhedron.vertices[0]) / static_cast<double>(polyhedron.vertices.size());
     inner += polyhedron.vertices[0];
 
     Moments sum;
-    for (const Face &face : polyhedron.faces) {
+    for (const Face& face : polyhedron.faces) {
         const Vector u = polyhedron.vertices[face.vertices[0]] - inner;
         for (std::size_t i = 1; i + 1 < face.vertices.size(); ++i) {
             const Vector v = polyhedron.vertices[face.vertices[i]] - inner;
@@ -49,19 +49,19 @@ Moments ofPolyhedron(const Polyhedron &polyhedron) {
 
 } // namespace
 
-MassProperties massProperties(const Shape &shape, double density) {
+MassProperties massProperties(const Shape& shape, double density) {
     std::vector<Moments> parts;
     MassProperties result;
-    for (const Part &part : shape.parts) {
+    for (const Part& part : shape.parts) {
         parts.push_back(part.isSphere() ? ofSphere(part) : ofPolyhedron(part.core));
         result.volume += parts.back().volume;
     }
     // Weights first: volume times place would lose digits far from the frame's origin.
-    for (const Moments &m : parts)
+    for (const Moments& m : parts)
         result.centroid += m.volume / result.volume * (m.centroid - parts[0].centroid);
     result.centroid += parts[0].centroid;
     Matrix second = Matrix::Zero();
-    for (const Moments &m : parts) {
+    for (const Moments& m : parts) {
         const Vector d = m.centroid - result.centroid;
         second += m.second + m.volume * d * d.transpose();
     }

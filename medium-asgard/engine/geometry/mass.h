@@ -20,7 +20,7 @@ struct MassProperties {
     Matrix inertia = Matrix::Zero();  // about the centroid, along the shape's axes
 };
 
-[[nodiscard]] MassProperties massProperties(const Shape &shape, double density);
+[[nodiscard]] MassProperties massProperties(const Shape& shape, double density);
 
 // The same body with another mass: inertia in proportion.
 [[nodiscard]] MassProperties scaledToMass(MassProperties properties, double mass);

@@ -9,7 +9,7 @@
 namespace geometry {
 namespace {
 
-Shape single(const Part &part) { return {{part}}; }
+Shape single(const Part& part) { return {{part}}; }
 
 TEST(MassProperties, OfABoxAreTheTextbooks) {
     const Vector e(2, 1, 1.5);

@@ -9,31 +9,52 @@ namespace geometry {
 
 namespace {
 
-// Newell's normal: the sum over the polygon's edges, right for polygons that are not quite flat.
-void setPlane(Face &face, const std::vector<Vector> &vertices) {
-    const Vector &origin = vertices[face.vertices[0]];
-    Vector sum = Vector::Zero();
-    for (std::size_t i = 1; i + 1 < face.vertices.size(); ++i)
-        sum += (vertices[face.vertices[i]] - origin).cross(vertices[face.vertices[i + 1]] - origin);
-    // Tiny solids have areas that underflow when squared.
-    const double largest = sum.cwiseAbs().maxCoeff();
-    face.normal = largest > 0 ? (sum / largest).normalized() : Vector::UnitZ();
-    // The furthest vertex, so that nothing of the polygon lies outside its own plane.
+// In extended precision: slivers lose as many digits as they are flat. From the corner with the
+// widest angle, scaled since areas of tiny solids underflow when squared.
+Vector normalOf(const Vector& a, const Vector& b, const Vector& c) {
+    using Long = Eigen::Matrix<long double, 3, 1>;
+    const Long la = a.cast<long double>(), lb = b.cast<long double>(), lc = c.cast<long double>();
+    const Long cross = (lb - la).cross(lc - la);
+    const long double largest = cross.cwiseAbs().maxCoeff();
+    if (largest == 0)
+        return Vector::UnitZ();
+    return (cross / largest).normalized().cast<double>();
+}
+
+// The plane of the polygon's largest triangle with one corner at its first vertex.
+Vector normalOf(const Face& face, const std::vector<Vector>& vertices) {
+    const Vector& origin = vertices[face.vertices[0]];
+    std::size_t best = 1;
+    double largest = -1;
+    for (std::size_t i = 1; i + 1 < face.vertices.size(); ++i) {
+        const Vector u = vertices[face.vertices[i]] - origin;
+        const Vector v = vertices[face.vertices[i + 1]] - origin;
+        if (const double area = u.cross(v).norm(); area > largest) {
+            largest = area;
+            best = i;
+        }
+    }
+    return normalOf(origin, vertices[face.vertices[best]], vertices[face.vertices[best + 1]]);
+}
+
+// Through the furthest vertex, so that nothing of the polygon lies outside its own plane.
+void setPlane(Face& face, const std::vector<Vector>& vertices, const Vector& normal) {
+    face.normal = normal;
     face.offset = -std::numeric_limits<double>::infinity();
     for (std::size_t v : face.vertices)
-        face.offset = std::max(face.offset, face.normal.dot(vertices[v]));
+        face.offset = std::max(face.offset, normal.dot(vertices[v]));
 }
 
 // False when an edge is not shared by exactly two faces in opposite directions.
-bool findEdges(Polyhedron &polyhedron) {
+bool findEdges(Polyhedron& polyhedron) {
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> faceOf;
     for (std::size_t f = 0; f < polyhedron.faces.size(); ++f) {
-        const auto &loop = polyhedron.faces[f].vertices;
+        const auto& loop = polyhedron.faces[f].vertices;
         for (std::size_t i = 0; i < loop.size(); ++i)
             if (!faceOf.insert({{loop[i], loop[(i + 1) % loop.size()]}, f}).second)
                 return false;
     }
-    for (const auto &[ends, face] : faceOf) {
+    for (const auto& [ends, face] : faceOf) {
         const auto twin = faceOf.find({ends.second, ends.first});
         if (twin == faceOf.end() || twin->second == face)
             return false;
@@ -43,9 +64,9 @@ bool findEdges(Polyhedron &polyhedron) {
     return true;
 }
 
-void findNeighbours(Polyhedron &polyhedron) {
+void findNeighbours(Polyhedron& polyhedron) {
     polyhedron.neighbours.resize(polyhedron.vertices.size());
-    for (const Edge &e : polyhedron.edges) {
+    for (const Edge& e : polyhedron.edges) {
         polyhedron.neighbours[e.from].push_back(e.to);
         polyhedron.neighbours[e.to].push_back(e.from);
     }
@@ -53,14 +74,16 @@ void findNeighbours(Polyhedron &polyhedron) {
 
 } // namespace
 
-Polyhedron fromPolygons(std::vector<Vector> vertices,
-                        const std::vector<std::vector<std::size_t>> &polygons) {
+Polyhedron fromPolygons(std::vector<Vector> vertices, const std::vector<Polygon>& polygons) {
     Polyhedron result;
     result.vertices = std::move(vertices);
-    for (const auto &polygon : polygons) {
+    for (const Polygon& polygon : polygons) {
         Face face;
-        face.vertices = polygon;
-        setPlane(face, result.vertices);
+        face.vertices = polygon.vertices;
+        setPlane(face, result.vertices,
+                 polygon.plane
+                     ? normalOf((*polygon.plane)[0], (*polygon.plane)[1], (*polygon.plane)[2])
+                     : normalOf(face, result.vertices));
         result.faces.push_back(std::move(face));
     }
     if (!findEdges(result))
@@ -69,44 +92,43 @@ Polyhedron fromPolygons(std::vector<Vector> vertices,
     return result;
 }
 
-Polyhedron box(const Vector &edges) {
+Polyhedron box(const Vector& edges) {
     const Vector half = edges / 2;
     std::vector<Vector> corners;
     for (int i = 0; i < 8; ++i)
         corners.emplace_back((i & 1 ? 1 : -1) * half.x(), (i & 2 ? 1 : -1) * half.y(),
                              (i & 4 ? 1 : -1) * half.z());
-    Polyhedron result = fromPolygons(
-        std::move(corners),
-        {{1, 3, 7, 5}, {0, 4, 6, 2}, {2, 6, 7, 3}, {0, 1, 5, 4}, {4, 5, 7, 6}, {0, 2, 3, 1}});
+    Polyhedron result = fromPolygons(std::move(corners), {{{1, 3, 7, 5}, {}},
+                                                          {{0, 4, 6, 2}, {}},
+                                                          {{2, 6, 7, 3}, {}},
+                                                          {{0, 1, 5, 4}, {}},
+                                                          {{4, 5, 7, 6}, {}},
+                                                          {{0, 2, 3, 1}, {}}});
     for (int i = 0; i < 6; ++i) {
-        Face &face = result.faces[static_cast<std::size_t>(i)];
+        Face& face = result.faces[static_cast<std::size_t>(i)];
         face.normal = (i % 2 ? -1 : 1) * Vector::Unit(i / 2);
         face.offset = half[i / 2];
     }
     return result;
 }
 
-Polyhedron point(const Vector &place) {
+Polyhedron point(const Vector& place) {
     Polyhedron result;
     result.vertices.push_back(place);
     result.neighbours.resize(1);
     return result;
 }
 
-Polyhedron transformed(Polyhedron polyhedron, const Pose &pose) {
-    for (Vector &v : polyhedron.vertices)
+Polyhedron transformed(Polyhedron polyhedron, const Pose& pose) {
+    for (Vector& v : polyhedron.vertices)
         v = pose.toWorld(v);
-    for (Face &f : polyhedron.faces) {
-        f.normal = (pose.attitude * f.normal).normalized();
-        f.offset = -std::numeric_limits<double>::infinity();
-        for (std::size_t v : f.vertices)
-            f.offset = std::max(f.offset, f.normal.dot(polyhedron.vertices[v]));
-    }
+    for (Face& f : polyhedron.faces)
+        setPlane(f, polyhedron.vertices, (pose.attitude * f.normal).normalized());
     return polyhedron;
 }
 
-std::size_t support(const Polyhedron &polyhedron, const Vector &direction, std::size_t start) {
-    const auto &vertices = polyhedron.vertices;
+std::size_t support(const Polyhedron& polyhedron, const Vector& direction, std::size_t start) {
+    const auto& vertices = polyhedron.vertices;
     if (vertices.size() <= 24) { // few: reading them in a row is faster than following edges
         std::size_t best = 0;
         double furthest = direction.dot(vertices[0]);

@@ -7,7 +7,9 @@
 
 #include "geometry/pose.h"
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace geometry {
@@ -31,21 +33,26 @@ struct Polyhedron {
 };
 
 // The box with these full edge lengths about the origin.
-[[nodiscard]] Polyhedron box(const Vector &edges);
+[[nodiscard]] Polyhedron box(const Vector& edges);
 
 // A single point.
-[[nodiscard]] Polyhedron point(const Vector &place);
+[[nodiscard]] Polyhedron point(const Vector& place);
+
+struct Polygon {
+    std::vector<std::size_t> vertices;          // counter-clockwise seen from outside
+    std::optional<std::array<Vector, 3>> plane; // points that span its plane; none: its own
+};
 
 // The polyhedron of these polygons, with planes, edges and neighbours worked out. Empty (no
 // vertices) when the polygons do not close: some edge lacks its twin or has two.
 [[nodiscard]] Polyhedron fromPolygons(std::vector<Vector> vertices,
-                                      const std::vector<std::vector<std::size_t>> &polygons);
+                                      const std::vector<Polygon>& polygons);
 
-[[nodiscard]] Polyhedron transformed(Polyhedron polyhedron, const Pose &pose);
+[[nodiscard]] Polyhedron transformed(Polyhedron polyhedron, const Pose& pose);
 
 // The vertex that lies furthest in a direction, found by climbing from vertex `start` where there
 // are many. The first of several equal ones depends on the start.
-[[nodiscard]] std::size_t support(const Polyhedron &polyhedron, const Vector &direction,
+[[nodiscard]] std::size_t support(const Polyhedron& polyhedron, const Vector& direction,
                                   std::size_t start = 0);
 
 } // namespace geometry

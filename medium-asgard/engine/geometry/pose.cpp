@@ -4,7 +4,7 @@
 
 namespace geometry {
 
-Quaternion fromRotationVector(const Vector &v) {
+Quaternion fromRotationVector(const Vector& v) {
     const double angle = v.norm();
     // sin(a/2)/a to the last bit where the quotient would be 0/0; the next term is a^2/48.
     const double factor = angle < 1e-8 ? 0.5 : std::sin(angle / 2) / angle;
@@ -13,7 +13,7 @@ Quaternion fromRotationVector(const Vector &v) {
         .normalized();
 }
 
-Vector toRotationVector(const Quaternion &q) {
+Vector toRotationVector(const Quaternion& q) {
     // q and -q are the same rotation; the one with w >= 0 has the angle in 0..pi.
     const double sign = q.w() < 0 ? -1 : 1;
     const double sine = q.vec().norm();

@@ -17,16 +17,16 @@ struct Pose {
     Vector position = Vector::Zero();
     Quaternion attitude = Quaternion::Identity();
 
-    [[nodiscard]] Vector toWorld(const Vector &local) const { return attitude * local + position; }
-    [[nodiscard]] Vector toLocal(const Vector &world) const {
+    [[nodiscard]] Vector toWorld(const Vector& local) const { return attitude * local + position; }
+    [[nodiscard]] Vector toLocal(const Vector& world) const {
         return attitude.conjugate() * (world - position);
     }
 };
 
 // The rotation by |v| radians about v, right-handed. The zero vector is no rotation.
-[[nodiscard]] Quaternion fromRotationVector(const Vector &v);
+[[nodiscard]] Quaternion fromRotationVector(const Vector& v);
 
 // The inverse; the angle lies in 0..pi.
-[[nodiscard]] Vector toRotationVector(const Quaternion &q);
+[[nodiscard]] Vector toRotationVector(const Quaternion& q);
 
 } // namespace geometry

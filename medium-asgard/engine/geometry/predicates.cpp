@@ -11,7 +11,7 @@ namespace geometry {
 namespace {
 
 // a + b = sum + error, exactly (Knuth).
-void twoSum(double a, double b, double &sum, double &error) {
+void twoSum(double a, double b, double& sum, double& error) {
     sum = a + b;
     const double virtualB = sum - a;
     error = (a - (sum - virtualB)) + (b - virtualB);
@@ -35,7 +35,7 @@ public:
         if (carry != 0)
             terms_[count_++] = carry;
     }
-    void addProduct(const Expansion &a, const Expansion &b, double sign) {
+    void addProduct(const Expansion& a, const Expansion& b, double sign) {
         for (std::size_t i = 0; i < a.count_; ++i)
             for (std::size_t j = 0; j < b.count_; ++j) {
                 const double high = a.terms_[i] * b.terms_[j];
@@ -61,7 +61,7 @@ Expansion difference(double a, double b) {
     return e;
 }
 
-int exactOrientation(const Vector &a, const Vector &b, const Vector &c, const Vector &d) {
+int exactOrientation(const Vector& a, const Vector& b, const Vector& c, const Vector& d) {
     std::array<std::array<Expansion, 3>, 3> m;
     for (int k = 0; k < 3; ++k) {
         const auto column = static_cast<std::size_t>(k);
@@ -82,7 +82,7 @@ int exactOrientation(const Vector &a, const Vector &b, const Vector &c, const Ve
 
 } // namespace
 
-int orientation(const Vector &a, const Vector &b, const Vector &c, const Vector &d) {
+int orientation(const Vector& a, const Vector& b, const Vector& c, const Vector& d) {
     const Vector u = b - a, v = c - a, w = d - a;
     const Vector vw = v.cross(w);
     const double determinant = u.dot(vw);
@@ -96,14 +96,14 @@ int orientation(const Vector &a, const Vector &b, const Vector &c, const Vector 
     return exactOrientation(a, b, c, d);
 }
 
-std::vector<Vector> toGrid(const std::vector<Vector> &points) {
+std::vector<Vector> toGrid(const std::vector<Vector>& points) {
     double largest = 0;
-    for (const Vector &p : points)
+    for (const Vector& p : points)
         largest = std::max(largest, p.cwiseAbs().maxCoeff());
     int exponent = 0;
     (void)std::frexp(largest, &exponent);
     std::vector<Vector> result(points);
-    for (Vector &p : result)
+    for (Vector& p : result)
         for (int k = 0; k < 3; ++k)
             p[k] = std::ldexp(std::nearbyint(std::ldexp(p[k], 60 - exponent)), -60);
     return result;

@@ -16,11 +16,11 @@ namespace geometry {
 
 // +1: d lies on the side of the plane abc from which a, b, c are seen clockwise (the determinant is
 // positive); 0: exactly in the plane; -1: on the other side.
-[[nodiscard]] int orientation(const Vector &a, const Vector &b, const Vector &c, const Vector &d);
+[[nodiscard]] int orientation(const Vector& a, const Vector& b, const Vector& c, const Vector& d);
 
 // The points scaled by a power of two into the unit cube and rounded to multiples of 2^-60: for
 // all but the coordinates that are 2^-7 times the largest or less this moves nothing, and those
 // by less than 1e-18 of the largest.
-[[nodiscard]] std::vector<Vector> toGrid(const std::vector<Vector> &points);
+[[nodiscard]] std::vector<Vector> toGrid(const std::vector<Vector>& points);
 
 } // namespace geometry

@@ -26,7 +26,7 @@ struct HorizonEdge {
 
 class Builder {
 public:
-    Builder(const std::vector<Vector> &points, std::array<std::size_t, 4> first) : points_(points) {
+    Builder(const std::vector<Vector>& points, std::array<std::size_t, 4> first) : points_(points) {
         makeTetrahedron(first);
         std::vector<std::size_t> rest;
         for (std::size_t i = 0; i < points.size(); ++i)
@@ -40,14 +40,14 @@ public:
             while (facets_[f].alive && !facets_[f].outside.empty())
                 addPoint(f);
         std::vector<Triangle> result;
-        for (const Facet &f : facets_)
+        for (const Facet& f : facets_)
             if (f.alive)
                 result.push_back(f.corners);
         return result;
     }
 
 private:
-    [[nodiscard]] bool sees(std::size_t p, const Facet &f) const {
+    [[nodiscard]] bool sees(std::size_t p, const Facet& f) const {
         // orientation() is positive where a, b, c look clockwise, which is inside.
         return orientation(points_[f.corners[0]], points_[f.corners[1]], points_[f.corners[2]],
                            points_[p]) > 0;
@@ -60,7 +60,7 @@ private:
         const std::array<Triangle, 4> corners{
             Triangle{v[0], v[1], v[2]}, Triangle{v[1], v[0], v[3]}, Triangle{v[2], v[1], v[3]},
             Triangle{v[0], v[2], v[3]}};
-        for (const Triangle &t : corners)
+        for (const Triangle& t : corners)
             facets_.push_back({t, {none, none, none}, {}, true, none});
         for (std::size_t f = 0; f < 4; ++f)
             for (std::size_t g = 0; g < 4; ++g)
@@ -77,7 +77,7 @@ private:
     }
 
     // Each point goes to the first facet from `from` on that it sees; one that sees none is inside.
-    void distribute(const std::vector<std::size_t> &points, std::size_t from) {
+    void distribute(const std::vector<std::size_t>& points, std::size_t from) {
         for (std::size_t p : points)
             for (std::size_t f = from; f < facets_.size(); ++f)
                 if (sees(p, facets_[f])) {
@@ -87,8 +87,8 @@ private:
     }
 
     // The furthest point is a vertex of the hull (up to rounding, which costs time only).
-    [[nodiscard]] std::size_t furthestOutside(const Facet &f) const {
-        const Vector &a = points_[f.corners[0]];
+    [[nodiscard]] std::size_t furthestOutside(const Facet& f) const {
+        const Vector& a = points_[f.corners[0]];
         const Vector normal = (points_[f.corners[1]] - a).cross(points_[f.corners[2]] - a);
         std::size_t best = 0;
         double furthest = -std::numeric_limits<double>::infinity();
@@ -101,7 +101,7 @@ private:
     }
 
     void addPoint(std::size_t start) {
-        auto &outside = facets_[start].outside;
+        auto& outside = facets_[start].outside;
         const std::size_t which = furthestOutside(facets_[start]);
         const std::size_t p = outside[which];
         outside.erase(outside.begin() + static_cast<std::ptrdiff_t>(which));
@@ -122,7 +122,7 @@ private:
     // The facets that p sees are connected, and their border is one simple loop: p pushed a little
     // towards the inside sees the same ones and lies in no facet's plane.
     std::vector<HorizonEdge> findHorizon(std::size_t p, std::size_t start,
-                                         std::vector<std::size_t> &visible) {
+                                         std::vector<std::size_t>& visible) {
         std::vector<HorizonEdge> horizon;
         visible.push_back(start);
         facets_[start].seenFrom = p;
@@ -143,13 +143,13 @@ private:
         return horizon;
     }
 
-    void makeCone(std::size_t p, const std::vector<HorizonEdge> &horizon) {
+    void makeCone(std::size_t p, const std::vector<HorizonEdge>& horizon) {
         const std::size_t firstNew = facets_.size();
         startingAt_.resize(points_.size(), none);
         for (std::size_t i = 0; i < horizon.size(); ++i) {
-            const HorizonEdge &e = horizon[i];
+            const HorizonEdge& e = horizon[i];
             facets_.push_back({{e.from, e.to, p}, {e.beyond, none, none}, {}, true, none});
-            Facet &beyond = facets_[e.beyond];
+            Facet& beyond = facets_[e.beyond];
             for (std::size_t j = 0; j < 3; ++j)
                 if (beyond.corners[j] == e.to && beyond.corners[(j + 1) % 3] == e.from)
                     beyond.across[j] = firstNew + i;
@@ -162,14 +162,14 @@ private:
         }
     }
 
-    const std::vector<Vector> &points_;
+    const std::vector<Vector>& points_;
     std::vector<Facet> facets_;
     std::vector<std::size_t> startingAt_; // of each vertex of the horizon: the new facet
 };
 
 } // namespace
 
-std::vector<Triangle> quickhull(const std::vector<Vector> &points,
+std::vector<Triangle> quickhull(const std::vector<Vector>& points,
                                 std::array<std::size_t, 4> first) {
     return Builder(points, first).run();
 }

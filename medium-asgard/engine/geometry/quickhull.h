@@ -13,7 +13,7 @@ using Triangle = std::array<std::size_t, 3>; // counter-clockwise seen from outs
 
 // The boundary of the hull of distinct grid points (predicates.h). `first` are four of them that
 // are not in one plane.
-[[nodiscard]] std::vector<Triangle> quickhull(const std::vector<Vector> &points,
+[[nodiscard]] std::vector<Triangle> quickhull(const std::vector<Vector>& points,
                                               std::array<std::size_t, 4> first);
 
 } // namespace geometry

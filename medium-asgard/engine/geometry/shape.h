@@ -17,23 +17,23 @@ struct Part {
     Polyhedron core; // in the shape's frame
     double radius = 0;
     [[nodiscard]] bool isSphere() const { return core.faces.empty(); }
-    [[nodiscard]] const Vector &center() const { return core.vertices.front(); } // of a sphere
+    [[nodiscard]] const Vector& center() const { return core.vertices.front(); } // of a sphere
 };
 
-[[nodiscard]] Part spherePart(double radius, const Vector &center = Vector::Zero());
-[[nodiscard]] Part polyhedronPart(const Polyhedron &polyhedron, const Pose &pose = {});
+[[nodiscard]] Part spherePart(double radius, const Vector& center = Vector::Zero());
+[[nodiscard]] Part polyhedronPart(const Polyhedron& polyhedron, const Pose& pose = {});
 
 struct Shape {
     std::vector<Part> parts; // not empty
 };
 
 // How far the shape, or a part, reaches from a point of its frame.
-[[nodiscard]] double radiusAbout(const Part &part, const Vector &center);
-[[nodiscard]] double radiusAbout(const Shape &shape, const Vector &center);
+[[nodiscard]] double radiusAbout(const Part& part, const Vector& center);
+[[nodiscard]] double radiusAbout(const Shape& shape, const Vector& center);
 
 // Axis-aligned box in the shape's frame, or in the world's at a pose.
 using Box = Eigen::AlignedBox3d;
-[[nodiscard]] Box bounds(const Shape &shape, const Pose &pose = {});
+[[nodiscard]] Box bounds(const Shape& shape, const Pose& pose = {});
 
 // Where a ray first enters the shape.
 struct RayHit {
@@ -46,7 +46,7 @@ struct RayHit {
 
 // The nearest point at a distance >= 0 where the ray crosses into a part; none when it misses. A
 // ray that starts inside a part meets that part where it leaves it.
-[[nodiscard]] std::optional<RayHit> castRay(const Shape &shape, const Vector &origin,
-                                            const Vector &direction);
+[[nodiscard]] std::optional<RayHit> castRay(const Shape& shape, const Vector& origin,
+                                            const Vector& direction);
 
 } // namespace geometry

@@ -9,11 +9,11 @@ TEST(Box, HasExactPlanesAndOutwardFaces) {
     const Polyhedron b = box({2, 1, 3});
     ASSERT_EQ(b.faces.size(), 6u);
     EXPECT_EQ(b.edges.size(), 12u);
-    for (const Face &f : b.faces) {
+    for (const Face& f : b.faces) {
         EXPECT_EQ(f.normal.cwiseAbs().sum(), 1);
-        for (const Vector &v : b.vertices)
+        for (const Vector& v : b.vertices)
             EXPECT_LE(f.normal.dot(v), f.offset);
-        const Vector &p = b.vertices[f.vertices[0]];
+        const Vector& p = b.vertices[f.vertices[0]];
         const Vector turn = (b.vertices[f.vertices[1]] - p).cross(b.vertices[f.vertices[2]] - p);
         EXPECT_GT(turn.dot(f.normal), 0);
     }
