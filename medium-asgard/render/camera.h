@@ -19,41 +19,41 @@ using geometry::Quaternion;
 using geometry::Vector;
 
 struct Camera {
-    Vector center = Vector::Zero();                   // world: centre of rotation and scaling
-    Quaternion rotation = Quaternion::Identity();     // world to view
-    double scale = 1;                                 // view units per world unit
-    Vector position = Vector::Zero();                 // view units: pan
+    Vector center = Vector::Zero();               // world: centre of rotation and scaling
+    Quaternion rotation = Quaternion::Identity(); // world to view
+    double scale = 1;                             // view units per world unit
+    Vector position = Vector::Zero();             // view units: pan
 };
 
 struct Size {
     int width = 640, height = 480; // device pixels
-    bool operator==(const Size&) const = default;
+    bool operator==(const Size &) const = default;
 };
 
 // The eye stands on the view's z axis, this far in front of the plane z = 0.
 inline constexpr double eyeDistance = 5;
 
 // Pixels (origin top left) of a world point, and back to the world at a given view depth z.
-[[nodiscard]] Eigen::Vector2d toPixels(const Camera& camera, Size size, const Vector& world);
-[[nodiscard]] Vector toWorld(const Camera& camera, Size size, const Eigen::Vector2d& pixels,
+[[nodiscard]] Eigen::Vector2d toPixels(const Camera &camera, Size size, const Vector &world);
+[[nodiscard]] Vector toWorld(const Camera &camera, Size size, const Eigen::Vector2d &pixels,
                              double viewZ = 0);
 
 // The camera that shows all of the motion well: everything that moves, over the whole motion, and
 // what is fixed near it, with a margin; from slightly above and to the side when the motion is not
 // planar, straight on when it is. Without a motion: the bodies where they start.
-[[nodiscard]] Camera framed(const scene::Scene& scene, const simulation::MotionPointer& motion,
+[[nodiscard]] Camera framed(const scene::Scene &scene, const simulation::MotionPointer &motion,
                             Size size);
 
 // Unshifted buttons move the view: left rotates by a virtual sphere, middle pans in the screen's
 // plane, right scales (vertical) or rolls about the line of sight (horizontal); the wheel scales
 // about the pointer. Rotations compose as quaternions.
 class CameraControl {
-  public:
+public:
     enum class Button : std::uint8_t { left, middle, right };
 
     explicit CameraControl(Camera camera = {}) : camera_(camera) {}
-    [[nodiscard]] const Camera& camera() const { return camera_; }
-    void set(const Camera& camera) { camera_ = camera; }
+    [[nodiscard]] const Camera &camera() const { return camera_; }
+    void set(const Camera &camera) { camera_ = camera; }
 
     void press(Button button, Eigen::Vector2d pixels, Size size);
     // True when the view changed.
@@ -62,7 +62,9 @@ class CameraControl {
     void wheel(Eigen::Vector2d pixels, double notches, Size size);
     [[nodiscard]] bool active() const { return pressed_.has_value(); }
 
-  private:
+private:
+    bool scaleOrRoll(Eigen::Vector2d from, Eigen::Vector2d to, Size size);
+
     Camera camera_;
     std::optional<Button> pressed_;
     Eigen::Vector2d last_ = Eigen::Vector2d::Zero();

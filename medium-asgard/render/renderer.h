@@ -17,16 +17,16 @@ namespace render {
 struct Display {
     bool wireframe = false;
     bool axes = false;
-    bool grid = true;          // ground grid
-    bool trails = true;        // paths of the centres of mass up to now
+    bool grid = true;   // ground grid
+    bool trails = true; // paths of the centres of mass up to now
     bool positionHandles = false;
     bool velocityHandles = false;
     scene::Color background{1, 1, 1};
-    int samples = 4;           // multisampling; clamped to what there is; 1 while it moves fast
+    int samples = 4; // multisampling; clamped to what there is; 1 while it moves fast
 };
 
 struct Drawing {
-    const scene::Scene* scene = nullptr;
+    const scene::Scene *scene = nullptr;
     simulation::MotionPointer motion; // none: the bodies stand where they start
     double time = 0;
     Camera camera;
@@ -41,19 +41,20 @@ struct Image {
 };
 
 class Renderer {
-  public:
-    // A renderer, or the sentence that says why there is none (no EGL, no driver: names the package).
+public:
+    // A renderer, or the sentence that says why there is none (no EGL, no driver: names the
+    // package).
     [[nodiscard]] static std::variant<std::unique_ptr<Renderer>, std::string> create();
     ~Renderer();
 
     // Draws and reads back. False when the context was lost; then make a new renderer.
-    [[nodiscard]] bool draw(const Drawing& drawing, const Image& into);
+    [[nodiscard]] bool draw(const Drawing &drawing, const Image &into);
 
     [[nodiscard]] int maximumSamples() const;
     [[nodiscard]] int maximumSize() const;
     [[nodiscard]] std::string description() const; // driver and version, for About
 
-  private:
+private:
     Renderer();
     struct Implementation;
     std::unique_ptr<Implementation> implementation_;

@@ -1,0 +1,225 @@
+#include "render/extent.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace render {
+
+using geometry::Pose;
+
+namespace {
+
+using Box = Eigen::AlignedBox3d;
+
+void addCorners(std::vector<Ball> &outline, const Box &box, const Pose &pose) {
+    for (int i = 0; i < 8; ++i)
+        outline.push_back({pose.toWorld(box.corner(static_cast<Box::CornerType>(i))), 0});
+}
+
+void addPart(std::vector<Ball> &outline, const scene::Part &part) {
+    const Pose pose{part.position, geometry::fromRotationVector(part.rotation)};
+    if (const auto *sphere = std::get_if<scene::SphereShape>(&part.shape)) {
+        outline.push_back({part.position, sphere->radius});
+    } else if (const auto *box = std::get_if<scene::BoxShape>(&part.shape)) {
+        addCorners(outline, Box(-box->edges / 2, box->edges / 2), pose);
+    } else if (const auto *hull = std::get_if<scene::HullShape>(&part.shape)) {
+        if (hull->points.size() <= 24) {
+            for (const Vector &p : hull->points)
+                outline.push_back({pose.toWorld(p), 0});
+            return;
+        }
+        Box bounds;
+        for (const Vector &p : hull->points)
+            bounds.extend(p);
+        addCorners(outline, bounds, pose);
+    }
+}
+
+std::vector<double> sampleTimes(const simulation::Motion *motion, std::size_t outlinePoints) {
+    if (motion == nullptr)
+        return {0};
+    // OPTIMIZATION: many bodies make one picture together; fewer times of each are enough.
+    const std::size_t count =
+        std::clamp<std::size_t>(50000 / std::max<std::size_t>(outlinePoints, 1), 12, 240);
+    const double start = motion->start(), length = motion->computed() - start;
+    std::vector<double> times;
+    for (std::size_t i = 0; i <= count; ++i)
+        times.push_back(start + length * static_cast<double>(i) / static_cast<double>(count));
+    return times;
+}
+
+bool finite(const Pose &pose) {
+    return pose.position.allFinite() && pose.attitude.coeffs().allFinite();
+}
+
+// What one body does over the motion.
+struct Path {
+    Box centers;                  // of the shape's origin
+    Vector spin = Vector::Zero(); // sum of the absolute angular velocity's components
+    std::vector<Pose> poses;
+};
+
+Path pathOf(const scene::Scene &scene, const simulation::Motion *motion, std::size_t body,
+            const std::vector<double> &times) {
+    Path path;
+    for (double time : times) {
+        const Pose pose = poseOf(scene, motion, body, time);
+        if (!finite(pose))
+            continue;
+        path.centers.extend(pose.position);
+        path.poses.push_back(pose);
+        if (motion != nullptr && body < motion->bodies())
+            path.spin += motion->at(body, time).angularVelocity.cwiseAbs();
+    }
+    return path;
+}
+
+Box around(const Ball &ball) {
+    return {ball.center.array() - ball.radius, ball.center.array() + ball.radius};
+}
+
+void keep(Extent &extent, const Ball &ball) {
+    extent.balls.push_back(ball);
+    extent.box.extend(around(ball));
+}
+
+void keepPath(Extent &extent, const Path &path, const std::vector<Ball> &outline) {
+    // What does not move was sampled just as often, and is the same each time.
+    for (const Pose &pose : path.poses) {
+        for (const Ball &ball : outline)
+            keep(extent, {pose.toWorld(ball.center), ball.radius});
+        if (path.centers.sizes().isZero() && path.spin.isZero())
+            return;
+    }
+}
+
+// A fixed body near the motion belongs to the picture; of a wide floor only what lies near it.
+void keepNear(Extent &extent, const Box &moving, const Pose &pose,
+              const std::vector<Ball> &outline) {
+    Box whole;
+    for (const Ball &ball : outline)
+        whole.extend(around({pose.toWorld(ball.center), ball.radius}));
+    const double reach = 0.35 * moving.sizes().maxCoeff();
+    const Box near(moving.min().array() - reach, moving.max().array() + reach);
+    const Box shown = near.intersection(whole);
+    if (shown.isEmpty())
+        return;
+    for (int i = 0; i < 8; ++i)
+        keep(extent, {shown.corner(static_cast<Box::CornerType>(i)), 0});
+}
+
+// The axis along which nothing goes and about which alone anything turns, if there is one.
+std::optional<Vector> flatAlong(const std::vector<Path> &paths, const std::vector<bool> &moves,
+                                const Vector &up) {
+    Box all;
+    Vector travel = Vector::Zero(), spin = Vector::Zero();
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        if (paths[i].centers.isEmpty() || !moves[i])
+            continue;
+        all.extend(paths[i].centers);
+        travel = travel.cwiseMax(paths[i].centers.sizes());
+        spin += paths[i].spin;
+    }
+    if (all.isEmpty() || travel.maxCoeff() <= 0)
+        return std::nullopt;
+    const double size = std::max(all.sizes().maxCoeff(), travel.maxCoeff());
+    // Depth first: a motion along one line can be seen from the front.
+    for (int axis : {2, 0, 1}) {
+        const Vector n = Vector::Unit(axis);
+        if (std::abs(n.dot(up)) > 0.5)
+            continue;
+        const double other = spin.sum() - spin[axis];
+        if (all.sizes()[axis] < 1e-3 * size && other <= 1e-6 * (spin.sum() + 1e-9))
+            return n;
+    }
+    return std::nullopt;
+}
+
+bool isZero(const std::string &expression) {
+    return expression.find_first_not_of("0.+- \t\n") == std::string::npos;
+}
+
+} // namespace
+
+std::vector<Ball> outlineOf(const scene::Scene &scene, const scene::Body &body) {
+    std::vector<Ball> outline;
+    if (const scene::ShapeSet *shape = scene::findShapeSet(scene, body.shape))
+        for (const scene::Part &part : shape->parts)
+            addPart(outline, part);
+    return outline;
+}
+
+Pose poseOf(const scene::Scene &scene, const simulation::Motion *motion, std::size_t body,
+            double time) {
+    if (motion != nullptr && body < motion->bodies())
+        return motion->shapePose(body, time);
+    const scene::Body &b = scene.bodies[body];
+    return {b.initialPosition, b.initialAttitude};
+}
+
+Vector upOf(const scene::Scene &scene) {
+    std::array<int, 6> votes{}; // against -x, +x, -y, ...
+    for (const scene::Force &force : scene.forces) {
+        if (force.couple)
+            continue;
+        if (const auto *g = std::get_if<scene::GravitationalForce>(&force.kind)) {
+            Eigen::Index axis = 0;
+            if (g->acceleration.cwiseAbs().maxCoeff(&axis) > 0)
+                ++votes[static_cast<std::size_t>(2 * axis + (g->acceleration[axis] > 0))];
+        } else if (const auto *c = std::get_if<scene::ComponentForce>(&force.kind)) {
+            // "-10 * b1.mass" along one axis alone is how scenes write gravity.
+            const auto given = std::count_if(c->components.begin(), c->components.end(),
+                                             [](const auto &e) { return !isZero(e); });
+            for (std::size_t axis = 0; axis < 3 && given == 1; ++axis) {
+                const std::string &e = c->components[axis];
+                if (!isZero(e) && e.find(".mass") != std::string::npos)
+                    ++votes[2 * axis + (e.find('-') == std::string::npos)];
+            }
+        }
+    }
+    const auto most = std::max_element(votes.begin(), votes.end());
+    if (*most == 0)
+        return Vector::UnitY();
+    const auto winner = most - votes.begin();
+    return Vector(Vector::Unit(winner / 2)) * (winner % 2 == 0 ? 1.0 : -1.0);
+}
+
+Extent extentOf(const scene::Scene &scene, const simulation::Motion *motion) {
+    Extent extent;
+    extent.up = upOf(scene);
+    std::vector<std::vector<Ball>> outlines;
+    std::size_t points = 0;
+    for (const scene::Body &body : scene.bodies) {
+        outlines.push_back(outlineOf(scene, body));
+        points += outlines.back().size();
+    }
+    const std::vector<double> times = sampleTimes(motion, points);
+    std::vector<Path> paths;
+    bool anyMoves = false;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        paths.push_back(pathOf(scene, motion, i, times));
+        const Box &centers = paths[i].centers;
+        const bool travels =
+            !centers.isEmpty() && centers.sizes().maxCoeff() > 1e-9 * (1 + centers.center().norm());
+        extent.turns.push_back(paths[i].spin.sum() > 0);
+        extent.moves.push_back(travels || extent.turns[i]);
+        anyMoves = anyMoves || extent.moves[i];
+    }
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        if (!anyMoves || extent.moves[i])
+            keepPath(extent, paths[i], outlines[i]);
+    const Box moving = extent.box;
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        if (anyMoves && !extent.moves[i] && !paths[i].poses.empty())
+            keepNear(extent, moving, paths[i].poses.front(), outlines[i]);
+    if (extent.box.isEmpty())
+        keep(extent, {Vector::Zero(), 1});
+    extent.size = std::max(extent.box.sizes().maxCoeff(), 1e-9);
+    extent.planeNormal = flatAlong(paths, extent.moves, extent.up);
+    extent.lowest =
+        extent.box.center().dot(extent.up) - extent.box.sizes().dot(extent.up.cwiseAbs()) / 2;
+    return extent;
+}
+
+} // namespace render

@@ -1,0 +1,47 @@
+// Where a scene's motion goes: what framing, the ground and the trails are laid out by.
+//
+// Bodies are taken as their spheres and corners, at a limited number of times over the motion.
+#pragma once
+
+#include "scene/scene.h"
+#include "simulation/motion.h"
+
+#include <Eigen/Geometry>
+
+#include <optional>
+#include <vector>
+
+namespace render {
+
+using geometry::Vector;
+
+struct Ball {
+    Vector center;
+    double radius = 0;
+};
+
+struct Extent {
+    Eigen::AlignedBox3d box; // what moves, over the whole motion, and what is fixed near it
+    std::vector<Ball> balls; // the same, as spheres and (of radius 0) corners
+    std::vector<bool> moves; // of each body: its place or attitude changes
+    std::vector<bool> turns; // of each body: its attitude changes
+    Vector up = Vector::UnitY();
+    double lowest = 0;                 // along up
+    double size = 1;                   // longest edge of the box
+    std::optional<Vector> planeNormal; // the axis that the motion is flat along
+};
+
+// The body's parts lie in the hull of these, in its shape's frame.
+[[nodiscard]] std::vector<Ball> outlineOf(const scene::Scene &scene, const scene::Body &body);
+
+// Pose of the shape's own frame: from the motion, else where the body starts.
+[[nodiscard]] geometry::Pose poseOf(const scene::Scene &scene, const simulation::Motion *motion,
+                                    std::size_t body, double time);
+
+// Against gravity, as far as the scene's forces tell: the world axis that most bodies fall along;
+// y when nothing falls.
+[[nodiscard]] Vector upOf(const scene::Scene &scene);
+
+[[nodiscard]] Extent extentOf(const scene::Scene &scene, const simulation::Motion *motion);
+
+} // namespace render

@@ -1,0 +1,55 @@
+// One picture's numbers: the camera as matrices, the depth range, the light.
+#pragma once
+
+#include "render/renderer.h"
+
+#include <array>
+
+namespace render {
+
+class Frame {
+public:
+    Frame(const Drawing &drawing, Size size);
+
+    [[nodiscard]] Vector toView(const Vector &world) const {
+        return linear_ * (world - camera_.center) + camera_.position;
+    }
+    [[nodiscard]] const Eigen::Matrix3d &linear() const { return linear_; } // scale and rotation
+    [[nodiscard]] Vector directionInView(const Vector &world) const {
+        return camera_.rotation * world;
+    }
+
+    // How long a length at that view depth is on screen.
+    [[nodiscard]] double pixels(double viewLength, double viewZ) const;
+    // Line widths are meant for a picture 480 pixels high and grow with it.
+    [[nodiscard]] float stroke(double width) const;
+
+    // To clip space, column by column, upside down: rows are read back bottom first, and shall be
+    // the picture's top first. Depth holds what lies between the two view z.
+    [[nodiscard]] std::array<float, 16> projection(double nearestZ, double furthestZ) const;
+
+    [[nodiscard]] Size size() const { return size_; }
+    [[nodiscard]] Eigen::Vector2f halfSize() const {
+        return {0.5F * static_cast<float>(size_.width), 0.5F * static_cast<float>(size_.height)};
+    }
+    [[nodiscard]] const Camera &camera() const { return camera_; }
+
+private:
+    Camera camera_;
+    Size size_;
+    Eigen::Matrix3d linear_;
+};
+
+// sRGB to linear, one component.
+[[nodiscard]] double linearLight(double encoded);
+
+struct Light {
+    Vector place = Vector::UnitZ(); // view: unit direction towards it, or where it stands
+    bool isPoint = false;
+    Eigen::Vector3f color = Eigen::Vector3f::Ones(); // linear
+};
+
+// The scene's lights in view coordinates, at most `mostLights`; the default one when it has none.
+[[nodiscard]] std::vector<Light> lightsOf(const scene::Scene &scene, const Frame &frame);
+
+} // namespace render

@@ -1,0 +1,37 @@
+// Shapes as triangles with normals, and as the lines that their edges make.
+//
+// Faces of a polyhedron are flat: each has its own vertices. Spheres are subdivided icosahedra,
+// as fine as their size on screen asks for.
+#pragma once
+
+#include "geometry/pose.h"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace render {
+
+struct Mesh {
+    std::vector<float> vertices; // position and outward normal, six numbers each
+    std::vector<std::uint32_t> indices;
+    std::vector<std::pair<geometry::Vector, geometry::Vector>> edges;
+};
+
+inline constexpr int finestSphere = 5; // 20 * 4^5 triangles
+
+// The unit sphere; its vertices stand so far out that the mean radius is 1.
+[[nodiscard]] Mesh sphereMesh(int level);
+// The level whose outline stays within a third of a pixel of the circle of that radius.
+[[nodiscard]] int sphereLevel(double radiusInPixels);
+
+// The cube with edges of length 1 about the origin.
+[[nodiscard]] Mesh boxMesh();
+
+// A convex polyhedron from its faces, counterclockwise seen from outside.
+[[nodiscard]] Mesh polyhedronMesh(const std::vector<std::vector<geometry::Vector>> &faces);
+
+// The convex hull of points; empty when they have none.
+[[nodiscard]] Mesh hullMesh(const std::vector<geometry::Vector> &points);
+
+} // namespace render

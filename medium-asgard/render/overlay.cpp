@@ -1,0 +1,143 @@
+#include "render/overlay.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace render {
+
+namespace {
+
+bool isSphere(const Solid &solid) {
+    return std::holds_alternative<scene::SphereShape>(solid.part->shape);
+}
+
+// Dark enough to be seen, with the hue of the surface.
+Ink rim(const Solid &solid, const Frame &frame, double width, float alpha) {
+    return {solid.color * 0.33F, alpha, frame.stroke(width)};
+}
+
+// A circle about `middle` in the plane of u and v.
+void addCircle(Lines &lines, const Vector &middle, const Vector &u, const Vector &v, int parts,
+               const Ink &ink) {
+    Vector last = middle + u;
+    for (int i = 1; i <= parts; ++i) {
+        const double angle = 2 * M_PI * i / parts;
+        const Vector next = middle + std::cos(angle) * u + std::sin(angle) * v;
+        lines.add(last, next, ink);
+        last = next;
+    }
+}
+
+int circleParts(double radiusInPixels) {
+    return std::clamp(static_cast<int>(4 * std::sqrt(radiusInPixels)), 12, 96);
+}
+
+// The outline of a ball as the eye sees it: the circle where lines of sight touch it.
+void addOutline(Lines &lines, const Solid &solid, int parts, const Ink &ink) {
+    const Vector toEye = Vector(0, 0, eyeDistance) - solid.place;
+    const double distance = toEye.norm(), r = solid.radius;
+    if (distance <= r)
+        return;
+    const Vector axis = toEye / distance;
+    const Vector u = axis.unitOrthogonal(), v = axis.cross(u);
+    const double radius = r * std::sqrt(1 - r * r / (distance * distance));
+    addCircle(lines, solid.place + axis * (r * r / distance), radius * u, radius * v, parts, ink);
+}
+
+// The largest of 1, 2, 5 times a power of ten that is not above x.
+double roundLength(double x) {
+    const double power = std::pow(10, std::floor(std::log10(x)));
+    for (double factor : {5.0, 2.0})
+        if (factor * power <= x)
+            return factor * power;
+    return power;
+}
+
+} // namespace
+
+void addEdges(Lines &lines, const Solid &solid, const Mesh &mesh, const Frame &frame) {
+    const double size = frame.pixels(solid.radius, solid.middle.z()) / frame.stroke(1);
+    if (isSphere(solid) || size < 5)
+        return;
+    const float alpha = 0.75F * solid.alpha * static_cast<float>(std::min(1.0, size / 16));
+    const Ink ink = rim(solid, frame, 1.1, alpha);
+    for (const auto &[from, to] : mesh.edges)
+        lines.add(solid.toView(from), solid.toView(to), ink);
+}
+
+void addWireframe(Lines &lines, const Solid &solid, const Mesh &mesh, const Frame &frame) {
+    const Ink ink = rim(solid, frame, 1.2, 0.9F);
+    if (!isSphere(solid)) {
+        for (const auto &[from, to] : mesh.edges)
+            lines.add(solid.toView(from), solid.toView(to), ink);
+        return;
+    }
+    const int parts = circleParts(frame.pixels(solid.radius, solid.middle.z()));
+    addOutline(lines, solid, parts, ink);
+    Ink faint = ink;
+    faint.alpha = 0.4F;
+    for (int axis = 0; axis < 3; ++axis)
+        addCircle(lines, solid.place, solid.linear.col(axis), solid.linear.col((axis + 1) % 3),
+                  parts, faint);
+}
+
+void addArrow(Lines &lines, const Frame &frame, const Vector &from, const Vector &to,
+              const Ink &ink) {
+    const Vector a = frame.toView(from), b = frame.toView(to);
+    lines.add(a, b, ink);
+    const double length = (b - a).norm();
+    const double perPixel = 1 / std::max(frame.pixels(1, b.z()), 1e-12);
+    const double head = std::min(0.4 * length, 4.5 * ink.width * perPixel);
+    if (head <= 0)
+        return;
+    // Four barbs about the shaft, so that it is an arrow from any side.
+    const Vector along = (b - a) / length, u = along.unitOrthogonal(), v = along.cross(u);
+    for (const Vector &side : {u, v, Vector(-u), Vector(-v)})
+        lines.add(b - head * (along - 0.42 * side), b, ink);
+}
+
+void addAxes(Lines &lines, const Extent &extent, const Frame &frame) {
+    const double length = 0.5 * extent.size;
+    const Eigen::Vector3f colors[] = {
+        {0.80F, 0.16F, 0.14F}, {0.10F, 0.55F, 0.16F}, {0.12F, 0.32F, 0.80F}};
+    for (int axis = 0; axis < 3; ++axis)
+        addArrow(lines, frame, Vector::Zero(), length * Vector::Unit(axis),
+                 {colors[axis], 0.95F, frame.stroke(1.6)});
+}
+
+void addGrid(Lines &lines, const Extent &extent, const Frame &frame) {
+    const Vector up = extent.up;
+    const Vector u = std::abs(up.x()) > 0.5 ? Vector(Vector::UnitY()) : Vector(Vector::UnitX());
+    const Vector v = up.cross(u);
+    const double cell = roundLength(extent.size / 5);
+    const Vector below = extent.box.center() + (extent.lowest - extent.box.center().dot(up)) * up;
+    // Lines stand at whole multiples of the cell, so that lengths can be read off.
+    const double footU = std::round(below.dot(u) / cell), footV = std::round(below.dot(v) / cell);
+    const double across =
+        std::max(extent.box.sizes().dot(u.cwiseAbs()), extent.box.sizes().dot(v.cwiseAbs()));
+    const int reach = std::clamp(static_cast<int>(std::ceil(0.85 * across / cell)) + 3, 4, 14);
+    const auto place = [&](double i, double j) {
+        return frame.toView(below.dot(up) * up + (footU + i) * cell * u + (footV + j) * cell * v);
+    };
+    const auto alpha = [&](double i, double j) {
+        const double d = std::hypot(i, j) / reach;
+        return static_cast<float>(0.5 * std::max(0.0, 1 - d * d));
+    };
+    for (int line = -reach; line <= reach; ++line)
+        for (int along = -reach; along < reach; ++along) {
+            const bool tenth = std::llround(footU + line) % 5 == 0;
+            const bool otherTenth = std::llround(footV + line) % 5 == 0;
+            const float a = alpha(line, along), b = alpha(line, along + 1);
+            if (a <= 0 && b <= 0)
+                continue;
+            const Eigen::Vector3f grey(0.58F, 0.61F, 0.66F);
+            const auto ink = [&](bool strong) {
+                return Ink{grey, strong ? a * 1.5F : a, frame.stroke(0.9)};
+            };
+            lines.add(place(line, along), place(line, along + 1), ink(tenth), tenth ? b * 1.5F : b);
+            lines.add(place(along, line), place(along + 1, line), ink(otherTenth),
+                      otherTenth ? b * 1.5F : b);
+        }
+}
+
+} // namespace render

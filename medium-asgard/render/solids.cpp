@@ -1,0 +1,287 @@
+#include "render/solids.h"
+
+#include "render/shaders.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace render {
+
+namespace {
+
+// Where a part's mesh stands in the part's frame, and the ball about it.
+struct Fit {
+    Vector edges = Vector::Ones(); // the mesh is scaled by these
+    Vector middle = Vector::Zero();
+    double radius = 0;
+};
+
+Fit fitOf(const scene::Part &part) {
+    if (const auto *sphere = std::get_if<scene::SphereShape>(&part.shape))
+        return {Vector::Constant(sphere->radius), Vector::Zero(), sphere->radius};
+    if (const auto *box = std::get_if<scene::BoxShape>(&part.shape))
+        return {box->edges, Vector::Zero(), box->edges.norm() / 2};
+    Fit fit;
+    Eigen::AlignedBox3d bounds;
+    for (const Vector &p : std::get<scene::HullShape>(part.shape).points)
+        bounds.extend(p);
+    if (!bounds.isEmpty()) {
+        fit.middle = bounds.center();
+        fit.radius = bounds.sizes().norm() / 2;
+    }
+    return fit;
+}
+
+// What is not given is inherited: part, body, shape set.
+template <class T>
+T inherited(std::optional<T> scene::Appearance::*what, const scene::Part &part,
+            const scene::Body &body, const scene::ShapeSet &shape, T otherwise) {
+    for (const scene::Appearance *a : {&part.appearance, &body.appearance, &shape.appearance})
+        if ((a->*what).has_value())
+            return *(a->*what);
+    return otherwise;
+}
+
+Solid solidOf(const scene::Part &part, const scene::Body &body, const scene::ShapeSet &shape,
+              const geometry::Pose &pose, const Frame &frame) {
+    using scene::Appearance;
+    const Fit fit = fitOf(part);
+    Solid solid;
+    solid.part = &part;
+    const Eigen::Matrix3d turn =
+        frame.linear() *
+        (pose.attitude * geometry::fromRotationVector(part.rotation)).toRotationMatrix();
+    solid.linear = turn * fit.edges.asDiagonal();
+    solid.place = frame.toView(pose.toWorld(part.position));
+    solid.middle = solid.place + turn * fit.middle;
+    solid.radius = frame.camera().scale * fit.radius;
+    const scene::Color c = inherited(&Appearance::color, part, body, shape, scene::Color{});
+    solid.color = Eigen::Vector3d(c.red, c.green, c.blue).cast<float>();
+    solid.alpha =
+        static_cast<float>(1 - inherited(&Appearance::transparency, part, body, shape, 0.0));
+    solid.shininess =
+        static_cast<float>(inherited(&Appearance::shininess, part, body, shape, 0.35));
+    return solid;
+}
+
+bool isBall(const scene::ShapeSet &shape) {
+    return shape.parts.size() == 1 &&
+           std::holds_alternative<scene::SphereShape>(shape.parts.front().shape);
+}
+
+} // namespace
+
+Eigen::Vector3f colorOf(const scene::Scene &scene, const scene::Body &body) {
+    scene::Color c;
+    if (const scene::ShapeSet *shape = scene::findShapeSet(scene, body.shape);
+        shape != nullptr && !shape->parts.empty())
+        c = inherited(&scene::Appearance::color, shape->parts.front(), body, *shape, c);
+    return Eigen::Vector3d(c.red, c.green, c.blue).cast<float>();
+}
+
+std::vector<Solid> solidsOf(const Drawing &drawing, const Extent &extent, const Frame &frame) {
+    std::vector<Solid> solids;
+    for (std::size_t i = 0; i < drawing.scene->bodies.size(); ++i) {
+        const scene::Body &body = drawing.scene->bodies[i];
+        const scene::ShapeSet *shape = scene::findShapeSet(*drawing.scene, body.shape);
+        const geometry::Pose pose = poseOf(*drawing.scene, drawing.motion.get(), i, drawing.time);
+        if (shape == nullptr || !pose.position.allFinite() || !pose.attitude.coeffs().allFinite())
+            continue;
+        for (const scene::Part &part : shape->parts) {
+            solids.push_back(solidOf(part, body, *shape, pose, frame));
+            solids.back().body = i;
+            solids.back().turns = isBall(*shape) && i < extent.turns.size() && extent.turns[i];
+        }
+    }
+    std::erase_if(solids, [](const Solid &s) { return s.alpha <= 0; });
+    const auto firstTransparent = std::stable_partition(
+        solids.begin(), solids.end(), [](const Solid &s) { return s.alpha >= 1; });
+    const Vector eye(0, 0, eyeDistance);
+    std::stable_sort(firstTransparent, solids.end(), [&](const Solid &a, const Solid &b) {
+        return (a.middle - eye).squaredNorm() > (b.middle - eye).squaredNorm();
+    });
+    return solids;
+}
+
+Solids::~Solids() {
+    for (auto &[key, stored] : meshes_)
+        release(*stored);
+    gl_.DeleteBuffers(1, &instances_);
+}
+
+std::string Solids::build() {
+    gl_.GenBuffers(1, &instances_);
+    return program_.build(solidVertexShader, solidFragmentShader);
+}
+
+void Solids::begin(const Frame &, const std::vector<Light> &lights, const Vector &upInView,
+                   const float *projection) {
+    ++picture_;
+    forgetUnused();
+    program_.use();
+    gl_.UniformMatrix4fv(program_.place("projection"), 1, GL_FALSE, projection);
+    gl_.Uniform1f(program_.place("eye"), static_cast<float>(eyeDistance));
+    const Eigen::Vector3f up = upInView.cast<float>();
+    gl_.Uniform3fv(program_.place("up"), 1, up.data());
+    float places[4 * mostLights]{}, colors[3 * mostLights]{};
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto axis = static_cast<Eigen::Index>(k);
+            places[4 * i + k] = static_cast<float>(lights[i].place[axis]);
+            colors[3 * i + k] = lights[i].color[axis];
+        }
+        places[4 * i + 3] = lights[i].isPoint ? 1.0F : 0.0F;
+    }
+    gl_.Uniform1i(program_.place("lights"), static_cast<GLint>(lights.size()));
+    gl_.Uniform4fv(program_.place("lightPlace"), mostLights, places);
+    gl_.Uniform3fv(program_.place("lightColor"), mostLights, colors);
+    gl_.Uniform1i(program_.place("shadow"), 0);
+}
+
+const Mesh &Solids::meshOf(const Solid &solid, const Frame &frame) {
+    return stored(solid, frame).mesh;
+}
+
+Solids::Stored &Solids::stored(const Solid &solid, const Frame &frame) {
+    Key key;
+    if (std::holds_alternative<scene::SphereShape>(solid.part->shape)) {
+        const int level = sphereLevel(frame.pixels(solid.radius, solid.middle.z()));
+        key = {0, static_cast<double>(level)};
+    } else if (std::holds_alternative<scene::BoxShape>(solid.part->shape)) {
+        key = {1};
+    } else {
+        key = {2};
+        for (const Vector &p : std::get<scene::HullShape>(solid.part->shape).points)
+            key.insert(key.end(), p.begin(), p.end());
+    }
+    std::unique_ptr<Stored> &entry = meshes_[key];
+    if (!entry) {
+        entry = std::make_unique<Stored>();
+        if (key[0] == 0)
+            entry->mesh = sphereMesh(static_cast<int>(key[1]));
+        else if (key[0] == 1)
+            entry->mesh = boxMesh();
+        else
+            entry->mesh = hullMesh(std::get<scene::HullShape>(solid.part->shape).points);
+        upload(*entry);
+    }
+    entry->used = picture_;
+    return *entry;
+}
+
+void Solids::upload(Stored &stored) {
+    gl_.GenVertexArrays(1, &stored.array);
+    gl_.GenBuffers(1, &stored.vertices);
+    gl_.GenBuffers(1, &stored.indices);
+    gl_.BindVertexArray(stored.array);
+    gl_.BindBuffer(GL_ARRAY_BUFFER, stored.vertices);
+    gl_.BufferData(GL_ARRAY_BUFFER,
+                   static_cast<GLsizeiptr>(stored.mesh.vertices.size() * sizeof(float)),
+                   stored.mesh.vertices.data(), GL_STATIC_DRAW);
+    for (GLuint i = 0; i < 2; ++i) {
+        gl_.EnableVertexAttribArray(i);
+        gl_.VertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, 6 * sizeof(float),
+                                reinterpret_cast<const void *>(3 * i * sizeof(float)));
+    }
+    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, stored.indices);
+    gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER,
+                   static_cast<GLsizeiptr>(stored.mesh.indices.size() * sizeof(std::uint32_t)),
+                   stored.mesh.indices.data(), GL_STATIC_DRAW);
+}
+
+void Solids::release(Stored &stored) {
+    gl_.DeleteVertexArrays(1, &stored.array);
+    gl_.DeleteBuffers(1, &stored.vertices);
+    gl_.DeleteBuffers(1, &stored.indices);
+}
+
+// Shapes that are being edited leave a mesh behind with each change.
+void Solids::forgetUnused() {
+    constexpr std::size_t many = 256;
+    if (meshes_.size() <= many)
+        return;
+    std::erase_if(meshes_, [&](auto &entry) {
+        const bool old = entry.second->used + 2 < picture_;
+        if (old)
+            release(*entry.second);
+        return old;
+    });
+}
+
+Solids::Instance Solids::instanceOf(const Solid &solid) {
+    Instance instance{};
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column)
+            instance.rows[4 * row + column] = static_cast<float>(solid.linear(row, column));
+        instance.rows[4 * row + 3] = static_cast<float>(solid.place[row]);
+        instance.color[row] = static_cast<float>(linearLight(solid.color[row]));
+    }
+    instance.color[3] = solid.alpha;
+    instance.material[0] = solid.shininess;
+    instance.material[1] = solid.turns ? 0.22F : 0.0F;
+    return instance;
+}
+
+void Solids::drawInstances(Stored &stored, const std::vector<Instance> &instances) {
+    gl_.BindVertexArray(stored.array);
+    gl_.BindBuffer(GL_ARRAY_BUFFER, instances_);
+    gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size() * sizeof(Instance)),
+                   instances.data(), GL_STREAM_DRAW);
+    const std::size_t offsets[] = {offsetof(Instance, rows), offsetof(Instance, rows) + 16,
+                                   offsetof(Instance, rows) + 32, offsetof(Instance, color),
+                                   offsetof(Instance, material)};
+    for (GLuint i = 0; i < 5; ++i) {
+        gl_.EnableVertexAttribArray(2 + i);
+        gl_.VertexAttribPointer(2 + i, i < 4 ? 4 : 2, GL_FLOAT, GL_FALSE, sizeof(Instance),
+                                reinterpret_cast<const void *>(offsets[i]));
+        gl_.VertexAttribDivisor(2 + i, 1);
+    }
+    gl_.DrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(stored.mesh.indices.size()),
+                              GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(instances.size()));
+}
+
+void Solids::drawGrouped(std::span<const Solid> solids, const Frame &frame) {
+    std::vector<std::pair<Stored *, std::vector<Instance>>> groups; // in order of first use
+    std::map<const Stored *, std::size_t> places;
+    for (const Solid &solid : solids) {
+        Stored &mesh = stored(solid, frame);
+        const auto [place, isNew] = places.try_emplace(&mesh, groups.size());
+        if (isNew)
+            groups.emplace_back(&mesh, std::vector<Instance>{});
+        groups[place->second].second.push_back(instanceOf(solid));
+    }
+    program_.use();
+    for (auto &[mesh, instances] : groups)
+        drawInstances(*mesh, instances);
+}
+
+void Solids::drawOpaque(std::span<const Solid> solids, const Frame &frame) {
+    gl_.Enable(GL_CULL_FACE);
+    drawGrouped(solids, frame);
+}
+
+void Solids::drawTransparent(const Solid &solid, const Frame &frame) {
+    Stored &mesh = stored(solid, frame);
+    program_.use();
+    gl_.Enable(GL_CULL_FACE);
+    for (GLenum hidden : {GL_FRONT, GL_BACK}) {
+        gl_.CullFace(hidden);
+        drawInstances(mesh, {instanceOf(solid)});
+    }
+    gl_.CullFace(GL_BACK);
+}
+
+void Solids::drawShadows(std::span<const Solid> solids, const Frame &frame, const Vector &normal,
+                         double offset, double reach) {
+    program_.use();
+    gl_.Uniform1i(program_.place("shadow"), 1);
+    gl_.Uniform4f(program_.place("ground"), static_cast<float>(normal.x()),
+                  static_cast<float>(normal.y()), static_cast<float>(normal.z()),
+                  static_cast<float>(offset));
+    gl_.Uniform1f(program_.place("reach"), static_cast<float>(reach));
+    gl_.Disable(GL_CULL_FACE);
+    drawGrouped(solids, frame);
+    gl_.Uniform1i(program_.place("shadow"), 0);
+}
+
+} // namespace render
