@@ -16,7 +16,7 @@ double pixelsPerUnit(Size size) { return 0.5 * std::min(size.width, size.height)
 Eigen::Vector2d middle(Size size) { return {0.5 * size.width, 0.5 * size.height}; }
 
 // Where a pixel's line of sight meets a plane of constant view z.
-Vector toView(Size size, const Eigen::Vector2d &pixels, double viewZ) {
+Vector toView(Size size, const Eigen::Vector2d& pixels, double viewZ) {
     const Eigen::Vector2d onScreen = (pixels - middle(size)) / pixelsPerUnit(size);
     const double nearness = (eyeDistance - viewZ) / eyeDistance;
     return {onScreen.x() * nearness, -onScreen.y() * nearness, viewZ};
@@ -24,7 +24,7 @@ Vector toView(Size size, const Eigen::Vector2d &pixels, double viewZ) {
 
 // The virtual sphere (Chen 1988): the pointer lies on a sphere that fills most of the picture.
 // Outside, Bell's hyperbolic sheet goes on without a crease, so that a drag never jerks.
-Vector onVirtualSphere(Size size, const Eigen::Vector2d &pixels) {
+Vector onVirtualSphere(Size size, const Eigen::Vector2d& pixels) {
     constexpr double radius = 0.8;
     const Eigen::Vector2d p = (pixels - middle(size)) / (pixelsPerUnit(size) * radius);
     const double squared = p.squaredNorm();
@@ -34,14 +34,14 @@ Vector onVirtualSphere(Size size, const Eigen::Vector2d &pixels) {
 
 } // namespace
 
-Eigen::Vector2d toPixels(const Camera &camera, Size size, const Vector &world) {
+Eigen::Vector2d toPixels(const Camera& camera, Size size, const Vector& world) {
     const Vector view =
         camera.scale * (camera.rotation * (world - camera.center)) + camera.position;
     const double toward = eyeDistance / std::max(eyeDistance - view.z(), nearest);
     return middle(size) + pixelsPerUnit(size) * toward * Eigen::Vector2d(view.x(), -view.y());
 }
 
-Vector toWorld(const Camera &camera, Size size, const Eigen::Vector2d &pixels, double viewZ) {
+Vector toWorld(const Camera& camera, Size size, const Eigen::Vector2d& pixels, double viewZ) {
     const Vector view = toView(size, pixels, viewZ) - camera.position;
     return camera.rotation.conjugate() * (view / camera.scale) + camera.center;
 }

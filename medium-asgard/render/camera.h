@@ -27,21 +27,21 @@ struct Camera {
 
 struct Size {
     int width = 640, height = 480; // device pixels
-    bool operator==(const Size &) const = default;
+    bool operator==(const Size&) const = default;
 };
 
 // The eye stands on the view's z axis, this far in front of the plane z = 0.
 inline constexpr double eyeDistance = 5;
 
 // Pixels (origin top left) of a world point, and back to the world at a given view depth z.
-[[nodiscard]] Eigen::Vector2d toPixels(const Camera &camera, Size size, const Vector &world);
-[[nodiscard]] Vector toWorld(const Camera &camera, Size size, const Eigen::Vector2d &pixels,
+[[nodiscard]] Eigen::Vector2d toPixels(const Camera& camera, Size size, const Vector& world);
+[[nodiscard]] Vector toWorld(const Camera& camera, Size size, const Eigen::Vector2d& pixels,
                              double viewZ = 0);
 
 // The camera that shows all of the motion well: everything that moves, over the whole motion, and
 // what is fixed near it, with a margin; from slightly above and to the side when the motion is not
 // planar, straight on when it is. Without a motion: the bodies where they start.
-[[nodiscard]] Camera framed(const scene::Scene &scene, const simulation::MotionPointer &motion,
+[[nodiscard]] Camera framed(const scene::Scene& scene, const simulation::MotionPointer& motion,
                             Size size);
 
 // Unshifted buttons move the view: left rotates by a virtual sphere, middle pans in the screen's
@@ -52,8 +52,8 @@ public:
     enum class Button : std::uint8_t { left, middle, right };
 
     explicit CameraControl(Camera camera = {}) : camera_(camera) {}
-    [[nodiscard]] const Camera &camera() const { return camera_; }
-    void set(const Camera &camera) { camera_ = camera; }
+    [[nodiscard]] const Camera& camera() const { return camera_; }
+    void set(const Camera& camera) { camera_ = camera; }
 
     void press(Button button, Eigen::Vector2d pixels, Size size);
     // True when the view changed.

@@ -17,8 +17,8 @@ public:
     // A context, current in this thread, or the sentence that says why there is none.
     [[nodiscard]] static std::variant<std::unique_ptr<Context>, std::string> create();
     ~Context();
-    Context(const Context &) = delete;
-    Context &operator=(const Context &) = delete;
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
 
     // False when the context is lost.
     [[nodiscard]] bool makeCurrent() const;

@@ -12,31 +12,31 @@ namespace {
 
 using Box = Eigen::AlignedBox3d;
 
-void addCorners(std::vector<Ball> &outline, const Box &box, const Pose &pose) {
+void addCorners(std::vector<Ball>& outline, const Box& box, const Pose& pose) {
     for (int i = 0; i < 8; ++i)
         outline.push_back({pose.toWorld(box.corner(static_cast<Box::CornerType>(i))), 0});
 }
 
-void addPart(std::vector<Ball> &outline, const scene::Part &part) {
+void addPart(std::vector<Ball>& outline, const scene::Part& part) {
     const Pose pose{part.position, geometry::fromRotationVector(part.rotation)};
-    if (const auto *sphere = std::get_if<scene::SphereShape>(&part.shape)) {
+    if (const auto* sphere = std::get_if<scene::SphereShape>(&part.shape)) {
         outline.push_back({part.position, sphere->radius});
-    } else if (const auto *box = std::get_if<scene::BoxShape>(&part.shape)) {
+    } else if (const auto* box = std::get_if<scene::BoxShape>(&part.shape)) {
         addCorners(outline, Box(-box->edges / 2, box->edges / 2), pose);
-    } else if (const auto *hull = std::get_if<scene::HullShape>(&part.shape)) {
+    } else if (const auto* hull = std::get_if<scene::HullShape>(&part.shape)) {
         if (hull->points.size() <= 24) {
-            for (const Vector &p : hull->points)
+            for (const Vector& p : hull->points)
                 outline.push_back({pose.toWorld(p), 0});
             return;
         }
         Box bounds;
-        for (const Vector &p : hull->points)
+        for (const Vector& p : hull->points)
             bounds.extend(p);
         addCorners(outline, bounds, pose);
     }
 }
 
-std::vector<double> sampleTimes(const simulation::Motion *motion, std::size_t outlinePoints) {
+std::vector<double> sampleTimes(const simulation::Motion* motion, std::size_t outlinePoints) {
     if (motion == nullptr)
         return {0};
     // OPTIMIZATION: many bodies make one picture together; fewer times of each are enough.
@@ -49,7 +49,7 @@ std::vector<double> sampleTimes(const simulation::Motion *motion, std::size_t ou
     return times;
 }
 
-bool finite(const Pose &pose) {
+bool finite(const Pose& pose) {
     return pose.position.allFinite() && pose.attitude.coeffs().allFinite();
 }
 
@@ -60,8 +60,8 @@ struct Path {
     std::vector<Pose> poses;
 };
 
-Path pathOf(const scene::Scene &scene, const simulation::Motion *motion, std::size_t body,
-            const std::vector<double> &times) {
+Path pathOf(const scene::Scene& scene, const simulation::Motion* motion, std::size_t body,
+            const std::vector<double>& times) {
     Path path;
     for (double time : times) {
         const Pose pose = poseOf(scene, motion, body, time);
@@ -75,19 +75,19 @@ Path pathOf(const scene::Scene &scene, const simulation::Motion *motion, std::si
     return path;
 }
 
-Box around(const Ball &ball) {
+Box around(const Ball& ball) {
     return {ball.center.array() - ball.radius, ball.center.array() + ball.radius};
 }
 
-void keep(Extent &extent, const Ball &ball) {
+void keep(Extent& extent, const Ball& ball) {
     extent.balls.push_back(ball);
     extent.box.extend(around(ball));
 }
 
-void keepPath(Extent &extent, const Path &path, const std::vector<Ball> &outline) {
+void keepPath(Extent& extent, const Path& path, const std::vector<Ball>& outline) {
     // What does not move was sampled just as often, and is the same each time.
-    for (const Pose &pose : path.poses) {
-        for (const Ball &ball : outline)
+    for (const Pose& pose : path.poses) {
+        for (const Ball& ball : outline)
             keep(extent, {pose.toWorld(ball.center), ball.radius});
         if (path.centers.sizes().isZero() && path.spin.isZero())
             return;
@@ -95,10 +95,10 @@ void keepPath(Extent &extent, const Path &path, const std::vector<Ball> &outline
 }
 
 // A fixed body near the motion belongs to the picture; of a wide floor only what lies near it.
-void keepNear(Extent &extent, const Box &moving, const Pose &pose,
-              const std::vector<Ball> &outline) {
+void keepNear(Extent& extent, const Box& moving, const Pose& pose,
+              const std::vector<Ball>& outline) {
     Box whole;
-    for (const Ball &ball : outline)
+    for (const Ball& ball : outline)
         whole.extend(around({pose.toWorld(ball.center), ball.radius}));
     const double reach = 0.35 * moving.sizes().maxCoeff();
     const Box near(moving.min().array() - reach, moving.max().array() + reach);
@@ -110,8 +110,8 @@ void keepNear(Extent &extent, const Box &moving, const Pose &pose,
 }
 
 // The axis along which nothing goes and about which alone anything turns, if there is one.
-std::optional<Vector> flatAlong(const std::vector<Path> &paths, const std::vector<bool> &moves,
-                                const Vector &up) {
+std::optional<Vector> flatAlong(const std::vector<Path>& paths, const std::vector<bool>& moves,
+                                const Vector& up) {
     Box all;
     Vector travel = Vector::Zero(), spin = Vector::Zero();
     for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -136,43 +136,43 @@ std::optional<Vector> flatAlong(const std::vector<Path> &paths, const std::vecto
     return std::nullopt;
 }
 
-bool isZero(const std::string &expression) {
+bool isZero(const std::string& expression) {
     return expression.find_first_not_of("0.+- \t\n") == std::string::npos;
 }
 
 } // namespace
 
-std::vector<Ball> outlineOf(const scene::Scene &scene, const scene::Body &body) {
+std::vector<Ball> outlineOf(const scene::Scene& scene, const scene::Body& body) {
     std::vector<Ball> outline;
-    if (const scene::ShapeSet *shape = scene::findShapeSet(scene, body.shape))
-        for (const scene::Part &part : shape->parts)
+    if (const scene::ShapeSet* shape = scene::findShapeSet(scene, body.shape))
+        for (const scene::Part& part : shape->parts)
             addPart(outline, part);
     return outline;
 }
 
-Pose poseOf(const scene::Scene &scene, const simulation::Motion *motion, std::size_t body,
+Pose poseOf(const scene::Scene& scene, const simulation::Motion* motion, std::size_t body,
             double time) {
     if (motion != nullptr && body < motion->bodies())
         return motion->shapePose(body, time);
-    const scene::Body &b = scene.bodies[body];
+    const scene::Body& b = scene.bodies[body];
     return {b.initialPosition, b.initialAttitude};
 }
 
-Vector upOf(const scene::Scene &scene) {
+Vector upOf(const scene::Scene& scene) {
     std::array<int, 6> votes{}; // against -x, +x, -y, ...
-    for (const scene::Force &force : scene.forces) {
+    for (const scene::Force& force : scene.forces) {
         if (force.couple)
             continue;
-        if (const auto *g = std::get_if<scene::GravitationalForce>(&force.kind)) {
+        if (const auto* g = std::get_if<scene::GravitationalForce>(&force.kind)) {
             Eigen::Index axis = 0;
             if (g->acceleration.cwiseAbs().maxCoeff(&axis) > 0)
                 ++votes[static_cast<std::size_t>(2 * axis + (g->acceleration[axis] > 0))];
-        } else if (const auto *c = std::get_if<scene::ComponentForce>(&force.kind)) {
+        } else if (const auto* c = std::get_if<scene::ComponentForce>(&force.kind)) {
             // "-10 * b1.mass" along one axis alone is how scenes write gravity.
             const auto given = std::count_if(c->components.begin(), c->components.end(),
-                                             [](const auto &e) { return !isZero(e); });
+                                             [](const auto& e) { return !isZero(e); });
             for (std::size_t axis = 0; axis < 3 && given == 1; ++axis) {
-                const std::string &e = c->components[axis];
+                const std::string& e = c->components[axis];
                 if (!isZero(e) && e.find(".mass") != std::string::npos)
                     ++votes[2 * axis + (e.find('-') == std::string::npos)];
             }
@@ -185,12 +185,12 @@ Vector upOf(const scene::Scene &scene) {
     return Vector(Vector::Unit(winner / 2)) * (winner % 2 == 0 ? 1.0 : -1.0);
 }
 
-Extent extentOf(const scene::Scene &scene, const simulation::Motion *motion) {
+Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion) {
     Extent extent;
     extent.up = upOf(scene);
     std::vector<std::vector<Ball>> outlines;
     std::size_t points = 0;
-    for (const scene::Body &body : scene.bodies) {
+    for (const scene::Body& body : scene.bodies) {
         outlines.push_back(outlineOf(scene, body));
         points += outlines.back().size();
     }
@@ -199,7 +199,7 @@ Extent extentOf(const scene::Scene &scene, const simulation::Motion *motion) {
     bool anyMoves = false;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         paths.push_back(pathOf(scene, motion, i, times));
-        const Box &centers = paths[i].centers;
+        const Box& centers = paths[i].centers;
         const bool travels =
             !centers.isEmpty() && centers.sizes().maxCoeff() > 1e-9 * (1 + centers.center().norm());
         extent.turns.push_back(paths[i].spin.sum() > 0);

@@ -32,16 +32,16 @@ struct Extent {
 };
 
 // The body's parts lie in the hull of these, in its shape's frame.
-[[nodiscard]] std::vector<Ball> outlineOf(const scene::Scene &scene, const scene::Body &body);
+[[nodiscard]] std::vector<Ball> outlineOf(const scene::Scene& scene, const scene::Body& body);
 
 // Pose of the shape's own frame: from the motion, else where the body starts.
-[[nodiscard]] geometry::Pose poseOf(const scene::Scene &scene, const simulation::Motion *motion,
+[[nodiscard]] geometry::Pose poseOf(const scene::Scene& scene, const simulation::Motion* motion,
                                     std::size_t body, double time);
 
 // Against gravity, as far as the scene's forces tell: the world axis that most bodies fall along;
 // y when nothing falls.
-[[nodiscard]] Vector upOf(const scene::Scene &scene);
+[[nodiscard]] Vector upOf(const scene::Scene& scene);
 
-[[nodiscard]] Extent extentOf(const scene::Scene &scene, const simulation::Motion *motion);
+[[nodiscard]] Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion);
 
 } // namespace render

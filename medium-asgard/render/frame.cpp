@@ -7,7 +7,7 @@
 
 namespace render {
 
-Frame::Frame(const Drawing &drawing, Size size)
+Frame::Frame(const Drawing& drawing, Size size)
     : camera_(drawing.camera), size_(size),
       linear_(drawing.camera.scale * drawing.camera.rotation.toRotationMatrix()) {}
 
@@ -41,9 +41,9 @@ double linearLight(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-std::vector<Light> lightsOf(const scene::Scene &scene, const Frame &frame) {
+std::vector<Light> lightsOf(const scene::Scene& scene, const Frame& frame) {
     std::vector<Light> lights;
-    for (const scene::LightSource &source : scene.lights) {
+    for (const scene::LightSource& source : scene.lights) {
         if (lights.size() == mostLights)
             break; // LIMIT: further light sources do not shine
         Light light;
@@ -52,7 +52,7 @@ std::vector<Light> lightsOf(const scene::Scene &scene, const Frame &frame) {
             light.place = frame.directionInView(-source.direction->normalized());
         else if (source.position)
             light.place = frame.toView(*source.position);
-        const scene::Color &c = source.color;
+        const scene::Color& c = source.color;
         for (int i = 0; i < 3; ++i)
             light.color[i] = static_cast<float>(0.75 * linearLight(i == 0   ? c.red
                                                                    : i == 1 ? c.green

@@ -9,13 +9,13 @@ namespace render {
 
 class Frame {
 public:
-    Frame(const Drawing &drawing, Size size);
+    Frame(const Drawing& drawing, Size size);
 
-    [[nodiscard]] Vector toView(const Vector &world) const {
+    [[nodiscard]] Vector toView(const Vector& world) const {
         return linear_ * (world - camera_.center) + camera_.position;
     }
-    [[nodiscard]] const Eigen::Matrix3d &linear() const { return linear_; } // scale and rotation
-    [[nodiscard]] Vector directionInView(const Vector &world) const {
+    [[nodiscard]] const Eigen::Matrix3d& linear() const { return linear_; } // scale and rotation
+    [[nodiscard]] Vector directionInView(const Vector& world) const {
         return camera_.rotation * world;
     }
 
@@ -32,7 +32,7 @@ public:
     [[nodiscard]] Eigen::Vector2f halfSize() const {
         return {0.5F * static_cast<float>(size_.width), 0.5F * static_cast<float>(size_.height)};
     }
-    [[nodiscard]] const Camera &camera() const { return camera_; }
+    [[nodiscard]] const Camera& camera() const { return camera_; }
 
 private:
     Camera camera_;
@@ -50,6 +50,6 @@ struct Light {
 };
 
 // The scene's lights in view coordinates, at most `mostLights`; the default one when it has none.
-[[nodiscard]] std::vector<Light> lightsOf(const scene::Scene &scene, const Frame &frame);
+[[nodiscard]] std::vector<Light> lightsOf(const scene::Scene& scene, const Frame& frame);
 
 } // namespace render

@@ -17,10 +17,10 @@ Eigen::Vector2d halfExtent(Size size) {
 
 // A ball at (x, y, z) about the centre, radius r, seen at scale s, reaches on screen to
 // s (|x| + r) D / (D - s z); that is within m when s <= m D / ((|x| + r) D + m z).
-double fittingScale(const std::vector<Ball> &seen, const Vector &center, Size size) {
+double fittingScale(const std::vector<Ball>& seen, const Vector& center, Size size) {
     const Eigen::Vector2d m = filled * halfExtent(size);
     double scale = std::numeric_limits<double>::infinity();
-    for (const Ball &ball : seen) {
+    for (const Ball& ball : seen) {
         const Vector p = ball.center - center;
         for (int axis = 0; axis < 2; ++axis) {
             const double needed =
@@ -32,17 +32,17 @@ double fittingScale(const std::vector<Ball> &seen, const Vector &center, Size si
     return std::isfinite(scale) ? scale : 1;
 }
 
-std::vector<Ball> turned(const Extent &extent, const Quaternion &attitude) {
+std::vector<Ball> turned(const Extent& extent, const Quaternion& attitude) {
     std::vector<Ball> seen = extent.balls;
-    for (Ball &ball : seen)
+    for (Ball& ball : seen)
         ball.center = attitude * ball.center;
     return seen;
 }
 
 // The point of the same depth whose picture is in the middle of all pictures of the balls.
-Vector recentred(const std::vector<Ball> &seen, const Vector &center, double scale) {
+Vector recentred(const std::vector<Ball>& seen, const Vector& center, double scale) {
     Eigen::AlignedBox2d onScreen;
-    for (const Ball &ball : seen) {
+    for (const Ball& ball : seen) {
         const Vector p = scale * (ball.center - center);
         const double nearness = eyeDistance / std::max(eyeDistance - p.z(), 0.05);
         const double r = scale * ball.radius * nearness;
@@ -57,7 +57,7 @@ Vector recentred(const std::vector<Ball> &seen, const Vector &center, double sca
 
 } // namespace
 
-Quaternion bestAttitude(const Extent &extent) {
+Quaternion bestAttitude(const Extent& extent) {
     // Columns: where the screen's right, up and towards-the-viewer point in the world.
     Eigen::Matrix3d axes;
     Vector toward;
@@ -65,7 +65,8 @@ Quaternion bestAttitude(const Extent &extent) {
         toward = *extent.planeNormal;
     } else {
         // A quarter turn of z, or of x when z is up, leads; 28 degrees to the side, 20 above.
-        const Vector front = std::abs(extent.up.z()) < 0.5 ? Vector(Vector::UnitZ()) : Vector(-Vector::UnitY());
+        const Vector front =
+            std::abs(extent.up.z()) < 0.5 ? Vector(Vector::UnitZ()) : Vector(-Vector::UnitY());
         const Vector right = extent.up.cross(front);
         const double side = 28 * M_PI / 180, above = 20 * M_PI / 180;
         toward = std::cos(above) * (std::cos(side) * front + std::sin(side) * right) +
@@ -76,16 +77,16 @@ Quaternion bestAttitude(const Extent &extent) {
     return Quaternion(Eigen::Matrix3d(axes.transpose())).normalized();
 }
 
-Camera fittedAbout(const Extent &extent, const Quaternion &attitude, const Vector &center,
+Camera fittedAbout(const Extent& extent, const Quaternion& attitude, const Vector& center,
                    Size size) {
     return {center, attitude, fittingScale(turned(extent, attitude), attitude * center, size),
             Vector::Zero()};
 }
 
-Camera fitted(const Extent &extent, const Quaternion &attitude, Size size) {
+Camera fitted(const Extent& extent, const Quaternion& attitude, Size size) {
     const std::vector<Ball> seen = turned(extent, attitude);
     Eigen::AlignedBox3d box;
-    for (const Ball &ball : seen) {
+    for (const Ball& ball : seen) {
         box.extend(Vector(ball.center.array() - ball.radius));
         box.extend(Vector(ball.center.array() + ball.radius));
     }
@@ -97,7 +98,7 @@ Camera fitted(const Extent &extent, const Quaternion &attitude, Size size) {
             Vector::Zero()};
 }
 
-Camera framed(const scene::Scene &scene, const simulation::MotionPointer &motion, Size size) {
+Camera framed(const scene::Scene& scene, const simulation::MotionPointer& motion, Size size) {
     const Extent extent = extentOf(scene, motion.get());
     return fitted(extent, bestAttitude(extent), size);
 }

@@ -8,13 +8,13 @@ namespace render {
 
 // The attitude from which an extent is best seen: straight on when the motion is flat, else from
 // slightly above and to the side; up is up.
-[[nodiscard]] Quaternion bestAttitude(const Extent &extent);
+[[nodiscard]] Quaternion bestAttitude(const Extent& extent);
 
 // The camera of that attitude in which all balls fill the picture but for a margin.
-[[nodiscard]] Camera fitted(const Extent &extent, const Quaternion &attitude, Size size);
+[[nodiscard]] Camera fitted(const Extent& extent, const Quaternion& attitude, Size size);
 
 // The same about a given centre: it stays in the middle, only the scale is fitted.
-[[nodiscard]] Camera fittedAbout(const Extent &extent, const Quaternion &attitude,
-                                 const Vector &center, Size size);
+[[nodiscard]] Camera fittedAbout(const Extent& extent, const Quaternion& attitude,
+                                 const Vector& center, Size size);
 
 } // namespace render

@@ -12,9 +12,9 @@ scene::Color colorOf(HandleKind kind) {
                                         : scene::Color{0.10, 0.60, 0.25};
 }
 
-double velocityTime(const scene::Scene &scene, double sceneSize) {
+double velocityTime(const scene::Scene& scene, double sceneSize) {
     double fastest = 0;
-    for (const scene::Body &body : scene.bodies)
+    for (const scene::Body& body : scene.bodies)
         if (!body.fixed)
             fastest = std::max(fastest, body.initialVelocity.norm());
     double time = 1;
@@ -23,12 +23,12 @@ double velocityTime(const scene::Scene &scene, double sceneSize) {
     return time;
 }
 
-std::vector<Handle> handlesOf(const Drawing &drawing, double sceneSize) {
+std::vector<Handle> handlesOf(const Drawing& drawing, double sceneSize) {
     std::vector<Handle> handles;
-    const scene::Scene &scene = *drawing.scene;
+    const scene::Scene& scene = *drawing.scene;
     const double time = velocityTime(scene, sceneSize);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        const scene::Body &body = scene.bodies[i];
+        const scene::Body& body = scene.bodies[i];
         if (body.fixed)
             continue;
         const Vector reference = body.initialPosition;

@@ -26,9 +26,9 @@ inline constexpr double handleRadius = 5.5; // pixels, in a picture 480 high
 
 // The time in which a velocity's arrow is covered: 1, or the power of ten that keeps the longest
 // arrow shorter than the scene.
-[[nodiscard]] double velocityTime(const scene::Scene &scene, double sceneSize);
+[[nodiscard]] double velocityTime(const scene::Scene& scene, double sceneSize);
 
 // Handles of the kinds that the display shows, of bodies that are not fixed.
-[[nodiscard]] std::vector<Handle> handlesOf(const Drawing &drawing, double sceneSize);
+[[nodiscard]] std::vector<Handle> handlesOf(const Drawing& drawing, double sceneSize);
 
 } // namespace render

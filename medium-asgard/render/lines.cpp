@@ -30,13 +30,13 @@ std::string Lines::build() {
     for (GLuint i = 0; i < 5; ++i) {
         gl_.EnableVertexAttribArray(i);
         gl_.VertexAttribPointer(i, attributes[i].count, GL_FLOAT, GL_FALSE, sizeof(Segment),
-                                reinterpret_cast<const void *>(attributes[i].offset));
+                                reinterpret_cast<const void*>(attributes[i].offset));
         gl_.VertexAttribDivisor(i, 1);
     }
     return "";
 }
 
-void Lines::add(Eigen::Vector3d from, Eigen::Vector3d to, const Ink &ink, float alphaTo) {
+void Lines::add(Eigen::Vector3d from, Eigen::Vector3d to, const Ink& ink, float alphaTo) {
     const double limit = eyeDistance - 0.02;
     if (from.z() > limit && to.z() > limit)
         return;
@@ -56,7 +56,7 @@ void Lines::add(Eigen::Vector3d from, Eigen::Vector3d to, const Ink &ink, float 
     segments_.push_back(s);
 }
 
-void Lines::draw(const float *projection, const Eigen::Vector2f &halfSize, float nearer) {
+void Lines::draw(const float* projection, const Eigen::Vector2f& halfSize, float nearer) {
     if (segments_.empty())
         return;
     program_.use();

@@ -1,5 +1,7 @@
 #include "render/mesh.h"
 
+#include "geometry/hull.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,7 +25,7 @@ Surface icosahedron() {
     Surface s;
     s.points = {{-a, b, 0},  {a, b, 0},  {-a, -b, 0}, {a, -b, 0}, {0, -a, b},  {0, a, b},
                 {0, -a, -b}, {0, a, -b}, {b, 0, -a},  {b, 0, a},  {-b, 0, -a}, {-b, 0, a}};
-    for (Vector &p : s.points)
+    for (Vector& p : s.points)
         p.normalize();
     // Its faces are the triples of mutually nearest vertices.
     const double edge = 2 / std::sqrt(b * b + 1) + 1e-9;
@@ -34,14 +36,14 @@ Surface icosahedron() {
         for (std::uint32_t j = i + 1; j < 12; ++j)
             for (std::uint32_t k = j + 1; k < 12; ++k)
                 if (close(i, j) && close(j, k) && close(i, k)) {
-                    const Vector &p = s.points[i];
+                    const Vector& p = s.points[i];
                     const double side = p.dot(s.points[j].cross(s.points[k]));
                     s.triangles.push_back(side > 0 ? Triangle{i, j, k} : Triangle{i, k, j});
                 }
     return s;
 }
 
-Surface subdivided(const Surface &coarse) {
+Surface subdivided(const Surface& coarse) {
     Surface fine{coarse.points, {}};
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
     const auto middle = [&](std::uint32_t i, std::uint32_t j) {
@@ -51,7 +53,7 @@ Surface subdivided(const Surface &coarse) {
             fine.points.push_back((coarse.points[i] + coarse.points[j]).normalized());
         return entry->second;
     };
-    for (const auto &[i, j, k] : coarse.triangles) {
+    for (const auto& [i, j, k] : coarse.triangles) {
         const std::uint32_t a = middle(i, j), b = middle(j, k), c = middle(k, i);
         fine.triangles.insert(fine.triangles.end(), {Triangle{i, a, c}, Triangle{a, j, b},
                                                      Triangle{c, b, k}, Triangle{a, b, c}});
@@ -59,17 +61,9 @@ Surface subdivided(const Surface &coarse) {
     return fine;
 }
 
-void append(Mesh &mesh, const Vector &point, const Vector &normal) {
+void append(Mesh& mesh, const Vector& point, const Vector& normal) {
     for (double x : {point.x(), point.y(), point.z(), normal.x(), normal.y(), normal.z()})
         mesh.vertices.push_back(static_cast<float>(x));
-}
-
-// Twice the area times the normal, by Newell's formula: good for any flat polygon.
-Vector areaVector(const std::vector<Vector> &polygon) {
-    Vector sum = Vector::Zero();
-    for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-        sum += (polygon[i] - polygon[0]).cross(polygon[i + 1] - polygon[0]);
-    return sum;
 }
 
 } // namespace
@@ -88,49 +82,32 @@ Mesh sphereMesh(int level) {
         s = subdivided(s);
     const double sag = 1 - std::cos(M_PI / (5 << level));
     Mesh mesh;
-    for (const Vector &p : s.points)
+    for (const Vector& p : s.points)
         append(mesh, p * (1 + sag / 2), p);
-    for (const Triangle &t : s.triangles)
+    for (const Triangle& t : s.triangles)
         mesh.indices.insert(mesh.indices.end(), t.begin(), t.end());
     return mesh;
 }
 
-Mesh polyhedronMesh(const std::vector<std::vector<Vector>> &faces) {
+Mesh polyhedronMesh(const geometry::Polyhedron& polyhedron) {
     Mesh mesh;
-    for (const std::vector<Vector> &face : faces) {
-        const Vector normal = areaVector(face).normalized();
+    for (const geometry::Face& face : polyhedron.faces) {
         const auto first = static_cast<std::uint32_t>(mesh.vertices.size() / 6);
-        for (const Vector &p : face)
-            append(mesh, p, normal);
-        for (std::uint32_t i = 1; i + 1 < face.size(); ++i)
+        for (std::size_t vertex : face.vertices)
+            append(mesh, polyhedron.vertices[vertex], face.normal);
+        for (std::uint32_t i = 1; i + 1 < face.vertices.size(); ++i)
             mesh.indices.insert(mesh.indices.end(), {first, first + i, first + i + 1});
-        for (std::size_t i = 0; i < face.size(); ++i) {
-            const Vector &a = face[i];
-            const Vector &b = face[(i + 1) % face.size()];
-            // Each edge belongs to two faces that run along it in opposite directions.
-            if (std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end()))
-                mesh.edges.emplace_back(a, b);
-        }
     }
+    for (const geometry::Edge& edge : polyhedron.edges)
+        mesh.edges.emplace_back(polyhedron.vertices[edge.from], polyhedron.vertices[edge.to]);
     return mesh;
 }
 
-Mesh boxMesh() {
-    std::vector<std::vector<Vector>> faces;
-    for (int axis = 0; axis < 3; ++axis)
-        for (double side : {-0.5, 0.5}) {
-            const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-            std::vector<Vector> face(4, Vector::Zero());
-            const double corners[4][2] = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
-            for (std::size_t i = 0; i < 4; ++i) {
-                const double *corner = corners[side > 0 ? i : 3 - i];
-                face[i][axis] = side;
-                face[i][u] = corner[0];
-                face[i][v] = corner[1];
-            }
-            faces.push_back(face);
-        }
-    return polyhedronMesh(faces);
+Mesh hullMesh(const std::vector<Vector>& points) {
+    const auto hull = geometry::convexHull(points);
+    if (const auto* found = std::get_if<geometry::Hull>(&hull))
+        return polyhedronMesh(found->polyhedron);
+    return {}; // the reader of the scene has said why
 }
 
 } // namespace render

@@ -4,7 +4,7 @@
 // as fine as their size on screen asks for.
 #pragma once
 
-#include "geometry/pose.h"
+#include "geometry/polyhedron.h"
 
 #include <cstdint>
 #include <utility>
@@ -25,13 +25,10 @@ inline constexpr int finestSphere = 5; // 20 * 4^5 triangles
 // The level whose outline stays within a third of a pixel of the circle of that radius.
 [[nodiscard]] int sphereLevel(double radiusInPixels);
 
-// The cube with edges of length 1 about the origin.
-[[nodiscard]] Mesh boxMesh();
-
-// A convex polyhedron from its faces, counterclockwise seen from outside.
-[[nodiscard]] Mesh polyhedronMesh(const std::vector<std::vector<geometry::Vector>> &faces);
+// A convex polyhedron: flat faces, its own edges.
+[[nodiscard]] Mesh polyhedronMesh(const geometry::Polyhedron& polyhedron);
 
 // The convex hull of points; empty when they have none.
-[[nodiscard]] Mesh hullMesh(const std::vector<geometry::Vector> &points);
+[[nodiscard]] Mesh hullMesh(const std::vector<geometry::Vector>& points);
 
 } // namespace render

@@ -7,18 +7,18 @@ namespace render {
 
 namespace {
 
-bool isSphere(const Solid &solid) {
+bool isSphere(const Solid& solid) {
     return std::holds_alternative<scene::SphereShape>(solid.part->shape);
 }
 
 // Dark enough to be seen, with the hue of the surface.
-Ink rim(const Solid &solid, const Frame &frame, double width, float alpha) {
+Ink rim(const Solid& solid, const Frame& frame, double width, float alpha) {
     return {solid.color * 0.33F, alpha, frame.stroke(width)};
 }
 
 // A circle about `middle` in the plane of u and v.
-void addCircle(Lines &lines, const Vector &middle, const Vector &u, const Vector &v, int parts,
-               const Ink &ink) {
+void addCircle(Lines& lines, const Vector& middle, const Vector& u, const Vector& v, int parts,
+               const Ink& ink) {
     Vector last = middle + u;
     for (int i = 1; i <= parts; ++i) {
         const double angle = 2 * M_PI * i / parts;
@@ -33,7 +33,7 @@ int circleParts(double radiusInPixels) {
 }
 
 // The outline of a ball as the eye sees it: the circle where lines of sight touch it.
-void addOutline(Lines &lines, const Solid &solid, int parts, const Ink &ink) {
+void addOutline(Lines& lines, const Solid& solid, int parts, const Ink& ink) {
     const Vector toEye = Vector(0, 0, eyeDistance) - solid.place;
     const double distance = toEye.norm(), r = solid.radius;
     if (distance <= r)
@@ -55,20 +55,20 @@ double roundLength(double x) {
 
 } // namespace
 
-void addEdges(Lines &lines, const Solid &solid, const Mesh &mesh, const Frame &frame) {
+void addEdges(Lines& lines, const Solid& solid, const Mesh& mesh, const Frame& frame) {
     const double size = frame.pixels(solid.radius, solid.middle.z()) / frame.stroke(1);
     if (isSphere(solid) || size < 5)
         return;
     const float alpha = 0.75F * solid.alpha * static_cast<float>(std::min(1.0, size / 16));
     const Ink ink = rim(solid, frame, 1.1, alpha);
-    for (const auto &[from, to] : mesh.edges)
+    for (const auto& [from, to] : mesh.edges)
         lines.add(solid.toView(from), solid.toView(to), ink);
 }
 
-void addWireframe(Lines &lines, const Solid &solid, const Mesh &mesh, const Frame &frame) {
+void addWireframe(Lines& lines, const Solid& solid, const Mesh& mesh, const Frame& frame) {
     const Ink ink = rim(solid, frame, 1.2, 0.9F);
     if (!isSphere(solid)) {
-        for (const auto &[from, to] : mesh.edges)
+        for (const auto& [from, to] : mesh.edges)
             lines.add(solid.toView(from), solid.toView(to), ink);
         return;
     }
@@ -81,8 +81,8 @@ void addWireframe(Lines &lines, const Solid &solid, const Mesh &mesh, const Fram
                   parts, faint);
 }
 
-void addArrow(Lines &lines, const Frame &frame, const Vector &from, const Vector &to,
-              const Ink &ink) {
+void addArrow(Lines& lines, const Frame& frame, const Vector& from, const Vector& to,
+              const Ink& ink) {
     const Vector a = frame.toView(from), b = frame.toView(to);
     lines.add(a, b, ink);
     const double length = (b - a).norm();
@@ -92,11 +92,11 @@ void addArrow(Lines &lines, const Frame &frame, const Vector &from, const Vector
         return;
     // Four barbs about the shaft, so that it is an arrow from any side.
     const Vector along = (b - a) / length, u = along.unitOrthogonal(), v = along.cross(u);
-    for (const Vector &side : {u, v, Vector(-u), Vector(-v)})
+    for (const Vector& side : {u, v, Vector(-u), Vector(-v)})
         lines.add(b - head * (along - 0.42 * side), b, ink);
 }
 
-void addAxes(Lines &lines, const Extent &extent, const Frame &frame) {
+void addAxes(Lines& lines, const Extent& extent, const Frame& frame) {
     const double length = 0.5 * extent.size;
     const Eigen::Vector3f colors[] = {
         {0.80F, 0.16F, 0.14F}, {0.10F, 0.55F, 0.16F}, {0.12F, 0.32F, 0.80F}};
@@ -105,7 +105,7 @@ void addAxes(Lines &lines, const Extent &extent, const Frame &frame) {
                  {colors[axis], 0.95F, frame.stroke(1.6)});
 }
 
-void addGrid(Lines &lines, const Extent &extent, const Frame &frame) {
+void addGrid(Lines& lines, const Extent& extent, const Frame& frame) {
     const Vector up = extent.up;
     const Vector u = std::abs(up.x()) > 0.5 ? Vector(Vector::UnitY()) : Vector(Vector::UnitX());
     const Vector v = up.cross(u);

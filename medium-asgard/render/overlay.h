@@ -12,19 +12,19 @@
 namespace render {
 
 // The dark rim of a polyhedron's faces; none where it is only a few pixels large.
-void addEdges(Lines &lines, const Solid &solid, const Mesh &mesh, const Frame &frame);
+void addEdges(Lines& lines, const Solid& solid, const Mesh& mesh, const Frame& frame);
 
 // A part as bare lines: its edges, or a ball's outline and three great circles.
-void addWireframe(Lines &lines, const Solid &solid, const Mesh &mesh, const Frame &frame);
+void addWireframe(Lines& lines, const Solid& solid, const Mesh& mesh, const Frame& frame);
 
 // The world's axes at the origin, x red, y green, z blue, with heads.
-void addAxes(Lines &lines, const Extent &extent, const Frame &frame);
+void addAxes(Lines& lines, const Extent& extent, const Frame& frame);
 
 // A grid on the plane under everything, fading towards its rim.
-void addGrid(Lines &lines, const Extent &extent, const Frame &frame);
+void addGrid(Lines& lines, const Extent& extent, const Frame& frame);
 
 // A straight arrow with a head, world coordinates.
-void addArrow(Lines &lines, const Frame &frame, const Vector &from, const Vector &to,
-              const Ink &ink);
+void addArrow(Lines& lines, const Frame& frame, const Vector& from, const Vector& to,
+              const Ink& ink);
 
 } // namespace render

@@ -11,7 +11,7 @@ namespace render {
 
 // A motion in closed form: the state of each body as a function of time.
 class GivenMotion : public simulation::Motion {
-  public:
+public:
     using Law = std::function<simulation::BodyState(double time)>;
     GivenMotion(double finish, std::vector<Law> laws) : finish_(finish), laws_(std::move(laws)) {}
 
@@ -34,7 +34,7 @@ class GivenMotion : public simulation::Motion {
 
     std::vector<double> jumpTimes;
 
-  private:
+private:
     double finish_;
     std::vector<Law> laws_;
     std::vector<simulation::Impact> impacts_;
@@ -47,13 +47,16 @@ struct Picture {
     std::vector<std::byte> bytes;
 
     explicit Picture(Size s)
-        : size(s), bytes(4 * static_cast<std::size_t>(s.width) * static_cast<std::size_t>(s.height)) {}
+        : size(s),
+          bytes(4 * static_cast<std::size_t>(s.width) * static_cast<std::size_t>(s.height)) {}
     Image image() { return {bytes, 4 * static_cast<std::size_t>(size.width), size}; }
     // 0xRRGGBB
     unsigned at(int x, int y) const {
-        const std::size_t i = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x));
-        return std::to_integer<unsigned>(bytes[i + 2]) << 16 | std::to_integer<unsigned>(bytes[i + 1]) << 8 |
-               std::to_integer<unsigned>(bytes[i]);
+        const std::size_t i =
+            4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+                 static_cast<std::size_t>(x));
+        return std::to_integer<unsigned>(bytes[i + 2]) << 16 |
+               std::to_integer<unsigned>(bytes[i + 1]) << 8 | std::to_integer<unsigned>(bytes[i]);
     }
 };
 

@@ -4,7 +4,7 @@ namespace render {
 
 namespace {
 
-std::string compile(const Gl &gl, GLuint shader, const char *source) {
+std::string compile(const Gl& gl, GLuint shader, const char* source) {
     gl.ShaderSource(shader, 1, &source, nullptr);
     gl.CompileShader(shader);
     GLint done = 0;
@@ -22,7 +22,7 @@ std::string compile(const Gl &gl, GLuint shader, const char *source) {
 
 Program::~Program() { gl_.DeleteProgram(program_); }
 
-std::string Program::build(const char *vertexSource, const char *fragmentSource) {
+std::string Program::build(const char* vertexSource, const char* fragmentSource) {
     const GLuint vertex = gl_.CreateShader(GL_VERTEX_SHADER);
     const GLuint fragment = gl_.CreateShader(GL_FRAGMENT_SHADER);
     program_ = gl_.CreateProgram();

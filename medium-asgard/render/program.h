@@ -10,20 +10,20 @@ namespace render {
 
 class Program {
 public:
-    explicit Program(const Gl &gl) : gl_(gl) {}
+    explicit Program(const Gl& gl) : gl_(gl) {}
     ~Program();
-    Program(const Program &) = delete;
-    Program &operator=(const Program &) = delete;
+    Program(const Program&) = delete;
+    Program& operator=(const Program&) = delete;
 
     // "" or what the driver's compiler said.
-    [[nodiscard]] std::string build(const char *vertexSource, const char *fragmentSource);
+    [[nodiscard]] std::string build(const char* vertexSource, const char* fragmentSource);
     void use() const { gl_.UseProgram(program_); }
-    [[nodiscard]] GLint place(const char *uniform) const {
+    [[nodiscard]] GLint place(const char* uniform) const {
         return gl_.GetUniformLocation(program_, uniform);
     }
 
 private:
-    const Gl &gl_;
+    const Gl& gl_;
     GLuint program_ = 0;
 };
 

@@ -34,28 +34,28 @@ struct Renderer::Implementation {
     }
 
     [[nodiscard]] std::string build();
-    void follow(const Drawing &drawing);
-    void paint(const Drawing &drawing, const Frame &frame);
-    void paintGround(std::span<const Solid> opaque, const Frame &frame, const float *projection);
-    void paintHandles(const Drawing &drawing, const Frame &frame, const float *projection);
+    void follow(const Drawing& drawing);
+    void paint(const Drawing& drawing, const Frame& frame);
+    void paintGround(std::span<const Solid> opaque, const Frame& frame, const float* projection);
+    void paintHandles(const Drawing& drawing, const Frame& frame, const float* projection);
 };
 
 namespace {
 
-bool sameOutlines(const std::vector<scene::Body> &a, const std::vector<scene::Body> &b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto &x, const auto &y) {
+bool sameOutlines(const std::vector<scene::Body>& a, const std::vector<scene::Body>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
         return x.shape == y.shape && x.initialPosition == y.initialPosition &&
                x.initialAttitude.coeffs() == y.initialAttitude.coeffs() && x.fixed == y.fixed;
     });
 }
 
 // View z of what is nearest to the eye and of what is furthest away: all solids and the scene.
-std::pair<double, double> depthRange(std::span<const Solid> solids, const Extent &extent,
-                                     const Frame &frame) {
+std::pair<double, double> depthRange(std::span<const Solid> solids, const Extent& extent,
+                                     const Frame& frame) {
     const double size = frame.camera().scale * extent.size;
     const double middle = frame.toView(extent.box.center()).z();
     double nearest = middle + size, furthest = middle - 2 * size;
-    for (const Solid &solid : solids) {
+    for (const Solid& solid : solids) {
         nearest = std::max(nearest, solid.middle.z() + solid.radius);
         furthest = std::min(furthest, solid.middle.z() - solid.radius);
     }
@@ -70,13 +70,13 @@ std::string Renderer::Implementation::build() {
     target = std::make_unique<Target>(gl);
     solids = std::make_unique<Solids>(gl);
     lines = std::make_unique<Lines>(gl);
-    for (const std::string &fault : {solids->build(), lines->build()})
+    for (const std::string& fault : {solids->build(), lines->build()})
         if (!fault.empty())
             return "The graphics driver refuses a shader: " + fault;
     return "";
 }
 
-void Renderer::Implementation::follow(const Drawing &drawing) {
+void Renderer::Implementation::follow(const Drawing& drawing) {
     const bool same = extentOfMotion.lock() == drawing.motion &&
                       sameOutlines(extentOfBodies, drawing.scene->bodies);
     if (!same) {
@@ -89,8 +89,8 @@ void Renderer::Implementation::follow(const Drawing &drawing) {
 }
 
 // The grid under the scene and the bodies' shadows on it.
-void Renderer::Implementation::paintGround(std::span<const Solid> opaque, const Frame &frame,
-                                           const float *projection) {
+void Renderer::Implementation::paintGround(std::span<const Solid> opaque, const Frame& frame,
+                                           const float* projection) {
     const Vector up = frame.directionInView(extent.up);
     const Vector below =
         frame.toView(extent.box.center()) +
@@ -110,12 +110,12 @@ void Renderer::Implementation::paintGround(std::span<const Solid> opaque, const 
     gl.DepthMask(GL_TRUE);
 }
 
-void Renderer::Implementation::paintHandles(const Drawing &drawing, const Frame &frame,
-                                            const float *projection) {
+void Renderer::Implementation::paintHandles(const Drawing& drawing, const Frame& frame,
+                                            const float* projection) {
     static const scene::Part ball{scene::SphereShape{1}, Vector::Zero(), Vector::Zero(), {}};
     gl.Clear(GL_DEPTH_BUFFER_BIT);
     std::vector<Solid> balls;
-    for (const Handle &handle : handlesOf(drawing, extent.size)) {
+    for (const Handle& handle : handlesOf(drawing, extent.size)) {
         const scene::Color c = colorOf(handle.kind);
         Solid solid;
         solid.part = &ball;
@@ -134,11 +134,11 @@ void Renderer::Implementation::paintHandles(const Drawing &drawing, const Frame 
     solids->drawOpaque(balls, frame);
 }
 
-void Renderer::Implementation::paint(const Drawing &drawing, const Frame &frame) {
-    const Display &display = drawing.display;
+void Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame) {
+    const Display& display = drawing.display;
     const std::vector<Solid> all = solidsOf(drawing, extent, frame);
     const auto firstTransparent =
-        std::find_if(all.begin(), all.end(), [](const Solid &s) { return s.alpha < 1; });
+        std::find_if(all.begin(), all.end(), [](const Solid& s) { return s.alpha < 1; });
     const std::span<const Solid> opaque(all.begin(), firstTransparent);
     const std::span<const Solid> transparent(firstTransparent, all.end());
     const auto [nearest, furthest] = depthRange(all, extent, frame);
@@ -148,7 +148,7 @@ void Renderer::Implementation::paint(const Drawing &drawing, const Frame &frame)
     solids->begin(frame, lightsOf(*drawing.scene, frame), frame.directionInView(extent.up),
                   projection.data());
     if (display.wireframe) {
-        for (const Solid &solid : all)
+        for (const Solid& solid : all)
             addWireframe(*lines, solid, solids->meshOf(solid, frame), frame);
     } else {
         gl.Enable(GL_POLYGON_OFFSET_FILL);
@@ -161,7 +161,7 @@ void Renderer::Implementation::paint(const Drawing &drawing, const Frame &frame)
                     projection.data());
     gl.DepthMask(GL_FALSE);
     if (!display.wireframe)
-        for (const Solid &solid : opaque)
+        for (const Solid& solid : opaque)
             addEdges(*lines, solid, solids->meshOf(solid, frame), frame);
     if (display.trails)
         trails.add(*lines, drawing, frame);
@@ -169,7 +169,7 @@ void Renderer::Implementation::paint(const Drawing &drawing, const Frame &frame)
         addAxes(*lines, extent, frame);
     lines->draw(projection.data(), frame.halfSize(), lift);
     if (!display.wireframe)
-        for (const Solid &solid : transparent) {
+        for (const Solid& solid : transparent) {
             solids->drawTransparent(solid, frame);
             addEdges(*lines, solid, solids->meshOf(solid, frame), frame);
             lines->draw(projection.data(), frame.halfSize(), lift);
@@ -185,7 +185,7 @@ Renderer::~Renderer() = default;
 
 std::variant<std::unique_ptr<Renderer>, std::string> Renderer::create() {
     auto context = Context::create();
-    if (const std::string *fault = std::get_if<std::string>(&context))
+    if (const std::string* fault = std::get_if<std::string>(&context))
         return *fault;
     std::unique_ptr<Renderer> renderer(new Renderer);
     renderer->implementation_->context = std::move(std::get<0>(context));
@@ -194,8 +194,8 @@ std::variant<std::unique_ptr<Renderer>, std::string> Renderer::create() {
     return renderer;
 }
 
-bool Renderer::draw(const Drawing &drawing, const Image &into) {
-    Implementation &my = *implementation_;
+bool Renderer::draw(const Drawing& drawing, const Image& into) {
+    Implementation& my = *implementation_;
     const Size size = into.size;
     const bool fits =
         size.width > 0 && size.height > 0 &&
@@ -205,7 +205,7 @@ bool Renderer::draw(const Drawing &drawing, const Image &into) {
     if (!fits || drawing.scene == nullptr || !my.context->makeCurrent() ||
         !my.target->prepare(size, drawing.display.samples))
         return false;
-    const Gl &gl = my.gl;
+    const Gl& gl = my.gl;
     gl.Viewport(0, 0, size.width, size.height);
     gl.FrontFace(GL_CW); // the picture is drawn upside down
     gl.CullFace(GL_BACK);
@@ -214,7 +214,7 @@ bool Renderer::draw(const Drawing &drawing, const Image &into) {
     gl.DepthMask(GL_TRUE);
     gl.PolygonOffset(1, 1);
     gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);
-    const scene::Color &c = drawing.display.background;
+    const scene::Color& c = drawing.display.background;
     gl.ClearColor(static_cast<float>(c.red), static_cast<float>(c.green),
                   static_cast<float>(c.blue), 1);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
@@ -242,8 +242,8 @@ std::string Renderer::description() const {
     if (!implementation_->context->makeCurrent())
         return "the graphics context is lost";
     const auto text = [&](GLenum what) {
-        const GLubyte *s = implementation_->gl.GetString(what);
-        return std::string(s == nullptr ? "?" : reinterpret_cast<const char *>(s));
+        const GLubyte* s = implementation_->gl.GetString(what);
+        return std::string(s == nullptr ? "?" : reinterpret_cast<const char*>(s));
     };
     return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
 }

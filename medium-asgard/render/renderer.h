@@ -26,7 +26,7 @@ struct Display {
 };
 
 struct Drawing {
-    const scene::Scene *scene = nullptr;
+    const scene::Scene* scene = nullptr;
     simulation::MotionPointer motion; // none: the bodies stand where they start
     double time = 0;
     Camera camera;
@@ -48,7 +48,7 @@ public:
     ~Renderer();
 
     // Draws and reads back. False when the context was lost; then make a new renderer.
-    [[nodiscard]] bool draw(const Drawing &drawing, const Image &into);
+    [[nodiscard]] bool draw(const Drawing& drawing, const Image& into);
 
     [[nodiscard]] int maximumSamples() const;
     [[nodiscard]] int maximumSize() const;

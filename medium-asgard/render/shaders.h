@@ -10,7 +10,7 @@ namespace render {
 
 inline constexpr int mostLights = 8;
 
-inline constexpr const char *solidVertexShader = R"(#version 330 core
+inline constexpr const char* solidVertexShader = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 row0;      // mesh to view, three rows
@@ -41,7 +41,7 @@ void main() {
 }
 )";
 
-inline constexpr const char *solidFragmentShader = R"(#version 330 core
+inline constexpr const char* solidFragmentShader = R"(#version 330 core
 in vec3 place;
 in vec3 facing;
 in vec3 local;
@@ -99,7 +99,7 @@ void main() {
 }
 )";
 
-inline constexpr const char *lineVertexShader = R"(#version 330 core
+inline constexpr const char* lineVertexShader = R"(#version 330 core
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
 layout(location = 2) in vec4 colorFrom; // sRGB, not premultiplied
@@ -129,7 +129,7 @@ void main() {
 }
 )";
 
-inline constexpr const char *lineFragmentShader = R"(#version 330 core
+inline constexpr const char* lineFragmentShader = R"(#version 330 core
 in vec4 tint;
 noperspective in float across;
 flat in float halfWidth;

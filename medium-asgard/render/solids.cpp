@@ -16,14 +16,14 @@ struct Fit {
     double radius = 0;
 };
 
-Fit fitOf(const scene::Part &part) {
-    if (const auto *sphere = std::get_if<scene::SphereShape>(&part.shape))
+Fit fitOf(const scene::Part& part) {
+    if (const auto* sphere = std::get_if<scene::SphereShape>(&part.shape))
         return {Vector::Constant(sphere->radius), Vector::Zero(), sphere->radius};
-    if (const auto *box = std::get_if<scene::BoxShape>(&part.shape))
+    if (const auto* box = std::get_if<scene::BoxShape>(&part.shape))
         return {box->edges, Vector::Zero(), box->edges.norm() / 2};
     Fit fit;
     Eigen::AlignedBox3d bounds;
-    for (const Vector &p : std::get<scene::HullShape>(part.shape).points)
+    for (const Vector& p : std::get<scene::HullShape>(part.shape).points)
         bounds.extend(p);
     if (!bounds.isEmpty()) {
         fit.middle = bounds.center();
@@ -34,16 +34,16 @@ Fit fitOf(const scene::Part &part) {
 
 // What is not given is inherited: part, body, shape set.
 template <class T>
-T inherited(std::optional<T> scene::Appearance::*what, const scene::Part &part,
-            const scene::Body &body, const scene::ShapeSet &shape, T otherwise) {
-    for (const scene::Appearance *a : {&part.appearance, &body.appearance, &shape.appearance})
+T inherited(std::optional<T> scene::Appearance::*what, const scene::Part& part,
+            const scene::Body& body, const scene::ShapeSet& shape, T otherwise) {
+    for (const scene::Appearance* a : {&part.appearance, &body.appearance, &shape.appearance})
         if ((a->*what).has_value())
             return *(a->*what);
     return otherwise;
 }
 
-Solid solidOf(const scene::Part &part, const scene::Body &body, const scene::ShapeSet &shape,
-              const geometry::Pose &pose, const Frame &frame) {
+Solid solidOf(const scene::Part& part, const scene::Body& body, const scene::ShapeSet& shape,
+              const geometry::Pose& pose, const Frame& frame) {
     using scene::Appearance;
     const Fit fit = fitOf(part);
     Solid solid;
@@ -64,47 +64,47 @@ Solid solidOf(const scene::Part &part, const scene::Body &body, const scene::Sha
     return solid;
 }
 
-bool isBall(const scene::ShapeSet &shape) {
+bool isBall(const scene::ShapeSet& shape) {
     return shape.parts.size() == 1 &&
            std::holds_alternative<scene::SphereShape>(shape.parts.front().shape);
 }
 
 } // namespace
 
-Eigen::Vector3f colorOf(const scene::Scene &scene, const scene::Body &body) {
+Eigen::Vector3f colorOf(const scene::Scene& scene, const scene::Body& body) {
     scene::Color c;
-    if (const scene::ShapeSet *shape = scene::findShapeSet(scene, body.shape);
+    if (const scene::ShapeSet* shape = scene::findShapeSet(scene, body.shape);
         shape != nullptr && !shape->parts.empty())
         c = inherited(&scene::Appearance::color, shape->parts.front(), body, *shape, c);
     return Eigen::Vector3d(c.red, c.green, c.blue).cast<float>();
 }
 
-std::vector<Solid> solidsOf(const Drawing &drawing, const Extent &extent, const Frame &frame) {
+std::vector<Solid> solidsOf(const Drawing& drawing, const Extent& extent, const Frame& frame) {
     std::vector<Solid> solids;
     for (std::size_t i = 0; i < drawing.scene->bodies.size(); ++i) {
-        const scene::Body &body = drawing.scene->bodies[i];
-        const scene::ShapeSet *shape = scene::findShapeSet(*drawing.scene, body.shape);
+        const scene::Body& body = drawing.scene->bodies[i];
+        const scene::ShapeSet* shape = scene::findShapeSet(*drawing.scene, body.shape);
         const geometry::Pose pose = poseOf(*drawing.scene, drawing.motion.get(), i, drawing.time);
         if (shape == nullptr || !pose.position.allFinite() || !pose.attitude.coeffs().allFinite())
             continue;
-        for (const scene::Part &part : shape->parts) {
+        for (const scene::Part& part : shape->parts) {
             solids.push_back(solidOf(part, body, *shape, pose, frame));
             solids.back().body = i;
             solids.back().turns = isBall(*shape) && i < extent.turns.size() && extent.turns[i];
         }
     }
-    std::erase_if(solids, [](const Solid &s) { return s.alpha <= 0; });
+    std::erase_if(solids, [](const Solid& s) { return s.alpha <= 0; });
     const auto firstTransparent = std::stable_partition(
-        solids.begin(), solids.end(), [](const Solid &s) { return s.alpha >= 1; });
+        solids.begin(), solids.end(), [](const Solid& s) { return s.alpha >= 1; });
     const Vector eye(0, 0, eyeDistance);
-    std::stable_sort(firstTransparent, solids.end(), [&](const Solid &a, const Solid &b) {
+    std::stable_sort(firstTransparent, solids.end(), [&](const Solid& a, const Solid& b) {
         return (a.middle - eye).squaredNorm() > (b.middle - eye).squaredNorm();
     });
     return solids;
 }
 
 Solids::~Solids() {
-    for (auto &[key, stored] : meshes_)
+    for (auto& [key, stored] : meshes_)
         release(*stored);
     gl_.DeleteBuffers(1, &instances_);
 }
@@ -114,8 +114,8 @@ std::string Solids::build() {
     return program_.build(solidVertexShader, solidFragmentShader);
 }
 
-void Solids::begin(const Frame &, const std::vector<Light> &lights, const Vector &upInView,
-                   const float *projection) {
+void Solids::begin(const Frame&, const std::vector<Light>& lights, const Vector& upInView,
+                   const float* projection) {
     ++picture_;
     forgetUnused();
     program_.use();
@@ -138,11 +138,11 @@ void Solids::begin(const Frame &, const std::vector<Light> &lights, const Vector
     gl_.Uniform1i(program_.place("shadow"), 0);
 }
 
-const Mesh &Solids::meshOf(const Solid &solid, const Frame &frame) {
+const Mesh& Solids::meshOf(const Solid& solid, const Frame& frame) {
     return stored(solid, frame).mesh;
 }
 
-Solids::Stored &Solids::stored(const Solid &solid, const Frame &frame) {
+Solids::Stored& Solids::stored(const Solid& solid, const Frame& frame) {
     Key key;
     if (std::holds_alternative<scene::SphereShape>(solid.part->shape)) {
         const int level = sphereLevel(frame.pixels(solid.radius, solid.middle.z()));
@@ -151,16 +151,16 @@ Solids::Stored &Solids::stored(const Solid &solid, const Frame &frame) {
         key = {1};
     } else {
         key = {2};
-        for (const Vector &p : std::get<scene::HullShape>(solid.part->shape).points)
+        for (const Vector& p : std::get<scene::HullShape>(solid.part->shape).points)
             key.insert(key.end(), p.begin(), p.end());
     }
-    std::unique_ptr<Stored> &entry = meshes_[key];
+    std::unique_ptr<Stored>& entry = meshes_[key];
     if (!entry) {
         entry = std::make_unique<Stored>();
         if (key[0] == 0)
             entry->mesh = sphereMesh(static_cast<int>(key[1]));
         else if (key[0] == 1)
-            entry->mesh = boxMesh();
+            entry->mesh = polyhedronMesh(geometry::box(Vector::Ones()));
         else
             entry->mesh = hullMesh(std::get<scene::HullShape>(solid.part->shape).points);
         upload(*entry);
@@ -169,7 +169,7 @@ Solids::Stored &Solids::stored(const Solid &solid, const Frame &frame) {
     return *entry;
 }
 
-void Solids::upload(Stored &stored) {
+void Solids::upload(Stored& stored) {
     gl_.GenVertexArrays(1, &stored.array);
     gl_.GenBuffers(1, &stored.vertices);
     gl_.GenBuffers(1, &stored.indices);
@@ -181,7 +181,7 @@ void Solids::upload(Stored &stored) {
     for (GLuint i = 0; i < 2; ++i) {
         gl_.EnableVertexAttribArray(i);
         gl_.VertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, 6 * sizeof(float),
-                                reinterpret_cast<const void *>(3 * i * sizeof(float)));
+                                reinterpret_cast<const void*>(3 * i * sizeof(float)));
     }
     gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, stored.indices);
     gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER,
@@ -189,7 +189,7 @@ void Solids::upload(Stored &stored) {
                    stored.mesh.indices.data(), GL_STATIC_DRAW);
 }
 
-void Solids::release(Stored &stored) {
+void Solids::release(Stored& stored) {
     gl_.DeleteVertexArrays(1, &stored.array);
     gl_.DeleteBuffers(1, &stored.vertices);
     gl_.DeleteBuffers(1, &stored.indices);
@@ -200,7 +200,7 @@ void Solids::forgetUnused() {
     constexpr std::size_t many = 256;
     if (meshes_.size() <= many)
         return;
-    std::erase_if(meshes_, [&](auto &entry) {
+    std::erase_if(meshes_, [&](auto& entry) {
         const bool old = entry.second->used + 2 < picture_;
         if (old)
             release(*entry.second);
@@ -208,7 +208,7 @@ void Solids::forgetUnused() {
     });
 }
 
-Solids::Instance Solids::instanceOf(const Solid &solid) {
+Solids::Instance Solids::instanceOf(const Solid& solid) {
     Instance instance{};
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column)
@@ -222,7 +222,7 @@ Solids::Instance Solids::instanceOf(const Solid &solid) {
     return instance;
 }
 
-void Solids::drawInstances(Stored &stored, const std::vector<Instance> &instances) {
+void Solids::drawInstances(Stored& stored, const std::vector<Instance>& instances) {
     gl_.BindVertexArray(stored.array);
     gl_.BindBuffer(GL_ARRAY_BUFFER, instances_);
     gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size() * sizeof(Instance)),
@@ -233,35 +233,35 @@ void Solids::drawInstances(Stored &stored, const std::vector<Instance> &instance
     for (GLuint i = 0; i < 5; ++i) {
         gl_.EnableVertexAttribArray(2 + i);
         gl_.VertexAttribPointer(2 + i, i < 4 ? 4 : 2, GL_FLOAT, GL_FALSE, sizeof(Instance),
-                                reinterpret_cast<const void *>(offsets[i]));
+                                reinterpret_cast<const void*>(offsets[i]));
         gl_.VertexAttribDivisor(2 + i, 1);
     }
     gl_.DrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(stored.mesh.indices.size()),
                               GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(instances.size()));
 }
 
-void Solids::drawGrouped(std::span<const Solid> solids, const Frame &frame) {
-    std::vector<std::pair<Stored *, std::vector<Instance>>> groups; // in order of first use
-    std::map<const Stored *, std::size_t> places;
-    for (const Solid &solid : solids) {
-        Stored &mesh = stored(solid, frame);
+void Solids::drawGrouped(std::span<const Solid> solids, const Frame& frame) {
+    std::vector<std::pair<Stored*, std::vector<Instance>>> groups; // in order of first use
+    std::map<const Stored*, std::size_t> places;
+    for (const Solid& solid : solids) {
+        Stored& mesh = stored(solid, frame);
         const auto [place, isNew] = places.try_emplace(&mesh, groups.size());
         if (isNew)
             groups.emplace_back(&mesh, std::vector<Instance>{});
         groups[place->second].second.push_back(instanceOf(solid));
     }
     program_.use();
-    for (auto &[mesh, instances] : groups)
+    for (auto& [mesh, instances] : groups)
         drawInstances(*mesh, instances);
 }
 
-void Solids::drawOpaque(std::span<const Solid> solids, const Frame &frame) {
+void Solids::drawOpaque(std::span<const Solid> solids, const Frame& frame) {
     gl_.Enable(GL_CULL_FACE);
     drawGrouped(solids, frame);
 }
 
-void Solids::drawTransparent(const Solid &solid, const Frame &frame) {
-    Stored &mesh = stored(solid, frame);
+void Solids::drawTransparent(const Solid& solid, const Frame& frame) {
+    Stored& mesh = stored(solid, frame);
     program_.use();
     gl_.Enable(GL_CULL_FACE);
     for (GLenum hidden : {GL_FRONT, GL_BACK}) {
@@ -271,7 +271,7 @@ void Solids::drawTransparent(const Solid &solid, const Frame &frame) {
     gl_.CullFace(GL_BACK);
 }
 
-void Solids::drawShadows(std::span<const Solid> solids, const Frame &frame, const Vector &normal,
+void Solids::drawShadows(std::span<const Solid> solids, const Frame& frame, const Vector& normal,
                          double offset, double reach) {
     program_.use();
     gl_.Uniform1i(program_.place("shadow"), 1);

@@ -15,7 +15,7 @@ namespace render {
 
 // A part as it stands in one picture.
 struct Solid {
-    const scene::Part *part = nullptr;
+    const scene::Part* part = nullptr;
     std::size_t body = 0;
     Eigen::Matrix3d linear; // mesh to view
     Vector place;           // view: the mesh's origin
@@ -26,35 +26,35 @@ struct Solid {
     float shininess = 0;
     bool turns = false; // a ball that spins: shown by its shading
 
-    [[nodiscard]] Vector toView(const Vector &inMesh) const { return linear * inMesh + place; }
+    [[nodiscard]] Vector toView(const Vector& inMesh) const { return linear * inMesh + place; }
 };
 
 // The colour that most shows of a body: its own, else its first part's.
-[[nodiscard]] Eigen::Vector3f colorOf(const scene::Scene &scene, const scene::Body &body);
+[[nodiscard]] Eigen::Vector3f colorOf(const scene::Scene& scene, const scene::Body& body);
 
 // All parts of the scene at the drawing's time, opaque first, transparent ones from back to front.
-[[nodiscard]] std::vector<Solid> solidsOf(const Drawing &drawing, const Extent &extent,
-                                          const Frame &frame);
+[[nodiscard]] std::vector<Solid> solidsOf(const Drawing& drawing, const Extent& extent,
+                                          const Frame& frame);
 
 class Solids {
 public:
-    explicit Solids(const Gl &gl) : gl_(gl), program_(gl) {}
+    explicit Solids(const Gl& gl) : gl_(gl), program_(gl) {}
     ~Solids();
-    Solids(const Solids &) = delete;
-    Solids &operator=(const Solids &) = delete;
+    Solids(const Solids&) = delete;
+    Solids& operator=(const Solids&) = delete;
 
     [[nodiscard]] std::string build();
 
     // The mesh of a solid, as fine as its size in the picture needs.
-    [[nodiscard]] const Mesh &meshOf(const Solid &solid, const Frame &frame);
+    [[nodiscard]] const Mesh& meshOf(const Solid& solid, const Frame& frame);
 
-    void begin(const Frame &frame, const std::vector<Light> &lights, const Vector &upInView,
-               const float *projection);
-    void drawOpaque(std::span<const Solid> solids, const Frame &frame);
+    void begin(const Frame& frame, const std::vector<Light>& lights, const Vector& upInView,
+               const float* projection);
+    void drawOpaque(std::span<const Solid> solids, const Frame& frame);
     // One solid, its back faces before its front faces.
-    void drawTransparent(const Solid &solid, const Frame &frame);
+    void drawTransparent(const Solid& solid, const Frame& frame);
     // All of them, laid flat on a plane of the view (n . x = offset) and fading with height.
-    void drawShadows(std::span<const Solid> solids, const Frame &frame, const Vector &normal,
+    void drawShadows(std::span<const Solid> solids, const Frame& frame, const Vector& normal,
                      double offset, double reach);
 
 private:
@@ -68,15 +68,15 @@ private:
     };
     using Key = std::vector<double>; // what the mesh depends on
 
-    Stored &stored(const Solid &solid, const Frame &frame);
-    void upload(Stored &stored);
-    void release(Stored &stored);
+    Stored& stored(const Solid& solid, const Frame& frame);
+    void upload(Stored& stored);
+    void release(Stored& stored);
     void forgetUnused();
-    void drawInstances(Stored &stored, const std::vector<Instance> &instances);
-    static Instance instanceOf(const Solid &solid);
-    void drawGrouped(std::span<const Solid> solids, const Frame &frame);
+    void drawInstances(Stored& stored, const std::vector<Instance>& instances);
+    static Instance instanceOf(const Solid& solid);
+    void drawGrouped(std::span<const Solid> solids, const Frame& frame);
 
-    const Gl &gl_;
+    const Gl& gl_;
     Program program_;
     GLuint instances_ = 0;
     std::map<Key, std::unique_ptr<Stored>> meshes_;

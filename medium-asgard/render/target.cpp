@@ -32,7 +32,7 @@ bool Target::prepare(Size size, int samples) {
 
 bool Target::make(Size size, int samples) {
     drop();
-    const auto storage = [&](GLuint &buffer, GLenum format, int count) {
+    const auto storage = [&](GLuint& buffer, GLenum format, int count) {
         gl_.GenRenderbuffers(1, &buffer);
         gl_.BindRenderbuffer(GL_RENDERBUFFER, buffer);
         if (count > 1)
@@ -41,7 +41,7 @@ bool Target::make(Size size, int samples) {
         else
             gl_.RenderbufferStorage(GL_RENDERBUFFER, format, size.width, size.height);
     };
-    const auto complete = [&](GLuint &framebuffer, GLuint color, GLuint depth) {
+    const auto complete = [&](GLuint& framebuffer, GLuint color, GLuint depth) {
         gl_.GenFramebuffers(1, &framebuffer);
         gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
         gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
@@ -65,7 +65,7 @@ bool Target::make(Size size, int samples) {
     return true;
 }
 
-void Target::read(const Image &into) const {
+void Target::read(const Image& into) const {
     if (resolved_ != 0) {
         gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, drawing_);
         gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_);
@@ -75,7 +75,7 @@ void Target::read(const Image &into) const {
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_ != 0 ? resolved_ : drawing_);
     gl_.ReadBuffer(GL_COLOR_ATTACHMENT0);
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
-    const auto rows = [&](int from, int count, std::byte *to) {
+    const auto rows = [&](int from, int count, std::byte* to) {
         gl_.ReadPixels(0, from, size_.width, count, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, to);
     };
     if (into.stride % 4 == 0) {

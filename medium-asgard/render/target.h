@@ -8,10 +8,10 @@ namespace render {
 
 class Target {
 public:
-    explicit Target(const Gl &gl) : gl_(gl) {}
+    explicit Target(const Gl& gl) : gl_(gl) {}
     ~Target();
-    Target(const Target &) = delete;
-    Target &operator=(const Target &) = delete;
+    Target(const Target&) = delete;
+    Target& operator=(const Target&) = delete;
 
     // Bound for drawing, at that size, with at most that many samples: fewer where the driver
     // refuses. False when not even one sample fits.
@@ -19,13 +19,13 @@ public:
     [[nodiscard]] int samples() const { return samples_; }
 
     // Resolves the samples and copies the pixels, bottom row of the framebuffer first.
-    void read(const Image &into) const;
+    void read(const Image& into) const;
 
 private:
     bool make(Size size, int samples);
     void drop();
 
-    const Gl &gl_;
+    const Gl& gl_;
     Size size_{0, 0};
     int asked_ = 0;
     int samples_ = 0;

@@ -13,8 +13,8 @@ constexpr std::size_t most = 64; // bodies with a trail
 
 } // namespace
 
-void Trails::follow(const Drawing &drawing, const Extent &extent) {
-    const simulation::MotionPointer &motion = drawing.motion;
+void Trails::follow(const Drawing& drawing, const Extent& extent) {
+    const simulation::MotionPointer& motion = drawing.motion;
     if (of_.lock() == motion && motion != nullptr)
         return;
     of_ = motion;
@@ -33,8 +33,8 @@ void Trails::follow(const Drawing &drawing, const Extent &extent) {
                                [&](double t) { return from < t && t <= to; });
         };
         const auto at = [&](double t) { return motion->at(body, t).position; };
-        const auto refine = [&](auto &&self, double t0, const Vector &p0, double t1,
-                                const Vector &p1, int depth) -> void {
+        const auto refine = [&](auto&& self, double t0, const Vector& p0, double t1,
+                                const Vector& p1, int depth) -> void {
             const double middle = (t0 + t1) / 2;
             const Vector p = at(middle);
             if (depth < deepest && ((p0 + p1) / 2 - p).norm() > bend) {
@@ -58,7 +58,7 @@ void Trails::follow(const Drawing &drawing, const Extent &extent) {
     }
 }
 
-void Trails::add(Lines &lines, const Drawing &drawing, const Frame &frame) const {
+void Trails::add(Lines& lines, const Drawing& drawing, const Frame& frame) const {
     if (drawing.motion == nullptr)
         return;
     const double start = drawing.motion->start();
@@ -66,11 +66,11 @@ void Trails::add(Lines &lines, const Drawing &drawing, const Frame &frame) const
     const auto alpha = [&](double t) {
         return static_cast<float>(0.14 + 0.66 * std::exp(-(drawing.time - t) / fade));
     };
-    for (const Trail &trail : trails_) {
-        const scene::Body &body = drawing.scene->bodies[trail.body];
+    for (const Trail& trail : trails_) {
+        const scene::Body& body = drawing.scene->bodies[trail.body];
         Ink ink{colorOf(*drawing.scene, body), 1, frame.stroke(1.4)};
         for (std::size_t i = 1; i < trail.points.size(); ++i) {
-            const Point &a = trail.points[i - 1];
+            const Point& a = trail.points[i - 1];
             Point b = trail.points[i];
             if (a.time >= drawing.time)
                 break;

@@ -15,8 +15,8 @@ namespace render {
 class Trails {
 public:
     // Samples what is new since the last call.
-    void follow(const Drawing &drawing, const Extent &extent);
-    void add(Lines &lines, const Drawing &drawing, const Frame &frame) const;
+    void follow(const Drawing& drawing, const Extent& extent);
+    void add(Lines& lines, const Drawing& drawing, const Frame& frame) const;
 
 private:
     struct Point {

@@ -16,16 +16,16 @@ namespace render {
 class SceneView {
 public:
     // The view of that name, the scene's first when the name is empty, `framed` when there is none.
-    SceneView(const scene::Scene &scene, const simulation::MotionPointer &motion,
-              const std::string &name, Size size);
+    SceneView(const scene::Scene& scene, const simulation::MotionPointer& motion,
+              const std::string& name, Size size);
     ~SceneView();
-    SceneView(SceneView &&) noexcept;
-    SceneView &operator=(SceneView &&) noexcept;
+    SceneView(SceneView&&) noexcept;
+    SceneView& operator=(SceneView&&) noexcept;
 
     [[nodiscard]] Camera at(double time) const;
     [[nodiscard]] bool follows() const; // the camera depends on time
     // One sentence for each value that could not be read.
-    [[nodiscard]] const std::vector<std::string> &faults() const;
+    [[nodiscard]] const std::vector<std::string>& faults() const;
 
 private:
     struct Implementation;
@@ -33,7 +33,7 @@ private:
 };
 
 // SceneView(...).at(time), for those who want one picture.
-[[nodiscard]] Camera cameraOf(const scene::Scene &scene, const simulation::MotionPointer &motion,
-                              const std::string &view, double time, Size size);
+[[nodiscard]] Camera cameraOf(const scene::Scene& scene, const simulation::MotionPointer& motion,
+                              const std::string& view, double time, Size size);
 
 } // namespace render
