@@ -1,0 +1,122 @@
+// What a document shows, in order: blocks of text with resolved styles, numbers and references,
+// and the places of subdocuments; neither lines nor pages yet. The host's layout and the export as
+// text both read it.
+//
+// Method: one walk over the tree with an explicit stack. A presentation says for each element what
+// it is (its `display`) and how it looks; containers leave no trace but indents, spaces and borders
+// of the blocks inside. What the presentation does not know is shown as what it is: `<TAG>` before
+// its content. So nothing of a document is invisible unless the presentation says `show: no`.
+#pragma once
+
+#include "document/style.h"
+#include "document/subdocument.h"
+
+#include <string>
+#include <vector>
+
+namespace document {
+
+class Document;
+class Presentation;
+class Schemas;
+
+enum class RunKind {
+    text,
+    subdocument, // inline, with ALIGN="inline"
+    image,       // inline
+    footnote,    // the mark; `text` is its number
+    slider,      // living: `text` is what stands for it until it lives
+    value,
+    lineBreak,
+};
+
+// A piece of a line. Its letters are the bytes of `content` from `offset` on, unless content is
+// noNode: then they are generated (a number, a reference, a mark) and cannot be edited.
+// A line end in flowing text becomes one blank; what is left out there begins a new run.
+struct Run {
+    RunKind kind = RunKind::text;
+    std::string text;                    // UTF-8
+    std::uint32_t style = 0;             // index into Model::textStyles
+    sgml::NodeId element = sgml::noNode; // the innermost element
+    sgml::NodeId content = sgml::noNode;
+    std::size_t offset = 0; // unescaped, of the text's first byte
+    std::string target;     // LINK: its address; REF: "#" and the ID
+    SubdocumentId subdocument = noSubdocument;
+    std::size_t footnote = 0; // index into Model::footnotes
+};
+
+enum class BlockKind {
+    text,
+    verbatim,    // lines as they are, in runs; blanks and line ends (LF in Run::text) count
+    subdocument, // a rendition's place
+    image,
+    chart, // living: runs hold what stands for it
+    table,
+    rule, // a horizontal line: the style's border
+    pageBreak,
+};
+
+struct Cell;
+using Row = std::vector<Cell>;
+
+struct Block {
+    BlockKind kind = BlockKind::text;
+    sgml::NodeId element = sgml::noNode;
+    BlockStyle style;
+    std::string marker; // number, bullet or label; "" without one
+    std::uint32_t markerStyle = 0;
+    std::vector<Run> runs;
+    std::uint32_t textStyle = 0; // of an empty block, and of what has no run
+    int headingLevel = 0;        // 1..: an entry of the outline; 0: none
+    std::string anchor;          // ID that references lead to, "#" not included
+    SubdocumentId subdocument = noSubdocument;
+    std::string source;                  // image: its file, as written
+    std::optional<double> width, height; // image, chart: 1/96 inch
+    std::string alternative;             // image: ALT
+    std::vector<Row> rows;               // table
+};
+
+struct Cell {
+    sgml::NodeId element = sgml::noNode;
+    BlockStyle style; // border, background, padding, align
+    std::vector<Block> blocks;
+};
+
+struct Footnote {
+    std::string number;
+    sgml::NodeId element = sgml::noNode;
+    std::vector<Block> blocks; // the first one has the number as its marker
+};
+
+// A frame or a background around the blocks first..last of Model::blocks, from the outermost to the
+// innermost. Blocks draw none of their own: style.border, background and padding of a Block are
+// those of a rule only, and of a Cell those of the cell.
+struct Box {
+    std::size_t first = 0, last = 0; // inclusive
+    double indentLeft = 0, indentRight = 0;
+    double padding = 0;
+    std::optional<Color> background;
+    Border border;
+};
+
+// LIMIT: tables nested deeper are shown as the text of their cells.
+inline constexpr int deepestTable = 8;
+
+struct Model {
+    PageStyle page;
+    std::vector<TextStyle> textStyles; // each different one once
+    std::vector<Block> blocks;
+    std::vector<Box> boxes;
+    std::vector<Footnote> footnotes;
+    std::string title; // of the window and of the PDF
+    std::vector<sgml::Fault>
+        warnings; // what the walk found: references to nothing, unknown elements
+};
+
+[[nodiscard]] Model buildModel(const Document &document, const Presentation &presentation,
+                               const Schemas &schemas);
+
+// One line per block, indented by nesting, with styles that differ from the default (for tests).
+[[nodiscard]] std::string printed(const Model &model);
+
+} // namespace document

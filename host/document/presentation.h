@@ -1,0 +1,97 @@
+// How documents of one class look: `CLASS.NAME.presentation`, blocks of properties
+// (docs/schemas.md).
+//
+//     SECTION HEADING { font: 14pt bold; number: "1.1"; space-before: 12pt }
+//
+// A selector is the names of elements, outermost first, the last one being the element that the
+// block is about; others may stand between. `,` gives alternatives, `*` is any element,
+// `NAME:first` the first of its name among its siblings. Of two blocks that say different things
+// the one with more names counts, of equals the later one. Text properties (font, color, align,
+// line-height) are inherited, the others are not.
+#pragma once
+
+#include "document/style.h"
+#include "sgml/tree.h"
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace document {
+
+enum class Display {
+    unknown, // no rule says: shown as what it is
+    block,
+    inlined,
+    verbatim,
+    table,
+    row,
+    cell,
+    image,
+    pageBreak,
+    rule,
+    footnote,
+    link,
+    reference,
+    slider,
+    value,
+    chart,
+};
+
+// Everything that a presentation says about one element, resolved.
+struct ElementStyle {
+    Display display = Display::unknown;
+    bool show = true;
+    TextStyle text;
+    BlockStyle block;          // its indents are the element's own, not those of its containers
+    std::string before, after; // generated text around the content
+    std::string marker;        // "To:", a bullet
+    std::string number;        // pattern of the marker: "1.1", "Figure 1:", "(a)"
+    std::string counter;       // that the element steps
+    std::vector<std::string> restart; // counters that begin again inside it
+    std::string reference; // pattern of what REF shows; "" is `number` without its last punctuation
+    int headingLevel = 0;
+    bool title = false; // its text is the document's title
+};
+
+struct Property {
+    std::string name;
+    std::vector<std::string> words; // strings without their quotes
+    std::vector<bool> quoted;
+    std::size_t offset = 0; // in the file
+};
+
+class Presentation {
+public:
+    // What is faulty is left out; each fault has its line in the file.
+    [[nodiscard]] static Presentation parse(std::string_view text, std::vector<sgml::Fault> &faults,
+                                            const Presentation *base = nullptr);
+
+    [[nodiscard]] const PageStyle &page() const { return page_; }
+
+    struct Selector {
+        struct Name {
+            std::string name; // "*": any
+            bool first = false;
+        };
+        std::vector<Name> names; // outermost first
+        std::size_t block;       // index of its declarations
+    };
+    // How far the selectors have matched on the way from the document down to an element.
+    using Progress = std::vector<std::uint8_t>;
+    [[nodiscard]] Progress start() const { return Progress(selectors_.size(), 0); }
+    // The style of an element inside one with style `outer`; `progress` goes one element down.
+    [[nodiscard]] ElementStyle style(std::string_view name, bool first, const ElementStyle &outer,
+                                     Progress &progress) const;
+    [[nodiscard]] ElementStyle rootStyle() const;
+
+private:
+    friend class PresentationParser;
+    std::vector<Selector> selectors_; // ordered by weight, the base's before its own
+    std::vector<std::vector<Property>> blocks_;
+    PageStyle page_;
+    TextStyle rootText_;
+};
+
+} // namespace document

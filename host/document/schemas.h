@@ -1,0 +1,59 @@
+// The schemas that there are: files of users, else the program's own.
+//
+// Looked for in $XDG_DATA_HOME/ensemble/schemas, $XDG_DATA_DIRS/ensemble/schemas, then the
+// folder given, then those compiled in. The first file of a name counts; a faulty one is
+// reported by line and the built-in one used instead.
+#pragma once
+
+#include "document/presentation.h"
+#include "document/structure.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace document {
+
+class Document;
+
+class Schemas {
+public:
+    [[nodiscard]] static Schemas builtIn();
+    // Those of the folders, in order, before the built-in ones.
+    [[nodiscard]] static Schemas load(const QStringList &folders);
+    [[nodiscard]] static QStringList standardFolders();
+
+    // Has the class a presentation, so that it is text and no medium?
+    [[nodiscard]] bool isText(std::string_view className) const;
+    // Names, "default" first.
+    [[nodiscard]] QStringList presentations(std::string_view className) const;
+    // Never fails: an unknown name gives the class's default, an unknown class the plain one.
+    [[nodiscard]] const Presentation &presentation(std::string_view className,
+                                                   const QString &name = {}) const;
+    [[nodiscard]] const StructureSchema *structure(std::string_view className) const;
+
+    struct FileFault {
+        QString file;
+        sgml::Fault fault;
+    };
+    [[nodiscard]] const std::vector<FileFault> &faults() const { return faults_; }
+
+private:
+    void addFile(const QString &path, const QString &name, const std::string &text);
+    std::map<std::string, StructureSchema, std::less<>> structures_;
+    // Class, then name.
+    std::map<std::string, std::map<QString, Presentation>, std::less<>> presentations_;
+    Presentation plain_;
+    std::vector<FileFault> faults_;
+};
+
+// What the schemas do not allow in a document and in its nested documents, as warnings in order of
+// place. A class without a schema is a warning unless it is among `media`.
+[[nodiscard]] std::vector<sgml::Fault>
+structureFaults(const Document &document, const Schemas &schemas, const QStringList &media);
+
+} // namespace document

@@ -1,0 +1,73 @@
+// How something should look, as a presentation says and before anything is laid out. Lengths are
+// points (1/72 inch) unless a comment says otherwise.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace document {
+
+struct Color {
+    std::uint8_t red = 0, green = 0, blue = 0;
+    bool operator==(const Color &) const = default;
+};
+
+// What letters look like. Inherited by everything inside.
+struct TextStyle {
+    std::string family =
+        "serif"; // "serif", "sans", "mono" are generic; anything else is a font's name
+    double size = 11;
+    bool bold = false;
+    bool italic = false;
+    bool underline = false;
+    bool raised = false; // superscript: smaller and higher (footnote marks)
+    Color color;
+    std::optional<Color> background;
+    bool operator==(const TextStyle &) const = default;
+};
+
+enum class Align { left, center, right, justify };
+
+struct Border {
+    double width = 0; // 0: none
+    Color color{128, 128, 128};
+    bool top = true, right = true, bottom = true, left = true;
+    bool operator==(const Border &) const = default;
+};
+
+// Where a block stands and what surrounds it.
+struct BlockStyle {
+    Align align = Align::left;
+    double spaceBefore = 0, spaceAfter = 0; // the larger of two that meet counts
+    double indentLeft = 0, indentRight = 0; // from the text area's edges, those of containers added
+    double firstLine = 0;                   // further indent of the first line; may be negative
+    double lineHeight = 1.2;                // times the size of the letters
+    // Of the column for the marker (number, bullet, "To:"), which ends at indentLeft; 0: the marker
+    // is set in front of the text, on its first line.
+    double markerWidth = 0;
+    Align markerAlign = Align::left;
+    double padding = 0; // between border and text
+    std::optional<Color> background;
+    Border border;
+    bool keepWithNext = false; // not the last on a page
+    bool keepTogether = false; // not split over pages if it fits on one
+    bool pageBreakBefore = false;
+    bool operator==(const BlockStyle &) const = default;
+};
+
+// The paper. In headers and footers {page}, {pages} and {title} stand for what they say.
+struct PageStyle {
+    double width = 595.276, height = 841.89; // A4
+    double marginTop = 72, marginRight = 72, marginBottom = 72, marginLeft = 72;
+    std::string headerLeft, headerCenter, headerRight;
+    std::string footerLeft, footerCenter, footerRight;
+    bool headerOnFirstPage = true;
+    TextStyle headerStyle; // of footers too
+    Color background{255, 255, 255};
+    double zoom = 1; // times the size on screen that a view of this presentation begins with
+    bool operator==(const PageStyle &) const = default;
+};
+
+} // namespace document
