@@ -1,0 +1,87 @@
+// What do bodies do at the instant at which they touch and approach?
+//
+// Frictionless, instantaneous: impulses j >= 0 along the contact normals. For contact i with normal
+// n (from the second body to the first) at lever arms r1, r2 from the centres of mass,
+//     u_i  = n . (v1 + w1 x r1 - v2 - w2 x r2)            approach when negative
+//     u'   = u + A j,   A_ij = n_i . (velocity that unit impulse j gives at contact i)
+// and Newton's law of impact wants u'_i = -e_i u_i. Contacts that approach at one instant are
+// solved together: j >= 0, u' + e u >= 0, and one of both 0 in each contact (complementarity). Of
+// several solutions (redundant contacts) the velocities are the same; the impulses are the
+// shortest. Contacts that touch at relative rest take part one after another: after each solution,
+// those that now approach make the next one (Newton's cradle), until none approaches.
+//
+// Bodies of infinite mass (position held) or infinite inertia (attitude held) have inverse 0. Two
+// bodies that cannot give way pass through each other; that is reported.
+#pragma once
+
+#include "geometry/pose.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace physics {
+
+using geometry::Matrix;
+using geometry::Vector;
+
+struct ImpactBody {
+    double inverseMass = 0;                 // 0: infinite
+    Matrix inverseInertia = Matrix::Zero(); // world axes, about the centre of mass; 0: infinite
+    Vector centre = Vector::Zero();         // of mass
+    Vector velocity = Vector::Zero();
+    Vector angularVelocity = Vector::Zero(); // world axes
+};
+
+struct ImpactContact {
+    std::size_t first = 0, second = 0; // bodies
+    Vector point = Vector::Zero();
+    Vector normal = Vector::UnitX(); // from second to first
+    double restitution = 1;          // the smaller of the two bodies'
+};
+
+struct ImpulseGiven {
+    std::size_t contact = 0;
+    double impulse = 0; // > 0
+};
+
+struct ImpactResult {
+    std::vector<ImpactBody> bodies;     // with their new velocities
+    std::vector<ImpulseGiven> impulses; // in order; a contact may appear several times
+    std::vector<std::size_t>
+        unyielding;      // contacts that approach, between bodies that cannot give way
+    bool settled = true; // false: still approaching after the bound on rounds (a bug or a jam)
+};
+
+[[nodiscard]] ImpactResult resolveImpact(std::vector<ImpactBody> bodies,
+                                         std::span<const ImpactContact> contacts);
+
+// Rest and sliding: one body on contacts with bodies of infinite mass.
+//
+// The smallest forces f >= 0 along the normals that keep it from being pushed in: with the normal
+// accelerations a_i(f) = a_i + A f,   f >= 0, a(f) >= 0, f . a(f) = 0.
+struct RestingContact {
+    Vector point = Vector::Zero();
+    Vector normal = Vector::UnitX(); // from the support to the body
+    // Acceleration of the contact's gap that is not the body's: the support's own, and the terms in
+    // velocities (turning of the normal, centripetal). Positive opens.
+    double extraAcceleration = 0;
+};
+
+struct RestingForces {
+    std::vector<double> normalForces;     // one per contact; 0: it opens
+    std::vector<double> gapAccelerations; // >= 0 up to round-off
+    Vector acceleration = Vector::Zero(); // of the centre of mass, with the forces
+    Vector angularAcceleration = Vector::Zero();
+};
+
+[[nodiscard]] RestingForces restingForces(const ImpactBody& body, const Vector& freeAcceleration,
+                                          const Vector& freeAngularAcceleration,
+                                          std::span<const RestingContact> contacts);
+
+// f >= 0, w = A f + b >= 0, f . w = 0 for a symmetric positive semidefinite A; the shortest f.
+// Empty when there is none (b cannot be balanced).
+[[nodiscard]] std::vector<double> solveComplementarity(const Eigen::MatrixXd& a,
+                                                       const Eigen::VectorXd& b);
+
+} // namespace physics
