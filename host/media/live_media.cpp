@@ -1,0 +1,95 @@
+#include "media/live_media.h"
+
+#include <algorithm>
+
+namespace media {
+
+LiveMedia::LiveMedia(Registry registry, QString executableFolder, PipeThread& pipes,
+                     TimeLimits limits, QObject* parent)
+    : QObject(parent), registry_(std::move(registry)),
+      executableFolder_(std::move(executableFolder)), pipes_(pipes), limits_(limits) {
+    choice_.setSingleShot(true);
+    choice_.setInterval(0);
+    connect(&choice_, &QTimer::timeout, this, &LiveMedia::choose);
+}
+
+void LiveMedia::setMostLive(int count) {
+    mostLive_ = std::max(1, count);
+    scheduleChoice();
+}
+
+void LiveMedia::scheduleChoice() {
+    if (!choice_.isActive())
+        choice_.start();
+}
+
+std::unique_ptr<LiveSubdocument> LiveMedia::create(const QString& documentClass) {
+    const Manifest* manifest = registry_.forClass(documentClass);
+    if (!manifest)
+        return nullptr;
+    auto subdocument = std::make_unique<LiveSubdocument>(
+        *manifest, programOf(*manifest, executableFolder_), pipes_, limits_);
+    LiveSubdocument* made = subdocument.get();
+    connect(made, &QObject::destroyed, this, [this, made] {
+        distances_.remove(made);
+        scheduleChoice();
+    });
+    connect(made, &LiveSubdocument::processGone, this, &LiveMedia::scheduleChoice);
+    return subdocument;
+}
+
+void LiveMedia::setDistance(LiveSubdocument& subdocument, const void* view, double distance) {
+    auto& ofViews = distances_[&subdocument];
+    if (distance >= notNeeded)
+        ofViews.remove(view);
+    else
+        ofViews[view] = distance;
+    scheduleChoice();
+}
+
+std::vector<LiveSubdocument*> LiveMedia::byDistance() const {
+    std::vector<std::pair<double, LiveSubdocument*>> order;
+    for (auto of = distances_.begin(); of != distances_.end(); ++of)
+        if (!of->isEmpty())
+            order.emplace_back(*std::min_element(of->begin(), of->end()), of.key());
+    std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
+        if (a.first != b.first)
+            return a.first < b.first;
+        return a.second->hasProcess() && !b.second->hasProcess();
+    });
+    std::vector<LiveSubdocument*> result;
+    for (const auto& [distance, subdocument] : order)
+        if (subdocument->condition() != Condition::failed)
+            result.push_back(subdocument);
+    return result;
+}
+
+void LiveMedia::choose() {
+    std::vector<LiveSubdocument*> wanted = byDistance();
+    if (wanted.size() > static_cast<std::size_t>(mostLive_))
+        wanted.resize(static_cast<std::size_t>(mostLive_));
+    const auto isWanted = [&](LiveSubdocument* s) {
+        return std::find(wanted.begin(), wanted.end(), s) != wanted.end();
+    };
+    std::vector<LiveSubdocument*> idle;
+    int live = 0;
+    for (auto of = distances_.begin(); of != distances_.end(); ++of)
+        if (of.key()->hasProcess()) {
+            ++live;
+            if (!isWanted(of.key()))
+                idle.push_back(of.key());
+        }
+    for (LiveSubdocument* subdocument : wanted) {
+        if (subdocument->condition() != Condition::still)
+            continue;
+        if (live >= mostLive_ && !idle.empty()) {
+            idle.back()->makeStill();
+            idle.pop_back();
+            --live;
+        }
+        subdocument->start();
+        ++live;
+    }
+}
+
+} // namespace media

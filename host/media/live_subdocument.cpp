@@ -1,0 +1,420 @@
+#include "media/live_subdocument.h"
+
+#include <algorithm>
+
+namespace media {
+
+namespace {
+
+constexpr int minuteMs = 60'000;
+constexpr int restartDelayMs = 100;
+
+// Failures that another start cannot cure.
+bool isHopeless(const QString& reason) {
+    return reason.startsWith("could not be started") || reason.startsWith("refused to begin");
+}
+
+} // namespace
+
+LiveSubdocument::LiveSubdocument(const Manifest& manifest, QString program, PipeThread& pipes,
+                                 TimeLimits limits, QObject* parent)
+    : QObject(parent), manifest_(manifest), program_(std::move(program)), pipes_(pipes),
+      limits_(limits) {
+    clock_.start();
+    restartTimer_.setSingleShot(true);
+    connect(&restartTimer_, &QTimer::timeout, this, [this] { begin(mode_); });
+}
+
+LiveSubdocument::~LiveSubdocument() {
+    discard(next_);
+    discard(process_);
+}
+
+QString LiveSubdocument::name() const { return ownName_.isEmpty() ? manifest_.name : ownName_; }
+
+void LiveSubdocument::setCondition(Condition condition) {
+    condition_ = condition;
+    emit conditionChanged();
+}
+
+// --- text --------------------------------------------------------------------------------------
+
+void LiveSubdocument::setText(const QByteArray& text) {
+    text_ = text;
+    ++revision_;
+    if (process_ && process_->state() == MediumProcess::State::ready)
+        load();
+}
+
+void LiveSubdocument::edit(const std::vector<ipc::TextEdit>& edits, const QString& label) {
+    for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit)
+        text_.replace(edit->from, edit->to - edit->from, QByteArray::fromStdString(edit->text));
+    ++revision_;
+    if (applyingOwnChange_ || !process_ || process_->state() != MediumProcess::State::ready)
+        return; // it knows already, or is told by load()
+    process_->request(ipc::SubdocumentEdit{revision_, edits, label.toStdString()});
+}
+
+void LiveSubdocument::load() {
+    const QPointer<MediumProcess> to = process_.get();
+    process_->request(ipc::SubdocumentLoad{text_.toStdString(), revision_},
+                      [this, to](const Outcome<ipc::Done>&) {
+                          if (!to || to != process_.get())
+                              return;
+                          loaded_ = true;
+                          emit loaded();
+                      });
+}
+
+void LiveSubdocument::applyChange(MediumProcess& by, const ipc::Id& id,
+                                  const ipc::SubdocumentChanged& change) {
+    if (change.base != revision_) {
+        by.refuse(id, {ipc::ErrorCode::staleBase,
+                       "the text is at revision " + std::to_string(revision_)});
+        return;
+    }
+    ipc::Integer last = 0;
+    for (const ipc::TextEdit& edit : change.edits) {
+        if (edit.from < last || edit.to < edit.from || edit.to > text_.size()) {
+            by.refuse(id, {ipc::ErrorCode::invalidParameters,
+                           "the edits must ascend, not overlap and lie in the text"});
+            return;
+        }
+        last = edit.to;
+    }
+    applyingOwnChange_ = true;
+    const std::optional<QString> refused =
+        changeHandler_ ? changeHandler_(change) : QStringLiteral("the document cannot be edited");
+    applyingOwnChange_ = false;
+    if (refused)
+        by.refuse(id, {ipc::ErrorCode::notPossible, refused->toStdString()});
+    else
+        by.answer(id, ipc::Revised{revision_});
+}
+
+// --- process -----------------------------------------------------------------------------------
+
+std::unique_ptr<MediumProcess> LiveSubdocument::createProcess(Mode mode) {
+    auto process = std::make_unique<MediumProcess>(manifest_, program_, mode, pipes_, limits_);
+    MediumProcess* made = process.get();
+    connect(made, &MediumProcess::told, this, [this, made](const ipc::ToHost& report) {
+        if (made == process_.get())
+            told(report);
+    });
+    connect(made, &MediumProcess::asked, this,
+            [this, made](const ipc::Id& id, const ipc::ToHost& request) {
+                asked(*made, id, request);
+            });
+    connect(made, &MediumProcess::respondingChanged, this, [this, made] {
+        if (made == process_.get())
+            setCondition(made->isResponding() ? Condition::live : Condition::notResponding);
+    });
+    return process;
+}
+
+void LiveSubdocument::start() {
+    restarts_.clear();
+    restartTimer_.stop();
+    if (!process_)
+        begin(mode_);
+}
+
+void LiveSubdocument::begin(Mode mode) {
+    std::unique_ptr<MediumProcess> process = createProcess(mode);
+    MediumProcess* made = process.get();
+    connect(made, &MediumProcess::ready, this, [this] { adopt(std::move(process_)); });
+    connect(made, &MediumProcess::ended, this, &LiveSubdocument::processEnded);
+    process_ = std::move(process);
+    loaded_ = false;
+    setCondition(Condition::starting);
+    made->start();
+}
+
+// The process is ready: it gets the text, the renditions and the time that the last one had.
+void LiveSubdocument::adopt(std::unique_ptr<MediumProcess> process) {
+    process_ = std::move(process);
+    ownName_ = QString::fromStdString(process_->introduction().name);
+    menus_ = process_->introduction().menus;
+    reason_.clear();
+    loaded_ = false;
+    load();
+    const QPointer<MediumProcess> to = process_.get();
+    process_->request(ipc::PresentationList{}, [this, to](Outcome<ipc::Presentations> outcome) {
+        if (!to || to != process_.get())
+            return;
+        if (auto* list = std::get_if<ipc::Presentations>(&outcome))
+            presentations_ = std::move(list->items);
+        for (Rendition* rendition : renditions_)
+            rendition->attach(process_.get());
+        restoreTime();
+        askForSize();
+    });
+    setCondition(Condition::live);
+    emit menusChanged();
+}
+
+void LiveSubdocument::restoreTime() {
+    if (time_) {
+        process_->request(ipc::TimeRate{time_->rate, time_->loop});
+        process_->request(ipc::TimeSeek{time_->time});
+        if (time_->playing)
+            process_->request(ipc::TimePlay{});
+    } else if (poster_) {
+        process_->request(ipc::TimeSeek{*poster_});
+    }
+}
+
+void LiveSubdocument::discard(std::unique_ptr<MediumProcess>& process) {
+    if (!process)
+        return;
+    process->disconnect(this);
+    for (Rendition* rendition : renditions_)
+        if (rendition->process_ == process.get())
+            rendition->attach(nullptr);
+    // It may be in a call of its own, and may take its time to end.
+    MediumProcess* leaving = process.release();
+    if (leaving->state() == MediumProcess::State::ended) {
+        leaving->deleteLater();
+        return;
+    }
+    leaving->setParent(&pipes_.departing());
+    connect(leaving, &MediumProcess::ended, leaving, &QObject::deleteLater);
+    leaving->shutdown();
+}
+
+void LiveSubdocument::makeStill() {
+    restartTimer_.stop();
+    discard(next_);
+    discard(process_);
+    if (condition_ != Condition::failed)
+        setCondition(Condition::still);
+    emit processGone();
+}
+
+bool LiveSubdocument::mayRestart() {
+    const qint64 now = clock_.elapsed();
+    std::erase_if(restarts_, [now](qint64 at) { return now - at > minuteMs; });
+    if (restarts_.size() >= mostRestartsPerMinute)
+        return false;
+    restarts_.push_back(now);
+    return true;
+}
+
+void LiveSubdocument::processEnded(const QString& reason, bool wasAsked) {
+    discard(process_);
+    loaded_ = false;
+    reason_ = QStringLiteral("%1 %2.").arg(manifest_.name, reason);
+    const bool again = !wasAsked && !isHopeless(reason) && mayRestart();
+    setCondition(again ? Condition::starting : Condition::failed);
+    if (again)
+        restartTimer_.start(restartDelayMs);
+    else
+        emit processGone();
+}
+
+void LiveSubdocument::switchMode(Mode mode, std::function<void()> then) {
+    if (next_)
+        return;
+    mode_ = mode;
+    afterSwitch_ = std::move(then);
+    next_ = createProcess(mode);
+    connect(next_.get(), &MediumProcess::ended, this, &LiveSubdocument::nextEnded);
+    connect(next_.get(), &MediumProcess::ready, this, [this] {
+        next_->disconnect(SIGNAL(ended(QString, bool)));
+        connect(next_.get(), &MediumProcess::ended, this, &LiveSubdocument::processEnded);
+        discard(process_);
+        adopt(std::move(next_));
+        if (const auto todo = std::move(afterSwitch_))
+            todo();
+    });
+    next_->start();
+}
+
+void LiveSubdocument::nextEnded(const QString& reason) {
+    discard(next_);
+    mode_ = Mode::play;
+    emit message(QStringLiteral("%1 %2.").arg(manifest_.name, reason));
+}
+
+// --- what it says ------------------------------------------------------------------------------
+
+void LiveSubdocument::told(const ipc::ToHost& report) {
+    if (const auto* frame = std::get_if<ipc::RenditionFrame>(&report)) {
+        takeFrame(*frame);
+    } else if (const auto* time = std::get_if<ipc::TimeChanged>(&report)) {
+        time_ = *time;
+        emit timeChanged();
+    } else if (const auto* menus = std::get_if<ipc::MenuChanged>(&report)) {
+        menus_ = menus->menus;
+        emit menusChanged();
+    } else if (const auto* diagnostics = std::get_if<ipc::Diagnostics>(&report)) {
+        diagnostics_ = *diagnostics;
+        emit diagnosticsChanged();
+    } else if (std::holds_alternative<ipc::PresentationResized>(report)) {
+        askForSize();
+    } else if (const auto* unhandled = std::get_if<ipc::RenditionUnhandled>(&report)) {
+        for (Rendition* rendition : renditions_)
+            if (rendition->id() == unhandled->rendition)
+                emit rendition->unhandledInput(*unhandled);
+    } else if (const auto* cursor = std::get_if<ipc::RenditionCursor>(&report)) {
+        for (Rendition* rendition : renditions_)
+            if (rendition->id() == cursor->rendition) {
+                rendition->cursor_ = cursor->shape;
+                emit rendition->cursorChanged();
+            }
+    } else if (const auto* progress = std::get_if<ipc::ProgressReport>(&report)) {
+        emit message(QString::fromStdString(progress->message));
+    } else if (const auto* over = std::get_if<ipc::ProgressEnd>(&report)) {
+        emit message(QString::fromStdString(over->message));
+    }
+}
+
+void LiveSubdocument::takeFrame(const ipc::RenditionFrame& frame) {
+    for (Rendition* rendition : renditions_)
+        if (rendition->id() == frame.rendition) {
+            if (!rendition->take(frame))
+                process_->end(QStringLiteral("sent a picture that lies outside of its place"));
+            return;
+        }
+    // One that was on its way when its rendition was destroyed is no fault.
+}
+
+void LiveSubdocument::asked(MediumProcess& by, const ipc::Id& id, const ipc::ToHost& request) {
+    if (&by != process_.get()) {
+        by.refuse(id, {ipc::ErrorCode::notPossible, "another process serves the subdocument now"});
+    } else if (const auto* change = std::get_if<ipc::SubdocumentChanged>(&request)) {
+        applyChange(by, id, *change);
+    } else if (std::holds_alternative<ipc::EditUndo>(request)) {
+        by.answer(id, ipc::Done{});
+        emit undoRequested();
+    } else if (std::holds_alternative<ipc::EditRedo>(request)) {
+        by.answer(id, ipc::Done{});
+        emit redoRequested();
+    } else {
+        by.refuse(id, {ipc::ErrorCode::notPossible, "the host has no commands yet"});
+    }
+}
+
+// --- renditions --------------------------------------------------------------------------------
+
+std::unique_ptr<Rendition> LiveSubdocument::createRendition(const QString& presentation) {
+    auto rendition = std::unique_ptr<Rendition>(new Rendition(*this, ++lastRendition_));
+    rendition->presentation_ = presentation;
+    renditions_.push_back(rendition.get());
+    if (process_ && process_->state() == MediumProcess::State::ready && !presentations_.empty())
+        rendition->attach(process_.get());
+    return rendition;
+}
+
+void LiveSubdocument::forget(const Rendition& rendition) { std::erase(renditions_, &rendition); }
+
+QString LiveSubdocument::defaultPresentation() const {
+    return presentations_.empty() ? QStringLiteral("picture")
+                                  : QString::fromStdString(presentations_.front().id);
+}
+
+void LiveSubdocument::setAvailable(QSizeF available) {
+    if (available == available_)
+        return;
+    available_ = available;
+    if (process_ && process_->state() == MediumProcess::State::ready && loaded_)
+        askForSize();
+}
+
+void LiveSubdocument::askForSize() {
+    ipc::PresentationSize call;
+    call.presentation = defaultPresentation().toStdString();
+    call.availableWidth = std::clamp(available_.width(), 1.0, 1e6);
+    if (available_.height() >= 1)
+        call.availableHeight = available_.height();
+    process_->request(call, [this](const Outcome<ipc::PreferredSize>& outcome) {
+        const auto* size = std::get_if<ipc::PreferredSize>(&outcome);
+        if (!size || preferredSize_ == QSizeF(size->width, size->height))
+            return;
+        preferredSize_ = QSizeF(size->width, size->height);
+        emit preferredSizeChanged();
+    });
+}
+
+void LiveSubdocument::snapshot(QSize pixels, double scale, std::optional<double> time,
+                               std::function<void(Snapshot)> done) {
+    const QPointer<MediumProcess> process = process_.get();
+    if (!process || process->state() != MediumProcess::State::ready) {
+        done({{}, reason_.isEmpty() ? name() + " is not ready." : reason_});
+        return;
+    }
+    const std::optional<Slot> slot = process->frames().allocate(pixels.width(), pixels.height());
+    if (!slot) {
+        done({{}, QStringLiteral("The picture is too large.")});
+        return;
+    }
+    ipc::RenditionSnapshot call;
+    call.presentation = defaultPresentation().toStdString();
+    call.width = pixels.width();
+    call.height = pixels.height();
+    call.scale = scale;
+    call.time = time;
+    call.offset = slot->offset;
+    call.stride = slot->stride;
+    process->request(call, [process, slot, pixels, done](const Outcome<ipc::Taken>& outcome) {
+        Snapshot result;
+        if (const auto* error = std::get_if<ipc::Error>(&outcome))
+            result.error = QString::fromStdString(error->message);
+        else if (process)
+            result.picture = process->frames().picture(*slot, pixels.width(), pixels.height());
+        if (process)
+            process->frames().free(*slot);
+        done(result);
+    });
+}
+
+// --- commands ----------------------------------------------------------------------------------
+
+void LiveSubdocument::invoke(const QString& id, const Rendition* rendition) {
+    const std::string wanted = id.toStdString();
+    const auto entry = std::find_if(menus_.begin(), menus_.end(),
+                                    [&](const ipc::MenuEntry& e) { return e.id == wanted; });
+    if (entry == menus_.end())
+        return;
+    if (!process_ || process_->state() != MediumProcess::State::ready) {
+        start();
+        emit message(name() + QStringLiteral(" is starting."));
+        return;
+    }
+    ipc::MenuInvoke call;
+    call.id = wanted;
+    if (rendition && entry->scope == ipc::Scope::rendition)
+        call.rendition = rendition->id();
+    const auto tell = [this, call] {
+        process_->request(call, [this](const Outcome<ipc::Done>& outcome) {
+            if (const auto* error = std::get_if<ipc::Error>(&outcome))
+                emit message(QString::fromStdString(error->message));
+        });
+    };
+    if (entry->mode == Mode::edit && process_->mode() != Mode::edit)
+        switchMode(Mode::edit, tell);
+    else
+        tell();
+}
+
+void LiveSubdocument::play() {
+    if (process_)
+        process_->request(ipc::TimePlay{});
+}
+
+void LiveSubdocument::pause() {
+    if (process_)
+        process_->request(ipc::TimePause{});
+}
+
+void LiveSubdocument::seek(double time) {
+    if (process_ && !process_->isCongested())
+        process_->request(ipc::TimeSeek{time});
+}
+
+void LiveSubdocument::setRate(double rate, bool loop) {
+    if (process_)
+        process_->request(ipc::TimeRate{rate, loop});
+}
+
+} // namespace media

@@ -1,0 +1,151 @@
+// One subdocument of a medium, whether its process lives or not: what all views of it share.
+//
+// It holds the text (the document's, kept in step by edit()), the renditions, and what the medium
+// last said: menus, time, diagnostics. When its process fails, all of that stays, reason() says in
+// a sentence what happened, and it is started again, at most three times a minute by itself, else
+// when start() is called. An entry of its menu that needs another mode starts a second process in
+// that mode with the current text, moves the renditions there, and ends the first.
+#pragma once
+
+#include "media/manifest.h"
+#include "media/medium_process.h"
+#include "media/rendition.h"
+
+#include <QSizeF>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace media {
+
+enum class Condition {
+    still,         // no process, and none is needed now
+    starting,      // a process is on its way
+    live,          // it answers
+    notResponding, // it does not, but may again
+    failed,        // reason() says why; start() tries again
+};
+
+// An edit that the medium asks for: {} when it was applied, else why not.
+using ChangeHandler = std::function<std::optional<QString>(const ipc::SubdocumentChanged& change)>;
+
+class LiveSubdocument : public QObject {
+    Q_OBJECT
+
+public:
+    LiveSubdocument(const Manifest& manifest, QString program, PipeThread& pipes,
+                    TimeLimits limits = {}, QObject* parent = nullptr);
+    ~LiveSubdocument() override;
+
+    [[nodiscard]] const Manifest& manifest() const { return manifest_; }
+    [[nodiscard]] Condition condition() const { return condition_; }
+    [[nodiscard]] const QString& reason() const { return reason_; } // of the last failure
+    [[nodiscard]] bool hasProcess() const { return process_ || next_; }
+    [[nodiscard]] QString name() const; // what the medium calls itself, else the manifest's
+
+    // --- its text
+    void setText(const QByteArray& text); // whole: at first, and after a reload of the document
+    void edit(const std::vector<ipc::TextEdit>& edits, const QString& label);
+    [[nodiscard]] const QByteArray& text() const { return text_; }
+    void onChange(ChangeHandler handler) { changeHandler_ = std::move(handler); }
+
+    // --- its process
+    void setMode(Mode mode) { mode_ = mode; } // of the next process
+    void start();                             // if there is none; forgets past failures
+    void makeStill();                         // ends the process; pictures and menus stay
+    void setPoster(std::optional<double> time) { poster_ = time; } // the time it is first shown at
+
+    // --- its renditions
+    [[nodiscard]] std::unique_ptr<Rendition> createRendition(const QString& presentation = {});
+    [[nodiscard]] QString defaultPresentation() const;
+    [[nodiscard]] const std::vector<ipc::Presentation>& presentations() const { return presentations_; }
+    // What the medium would like, in 1/96 inch; nothing before it said so.
+    [[nodiscard]] std::optional<QSizeF> preferredSize() const { return preferredSize_; }
+    void setAvailable(QSizeF available); // what there is at most
+    struct Snapshot {
+        QImage picture;
+        QString error;
+    };
+    void snapshot(QSize pixels, double scale, std::optional<double> time,
+                  std::function<void(Snapshot)> done);
+
+    // --- its commands
+    [[nodiscard]] const std::vector<ipc::MenuEntry>& menus() const { return menus_; }
+    void invoke(const QString& id, const Rendition* rendition);
+    // Of what moves: nothing for a medium without time.
+    [[nodiscard]] const std::optional<ipc::TimeChanged>& time() const { return time_; }
+    void play();
+    void pause();
+    void seek(double time);
+    void setRate(double rate, bool loop);
+
+    [[nodiscard]] const ipc::Diagnostics& diagnostics() const { return diagnostics_; }
+    // The text is loaded and the medium has said what is wrong with it.
+    [[nodiscard]] bool hasLoaded() const { return loaded_; }
+
+    static constexpr int mostRestartsPerMinute = 3;
+
+signals:
+    void conditionChanged();
+    void menusChanged();
+    void timeChanged();
+    void diagnosticsChanged();
+    void preferredSizeChanged();
+    void loaded();
+    void undoRequested();
+    void redoRequested();
+    void message(const QString& text); // for the status line
+    void processGone();                // there is room for another one
+
+private:
+    friend class Rendition;
+    void forget(const Rendition& rendition);
+
+    [[nodiscard]] std::unique_ptr<MediumProcess> createProcess(Mode mode);
+    void begin(Mode mode);
+    void adopt(std::unique_ptr<MediumProcess> process);
+    void load();
+    void restoreTime();
+    void askForSize();
+    void told(const ipc::ToHost& report);
+    void asked(MediumProcess& by, const ipc::Id& id, const ipc::ToHost& request);
+    void takeFrame(const ipc::RenditionFrame& frame);
+    void applyChange(MediumProcess& by, const ipc::Id& id, const ipc::SubdocumentChanged& change);
+    void processEnded(const QString& reason, bool wasAsked);
+    void nextEnded(const QString& reason);
+    void switchMode(Mode mode, std::function<void()> then);
+    void discard(std::unique_ptr<MediumProcess>& process);
+    void setCondition(Condition condition);
+    [[nodiscard]] bool mayRestart();
+
+    Manifest manifest_;
+    QString program_;
+    PipeThread& pipes_;
+    TimeLimits limits_;
+    QByteArray text_;
+    ipc::Integer revision_ = 1;
+    bool applyingOwnChange_ = false;
+    ChangeHandler changeHandler_;
+    Mode mode_ = Mode::play;
+    Condition condition_ = Condition::still;
+    QString reason_;
+    std::unique_ptr<MediumProcess> process_;
+    std::unique_ptr<MediumProcess> next_; // of another mode, until it is ready
+    std::function<void()> afterSwitch_;
+    std::vector<Rendition*> renditions_;
+    ipc::Integer lastRendition_ = 0;
+    std::vector<ipc::Presentation> presentations_;
+    std::optional<QSizeF> preferredSize_;
+    QSizeF available_{640, 0};
+    std::vector<ipc::MenuEntry> menus_;
+    std::optional<ipc::TimeChanged> time_;
+    std::optional<double> poster_;
+    ipc::Diagnostics diagnostics_;
+    bool loaded_ = false;
+    QString ownName_;
+    std::vector<qint64> restarts_; // ms since the epoch of a monotonic clock
+    QElapsedTimer clock_;
+    QTimer restartTimer_;
+};
+
+} // namespace media

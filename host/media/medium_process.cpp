@@ -1,0 +1,237 @@
+#include "media/medium_process.h"
+
+#include "ipc/framing.h"
+#include "ipc/wire.h"
+
+#include <QLocale>
+
+namespace media {
+
+namespace {
+
+// What one turn of the event loop may spend on one medium's mail.
+constexpr int mostLettersPerTurn = 100;
+constexpr int mostMsPerTurn = 8;
+
+void keep(std::vector<std::string>& environment, std::initializer_list<const char*> names) {
+    for (const char* name : names)
+        if (const char* value = std::getenv(name))
+            environment.push_back(std::string(name) + '=' + value);
+}
+
+} // namespace
+
+MediumProcess::MediumProcess(const Manifest& manifest, QString program, Mode mode,
+                             PipeThread& pipes, TimeLimits limits, QObject* parent)
+    : QObject(parent), manifest_(manifest), program_(std::move(program)), mode_(mode),
+      pipes_(pipes), limits_(limits), frames_(std::make_shared<FrameMemory>()),
+      mailbox_(std::make_shared<Mailbox>(this, "readMail")) {
+    connect(&clock_, &QTimer::timeout, this, &MediumProcess::tick);
+}
+
+MediumProcess::~MediumProcess() {
+    mailbox_->detach();
+    if (link_ && state_ != State::ended)
+        pipes_.end(link_, "is no longer needed");
+}
+
+Launch MediumProcess::launchRequest() const {
+    Launch launch;
+    launch.program = program_.toStdString();
+    for (int i = 1; i < manifest_.command.size(); ++i)
+        launch.arguments.push_back(manifest_.command[i].toStdString());
+    launch.environment = {"PATH=/usr/local/bin:/usr/bin:/bin", "LANG=C.UTF-8", "LC_ALL=C.UTF-8"};
+    if (mode_ == Mode::edit)
+        keep(launch.environment, {"DISPLAY", "WAYLAND_DISPLAY", "XAUTHORITY", "XDG_RUNTIME_DIR",
+                                  "XDG_SESSION_TYPE", "XDG_CURRENT_DESKTOP", "XDG_CONFIG_HOME",
+                                  "XDG_DATA_HOME", "XDG_DATA_DIRS", "HOME", "QT_QPA_PLATFORM",
+                                  "QT_SCALE_FACTOR", "DBUS_SESSION_BUS_ADDRESS"});
+    launch.frames = frames_->descriptor();
+    return launch;
+}
+
+void MediumProcess::start() {
+    sinceStart_.start();
+    if (program_.isEmpty()) {
+        // Told later, as every other end is: who starts a medium may still be setting things up.
+        QMetaObject::invokeMethod(
+            this,
+            [this] {
+                finish(QStringLiteral("could not be started: there is no program \"%1\"")
+                           .arg(manifest_.command.first()));
+            },
+            Qt::QueuedConnection);
+        return;
+    }
+    link_ = pipes_.start(launchRequest(), mailbox_);
+    clock_.start(std::min({limits_.pingEvery, limits_.quiet, limits_.shutdown}) / 2 + 1);
+    introduce();
+}
+
+void MediumProcess::introduce() {
+    ipc::Initialize call;
+    call.oldest = manifest_.protocolMin;
+    call.newest = std::min(manifest_.protocolMax, 1);
+    call.documentClass = manifest_.documentClass.toStdString();
+    call.mode = mode_;
+    if (frames_->isValid())
+        call.frames = ipc::SharedMemory{framesDescriptor, FrameMemory::capacity};
+    call.locale = QLocale().name().toStdString();
+    request(call, [this](Outcome<ipc::Initialized> outcome) {
+        if (state_ != State::starting)
+            return;
+        if (const auto* error = std::get_if<ipc::Error>(&outcome)) {
+            end(QStringLiteral("refused to begin: ") + QString::fromStdString(error->message));
+            return;
+        }
+        introduction_ = std::get<ipc::Initialized>(std::move(outcome));
+        state_ = State::ready;
+        sincePong_.start();
+        emit ready();
+    });
+}
+
+void MediumProcess::ask(const ipc::ToMedium& call, std::function<void(AnyOutcome)> done) {
+    if (state_ == State::ended) {
+        done(ipc::Error(ipc::ErrorCode::closed, "the medium has ended"));
+        return;
+    }
+    const ipc::Integer id = ++lastId_;
+    waiting_[id] = {std::move(done)};
+    mailbox_->await(id, call.index());
+    send(ipc::encodeRequest(id, call));
+}
+
+void MediumProcess::notify(const ipc::ToMedium& notification) {
+    if (state_ != State::ended)
+        send(ipc::encodeNotification(notification));
+}
+
+void MediumProcess::answer(const ipc::Id& id, const ipc::AnyResult& result) {
+    send(ipc::encodeAnswer(id, result));
+}
+
+void MediumProcess::refuse(const ipc::Id& id, const ipc::Error& error) {
+    send(ipc::encodeError(id, error));
+}
+
+void MediumProcess::send(const std::string& body) {
+    if (link_ && !pipes_.send(link_, ipc::framed(body)))
+        end(QStringLiteral("does not read what it is sent"));
+}
+
+bool MediumProcess::isCongested() const {
+    constexpr std::size_t many = 16;
+    return link_ && pipes_.unsent(link_) > many;
+}
+
+void MediumProcess::readMail() {
+    QElapsedTimer turn;
+    turn.start();
+    Letter letter;
+    for (int count = 0; mailbox_->take(letter); ++count) {
+        read(letter);
+        if (count >= mostLettersPerTurn || turn.elapsed() >= mostMsPerTurn) {
+            mailbox_->ring();
+            return;
+        }
+    }
+}
+
+void MediumProcess::read(Letter& letter) {
+    switch (letter.kind) {
+    case Letter::Kind::started:
+        break;
+    case Letter::Kind::log:
+        log_ = QString::fromUtf8(letter.text.c_str());
+        break;
+    case Letter::Kind::ended:
+        finish(QString::fromStdString(letter.text));
+        break;
+    case Letter::Kind::message:
+        if (state_ != State::ended)
+            readMessage(letter.message);
+        break;
+    }
+}
+
+void MediumProcess::readMessage(ipc::Decoded<ipc::ToHost>& message) {
+    if (const auto* report = std::get_if<ipc::Told<ipc::ToHost>>(&message)) {
+        emit told(report->call);
+    } else if (const auto* request = std::get_if<ipc::Asked<ipc::ToHost>>(&message)) {
+        emit asked(request->id, request->call);
+    } else if (const auto* wrong = std::get_if<ipc::Unanswerable>(&message)) {
+        refuse(wrong->id, wrong->error);
+    } else if (auto* answered = std::get_if<ipc::Answered>(&message)) {
+        const auto found = waiting_.find(answered->id);
+        if (found == waiting_.end())
+            return;
+        const auto done = std::move(found->second.done);
+        waiting_.erase(found);
+        done(std::move(answered->outcome));
+    }
+}
+
+void MediumProcess::ping() {
+    sincePing_.start();
+    request(ipc::Ping{}, [this](const Outcome<ipc::Done>&) {
+        sincePing_.invalidate();
+        sincePong_.start();
+        if (!responding_) {
+            responding_ = true;
+            emit respondingChanged();
+        }
+    });
+}
+
+// LIMIT: a process that is being debugged by its author is ended like one that hangs.
+void MediumProcess::tick() {
+    if (state_ == State::starting && sinceStart_.hasExpired(limits_.initialize)) {
+        end(QStringLiteral("did not answer within %1 s of its start").arg(limits_.initialize / 1e3));
+    } else if (state_ == State::closing && sinceShutdown_.hasExpired(limits_.shutdown)) {
+        end(QStringLiteral("did not end when asked to"));
+    } else if (state_ == State::ready && !sincePing_.isValid()) {
+        if (sincePong_.hasExpired(limits_.pingEvery))
+            ping();
+    } else if (state_ == State::ready && sincePing_.hasExpired(limits_.hung)) {
+        end(QStringLiteral("did not respond for %1 s").arg(limits_.hung / 1e3));
+    } else if (state_ == State::ready && responding_ && sincePing_.hasExpired(limits_.quiet)) {
+        responding_ = false;
+        emit respondingChanged();
+    }
+}
+
+void MediumProcess::shutdown() {
+    if (state_ == State::ended || state_ == State::closing)
+        return;
+    askedToEnd_ = true;
+    if (state_ == State::starting) {
+        end(QStringLiteral("is no longer needed"));
+        return;
+    }
+    state_ = State::closing;
+    sinceShutdown_.start();
+    request(ipc::Shutdown{}, [this](const Outcome<ipc::Done>&) { notify(ipc::Exit{}); });
+}
+
+void MediumProcess::end(const QString& why) {
+    if (state_ == State::ended)
+        return;
+    if (link_)
+        pipes_.end(link_, why.toStdString());
+    finish(why);
+}
+
+void MediumProcess::finish(const QString& reason) {
+    if (state_ == State::ended)
+        return;
+    state_ = State::ended;
+    clock_.stop();
+    auto waiting = std::move(waiting_);
+    waiting_.clear();
+    for (auto& [id, request] : waiting)
+        request.done(ipc::Error(ipc::ErrorCode::closed, "the medium " + reason.toStdString()));
+    emit ended(reason, askedToEnd_);
+}
+
+} // namespace media

@@ -1,0 +1,350 @@
+#include "media/pipe_thread.h"
+
+#include "ipc/framing.h"
+#include "ipc/wire.h"
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <map>
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+namespace media {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// What a medium may leave unread: its longest text and a thousand messages besides.
+constexpr std::size_t mostUnsentBytes = std::size_t{80} << 20;
+constexpr std::size_t mostUnsentMessages = 1000;
+constexpr std::size_t mostLog = 4096;
+// A process that closed its output is about to end: its exit code is worth this wait.
+constexpr std::chrono::milliseconds graceAfterEof{300};
+
+struct Request {
+    enum class Kind { start, send, end } kind = Kind::send;
+    PipeThread::Link link = 0;
+    Launch launch;
+    std::shared_ptr<Mailbox> mailbox;
+    std::string text;
+};
+
+void closeOnce(int& descriptor) {
+    if (descriptor >= 0)
+        close(descriptor);
+    descriptor = -1;
+}
+
+} // namespace
+
+struct PipeThread::Shared {
+    mutable std::mutex mutex;
+    std::vector<Request> requests;
+    struct Unsent {
+        std::size_t bytes = 0, messages = 0;
+    };
+    std::map<Link, Unsent> unsent; // of the links that are open
+    Link last = 0;
+    int alive = 0;
+    bool stop = false;
+    int wake = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+
+    ~Shared() { close(wake); }
+    void ring() const {
+        const std::uint64_t one = 1;
+        static_cast<void>(!write(wake, &one, sizeof one));
+    }
+};
+
+// One medium, as the pipe thread sees it.
+struct Pipe {
+    Launched ends;
+    std::shared_ptr<Mailbox> mailbox;
+    ipc::FrameDecoder decoder;
+    std::deque<std::string> toSend;
+    std::size_t sent = 0; // of the first of them
+    std::string log;
+    std::optional<Clock::time_point> deadline;
+    std::string closing; // why it is being ended by us; empty: it ended itself
+};
+
+class PipeThread::Loop {
+public:
+    explicit Loop(std::shared_ptr<Shared> shared) : shared_(std::move(shared)) {}
+
+    void run() {
+        while (takeRequests()) {
+            wait();
+            for (auto next = pipes_.begin(); next != pipes_.end();) {
+                const auto here = next++;
+                if (isOver(here->second))
+                    finish(here);
+            }
+        }
+        while (!pipes_.empty()) {
+            pipes_.begin()->second.closing = "the program ends";
+            finish(pipes_.begin());
+        }
+    }
+
+private:
+    using Pipes = std::map<Link, Pipe>;
+
+    bool takeRequests() {
+        std::vector<Request> requests;
+        {
+            const std::lock_guard lock(shared_->mutex);
+            requests.swap(shared_->requests);
+            if (shared_->stop)
+                return false;
+        }
+        for (Request& request : requests)
+            obey(request);
+        return true;
+    }
+
+    void obey(Request& request) {
+        if (request.kind == Request::Kind::start) {
+            startPipe(request);
+            return;
+        }
+        const auto found = pipes_.find(request.link);
+        if (found == pipes_.end())
+            return;
+        if (request.kind == Request::Kind::end) {
+            found->second.closing = request.text;
+            finish(found);
+            return;
+        }
+        found->second.toSend.push_back(std::move(request.text));
+        writeTo(found->first, found->second);
+    }
+
+    void startPipe(Request& request) {
+        Pipe pipe;
+        pipe.mailbox = request.mailbox;
+        pipe.ends = launch(request.launch);
+        if (pipe.ends.process < 0) {
+            forget(request.link);
+            pipe.mailbox->pushAlways({Letter::Kind::ended, ipc::Ignored{}, pipe.ends.error, 0});
+            return;
+        }
+        {
+            const std::lock_guard lock(shared_->mutex);
+            ++shared_->alive;
+        }
+        pipe.mailbox->pushAlways({Letter::Kind::started, ipc::Ignored{}, {}, 0});
+        pipes_.emplace(request.link, std::move(pipe));
+    }
+
+    void wait() {
+        std::vector<pollfd> polled{{shared_->wake, POLLIN, 0}};
+        std::vector<std::pair<Link, int Launched::*>> whose{{0, nullptr}};
+        int timeout = -1;
+        for (auto& [link, pipe] : pipes_) {
+            const auto add = [&, id = link](int Launched::* end, short events) {
+                if (pipe.ends.*end >= 0) {
+                    polled.push_back({pipe.ends.*end, events, 0});
+                    whose.emplace_back(id, end);
+                }
+            };
+            add(&Launched::fromMedium, POLLIN);
+            add(&Launched::log, POLLIN);
+            add(&Launched::processDescriptor, POLLIN);
+            if (!pipe.toSend.empty())
+                add(&Launched::toMedium, POLLOUT);
+            if (pipe.deadline)
+                timeout = static_cast<int>(graceAfterEof.count());
+        }
+        if (poll(polled.data(), polled.size(), timeout) <= 0)
+            return;
+        if (polled[0].revents) {
+            std::uint64_t count = 0;
+            static_cast<void>(!read(shared_->wake, &count, sizeof count));
+        }
+        for (std::size_t i = 1; i < polled.size(); ++i)
+            if (polled[i].revents)
+                serve(whose[i].first, whose[i].second);
+    }
+
+    void serve(Link link, int Launched::* end) {
+        Pipe& pipe = pipes_.at(link);
+        if (end == &Launched::fromMedium)
+            readFrom(pipe);
+        else if (end == &Launched::log)
+            readLog(pipe);
+        else if (end == &Launched::toMedium)
+            writeTo(link, pipe);
+        else if (!pipe.deadline) { // it ended: what it still said comes first
+            readAll(pipe);
+            readLog(pipe);
+            pipe.deadline = Clock::now();
+        }
+    }
+
+    void readAll(Pipe& pipe) {
+        for (int turn = 0; turn < 32 && pipe.ends.fromMedium >= 0; ++turn)
+            readFrom(pipe);
+    }
+
+    void readFrom(Pipe& pipe) {
+        std::array<char, 65536> buffer;
+        const ssize_t count = read(pipe.ends.fromMedium, buffer.data(), buffer.size());
+        if (count > 0) {
+            std::deque<std::string> bodies;
+            pipe.decoder.feed({buffer.data(), static_cast<std::size_t>(count)}, bodies);
+            for (std::string& body : bodies)
+                if (pipe.closing.empty())
+                    deliver(pipe, body);
+            if (pipe.closing.empty() && !pipe.decoder.fault().empty())
+                pipe.closing = "sent what is not the protocol: " + pipe.decoder.fault();
+        } else if (count == 0 || (errno != EAGAIN && errno != EINTR)) {
+            closeOnce(pipe.ends.fromMedium);
+            if (!pipe.deadline)
+                pipe.deadline = Clock::now() + graceAfterEof;
+        }
+    }
+
+    void deliver(Pipe& pipe, std::string& body) {
+        Letter letter;
+        letter.bytes = body.size();
+        letter.message = ipc::decodeForHost(
+            body, [&](ipc::Integer id) { return pipe.mailbox->awaited(id); });
+        if (const auto* violation = std::get_if<ipc::Violation>(&letter.message))
+            pipe.closing = "sent what is not the protocol: " + violation->sentence;
+        else if (!pipe.mailbox->push(std::move(letter)))
+            pipe.closing = "sent more than can be read (a flood)";
+    }
+
+    void readLog(Pipe& pipe) {
+        std::array<char, 4096> buffer;
+        const ssize_t count = read(pipe.ends.log, buffer.data(), buffer.size());
+        if (count > 0) {
+            pipe.log.append(buffer.data(), static_cast<std::size_t>(count));
+            if (pipe.log.size() > mostLog)
+                pipe.log.erase(0, pipe.log.size() - mostLog);
+        } else if (count == 0 || (errno != EAGAIN && errno != EINTR)) {
+            closeOnce(pipe.ends.log);
+        }
+    }
+
+    void writeTo(Link link, Pipe& pipe) {
+        std::size_t bytes = 0, messages = 0;
+        while (!pipe.toSend.empty() && pipe.ends.toMedium >= 0) {
+            const std::string& first = pipe.toSend.front();
+            const ssize_t count =
+                write(pipe.ends.toMedium, first.data() + pipe.sent, first.size() - pipe.sent);
+            if (count < 0 && errno != EINTR) {
+                if (errno != EAGAIN) // EPIPE: it ends, and says so by its other descriptors
+                    closeOnce(pipe.ends.toMedium);
+                break;
+            }
+            pipe.sent += count > 0 ? static_cast<std::size_t>(count) : 0;
+            if (pipe.sent == first.size()) {
+                bytes += first.size();
+                ++messages;
+                pipe.toSend.pop_front();
+                pipe.sent = 0;
+            }
+        }
+        const std::lock_guard lock(shared_->mutex);
+        auto& unsent = shared_->unsent[link];
+        unsent.bytes -= bytes;
+        unsent.messages -= messages;
+    }
+
+    static bool isOver(const Pipe& pipe) {
+        return !pipe.closing.empty() || (pipe.deadline && Clock::now() >= *pipe.deadline);
+    }
+
+    void forget(Link link) {
+        const std::lock_guard lock(shared_->mutex);
+        shared_->unsent.erase(link);
+    }
+
+    void finish(Pipes::iterator at) {
+        Pipe& pipe = at->second;
+        const int status = endAndReap(pipe.ends.process);
+        readLog(pipe);
+        for (int Launched::* end : {&Launched::toMedium, &Launched::fromMedium, &Launched::log,
+                                    &Launched::processDescriptor})
+            closeOnce(pipe.ends.*end);
+        forget(at->first);
+        {
+            const std::lock_guard lock(shared_->mutex);
+            --shared_->alive;
+        }
+        if (!pipe.log.empty())
+            pipe.mailbox->pushAlways({Letter::Kind::log, ipc::Ignored{}, pipe.log, 0});
+        pipe.mailbox->pushAlways(
+            {Letter::Kind::ended, ipc::Ignored{}, pipe.closing.empty() ? describeEnd(status) : pipe.closing, 0});
+        pipes_.erase(at);
+    }
+
+    std::shared_ptr<Shared> shared_;
+    Pipes pipes_;
+};
+
+PipeThread::PipeThread() : shared_(std::make_shared<Shared>()) {
+    std::signal(SIGPIPE, SIG_IGN); // a medium that died is an error of write(), not our end
+    thread_ = std::thread([shared = shared_] { Loop(shared).run(); });
+}
+
+PipeThread::~PipeThread() {
+    departing_.reset();
+    {
+        const std::lock_guard lock(shared_->mutex);
+        shared_->stop = true;
+    }
+    shared_->ring();
+    thread_.join();
+}
+
+PipeThread::Link PipeThread::start(Launch launch, std::shared_ptr<Mailbox> mailbox) {
+    const std::lock_guard lock(shared_->mutex);
+    const Link link = ++shared_->last;
+    shared_->unsent[link] = {};
+    shared_->requests.push_back(
+        {Request::Kind::start, link, std::move(launch), std::move(mailbox), {}});
+    shared_->ring();
+    return link;
+}
+
+bool PipeThread::send(Link link, std::string framed) {
+    const std::lock_guard lock(shared_->mutex);
+    const auto found = shared_->unsent.find(link);
+    if (found == shared_->unsent.end())
+        return true; // its mailbox says that it has ended
+    Shared::Unsent& unsent = found->second;
+    if (unsent.messages >= mostUnsentMessages || unsent.bytes + framed.size() > mostUnsentBytes)
+        return false;
+    unsent.bytes += framed.size();
+    ++unsent.messages;
+    shared_->requests.push_back({Request::Kind::send, link, {}, {}, std::move(framed)});
+    shared_->ring();
+    return true;
+}
+
+std::size_t PipeThread::unsent(Link link) const {
+    const std::lock_guard lock(shared_->mutex);
+    const auto found = shared_->unsent.find(link);
+    return found == shared_->unsent.end() ? 0 : found->second.messages;
+}
+
+void PipeThread::end(Link link, std::string why) {
+    const std::lock_guard lock(shared_->mutex);
+    shared_->requests.push_back({Request::Kind::end, link, {}, {}, std::move(why)});
+    shared_->ring();
+}
+
+int PipeThread::alive() const {
+    const std::lock_guard lock(shared_->mutex);
+    return shared_->alive;
+}
+
+} // namespace media

@@ -1,0 +1,48 @@
+// Who reads and writes the pipes of all media, and who is their parent?
+// One thread for all of them, which lives as long as the program: media are launched from it (their
+// death is tied to it), their bytes are split into messages and parsed in it, and what they send
+// reaches the interface thread through mailboxes. So the interface thread never waits for a medium,
+// not even for its start, and never parses what a medium sent.
+#pragma once
+
+#include "media/launcher.h"
+#include "media/mailbox.h"
+
+#include <cstdint>
+#include <memory>
+#include <thread>
+#include <vector>
+
+namespace media {
+
+class PipeThread {
+public:
+    using Link = std::uint64_t;
+
+    PipeThread();
+    ~PipeThread(); // ends every medium
+    PipeThread(const PipeThread&) = delete;
+    PipeThread& operator=(const PipeThread&) = delete;
+
+    // Starts a medium; `frames` must stay open until the mailbox says `started` or `ended`.
+    [[nodiscard]] Link start(Launch launch, std::shared_ptr<Mailbox> mailbox);
+    // False when so much is unsent that the medium obviously does not read.
+    [[nodiscard]] bool send(Link link, std::string framed);
+    [[nodiscard]] std::size_t unsent(Link link) const; // messages
+    // Ends it now. Its mailbox gets `ended` with `why`.
+    void end(Link link, std::string why);
+
+    // The parent of processes that were asked to end and that nobody waits for.
+    [[nodiscard]] QObject& departing() { return *departing_; }
+    // Processes that have been started and not yet been reaped.
+    [[nodiscard]] int alive() const;
+
+private:
+    struct Shared;
+    class Loop;
+    std::shared_ptr<Shared> shared_;
+    std::thread thread_;
+    std::unique_ptr<QObject> departing_ = std::make_unique<QObject>();
+};
+
+} // namespace media

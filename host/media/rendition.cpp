@@ -1,0 +1,142 @@
+#include "media/rendition.h"
+
+#include "media/live_subdocument.h"
+#include "media/medium_process.h"
+
+namespace media {
+
+Rendition::Rendition(LiveSubdocument& subdocument, ipc::Integer id)
+    : subdocument_(subdocument), id_(id) {}
+
+Rendition::~Rendition() {
+    if (process_) {
+        process_->request(ipc::RenditionDestroy{id_});
+        takeSlots({});
+    }
+    subdocument_.forget(*this);
+}
+
+void Rendition::setPresentation(const QString& presentation) {
+    if (presentation == presentation_)
+        return;
+    presentation_ = presentation;
+    if (process_)
+        sendGeometry(false);
+}
+
+void Rendition::setGeometry(QSize pixels, double scale) {
+    pixels = pixels.expandedTo({1, 1}).boundedTo({8192, 8192});
+    if (pixels == pixels_ && scale == scale_)
+        return;
+    pixels_ = pixels;
+    scale_ = scale;
+    if (process_)
+        sendGeometry(false);
+}
+
+void Rendition::setShown(bool shown) {
+    if (shown == shown_)
+        return;
+    shown_ = shown;
+    if (!process_)
+        return;
+    if (shown)
+        process_->notify(ipc::RenditionShow{id_});
+    else
+        process_->notify(ipc::RenditionHide{id_});
+    if (!shown)
+        painted(); // nobody will, and the medium must not wait for it
+}
+
+void Rendition::painted() {
+    if (!unpainted_)
+        return;
+    unpainted_ = false;
+    if (process_)
+        process_->notify(ipc::RenditionAck{id_, lastSerial_});
+}
+
+void Rendition::input(ipc::Input input) {
+    if (!process_ || (input.type == ipc::InputType::move && process_->isCongested()))
+        return;
+    input.rendition = id_;
+    process_->notify(ipc::RenditionInput{input});
+}
+
+void Rendition::attach(MediumProcess* process) {
+    slots_.clear(); // they went with the memory of the process before
+    unpainted_ = false;
+    process_ = process;
+    if (!process_)
+        return;
+    sendGeometry(true);
+    if (shown_)
+        process_->notify(ipc::RenditionShow{id_});
+}
+
+void Rendition::sendGeometry(bool create) {
+    ipc::RenditionGeometry geometry;
+    geometry.rendition = id_;
+    geometry.presentation =
+        (presentation_.isEmpty() ? subdocument_.defaultPresentation() : presentation_).toStdString();
+    geometry.width = pixels_.width();
+    geometry.height = pixels_.height();
+    geometry.scale = scale_;
+    std::vector<Slot> slots;
+    for (int i = 0; i < 2; ++i)
+        if (const auto slot = process_->frames().allocate(pixels_.width(), pixels_.height()))
+            slots.push_back(*slot);
+    if (slots.size() < 2) { // LIMIT: without room in the shared memory its pictures come by the pipe
+        for (const Slot& slot : slots)
+            process_->frames().free(slot);
+        slots.clear();
+    }
+    for (const Slot& slot : slots)
+        geometry.slots.push_back({slot.offset, slot.stride});
+    // Frames that came before the answer were drawn into the slots of before.
+    const auto done = [guard = QPointer(this), process = process_, slots](const auto& outcome) {
+        if (guard && guard->process_ == process && std::holds_alternative<ipc::Done>(outcome))
+            guard->takeSlots(slots);
+        else if (process)
+            for (const Slot& slot : slots)
+                process->frames().free(slot);
+    };
+    if (create)
+        process_->request(ipc::RenditionCreate{geometry}, done);
+    else
+        process_->request(ipc::RenditionResize{geometry}, done);
+}
+
+void Rendition::takeSlots(std::vector<Slot> slots) {
+    for (const Slot& slot : slots_)
+        process_->frames().free(slot);
+    slots_ = std::move(slots);
+}
+
+QImage Rendition::decoded(const ipc::RenditionFrame& frame) const {
+    const QByteArray bytes = QByteArray::fromBase64(QByteArray::fromStdString(*frame.pixels));
+    const QImage image(reinterpret_cast<const uchar*>(bytes.constData()),
+                       static_cast<int>(frame.width), static_cast<int>(frame.height),
+                       static_cast<qsizetype>(frame.width) * 4, QImage::Format_RGB32);
+    return bytes.size() == frame.width * frame.height * 4 ? image.copy() : QImage();
+}
+
+bool Rendition::take(const ipc::RenditionFrame& frame) {
+    QImage picture;
+    if (frame.pixels)
+        picture = decoded(frame);
+    else if (frame.slot >= 0 && frame.slot < static_cast<ipc::Integer>(slots_.size()))
+        picture = process_->frames().picture(slots_[static_cast<std::size_t>(frame.slot)],
+                                             frame.width, frame.height);
+    if (picture.isNull())
+        return false;
+    picture_ = picture;
+    lastSerial_ = frame.serial;
+    unpainted_ = true;
+    if (!shown_)
+        painted();
+    emit pictureChanged();
+    return true;
+}
+
+} // namespace media

@@ -1,0 +1,361 @@
+#!/usr/bin/env python3
+"""A medium that behaves, or misbehaves, as it is told: what the host's tests start.
+
+usage: scripted_medium.py [BEHAVIOUR]
+
+The text of its subdocument is lines of `WORD VALUES`:
+  colour RRGGBB        what it draws, with a moving bar when it has a duration
+  size W H             the size that it would like
+  duration S           it has time, from 0 to S
+  fault LINE COLUMN SENTENCE
+  behave BEHAVIOUR     as the argument, from the moment that the text is loaded
+  change TEXT          asks the host to append TEXT to the subdocument, once
+
+Behaviours: normal, exit (at once), crash (a signal), crash-after S, hang (stops answering), stop (stops itself
+by SIGSTOP), busy (computes, never reads), flood, garbage, truncated, slow MS (per answer), oversize,
+wrong-version, silent (no answer to initialize), stay (ignores shutdown and the end of its input),
+child (leaves a process behind), bad-frame (a frame outside of its slot), bad-reply (an answer to nothing),
+deaf (reads nothing more).
+"""
+import base64
+import json
+import mmap
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+out = sys.stdout.buffer
+lock = threading.Lock()
+
+
+def send(message):
+    message["jsonrpc"] = "2.0"
+    body = json.dumps(message).encode()
+    with lock:
+        out.write(b"Content-Length: %d\r\n\r\n" % len(body) + body)
+        out.flush()
+
+
+def notify(method, **params):
+    send({"method": method, "params": params})
+
+
+def receive():
+    length = None
+    while True:
+        line = sys.stdin.buffer.readline()
+        if not line:
+            return None
+        line = line.strip()
+        if not line:
+            break
+        name, _, value = line.partition(b":")
+        if name.lower() == b"content-length":
+            length = int(value)
+    body = sys.stdin.buffer.read(length)
+    return json.loads(body)
+
+
+class Medium:
+    def __init__(self):
+        self.frames = None
+        self.renditions = {}
+        self.text, self.revision = "", 0
+        self.colour, self.size, self.duration = (0x30, 0x60, 0xA0), (320, 200), 0.0
+        self.time, self.playing, self.rate, self.loop = 0.0, False, 1.0, False
+        self.handles = False
+        self.stay = False
+        self.slow = 0.0
+        self.serial = 0
+        self.mode = "play"
+        self.state = threading.RLock()
+
+    # --- behaviour -----------------------------------------------------------------------------
+
+    def behave(self, words):
+        what, rest = words[0], words[1:]
+        if what == "exit":
+            os._exit(3)
+        elif what == "crash":
+            os.kill(os.getpid(), signal.SIGSEGV)
+        elif what == "crash-after":
+            timer = threading.Timer(float(rest[0]), lambda: os.kill(os.getpid(), signal.SIGSEGV))
+            timer.daemon = True
+            timer.start()
+        elif what == "hang" or what == "deaf":
+            while True:
+                time.sleep(100)
+        elif what == "stop":
+            os.kill(os.getpid(), signal.SIGSTOP)
+        elif what == "busy":
+            while True:
+                pass
+        elif what == "flood":
+            while True:
+                notify("time/changed", time=0, playing=False, rate=1, loop=False, start=0, finish=1, computed=1, predictable=None, state="current")
+        elif what == "garbage":
+            with lock:
+                out.write(os.urandom(4096))
+                out.flush()
+        elif what == "truncated":
+            with lock:
+                out.write(b"Content-Length: 100\r\n\r\n{\"jsonrpc\":")
+                out.flush()
+            os._exit(0)
+        elif what == "oversize":
+            with lock:
+                out.write(b"Content-Length: 99999999999999\r\n\r\n")
+                out.flush()
+        elif what == "slow":
+            self.slow = float(rest[0]) / 1000
+        elif what == "stay":
+            self.stay = True
+        elif what == "child":
+            subprocess.Popen(["sleep", "1000"])
+        elif what == "bad-frame":
+            for rendition in self.renditions:
+                notify("rendition/frame", rendition=rendition, slot=1, serial=10 ** 6, width=16000, height=16000, time=0)
+        elif what == "bad-reply":
+            send({"id": 987654, "result": {}})
+
+    # --- text ----------------------------------------------------------------------------------
+
+    def read_text(self):
+        faults, pending, changes = [], [], []
+        for number, line in enumerate(self.text.split("\n"), 1):
+            words = line.split()
+            if not words:
+                continue
+            if words[0] == "colour":
+                value = int(words[1], 16)
+                self.colour = (value >> 16, value >> 8 & 255, value & 255)
+            elif words[0] == "size":
+                self.size = (int(words[1]), int(words[2]))
+            elif words[0] == "duration":
+                self.duration = float(words[1])
+            elif words[0] == "fault":
+                faults.append({"severity": "error", "line": int(words[1]), "column": int(words[2]), "endLine": int(words[1]),
+                               "endColumn": int(words[2]) + 1, "message": " ".join(words[3:])})
+            elif words[0] == "behave":
+                pending.append(words[1:])
+            elif words[0] == "change":
+                changes.append(" ".join(words[1:]))
+            else:
+                faults.append({"severity": "error", "line": number, "column": 1, "endLine": number,
+                               "endColumn": 1 + len(words[0]), "message": 'unknown word "%s"' % words[0]})
+        notify("diagnostics", revision=self.revision, items=faults)
+        self.tell_time()
+        for words in pending:
+            self.behave(words)
+        return changes
+
+    def tell_time(self):
+        if self.duration > 0:
+            notify("time/changed", time=self.time, playing=self.playing, rate=self.rate, loop=self.loop, start=0.0,
+                   finish=self.duration, computed=self.duration, predictable=None, state="current")
+
+    # --- pictures ------------------------------------------------------------------------------
+
+    def pixels(self, width, height, at):
+        r, g, b = self.colour
+        row = bytearray(bytes((b, g, r, 255)) * width)
+        if self.duration > 0:
+            x = int((width - 8) * min(1.0, at / self.duration))
+            row[4 * x:4 * (x + 8)] = b"\xff\xff\xff\xff" * 8
+        return bytes(row)
+
+    def write(self, offset, stride, width, height, at):
+        row = self.pixels(width, height, at)
+        for y in range(height):
+            self.frames[offset + y * stride:offset + y * stride + 4 * width] = row
+
+    def draw(self, rendition):
+        r = self.renditions.get(rendition)
+        if not r or not r["shown"] or len(r["unacked"]) >= 2:
+            return
+        self.serial += 1
+        slot = r["next"]
+        r["next"] = 1 - slot
+        r["unacked"].append(self.serial)
+        width, height = r["width"], r["height"]
+        message = dict(rendition=rendition, slot=slot, serial=self.serial, width=width, height=height, time=self.time)
+        if self.frames is not None and r.get("slots"):
+            place = r["slots"][slot]
+            self.write(place["offset"], place["stride"], width, height, self.time)
+        else:
+            message["pixels"] = base64.b64encode(self.pixels(width, height, self.time) * height).decode()
+        notify("rendition/frame", **message)
+
+    def draw_all(self):
+        for rendition in list(self.renditions):
+            self.draw(rendition)
+
+    def play_loop(self):
+        last = time.monotonic()
+        while True:
+            time.sleep(0.03)
+            now = time.monotonic()
+            with self.state:
+                if self.playing:
+                    self.time += (now - last) * self.rate
+                    if self.time >= self.duration:
+                        self.time = 0.0 if self.loop else self.duration
+                        self.playing = self.loop
+                    self.tell_time()
+                    self.draw_all()
+            last = now
+
+    # --- messages ------------------------------------------------------------------------------
+
+    def menus(self):
+        return [
+            {"id": "play", "label": "Play", "enabled": self.duration > 0, "scope": "subdocument", "group": "", "icon": "media-playback-start"},
+            {"id": "handles", "label": "Show Handles", "checkable": True, "checked": self.handles, "enabled": True, "scope": "rendition"},
+            {"id": "crash", "label": "Crash", "enabled": True, "scope": "subdocument"},
+            {"id": "editor", "label": "Open Editor", "enabled": True, "scope": "subdocument", "mode": "edit"},
+        ]
+
+    def answer(self, method, p):
+        if method == "initialize":
+            if p.get("frames"):
+                self.frames = mmap.mmap(p["frames"]["fd"], p["frames"]["bytes"])
+            self.mode = p["mode"]
+            return {"protocol": 1, "name": "Scripted", "version": "1", "capabilities": ["time"], "menus": self.menus()}
+        if method == "subdocument/load" or method == "subdocument/edit":
+            if method == "subdocument/load":
+                self.text = p["text"]
+            else:
+                data = self.text.encode()
+                for e in reversed(p["edits"]):
+                    data = data[:e["from"]] + e["text"].encode() + data[e["to"]:]
+                self.text = data.decode()
+            self.revision = p["revision"]
+            changes = self.read_text()
+            self.draw_all()
+            if method == "subdocument/load":
+                end = len(self.text.encode())
+                for change in changes:
+                    send({"id": 1, "method": "subdocument/changed", "params": {"base": self.revision, "label": "Append", "edits": [
+                        {"from": end, "to": end, "text": change}]}})
+            return {}
+        if method == "presentation/list":
+            return [{"id": "picture", "label": "Picture"}, {"id": "source", "label": "Source text"}]
+        if method == "presentation/size":
+            return {"width": self.size[0], "height": self.size[1]}
+        if method in ("rendition/create", "rendition/resize"):
+            old = self.renditions.get(p["rendition"], {"shown": False})
+            self.renditions[p["rendition"]] = {"width": p["width"], "height": p["height"], "slots": p.get("slots"), "next": 0,
+                                               "unacked": [], "shown": old["shown"]}
+            self.after = lambda: self.draw(p["rendition"])
+            return {}
+        if method == "rendition/destroy":
+            self.renditions.pop(p["rendition"], None)
+            return {}
+        if method == "rendition/snapshot":
+            at = self.time if p.get("time") is None else p["time"]
+            if p.get("offset") is None:
+                return {"time": at, "pixels": base64.b64encode(self.pixels(p["width"], p["height"], at) * p["height"]).decode()}
+            self.write(p["offset"], p["stride"], p["width"], p["height"], at)
+            return {"time": at}
+        if method == "menu/invoke":
+            if p["id"] == "crash":
+                self.behave(["crash"])
+            if p["id"] == "play":
+                self.playing = True
+            if p["id"] == "handles":
+                self.handles = not self.handles
+                notify("menu/changed", menus=self.menus())
+            return {}
+        if method == "time/play":
+            self.playing = True
+            self.tell_time()
+            return {}
+        if method == "time/pause":
+            self.playing = False
+            self.tell_time()
+            return {}
+        if method == "time/seek":
+            self.time = min(max(p["time"], 0.0), self.duration)
+            self.tell_time()
+            self.draw_all()
+            return {}
+        if method == "time/rate":
+            self.rate, self.loop = p["rate"], p.get("loop", False)
+            self.tell_time()
+            return {}
+        if method in ("ping", "shutdown"):
+            return {}
+        return None
+
+    def notified(self, method, p):
+        if method == "rendition/show":
+            if p["rendition"] in self.renditions:
+                self.renditions[p["rendition"]]["shown"] = True
+                self.draw(p["rendition"])
+        elif method == "rendition/hide":
+            if p["rendition"] in self.renditions:
+                self.renditions[p["rendition"]]["shown"] = False
+        elif method == "rendition/ack":
+            r = self.renditions.get(p["rendition"])
+            if r:
+                r["unacked"] = [s for s in r["unacked"] if s > p["serial"]]
+        elif method == "rendition/input":
+            if p["type"] == "key-press" and p.get("key") != " ":
+                notify("rendition/unhandled", **p)
+        elif method == "exit":
+            if not self.stay:
+                os._exit(0)
+
+    def handle(self, message):
+        method, params = message.get("method"), message.get("params") or {}
+        if method is None:
+            return
+        if "id" not in message:
+            self.notified(method, params)
+            return
+        if self.slow:
+            time.sleep(self.slow)
+        self.after = None
+        if method == "initialize" and (params["protocol"][0] > 1 or params["protocol"][1] < 1 or behaviour[0] == "wrong-version"):
+            send({"id": message["id"], "error": {"code": -32001, "message": "only version 99 is spoken here"}})
+            os._exit(0)
+        try:
+            result = self.answer(method, params)
+        except (KeyError, TypeError, ValueError) as error:
+            send({"id": message["id"], "error": {"code": -32602, "message": "bad parameters: %r" % error}})
+            return
+        if result is None:
+            send({"id": message["id"], "error": {"code": -32601, "message": "unknown method"}})
+            return
+        send({"id": message["id"], "result": result})
+        if self.after:
+            self.after()
+        if method == "shutdown" and not self.stay:
+            os._exit(0)
+
+
+behaviour = sys.argv[1:] or ["normal"]
+medium = Medium()
+
+
+def main():
+    if behaviour[0] == "silent":
+        behaviour[0] = "hang"
+    if behaviour[0] != "wrong-version":
+        medium.behave(behaviour)
+    threading.Thread(target=medium.play_loop, daemon=True).start()
+    while True:
+        message = receive()
+        if message is None:
+            if medium.stay:
+                while True:
+                    time.sleep(0.01)
+            return
+        with medium.state:
+            medium.handle(message)
+
+
+main()
