@@ -3,7 +3,7 @@
 #     USES    modules of ours that it may include and link
 #     LINKS   libraries of others
 #     TESTS   GoogleTest sources; they may also use TEST_USES
-#     PCH     core: the standard library's and Eigen's heavy headers; qt: Qt's too
+#     PCH     core: the standard library's and Eigen's heavy headers; qt: QtCore's too; widgets: Qt's widgets too
 #     QT)     the sources have Q_OBJECT in them
 #
 # Declares a folder as a module: a static library of that name, linked with what it USES and nothing
@@ -13,6 +13,10 @@
 # Includes are written from the folder that holds the module: #include "expression/expression.h".
 
 function(asgard_precompile target kind)
+    # The protocol has a field `slots`, which is a macro of Qt unless it is told not to.
+    if(kind MATCHES "qt|widgets")
+        target_compile_definitions(${target} PUBLIC QT_NO_KEYWORDS)
+    endif()
     if(PRECOMPILED_HEADERS AND kind)
         if(NOT TARGET pch_${kind})
             file(WRITE ${CMAKE_BINARY_DIR}/pch_${kind}.cpp "\n")
@@ -20,8 +24,14 @@ function(asgard_precompile target kind)
             target_link_libraries(pch_${kind} PRIVATE Eigen3::Eigen Threads::Threads)
             set(headers <algorithm> <cmath> <cstdint> <functional> <memory> <optional> <span> <string>
                 <string_view> <unordered_map> <variant> <vector> <Eigen/Core> <Eigen/Geometry>)
+            if(kind MATCHES "qt|widgets")
+                target_compile_definitions(pch_${kind} PRIVATE QT_NO_KEYWORDS)
+            endif()
             if(kind STREQUAL qt)
-                target_link_libraries(pch_qt PRIVATE Qt6::Widgets)
+                target_link_libraries(pch_qt PRIVATE Qt6::Core)
+                list(APPEND headers <QtCore/QtCore>)
+            elseif(kind STREQUAL widgets)
+                target_link_libraries(pch_widgets PRIVATE Qt6::Widgets)
                 list(APPEND headers <QtCore/QtCore> <QtGui/QtGui> <QtWidgets/QtWidgets>)
             elseif(kind STREQUAL test)
                 target_link_libraries(pch_test PRIVATE GTest::gtest GTest::gmock)

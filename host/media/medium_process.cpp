@@ -13,16 +13,16 @@ namespace {
 constexpr int mostLettersPerTurn = 100;
 constexpr int mostMsPerTurn = 8;
 
-void keep(std::vector<std::string>& environment, std::initializer_list<const char*> names) {
-    for (const char* name : names)
-        if (const char* value = std::getenv(name))
+void keep(std::vector<std::string> &environment, std::initializer_list<const char *> names) {
+    for (const char *name : names)
+        if (const char *value = std::getenv(name))
             environment.push_back(std::string(name) + '=' + value);
 }
 
 } // namespace
 
-MediumProcess::MediumProcess(const Manifest& manifest, QString program, Mode mode,
-                             PipeThread& pipes, TimeLimits limits, QObject* parent)
+MediumProcess::MediumProcess(const Manifest &manifest, QString program, Mode mode,
+                             PipeThread &pipes, TimeLimits limits, QObject *parent)
     : QObject(parent), manifest_(manifest), program_(std::move(program)), mode_(mode),
       pipes_(pipes), limits_(limits), frames_(std::make_shared<FrameMemory>()),
       mailbox_(std::make_shared<Mailbox>(this, "readMail")) {
@@ -42,10 +42,10 @@ Launch MediumProcess::launchRequest() const {
         launch.arguments.push_back(manifest_.command[i].toStdString());
     launch.environment = {"PATH=/usr/local/bin:/usr/bin:/bin", "LANG=C.UTF-8", "LC_ALL=C.UTF-8"};
     if (mode_ == Mode::edit)
-        keep(launch.environment, {"DISPLAY", "WAYLAND_DISPLAY", "XAUTHORITY", "XDG_RUNTIME_DIR",
-                                  "XDG_SESSION_TYPE", "XDG_CURRENT_DESKTOP", "XDG_CONFIG_HOME",
-                                  "XDG_DATA_HOME", "XDG_DATA_DIRS", "HOME", "QT_QPA_PLATFORM",
-                                  "QT_SCALE_FACTOR", "DBUS_SESSION_BUS_ADDRESS"});
+        keep(launch.environment,
+             {"DISPLAY", "WAYLAND_DISPLAY", "XAUTHORITY", "XDG_RUNTIME_DIR", "XDG_SESSION_TYPE",
+              "XDG_CURRENT_DESKTOP", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_DATA_DIRS", "HOME",
+              "QT_QPA_PLATFORM", "QT_SCALE_FACTOR", "DBUS_SESSION_BUS_ADDRESS"});
     launch.frames = frames_->descriptor();
     return launch;
 }
@@ -80,18 +80,18 @@ void MediumProcess::introduce() {
     request(call, [this](Outcome<ipc::Initialized> outcome) {
         if (state_ != State::starting)
             return;
-        if (const auto* error = std::get_if<ipc::Error>(&outcome)) {
+        if (const auto *error = std::get_if<ipc::Error>(&outcome)) {
             end(QStringLiteral("refused to begin: ") + QString::fromStdString(error->message));
             return;
         }
         introduction_ = std::get<ipc::Initialized>(std::move(outcome));
         state_ = State::ready;
         sincePong_.start();
-        emit ready();
+        Q_EMIT ready();
     });
 }
 
-void MediumProcess::ask(const ipc::ToMedium& call, std::function<void(AnyOutcome)> done) {
+void MediumProcess::ask(const ipc::ToMedium &call, std::function<void(AnyOutcome)> done) {
     if (state_ == State::ended) {
         done(ipc::Error(ipc::ErrorCode::closed, "the medium has ended"));
         return;
@@ -102,20 +102,20 @@ void MediumProcess::ask(const ipc::ToMedium& call, std::function<void(AnyOutcome
     send(ipc::encodeRequest(id, call));
 }
 
-void MediumProcess::notify(const ipc::ToMedium& notification) {
+void MediumProcess::notify(const ipc::ToMedium &notification) {
     if (state_ != State::ended)
         send(ipc::encodeNotification(notification));
 }
 
-void MediumProcess::answer(const ipc::Id& id, const ipc::AnyResult& result) {
+void MediumProcess::answer(const ipc::Id &id, const ipc::AnyResult &result) {
     send(ipc::encodeAnswer(id, result));
 }
 
-void MediumProcess::refuse(const ipc::Id& id, const ipc::Error& error) {
+void MediumProcess::refuse(const ipc::Id &id, const ipc::Error &error) {
     send(ipc::encodeError(id, error));
 }
 
-void MediumProcess::send(const std::string& body) {
+void MediumProcess::send(const std::string &body) {
     if (link_ && !pipes_.send(link_, ipc::framed(body)))
         end(QStringLiteral("does not read what it is sent"));
 }
@@ -138,7 +138,7 @@ void MediumProcess::readMail() {
     }
 }
 
-void MediumProcess::read(Letter& letter) {
+void MediumProcess::read(Letter &letter) {
     switch (letter.kind) {
     case Letter::Kind::started:
         break;
@@ -155,14 +155,14 @@ void MediumProcess::read(Letter& letter) {
     }
 }
 
-void MediumProcess::readMessage(ipc::Decoded<ipc::ToHost>& message) {
-    if (const auto* report = std::get_if<ipc::Told<ipc::ToHost>>(&message)) {
-        emit told(report->call);
-    } else if (const auto* request = std::get_if<ipc::Asked<ipc::ToHost>>(&message)) {
-        emit asked(request->id, request->call);
-    } else if (const auto* wrong = std::get_if<ipc::Unanswerable>(&message)) {
+void MediumProcess::readMessage(ipc::Decoded<ipc::ToHost> &message) {
+    if (const auto *report = std::get_if<ipc::Told<ipc::ToHost>>(&message)) {
+        Q_EMIT told(report->call);
+    } else if (const auto *request = std::get_if<ipc::Asked<ipc::ToHost>>(&message)) {
+        Q_EMIT asked(request->id, request->call);
+    } else if (const auto *wrong = std::get_if<ipc::Unanswerable>(&message)) {
         refuse(wrong->id, wrong->error);
-    } else if (auto* answered = std::get_if<ipc::Answered>(&message)) {
+    } else if (auto *answered = std::get_if<ipc::Answered>(&message)) {
         const auto found = waiting_.find(answered->id);
         if (found == waiting_.end())
             return;
@@ -174,12 +174,12 @@ void MediumProcess::readMessage(ipc::Decoded<ipc::ToHost>& message) {
 
 void MediumProcess::ping() {
     sincePing_.start();
-    request(ipc::Ping{}, [this](const Outcome<ipc::Done>&) {
+    request(ipc::Ping{}, [this](const Outcome<ipc::Done> &) {
         sincePing_.invalidate();
         sincePong_.start();
         if (!responding_) {
             responding_ = true;
-            emit respondingChanged();
+            Q_EMIT respondingChanged();
         }
     });
 }
@@ -187,7 +187,8 @@ void MediumProcess::ping() {
 // LIMIT: a process that is being debugged by its author is ended like one that hangs.
 void MediumProcess::tick() {
     if (state_ == State::starting && sinceStart_.hasExpired(limits_.initialize)) {
-        end(QStringLiteral("did not answer within %1 s of its start").arg(limits_.initialize / 1e3));
+        end(QStringLiteral("did not answer within %1 s of its start")
+                .arg(limits_.initialize / 1e3));
     } else if (state_ == State::closing && sinceShutdown_.hasExpired(limits_.shutdown)) {
         end(QStringLiteral("did not end when asked to"));
     } else if (state_ == State::ready && !sincePing_.isValid()) {
@@ -197,7 +198,7 @@ void MediumProcess::tick() {
         end(QStringLiteral("did not respond for %1 s").arg(limits_.hung / 1e3));
     } else if (state_ == State::ready && responding_ && sincePing_.hasExpired(limits_.quiet)) {
         responding_ = false;
-        emit respondingChanged();
+        Q_EMIT respondingChanged();
     }
 }
 
@@ -211,10 +212,10 @@ void MediumProcess::shutdown() {
     }
     state_ = State::closing;
     sinceShutdown_.start();
-    request(ipc::Shutdown{}, [this](const Outcome<ipc::Done>&) { notify(ipc::Exit{}); });
+    request(ipc::Shutdown{}, [this](const Outcome<ipc::Done> &) { notify(ipc::Exit{}); });
 }
 
-void MediumProcess::end(const QString& why) {
+void MediumProcess::end(const QString &why) {
     if (state_ == State::ended)
         return;
     if (link_)
@@ -222,16 +223,16 @@ void MediumProcess::end(const QString& why) {
     finish(why);
 }
 
-void MediumProcess::finish(const QString& reason) {
+void MediumProcess::finish(const QString &reason) {
     if (state_ == State::ended)
         return;
     state_ = State::ended;
     clock_.stop();
     auto waiting = std::move(waiting_);
     waiting_.clear();
-    for (auto& [id, request] : waiting)
+    for (auto &[id, request] : waiting)
         request.done(ipc::Error(ipc::ErrorCode::closed, "the medium " + reason.toStdString()));
-    emit ended(reason, askedToEnd_);
+    Q_EMIT ended(reason, askedToEnd_);
 }
 
 } // namespace media

@@ -5,7 +5,7 @@
 
 namespace media {
 
-Rendition::Rendition(LiveSubdocument& subdocument, ipc::Integer id)
+Rendition::Rendition(LiveSubdocument &subdocument, ipc::Integer id)
     : subdocument_(subdocument), id_(id) {}
 
 Rendition::~Rendition() {
@@ -16,7 +16,7 @@ Rendition::~Rendition() {
     subdocument_.forget(*this);
 }
 
-void Rendition::setPresentation(const QString& presentation) {
+void Rendition::setPresentation(const QString &presentation) {
     if (presentation == presentation_)
         return;
     presentation_ = presentation;
@@ -63,7 +63,7 @@ void Rendition::input(ipc::Input input) {
     process_->notify(ipc::RenditionInput{input});
 }
 
-void Rendition::attach(MediumProcess* process) {
+void Rendition::attach(MediumProcess *process) {
     slots_.clear(); // they went with the memory of the process before
     unpainted_ = false;
     process_ = process;
@@ -78,7 +78,8 @@ void Rendition::sendGeometry(bool create) {
     ipc::RenditionGeometry geometry;
     geometry.rendition = id_;
     geometry.presentation =
-        (presentation_.isEmpty() ? subdocument_.defaultPresentation() : presentation_).toStdString();
+        (presentation_.isEmpty() ? subdocument_.defaultPresentation() : presentation_)
+            .toStdString();
     geometry.width = pixels_.width();
     geometry.height = pixels_.height();
     geometry.scale = scale_;
@@ -86,19 +87,20 @@ void Rendition::sendGeometry(bool create) {
     for (int i = 0; i < 2; ++i)
         if (const auto slot = process_->frames().allocate(pixels_.width(), pixels_.height()))
             slots.push_back(*slot);
-    if (slots.size() < 2) { // LIMIT: without room in the shared memory its pictures come by the pipe
-        for (const Slot& slot : slots)
+    if (slots.size() <
+        2) { // LIMIT: without room in the shared memory its pictures come by the pipe
+        for (const Slot &slot : slots)
             process_->frames().free(slot);
         slots.clear();
     }
-    for (const Slot& slot : slots)
+    for (const Slot &slot : slots)
         geometry.slots.push_back({slot.offset, slot.stride});
     // Frames that came before the answer were drawn into the slots of before.
-    const auto done = [guard = QPointer(this), process = process_, slots](const auto& outcome) {
+    const auto done = [guard = QPointer(this), process = process_, slots](const auto &outcome) {
         if (guard && guard->process_ == process && std::holds_alternative<ipc::Done>(outcome))
             guard->takeSlots(slots);
         else if (process)
-            for (const Slot& slot : slots)
+            for (const Slot &slot : slots)
                 process->frames().free(slot);
     };
     if (create)
@@ -108,20 +110,20 @@ void Rendition::sendGeometry(bool create) {
 }
 
 void Rendition::takeSlots(std::vector<Slot> slots) {
-    for (const Slot& slot : slots_)
+    for (const Slot &slot : slots_)
         process_->frames().free(slot);
     slots_ = std::move(slots);
 }
 
-QImage Rendition::decoded(const ipc::RenditionFrame& frame) const {
+QImage Rendition::decoded(const ipc::RenditionFrame &frame) const {
     const QByteArray bytes = QByteArray::fromBase64(QByteArray::fromStdString(*frame.pixels));
-    const QImage image(reinterpret_cast<const uchar*>(bytes.constData()),
+    const QImage image(reinterpret_cast<const uchar *>(bytes.constData()),
                        static_cast<int>(frame.width), static_cast<int>(frame.height),
                        static_cast<qsizetype>(frame.width) * 4, QImage::Format_RGB32);
     return bytes.size() == frame.width * frame.height * 4 ? image.copy() : QImage();
 }
 
-bool Rendition::take(const ipc::RenditionFrame& frame) {
+bool Rendition::take(const ipc::RenditionFrame &frame) {
     QImage picture;
     if (frame.pixels)
         picture = decoded(frame);
@@ -135,7 +137,7 @@ bool Rendition::take(const ipc::RenditionFrame& frame) {
     unpainted_ = true;
     if (!shown_)
         painted();
-    emit pictureChanged();
+    Q_EMIT pictureChanged();
     return true;
 }
 

@@ -1,4 +1,5 @@
-// What one view shows of one subdocument: a picture of a size, which outlives the process that drew it.
+// What one view shows of one subdocument: a picture of a size, which outlives the process that drew
+// it.
 //
 // It belongs to a LiveSubdocument, which talks to the medium. The medium draws into two slots and
 // may have two frames that are not acknowledged; each frame is copied out when it comes, and
@@ -24,35 +25,36 @@ public:
     ~Rendition() override;
 
     [[nodiscard]] ipc::Integer id() const { return id_; }
-    [[nodiscard]] LiveSubdocument& subdocument() const { return subdocument_; }
-    [[nodiscard]] const QString& presentation() const { return presentation_; }
+    [[nodiscard]] LiveSubdocument &subdocument() const { return subdocument_; }
+    [[nodiscard]] const QString &presentation() const { return presentation_; }
 
     // The newest picture, null before the first. It stays when the medium is gone.
-    [[nodiscard]] const QImage& picture() const { return picture_; }
+    [[nodiscard]] const QImage &picture() const { return picture_; }
     [[nodiscard]] ipc::CursorShape cursor() const { return cursor_; }
 
-    void setPresentation(const QString& presentation);
-    void setGeometry(QSize pixels, double scale); // device pixels, and how many there are to 1/96 inch
+    void setPresentation(const QString &presentation);
+    void setGeometry(QSize pixels,
+                     double scale); // device pixels, and how many there are to 1/96 inch
     void setShown(bool shown);
     void painted(); // the picture is on the screen: the medium may go on
     void input(ipc::Input input);
 
-signals:
+Q_SIGNALS:
     void pictureChanged();
     void cursorChanged();
-    void unhandledInput(const ipc::Input& input); // keys that the medium does not use
+    void unhandledInput(const ipc::Input &input); // keys that the medium does not use
 
 private:
     friend class LiveSubdocument;
-    Rendition(LiveSubdocument& subdocument, ipc::Integer id);
+    Rendition(LiveSubdocument &subdocument, ipc::Integer id);
 
-    void attach(MediumProcess* process); // makes itself there; nullptr: the process is gone
+    void attach(MediumProcess *process); // makes itself there; nullptr: the process is gone
     void sendGeometry(bool create);
-    [[nodiscard]] bool take(const ipc::RenditionFrame& frame); // false: not a frame of ours
+    [[nodiscard]] bool take(const ipc::RenditionFrame &frame); // false: not a frame of ours
     void takeSlots(std::vector<Slot> slots);
-    [[nodiscard]] QImage decoded(const ipc::RenditionFrame& frame) const;
+    [[nodiscard]] QImage decoded(const ipc::RenditionFrame &frame) const;
 
-    LiveSubdocument& subdocument_;
+    LiveSubdocument &subdocument_;
     ipc::Integer id_;
     QString presentation_; // "": the first that the medium has
     QSize pixels_{320, 240};

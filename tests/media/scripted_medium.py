@@ -94,8 +94,10 @@ class Medium:
             while True:
                 pass
         elif what == "flood":
+            body = json.dumps({"jsonrpc": "2.0", "method": "nothing/said", "params": {}}).encode()
+            many = (b"Content-Length: %d\r\n\r\n" % len(body) + body) * 10000
             while True:
-                notify("time/changed", time=0, playing=False, rate=1, loop=False, start=0, finish=1, computed=1, predictable=None, state="current")
+                out.write(many)
         elif what == "garbage":
             with lock:
                 out.write(os.urandom(4096))

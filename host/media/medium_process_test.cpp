@@ -1,0 +1,272 @@
+#include "media/scripted_medium.h"
+
+#include <gmock/gmock.h>
+
+#include <QFile>
+#include <QStringList>
+#include <csignal>
+
+namespace media {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::scriptedManifest;
+using testing::shortLimits;
+using testing::waitFor;
+
+class MediumProcessTest : public ::testing::Test {
+protected:
+    std::unique_ptr<LiveSubdocument> subdocument(const QByteArray &text,
+                                                 const QStringList &behaviour = {}) {
+        const Manifest manifest = scriptedManifest(behaviour);
+        auto made = std::make_unique<LiveSubdocument>(manifest, programOf(manifest, {}), pipes_,
+                                                      shortLimits());
+        made->setText(text);
+        return made;
+    }
+
+    // Starts it and says why it failed for good.
+    std::string failure(const QByteArray &text, const QStringList &behaviour = {}) {
+        auto it = subdocument(text, behaviour);
+        it->start();
+        EXPECT_TRUE(waitFor([&] { return it->condition() == Condition::failed; }));
+        EXPECT_EQ(it->text(), text);
+        return it->reason().toStdString();
+    }
+
+    PipeThread pipes_;
+};
+
+QColor middle(const QImage &image) { return image.pixelColor(image.rect().center()); }
+
+TEST_F(MediumProcessTest, DrawsItsTextIntoARendition) {
+    auto it = subdocument("colour 20C040\nsize 300 100");
+    auto rendition = it->createRendition();
+    rendition->setGeometry({64, 48}, 1);
+    rendition->setShown(true);
+    it->start();
+    ASSERT_TRUE(waitFor([&] { return !rendition->picture().isNull() && it->preferredSize(); }));
+    EXPECT_EQ(rendition->picture().size(), QSize(64, 48));
+    EXPECT_EQ(middle(rendition->picture()), QColor(0x20, 0xC0, 0x40));
+    EXPECT_EQ(*it->preferredSize(), QSizeF(300, 100));
+    EXPECT_EQ(it->menus().size(), 4u);
+}
+
+TEST_F(MediumProcessTest, FollowsEditsResizesAndPresentations) {
+    auto it = subdocument("colour 202020");
+    auto small = it->createRendition(), large = it->createRendition();
+    small->setGeometry({40, 30}, 1);
+    large->setGeometry({400, 300}, 2);
+    for (auto *rendition : {small.get(), large.get()})
+        rendition->setShown(true);
+    it->start();
+    ASSERT_TRUE(waitFor([&] { return !small->picture().isNull() && !large->picture().isNull(); }));
+    small->painted();
+    large->painted();
+    it->edit({{7, 13, "FF0000"}}, "Colour");
+    EXPECT_EQ(it->text(), "colour FF0000");
+    small->setGeometry({50, 60}, 1);
+    ASSERT_TRUE(waitFor([&] { return small->picture().size() == QSize(50, 60); }));
+    EXPECT_EQ(middle(small->picture()), QColor(255, 0, 0));
+    ASSERT_TRUE(waitFor([&] { return middle(large->picture()) == QColor(255, 0, 0); }));
+}
+
+TEST_F(MediumProcessTest, GetsNoMoreThanTwoFramesAheadOfTheScreen) {
+    auto it = subdocument("duration 100");
+    auto rendition = it->createRendition();
+    rendition->setShown(true);
+    int pictures = 0;
+    QObject::connect(rendition.get(), &Rendition::pictureChanged, [&] { ++pictures; });
+    it->start();
+    ASSERT_TRUE(waitFor([&] { return pictures > 0; }));
+    it->play();
+    ASSERT_TRUE(waitFor([&] { return it->time() && it->time()->time > 0.5; }));
+    EXPECT_LE(pictures, 2); // nothing was painted
+    const int before = pictures;
+    ASSERT_TRUE(waitFor([&] {
+        rendition->painted();
+        return pictures > before + 3;
+    }));
+}
+
+TEST_F(MediumProcessTest, ReleasesTheMemoryOfOldSizes) {
+    auto it = subdocument("colour 101010");
+    auto rendition = it->createRendition();
+    rendition->setShown(true);
+    it->start();
+    for (int width = 100; width < 140; ++width) {
+        rendition->setGeometry({width, 100}, 1);
+        ASSERT_TRUE(waitFor([&] {
+            rendition->painted();
+            return rendition->picture().width() == width;
+        }));
+    }
+}
+
+// --- what goes wrong ---------------------------------------------------------------------------
+
+TEST_F(MediumProcessTest, SaysWhatHappened) {
+    EXPECT_THAT(failure("behave crash"), HasSubstr("was ended by signal 11 (Segmentation fault)"));
+    EXPECT_THAT(failure("", {"exit"}), HasSubstr("ended with exit code 3"));
+    EXPECT_THAT(failure("behave garbage"), HasSubstr("sent what is not the protocol"));
+    EXPECT_THAT(failure("behave oversize"), HasSubstr("sent what is not the protocol"));
+    EXPECT_THAT(failure("behave bad-reply"), HasSubstr("sent what is not the protocol"));
+    EXPECT_THAT(failure("behave truncated"), HasSubstr("ended with exit code 0"));
+    EXPECT_THAT(failure("behave flood"), HasSubstr("flood"));
+    EXPECT_THAT(failure("", {"wrong-version"}), HasSubstr("only version 99 is spoken here"));
+}
+
+TEST_F(MediumProcessTest, SaysThatTheProgramIsMissing) {
+    Manifest manifest = scriptedManifest();
+    manifest.command = {"no-such-program"};
+    LiveSubdocument it(manifest, programOf(manifest, {}), pipes_);
+    it.start();
+    ASSERT_TRUE(waitFor([&] { return it.condition() == Condition::failed; }));
+    EXPECT_THAT(it.reason().toStdString(), HasSubstr("there is no program \"no-such-program\""));
+}
+
+TEST_F(MediumProcessTest, EndsOneThatNeverAnswersTheStart) {
+    TimeLimits limits = shortLimits();
+    limits.initialize = 300;
+    const Manifest manifest = scriptedManifest({"silent"});
+    LiveSubdocument it(manifest, programOf(manifest, {}), pipes_, limits);
+    it.start();
+    ASSERT_TRUE(waitFor([&] { return it.condition() == Condition::failed; }));
+    EXPECT_THAT(it.reason().toStdString(), HasSubstr("did not answer within 0.3 s"));
+}
+
+TEST_F(MediumProcessTest, ShowsThatItDoesNotRespondAndThenEndsIt) {
+    for (const char *behaviour : {"behave hang", "behave stop", "behave busy"}) {
+        auto it = subdocument(behaviour);
+        bool wasQuiet = false;
+        QObject::connect(it.get(), &LiveSubdocument::conditionChanged,
+                         [&] { wasQuiet |= it->condition() == Condition::notResponding; });
+        it->start();
+        ASSERT_TRUE(waitFor([&] { return it->condition() == Condition::failed; })) << behaviour;
+        EXPECT_TRUE(wasQuiet) << behaviour;
+        EXPECT_THAT(it->reason().toStdString(), HasSubstr("did not respond")) << behaviour;
+    }
+}
+
+TEST_F(MediumProcessTest, KeepsThePictureAndStartsAgainThreeTimes) {
+    TimeLimits limits = shortLimits();
+    limits.restartsPerMinute = 3;
+    const Manifest manifest = scriptedManifest();
+    auto it = std::make_unique<LiveSubdocument>(manifest, programOf(manifest, {}), pipes_, limits);
+    it->setText("colour 804020");
+    auto rendition = it->createRendition();
+    rendition->setShown(true);
+    int starts = 0;
+    QObject::connect(it.get(), &LiveSubdocument::conditionChanged,
+                     [&] { starts += it->condition() == Condition::live; });
+    it->start();
+    for (int life = 1; life <= limits.restartsPerMinute + 1; ++life) {
+        ASSERT_TRUE(waitFor(
+            [&] { return starts == life && it->hasLoaded() && !rendition->picture().isNull(); }));
+        it->invoke("crash", nullptr);
+        ASSERT_TRUE(waitFor([&] { return it->condition() != Condition::live; }));
+        EXPECT_FALSE(rendition->picture().isNull());
+    }
+    ASSERT_TRUE(waitFor([&] { return it->condition() == Condition::failed; }));
+    EXPECT_EQ(middle(rendition->picture()), QColor(0x80, 0x40, 0x20));
+    it->start(); // the click
+    EXPECT_TRUE(waitFor([&] { return it->condition() == Condition::live; }));
+}
+
+TEST_F(MediumProcessTest, ClosesOneThatPointsOutsideOfItsPictures) {
+    auto it = subdocument("colour 010203");
+    auto rendition = it->createRendition();
+    rendition->setShown(true);
+    it->start();
+    ASSERT_TRUE(waitFor([&] { return !rendition->picture().isNull(); }));
+    it->edit({{0, 0, "behave bad-frame\n"}}, {});
+    ASSERT_TRUE(waitFor([&] { return it->condition() == Condition::failed; }));
+    EXPECT_THAT(it->reason().toStdString(), HasSubstr("outside of its place"));
+}
+
+// --- edits, modes, ends ------------------------------------------------------------------------
+
+TEST_F(MediumProcessTest, PassesOnAChangeAndRefusesAStaleOne) {
+    auto it = subdocument("colour 102030\nchange X");
+    std::vector<ipc::TextEdit> got;
+    it->onChange([&](const ipc::SubdocumentChanged &change) -> std::optional<QString> {
+        got = change.edits;
+        it->edit(change.edits, "Append");
+        return std::nullopt;
+    });
+    it->start();
+    ASSERT_TRUE(waitFor([&] { return !got.empty(); }));
+    EXPECT_EQ(it->text(), "colour 102030\nchange XX");
+}
+
+TEST_F(MediumProcessTest, AnEntryOfTheEditModeMovesTheRenditions) {
+    auto it = subdocument("colour 112233");
+    auto rendition = it->createRendition();
+    rendition->setShown(true);
+    it->start();
+    ASSERT_TRUE(waitFor([&] { return !rendition->picture().isNull(); }));
+    int pictures = 0;
+    QObject::connect(rendition.get(), &Rendition::pictureChanged, [&] { ++pictures; });
+    it->invoke("editor", rendition.get());
+    ASSERT_TRUE(waitFor([&] { return pictures > 0; }));
+    EXPECT_EQ(it->condition(), Condition::live);
+    EXPECT_TRUE(waitFor([&] { return pipes_.alive() == 1; })); // the other one has ended
+}
+
+TEST_F(MediumProcessTest, NothingIsLeftOfAMediumThatDoesNotWantToGo) {
+    {
+        auto it = subdocument("behave stay\nbehave child");
+        it->start();
+        ASSERT_TRUE(waitFor([&] { return it->hasLoaded(); }));
+    }
+    EXPECT_TRUE(waitFor([&] { return pipes_.alive() == 0; }));
+}
+
+TEST_F(MediumProcessTest, InheritsNothingButWhatIsNamed) {
+    Manifest manifest = scriptedManifest();
+    manifest.command =
+        QStringList{"/bin/sh", "-c", "{ ls /proc/self/fd | tr '\\n' ' '; env; } >&2"};
+    qputenv("SECRET_OF_THE_USER", "1");
+    MediumProcess process(manifest, "/bin/sh", Mode::play, pipes_);
+    bool over = false;
+    QObject::connect(&process, &MediumProcess::ended, [&] { over = true; });
+    process.start();
+    ASSERT_TRUE(waitFor([&] { return over; }));
+    EXPECT_THAT(process.log().toStdString(), ::testing::StartsWith("0 1 2 3 ")); // and ls's own
+    EXPECT_THAT(process.log().toStdString(), ::testing::Not(HasSubstr("SECRET_OF_THE_USER")));
+    EXPECT_THAT(process.log().toStdString(), ::testing::Not(HasSubstr("HOME=")));
+    qunsetenv("SECRET_OF_THE_USER");
+}
+
+TEST_F(MediumProcessTest, OnlyTheNearestLive) {
+    Registry registry;
+    registry.add(scriptedManifest());
+    LiveMedia live(registry, {}, pipes_, shortLimits());
+    live.setMostLive(3);
+    std::vector<std::unique_ptr<LiveSubdocument>> all;
+    for (int i = 0; i < 100; ++i) {
+        all.push_back(live.create("SCRIPTED"));
+        live.setDistance(*all.back(), this, i);
+    }
+    const auto living = [&] {
+        std::string which;
+        for (const auto &one : all)
+            which += one->condition() == Condition::live ? '1' : one->hasProcess() ? '?' : '0';
+        return which;
+    };
+    EXPECT_TRUE(waitFor([&] { return living() == "111" + std::string(97, '0'); })) << living();
+    for (int i = 0; i < 100; ++i)
+        live.setDistance(*all[i], this, std::abs(i - 50.2));
+    EXPECT_TRUE(waitFor([&] {
+        return living() == std::string(49, '0') + "111" + std::string(48, '0');
+    })) << living();
+}
+
+} // namespace
+} // namespace media
+
+int main(int argc, char **argv) {
+    QCoreApplication application(argc, argv);
+    ::testing::InitGoogleTest(&argc, argv);
+    return RUN_ALL_TESTS();
+}
