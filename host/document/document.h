@@ -86,7 +86,7 @@ public:
     struct Loaded;
     [[nodiscard]] static Loaded load(const QString &fileName, FileSystem *files = nullptr);
 
-signals:
+Q_SIGNALS:
     void changed(); // after any change of the bytes
     void textChanged(document::SubdocumentId id, const sgml::Edits &edits, int revision,
                      const QString &label); // unescaped edits; undo and redo too
