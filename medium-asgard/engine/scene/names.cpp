@@ -1,0 +1,239 @@
+#include "scene/names.h"
+
+#include "expression/nearest_name.h"
+
+#include <algorithm>
+#include <array>
+
+namespace scene {
+namespace {
+
+using expression::nearestName;
+
+std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
+
+std::string didYouMean(const std::string& name) {
+    return name.empty() ? "" : "did you mean " + quoted(name) + "?";
+}
+
+constexpr std::size_t firstCall = static_cast<std::size_t>(BodyQuantity::px);
+
+const std::vector<std::string>& trajectoryQuantityNames() {
+    static const std::vector<std::string> names{"x", "y", "z", "dx", "dy", "dz"};
+    return names;
+}
+
+const std::vector<std::string>& sceneQuantityNames() {
+    static const std::vector<std::string> names{"scene.energy", "scene.px",         "scene.py",
+                                                "scene.pz",     "scene.lx",         "scene.ly",
+                                                "scene.lz",     "events.collisions"};
+    return names;
+}
+
+std::optional<std::size_t> indexOf(const std::vector<std::string>& names, std::string_view name) {
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end())
+        return std::nullopt;
+    return static_cast<std::size_t>(found - names.begin());
+}
+
+bool isVelocity(BodyQuantity q) {
+    return (q >= BodyQuantity::dx && q <= BodyQuantity::wz) || q >= BodyQuantity::pdx;
+}
+
+Named findSceneQuantity(std::string_view name, Reading reading) {
+    const auto index = indexOf(sceneQuantityNames(), name);
+    if (!index)
+        return NameFault{"there is no quantity " + quoted(name),
+                         didYouMean(nearestName(name, sceneQuantityNames()))};
+    if (reading != Reading::quantities)
+        return NameFault{std::string(name) + " can be charted and printed, and is no name in a "
+                                             "scene's expressions",
+                         ""};
+    return SceneName{static_cast<SceneQuantity>(*index)};
+}
+
+} // namespace
+
+const std::vector<std::string>& bodyQuantityNames() {
+    static const std::vector<std::string> names{
+        "x",    "y",   "z",   "dx",  "dy",  "dz",  "wx",  "wy", "wz", "qw", "qx",  "qy",  "qz",
+        "mass", "ixx", "iyy", "izz", "ixy", "ixz", "iyz", "px", "py", "pz", "pdx", "pdy", "pdz"};
+    return names;
+}
+
+Names::Names(const Scene& scene) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        owners_.try_emplace(scene.bodies[i].name, Owner{Kind::body, i});
+    for (std::size_t i = 0; i < scene.trajectories.size(); ++i)
+        owners_.try_emplace(scene.trajectories[i].name, Owner{Kind::trajectory, i});
+    for (std::size_t i = 0; i < scene.parameters.size(); ++i)
+        owners_.try_emplace(scene.parameters[i].name, Owner{Kind::parameter, i});
+}
+
+Named Names::find(std::string_view name, std::optional<std::size_t> arguments,
+                  Reading reading) const {
+    const std::size_t dot = name.rfind('.');
+    const bool isWhole = dot == name.npos;
+    const std::string_view owner = name.substr(0, dot);
+    const std::string_view quantity = isWhole ? "" : name.substr(dot + 1);
+    const auto found = owners_.find(owner);
+    const bool isBody = !isWhole && found != owners_.end() && found->second.kind == Kind::body;
+    if (arguments && isWhole)
+        return NameFault{"there is no function " + quoted(name), ""};
+    if (isBody)
+        return findOfBody(name, found->second.index, quantity, arguments, reading);
+    if (isWhole)
+        return findAlone(name);
+    if (owner == "scene" || owner == "events")
+        return findSceneQuantity(name, reading);
+    if (found == owners_.end())
+        return unknownOwner(owner, quantity);
+    if (found->second.kind == Kind::parameter)
+        return NameFault{quoted(owner) + " is a parameter: its name alone is its value", ""};
+    if (arguments)
+        return NameFault{std::string(name) + " takes no arguments", ""};
+    return findOfTrajectory(found->second.index, quantity);
+}
+
+Named Names::findAlone(std::string_view name) const {
+    if (name == "t")
+        return TimeName{};
+    const auto found = owners_.find(name);
+    if (found != owners_.end() && found->second.kind == Kind::parameter)
+        return ParameterName{found->second.index};
+    if (found != owners_.end()) {
+        const bool isBody = found->second.kind == Kind::body;
+        return NameFault{quoted(name) + (isBody ? " is a body" : " is a trajectory") +
+                             ", and an expression reads numbers",
+                         "write " + std::string(name) + ".x, or another of its quantities"};
+    }
+    std::vector<std::string> known = expression::functionNames();
+    for (const auto& [owner, what] : owners_)
+        if (what.kind == Kind::parameter)
+            known.push_back(owner);
+    return NameFault{"nothing is named " + quoted(name), didYouMean(nearestName(name, known))};
+}
+
+Named Names::findOfBody(std::string_view name, std::size_t body, std::string_view quantity,
+                        std::optional<std::size_t> arguments, Reading reading) const {
+    const auto index = indexOf(bodyQuantityNames(), quantity);
+    const std::string full(name);
+    if (!index) {
+        const std::string near = nearestName(quantity, bodyQuantityNames());
+        const std::string owner = full.substr(0, full.size() - quantity.size());
+        return NameFault{"a body has no quantity " + quoted(quantity),
+                         near.empty() ? "there are x y z dx dy dz wx wy wz qw qx qy qz mass, ..."
+                                      : didYouMean(owner + near)};
+    }
+    const bool isPoint = *index >= firstCall;
+    if (isPoint && !arguments)
+        return NameFault{full + " wants a point of the body", "write " + full + "(ox, oy, oz)"};
+    if (!isPoint && arguments)
+        return NameFault{full + " takes no arguments", ""};
+    if (isPoint && *arguments != 3)
+        return NameFault{full + " takes three arguments, not " + std::to_string(*arguments), ""};
+    const auto found = static_cast<BodyQuantity>(*index);
+    if (reading == Reading::positions && isVelocity(found))
+        return NameFault{"a link's point may read positions, not velocities", ""};
+    return BodyName{body, found};
+}
+
+Named Names::findOfTrajectory(std::size_t trajectory, std::string_view quantity) const {
+    const auto index = indexOf(trajectoryQuantityNames(), quantity);
+    if (!index)
+        return NameFault{"a trajectory has no quantity " + quoted(quantity),
+                         "there are x y z dx dy dz"};
+    return TrajectoryName{trajectory, static_cast<int>(*index % 3), *index >= 3};
+}
+
+NameFault Names::unknownOwner(std::string_view owner, std::string_view quantity) const {
+    std::vector<std::string> known;
+    for (const auto& [name, what] : owners_)
+        if (what.kind != Kind::parameter)
+            known.push_back(name);
+    const std::string near = nearestName(owner, known);
+    return {"no body or trajectory is named " + quoted(owner),
+            near.empty() ? "" : didYouMean(near + "." + std::string(quantity))};
+}
+
+// --- every expression of a scene ------------------------------------------------------------
+
+namespace {
+
+constexpr std::array<const char*, 3> axes{"-x", "-y", "-z"};
+
+class Collector {
+public:
+    void add(const Force& force) {
+        if (const auto* kind = std::get_if<ComponentForce>(&force.kind))
+            for (std::size_t i = 0; i < 3; ++i)
+                places.push_back({&kind->components[i], &force.source, axes[i]});
+    }
+    void add(const Link& link) {
+        if (const auto* point = std::get_if<PointEnd>(&link.second))
+            for (std::size_t i = 0; i < 3; ++i)
+                places.push_back(
+                    {&point->coordinates[i], &link.source, axes[i], 0, Reading::positions});
+    }
+    void add(const View& view) {
+        add(view, view.position, "-pos");
+        add(view, view.rotation, "-rot");
+        add(view, view.center, "-center");
+        add(view, view.eye, "-eye");
+        add(view, view.look, "-look");
+        add(view, view.up, "-up");
+        if (view.scale)
+            if (const auto* text = std::get_if<Expression>(&*view.scale))
+                places.push_back({text, &view.source, "-scale"});
+    }
+    void add(const Plot& plot) {
+        for (std::size_t i = 0; i < plot.values.size(); ++i)
+            places.push_back({&plot.values[i], &plot.source, "-values", i, Reading::quantities});
+    }
+
+    std::vector<ExpressionPlace> places;
+
+private:
+    void add(const View& view, const std::optional<VectorValue>& value, const char* option) {
+        if (!value)
+            return;
+        if (const auto* texts = std::get_if<std::array<Expression, 3>>(&*value))
+            for (std::size_t i = 0; i < 3; ++i)
+                places.push_back({&(*texts)[i], &view.source, option, i});
+    }
+};
+
+} // namespace
+
+std::vector<ExpressionPlace> expressionsOf(const Scene& scene) {
+    Collector collector;
+    std::ranges::for_each(scene.forces, [&](const Force& f) { collector.add(f); });
+    std::ranges::for_each(scene.links, [&](const Link& l) { collector.add(l); });
+    std::ranges::for_each(scene.views, [&](const View& v) { collector.add(v); });
+    std::ranges::for_each(scene.plots, [&](const Plot& p) { collector.add(p); });
+    return std::move(collector.places);
+}
+
+std::vector<ExpressionFault> checkExpressions(const Scene& scene) {
+    const Names names(scene);
+    std::vector<ExpressionFault> faults;
+    expression::Graph graph;
+    for (const ExpressionPlace& place : expressionsOf(scene)) {
+        const expression::Names meaning = [&](expression::Graph& g, std::string_view name,
+                                              std::span<const expression::Node> arguments,
+                                              bool isCall) -> expression::Meaning {
+            const auto count = isCall ? std::optional(arguments.size()) : std::nullopt;
+            const Named named = names.find(name, count, place.reading);
+            if (const auto* fault = std::get_if<NameFault>(&named))
+                return {std::nullopt, fault->message, fault->suggestion};
+            return {g.symbol(name), "", ""};
+        };
+        const auto parsed = expression::parse(graph, *place.text, meaning);
+        if (const auto* error = std::get_if<expression::SyntaxError>(&parsed))
+            faults.push_back({place, error->from, error->to, error->message, error->suggestion});
+    }
+    return faults;
+}
+
+} // namespace scene

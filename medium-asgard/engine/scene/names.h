@@ -1,0 +1,127 @@
+// What the names in a scene's expressions mean, and which are wrong.
+//
+// The rules of docs/scene-language.md, "Expressions", in one place: script/ reports wrong names
+// when a text is read, physics/ turns right ones into equations.
+#pragma once
+
+#include "expression/parse.h"
+#include "scene/scene.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace scene {
+
+enum class BodyQuantity {
+    x,
+    y,
+    z,
+    dx,
+    dy,
+    dz,
+    wx,
+    wy,
+    wz,
+    qw,
+    qx,
+    qy,
+    qz,
+    mass,
+    ixx,
+    iyy,
+    izz,
+    ixy,
+    ixz,
+    iyz,
+    px,
+    py,
+    pz,
+    pdx,
+    pdy,
+    pdz, // calls with the body point's three coordinates
+};
+
+// In the order of BodyQuantity.
+[[nodiscard]] const std::vector<std::string>& bodyQuantityNames();
+
+enum class SceneQuantity { energy, px, py, pz, lx, ly, lz, collisions };
+
+struct TimeName {};
+struct ParameterName {
+    std::size_t parameter = 0; // index into Scene::parameters
+};
+struct BodyName {
+    std::size_t body = 0;
+    BodyQuantity quantity = BodyQuantity::x;
+};
+struct TrajectoryName {
+    std::size_t trajectory = 0;
+    int component = 0;   // 0..2
+    bool isRate = false; // T.dx
+};
+struct SceneName {
+    SceneQuantity quantity = SceneQuantity::energy; // events.collisions among them
+};
+struct NameFault {
+    std::string message, suggestion;
+};
+using Named = std::variant<TimeName, ParameterName, BodyName, TrajectoryName, SceneName, NameFault>;
+
+// What an expression may read.
+enum class Reading {
+    state,      // everything of bodies, trajectories, parameters, time
+    positions,  // a link's point: positions and attitudes, no velocities
+    quantities, // to chart or print: also scene.energy, events.collisions, ...
+};
+
+class Names {
+public:
+    explicit Names(const Scene& scene); // keeps only names
+
+    // `arguments`: how many a call has; none when the name stands alone.
+    [[nodiscard]] Named find(std::string_view name, std::optional<std::size_t> arguments,
+                             Reading reading) const;
+
+private:
+    enum class Kind { body, trajectory, parameter };
+    struct Owner {
+        Kind kind;
+        std::size_t index;
+    };
+    [[nodiscard]] Named findAlone(std::string_view name) const;
+    [[nodiscard]] Named findOfBody(std::string_view name, std::size_t body,
+                                   std::string_view quantity, std::optional<std::size_t> arguments,
+                                   Reading reading) const;
+    [[nodiscard]] Named findOfTrajectory(std::size_t trajectory, std::string_view quantity) const;
+    [[nodiscard]] NameFault unknownOwner(std::string_view owner, std::string_view quantity) const;
+
+    std::map<std::string, Owner, std::less<>> owners_; // bodies, trajectories, parameters
+};
+
+// --- every expression of a scene ------------------------------------------------------------
+
+struct ExpressionPlace {
+    const Expression* text = nullptr; // in the scene
+    const Source* source = nullptr;   // of its element
+    std::string option;               // "-x"
+    std::size_t index = 0;            // which value of the option, where it has several
+    Reading reading = Reading::state;
+};
+
+[[nodiscard]] std::vector<ExpressionPlace> expressionsOf(const Scene& scene);
+
+// Bytes [from, to) of one expression are wrong.
+struct ExpressionFault {
+    ExpressionPlace place;
+    std::size_t from = 0, to = 0;
+    std::string message, suggestion;
+};
+
+// All faults, one for each wrong expression, in the order of expressionsOf().
+[[nodiscard]] std::vector<ExpressionFault> checkExpressions(const Scene& scene);
+
+} // namespace scene

@@ -1,0 +1,15 @@
+// The geometry that a shape set describes: parts turned, then moved, as its author wrote them.
+#pragma once
+
+#include "geometry/shape.h"
+#include "scene/scene.h"
+
+#include <string>
+#include <variant>
+
+namespace scene {
+
+// The sentence says why there is none (points in one plane), without a full stop.
+[[nodiscard]] std::variant<geometry::Shape, std::string> shapeOf(const ShapeSet& set);
+
+} // namespace scene
