@@ -23,6 +23,7 @@ namespace render {
     X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                                     \
     X(PFNGLCLEARPROC, Clear)                                                                       \
     X(PFNGLCLEARCOLORPROC, ClearColor)                                                             \
+    X(PFNGLCOLORMASKPROC, ColorMask)                                                               \
     X(PFNGLCOMPILESHADERPROC, CompileShader)                                                       \
     X(PFNGLCREATEPROGRAMPROC, CreateProgram)                                                       \
     X(PFNGLCREATESHADERPROC, CreateShader)                                                         \

@@ -44,23 +44,19 @@ void addOutline(Lines& lines, const Solid& solid, int parts, const Ink& ink) {
     addCircle(lines, solid.place + axis * (r * r / distance), radius * u, radius * v, parts, ink);
 }
 
-// The largest of 1, 2, 5 times a power of ten that is not above x.
-double roundLength(double x) {
-    const double power = std::pow(10, std::floor(std::log10(x)));
-    for (double factor : {5.0, 2.0})
-        if (factor * power <= x)
-            return factor * power;
-    return power;
-}
-
 } // namespace
 
 void addEdges(Lines& lines, const Solid& solid, const Mesh& mesh, const Frame& frame) {
     const double size = frame.pixels(solid.radius, solid.middle.z()) / frame.stroke(1);
-    if (isSphere(solid) || size < 5)
+    if (size < 5)
         return;
-    const float alpha = 0.75F * solid.alpha * static_cast<float>(std::min(1.0, size / 16));
-    const Ink ink = rim(solid, frame, 1.1, alpha);
+    const float alpha = solid.alpha * static_cast<float>(std::min(1.0, size / 16));
+    if (isSphere(solid)) {
+        addOutline(lines, solid, circleParts(frame.pixels(solid.radius, solid.middle.z())),
+                   rim(solid, frame, 1.0, 0.6F * alpha));
+        return;
+    }
+    const Ink ink = rim(solid, frame, 1.1, 0.75F * alpha);
     for (const auto& [from, to] : mesh.edges)
         lines.add(solid.toView(from), solid.toView(to), ink);
 }
@@ -103,41 +99,6 @@ void addAxes(Lines& lines, const Extent& extent, const Frame& frame) {
     for (int axis = 0; axis < 3; ++axis)
         addArrow(lines, frame, Vector::Zero(), length * Vector::Unit(axis),
                  {colors[axis], 0.95F, frame.stroke(1.6)});
-}
-
-void addGrid(Lines& lines, const Extent& extent, const Frame& frame) {
-    const Vector up = extent.up;
-    const Vector u = std::abs(up.x()) > 0.5 ? Vector(Vector::UnitY()) : Vector(Vector::UnitX());
-    const Vector v = up.cross(u);
-    const double cell = roundLength(extent.size / 5);
-    const Vector below = extent.box.center() + (extent.lowest - extent.box.center().dot(up)) * up;
-    // Lines stand at whole multiples of the cell, so that lengths can be read off.
-    const double footU = std::round(below.dot(u) / cell), footV = std::round(below.dot(v) / cell);
-    const double across =
-        std::max(extent.box.sizes().dot(u.cwiseAbs()), extent.box.sizes().dot(v.cwiseAbs()));
-    const int reach = std::clamp(static_cast<int>(std::ceil(0.85 * across / cell)) + 3, 4, 14);
-    const auto place = [&](double i, double j) {
-        return frame.toView(below.dot(up) * up + (footU + i) * cell * u + (footV + j) * cell * v);
-    };
-    const auto alpha = [&](double i, double j) {
-        const double d = std::hypot(i, j) / reach;
-        return static_cast<float>(0.5 * std::max(0.0, 1 - d * d));
-    };
-    for (int line = -reach; line <= reach; ++line)
-        for (int along = -reach; along < reach; ++along) {
-            const bool tenth = std::llround(footU + line) % 5 == 0;
-            const bool otherTenth = std::llround(footV + line) % 5 == 0;
-            const float a = alpha(line, along), b = alpha(line, along + 1);
-            if (a <= 0 && b <= 0)
-                continue;
-            const Eigen::Vector3f grey(0.58F, 0.61F, 0.66F);
-            const auto ink = [&](bool strong) {
-                return Ink{grey, strong ? a * 1.5F : a, frame.stroke(0.9)};
-            };
-            lines.add(place(line, along), place(line, along + 1), ink(tenth), tenth ? b * 1.5F : b);
-            lines.add(place(along, line), place(along + 1, line), ink(otherTenth),
-                      otherTenth ? b * 1.5F : b);
-        }
 }
 
 } // namespace render

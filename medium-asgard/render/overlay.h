@@ -11,7 +11,8 @@
 
 namespace render {
 
-// The dark rim of a polyhedron's faces; none where it is only a few pixels large.
+// The dark rim of faces and of balls; none where it is only a few pixels large. It also hides the
+// steps of outlines that are drawn without multisampling.
 void addEdges(Lines& lines, const Solid& solid, const Mesh& mesh, const Frame& frame);
 
 // A part as bare lines: its edges, or a ball's outline and three great circles.
@@ -19,9 +20,6 @@ void addWireframe(Lines& lines, const Solid& solid, const Mesh& mesh, const Fram
 
 // The world's axes at the origin, x red, y green, z blue, with heads.
 void addAxes(Lines& lines, const Extent& extent, const Frame& frame);
-
-// A grid on the plane under everything, fading towards its rim.
-void addGrid(Lines& lines, const Extent& extent, const Frame& frame);
 
 // A straight arrow with a head, world coordinates.
 void addArrow(Lines& lines, const Frame& frame, const Vector& from, const Vector& to,

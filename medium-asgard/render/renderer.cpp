@@ -1,6 +1,7 @@
 #include "render/renderer.h"
 
 #include "render/context.h"
+#include "render/ground.h"
 #include "render/handles.h"
 #include "render/overlay.h"
 #include "render/solids.h"
@@ -88,21 +89,25 @@ void Renderer::Implementation::follow(const Drawing& drawing) {
         trails.follow(drawing, extent);
 }
 
-// The grid under the scene and the bodies' shadows on it.
+// The grid under the scene, and the bodies' shadows on it or on the scene's own floor.
 void Renderer::Implementation::paintGround(std::span<const Solid> opaque, const Frame& frame,
                                            const float* projection) {
-    const Vector up = frame.directionInView(extent.up);
-    const Vector below =
-        frame.toView(extent.box.center()) +
-        frame.camera().scale * (extent.lowest - extent.box.center().dot(extent.up)) * up;
-    const double offset = below.dot(up);
+    const std::optional<Floor> floor = floorOf(opaque, extent, frame, *solids);
+    const Plane plane = floor ? floor->plane : groundOf(extent, frame);
     gl.DepthMask(GL_FALSE);
-    if (Vector(0, 0, eyeDistance).dot(up) > offset) {
-        // Each pixel of the ground is darkened once, whatever lies over it.
+    if (!opaque.empty() && eyeDistance * plane.normal.z() > plane.offset) {
         gl.Enable(GL_STENCIL_TEST);
-        gl.StencilFunc(GL_EQUAL, 0, 0xFF);
+        if (floor) {
+            gl.StencilFunc(GL_ALWAYS, 1, 0xFF);
+            gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+            gl.Enable(GL_POLYGON_OFFSET_FILL);
+            solids->drawFacesOn(opaque[floor->solid], frame, plane);
+            gl.Disable(GL_POLYGON_OFFSET_FILL);
+        }
+        // Each pixel of the ground is darkened once, whatever lies over it.
+        gl.StencilFunc(GL_EQUAL, floor ? 1 : 0, 0xFF);
         gl.StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-        solids->drawShadows(opaque, frame, up, offset, 0.5 * extent.size * frame.camera().scale);
+        solids->drawShadows(opaque, frame, plane, 0.5 * extent.size * frame.camera().scale);
         gl.Disable(GL_STENCIL_TEST);
     }
     addGrid(*lines, extent, frame);

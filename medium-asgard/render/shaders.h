@@ -20,7 +20,7 @@ layout(location = 5) in vec4 color;     // linear; alpha 1 is opaque
 layout(location = 6) in vec2 material;  // shininess; depth of the quarters of a spinning ball
 uniform mat4 projection;
 uniform vec4 ground;                    // unit normal and offset of the ground plane
-uniform bool shadow;                    // the solids laid flat on the ground
+uniform int pass;                       // 0 surfaces, 1 shadows on the ground, 2 faces along it
 out vec3 place;
 out vec3 facing;
 out vec3 local;
@@ -35,7 +35,7 @@ void main() {
     tint = color;
     surface = material;
     height = dot(ground.xyz, place) - ground.w;
-    if (shadow)
+    if (pass == 1)
         place -= height * ground.xyz;
     gl_Position = projection * vec4(place, 1);
 }
@@ -48,7 +48,8 @@ in vec3 local;
 in float height;
 flat in vec4 tint;
 flat in vec2 surface;
-uniform bool shadow;
+uniform int pass;
+uniform vec4 ground;
 uniform float reach;                    // height at which a shadow has faded to a third
 uniform vec3 up;
 uniform float eye;                      // distance of the eye from view z = 0
@@ -63,17 +64,25 @@ vec3 encoded(vec3 c) {
 }
 
 void main() {
-    if (shadow) {
-        pixel = vec4(0.10, 0.12, 0.16, 0.24 * exp(-max(height, 0.0) / reach));
+    if (pass == 1) {
+        if (height < 1e-3 * reach)
+            discard;
+        pixel = vec4(0.10, 0.12, 0.16, 0.24 * exp(-height / reach));
         return;
     }
     vec3 n = normalize(facing);
+    if (pass == 2) {
+        if (dot(n, ground.xyz) < 0.999 || abs(height) > 1e-3 * reach)
+            discard;
+        pixel = vec4(0);
+        return;
+    }
     if (!gl_FrontFacing)
         n = -n;
     vec3 toEye = normalize(vec3(0, 0, eye) - place);
     // A little light from everywhere, more from above: no face is black, and no two faces alike.
     float sky = 0.5 + 0.5 * dot(n, up);
-    vec3 diffuse = mix(vec3(0.150, 0.155, 0.175), vec3(0.40, 0.40, 0.39), sky);
+    vec3 diffuse = mix(vec3(0.185, 0.19, 0.21), vec3(0.42, 0.42, 0.41), sky);
     vec3 gloss = vec3(0);
     float power = mix(6.0, 160.0, surface.x * surface.x);
     for (int i = 0; i < lights; ++i) {

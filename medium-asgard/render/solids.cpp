@@ -135,17 +135,18 @@ void Solids::begin(const Frame&, const std::vector<Light>& lights, const Vector&
     gl_.Uniform1i(program_.place("lights"), static_cast<GLint>(lights.size()));
     gl_.Uniform4fv(program_.place("lightPlace"), mostLights, places);
     gl_.Uniform3fv(program_.place("lightColor"), mostLights, colors);
-    gl_.Uniform1i(program_.place("shadow"), 0);
+    setPass(Pass::surface, {});
 }
 
 const Mesh& Solids::meshOf(const Solid& solid, const Frame& frame) {
     return stored(solid, frame).mesh;
 }
 
-Solids::Stored& Solids::stored(const Solid& solid, const Frame& frame) {
+Solids::Stored& Solids::stored(const Solid& solid, const Frame& frame, int coarser) {
     Key key;
     if (std::holds_alternative<scene::SphereShape>(solid.part->shape)) {
-        const int level = sphereLevel(frame.pixels(solid.radius, solid.middle.z()));
+        const int level =
+            std::max(1, sphereLevel(frame.pixels(solid.radius, solid.middle.z())) - coarser);
         key = {0, static_cast<double>(level)};
     } else if (std::holds_alternative<scene::BoxShape>(solid.part->shape)) {
         key = {1};
@@ -240,11 +241,11 @@ void Solids::drawInstances(Stored& stored, const std::vector<Instance>& instance
                               GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(instances.size()));
 }
 
-void Solids::drawGrouped(std::span<const Solid> solids, const Frame& frame) {
+void Solids::drawGrouped(std::span<const Solid> solids, const Frame& frame, int coarser) {
     std::vector<std::pair<Stored*, std::vector<Instance>>> groups; // in order of first use
     std::map<const Stored*, std::size_t> places;
     for (const Solid& solid : solids) {
-        Stored& mesh = stored(solid, frame);
+        Stored& mesh = stored(solid, frame, coarser);
         const auto [place, isNew] = places.try_emplace(&mesh, groups.size());
         if (isNew)
             groups.emplace_back(&mesh, std::vector<Instance>{});
@@ -271,17 +272,31 @@ void Solids::drawTransparent(const Solid& solid, const Frame& frame) {
     gl_.CullFace(GL_BACK);
 }
 
-void Solids::drawShadows(std::span<const Solid> solids, const Frame& frame, const Vector& normal,
-                         double offset, double reach) {
+void Solids::setPass(Pass pass, const Plane& plane) {
     program_.use();
-    gl_.Uniform1i(program_.place("shadow"), 1);
-    gl_.Uniform4f(program_.place("ground"), static_cast<float>(normal.x()),
-                  static_cast<float>(normal.y()), static_cast<float>(normal.z()),
-                  static_cast<float>(offset));
+    gl_.Uniform1i(program_.place("pass"), static_cast<GLint>(pass));
+    gl_.Uniform4f(program_.place("ground"), static_cast<float>(plane.normal.x()),
+                  static_cast<float>(plane.normal.y()), static_cast<float>(plane.normal.z()),
+                  static_cast<float>(plane.offset));
+}
+
+void Solids::drawShadows(std::span<const Solid> solids, const Frame& frame, const Plane& plane,
+                         double reach) {
+    setPass(Pass::shadow, plane);
     gl_.Uniform1f(program_.place("reach"), static_cast<float>(reach));
-    gl_.Disable(GL_CULL_FACE);
-    drawGrouped(solids, frame);
-    gl_.Uniform1i(program_.place("shadow"), 0);
+    // What faces down would only cover the same pixels again; a shadow needs no fine outline.
+    gl_.Enable(GL_CULL_FACE);
+    drawGrouped(solids, frame, 1);
+    setPass(Pass::surface, plane);
+}
+
+void Solids::drawFacesOn(const Solid& solid, const Frame& frame, const Plane& plane) {
+    setPass(Pass::facesOn, plane);
+    gl_.Uniform1f(program_.place("reach"), static_cast<float>(solid.radius));
+    gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    drawGrouped({&solid, 1}, frame);
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    setPass(Pass::surface, plane);
 }
 
 } // namespace render

@@ -36,6 +36,12 @@ struct Solid {
 [[nodiscard]] std::vector<Solid> solidsOf(const Drawing& drawing, const Extent& extent,
                                           const Frame& frame);
 
+// Points x of the view with normal . x = offset.
+struct Plane {
+    Vector normal = Vector::UnitY();
+    double offset = 0;
+};
+
 class Solids {
 public:
     explicit Solids(const Gl& gl) : gl_(gl), program_(gl) {}
@@ -53,9 +59,11 @@ public:
     void drawOpaque(std::span<const Solid> solids, const Frame& frame);
     // One solid, its back faces before its front faces.
     void drawTransparent(const Solid& solid, const Frame& frame);
-    // All of them, laid flat on a plane of the view (n . x = offset) and fading with height.
-    void drawShadows(std::span<const Solid> solids, const Frame& frame, const Vector& normal,
-                     double offset, double reach);
+    // What stands above a plane of the view laid flat on it, fading to a third at height `reach`.
+    void drawShadows(std::span<const Solid> solids, const Frame& frame, const Plane& plane,
+                     double reach);
+    // Only the faces of a solid that lie in the plane, without colour: marks the stencil.
+    void drawFacesOn(const Solid& solid, const Frame& frame, const Plane& plane);
 
 private:
     struct Instance {
@@ -66,15 +74,17 @@ private:
         GLuint array = 0, vertices = 0, indices = 0;
         unsigned used = 0; // the last picture that needed it
     };
-    using Key = std::vector<double>; // what the mesh depends on
+    enum class Pass : std::uint8_t { surface, shadow, facesOn }; // numbered as in the shader
+    using Key = std::vector<double>;                             // what the mesh depends on
 
-    Stored& stored(const Solid& solid, const Frame& frame);
+    Stored& stored(const Solid& solid, const Frame& frame, int coarser = 0);
+    void setPass(Pass pass, const Plane& plane);
     void upload(Stored& stored);
     void release(Stored& stored);
     void forgetUnused();
     void drawInstances(Stored& stored, const std::vector<Instance>& instances);
     static Instance instanceOf(const Solid& solid);
-    void drawGrouped(std::span<const Solid> solids, const Frame& frame);
+    void drawGrouped(std::span<const Solid> solids, const Frame& frame, int coarser = 0);
 
     const Gl& gl_;
     Program program_;
