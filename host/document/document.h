@@ -33,22 +33,22 @@ class Document : public QObject {
     Q_OBJECT
 
 public:
-    explicit Document(std::string bytes = {}, QObject *parent = nullptr);
+    explicit Document(std::string bytes = {}, QObject* parent = nullptr);
     ~Document() override;
 
     // --- what it is
-    [[nodiscard]] const sgml::Tree &tree() const { return tree_; }
-    [[nodiscard]] const std::string &bytes() const { return tree_.bytes(); }
+    [[nodiscard]] const sgml::Tree& tree() const { return tree_; }
+    [[nodiscard]] const std::string& bytes() const { return tree_.bytes(); }
     [[nodiscard]] std::string className() const;
     [[nodiscard]] bool isBroken() const { return tree_.isBroken(); }
     // Of the format, in order of place. What a schema does not allow: structureFaults().
-    [[nodiscard]] const std::vector<sgml::Fault> &faults() const { return tree_.faults(); }
+    [[nodiscard]] const std::vector<sgml::Fault>& faults() const { return tree_.faults(); }
 
     // --- subdocuments, nested ones included, in document order
     [[nodiscard]] std::vector<SubdocumentId> subdocuments() const;
-    [[nodiscard]] const Subdocument *subdocument(SubdocumentId id) const; // null: not there now
+    [[nodiscard]] const Subdocument* subdocument(SubdocumentId id) const; // null: not there now
     [[nodiscard]] SubdocumentId subdocumentOf(sgml::NodeId documentElement) const;
-    [[nodiscard]] SubdocumentId subdocumentNamed(const std::string &name) const;
+    [[nodiscard]] SubdocumentId subdocumentNamed(const std::string& name) const;
     [[nodiscard]] std::string text(SubdocumentId id) const; // unescaped
     // The place in the file of a place in a subdocument's text, escapes counted.
     [[nodiscard]] sgml::Position filePosition(SubdocumentId id, sgml::Position inText) const;
@@ -57,11 +57,10 @@ public:
     [[nodiscard]] int revision() const { return revision_; } // of the whole; grows with each change
     // Ranges are bytes of the unescaped text. `base` is the subdocument's revision that they were
     // made for. Edits with the same `group` that follow each other are one step of undo.
-    EditResult editText(SubdocumentId id, int base, const sgml::Edits &edits, const QString &label,
-                        const QString &group = {});
-    // Ranges are bytes of the file. `within`: a content, when they come from sgml::contentEdits().
-    EditResult edit(const sgml::Edits &edits, const QString &label, const QString &group = {},
-                    sgml::NodeId within = sgml::noNode);
+    EditResult editText(SubdocumentId id, int base, const sgml::Edits& edits, const QString& label,
+                        const QString& group = {});
+    // Ranges are bytes of the file.
+    EditResult edit(const sgml::Edits& edits, const QString& label, const QString& group = {});
 
     // --- undo: to the start gives the first bytes, redo to the end the last
     [[nodiscard]] bool canUndo() const { return done_ > 0; }
@@ -72,51 +71,67 @@ public:
     void redo();
 
     // --- its file
-    [[nodiscard]] const QString &fileName() const { return fileName_; }
+    [[nodiscard]] const QString& fileName() const { return fileName_; }
     [[nodiscard]] bool isModified() const { return done_ != clean_; }
-    // A broken document replaces the file that it was read from only when told that it may.
-    enum class Overwrite { onlySound, evenBroken };
-    [[nodiscard]] SaveResult save(Overwrite overwrite = Overwrite::onlySound);
-    [[nodiscard]] SaveResult saveAs(const QString &fileName,
-                                    Overwrite overwrite = Overwrite::onlySound);
+    // A broken document, and a file that another program changed, are replaced only when allowed.
+    [[nodiscard]] SaveResult save(SaveOptions options = {});
+    [[nodiscard]] SaveResult saveAs(const QString& fileName, SaveOptions options = {});
     // Was the file changed by another program since it was read or saved?
     [[nodiscard]] FileState fileState() const;
-    void setFileSystem(FileSystem *files); // for tests; not owned
 
     struct Loaded;
-    [[nodiscard]] static Loaded load(const QString &fileName, FileSystem *files = nullptr);
+    [[nodiscard]] static Loaded load(const QString& fileName, FileSystem* files = nullptr);
 
 Q_SIGNALS:
     void changed(); // after any change of the bytes
-    void textChanged(document::SubdocumentId id, const sgml::Edits &edits, int revision,
-                     const QString &label); // unescaped edits; undo and redo too
+    void textChanged(document::SubdocumentId id, const sgml::Edits& edits, int revision,
+                     const QString& label); // unescaped edits; undo and redo too
     void subdocumentsChanged();             // some came or went, or an attribute changed
     void undoChanged();                     // labels, canUndo, canRedo
     void modifiedChanged(bool modified);
     void fileNameChanged();
 
 private:
-    struct Step;
-    struct Place;
-    void replace(const sgml::Edits &edits, sgml::NodeId within, const QString &label, Step *step,
-                 bool backwards);
-    void announce(bool wasModified);
-    void readSubdocuments(const std::map<std::size_t, SubdocumentId> &known);
-    [[nodiscard]] Subdocument describe(sgml::NodeId element) const;
-    void push(Step step, const QString &group);
+    // One change of the bytes, and what it did to the subdocuments.
+    struct Change {
+        sgml::Edits forward, backward;
+        SubdocumentId id = noSubdocument; // whose text it changes and nothing else
+        sgml::Edits textForward, textBackward;
+        std::map<std::size_t, SubdocumentId> lost, found; // by offset before and after
+    };
+    struct Step {
+        QString label;
+        std::vector<Change> changes;
+    };
+    enum class Direction { forward, backward };
 
+    EditResult perform(Change change, const QString& label, const QString& group);
+    void play(Change& change, Direction direction, const QString& label);
+    void playText(Change& change, Direction direction, const QString& label);
+    void playAll(Change& change, Direction direction, const QString& label);
+    void push(Change change, const QString& label, const QString& group);
+    void announce(bool wasModified);
+    [[nodiscard]] std::map<std::size_t, SubdocumentId> survivors(Change& change,
+                                                                 Direction direction) const;
+    void readSubdocuments(const std::map<std::size_t, SubdocumentId>& known);
+    int nextRevision(SubdocumentId id);
+    [[nodiscard]] Subdocument describe(sgml::NodeId element) const;
+    [[nodiscard]] bool isOwnFile(const QString& fileName) const;
+
+    static constexpr std::size_t noStep = static_cast<std::size_t>(-1);
     sgml::Tree tree_;
     std::map<SubdocumentId, Subdocument> subdocuments_;
     std::vector<SubdocumentId> order_;
+    std::map<SubdocumentId, int> revisions_; // of those that are gone too
     SubdocumentId lastId_ = noSubdocument;
     int revision_ = 0;
     std::vector<Step> steps_;
-    std::size_t done_ = 0;
-    std::size_t clean_ = 0; // npos: the saved state is no longer on the stack
+    std::size_t done_ = 0;  // steps that are in force
+    std::size_t clean_ = 0; // steps that were in force when saved; noStep: that state is gone
     QString group_;
     QString fileName_;
     FileStamp stamp_;
-    FileSystem *files_;
+    FileSystem* files_ = &FileSystem::real();
 };
 
 struct Document::Loaded {

@@ -113,10 +113,10 @@ struct Model {
         warnings; // what the walk found: references to nothing, unknown elements
 };
 
-[[nodiscard]] Model buildModel(const Document &document, const Presentation &presentation,
-                               const Schemas &schemas);
+[[nodiscard]] Model buildModel(const Document& document, const Presentation& presentation,
+                               const Schemas& schemas);
 
 // One line per block, indented by nesting, with styles that differ from the default (for tests).
-[[nodiscard]] std::string printed(const Model &model);
+[[nodiscard]] std::string printed(const Model& model);
 
 } // namespace document

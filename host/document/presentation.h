@@ -65,10 +65,10 @@ struct Property {
 class Presentation {
 public:
     // What is faulty is left out; each fault has its line in the file.
-    [[nodiscard]] static Presentation parse(std::string_view text, std::vector<sgml::Fault> &faults,
-                                            const Presentation *base = nullptr);
+    [[nodiscard]] static Presentation parse(std::string_view text, std::vector<sgml::Fault>& faults,
+                                            const Presentation* base = nullptr);
 
-    [[nodiscard]] const PageStyle &page() const { return page_; }
+    [[nodiscard]] const PageStyle& page() const { return page_; }
 
     struct Selector {
         struct Name {
@@ -82,8 +82,8 @@ public:
     using Progress = std::vector<std::uint8_t>;
     [[nodiscard]] Progress start() const { return Progress(selectors_.size(), 0); }
     // The style of an element inside one with style `outer`; `progress` goes one element down.
-    [[nodiscard]] ElementStyle style(std::string_view name, bool first, const ElementStyle &outer,
-                                     Progress &progress) const;
+    [[nodiscard]] ElementStyle style(std::string_view name, bool first, const ElementStyle& outer,
+                                     Progress& progress) const;
     [[nodiscard]] ElementStyle rootStyle() const;
 
 private:

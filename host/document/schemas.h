@@ -24,7 +24,7 @@ class Schemas {
 public:
     [[nodiscard]] static Schemas builtIn();
     // Those of the folders, in order, before the built-in ones.
-    [[nodiscard]] static Schemas load(const QStringList &folders);
+    [[nodiscard]] static Schemas load(const QStringList& folders);
     [[nodiscard]] static QStringList standardFolders();
 
     // Has the class a presentation, so that it is text and no medium?
@@ -32,18 +32,18 @@ public:
     // Names, "default" first.
     [[nodiscard]] QStringList presentations(std::string_view className) const;
     // Never fails: an unknown name gives the class's default, an unknown class the plain one.
-    [[nodiscard]] const Presentation &presentation(std::string_view className,
-                                                   const QString &name = {}) const;
-    [[nodiscard]] const StructureSchema *structure(std::string_view className) const;
+    [[nodiscard]] const Presentation& presentation(std::string_view className,
+                                                   const QString& name = {}) const;
+    [[nodiscard]] const StructureSchema* structure(std::string_view className) const;
 
     struct FileFault {
         QString file;
         sgml::Fault fault;
     };
-    [[nodiscard]] const std::vector<FileFault> &faults() const { return faults_; }
+    [[nodiscard]] const std::vector<FileFault>& faults() const { return faults_; }
 
 private:
-    void addFile(const QString &path, const QString &name, const std::string &text);
+    void addFile(const QString& path, const QString& name, const std::string& text);
     std::map<std::string, StructureSchema, std::less<>> structures_;
     // Class, then name.
     std::map<std::string, std::map<QString, Presentation>, std::less<>> presentations_;
@@ -54,6 +54,6 @@ private:
 // What the schemas do not allow in a document and in its nested documents, as warnings in order of
 // place. A class without a schema is a warning unless it is among `media`.
 [[nodiscard]] std::vector<sgml::Fault>
-structureFaults(const Document &document, const Schemas &schemas, const QStringList &media);
+structureFaults(const Document& document, const Schemas& schemas, const QStringList& media);
 
 } // namespace document

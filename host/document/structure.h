@@ -33,7 +33,7 @@ public:
     // LIMIT: nested parentheses.
     static constexpr int deepest = 50;
 
-    [[nodiscard]] static ContentModel parse(std::string_view rule, std::string &fault);
+    [[nodiscard]] static ContentModel parse(std::string_view rule, std::string& fault);
 
     struct Verdict {
         std::size_t wrong; // index of the first child that does not belong; children.size(): none
@@ -41,12 +41,12 @@ public:
         std::string expected; // "HEADING, PARAGRAPH or the end"
     };
     // Children are names of elements; "" stands for content in braces.
-    [[nodiscard]] Verdict check(const std::vector<std::string_view> &children) const;
-    [[nodiscard]] const std::vector<Symbol> &symbols() const { return symbols_; }
+    [[nodiscard]] Verdict check(const std::vector<std::string_view>& children) const;
+    [[nodiscard]] const std::vector<Symbol>& symbols() const { return symbols_; }
 
 private:
     friend class ContentModelParser;
-    [[nodiscard]] std::string expectedAfter(const std::vector<std::uint16_t> &positions,
+    [[nodiscard]] std::string expectedAfter(const std::vector<std::uint16_t>& positions,
                                             bool mayEnd) const;
     std::vector<Symbol> symbols_; // 0 is the start
     std::vector<bool> final_;
@@ -56,11 +56,11 @@ class StructureSchema {
 public:
     // Rules with faults are left out; each fault has the line of the file.
     [[nodiscard]] static StructureSchema parse(std::string_view text,
-                                               std::vector<sgml::Fault> &faults);
+                                               std::vector<sgml::Fault>& faults);
 
     // What the nested or whole document at `documentNode` holds against the schema, as warnings in
     // order of place. Nested documents of its own are left to their own class's schema.
-    [[nodiscard]] std::vector<sgml::Fault> check(const sgml::Tree &tree,
+    [[nodiscard]] std::vector<sgml::Fault> check(const sgml::Tree& tree,
                                                  sgml::NodeId documentNode) const;
 
 private:
@@ -69,10 +69,10 @@ private:
         std::vector<std::string> attributes;
     };
     friend class StructureParser;
-    void checkElement(const sgml::Tree &tree, sgml::NodeId element,
-                      std::vector<sgml::Fault> &warnings) const;
-    void checkAttributes(const sgml::Tree &tree, sgml::NodeId element, const Rule &rule,
-                         std::vector<sgml::Fault> &warnings) const;
+    void checkElement(const sgml::Tree& tree, sgml::NodeId element,
+                      std::vector<sgml::Fault>& warnings) const;
+    void checkAttributes(const sgml::Tree& tree, sgml::NodeId element, const Rule& rule,
+                         std::vector<sgml::Fault>& warnings) const;
     std::map<std::string, Rule, std::less<>> rules_;
 };
 

@@ -11,7 +11,7 @@ namespace document {
 
 struct Color {
     std::uint8_t red = 0, green = 0, blue = 0;
-    bool operator==(const Color &) const = default;
+    bool operator==(const Color&) const = default;
 };
 
 // What letters look like. Inherited by everything inside.
@@ -25,7 +25,7 @@ struct TextStyle {
     bool raised = false; // superscript: smaller and higher (footnote marks)
     Color color;
     std::optional<Color> background;
-    bool operator==(const TextStyle &) const = default;
+    bool operator==(const TextStyle&) const = default;
 };
 
 enum class Align { left, center, right, justify };
@@ -34,7 +34,7 @@ struct Border {
     double width = 0; // 0: none
     Color color{128, 128, 128};
     bool top = true, right = true, bottom = true, left = true;
-    bool operator==(const Border &) const = default;
+    bool operator==(const Border&) const = default;
 };
 
 // Where a block stands and what surrounds it.
@@ -54,7 +54,7 @@ struct BlockStyle {
     bool keepWithNext = false; // not the last on a page
     bool keepTogether = false; // not split over pages if it fits on one
     bool pageBreakBefore = false;
-    bool operator==(const BlockStyle &) const = default;
+    bool operator==(const BlockStyle&) const = default;
 };
 
 // The paper. In headers and footers {page}, {pages} and {title} stand for what they say.
@@ -67,7 +67,7 @@ struct PageStyle {
     TextStyle headerStyle; // of footers too
     Color background{255, 255, 255};
     double zoom = 1; // times the size on screen that a view of this presentation begins with
-    bool operator==(const PageStyle &) const = default;
+    bool operator==(const PageStyle&) const = default;
 };
 
 } // namespace document

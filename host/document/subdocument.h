@@ -25,7 +25,7 @@ struct Subdocument {
     int revision = 0;                         // grows with each change of its text
     sgml::NodeId element = sgml::noNode;      // <DOCUMENT>; numbers of nodes change with each edit
     sgml::NodeId classElement = sgml::noNode; // <ANIMATION>; noNode in a broken document
-    sgml::NodeId content = sgml::noNode;      // the storage element's content
+    sgml::NodeId content = sgml::noNode;      // the storage element's content, if it has any
 
     // Attributes of the class element, nothing where they are missing or senseless.
     std::string name;                             // ID

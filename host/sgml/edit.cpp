@@ -9,9 +9,9 @@ namespace sgml {
 
 // --- edits of any text ----------------------------------------------------------------------
 
-bool areOrdered(const Edits &edits, std::size_t size) {
+bool areOrdered(const Edits& edits, std::size_t size) {
     std::size_t before = 0;
-    for (const Edit &edit : edits) {
+    for (const Edit& edit : edits) {
         if (edit.range.from < before || edit.range.to < edit.range.from || edit.range.to > size)
             return false;
         before = edit.range.to;
@@ -19,10 +19,10 @@ bool areOrdered(const Edits &edits, std::size_t size) {
     return true;
 }
 
-std::string applied(std::string_view text, const Edits &edits) {
+std::string applied(std::string_view text, const Edits& edits) {
     std::string result;
     std::size_t kept = 0;
-    for (const Edit &edit : edits) {
+    for (const Edit& edit : edits) {
         result += text.substr(kept, edit.range.from - kept);
         result += edit.text;
         kept = edit.range.to;
@@ -31,10 +31,10 @@ std::string applied(std::string_view text, const Edits &edits) {
     return result;
 }
 
-Edits inverse(std::string_view text, const Edits &edits) {
+Edits inverse(std::string_view text, const Edits& edits) {
     Edits result;
     std::size_t added = 0, removed = 0;
-    for (const Edit &edit : edits) {
+    for (const Edit& edit : edits) {
         const std::size_t from = edit.range.from + added - removed;
         result.push_back({{from, from + edit.text.size()},
                           std::string(text.substr(edit.range.from, edit.range.size()))});
@@ -44,9 +44,9 @@ Edits inverse(std::string_view text, const Edits &edits) {
     return result;
 }
 
-std::optional<std::size_t> moved(std::size_t offset, const Edits &edits) {
+std::optional<std::size_t> moved(std::size_t offset, const Edits& edits) {
     std::size_t added = 0, removed = 0;
-    for (const Edit &edit : edits) {
+    for (const Edit& edit : edits) {
         if (edit.range.from > offset)
             break;
         if (edit.range.contains(offset))
@@ -64,12 +64,12 @@ namespace {
 // Edits of one content's spelling, and the neighbours that must be respelled with them.
 class ContentEditor {
 public:
-    ContentEditor(const Tree &tree, NodeId content)
+    ContentEditor(const Tree& tree, NodeId content)
         : tree_(tree), content_(content), range_(tree.contentRange(content)),
           unescaped_(tree.unescaped(content)) {}
 
-    Edits edits(const Edits &unescaped) {
-        for (const Edit &edit : unescaped) {
+    Edits edits(const Edits& unescaped) {
+        for (const Edit& edit : unescaped) {
             const std::size_t size = unescaped_.text().size();
             const std::size_t to = std::min(edit.range.to, size);
             const std::size_t from = std::min(edit.range.from, to);
@@ -87,7 +87,7 @@ private:
         const std::string_view spelling = tree_.text(range_);
         Edits widowed;
         std::unordered_map<std::size_t, std::size_t> pairs;
-        for (const Edit &edit : edits_) {
+        for (const Edit& edit : edits_) {
             if (tree_.text(edit.range).find_first_of("{}") == std::string_view::npos)
                 continue;
             if (pairs.empty())
@@ -101,12 +101,12 @@ private:
         }
         edits_.insert(edits_.end(), widowed.begin(), widowed.end());
         std::stable_sort(edits_.begin(), edits_.end(),
-                         [](const Edit &a, const Edit &b) { return a.range.from < b.range.from; });
+                         [](const Edit& a, const Edit& b) { return a.range.from < b.range.from; });
     }
 
     [[nodiscard]] bool isReplaced(std::size_t offset) const {
         return std::any_of(edits_.begin(), edits_.end(),
-                           [&](const Edit &edit) { return edit.range.contains(offset); });
+                           [&](const Edit& edit) { return edit.range.contains(offset); });
     }
 
     // A bare backslash is itself only as long as no brace or backslash follows it.
@@ -145,7 +145,7 @@ private:
 
     static bool isSpecial(char c) { return c == '{' || c == '}' || c == '\\'; }
 
-    const Tree &tree_;
+    const Tree& tree_;
     NodeId content_;
     Range range_;
     Unescaped unescaped_;
@@ -154,23 +154,23 @@ private:
 
 } // namespace
 
-Edits contentEdits(const Tree &tree, NodeId content, const Edits &unescaped) {
+Edits contentEdits(const Tree& tree, NodeId content, const Edits& unescaped) {
     return ContentEditor(tree, content).edits(unescaped);
 }
 
-Edits contentEdit(const Tree &tree, NodeId content, Range unescaped, std::string_view text) {
+Edits contentEdit(const Tree& tree, NodeId content, Range unescaped, std::string_view text) {
     return contentEdits(tree, content, {{unescaped, std::string(text)}});
 }
 
 // --- edits of attributes --------------------------------------------------------------------
 
-Edits attributeEdit(const Tree &tree, NodeId element, std::string_view name,
+Edits attributeEdit(const Tree& tree, NodeId element, std::string_view name,
                     std::string_view value) {
     std::string spelled(value);
     std::replace(spelled.begin(), spelled.end(), '"', '\'');
-    const Node &node = tree.node(element);
+    const Node& node = tree.node(element);
     std::size_t end = node.name.to;
-    for (const Attribute &attribute : tree.attributes(element)) {
+    for (const Attribute& attribute : tree.attributes(element)) {
         if (tree.text(attribute.name) == name)
             return {{attribute.whole, std::string(name) + "=\"" + spelled + '"'}};
         end = attribute.whole.to;
@@ -178,9 +178,9 @@ Edits attributeEdit(const Tree &tree, NodeId element, std::string_view name,
     return {{{end, end}, " " + std::string(name) + "=\"" + spelled + '"'}};
 }
 
-Edits attributeRemoval(const Tree &tree, NodeId element, std::string_view name) {
+Edits attributeRemoval(const Tree& tree, NodeId element, std::string_view name) {
     std::size_t before = tree.node(element).name.to;
-    for (const Attribute &attribute : tree.attributes(element)) {
+    for (const Attribute& attribute : tree.attributes(element)) {
         if (tree.text(attribute.name) == name)
             return {{{before, attribute.whole.to}, ""}}; // the blanks before it go with it
         before = attribute.whole.to;
@@ -198,41 +198,41 @@ std::string elementText(std::string_view name, std::string_view content) {
 // Moves the offsets of a tree whose structure an edit of one content leaves alone.
 class Splice {
 public:
-    Splice(Tree &tree, const Edits &edits, NodeId content)
+    Splice(Tree& tree, const Edits& edits, NodeId content)
         : tree_(tree), content_(tree.node(content).startTag.from) {
-        for (const Edit &edit : edits)
+        for (const Edit& edit : edits)
             shift_ += static_cast<std::ptrdiff_t>(edit.text.size()) -
                       static_cast<std::ptrdiff_t>(edit.range.size());
         tree_.bytes_ = applied(tree_.bytes_, edits);
-        for (Node &node : tree_.nodes_)
-            for (Range *range : {&node.range, &node.name, &node.startTag, &node.endTag})
+        for (Node& node : tree_.nodes_)
+            for (Range* range : {&node.range, &node.name, &node.startTag, &node.endTag})
                 move(*range);
-        for (Attribute &attribute : tree_.attributes_)
-            for (Range *range : {&attribute.name, &attribute.value, &attribute.whole})
+        for (Attribute& attribute : tree_.attributes_)
+            for (Range* range : {&attribute.name, &attribute.value, &attribute.whole})
                 move(*range);
     }
 
 private:
-    void move(Range &range) const {
+    void move(Range& range) const {
         move(range.from);
         move(range.to);
     }
     // No offset of a node lies inside the content: it is at or before its `{`, just behind that, or
     // at its `}` or later.
-    void move(std::size_t &offset) const {
+    void move(std::size_t& offset) const {
         if (offset > content_ + 1)
             offset = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(offset) + shift_);
     }
 
-    Tree &tree_;
+    Tree& tree_;
     std::size_t content_;
     std::ptrdiff_t shift_ = 0;
 };
 
-Tree edited(Tree tree, const Edits &edits, NodeId within) {
+Tree edited(Tree tree, const Edits& edits, NodeId within) {
     const bool sound =
         within != noNode && tree.faults().empty() && !tree.contentRange(within).empty();
-    const auto isPlain = [](const Edit &edit) {
+    const auto isPlain = [](const Edit& edit) {
         return isUtf8(edit.text) && edit.text.find('\0') == std::string::npos;
     };
     if (!sound || !std::all_of(edits.begin(), edits.end(), isPlain))

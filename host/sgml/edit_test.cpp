@@ -7,9 +7,9 @@ namespace sgml {
 
 namespace {
 
-std::string around(const std::string &spelling) { return "DOCUMENT A\n<A>{" + spelling + "}</A>"; }
+std::string around(const std::string& spelling) { return "DOCUMENT A\n<A>{" + spelling + "}</A>"; }
 
-NodeId onlyContent(const Tree &tree) { return tree.content(tree.classElement(tree.root())); }
+NodeId onlyContent(const Tree& tree) { return tree.content(tree.classElement(tree.root())); }
 
 } // namespace
 
@@ -29,7 +29,7 @@ TEST(Edit, ContentEditsChangeOnlyTheirBytes) {
         {"a\\x\\{b", {2, 3}, "", "a\\\\\\{b"},
         {"\\\\", {0, 1}, "/", "/"},
     };
-    for (const auto &[before, range, text, after] : cases) {
+    for (const auto& [before, range, text, after] : cases) {
         const Tree tree = Tree::parse(around(before));
         ASSERT_FALSE(tree.isBroken()) << before;
         const Edits edits = contentEdit(tree, onlyContent(tree), range, text);
@@ -82,7 +82,7 @@ TEST(Edit, RandomContentEditsEqualReadingAgain) {
             const std::string bytes = tree.bytes();
             const Range range = tree.contentRange(id);
             ASSERT_TRUE(areOrdered(edits, bytes.size()));
-            for (const Edit &edit : edits) {
+            for (const Edit& edit : edits) {
                 ASSERT_GE(edit.range.from, range.from);
                 ASSERT_LE(edit.range.to, range.to);
             }

@@ -21,13 +21,13 @@ public:
     // `start` is the offset in the file of the spelling's first byte.
     explicit Unescaped(std::string_view spelling, std::size_t start = 0);
 
-    [[nodiscard]] const std::string &text() const { return text_; }
+    [[nodiscard]] const std::string& text() const { return text_; }
     // Of an escaped character: the offset of its backslash. Of the text's end: of the brace.
     [[nodiscard]] std::size_t fileOffset(std::size_t offset) const;
     // Of either byte of an escaped character: the offset of that character.
     [[nodiscard]] std::size_t textOffset(std::size_t fileOffset) const;
     // Offsets, in the text, of the characters that are spelled with a backslash before them.
-    [[nodiscard]] const std::vector<std::size_t> &escapes() const { return escapes_; }
+    [[nodiscard]] const std::vector<std::size_t>& escapes() const { return escapes_; }
     [[nodiscard]] bool isEscaped(std::size_t offset) const;
 
 private:

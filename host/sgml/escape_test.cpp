@@ -13,7 +13,7 @@ TEST(Escape, Spellings) {
         {"\\{a\\}", "{a}"}, {"{a}", "{a}"},       {"a\\b", "a\\b"},
         {"a\\\\b", "a\\b"}, {"\\\\{x}", "\\{x}"}, {"\\\\\\{", "\\{"},
     };
-    for (const auto &[spelling, text] : cases)
+    for (const auto& [spelling, text] : cases)
         EXPECT_EQ(Unescaped(spelling).text(), text) << spelling;
     EXPECT_EQ(escaped("{a\\}"), "\\{a\\\\\\}");
 }
@@ -51,7 +51,7 @@ TEST(Braces, OnePassAgreesWithTheSearchFromEachBrace) {
         const std::string text = random.text(40);
         const std::vector<std::size_t> unclosed = unclosedBraces(text);
         const auto pairs = bracePairs(text);
-        for (const auto &[brace, partner] : pairs)
+        for (const auto& [brace, partner] : pairs)
             ASSERT_EQ(closingBrace(text, std::min(brace, partner)), std::max(brace, partner))
                 << text;
         for (const std::size_t brace : unclosed)

@@ -39,10 +39,10 @@ struct Fault {
     Range range{}; // what to underline; may be empty
     Position position{};
     std::string message{}; // one sentence, without place
-    bool operator==(const Fault &) const = default;
+    bool operator==(const Fault&) const = default;
 };
 
 // "file:line:column: error: message"
-[[nodiscard]] std::string formatted(const Fault &fault, const std::string &file);
+[[nodiscard]] std::string formatted(const Fault& fault, const std::string& file);
 
 } // namespace sgml

@@ -29,7 +29,7 @@ std::string endTagOf(std::string_view name) { return "</" + std::string(name) + 
 
 } // namespace
 
-Parser::Parser(Tree &tree, const Limits &limits)
+Parser::Parser(Tree& tree, const Limits& limits)
     : tree_(tree), text_(tree.bytes_), limits_(limits) {}
 
 void Parser::parse() {
@@ -108,7 +108,7 @@ void Parser::readDocumentLine() {
     }
     at_ = after;
     skipBlanks();
-    Node &node = tree_.nodes_[document];
+    Node& node = tree_.nodes_[document];
     node.name = readName();
     if (document != tree_.root())
         node.range.from = start;
@@ -185,7 +185,7 @@ void Parser::readEndTag() {
 void Parser::readContent() {
     const std::size_t from = at_;
     checkPlace(NodeKind::content, from);
-    Node &node = tree_.nodes_[addNode(NodeKind::content, {from, from + 1})];
+    Node& node = tree_.nodes_[addNode(NodeKind::content, {from, from + 1})];
     node.startTag = {from, from + 1};
     const std::size_t closing = closingBraceOf(from);
     if (closing == npos) {
@@ -264,7 +264,7 @@ NodeId Parser::addNode(NodeKind kind, Range range) {
     node.range = range;
     node.parent = top();
     tree_.nodes_.push_back(node);
-    Node &parent = tree_.nodes_[top()];
+    Node& parent = tree_.nodes_[top()];
     if (parent.lastChild == noNode)
         parent.firstChild = id;
     else
@@ -315,7 +315,7 @@ void Parser::open(NodeId id) {
 
 void Parser::close(std::size_t end, Range endTag) {
     const NodeId id = top();
-    Node &node = tree_.nodes_[id];
+    Node& node = tree_.nodes_[id];
     node.range.to = end;
     node.endTag = endTag;
     open_.pop_back();
@@ -329,7 +329,7 @@ void Parser::close(std::size_t end, Range endTag) {
 
 // Where the top ends when nothing closes it: behind its last child.
 std::size_t Parser::endOfTop() const {
-    const Node &node = tree_.nodes_[top()];
+    const Node& node = tree_.nodes_[top()];
     if (node.lastChild != noNode)
         return tree_.nodes_[node.lastChild].range.to;
     return std::max({node.range.from, node.startTag.to, node.name.to});
@@ -363,7 +363,7 @@ void Parser::closeAllAtEnd() {
 }
 
 void Parser::finishDocument(NodeId id) {
-    const Node &document = tree_.nodes_[id];
+    const Node& document = tree_.nodes_[id];
     const NodeId element = tree_.classElement(id);
     const std::size_t at = std::max(document.range.from, document.name.to);
     if (element == noNode) {

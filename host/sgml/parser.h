@@ -17,7 +17,7 @@ namespace sgml {
 
 class Parser {
 public:
-    Parser(Tree &tree, const Limits &limits);
+    Parser(Tree& tree, const Limits& limits);
     void parse();
 
 private:
@@ -35,7 +35,7 @@ private:
     bool readAttribute(NodeId element);
     Range readAttributeValue(Range name);
     Range unquotedValue(Range name);
-    void keepAttribute(NodeId element, const Attribute &attribute);
+    void keepAttribute(NodeId element, const Attribute& attribute);
     void finishStartTag(NodeId element);
     void readEndTag();
     void readContent();
@@ -61,7 +61,7 @@ private:
     bool checkEncoding();
     void placeFaults();
 
-    Tree &tree_;
+    Tree& tree_;
     std::string_view text_;
     Limits limits_;
     std::size_t at_ = 0;

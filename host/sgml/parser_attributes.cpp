@@ -76,8 +76,8 @@ Range Parser::unquotedValue(Range name) {
     return {from, at_};
 }
 
-void Parser::keepAttribute(NodeId element, const Attribute &attribute) {
-    Node &node = tree_.nodes_[element];
+void Parser::keepAttribute(NodeId element, const Attribute& attribute) {
+    Node& node = tree_.nodes_[element];
     if (node.attributeCount >= limits_.attributes) {
         if (node.attributeCount == limits_.attributes)
             fault(FaultKind::limit, attribute.whole,

@@ -48,15 +48,15 @@ void Parser::checkBytes() {
 }
 
 void Parser::placeFaults() {
-    std::vector<Fault> &faults = tree_.faults_;
+    std::vector<Fault>& faults = tree_.faults_;
     std::stable_sort(faults.begin(), faults.end(),
-                     [](const Fault &a, const Fault &b) { return a.range.from < b.range.from; });
+                     [](const Fault& a, const Fault& b) { return a.range.from < b.range.from; });
     if (unlisted_ > 0)
         faults.push_back({.kind = FaultKind::limit,
                           .range = faults.back().range,
                           .message = std::to_string(unlisted_) + " more faults are not listed"});
     std::vector<std::size_t> offsets;
-    for (const Fault &fault : faults)
+    for (const Fault& fault : faults)
         offsets.push_back(fault.range.from);
     const std::vector<Position> positions = positionsOf(text_, offsets);
     for (std::size_t i = 0; i < faults.size(); ++i)

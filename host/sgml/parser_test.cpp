@@ -9,9 +9,9 @@ namespace sgml {
 
 namespace {
 
-std::string faultsOf(const Tree &tree) {
+std::string faultsOf(const Tree& tree) {
     std::string lines;
-    for (const Fault &fault : tree.faults())
+    for (const Fault& fault : tree.faults())
         lines += formatted(fault, "f") + "\n";
     return lines;
 }
@@ -19,10 +19,10 @@ std::string faultsOf(const Tree &tree) {
 std::string faultsOf(std::string text) { return faultsOf(Tree::parse(std::move(text))); }
 
 // What must hold of any tree, however broken the text.
-void expectSound(const Tree &tree) {
+void expectSound(const Tree& tree) {
     for (NodeId id = 1; id < tree.size(); ++id) {
-        const Node &node = tree.node(id);
-        const Node &parent = tree.node(node.parent);
+        const Node& node = tree.node(id);
+        const Node& parent = tree.node(node.parent);
         ASSERT_LE(node.range.from, node.range.to);
         ASSERT_GE(node.range.from, parent.range.from) << tree.printed();
         ASSERT_LE(node.range.to, parent.range.to) << tree.printed();
@@ -128,7 +128,7 @@ TEST(Parser, EveryKindOfFaultIsListedByPlace) {
          "D",
          "f:1:1: error: the text is UTF-16; a document is UTF-8\n"},
     };
-    for (const auto &[text, faults] : cases) {
+    for (const auto& [text, faults] : cases) {
         const Tree tree = Tree::parse(text);
         EXPECT_EQ(faultsOf(tree), faults) << text << "\n" << tree.printed();
         EXPECT_EQ(tree.bytes(), text);

@@ -46,7 +46,7 @@ Position positionOf(std::string_view text, std::size_t offset) {
     return cursor.position();
 }
 
-std::vector<Position> positionsOf(std::string_view text, const std::vector<std::size_t> &offsets) {
+std::vector<Position> positionsOf(std::string_view text, const std::vector<std::size_t>& offsets) {
     std::vector<Position> positions;
     positions.reserve(offsets.size());
     Cursor cursor(text);

@@ -17,14 +17,14 @@ struct Range {
     [[nodiscard]] std::size_t size() const { return to - from; }
     [[nodiscard]] bool empty() const { return to == from; }
     [[nodiscard]] bool contains(std::size_t offset) const { return from <= offset && offset < to; }
-    bool operator==(const Range &) const = default;
+    bool operator==(const Range&) const = default;
 };
 
 struct Position {
     int line = 0; // 0: no place is known
     int column = 0;
-    bool operator==(const Position &) const = default;
-    auto operator<=>(const Position &) const = default;
+    bool operator==(const Position&) const = default;
+    auto operator<=>(const Position&) const = default;
 };
 
 inline constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
@@ -34,7 +34,7 @@ inline constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
 // The same for many offsets, which must not decrease: reads the text once.
 [[nodiscard]] std::vector<Position> positionsOf(std::string_view text,
-                                                const std::vector<std::size_t> &offsets);
+                                                const std::vector<std::size_t>& offsets);
 
 // The offset of a place; past the end of its line, the end of that line; past the last line, the
 // end of the text.

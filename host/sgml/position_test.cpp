@@ -56,7 +56,7 @@ TEST(Utf8, FindsWhatIsIllFormed) {
         {"\xF4\x90\x80\x80z", {0, 4}},
         {"\xE0\x80\x80", {0, 3}},
     };
-    for (const auto &[text, bad] : cases)
+    for (const auto& [text, bad] : cases)
         EXPECT_EQ(illFormed(text), bad) << text;
 }
 

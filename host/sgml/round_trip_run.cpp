@@ -11,7 +11,7 @@ namespace {
 using namespace sgml;
 
 // A content edit and its inverse give the bytes back; the quick tree equals the one read anew.
-bool survivesEdit(const Tree &tree, RandomDocument &random) {
+bool survivesEdit(const Tree& tree, RandomDocument& random) {
     const auto id = static_cast<NodeId>(random.below(tree.size()));
     if (tree.node(id).kind != NodeKind::content)
         return true;
@@ -24,14 +24,14 @@ bool survivesEdit(const Tree &tree, RandomDocument &random) {
            applied(after.bytes(), inverse(tree.bytes(), edits)) == tree.bytes();
 }
 
-bool survives(const std::string &bytes, bool sound, RandomDocument &random) {
+bool survives(const std::string& bytes, bool sound, RandomDocument& random) {
     const Tree tree = Tree::parse(bytes);
     return tree.bytes() == bytes && (!sound || tree.faults().empty()) && survivesEdit(tree, random);
 }
 
 } // namespace
 
-int main(int count, char **arguments) {
+int main(int count, char** arguments) {
     if (count != 3) {
         std::fprintf(stderr, "usage: round_trip COUNT SEED\n");
         return 2;

@@ -6,7 +6,7 @@
 
 namespace sgml {
 
-Tree Tree::parse(std::string bytes, const Limits &limits) {
+Tree Tree::parse(std::string bytes, const Limits& limits) {
     Tree tree;
     tree.bytes_ = std::move(bytes);
     Parser(tree, limits).parse();
@@ -15,7 +15,7 @@ Tree Tree::parse(std::string bytes, const Limits &limits) {
 
 bool Tree::isBroken() const {
     return std::any_of(faults_.begin(), faults_.end(),
-                       [](const Fault &fault) { return fault.severity == Severity::error; });
+                       [](const Fault& fault) { return fault.severity == Severity::error; });
 }
 
 std::string_view Tree::text(Range range) const {
@@ -23,7 +23,7 @@ std::string_view Tree::text(Range range) const {
 }
 
 std::string_view Tree::name(NodeId id) const {
-    const Node &at = nodes_[id];
+    const Node& at = nodes_[id];
     if (at.kind == NodeKind::document && at.name.empty()) {
         const NodeId element = classElement(id);
         return element == noNode ? std::string_view{} : text(nodes_[element].name);
@@ -37,7 +37,7 @@ std::vector<Attribute> Tree::attributes(NodeId element) const {
 }
 
 std::optional<std::string_view> Tree::attribute(NodeId element, std::string_view name) const {
-    const Node &at = nodes_[element];
+    const Node& at = nodes_[element];
     for (std::uint32_t i = at.firstAttribute; i < at.firstAttribute + at.attributeCount; ++i)
         if (text(attributes_[i].name) == name)
             return text(attributes_[i].value);
@@ -128,7 +128,7 @@ std::string Tree::printed() const {
     std::string lines;
     std::vector<std::size_t> depth(nodes_.size(), 0);
     for (NodeId id = root(); id != noNode; id = following(id)) {
-        const Node &at = nodes_[id];
+        const Node& at = nodes_[id];
         depth[id] = id == root() ? 0 : depth[at.parent] + 1;
         lines.append(2 * depth[id], ' ');
         if (at.kind == NodeKind::document)
@@ -140,7 +140,7 @@ std::string Tree::printed() const {
         else
             lines += "stray" + rangeText(at.range) + " " + visible(text(at.range));
         if (at.kind == NodeKind::element)
-            for (const Attribute &attribute : attributes(id))
+            for (const Attribute& attribute : attributes(id))
                 lines += " " + std::string(text(attribute.name)) + "=\"" +
                          visible(text(attribute.value)) + "\"";
         lines += '\n';
@@ -148,6 +148,6 @@ std::string Tree::printed() const {
     return lines;
 }
 
-bool Tree::operator==(const Tree &) const = default;
+bool Tree::operator==(const Tree&) const = default;
 
 } // namespace sgml

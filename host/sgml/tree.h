@@ -32,7 +32,7 @@ struct Attribute {
     Range name{};
     Range value{}; // between the quotes
     Range whole{}; // name, `=` and quotes
-    bool operator==(const Attribute &) const = default;
+    bool operator==(const Attribute&) const = default;
 };
 
 struct Node {
@@ -47,7 +47,7 @@ struct Node {
     Range endTag{};   // element only; empty when it is missing
     std::uint32_t firstAttribute = 0;
     std::uint32_t attributeCount = 0;
-    bool operator==(const Node &) const = default;
+    bool operator==(const Node&) const = default;
 };
 
 // LIMIT: what is read of one file. Beyond it the bytes are kept, and a fault says where reading
@@ -63,14 +63,14 @@ struct Limits {
 class Tree {
 public:
     // Never fails: what cannot be understood is kept as stray bytes, and listed in faults().
-    [[nodiscard]] static Tree parse(std::string bytes, const Limits &limits = {});
+    [[nodiscard]] static Tree parse(std::string bytes, const Limits& limits = {});
 
-    [[nodiscard]] const std::string &bytes() const { return bytes_; }
-    [[nodiscard]] const std::vector<Fault> &faults() const { return faults_; } // in order of place
+    [[nodiscard]] const std::string& bytes() const { return bytes_; }
+    [[nodiscard]] const std::vector<Fault>& faults() const { return faults_; } // in order of place
     [[nodiscard]] bool isBroken() const; // an error among the faults
 
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
-    [[nodiscard]] const Node &node(NodeId id) const { return nodes_[id]; }
+    [[nodiscard]] const Node& node(NodeId id) const { return nodes_[id]; }
     [[nodiscard]] NodeId root() const { return 0; } // the file's document node
     [[nodiscard]] bool isElement(NodeId id) const { return nodes_[id].kind == NodeKind::element; }
 
@@ -105,7 +105,7 @@ public:
     // One line per node: indented kind, name, byte range, attributes, content (for tests and logs).
     [[nodiscard]] std::string printed() const;
 
-    bool operator==(const Tree &) const;
+    bool operator==(const Tree&) const;
 
 private:
     friend class Parser;

@@ -1,0 +1,269 @@
+#include "document/document.h"
+
+#include "sgml/utf8.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace document {
+
+using sgml::Edits;
+using sgml::NodeId;
+using sgml::noNode;
+
+Document::Document(std::string bytes, QObject* parent)
+    : QObject(parent), tree_(sgml::Tree::parse(std::move(bytes))) {
+    readSubdocuments({});
+}
+
+Document::~Document() = default;
+
+std::string Document::className() const { return std::string(tree_.name(tree_.root())); }
+
+// --- edits ----------------------------------------------------------------------------------
+
+namespace {
+
+bool isPlain(const Edits& edits, const std::string& text) {
+    const auto splitsCharacter = [&](std::size_t at) {
+        return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80;
+    };
+    return std::all_of(edits.begin(), edits.end(), [&](const sgml::Edit& edit) {
+        return sgml::isUtf8(edit.text) && !splitsCharacter(edit.range.from) &&
+               !splitsCharacter(edit.range.to);
+    });
+}
+
+// The one replacement that makes `after` of `before`; none when they are equal.
+Edits differenceOf(std::string_view before, std::string_view after) {
+    if (before == after)
+        return {};
+    const std::size_t shorter = std::min(before.size(), after.size());
+    std::size_t head = 0, tail = 0;
+    while (head < shorter && before[head] == after[head])
+        ++head;
+    while (tail < shorter - head &&
+           before[before.size() - 1 - tail] == after[after.size() - 1 - tail])
+        ++tail;
+    // Whole characters only, since a medium reads UTF-8.
+    const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
+    while (head > 0 && ((head < before.size() && continues(before[head])) ||
+                        (head < after.size() && continues(after[head]))))
+        --head;
+    while (tail > 0 && continues(before[before.size() - tail]))
+        --tail;
+    return {{{head, before.size() - tail},
+             std::string(after.substr(head, after.size() - tail - head))}};
+}
+
+} // namespace
+
+EditResult Document::editText(SubdocumentId id, int base, const Edits& edits, const QString& label,
+                              const QString& group) {
+    const Subdocument* target = subdocument(id);
+    if (target == nullptr || !target->hasText)
+        return EditResult::unknown;
+    if (base != target->revision)
+        return EditResult::stale;
+    const std::string before = text(id);
+    if (!sgml::areOrdered(edits, before.size()) || !isPlain(edits, before))
+        return EditResult::invalid;
+    const std::string after = sgml::applied(before, edits);
+    if (after == before)
+        return EditResult::nothing;
+    Change change;
+    if (target->content == noNode) {
+        const NodeId storage = tree_.childElement(target->classElement, target->storage);
+        const std::size_t at = tree_.node(storage).startTag.to;
+        change.forward = {{{at, at}, "{" + sgml::escaped(after) + "}"}};
+    } else {
+        change.forward = sgml::contentEdits(tree_, target->content, edits);
+        change.id = id;
+        change.textForward = edits;
+        change.textBackward = sgml::inverse(before, edits);
+    }
+    return perform(std::move(change), label, group);
+}
+
+EditResult Document::edit(const Edits& edits, const QString& label, const QString& group) {
+    if (!sgml::areOrdered(edits, bytes().size()))
+        return EditResult::invalid;
+    if (sgml::applied(bytes(), edits) == bytes())
+        return EditResult::nothing;
+    Change change;
+    change.forward = edits;
+    return perform(std::move(change), label, group);
+}
+
+EditResult Document::perform(Change change, const QString& label, const QString& group) {
+    const bool wasModified = isModified();
+    change.backward = sgml::inverse(bytes(), change.forward);
+    play(change, Direction::forward, label);
+    push(std::move(change), label, group);
+    announce(wasModified);
+    return EditResult::applied;
+}
+
+void Document::push(Change change, const QString& label, const QString& group) {
+    if (clean_ != noStep && clean_ > done_)
+        clean_ = noStep;
+    const bool joins = !group.isEmpty() && group == group_ && done_ == steps_.size() && done_ > 0 &&
+                       clean_ != done_;
+    if (!joins) {
+        steps_.resize(done_);
+        steps_.push_back({.label = label, .changes = {}});
+        ++done_;
+    }
+    steps_.back().changes.push_back(std::move(change));
+    group_ = group;
+}
+
+void Document::play(Change& change, Direction direction, const QString& label) {
+    ++revision_;
+    if (change.id != noSubdocument && subdocument(change.id) != nullptr)
+        playText(change, direction, label);
+    else
+        playAll(change, direction, label);
+}
+
+// Only one content changes: its neighbours are not looked at.
+void Document::playText(Change& change, Direction direction, const QString& label) {
+    const bool forward = direction == Direction::forward;
+    const std::map<std::size_t, SubdocumentId> known = survivors(change, direction);
+    tree_ = sgml::edited(std::move(tree_), forward ? change.forward : change.backward,
+                         subdocuments_.at(change.id).content);
+    readSubdocuments(known);
+    const int revision = nextRevision(change.id);
+    emit textChanged(change.id, forward ? change.textForward : change.textBackward, revision,
+                     label);
+}
+
+// Anything may change: texts are compared, and what came and went is kept for the way back.
+void Document::playAll(Change& change, Direction direction, const QString& label) {
+    std::map<SubdocumentId, std::string> before;
+    for (const SubdocumentId id : order_)
+        before[id] = text(id);
+    const std::map<std::size_t, SubdocumentId> known = survivors(change, direction);
+    tree_ = sgml::Tree::parse(
+        sgml::applied(bytes(), direction == Direction::forward ? change.forward : change.backward));
+    readSubdocuments(known);
+    for (const SubdocumentId id : std::vector(order_)) {
+        const auto old = before.find(id);
+        const Edits edits = old == before.end() ? Edits{} : differenceOf(old->second, text(id));
+        if (!edits.empty())
+            emit textChanged(id, edits, nextRevision(id), label);
+    }
+    emit subdocumentsChanged();
+}
+
+// Where the subdocuments will be that the change leaves, or brings back.
+std::map<std::size_t, SubdocumentId> Document::survivors(Change& change,
+                                                         Direction direction) const {
+    const bool forward = direction == Direction::forward;
+    const Edits& edits = forward ? change.forward : change.backward;
+    auto& lost = forward ? change.lost : change.found;
+    std::map<std::size_t, SubdocumentId> known = forward ? change.found : change.lost;
+    for (const auto& [id, subdocument] : subdocuments_) {
+        const std::size_t offset = tree_.node(subdocument.element).range.from;
+        if (const auto now = sgml::moved(offset, edits))
+            known[*now] = id;
+        else
+            lost[offset] = id;
+    }
+    return known;
+}
+
+// --- undo -----------------------------------------------------------------------------------
+
+QString Document::undoLabel() const { return canUndo() ? steps_[done_ - 1].label : QString(); }
+QString Document::redoLabel() const { return canRedo() ? steps_[done_].label : QString(); }
+
+void Document::undo() {
+    if (!canUndo())
+        return;
+    const bool wasModified = isModified();
+    Step& step = steps_[--done_];
+    for (auto change = step.changes.rbegin(); change != step.changes.rend(); ++change)
+        play(*change, Direction::backward, step.label);
+    group_.clear();
+    announce(wasModified);
+}
+
+void Document::redo() {
+    if (!canRedo())
+        return;
+    const bool wasModified = isModified();
+    Step& step = steps_[done_++];
+    for (Change& change : step.changes)
+        play(change, Direction::forward, step.label);
+    group_.clear();
+    announce(wasModified);
+}
+
+void Document::announce(bool wasModified) {
+    emit changed();
+    emit undoChanged();
+    if (isModified() != wasModified)
+        emit modifiedChanged(isModified());
+}
+
+// --- its file -------------------------------------------------------------------------------
+
+// LIMIT: a longer file is not read at all; its tree could not be either (sgml::Limits).
+Document::Loaded Document::load(const QString& fileName, FileSystem* files) {
+    FileSystem& system = files != nullptr ? *files : FileSystem::real();
+    ReadFile file = readFile(system, fileName, sgml::Limits{}.bytes);
+    if (!file.read)
+        return {.document = nullptr, .failure = file.sentence};
+    Loaded loaded{.document = std::make_unique<Document>(std::move(file.bytes)), .failure = {}};
+    loaded.document->fileName_ = fileName;
+    loaded.document->stamp_ = file.stamp;
+    loaded.document->files_ = &system;
+    return loaded;
+}
+
+SaveResult Document::save(SaveOptions options) { return saveAs(fileName_, options); }
+
+SaveResult Document::saveAs(const QString& fileName, SaveOptions options) {
+    const QString name = QFileInfo(fileName).fileName();
+    if (fileName.isEmpty())
+        return {.sentence = QStringLiteral("The document has no file name yet.")};
+    if (isOwnFile(fileName)) {
+        if (isBroken() && !options.evenBroken)
+            return {.refusal = Refusal::broken,
+                    .sentence =
+                        QStringLiteral("%1 could be read only in part; saving would replace it.")
+                            .arg(name)};
+        const FileState state = fileState();
+        if (state == FileState::changed && !options.evenChanged)
+            return {
+                .refusal = Refusal::changed,
+                .sentence =
+                    QStringLiteral("Another program has changed %1 since it was read.").arg(name)};
+    }
+    const SaveResult result = writeFile(*files_, fileName, bytes(), stamp_);
+    if (!result)
+        return result;
+    const bool wasModified = isModified();
+    clean_ = done_;
+    if (fileName != fileName_) {
+        fileName_ = fileName;
+        emit fileNameChanged();
+    }
+    if (wasModified)
+        emit modifiedChanged(false);
+    return result;
+}
+
+bool Document::isOwnFile(const QString& fileName) const {
+    if (fileName_.isEmpty())
+        return false;
+    const QFileInfo own(fileName_), other(fileName);
+    return own.absoluteFilePath() == other.absoluteFilePath() ||
+           (own.exists() && own.canonicalFilePath() == other.canonicalFilePath());
+}
+
+FileState Document::fileState() const { return compareFile(*files_, fileName_, stamp_); }
+
+} // namespace document

@@ -1,0 +1,126 @@
+// The subdocuments of a Document: found in the tree, known by number, described by attributes.
+#include "document/document.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace document {
+
+using sgml::NodeId;
+using sgml::noNode;
+
+namespace {
+
+// Nothing for what is not a number within the bounds: such an attribute does not count.
+std::optional<double> numberOf(std::optional<std::string_view> text, double least, double most) {
+    double number = 0;
+    if (!text)
+        return std::nullopt;
+    const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), number);
+    const bool whole = error == std::errc{} && end == text->data() + text->size();
+    return whole && std::isfinite(number) && number >= least && number <= most
+               ? std::optional(number)
+               : std::nullopt;
+}
+
+Placement placementOf(std::string_view text) {
+    if (text == "left")
+        return Placement::left;
+    if (text == "center")
+        return Placement::center;
+    if (text == "right")
+        return Placement::right;
+    return text == "inline" ? Placement::inlined : Placement::unspecified;
+}
+
+} // namespace
+
+std::vector<SubdocumentId> Document::subdocuments() const { return order_; }
+
+const Subdocument* Document::subdocument(SubdocumentId id) const {
+    const auto found = subdocuments_.find(id);
+    return found == subdocuments_.end() ? nullptr : &found->second;
+}
+
+SubdocumentId Document::subdocumentOf(NodeId documentElement) const {
+    for (const auto& [id, subdocument] : subdocuments_)
+        if (subdocument.element == documentElement)
+            return id;
+    return noSubdocument;
+}
+
+SubdocumentId Document::subdocumentNamed(const std::string& name) const {
+    for (const SubdocumentId id : order_)
+        if (!name.empty() && subdocuments_.at(id).name == name)
+            return id;
+    return noSubdocument;
+}
+
+std::string Document::text(SubdocumentId id) const {
+    const Subdocument* found = subdocument(id);
+    return found == nullptr || found->content == noNode ? std::string{}
+                                                        : tree_.unescaped(found->content).text();
+}
+
+sgml::Position Document::filePosition(SubdocumentId id, sgml::Position inText) const {
+    const Subdocument* found = subdocument(id);
+    if (found == nullptr)
+        return {};
+    if (found->content == noNode)
+        return tree_.position(tree_.node(found->element).range.from);
+    const sgml::Unescaped unescaped = tree_.unescaped(found->content);
+    return tree_.position(unescaped.fileOffset(sgml::offsetOf(unescaped.text(), inText)));
+}
+
+// Those that stand where a known one must be keep its number and revision.
+void Document::readSubdocuments(const std::map<std::size_t, SubdocumentId>& known) {
+    std::map<SubdocumentId, Subdocument> now;
+    order_.clear();
+    for (NodeId node = tree_.root(); node != noNode; node = tree_.following(node)) {
+        if (!tree_.isElement(node) || tree_.name(node) != "DOCUMENT")
+            continue;
+        const auto before = known.find(tree_.node(node).range.from);
+        const SubdocumentId id = before != known.end() ? before->second : ++lastId_;
+        Subdocument subdocument = describe(node);
+        subdocument.id = id;
+        subdocument.revision = revisions_[id];
+        order_.push_back(id);
+        now.emplace(id, std::move(subdocument));
+    }
+    subdocuments_ = std::move(now);
+}
+
+int Document::nextRevision(SubdocumentId id) {
+    return subdocuments_.at(id).revision = ++revisions_[id];
+}
+
+Subdocument Document::describe(NodeId element) const {
+    constexpr double longest = 20'000; // 1/96 inch: what no paper and no screen reaches
+    Subdocument result;
+    result.element = element;
+    const NodeId document = tree_.node(element).firstChild;
+    if (document == noNode || tree_.node(document).kind != sgml::NodeKind::document)
+        return result;
+    result.className = tree_.name(document);
+    result.classElement = tree_.classElement(document);
+    if (result.classElement == noNode)
+        return result;
+    const auto attribute = [&](std::string_view name) {
+        return tree_.attribute(result.classElement, name);
+    };
+    result.name = attribute("ID").value_or("");
+    result.width = numberOf(attribute("WIDTH"), 1, longest);
+    result.height = numberOf(attribute("HEIGHT"), 1, longest);
+    result.placement = placementOf(attribute("ALIGN").value_or(""));
+    result.poster = numberOf(attribute("POSTER"), -1e12, 1e12);
+    result.alternative = attribute("ALT").value_or("");
+    const NodeId storage = tree_.childElement(result.classElement);
+    if (storage != noNode) {
+        result.storage = tree_.name(storage);
+        result.content = tree_.content(storage);
+        result.hasText = result.content != noNode || tree_.node(storage).firstChild == noNode;
+    }
+    return result;
+}
+
+} // namespace document
