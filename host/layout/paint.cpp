@@ -1,0 +1,73 @@
+#include "layout/paint.h"
+
+#include "layout/measure.h"
+#include "layout/typeface.h"
+
+#include <QPainter>
+
+namespace layout {
+
+namespace {
+
+void paintFrame(QPainter& painter, const FramePiece& frame) {
+    if (frame.background)
+        painter.fillRect(frame.rect, colorOf(*frame.background));
+    const document::Border& border = frame.border;
+    if (border.width <= 0)
+        return;
+    const double w = fromPoints(border.width);
+    const QColor color = colorOf(border.color);
+    const QRectF& r = frame.rect;
+    if (border.top)
+        painter.fillRect(QRectF(r.left(), r.top(), r.width(), w), color);
+    if (border.bottom)
+        painter.fillRect(QRectF(r.left(), r.bottom() - w, r.width(), w), color);
+    if (border.left)
+        painter.fillRect(QRectF(r.left(), r.top(), w, r.height()), color);
+    if (border.right)
+        painter.fillRect(QRectF(r.right() - w, r.top(), w, r.height()), color);
+}
+
+void paintImage(QPainter& painter, const ImagePiece& piece) {
+    if (!piece.image.isNull()) {
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawImage(piece.rect, piece.image);
+        return;
+    }
+    painter.fillRect(piece.rect, QColor(245, 245, 245));
+    document::TextStyle style;
+    style.family = "sans";
+    style.size = 9;
+    painter.setFont(fontOf(style));
+    painter.setPen(QColor(110, 110, 110));
+    painter.drawText(piece.rect, Qt::AlignCenter | Qt::TextWordWrap, piece.alternative);
+}
+
+QRectF boundsOf(const TextPiece& text) {
+    const Paragraph::Line& line = text.paragraph->lines()[static_cast<std::size_t>(text.line)];
+    // Letters may hang out of their line; the width is that of the page.
+    return {-1e7, text.at.y() - line.height, 2e7, 3 * line.height};
+}
+
+} // namespace
+
+void paintPage(QPainter& painter, const Page& page, const QRectF& clip,
+               const SubdocumentPainter& subdocument) {
+    for (const Piece& piece : page.pieces) {
+        if (const auto* text = std::get_if<TextPiece>(&piece)) {
+            if (boundsOf(*text).intersects(clip))
+                text->paragraph->paintLine(painter, text->line, text->at);
+        } else if (const auto* frame = std::get_if<FramePiece>(&piece)) {
+            if (frame->rect.intersects(clip))
+                paintFrame(painter, *frame);
+        } else if (const auto* image = std::get_if<ImagePiece>(&piece)) {
+            if (image->rect.intersects(clip))
+                paintImage(painter, *image);
+        } else if (const auto* placed = std::get_if<SubdocumentPiece>(&piece)) {
+            if (placed->rect.intersects(clip))
+                subdocument(painter, *placed);
+        }
+    }
+}
+
+} // namespace layout
