@@ -67,6 +67,10 @@ void closeDescriptorsExcept(std::span<const int> keep) {
     closeRange(from, ~0u);
 }
 
-void emptyEnvironment() { clearenv(); }
+void emptyEnvironment() {
+    clearenv(); // leaves a null pointer, which libraries do not expect
+    static char* none[] = {nullptr};
+    environ = none;
+}
 
 } // namespace confinement

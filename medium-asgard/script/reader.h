@@ -20,9 +20,9 @@
 namespace script {
 
 struct ReadResult {
-    scene::Scene scene; // what could be read; usable only when `usable`
+    scene::Scene scene;                         // what could be read; usable only when `usable`
     std::vector<scene::Diagnostic> diagnostics; // by place
-    bool usable = false; // no errors (warnings do not count)
+    bool usable = false;                        // no errors (warnings do not count)
 };
 
 struct Limits {
@@ -34,7 +34,7 @@ struct Limits {
 
 // The evaluator server. Start it before the process opens files of a document, threads or displays.
 class Reader {
-  public:
+public:
     // Forks the server. Errors of the system (no more processes) are reported by read().
     explicit Reader(Limits limits = {});
     ~Reader(); // ends the server and its evaluators
@@ -48,7 +48,7 @@ class Reader {
     // Ends the evaluation that runs now, if any; its read() returns with an error. Any thread.
     void cancel();
 
-  private:
+private:
     struct Implementation;
     std::unique_ptr<Implementation> implementation_;
 };

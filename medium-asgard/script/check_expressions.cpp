@@ -1,0 +1,38 @@
+// Every expression of a scene, parsed, its names known: what is wrong is shown at its own bytes.
+#include "script/scene_maker.h"
+
+#include "expression/parse.h"
+#include "scene/names.h"
+
+namespace script {
+
+void SceneMaker::checkExpressions() {
+    const scene::Names names(made_.scene);
+    for (const PendingExpression& pending : expressions_) {
+        const scene::Reading reading = pending.reads == Reads::positions ? scene::Reading::positions
+                                       : pending.reads == Reads::quantities
+                                           ? scene::Reading::quantities
+                                           : scene::Reading::state;
+        const expression::Names meaning = [&](expression::Graph& graph, std::string_view name,
+                                              std::span<const expression::Node> arguments,
+                                              bool isCall) {
+            const scene::Named found =
+                names.find(name, isCall ? std::optional(arguments.size()) : std::nullopt, reading);
+            expression::Meaning answer;
+            if (const auto* fault = std::get_if<scene::NameFault>(&found)) {
+                answer.message = fault->message;
+                answer.suggestion = fault->suggestion;
+            } else {
+                answer.node = graph.symbol(name);
+            }
+            return answer;
+        };
+        expression::Graph graph; // of its own: one bad expression must not fill the others' memory
+        const auto parsed = expression::parse(graph, pending.value.text, meaning);
+        if (const auto* error = std::get_if<expression::SyntaxError>(&parsed))
+            faults_.error(pending.value.piece(error->from, error->to).range,
+                          pending.subject + ": " + error->message, error->suggestion);
+    }
+}
+
+} // namespace script

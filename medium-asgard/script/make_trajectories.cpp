@@ -1,0 +1,250 @@
+// trajectory and constrain.
+#include "script/scene_maker.h"
+
+#include "script/numbers.h"
+#include "script/suggestion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace script {
+
+using geometry::Vector;
+
+// Cubic segments through the points, C1: the slope at point i is that of the chord from its
+// predecessor to its successor, at the ends that of the one chord. A cubic's inner control points
+// lie a third of the interval along the slopes of its ends.
+void SceneMaker::smoothCurves(Arguments& arguments, scene::Trajectory& trajectory) {
+    constexpr std::string_view wants = "a list of points {t x y z}";
+    const Value* value = arguments.find("-points");
+    const auto list = arguments.listIn("-points", *value, wants);
+    if (!list)
+        return;
+    auto& points = trajectory.points;
+    for (const Value& word : *list) {
+        const auto n = arguments.numbersIn("-points", word, wants);
+        if (!n)
+            return;
+        if (n->size() != 4) {
+            arguments.wrong("-points", word.range, wants,
+                            "and " + quoted(word.text) + " is not four numbers");
+            return;
+        }
+        if (!points.empty() && !((*n)[0] > points.back().first)) {
+            arguments.wrong("-points", word.range, "times that increase",
+                            "and " + numberText((*n)[0], true) + " does not come after " +
+                                numberText(points.back().first, true));
+            return;
+        }
+        points.emplace_back((*n)[0], Vector((*n)[1], (*n)[2], (*n)[3]));
+    }
+    if (points.size() < 2) {
+        arguments.wrong("-points", value->range, "at least two points",
+                        "and gets " + std::to_string(points.size()));
+        return;
+    }
+    const auto slope = [&](std::size_t i) -> Vector {
+        const std::size_t before = i == 0 ? 0 : i - 1;
+        const std::size_t after = std::min(i + 1, points.size() - 1);
+        return (points[after].second - points[before].second) /
+               (points[after].first - points[before].first);
+    };
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const auto& [t0, p0] = points[i];
+        const auto& [t1, p1] = points[i + 1];
+        const double third = (t1 - t0) / 3;
+        trajectory.curves.push_back(
+            {t0, t1, {p0, p0 + third * slope(i), p1 - third * slope(i + 1), p1}});
+    }
+}
+
+void SceneMaker::bezierCurves(Arguments& arguments, scene::Trajectory& trajectory) {
+    constexpr std::string_view wants = "a list of curves {t0 t1 {x y z} ...}";
+    constexpr std::size_t mostControlPoints = 32; // LIMIT: higher degrees lose their digits
+    const Value* value = arguments.find("-bezier");
+    const auto list = arguments.listIn("-bezier", *value, wants);
+    if (!list)
+        return;
+    if (list->empty())
+        arguments.wrong("-bezier", value->range, wants, "and gets none");
+    for (const Value& word : *list) {
+        const auto parts = arguments.listIn("-bezier", word, wants);
+        if (!parts)
+            return;
+        if (parts->size() < 3 || parts->size() > 2 + mostControlPoints) {
+            arguments.wrong("-bezier", word.range,
+                            "two times and from one to 32 control points in each curve",
+                            "not " + quoted(word.text));
+            return;
+        }
+        scene::BezierCurve curve;
+        const auto from = arguments.numberIn("-bezier", (*parts)[0], Sign::any, wants);
+        const auto to = arguments.numberIn("-bezier", (*parts)[1], Sign::any, wants);
+        if (!from || !to)
+            return;
+        curve.from = *from;
+        curve.to = *to;
+        if (!(curve.to > curve.from)) {
+            arguments.wrong("-bezier", (*parts)[1].range, "curves that end after they start",
+                            "not from " + numberText(curve.from, true) + " to " +
+                                numberText(curve.to, true));
+            return;
+        }
+        for (std::size_t i = 2; i < parts->size(); ++i) {
+            const auto p =
+                arguments.vectorIn("-bezier", (*parts)[i], "control points of three numbers");
+            if (!p)
+                return;
+            curve.control.push_back(*p);
+        }
+        const auto overlaps = [&](const scene::BezierCurve& other) {
+            return curve.from < other.to && other.from < curve.to;
+        };
+        if (std::any_of(trajectory.curves.begin(), trajectory.curves.end(), overlaps)) {
+            arguments.wrong("-bezier", word.range, "intervals that do not overlap",
+                            "and this one meets one before it");
+            return;
+        }
+        trajectory.curves.push_back(std::move(curve));
+    }
+    std::sort(trajectory.curves.begin(), trajectory.curves.end(),
+              [](const auto& a, const auto& b) { return a.from < b.from; });
+}
+
+void SceneMaker::trajectory(Call& call) {
+    scene::Trajectory trajectory;
+    trajectory.name = newName(call, Kind::trajectory);
+    if (trajectory.name.empty())
+        return;
+    Arguments arguments(faults_, call, "trajectory " + quoted(trajectory.name), 2,
+                        {"-points", "-bezier"});
+    const bool one = arguments.atMostOne({"-points", "-bezier"});
+    if (!arguments.attempted("-points") && !arguments.attempted("-bezier"))
+        arguments.wrongElement("wants -points or -bezier");
+    else if (one && arguments.has("-points"))
+        smoothCurves(arguments, trajectory);
+    else if (one && arguments.has("-bezier"))
+        bezierCurves(arguments, trajectory);
+    else if (one)
+        arguments.wrong(
+            arguments.attempted("-points") ? "-points" : "-bezier",
+            arguments.optionRange(arguments.attempted("-points") ? "-points" : "-bezier"), "a list",
+            "and nothing follows it");
+    trajectory.source = call.source;
+    made_.scene.trajectories.push_back(std::move(trajectory));
+}
+
+// --- what trajectories hold -----------------------------------------------------------------
+
+namespace {
+
+struct HeldOption {
+    std::string_view option;
+    scene::Held held;
+    unsigned axes; // what of the body's motion it determines: x y z, rotation
+};
+constexpr HeldOption heldOptions[] = {
+    {"-pos", scene::Held::position, 7},  {"-rot", scene::Held::attitude, 8},
+    {"-dpos", scene::Held::velocity, 7}, {"-drot", scene::Held::angularVelocity, 8},
+    {"-x", scene::Held::x, 1},           {"-y", scene::Held::y, 2},
+    {"-z", scene::Held::z, 4},           {"-dx", scene::Held::dx, 1},
+    {"-dy", scene::Held::dy, 2},         {"-dz", scene::Held::dz, 4}};
+
+unsigned axesOf(scene::Held held) {
+    for (const HeldOption& option : heldOptions)
+        if (option.held == held)
+            return option.axes;
+    return 0;
+}
+
+using Interval = std::pair<double, double>;
+
+std::vector<Interval> intervalsOf(const scene::Constraint& constraint,
+                                  const scene::Trajectory& trajectory) {
+    if (trajectory.curves.empty())
+        return {};
+    if (constraint.from || constraint.to)
+        return {{constraint.from.value_or(trajectory.curves.front().from),
+                 constraint.to.value_or(trajectory.curves.back().to)}};
+    std::vector<Interval> intervals;
+    for (const scene::BezierCurve& curve : trajectory.curves)
+        intervals.emplace_back(curve.from, curve.to);
+    return intervals;
+}
+
+} // namespace
+
+void SceneMaker::constrain(Call& call) {
+    if (call.words.size() < 2 || call.words[1].text.starts_with('-')) {
+        faults_.error(call.words[0].range, "constrain wants the name of a body first");
+        return;
+    }
+    const std::string body = call.words[1].text;
+    call.source.arguments.push_back({"", call.words[1].range, call.words[1].exact});
+    Arguments arguments(
+        faults_, call, "the constraint on body " + quoted(body), 2,
+        {"-pos", "-rot", "-dpos", "-drot", "-x", "-y", "-z", "-dx", "-dy", "-dz", "-from", "-to"});
+    const std::vector<std::string> bodies = names(Kind::body);
+    if (std::find(bodies.begin(), bodies.end(), body) == bodies.end()) {
+        faults_.error(call.words[1].range, "constrain: no body named " + quoted(body),
+                      suggestionFor(body, bodies, "bodies here"));
+    } else if (const scene::Body* found = scene::findBody(made_.scene, body);
+               found && found->fixed) {
+        faults_.error(call.words[1].range,
+                      "body " + quoted(body) + " is -fixed, and no trajectory can move it");
+    }
+    const auto from = arguments.number("-from");
+    const auto to = arguments.number("-to");
+    if (from && to && !(*to > *from))
+        faults_.error(arguments.find("-to")->range,
+                      arguments.subject() + " ends at " + numberText(*to, true) +
+                          ", which is not after its start at " + numberText(*from, true));
+    bool any = false;
+    for (const HeldOption& option : heldOptions) {
+        if (!arguments.attempted(option.option))
+            continue;
+        any = true;
+        const auto name = reference(arguments, option.option, Kind::trajectory);
+        if (!name)
+            continue;
+        scene::Constraint constraint{body, option.held, *name, from, to, call.source};
+        holds_.push_back(
+            {arguments.optionRange(option.option), std::string(option.option), constraint});
+        made_.scene.constraints.push_back(std::move(constraint));
+    }
+    if (!any)
+        arguments.wrongElement("wants what it holds: one of -pos -rot -dpos -drot -x -y -z -dx "
+                               "-dy -dz with a trajectory");
+}
+
+// Each part of a body's motion is held by one trajectory at a time.
+void SceneMaker::checkHolds() {
+    const auto meet = [](const std::vector<Interval>& a, const std::vector<Interval>& b) {
+        for (const Interval& p : a)
+            for (const Interval& q : b)
+                if (p.first < q.second && q.first < p.second)
+                    return std::optional(std::max(p.first, q.first));
+        return std::optional<double>();
+    };
+    for (std::size_t i = 0; i < holds_.size(); ++i) {
+        const scene::Constraint& later = holds_[i].constraint;
+        const scene::Trajectory* own = scene::findTrajectory(made_.scene, later.trajectory);
+        for (std::size_t j = 0; own && j < i; ++j) {
+            const scene::Constraint& earlier = holds_[j].constraint;
+            const scene::Trajectory* other = scene::findTrajectory(made_.scene, earlier.trajectory);
+            if (!other || earlier.body != later.body ||
+                (axesOf(earlier.held) & axesOf(later.held)) == 0)
+                continue;
+            if (const auto when = meet(intervalsOf(earlier, *other), intervalsOf(later, *own))) {
+                faults_.error(holds_[i].range,
+                              holds_[i].option + " and " + holds_[j].option + " hold body " +
+                                  quoted(later.body) +
+                                  " at one time, from t = " + numberText(*when, true));
+                break;
+            }
+        }
+    }
+}
+
+} // namespace script

@@ -1,0 +1,28 @@
+// Offsets of a text as lines and columns.
+#pragma once
+
+#include "scene/diagnostic.h"
+
+#include <string_view>
+#include <vector>
+
+namespace script {
+
+struct Place {
+    int line = 1;   // from 1
+    int column = 1; // from 1, in characters
+};
+
+class Places {
+public:
+    explicit Places(std::string_view text);
+    [[nodiscard]] Place at(std::size_t offset) const;
+    // Fills in the lines and columns of a diagnostic from its range.
+    void locate(scene::Diagnostic& diagnostic) const;
+
+private:
+    std::string_view text_;
+    std::vector<std::size_t> lines_; // where each starts
+};
+
+} // namespace script

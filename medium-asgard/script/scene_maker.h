@@ -1,0 +1,100 @@
+// make_scene.h, command by command.
+#pragma once
+
+#include "script/arguments.h"
+#include "script/make_scene.h"
+
+#include <array>
+#include <set>
+
+namespace script {
+
+// One run of a scene command with the places of its words, as far as they are known.
+[[nodiscard]] Call callOf(std::string_view text, const Structure& structure,
+                          const RecordedCommand& recorded);
+
+class SceneMaker {
+public:
+    SceneMaker(std::string_view text, const std::map<std::string, double>& parameters,
+               MadeScene& made);
+
+    void make(Call& call);
+    void finish(bool finished); // what needs the whole scene
+
+private:
+    // One function per command.
+    void simulator(Call& call);
+    void shapeSet(Call& call);
+    void body(Call& call);
+    void force(Call& call);
+    void link(Call& call);
+    void trajectory(Call& call);
+    void constrain(Call& call);
+    void lightSource(Call& call);
+    void view(Call& call);
+    void parameter(Call& call);
+    void plot(Call& call);
+
+    // --- names ---
+    enum class Kind { shapeSet, body, trajectory, parameter, lightSource, view, plot };
+    // The name at words[1], checked and registered; "" and a report when there is none.
+    std::string newName(Call& call, Kind kind);
+    std::string optionalName(Call& call, Kind kind, std::size_t& first);
+    void registerName(const std::string& name, const Value& word, Kind kind);
+    bool validSymbol(const std::string& name, const Value& word, Kind kind);
+    [[nodiscard]] std::vector<std::string> names(Kind kind) const;
+    // The element of that name exists already, else a report.
+    bool refers(Arguments& arguments, std::string_view option, const std::string& name, Kind kind);
+    std::optional<std::string> reference(Arguments& arguments, std::string_view option, Kind kind);
+
+    // --- parts of elements ---
+    std::vector<scene::Part> partsOf(Arguments& arguments, const Value& description);
+    std::optional<scene::Part> partOf(Arguments& arguments, const Value& description);
+    bool facePoints(Arguments& arguments, const Value& face, std::vector<geometry::Vector>& points,
+                    scene::Appearance& appearance);
+    bool solid(Arguments& arguments, std::string_view option, Range range,
+               const std::vector<geometry::Vector>& points);
+    bool appearanceWord(Arguments& arguments, const std::vector<Value>& words, std::size_t& i,
+                        scene::Appearance& appearance);
+    void attitude(Arguments& arguments, scene::Body& body);
+    void inertia(Arguments& arguments, scene::Body& body);
+    std::optional<std::array<scene::Expression, 3>> components(Arguments& arguments,
+                                                               bool allRequired);
+    void smoothCurves(Arguments& arguments, scene::Trajectory& trajectory);
+    void bezierCurves(Arguments& arguments, scene::Trajectory& trajectory);
+    void orderCurves(Arguments& arguments, scene::Trajectory& trajectory);
+    std::optional<scene::VectorValue> vectorValue(Arguments& arguments, std::string_view option);
+    std::optional<scene::ScalarValue> scalarValue(Arguments& arguments, std::string_view option);
+
+    // --- what is checked when all names are known ---
+    enum class Reads { anything, positions, quantities }; // as scene::Reading
+    struct PendingExpression {
+        Value value;
+        std::string subject; // "-x of the force on body "b1""
+        Reads reads;
+    };
+    std::string expression(Arguments& arguments, std::string_view option, const Value& value,
+                           Reads reads = Reads::anything);
+    void checkExpressions();
+    void checkHolds();
+    void checkOverrides(bool finished);
+
+    std::string_view text_;
+    const std::map<std::string, double>& overrides_;
+    MadeScene& made_;
+    Places places_;
+    Faults faults_;
+    std::map<std::string, Kind> symbols_; // bodies, trajectories, parameters share their names
+    std::map<Kind, std::vector<std::string>> others_;
+    std::map<std::string, Range> defined_; // where, by kind and name
+    std::vector<PendingExpression> expressions_;
+    struct Hold {
+        Range range; // of the option
+        std::string option;
+        scene::Constraint constraint;
+    };
+    std::vector<Hold> holds_;
+    bool simulatorSeen_ = false;
+};
+
+} // namespace script
