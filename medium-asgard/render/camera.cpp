@@ -22,14 +22,12 @@ Vector toView(Size size, const Eigen::Vector2d& pixels, double viewZ) {
     return {onScreen.x() * nearness, -onScreen.y() * nearness, viewZ};
 }
 
-// The virtual sphere (Chen 1988): the pointer lies on a sphere that fills most of the picture.
-// Outside, Bell's hyperbolic sheet goes on without a crease, so that a drag never jerks.
+// The virtual sphere (Chen 1988, Shoemake 1992): the pointer lies on a sphere that fills most of
+// the picture; outside, it turns the sphere's rim, which rolls the scene.
 Vector onVirtualSphere(Size size, const Eigen::Vector2d& pixels) {
-    constexpr double radius = 0.8;
-    const Eigen::Vector2d p = (pixels - middle(size)) / (pixelsPerUnit(size) * radius);
+    const Eigen::Vector2d p = (pixels - middle(size)) / (pixelsPerUnit(size) * virtualSphere);
     const double squared = p.squaredNorm();
-    const double z = squared < 0.5 ? std::sqrt(1 - squared) : 0.5 / std::sqrt(squared);
-    return Vector(p.x(), -p.y(), z).normalized();
+    return Vector(p.x(), -p.y(), squared < 1 ? std::sqrt(1 - squared) : 0).normalized();
 }
 
 } // namespace

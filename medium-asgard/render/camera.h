@@ -33,6 +33,9 @@ struct Size {
 // The eye stands on the view's z axis, this far in front of the plane z = 0.
 inline constexpr double eyeDistance = 5;
 
+// Radius of the sphere that the pointer turns, view units.
+inline constexpr double virtualSphere = 0.85;
+
 // Pixels (origin top left) of a world point, and back to the world at a given view depth z.
 [[nodiscard]] Eigen::Vector2d toPixels(const Camera& camera, Size size, const Vector& world);
 [[nodiscard]] Vector toWorld(const Camera& camera, Size size, const Eigen::Vector2d& pixels,

@@ -12,6 +12,8 @@ scene::Color colorOf(HandleKind kind) {
                                         : scene::Color{0.10, 0.60, 0.25};
 }
 
+double radiusOf(HandleKind kind) { return kind == HandleKind::position ? 6.5 : 4; }
+
 double velocityTime(const scene::Scene& scene, double sceneSize) {
     double fastest = 0;
     for (const scene::Body& body : scene.bodies)

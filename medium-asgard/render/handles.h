@@ -20,7 +20,8 @@ struct Handle {
     Vector place; // world
 };
 
-inline constexpr double handleRadius = 5.5; // pixels, in a picture 480 high
+// Pixels, in a picture 480 high. A velocity of zero lies on its body's position, smaller.
+[[nodiscard]] double radiusOf(HandleKind kind);
 
 [[nodiscard]] scene::Color colorOf(HandleKind kind);
 

@@ -118,25 +118,30 @@ void Renderer::Implementation::paintGround(std::span<const Solid> opaque, const 
 void Renderer::Implementation::paintHandles(const Drawing& drawing, const Frame& frame,
                                             const float* projection) {
     static const scene::Part ball{scene::SphereShape{1}, Vector::Zero(), Vector::Zero(), {}};
-    gl.Clear(GL_DEPTH_BUFFER_BIT);
-    std::vector<Solid> balls;
-    for (const Handle& handle : handlesOf(drawing, extent.size)) {
-        const scene::Color c = colorOf(handle.kind);
-        Solid solid;
-        solid.part = &ball;
-        solid.place = solid.middle = frame.toView(handle.place);
-        solid.radius =
-            frame.stroke(handleRadius) / std::max(frame.pixels(1, solid.place.z()), 1e-12);
-        solid.linear = solid.radius * Eigen::Matrix3d::Identity();
-        solid.color = Eigen::Vector3d(c.red, c.green, c.blue).cast<float>();
-        solid.shininess = 0.5F;
-        balls.push_back(solid);
-        if (handle.base != handle.place)
-            addArrow(*lines, frame, handle.base, handle.place,
-                     {solid.color * 0.8F, 0.9F, frame.stroke(2)});
+    const std::vector<Handle> handles = handlesOf(drawing, extent.size);
+    for (HandleKind kind : {HandleKind::position, HandleKind::velocity}) {
+        gl.Clear(GL_DEPTH_BUFFER_BIT); // nothing hides a handle but one of its own kind
+        std::vector<Solid> balls;
+        for (const Handle& handle : handles) {
+            if (handle.kind != kind)
+                continue;
+            const scene::Color c = colorOf(kind);
+            Solid solid;
+            solid.part = &ball;
+            solid.place = solid.middle = frame.toView(handle.place);
+            solid.radius =
+                frame.stroke(radiusOf(kind)) / std::max(frame.pixels(1, solid.place.z()), 1e-12);
+            solid.linear = solid.radius * Eigen::Matrix3d::Identity();
+            solid.color = Eigen::Vector3d(c.red, c.green, c.blue).cast<float>();
+            solid.shininess = 0.5F;
+            balls.push_back(solid);
+            if (handle.base != handle.place)
+                addArrow(*lines, frame, handle.base, handle.place,
+                         {solid.color * 0.8F, 0.9F, frame.stroke(2)});
+        }
+        lines->draw(projection, frame.halfSize(), 0);
+        solids->drawOpaque(balls, frame);
     }
-    lines->draw(projection, frame.halfSize(), 0);
-    solids->drawOpaque(balls, frame);
 }
 
 void Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame) {

@@ -41,22 +41,71 @@ private:
     std::vector<std::string> notes_;
 };
 
+inline simulation::BodyState placed(const Vector& position) {
+    simulation::BodyState state;
+    state.position = position;
+    return state;
+}
+
+// Adds a body with a shape of its own, one part.
+inline scene::Body& addBody(scene::Scene& scene, const scene::Part& part, const Vector& place,
+                            const scene::Color& color) {
+    scene::ShapeSet shape;
+    shape.name = "shape" + std::to_string(scene.shapeSets.size());
+    shape.parts = {part};
+    scene.shapeSets.push_back(shape);
+    scene::Body body;
+    body.name = "body" + std::to_string(scene.bodies.size());
+    body.shape = shape.name;
+    body.initialPosition = place;
+    body.appearance.color = color;
+    scene.bodies.push_back(body);
+    return scene.bodies.back();
+}
+
+inline scene::Part sphere(double radius) {
+    scene::Part part;
+    part.shape = scene::SphereShape{radius};
+    return part;
+}
+
+inline scene::Part box(const Vector& edges) {
+    scene::Part part;
+    part.shape = scene::BoxShape{edges};
+    return part;
+}
+
 // A picture in memory.
 struct Picture {
     Size size;
+    std::size_t stride;
     std::vector<std::byte> bytes;
 
-    explicit Picture(Size s)
-        : size(s),
-          bytes(4 * static_cast<std::size_t>(s.width) * static_cast<std::size_t>(s.height)) {}
-    Image image() { return {bytes, 4 * static_cast<std::size_t>(size.width), size}; }
+    explicit Picture(Size s, std::size_t padding = 0)
+        : size(s), stride(4 * static_cast<std::size_t>(s.width) + padding),
+          bytes(stride * static_cast<std::size_t>(s.height), std::byte{0x5A}) {}
+    Image image() { return {bytes, stride, size}; }
+
     // 0xRRGGBB
     unsigned at(int x, int y) const {
         const std::size_t i =
-            4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
-                 static_cast<std::size_t>(x));
+            static_cast<std::size_t>(y) * stride + 4 * static_cast<std::size_t>(x);
         return std::to_integer<unsigned>(bytes[i + 2]) << 16 |
                std::to_integer<unsigned>(bytes[i + 1]) << 8 | std::to_integer<unsigned>(bytes[i]);
+    }
+    int red(int x, int y) const { return static_cast<int>(at(x, y) >> 16); }
+    int green(int x, int y) const { return static_cast<int>(at(x, y) >> 8 & 0xFF); }
+    int blue(int x, int y) const { return static_cast<int>(at(x, y) & 0xFF); }
+
+    template <class Condition> int count(Condition condition) const {
+        int n = 0;
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x)
+                n += condition(x, y) ? 1 : 0;
+        return n;
+    }
+    int drawn() const {
+        return count([&](int x, int y) { return at(x, y) != 0xFFFFFF; });
     }
 };
 

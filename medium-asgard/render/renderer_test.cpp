@@ -1,0 +1,318 @@
+#include "render/handles.h"
+#include "render/renderer.h"
+#include "render/test_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace render {
+namespace {
+
+const scene::Color red{0.9, 0.1, 0.1}, blue{0.1, 0.2, 0.9}, green{0.1, 0.8, 0.2};
+
+class RendererTest : public testing::Test {
+protected:
+    void SetUp() override {
+        auto made = Renderer::create();
+        ASSERT_TRUE(std::holds_alternative<std::unique_ptr<Renderer>>(made))
+            << std::get<std::string>(made);
+        renderer_ = std::move(std::get<0>(made));
+        drawing_.scene = &scene_;
+        // Bare bodies: what the tests count.
+        drawing_.display.grid = drawing_.display.trails = false;
+    }
+
+    Picture draw(Size size = {320, 240}, std::size_t padding = 0) {
+        Picture picture(size, padding);
+        EXPECT_TRUE(renderer_->draw(drawing_, picture.image()));
+        return picture;
+    }
+
+    std::unique_ptr<Renderer> renderer_;
+    scene::Scene scene_;
+    Drawing drawing_;
+};
+
+bool isRed(const Picture& p, int x, int y) { return p.red(x, y) > p.green(x, y) + 20; }
+bool isBlue(const Picture& p, int x, int y) { return p.blue(x, y) > p.red(x, y) + 20; }
+
+TEST_F(RendererTest, AnEmptySceneIsTheBackground) {
+    EXPECT_EQ(draw().drawn(), 0);
+    drawing_.display.background = {0, 0, 0};
+    const Picture black = draw();
+    EXPECT_EQ(black.count([&](int x, int y) { return black.at(x, y) == 0; }), 320 * 240);
+}
+
+// The outline of a ball of radius r at the plane z = 0: lines of sight touch it at the angle
+// asin(r / D) from the axis, which is r D / sqrt(D^2 - r^2) on screen.
+TEST_F(RendererTest, ABallCoversItsDisc) {
+    addBody(scene_, sphere(0.5), {0, 0, 0}, red);
+    for (int samples : {1, 4}) {
+        drawing_.display.samples = samples;
+        const Picture picture = draw();
+        const double radius = 120 * 0.5 * eyeDistance / std::sqrt(eyeDistance * eyeDistance - 0.25);
+        const double area = M_PI * radius * radius;
+        const int covered =
+            picture.count([&](int x, int y) { return picture.at(x, y) != 0xFFFFFF; });
+        // The rim's soft edge reaches half a pixel further.
+        EXPECT_NEAR(covered, area + 2 * M_PI * radius * 0.5, 0.02 * area) << samples;
+        EXPECT_TRUE(isRed(picture, 160, 120));
+    }
+}
+
+TEST_F(RendererTest, WhatIsNearerHidesWhatIsBehind) {
+    addBody(scene_, sphere(0.4), {0, 0, 0.5}, red);
+    addBody(scene_, sphere(0.4), {0, 0, -0.5}, blue);
+    Picture picture = draw();
+    EXPECT_TRUE(isRed(picture, 160, 120));
+    // From behind it is the other way round.
+    drawing_.camera.rotation = Quaternion(Eigen::AngleAxisd(M_PI, Vector::UnitY()));
+    picture = draw();
+    EXPECT_TRUE(isBlue(picture, 160, 120));
+    EXPECT_EQ(picture.count([&](int x, int y) { return isRed(picture, x, y); }), 0);
+}
+
+TEST_F(RendererTest, TheTopRowComesFirst) {
+    addBody(scene_, sphere(0.2), {0, 0.6, 0}, red);
+    addBody(scene_, sphere(0.2), {0.6, -0.6, 0}, blue);
+    const Picture picture = draw();
+    EXPECT_TRUE(isRed(picture, 160, 48));
+    EXPECT_TRUE(isBlue(picture, 232, 192));
+}
+
+TEST_F(RendererTest, RowsKeepTheirStride) {
+    addBody(scene_, sphere(0.5), {0.2, 0.1, 0}, red);
+    const Picture tight = draw();
+    for (std::size_t padding : {64U, 6U}) { // 6: no whole number of pixels
+        const Picture wide = draw({320, 240}, padding);
+        EXPECT_EQ(wide.count([&](int x, int y) { return wide.at(x, y) != tight.at(x, y); }), 0);
+        for (int y = 0; y < 240; ++y)
+            for (std::size_t i = 0; i < padding; ++i)
+                ASSERT_EQ(wide.bytes[static_cast<std::size_t>(y) * wide.stride + 4 * 320 + i],
+                          std::byte{0x5A});
+    }
+}
+
+TEST_F(RendererTest, TheSameDrawingHasTheSamePixels) {
+    addBody(scene_, sphere(0.5), {0.2, 0.1, 0}, red);
+    addBody(scene_, box({1, 0.5, 0.2}), {-0.3, 0.1, 0.3}, blue).appearance.transparency = 0.4;
+    drawing_.display.grid = drawing_.display.axes = true;
+    const Picture first = draw();
+    draw({100, 77}); // another size in between leaves nothing behind
+    EXPECT_EQ(first.bytes, draw().bytes);
+}
+
+TEST_F(RendererTest, TransparencyLetsTheColourBehindThrough) {
+    addBody(scene_, sphere(0.3), {0, 0, -0.5}, blue);
+    scene::Body& front = addBody(scene_, box({0.8, 0.8, 0.1}), {0, 0, 0.6}, red);
+    const Picture opaque = draw();
+    EXPECT_LT(opaque.blue(160, 120), 110);
+    front.appearance.transparency = 0.6;
+    const Picture glass = draw();
+    EXPECT_GT(glass.blue(160, 120), opaque.blue(160, 120) + 40);
+    EXPECT_TRUE(isRed(glass, 160, 78)); // beside the ball: red over white
+    EXPECT_GT(glass.green(160, 78), opaque.green(160, 78) + 40);
+    front.appearance.transparency = 1;
+    const Picture gone = draw();
+    EXPECT_EQ(gone.at(160, 78), 0xFFFFFFU);
+    EXPECT_TRUE(isBlue(gone, 160, 120));
+}
+
+// Two panes in either order of the text look the same: sorting is by depth.
+TEST_F(RendererTest, TransparentBodiesAreSortedByDepth) {
+    const auto pane = [&](double z, const scene::Color& color) {
+        addBody(scene_, box({1, 1, 0.05}), {0, 0, z}, color).appearance.transparency = 0.5;
+    };
+    pane(0.4, red);
+    pane(-0.4, blue);
+    const Picture one = draw();
+    scene_ = {};
+    pane(-0.4, blue);
+    pane(0.4, red);
+    EXPECT_EQ(one.bytes, draw().bytes);
+    EXPECT_TRUE(isRed(one, 160, 120)); // the nearer one prevails
+}
+
+TEST_F(RendererTest, PartsInheritTheirColour) {
+    addBody(scene_, sphere(0.3), {0, 0, 0}, red).appearance.color.reset();
+    scene_.shapeSets[0].appearance.color = blue;
+    EXPECT_TRUE(isBlue(draw(), 160, 120));
+    scene_.bodies[0].appearance.color = red;
+    EXPECT_TRUE(isRed(draw(), 160, 120));
+    scene_.shapeSets[0].parts[0].appearance.color = blue;
+    EXPECT_TRUE(isBlue(draw(), 160, 120));
+}
+
+TEST_F(RendererTest, WireframeCoversLittleAndShowsWhatIsBehind) {
+    addBody(scene_, box({1.2, 1.2, 1.2}), {0, 0, 0}, red);
+    addBody(scene_, box({0.3, 0.3, 0.3}), {0, 0, -2}, blue);
+    const Picture solid = draw();
+    EXPECT_EQ(solid.count([&](int x, int y) { return isBlue(solid, x, y); }), 0);
+    drawing_.display.wireframe = true;
+    const Picture lines = draw();
+    EXPECT_LT(lines.drawn(), solid.drawn() / 4);
+    EXPECT_GT(lines.drawn(), 400);
+    EXPECT_GT(lines.count([&](int x, int y) { return isBlue(lines, x, y); }), 20);
+}
+
+// A box seen along a diagonal shows three faces of three different shades, and no edge of the
+// hidden three.
+TEST_F(RendererTest, FacesAreFlatAndDifferInBrightness) {
+    addBody(scene_, box({1, 1, 1}), {0, 0, 0}, {0.7, 0.7, 0.7}).appearance.shininess = 0;
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.6, 0, 0)) *
+                               geometry::fromRotationVector(Vector(0, 0.6, 0));
+    const Picture picture = draw();
+    const auto shade = [&](const Vector& place) {
+        const Eigen::Vector2d p = toPixels(drawing_.camera, picture.size, place);
+        return picture.red(static_cast<int>(p.x()), static_cast<int>(p.y()));
+    };
+    const int top = shade({0, 0.5, 0}), front = shade({0, 0, 0.5}), left = shade({-0.5, 0, 0});
+    // The default light comes over the viewer's left shoulder.
+    EXPECT_GT(top, left + 8);
+    EXPECT_GT(left, front + 8);
+    EXPECT_NEAR(shade({0.2, 0.5, 0.2}), top, 6);
+    EXPECT_NEAR(shade({0.2, 0.2, 0.5}), front, 6);
+}
+
+TEST_F(RendererTest, ALightOfTheSceneReplacesTheDefaultOne) {
+    addBody(scene_, sphere(0.5), {0, 0, 0}, {0.7, 0.7, 0.7});
+    scene::LightSource light;
+    light.direction = Vector(1, 0, 0); // shines to the right: from the left
+    scene_.lights = {light};
+    const Picture directed = draw();
+    EXPECT_GT(directed.red(115, 120), directed.red(205, 120) + 40);
+    light = {};
+    light.position = Vector(5, 0, 0);
+    light.color = {1, 0, 0};
+    scene_.lights = {light};
+    const Picture point = draw();
+    EXPECT_GT(point.red(205, 120), point.red(115, 120) + 40);
+    EXPECT_GT(point.red(205, 120), point.blue(205, 120) + 40);
+}
+
+TEST_F(RendererTest, BodiesStandWhereTheMotionPutsThem) {
+    addBody(scene_, sphere(0.2), {0, 0, 0}, red);
+    drawing_.motion = std::make_shared<GivenMotion>(2, std::vector<GivenMotion::Law>{[](double t) {
+                                                        return placed({t - 1, 0, 0});
+                                                    }});
+    drawing_.time = 1.5;
+    const Picture picture = draw();
+    EXPECT_TRUE(isRed(picture, 220, 120));
+    EXPECT_EQ(picture.at(160, 120), 0xFFFFFFU);
+}
+
+TEST_F(RendererTest, TrailsReachBackFromNowAndBreakAtJumps) {
+    addBody(scene_, sphere(0.05), {0, 0, 0}, red);
+    const auto motion = std::make_shared<GivenMotion>(
+        2, std::vector<GivenMotion::Law>{[](double t) {
+            return placed(t < 1 ? Vector(t - 0.9, 0.5, 0) : Vector(t - 0.9, -0.5, 0));
+        }});
+    motion->jumpTimes = {1};
+    drawing_.motion = motion;
+    drawing_.time = 1.5;
+    EXPECT_EQ(draw().at(120, 60), 0xFFFFFFU);
+    drawing_.display.trails = true;
+    const Picture picture = draw();
+    EXPECT_TRUE(isRed(picture, 120, 60));                      // before the jump, above
+    EXPECT_TRUE(isRed(picture, 190, 180));                     // after it, below
+    EXPECT_EQ(picture.at(260, 180), 0xFFFFFFU);                // the future has no trail
+    EXPECT_EQ(picture.at(172, 120), 0xFFFFFFU);                // nothing joins the two
+    EXPECT_GT(picture.green(60, 60), picture.green(190, 180)); // older is fainter
+}
+
+TEST_F(RendererTest, TheGroundLiesUnderTheScene) {
+    addBody(scene_, sphere(0.3), {0, 0.5, 0}, red);
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.5, 0, 0));
+    const int bare = draw().drawn();
+    drawing_.display.grid = true;
+    const Picture ground = draw();
+    EXPECT_GT(ground.drawn(), bare + 2000);
+    EXPECT_EQ(ground.at(160, 4), 0xFFFFFFU); // nothing over it
+    // Discreet: its lines are light.
+    EXPECT_EQ(ground.count([&](int x, int y) {
+        return !isRed(ground, x, y) && ground.blue(x, y) < 90 && y > 160;
+    }),
+              0);
+}
+
+// A point far from the origin is as steady as one at it.
+TEST_F(RendererTest, DistanceFromTheOriginChangesNothing) {
+    addBody(scene_, box({0.8, 0.5, 0.3}), {0, 0, 0}, red);
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.3, 0.4, 0.1));
+    const Picture here = draw();
+    const Vector far(1e7, -3e7, 2e7);
+    scene_.bodies[0].initialPosition = far;
+    drawing_.camera.center = far;
+    const Picture there = draw();
+    EXPECT_LT(
+        there.count([&](int x, int y) { return std::abs(there.red(x, y) - here.red(x, y)) > 8; }),
+        20);
+}
+
+TEST_F(RendererTest, HandlesLieOnTopAndShowTheVelocity) {
+    addBody(scene_, sphere(0.5), {0, 0, 0}, blue).initialVelocity = {0.9, 0, 0};
+    drawing_.display.positionHandles = drawing_.display.velocityHandles = true;
+    const Picture picture = draw();
+    const auto orange = [&](int x, int y) {
+        return picture.red(x, y) > picture.blue(x, y) + 60 &&
+               picture.green(x, y) > picture.blue(x, y);
+    };
+    EXPECT_TRUE(orange(160, 120));
+    EXPECT_GT(picture.green(160 + 108, 120), picture.red(160 + 108, 120) + 20);
+    scene_.bodies[0].fixed = true;
+    EXPECT_TRUE(isBlue(draw(), 160, 120));
+}
+
+TEST(Handles, ArrowsOfFastBodiesAreScaledByAPowerOfTen) {
+    scene::Scene scene;
+    addBody(scene, sphere(1), {0, 0, 0}, red).initialVelocity = {3, 0, 0};
+    EXPECT_EQ(velocityTime(scene, 10), 1);
+    scene.bodies[0].initialVelocity = {300, 0, 0};
+    EXPECT_NEAR(velocityTime(scene, 10), 0.01, 1e-15);
+}
+
+TEST_F(RendererTest, MoreSamplesThanThereAreAreClamped) {
+    addBody(scene_, sphere(0.5), {0, 0, 0}, red);
+    drawing_.display.samples = 64;
+    EXPECT_TRUE(isRed(draw(), 160, 120));
+    EXPECT_GE(renderer_->maximumSamples(), 1);
+    EXPECT_GE(renderer_->maximumSize(), 2048);
+    EXPECT_FALSE(renderer_->description().empty());
+}
+
+TEST_F(RendererTest, ImagesThatDoNotHoldThePictureAreRefused) {
+    Picture picture({32, 32});
+    Image tooShort = picture.image();
+    tooShort.pixels = tooShort.pixels.first(tooShort.pixels.size() - 1);
+    EXPECT_FALSE(renderer_->draw(drawing_, tooShort));
+    Image tooNarrow = picture.image();
+    tooNarrow.stride = 100;
+    EXPECT_FALSE(renderer_->draw(drawing_, tooNarrow));
+    Image empty = picture.image();
+    empty.size = {0, 32};
+    EXPECT_FALSE(renderer_->draw(drawing_, empty));
+}
+
+// Several windows of one process have renderers of their own.
+TEST_F(RendererTest, RenderersDoNotDisturbEachOther) {
+    addBody(scene_, sphere(0.5), {0, 0, 0}, red);
+    const Picture before = draw();
+    auto second = Renderer::create();
+    ASSERT_EQ(second.index(), 0U);
+    Picture other({50, 50});
+    EXPECT_TRUE(std::get<0>(second)->draw(drawing_, other.image()));
+    EXPECT_EQ(before.bytes, draw().bytes);
+    std::get<0>(second).reset();
+    EXPECT_EQ(before.bytes, draw().bytes);
+}
+
+TEST_F(RendererTest, BodiesWithoutAKnownShapeOrPlaceAreLeftOut) {
+    addBody(scene_, sphere(0.5), {0, 0, 0}, red).shape = "gone";
+    addBody(scene_, sphere(0.5), Vector::Constant(std::nan("")), red);
+    EXPECT_EQ(draw().drawn(), 0);
+}
+
+} // namespace
+} // namespace render
