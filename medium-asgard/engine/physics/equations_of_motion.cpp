@@ -1,0 +1,232 @@
+#include "physics/equations_of_motion.h"
+
+#include "expression/tape.h"
+#include "physics/body_phases.h"
+#include "physics/forces.h"
+#include "physics/scene_quantities.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace physics {
+namespace {
+
+// --- Euler's equations ----------------------------------------------------------------------
+
+// -w x I w as a quadratic form for each component, multiplied by the inverse of I: numbers, so that
+// what cancels (equal moments) leaves no term at all.
+NodeVector gyroscopicRate(Graph& g, const Matrix& inertia, const Matrix& inverse,
+                          const NodeVector& w) {
+    NodeVector rate = constant(g, Vector::Zero());
+    const auto momentum = [&](int i, int j) { // the part of (w x I w) along i, of w_i' I_.j w_j
+        Matrix part = Matrix::Zero();
+        for (int d = 0; d < 3; ++d)
+            part(i, d) = inertia(j, d);
+        return part;
+    };
+    std::array<Matrix, 3> forms; // (w x I w)_a = w' forms[a] w
+    for (int a = 0; a < 3; ++a)
+        forms[static_cast<std::size_t>(a)] =
+            momentum((a + 1) % 3, (a + 2) % 3) - momentum((a + 2) % 3, (a + 1) % 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int row = static_cast<int>(i);
+        const Matrix form =
+            -(inverse(row, 0) * forms[0] + inverse(row, 1) * forms[1] + inverse(row, 2) * forms[2]);
+        for (std::size_t b = 0; b < 3; ++b)
+            for (std::size_t d = b; d < 3; ++d) {
+                const int p = static_cast<int>(b), q = static_cast<int>(d);
+                const double factor = b == d ? form(p, p) : form(p, q) + form(q, p);
+                rate[i] = g.add(rate[i], g.multiply(g.constant(factor), g.multiply(w[b], w[d])));
+            }
+    }
+    return rate;
+}
+
+NodeVector spinRate(Graph& g, const BodyMass& mass, const NodeVector& w, const NodeVector& torque) {
+    const Matrix& inertia = mass.inertia;
+    NodeVector rate;
+    if (mass.isPrincipal()) {
+        const Matrix inverse = inertia.diagonal().cwiseInverse().asDiagonal();
+        const NodeVector gyroscopic = gyroscopicRate(g, inertia, inverse, w);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const int d = static_cast<int>(i);
+            const Node driven = g.divide(torque[i], g.constant(inertia(d, d)));
+            rate[i] = mass.isIsotropic() ? driven : g.add(gyroscopic[i], driven);
+        }
+        return rate;
+    }
+    const Matrix inverse = inertia.inverse();
+    NodeMatrix rows;
+    for (int i = 0; i < 3; ++i)
+        rows[static_cast<std::size_t>(i)] = constant(g, inverse.row(i));
+    return add(g, gyroscopicRate(g, inertia, inverse, w), times(g, rows, torque));
+}
+
+// --- bodies ---------------------------------------------------------------------------------
+
+BodyMotion bodyMotion(Graph& g, const scene::Body& body, const BodyMass& mass) {
+    BodyMotion motion;
+    motion.name = body.name;
+    motion.isFixed = body.fixed;
+    motion.mass = mass;
+    const Quaternion attitude = body.initialAttitude.normalized();
+    motion.start = {body.initialPosition + attitude * mass.centroid, attitude};
+    motion.symbols =
+        body.fixed ? fixedBody(g, motion.start) : movingBody(g, body.name, mass.isIsotropic());
+    motion.acceleration = motion.spinRate = constant(g, Vector::Zero());
+    return motion;
+}
+
+// Newton and Euler with all that acts. A weight is an acceleration as it stands: dividing the mass
+// out of it again would round.
+void setRates(Graph& g, const scene::Scene& scene, std::size_t index, BodyMotion& body,
+              std::span<const Contribution> contributions) {
+    NodeVector force = constant(g, Vector::Zero()), torque = force;
+    Vector gravity = Vector::Zero();
+    for (const Contribution& c : contributions) {
+        if (c.body != index)
+            continue;
+        torque = add(g, torque, c.torque);
+        const auto* weight =
+            c.kind == Contribution::Kind::force
+                ? std::get_if<scene::GravitationalForce>(&scene.forces[c.element].kind)
+                : nullptr;
+        if (weight && !scene.forces[c.element].couple)
+            gravity += weight->acceleration;
+        else
+            force = add(g, force, c.force);
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+        body.acceleration[i] = g.add(g.divide(force[i], g.constant(body.mass.mass)),
+                                     g.constant(gravity[static_cast<int>(i)]));
+    body.spinRate = spinRate(g, body.mass, body.symbols.spin, torque);
+}
+
+std::vector<Held> heldTimes(std::span<const HoldSegment> segments) {
+    std::vector<Held> held;
+    for (const HoldSegment& segment : segments)
+        held.push_back({segment.from,
+                        {segment.linear[0].has_value(), segment.linear[1].has_value(),
+                         segment.linear[2].has_value()},
+                        segment.angular.has_value()});
+    return held;
+}
+
+// --- unknowns -------------------------------------------------------------------------------
+
+std::array<double, bodyUnknowns> initialState(const scene::Body& body, const BodyMotion& motion) {
+    const Quaternion& q = motion.start.attitude;
+    const Vector& place = motion.start.position;
+    const Vector& velocity = body.initialVelocity;
+    const Vector spin = motion.symbols.isSpinInWorldAxes
+                            ? body.initialAngularVelocity
+                            : Vector(q.conjugate() * body.initialAngularVelocity);
+    return {place[0], place[1], place[2], velocity[0], velocity[1], velocity[2], q.w(),
+            q.x(),    q.y(),    q.z(),    spin[0],     spin[1],     spin[2]};
+}
+
+std::array<Node, bodyUnknowns> symbolsOfBody(const BodySymbols& s) {
+    return {s.position[0], s.position[1], s.position[2], s.velocity[0], s.velocity[1],
+            s.velocity[2], s.attitude[0], s.attitude[1], s.attitude[2], s.attitude[3],
+            s.spin[0],     s.spin[1],     s.spin[2]};
+}
+
+void addUnknowns(expression::EquationSet& set, const scene::Scene& scene, const scene::Body& body,
+                 BodyMotion& motion, std::span<const HoldSegment> segments) {
+    motion.firstUnknown = set.unknowns.size();
+    const auto symbols = symbolsOfBody(motion.symbols);
+    const auto initial = initialState(body, motion);
+    auto phases = phasesOf(set.graph, set.time, motion, segments, scene.simulator.start);
+    for (std::size_t i = 0; i < bodyUnknowns; ++i) {
+        expression::Unknown unknown;
+        unknown.name = set.graph.name(symbols[i]);
+        unknown.symbol = symbols[i];
+        unknown.initial = initial[i];
+        unknown.phases = std::move(phases[i]);
+        // A quaternion's entry that changes by e turns the body by the angle 2 e.
+        unknown.lengthPerUnit = i < dx ? 1 : i >= qw && i < w1 ? 2 * motion.mass.radius : 0;
+        if (i >= dx && i < qw)
+            unknown.integralOf = motion.firstUnknown + i - dx;
+        set.unknowns.push_back(std::move(unknown));
+    }
+    const std::size_t q = motion.unknown(qw);
+    set.quaternions.push_back({q, q + 1, q + 2, q + 3});
+}
+
+} // namespace
+
+const Held& BodyMotion::heldAt(double time) const {
+    const auto after = std::ranges::upper_bound(held, time, {}, &Held::from);
+    return after == held.begin() ? held.front() : *(after - 1);
+}
+
+EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene) {
+    Graph& g = set.graph;
+    set.time = g.symbol("t");
+    std::vector<BodyMass> masses;
+    std::vector<BodySymbols> symbols;
+    for (const scene::Body& body : scene.bodies) {
+        const auto mass = massOf(scene, body);
+        if (const auto* sentence = std::get_if<std::string>(&mass)) {
+            faults.push_back(*sentence);
+            continue;
+        }
+        bodies.push_back(bodyMotion(g, body, std::get<BodyMass>(mass)));
+        masses.push_back(bodies.back().mass);
+        symbols.push_back(bodies.back().symbols);
+    }
+    if (!faults.empty())
+        return;
+    scope.emplace(g, scene, std::move(masses), std::move(symbols));
+    ForceReader(g, scene, *scope, faults).read(contributions, links);
+
+    std::set<double> times;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        setRates(g, scene, b, bodies[b], contributions);
+        const std::vector<HoldSegment> segments = segmentsOf(scene, *scope, b, faults);
+        bodies[b].held = heldTimes(segments);
+        if (bodies[b].isFixed)
+            continue;
+        addUnknowns(set, scene, scene.bodies[b], bodies[b], segments);
+        for (const HoldSegment& segment : segments)
+            times.insert(segment.from);
+    }
+    times.erase(-std::numeric_limits<double>::infinity());
+    breakpoints.assign(times.begin(), times.end());
+    scope->setSceneNodes(sceneNodes(*this, scene));
+    if (!faults.empty())
+        scope.reset();
+}
+
+std::string EquationsOfMotion::whatIsNotFinite(const scene::Scene& scene,
+                                               std::span<const double> state, double time) const {
+    std::vector<Node> inputs;
+    for (const expression::Unknown& unknown : set.unknowns)
+        inputs.push_back(unknown.symbol);
+    inputs.push_back(set.time);
+    std::vector<double> values(state.begin(), state.end());
+    values.push_back(time);
+    std::string found;
+    expression::Tape::Scratch scratch;
+    for (const Contribution& c : contributions) {
+        static constexpr const char* axes[] = {"x", "y", "z"};
+        std::array<double, 3> force{};
+        expression::Tape(set.graph, inputs, c.force).evaluate(values, force, scratch);
+        const auto bad = std::ranges::find_if_not(force, [](double f) { return std::isfinite(f); });
+        if (bad == force.end())
+            continue;
+        const bool isForce = c.kind == Contribution::Kind::force;
+        const int line =
+            isForce ? scene.forces[c.element].source.line : scene.links[c.element].source.line;
+        found += (found.empty() ? "" : "; ") + std::string("the ") + (isForce ? "force" : "link") +
+                 " on body \"" + bodies[c.body].name + "\"" +
+                 (line > 0 ? " (line " + std::to_string(line) + ")" : "") + " is not finite: its " +
+                 axes[bad - force.begin()] + " is " +
+                 (std::isnan(*bad) ? "not a number" : "infinite");
+    }
+    return found;
+}
+
+} // namespace physics

@@ -1,0 +1,89 @@
+// A scene as differential equations: Newton's and Euler's, one scalar equation for each unknown.
+//
+//     x' = v                 m v' = sum of the forces
+//     q' = q w / 2           I w' = sum of the torques - w x I w
+//
+// about the centre of mass, with w and the torques along the body's axes; a body whose inertia is
+// the same about every axis has w along the world's axes instead, and then
+//     q' = w q / 2           I w' = sum of the torques.
+// A force F at an arm d from the centre of mass turns by d x F; a couple makes no net force.
+//
+// Differences from the equations that the dissertation prints (5.1.1, 5.1.2), each with its test:
+// docs/numerics.md, "What the dissertation prints".
+#pragma once
+
+#include "expression/equations.h"
+#include "physics/holds.h"
+#include "physics/scope.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace physics {
+
+// Positions in a body's thirteen unknowns.
+enum BodyUnknown : std::size_t { x, y, z, dx, dy, dz, qw, qx, qy, qz, w1, w2, w3, bodyUnknowns };
+
+// What a trajectory holds from a time on; collisions meet infinite mass there.
+struct Held {
+    double from = 0;
+    std::array<bool, 3> position{}; // along the world's axes
+    bool attitude = false;
+};
+
+struct BodyMotion {
+    std::string name;
+    bool isFixed = false;
+    BodyMass mass; // the shape's own, even when the body is fixed (and so counts as infinite)
+    BodySymbols symbols;
+    geometry::Pose start;         // centre of mass; of a fixed body at all times
+    std::size_t firstUnknown = 0; // thirteen in a row (see BodyUnknown); not for a fixed body
+    std::vector<Held> held;       // from the start of time, in order; never empty
+    // Where nothing holds it; spin along its own axes (see BodySymbols).
+    NodeVector acceleration, spinRate;
+
+    [[nodiscard]] const Held& heldAt(double time) const;
+    [[nodiscard]] std::size_t unknown(BodyUnknown which) const { return firstUnknown + which; }
+};
+
+// What one force or one end of a link adds to a body.
+struct Contribution {
+    enum class Kind { force, link };
+    Kind kind = Kind::force;
+    std::size_t element = 0; // index into Scene::forces or Scene::links
+    std::size_t body = 0;
+    NodeVector force;  // world axes
+    NodeVector torque; // along the axes of the body's spin
+};
+
+struct LinkNodes {
+    std::size_t link = 0; // index into Scene::links
+    NodeVector extension; // first point less second, world
+    NodeVector speed;     // its rate
+    double damping = 0;   // given or critical
+};
+
+struct EquationsOfMotion {
+    explicit EquationsOfMotion(const scene::Scene& scene);
+
+    expression::EquationSet set;
+    std::vector<BodyMotion> bodies; // as Scene::bodies
+    std::vector<Contribution> contributions;
+    std::vector<LinkNodes> links;
+    // Times, in order, at which a trajectory takes hold, lets go or passes to its next piece.
+    std::vector<double> breakpoints;
+    // Why the scene has no equations: sentences. Empty: it has.
+    std::vector<std::string> faults;
+    std::optional<Scope>
+        scope; // names for further expressions (quantities, views); none with faults
+
+    // The forces whose values are not finite at a state (all unknowns) and time, as a clause:
+    //     the force on body "b1" (line 12) is not finite: its -y is nan
+    // "" when all are finite.
+    [[nodiscard]] std::string whatIsNotFinite(const scene::Scene& scene,
+                                              std::span<const double> state, double time) const;
+};
+
+} // namespace physics

@@ -1,0 +1,218 @@
+#include "physics/forces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace physics {
+namespace {
+
+template <class T>
+std::optional<std::size_t> indexNamed(const std::vector<T>& elements, const std::string& name) {
+    const auto found = std::ranges::find(elements, name, &T::name);
+    if (found == elements.end())
+        return std::nullopt;
+    return static_cast<std::size_t>(found - elements.begin());
+}
+
+NodeVector negated(Graph& g, const NodeVector& v) {
+    return {g.negate(v[0]), g.negate(v[1]), g.negate(v[2])};
+}
+
+} // namespace
+
+ForceReader::ForceReader(Graph& g, const scene::Scene& scene, const Scope& scope,
+                         std::vector<std::string>& faults)
+    : g_(g), scene_(scene), scope_(scope), faults_(faults) {
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        const BodySymbols& body = scope.body(b);
+        const NodeQuaternion attitudeRate = body.attitudeRate(g);
+        for (std::size_t i = 0; i < 3; ++i)
+            positionRates_.emplace(body.position[i].index, body.velocity[i]);
+        for (std::size_t i = 0; i < 4; ++i)
+            positionRates_.emplace(body.attitude[i].index, attitudeRate[i]);
+    }
+}
+
+void ForceReader::read(std::vector<Contribution>& contributions, std::vector<LinkNodes>& links) {
+    for (std::size_t i = 0; i < scene_.forces.size(); ++i)
+        readForce(i, contributions);
+    for (std::size_t i = 0; i < scene_.links.size(); ++i)
+        readLink(i, contributions, links);
+}
+
+std::optional<std::size_t> ForceReader::bodyNamed(const std::string& name) const {
+    return indexNamed(scene_.bodies, name);
+}
+
+const ScopeTrajectory* ForceReader::trajectoryNamed(const std::string& name) const {
+    const auto index = indexNamed(scene_.trajectories, name);
+    return index ? &scope_.trajectory(*index) : nullptr;
+}
+
+NodeVector ForceReader::parsed(const std::array<scene::Expression, 3>& texts,
+                               const scene::Source& source, const std::string& element,
+                               scene::Reading reading) {
+    static constexpr const char* options[] = {"-x", "-y", "-z"};
+    NodeVector result = constant(g_, Vector::Zero());
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto made = scope_.parse(g_, texts[i], reading);
+        if (const auto* error = std::get_if<expression::SyntaxError>(&made))
+            faults_.push_back("line " + std::to_string(source.line) + ": " + options[i] + " of " +
+                              element + ": " + error->message);
+        else
+            result[i] = std::get<Node>(made);
+    }
+    return result;
+}
+
+Contribution ForceReader::at(std::size_t body, const Vector& arm, const NodeVector& force) {
+    const BodySymbols& symbols = scope_.body(body);
+    const NodeVector lever = constant(g_, arm);
+    Contribution made;
+    made.body = body;
+    made.force = force;
+    if (arm.isZero(0))
+        made.torque = constant(g_, Vector::Zero());
+    else if (symbols.isSpinInWorldAxes)
+        made.torque = cross(g_, symbols.toWorld(g_, lever), force);
+    else
+        made.torque = cross(g_, lever, symbols.toBody(g_, force));
+    return made;
+}
+
+// --- forces ---------------------------------------------------------------------------------
+
+NodeVector ForceReader::forceVector(const scene::Force& force, double mass, bool& isInBodyAxes) {
+    isInBodyAxes = false;
+    if (const auto* gravity = std::get_if<scene::GravitationalForce>(&force.kind))
+        return constant(g_, mass * gravity->acceleration);
+    if (const auto* driven = std::get_if<scene::TrajectoryForce>(&force.kind)) {
+        if (const ScopeTrajectory* trajectory = trajectoryNamed(driven->trajectory))
+            return trajectory->value;
+        faults_.push_back("a force on \"" + force.body + "\": no trajectory named \"" +
+                          driven->trajectory + "\"");
+        return constant(g_, Vector::Zero());
+    }
+    const auto& components = std::get<scene::ComponentForce>(force.kind);
+    isInBodyAxes = components.frame == scene::Frame::body;
+    return parsed(components.components, force.source, "a force on \"" + force.body + "\"",
+                  scene::Reading::state);
+}
+
+void ForceReader::readForce(std::size_t index, std::vector<Contribution>& contributions) {
+    const scene::Force& force = scene_.forces[index];
+    const auto body = bodyNamed(force.body);
+    if (!body) {
+        faults_.push_back("a force: no body named \"" + force.body + "\"");
+        return;
+    }
+    const BodySymbols& symbols = scope_.body(*body);
+    bool isInBodyAxes = false;
+    const NodeVector value = forceVector(force, scope_.mass(*body).mass, isInBodyAxes);
+    const NodeVector inWorld = isInBodyAxes ? symbols.toWorld(g_, value) : value;
+    Contribution made;
+    if (force.couple) { // turns the body about its centre of mass wherever it is drawn
+        made.body = *body;
+        made.force = constant(g_, Vector::Zero());
+        const bool asGiven = isInBodyAxes != symbols.isSpinInWorldAxes;
+        made.torque = asGiven ? value : symbols.toSpinAxes(g_, inWorld);
+    } else {
+        const Vector arm = scope_.armTo(*body, force.offset);
+        made = at(*body, arm, inWorld);
+        if (isInBodyAxes && !symbols.isSpinInWorldAxes) // not turned out and back
+            made.torque = cross(g_, constant(g_, arm), value);
+    }
+    made.kind = Contribution::Kind::force;
+    made.element = index;
+    contributions.push_back(made);
+}
+
+// --- links ----------------------------------------------------------------------------------
+
+ForceReader::End ForceReader::bodyEnd(const scene::BodyEnd& end, std::size_t body) {
+    const BodySymbols& symbols = scope_.body(body);
+    const NodeVector arm = constant(g_, scope_.armTo(body, end.offset));
+    return {symbols.position, symbols.toWorld(g_, arm), symbols.velocity,
+            symbols.velocityOfArm(g_, arm)};
+}
+
+// d point / dt along the motion: by time, and by every place and attitude that it reads.
+NodeVector ForceReader::rateOfPoint(const NodeVector& point) {
+    NodeVector rate;
+    for (std::size_t i = 0; i < 3; ++i) {
+        rate[i] = differentiate(g_, point[i], scope_.time());
+        for (const Node symbol : symbolsOf(g_, std::span(&point[i], 1))) {
+            const auto found = positionRates_.find(symbol.index);
+            if (found != positionRates_.end())
+                rate[i] = g_.add(rate[i],
+                                 g_.multiply(differentiate(g_, point[i], symbol), found->second));
+        }
+    }
+    return rate;
+}
+
+ForceReader::End ForceReader::secondEnd(const scene::Link& link) {
+    const NodeVector zero = constant(g_, Vector::Zero());
+    const std::string element = "a link of \"" + link.first.body + "\"";
+    if (const auto* end = std::get_if<scene::BodyEnd>(&link.second)) {
+        if (const auto body = bodyNamed(end->body))
+            return bodyEnd(*end, *body);
+        faults_.push_back(element + ": no body named \"" + end->body + "\"");
+    } else if (const auto* driven = std::get_if<scene::TrajectoryEnd>(&link.second)) {
+        if (const ScopeTrajectory* trajectory = trajectoryNamed(driven->trajectory))
+            return {trajectory->value, zero, trajectory->rate, zero};
+        faults_.push_back(element + ": no trajectory named \"" + driven->trajectory + "\"");
+    } else {
+        const NodeVector point = parsed(std::get<scene::PointEnd>(link.second).coordinates,
+                                        link.source, element, scene::Reading::positions);
+        return {point, zero, rateOfPoint(point), zero};
+    }
+    return {zero, zero, zero, zero};
+}
+
+double ForceReader::dampingOf(const scene::Link& link) const {
+    if (link.damping)
+        return *link.damping;
+    const auto inverseMass = [this](const std::string& name) {
+        const auto body = bodyNamed(name);
+        return body && !scene_.bodies[*body].fixed ? 1 / scope_.mass(*body).mass : 0;
+    };
+    double inverse = inverseMass(link.first.body);
+    if (const auto* end = std::get_if<scene::BodyEnd>(&link.second))
+        inverse += inverseMass(end->body);
+    return inverse > 0 ? 2 * std::sqrt(link.tightness / inverse) : 0;
+}
+
+void ForceReader::readLink(std::size_t index, std::vector<Contribution>& contributions,
+                           std::vector<LinkNodes>& links) {
+    const scene::Link& link = scene_.links[index];
+    const auto first = bodyNamed(link.first.body);
+    if (!first) {
+        faults_.push_back("a link: no body named \"" + link.first.body + "\"");
+        return;
+    }
+    const End a = bodyEnd(link.first, *first), b = secondEnd(link);
+    LinkNodes made;
+    made.link = index;
+    made.damping = dampingOf(link);
+    // Places first: far from the origin their difference is small and exact, and a sum of a place
+    // and an arm would lose the arm's last digits.
+    made.extension = add(g_, subtract(g_, a.place, b.place), subtract(g_, a.arm, b.arm));
+    made.speed = add(g_, subtract(g_, a.velocity, b.velocity), subtract(g_, a.turning, b.turning));
+    links.push_back(made);
+
+    const NodeVector force = subtract(g_, scaled(g_, g_.constant(-link.tightness), made.extension),
+                                      scaled(g_, g_.constant(made.damping), made.speed));
+    const auto contribute = [&](std::size_t body, const scene::BodyEnd& end, const NodeVector& f) {
+        Contribution contribution = at(body, scope_.armTo(body, end.offset), f);
+        contribution.kind = Contribution::Kind::link;
+        contribution.element = index;
+        contributions.push_back(contribution);
+    };
+    contribute(*first, link.first, force);
+    if (const auto* end = std::get_if<scene::BodyEnd>(&link.second))
+        if (const auto second = bodyNamed(end->body))
+            contribute(*second, *end, negated(g_, force));
+}
+
+} // namespace physics

@@ -1,0 +1,53 @@
+// Forces and links as what they add to each body.
+//
+// Link (scene language, "Physics"): with d the first end less the second, and v its rate,
+//     F = -k d - c v        on the first body at its point, and -F on the second at its own
+//     c = 2 sqrt(k m)       critical damping, unless given; m is the mass of the first body, and
+//                           between two bodies the reduced mass m1 m2 / (m1 + m2), a fixed one
+//                           counting as infinite
+#pragma once
+
+#include "physics/equations_of_motion.h"
+
+namespace physics {
+
+// Sentences about expressions that cannot be read go to `faults`.
+class ForceReader {
+public:
+    ForceReader(Graph& g, const scene::Scene& scene, const Scope& scope,
+                std::vector<std::string>& faults);
+
+    void read(std::vector<Contribution>& contributions, std::vector<LinkNodes>& links);
+
+private:
+    struct End {
+        NodeVector place;    // of the centre of mass, or the point itself
+        NodeVector arm;      // from there to the point, world axes
+        NodeVector velocity; // of the place
+        NodeVector turning;  // velocity of the point relative to the place
+    };
+
+    [[nodiscard]] std::optional<std::size_t> bodyNamed(const std::string& name) const;
+    [[nodiscard]] const ScopeTrajectory* trajectoryNamed(const std::string& name) const;
+    NodeVector parsed(const std::array<scene::Expression, 3>& texts, const scene::Source& source,
+                      const std::string& element, scene::Reading reading);
+
+    void readForce(std::size_t index, std::vector<Contribution>& contributions);
+    NodeVector forceVector(const scene::Force& force, double mass, bool& isInBodyAxes);
+    void readLink(std::size_t index, std::vector<Contribution>& contributions,
+                  std::vector<LinkNodes>& links);
+    End bodyEnd(const scene::BodyEnd& end, std::size_t body);
+    End secondEnd(const scene::Link& link);
+    [[nodiscard]] NodeVector rateOfPoint(const NodeVector& point);
+    [[nodiscard]] double dampingOf(const scene::Link& link) const;
+    // A force in world axes at `arm` (body frame) from the centre of mass.
+    [[nodiscard]] Contribution at(std::size_t body, const Vector& arm, const NodeVector& force);
+
+    Graph& g_;
+    const scene::Scene& scene_;
+    const Scope& scope_;
+    std::vector<std::string>& faults_;
+    std::unordered_map<std::uint32_t, Node> positionRates_; // of each symbol of a place or attitude
+};
+
+} // namespace physics

@@ -1,0 +1,27 @@
+// Mass, centre and inertia of a body, as its author gave them or as they follow from its shape.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <string>
+#include <variant>
+
+namespace physics {
+
+struct BodyMass {
+    double mass = 0;
+    geometry::Vector centroid = geometry::Vector::Zero(); // from the reference point, body frame
+    geometry::Matrix inertia = geometry::Matrix::Zero();  // about the centroid, body axes
+    double radius = 0;                                    // of the shape about the centroid
+
+    // The same about every axis: rotation needs no gyroscopic term.
+    [[nodiscard]] bool isIsotropic() const;
+    [[nodiscard]] bool isPrincipal() const; // no products of inertia
+};
+
+// What rounding leaves of products and differences that are 0 (1e-13 of the trace) is cleared, so
+// that no equation depends on what it does not. The sentence says why there is no mass.
+[[nodiscard]] std::variant<BodyMass, std::string> massOf(const scene::Scene& scene,
+                                                         const scene::Body& body);
+
+} // namespace physics

@@ -1,0 +1,16 @@
+// What a whole scene has: energy, momentum, angular momentum (command lines, "simulate").
+//
+//     energy = kinetic energy of the bodies that are neither fixed nor held
+//              - m g.r for each -gravitational force, r being the point that it acts on
+//              + k |d|²/2 for each link
+// Momenta are those of the bodies that are neither fixed nor held, angular momentum about the
+// origin. A body counts as held while a trajectory holds any part of its state.
+#pragma once
+
+#include "physics/equations_of_motion.h"
+
+namespace physics {
+
+[[nodiscard]] SceneNodes sceneNodes(EquationsOfMotion& motion, const scene::Scene& scene);
+
+} // namespace physics

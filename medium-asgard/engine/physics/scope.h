@@ -1,0 +1,67 @@
+// The names of a scene's expressions as nodes: state symbols, constants and trajectories.
+#pragma once
+
+#include "physics/body_symbols.h"
+#include "physics/trajectory_expression.h"
+#include "scene/names.h"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace physics {
+
+struct ScopeTrajectory {
+    std::vector<TrajectoryPiece> pieces;
+    NodeVector value, rate; // at all times
+};
+
+// What scene.energy and the like are, for expressions that may read them.
+struct SceneNodes {
+    Node energy;
+    NodeVector momentum;
+    NodeVector angularMomentum; // about the origin
+    Node collisions;            // the symbol "events.collisions", which has no equation
+};
+
+// Keeps nodes of one graph; it may be used with that graph and with its copies.
+class Scope {
+public:
+    // `masses` and `bodies` in the order of the scene's bodies.
+    Scope(Graph& g, const scene::Scene& scene, std::vector<BodyMass> masses,
+          std::vector<BodySymbols> bodies);
+
+    [[nodiscard]] Node time() const { return time_; }
+    [[nodiscard]] const BodySymbols& body(std::size_t i) const { return bodies_[i]; }
+    [[nodiscard]] const BodyMass& mass(std::size_t i) const { return masses_[i]; }
+    [[nodiscard]] const ScopeTrajectory& trajectory(std::size_t i) const {
+        return trajectories_[i];
+    }
+    void setSceneNodes(const SceneNodes& nodes) { sceneNodes_ = nodes; }
+
+    // From the centre of mass to a point given from the reference point (none: the centre).
+    [[nodiscard]] Vector armTo(std::size_t body, const std::optional<Vector>& offset) const;
+
+    [[nodiscard]] std::variant<Node, expression::SyntaxError> parse(Graph& g, std::string_view text,
+                                                                    scene::Reading reading) const;
+
+private:
+    [[nodiscard]] expression::Meaning meaning(Graph& g, std::string_view name,
+                                              std::span<const Node> arguments, bool isCall,
+                                              scene::Reading reading) const;
+    [[nodiscard]] Node bodyQuantity(Graph& g, const scene::BodyName& name,
+                                    std::span<const Node> arguments) const;
+    [[nodiscard]] Node bodyPoint(Graph& g, const scene::BodyName& name,
+                                 std::span<const Node> arguments) const;
+    [[nodiscard]] Node sceneQuantity(scene::SceneQuantity quantity) const;
+
+    scene::Names names_;
+    Node time_;
+    std::vector<double> parameters_;
+    std::vector<BodyMass> masses_;
+    std::vector<BodySymbols> bodies_;
+    std::vector<ScopeTrajectory> trajectories_;
+    SceneNodes sceneNodes_;
+};
+
+} // namespace physics
