@@ -119,6 +119,15 @@ void Renderer::Implementation::paintHandles(const Drawing& drawing, const Frame&
                                             const float* projection) {
     static const scene::Part ball{scene::SphereShape{1}, Vector::Zero(), Vector::Zero(), {}};
     const std::vector<Handle> handles = handlesOf(drawing, extent.size);
+    gl.Clear(GL_DEPTH_BUFFER_BIT);
+    for (const Handle& handle : handles)
+        if (handle.base != handle.place) {
+            const scene::Color c = colorOf(handle.kind);
+            addArrow(*lines, frame, handle.base, handle.place,
+                     {0.8F * Eigen::Vector3d(c.red, c.green, c.blue).cast<float>(), 0.9F,
+                      frame.stroke(2)});
+        }
+    lines->draw(projection, frame.halfSize(), 0);
     for (HandleKind kind : {HandleKind::position, HandleKind::velocity}) {
         gl.Clear(GL_DEPTH_BUFFER_BIT); // nothing hides a handle but one of its own kind
         std::vector<Solid> balls;
@@ -135,11 +144,7 @@ void Renderer::Implementation::paintHandles(const Drawing& drawing, const Frame&
             solid.color = Eigen::Vector3d(c.red, c.green, c.blue).cast<float>();
             solid.shininess = 0.5F;
             balls.push_back(solid);
-            if (handle.base != handle.place)
-                addArrow(*lines, frame, handle.base, handle.place,
-                         {solid.color * 0.8F, 0.9F, frame.stroke(2)});
         }
-        lines->draw(projection, frame.halfSize(), 0);
         solids->drawOpaque(balls, frame);
     }
 }
