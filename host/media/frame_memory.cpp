@@ -22,13 +22,13 @@ FrameMemory::FrameMemory() {
         return;
     if (fcntl(descriptor_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW) != 0)
         return;
-    void *mapped = mmap(nullptr, capacity, PROT_READ, MAP_SHARED, descriptor_, 0);
-    data_ = mapped == MAP_FAILED ? nullptr : static_cast<const uchar *>(mapped);
+    void* mapped = mmap(nullptr, capacity, PROT_READ, MAP_SHARED, descriptor_, 0);
+    data_ = mapped == MAP_FAILED ? nullptr : static_cast<const uchar*>(mapped);
 }
 
 FrameMemory::~FrameMemory() {
     if (data_)
-        munmap(const_cast<uchar *>(data_), capacity);
+        munmap(const_cast<uchar*>(data_), capacity);
     if (descriptor_ >= 0)
         close(descriptor_);
 }
@@ -39,7 +39,7 @@ std::optional<Slot> FrameMemory::allocate(int width, int height) {
     Slot slot;
     slot.stride = std::int64_t{width} * 4;
     slot.bytes = roundUp(slot.stride * height);
-    for (const auto &[offset, bytes] : used_) { // first fit, in order of offset
+    for (const auto& [offset, bytes] : used_) { // first fit, in order of offset
         if (offset - slot.offset >= slot.bytes)
             break;
         slot.offset = offset + bytes;
@@ -50,7 +50,7 @@ std::optional<Slot> FrameMemory::allocate(int width, int height) {
     return slot;
 }
 
-void FrameMemory::free(const Slot &slot) {
+void FrameMemory::free(const Slot& slot) {
     if (used_.erase(slot.offset) == 0)
         return;
     // A failure only leaves the pages in use until the process ends.
@@ -60,12 +60,12 @@ void FrameMemory::free(const Slot &slot) {
 
 std::int64_t FrameMemory::bytesInUse() const {
     std::int64_t sum = 0;
-    for (const auto &[offset, bytes] : used_)
+    for (const auto& [offset, bytes] : used_)
         sum += bytes;
     return sum;
 }
 
-QImage FrameMemory::picture(const Slot &slot, std::int64_t width, std::int64_t height) const {
+QImage FrameMemory::picture(const Slot& slot, std::int64_t width, std::int64_t height) const {
     if (!data_ || width <= 0 || height <= 0 || width > mostPixels || height > mostPixels ||
         width * 4 > slot.stride || height * slot.stride > slot.bytes)
         return {};

@@ -23,24 +23,24 @@ public:
 
     FrameMemory();
     ~FrameMemory();
-    FrameMemory(const FrameMemory &) = delete;
-    FrameMemory &operator=(const FrameMemory &) = delete;
+    FrameMemory(const FrameMemory&) = delete;
+    FrameMemory& operator=(const FrameMemory&) = delete;
 
     [[nodiscard]] bool isValid() const { return data_ != nullptr; }
     [[nodiscard]] int descriptor() const { return descriptor_; }
 
     // Room for one picture of that many device pixels; nothing when there is none left.
     [[nodiscard]] std::optional<Slot> allocate(int width, int height);
-    void free(const Slot &slot);
+    void free(const Slot& slot);
     [[nodiscard]] std::int64_t bytesInUse() const;
 
     // A copy of the picture in `slot`; a null image when it does not fit into the slot. The copy is
     // what makes a last picture survive its medium, and a medium that goes on drawing harmless.
-    [[nodiscard]] QImage picture(const Slot &slot, std::int64_t width, std::int64_t height) const;
+    [[nodiscard]] QImage picture(const Slot& slot, std::int64_t width, std::int64_t height) const;
 
 private:
     int descriptor_ = -1;
-    const uchar *data_ = nullptr;
+    const uchar* data_ = nullptr;
     std::map<std::int64_t, std::int64_t> used_; // offset -> bytes
 };
 

@@ -14,10 +14,10 @@ namespace media {
 
 namespace {
 
-std::vector<char *> pointers(const std::vector<std::string> &strings) {
-    std::vector<char *> result;
-    for (const std::string &string : strings)
-        result.push_back(const_cast<char *>(string.c_str()));
+std::vector<char*> pointers(const std::vector<std::string>& strings) {
+    std::vector<char*> result;
+    for (const std::string& string : strings)
+        result.push_back(const_cast<char*>(string.c_str()));
     result.push_back(nullptr);
     return result;
 }
@@ -30,7 +30,7 @@ struct Ends {
                pipe2(log.data(), O_CLOEXEC) == 0;
     }
     void closeAll() {
-        for (auto *pair : {&in, &out, &log})
+        for (auto* pair : {&in, &out, &log})
             for (int end : *pair)
                 if (end >= 0)
                     close(end);
@@ -41,7 +41,7 @@ struct Ends {
 bool placeDescriptors(int in, int out, int log, int frames) {
     const int above = 10;
     std::array<int, 4> from{in, out, log, frames};
-    for (int &descriptor : from)
+    for (int& descriptor : from)
         if (descriptor >= 0 && (descriptor = fcntl(descriptor, F_DUPFD, above)) < 0)
             return false;
     for (int target = 0; target < 4; ++target)
@@ -52,8 +52,8 @@ bool placeDescriptors(int in, int out, int log, int frames) {
 }
 
 // Runs between vfork and exec: system calls only, and nothing of the parent's memory is changed.
-[[noreturn]] void become(const Launch &request, const Ends &ends, pid_t parent, char **arguments,
-                         char **environment) {
+[[noreturn]] void become(const Launch& request, const Ends& ends, pid_t parent, char** arguments,
+                         char** environment) {
     setsid();
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) // it died before the line above
@@ -69,7 +69,7 @@ bool placeDescriptors(int in, int out, int log, int frames) {
 
 } // namespace
 
-Launched launch(const Launch &request) {
+Launched launch(const Launch& request) {
     Launched result;
     Ends ends;
     if (!ends.open()) {
@@ -77,13 +77,13 @@ Launched launch(const Launch &request) {
         ends.closeAll();
         return result;
     }
-    std::vector<char *> arguments = pointers(request.arguments);
-    arguments.insert(arguments.begin(), const_cast<char *>(request.program.c_str()));
-    const std::vector<char *> environment = pointers(request.environment);
+    std::vector<char*> arguments = pointers(request.arguments);
+    arguments.insert(arguments.begin(), const_cast<char*>(request.program.c_str()));
+    const std::vector<char*> environment = pointers(request.environment);
     const pid_t parent = getpid();
     const pid_t process = vfork();
     if (process == 0)
-        become(request, ends, parent, arguments.data(), const_cast<char **>(environment.data()));
+        become(request, ends, parent, arguments.data(), const_cast<char**>(environment.data()));
     if (process < 0) {
         result.error = std::string("no process could be made: ") + std::strerror(errno);
         ends.closeAll();
@@ -114,7 +114,7 @@ int endAndReap(pid_t process) {
 std::string describeEnd(int waitStatus) {
     if (WIFSIGNALED(waitStatus)) {
         const int signal = WTERMSIG(waitStatus);
-        const char *name = sigdescr_np(signal);
+        const char* name = sigdescr_np(signal);
         return "was ended by signal " + std::to_string(signal) + " (" + (name ? name : "?") + ")";
     }
     if (WEXITSTATUS(waitStatus) == 127)

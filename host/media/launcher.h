@@ -29,7 +29,7 @@ struct Launched {
 
 inline constexpr int framesDescriptor = 3;
 
-[[nodiscard]] Launched launch(const Launch &request);
+[[nodiscard]] Launched launch(const Launch& request);
 
 // Ends a process and everything in its session, and waits for it: it is gone or unkillable, so
 // this does not wait for anything that the process could do.

@@ -4,8 +4,8 @@
 
 namespace media {
 
-LiveMedia::LiveMedia(Registry registry, QString executableFolder, PipeThread &pipes,
-                     TimeLimits limits, QObject *parent)
+LiveMedia::LiveMedia(Registry registry, QString executableFolder, PipeThread& pipes,
+                     TimeLimits limits, QObject* parent)
     : QObject(parent), registry_(std::move(registry)),
       executableFolder_(std::move(executableFolder)), pipes_(pipes), limits_(limits) {
     choice_.setSingleShot(true);
@@ -23,13 +23,13 @@ void LiveMedia::scheduleChoice() {
         choice_.start();
 }
 
-std::unique_ptr<LiveSubdocument> LiveMedia::create(const QString &documentClass) {
-    const Manifest *manifest = registry_.forClass(documentClass);
+std::unique_ptr<LiveSubdocument> LiveMedia::create(const QString& documentClass) {
+    const Manifest* manifest = registry_.forClass(documentClass);
     if (!manifest)
         return nullptr;
     auto subdocument = std::make_unique<LiveSubdocument>(
         *manifest, programOf(*manifest, executableFolder_), pipes_, limits_);
-    LiveSubdocument *made = subdocument.get();
+    LiveSubdocument* made = subdocument.get();
     connect(made, &QObject::destroyed, this, [this, made] {
         distances_.remove(made);
         scheduleChoice();
@@ -38,8 +38,8 @@ std::unique_ptr<LiveSubdocument> LiveMedia::create(const QString &documentClass)
     return subdocument;
 }
 
-void LiveMedia::setDistance(LiveSubdocument &subdocument, const void *view, double distance) {
-    auto &ofViews = distances_[&subdocument];
+void LiveMedia::setDistance(LiveSubdocument& subdocument, const void* view, double distance) {
+    auto& ofViews = distances_[&subdocument];
     if (distance >= notNeeded)
         ofViews.remove(view);
     else
@@ -47,31 +47,31 @@ void LiveMedia::setDistance(LiveSubdocument &subdocument, const void *view, doub
     scheduleChoice();
 }
 
-std::vector<LiveSubdocument *> LiveMedia::byDistance() const {
-    std::vector<std::pair<double, LiveSubdocument *>> order;
+std::vector<LiveSubdocument*> LiveMedia::byDistance() const {
+    std::vector<std::pair<double, LiveSubdocument*>> order;
     for (auto of = distances_.begin(); of != distances_.end(); ++of)
         if (!of->isEmpty())
             order.emplace_back(*std::min_element(of->begin(), of->end()), of.key());
-    std::stable_sort(order.begin(), order.end(), [](const auto &a, const auto &b) {
+    std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
         if (a.first != b.first)
             return a.first < b.first;
         return a.second->hasProcess() && !b.second->hasProcess();
     });
-    std::vector<LiveSubdocument *> result;
-    for (const auto &[distance, subdocument] : order)
+    std::vector<LiveSubdocument*> result;
+    for (const auto& [distance, subdocument] : order)
         if (subdocument->condition() != Condition::failed)
             result.push_back(subdocument);
     return result;
 }
 
 void LiveMedia::choose() {
-    std::vector<LiveSubdocument *> wanted = byDistance();
+    std::vector<LiveSubdocument*> wanted = byDistance();
     if (wanted.size() > static_cast<std::size_t>(mostLive_))
         wanted.resize(static_cast<std::size_t>(mostLive_));
-    const auto isWanted = [&](LiveSubdocument *s) {
+    const auto isWanted = [&](LiveSubdocument* s) {
         return std::find(wanted.begin(), wanted.end(), s) != wanted.end();
     };
-    std::vector<LiveSubdocument *> idle;
+    std::vector<LiveSubdocument*> idle;
     int live = 0;
     for (auto of = distances_.begin(); of != distances_.end(); ++of)
         if (of.key()->hasProcess()) {
@@ -79,7 +79,7 @@ void LiveMedia::choose() {
             if (!isWanted(of.key()))
                 idle.push_back(of.key());
         }
-    for (LiveSubdocument *subdocument : wanted) {
+    for (LiveSubdocument* subdocument : wanted) {
         if (subdocument->condition() != Condition::still)
             continue;
         if (live >= mostLive_ && !idle.empty()) {

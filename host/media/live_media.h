@@ -16,30 +16,30 @@ class LiveMedia : public QObject {
 public:
     static constexpr double notNeeded = 1e300;
 
-    LiveMedia(Registry registry, QString executableFolder, PipeThread &pipes,
-              TimeLimits limits = {}, QObject *parent = nullptr);
+    LiveMedia(Registry registry, QString executableFolder, PipeThread& pipes,
+              TimeLimits limits = {}, QObject* parent = nullptr);
 
-    [[nodiscard]] const Registry &registry() const { return registry_; }
+    [[nodiscard]] const Registry& registry() const { return registry_; }
     [[nodiscard]] int mostLive() const { return mostLive_; }
     void setMostLive(int count);
 
     // Nothing when no medium for the class is installed.
-    [[nodiscard]] std::unique_ptr<LiveSubdocument> create(const QString &documentClass);
+    [[nodiscard]] std::unique_ptr<LiveSubdocument> create(const QString& documentClass);
 
     // How far from the visible part of `view` it lies, in 1/96 inch: 0 when it is seen.
-    void setDistance(LiveSubdocument &subdocument, const void *view, double distance);
+    void setDistance(LiveSubdocument& subdocument, const void* view, double distance);
 
 private:
     void scheduleChoice();
     void choose();
-    [[nodiscard]] std::vector<LiveSubdocument *> byDistance() const;
+    [[nodiscard]] std::vector<LiveSubdocument*> byDistance() const;
 
     Registry registry_;
     QString executableFolder_;
-    PipeThread &pipes_;
+    PipeThread& pipes_;
     TimeLimits limits_;
     int mostLive_ = 8;
-    QHash<LiveSubdocument *, QHash<const void *, double>> distances_;
+    QHash<LiveSubdocument*, QHash<const void*, double>> distances_;
     QTimer choice_;
 };
 

@@ -10,14 +10,14 @@ constexpr int minuteMs = 60'000;
 constexpr int restartDelayMs = 100;
 
 // Failures that another start cannot cure.
-bool isHopeless(const QString &reason) {
+bool isHopeless(const QString& reason) {
     return reason.startsWith("could not be started") || reason.startsWith("refused to begin");
 }
 
 } // namespace
 
-LiveSubdocument::LiveSubdocument(const Manifest &manifest, QString program, PipeThread &pipes,
-                                 TimeLimits limits, QObject *parent)
+LiveSubdocument::LiveSubdocument(const Manifest& manifest, QString program, PipeThread& pipes,
+                                 TimeLimits limits, QObject* parent)
     : QObject(parent), manifest_(manifest), program_(std::move(program)), pipes_(pipes),
       limits_(limits) {
     clock_.start();
@@ -39,26 +39,33 @@ void LiveSubdocument::setCondition(Condition condition) {
 
 // --- text --------------------------------------------------------------------------------------
 
-void LiveSubdocument::setText(const QByteArray &text) {
+void LiveSubdocument::setText(const QByteArray& text) {
     text_ = text;
     ++revision_;
     if (process_ && process_->state() == MediumProcess::State::ready)
         load();
 }
 
-void LiveSubdocument::edit(const std::vector<ipc::TextEdit> &edits, const QString &label) {
+void LiveSubdocument::edit(const std::vector<ipc::TextEdit>& edits, const QString& label) {
     for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit)
         text_.replace(edit->from, edit->to - edit->from, QByteArray::fromStdString(edit->text));
     ++revision_;
     if (applyingOwnChange_ || !process_ || process_->state() != MediumProcess::State::ready)
         return; // it knows already, or is told by load()
-    process_->request(ipc::SubdocumentEdit{revision_, edits, label.toStdString()});
+    const QPointer<MediumProcess> to = process_.get();
+    process_->request(ipc::SubdocumentEdit{revision_, edits, label.toStdString()},
+                      [this, to](const Outcome<ipc::Done>& outcome) {
+                          if (to && to == process_.get() &&
+                              to->state() == MediumProcess::State::ready &&
+                              std::holds_alternative<ipc::Error>(outcome))
+                              load();
+                      });
 }
 
 void LiveSubdocument::load() {
     const QPointer<MediumProcess> to = process_.get();
     process_->request(ipc::SubdocumentLoad{text_.toStdString(), revision_},
-                      [this, to](const Outcome<ipc::Done> &) {
+                      [this, to](const Outcome<ipc::Done>&) {
                           if (!to || to != process_.get())
                               return;
                           loaded_ = true;
@@ -66,15 +73,15 @@ void LiveSubdocument::load() {
                       });
 }
 
-void LiveSubdocument::applyChange(MediumProcess &by, const ipc::Id &id,
-                                  const ipc::SubdocumentChanged &change) {
+void LiveSubdocument::applyChange(MediumProcess& by, const ipc::Id& id,
+                                  const ipc::SubdocumentChanged& change) {
     if (change.base != revision_) {
         by.refuse(id, {ipc::ErrorCode::staleBase,
                        "the text is at revision " + std::to_string(revision_)});
         return;
     }
     ipc::Integer last = 0;
-    for (const ipc::TextEdit &edit : change.edits) {
+    for (const ipc::TextEdit& edit : change.edits) {
         if (edit.from < last || edit.to < edit.from || edit.to > text_.size()) {
             by.refuse(id, {ipc::ErrorCode::invalidParameters,
                            "the edits must ascend, not overlap and lie in the text"});
@@ -96,14 +103,14 @@ void LiveSubdocument::applyChange(MediumProcess &by, const ipc::Id &id,
 
 std::unique_ptr<MediumProcess> LiveSubdocument::createProcess(Mode mode) {
     auto process = std::make_unique<MediumProcess>(manifest_, program_, mode, pipes_, limits_);
-    MediumProcess *made = process.get();
-    connect(made, &MediumProcess::told, this, [this, made](const ipc::ToHost &report) {
+    MediumProcess* made = process.get();
+    connect(made, &MediumProcess::told, this, [this, made](const ipc::ToHost& report) {
         if (made == process_.get())
             told(report);
     });
     connect(
         made, &MediumProcess::asked, this,
-        [this, made](const ipc::Id &id, const ipc::ToHost &request) { asked(*made, id, request); });
+        [this, made](const ipc::Id& id, const ipc::ToHost& request) { asked(*made, id, request); });
     connect(made, &MediumProcess::respondingChanged, this, [this, made] {
         if (made == process_.get())
             setCondition(made->isResponding() ? Condition::live : Condition::notResponding);
@@ -120,7 +127,7 @@ void LiveSubdocument::start() {
 
 void LiveSubdocument::begin(Mode mode) {
     std::unique_ptr<MediumProcess> process = createProcess(mode);
-    MediumProcess *made = process.get();
+    MediumProcess* made = process.get();
     connect(made, &MediumProcess::ready, this, [this] { adopt(std::move(process_)); });
     connect(made, &MediumProcess::ended, this, &LiveSubdocument::processEnded);
     process_ = std::move(process);
@@ -141,9 +148,9 @@ void LiveSubdocument::adopt(std::unique_ptr<MediumProcess> process) {
     process_->request(ipc::PresentationList{}, [this, to](Outcome<ipc::Presentations> outcome) {
         if (!to || to != process_.get())
             return;
-        if (auto *list = std::get_if<ipc::Presentations>(&outcome))
+        if (auto* list = std::get_if<ipc::Presentations>(&outcome))
             presentations_ = std::move(list->items);
-        for (Rendition *rendition : renditions_)
+        for (Rendition* rendition : renditions_)
             rendition->attach(process_.get());
         restoreTime();
         askForSize();
@@ -163,15 +170,15 @@ void LiveSubdocument::restoreTime() {
     }
 }
 
-void LiveSubdocument::discard(std::unique_ptr<MediumProcess> &process) {
+void LiveSubdocument::discard(std::unique_ptr<MediumProcess>& process) {
     if (!process)
         return;
     process->disconnect(this);
-    for (Rendition *rendition : renditions_)
+    for (Rendition* rendition : renditions_)
         if (rendition->process_ == process.get())
             rendition->attach(nullptr);
     // It may be in a call of its own, and may take its time to end.
-    MediumProcess *leaving = process.release();
+    MediumProcess* leaving = process.release();
     if (leaving->state() == MediumProcess::State::ended) {
         leaving->deleteLater();
         return;
@@ -199,7 +206,7 @@ bool LiveSubdocument::mayRestart() {
     return true;
 }
 
-void LiveSubdocument::processEnded(const QString &reason, bool wasAsked) {
+void LiveSubdocument::processEnded(const QString& reason, bool wasAsked) {
     discard(process_);
     loaded_ = false;
     reason_ = QStringLiteral("%1 %2.").arg(manifest_.name, reason);
@@ -229,7 +236,7 @@ void LiveSubdocument::switchMode(Mode mode, std::function<void()> then) {
     next_->start();
 }
 
-void LiveSubdocument::nextEnded(const QString &reason) {
+void LiveSubdocument::nextEnded(const QString& reason) {
     discard(next_);
     mode_ = Mode::play;
     Q_EMIT message(QStringLiteral("%1 %2.").arg(manifest_.name, reason));
@@ -237,51 +244,52 @@ void LiveSubdocument::nextEnded(const QString &reason) {
 
 // --- what it says ------------------------------------------------------------------------------
 
-void LiveSubdocument::told(const ipc::ToHost &report) {
-    if (const auto *frame = std::get_if<ipc::RenditionFrame>(&report)) {
+void LiveSubdocument::told(const ipc::ToHost& report) {
+    if (const auto* frame = std::get_if<ipc::RenditionFrame>(&report)) {
         takeFrame(*frame);
-    } else if (const auto *time = std::get_if<ipc::TimeChanged>(&report)) {
+    } else if (const auto* time = std::get_if<ipc::TimeChanged>(&report)) {
         time_ = *time;
         Q_EMIT timeChanged();
-    } else if (const auto *menus = std::get_if<ipc::MenuChanged>(&report)) {
+    } else if (const auto* menus = std::get_if<ipc::MenuChanged>(&report)) {
         menus_ = menus->menus;
         Q_EMIT menusChanged();
-    } else if (const auto *diagnostics = std::get_if<ipc::Diagnostics>(&report)) {
+    } else if (const auto* diagnostics = std::get_if<ipc::Diagnostics>(&report)) {
         diagnostics_ = *diagnostics;
         Q_EMIT diagnosticsChanged();
     } else if (std::holds_alternative<ipc::PresentationResized>(report)) {
         askForSize();
-    } else if (const auto *unhandled = std::get_if<ipc::RenditionUnhandled>(&report)) {
-        for (Rendition *rendition : renditions_)
+    } else if (const auto* unhandled = std::get_if<ipc::RenditionUnhandled>(&report)) {
+        for (Rendition* rendition : renditions_)
             if (rendition->id() == unhandled->rendition)
                 Q_EMIT rendition->unhandledInput(*unhandled);
-    } else if (const auto *cursor = std::get_if<ipc::RenditionCursor>(&report)) {
-        for (Rendition *rendition : renditions_)
+    } else if (const auto* cursor = std::get_if<ipc::RenditionCursor>(&report)) {
+        for (Rendition* rendition : renditions_)
             if (rendition->id() == cursor->rendition) {
                 rendition->cursor_ = cursor->shape;
                 Q_EMIT rendition->cursorChanged();
             }
-    } else if (const auto *progress = std::get_if<ipc::ProgressReport>(&report)) {
+    } else if (const auto* progress = std::get_if<ipc::ProgressReport>(&report)) {
         Q_EMIT message(QString::fromStdString(progress->message));
-    } else if (const auto *over = std::get_if<ipc::ProgressEnd>(&report)) {
+    } else if (const auto* over = std::get_if<ipc::ProgressEnd>(&report)) {
         Q_EMIT message(QString::fromStdString(over->message));
     }
 }
 
-void LiveSubdocument::takeFrame(const ipc::RenditionFrame &frame) {
-    for (Rendition *rendition : renditions_)
+void LiveSubdocument::takeFrame(const ipc::RenditionFrame& frame) {
+    for (Rendition* rendition : renditions_)
         if (rendition->id() == frame.rendition) {
             if (!rendition->take(frame))
-                process_->end(QStringLiteral("sent a picture that lies outside of its place"));
+                process_->end(
+                    QStringLiteral("sent a picture that has no place, or more than may wait"));
             return;
         }
     // One that was on its way when its rendition was destroyed is no fault.
 }
 
-void LiveSubdocument::asked(MediumProcess &by, const ipc::Id &id, const ipc::ToHost &request) {
+void LiveSubdocument::asked(MediumProcess& by, const ipc::Id& id, const ipc::ToHost& request) {
     if (&by != process_.get()) {
         by.refuse(id, {ipc::ErrorCode::notPossible, "another process serves the subdocument now"});
-    } else if (const auto *change = std::get_if<ipc::SubdocumentChanged>(&request)) {
+    } else if (const auto* change = std::get_if<ipc::SubdocumentChanged>(&request)) {
         applyChange(by, id, *change);
     } else if (std::holds_alternative<ipc::EditUndo>(request)) {
         by.answer(id, ipc::Done{});
@@ -296,7 +304,7 @@ void LiveSubdocument::asked(MediumProcess &by, const ipc::Id &id, const ipc::ToH
 
 // --- renditions --------------------------------------------------------------------------------
 
-std::unique_ptr<Rendition> LiveSubdocument::createRendition(const QString &presentation) {
+std::unique_ptr<Rendition> LiveSubdocument::createRendition(const QString& presentation) {
     auto rendition = std::unique_ptr<Rendition>(new Rendition(*this, ++lastRendition_));
     rendition->presentation_ = presentation;
     renditions_.push_back(rendition.get());
@@ -305,7 +313,7 @@ std::unique_ptr<Rendition> LiveSubdocument::createRendition(const QString &prese
     return rendition;
 }
 
-void LiveSubdocument::forget(const Rendition &rendition) { std::erase(renditions_, &rendition); }
+void LiveSubdocument::forget(const Rendition& rendition) { std::erase(renditions_, &rendition); }
 
 QString LiveSubdocument::defaultPresentation() const {
     return presentations_.empty() ? QStringLiteral("picture")
@@ -326,8 +334,8 @@ void LiveSubdocument::askForSize() {
     call.availableWidth = std::clamp(available_.width(), 1.0, 1e6);
     if (available_.height() >= 1)
         call.availableHeight = available_.height();
-    process_->request(call, [this](const Outcome<ipc::PreferredSize> &outcome) {
-        const auto *size = std::get_if<ipc::PreferredSize>(&outcome);
+    process_->request(call, [this](const Outcome<ipc::PreferredSize>& outcome) {
+        const auto* size = std::get_if<ipc::PreferredSize>(&outcome);
         if (!size || preferredSize_ == QSizeF(size->width, size->height))
             return;
         preferredSize_ = QSizeF(size->width, size->height);
@@ -355,9 +363,9 @@ void LiveSubdocument::snapshot(QSize pixels, double scale, std::optional<double>
     call.time = time;
     call.offset = slot->offset;
     call.stride = slot->stride;
-    process->request(call, [process, slot, pixels, done](const Outcome<ipc::Taken> &outcome) {
+    process->request(call, [process, slot, pixels, done](const Outcome<ipc::Taken>& outcome) {
         Snapshot result;
-        if (const auto *error = std::get_if<ipc::Error>(&outcome))
+        if (const auto* error = std::get_if<ipc::Error>(&outcome))
             result.error = QString::fromStdString(error->message);
         else if (process)
             result.picture = process->frames().picture(*slot, pixels.width(), pixels.height());
@@ -369,10 +377,10 @@ void LiveSubdocument::snapshot(QSize pixels, double scale, std::optional<double>
 
 // --- commands ----------------------------------------------------------------------------------
 
-void LiveSubdocument::invoke(const QString &id, const Rendition *rendition) {
+void LiveSubdocument::invoke(const QString& id, const Rendition* rendition) {
     const std::string wanted = id.toStdString();
     const auto entry = std::find_if(menus_.begin(), menus_.end(),
-                                    [&](const ipc::MenuEntry &e) { return e.id == wanted; });
+                                    [&](const ipc::MenuEntry& e) { return e.id == wanted; });
     if (entry == menus_.end())
         return;
     if (!process_ || process_->state() != MediumProcess::State::ready) {
@@ -385,8 +393,8 @@ void LiveSubdocument::invoke(const QString &id, const Rendition *rendition) {
     if (rendition && entry->scope == ipc::Scope::rendition)
         call.rendition = rendition->id();
     const auto tell = [this, call] {
-        process_->request(call, [this](const Outcome<ipc::Done> &outcome) {
-            if (const auto *error = std::get_if<ipc::Error>(&outcome))
+        process_->request(call, [this](const Outcome<ipc::Done>& outcome) {
+            if (const auto* error = std::get_if<ipc::Error>(&outcome))
                 Q_EMIT message(QString::fromStdString(error->message));
         });
     };

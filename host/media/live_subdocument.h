@@ -27,26 +27,26 @@ enum class Condition {
 };
 
 // An edit that the medium asks for: {} when it was applied, else why not.
-using ChangeHandler = std::function<std::optional<QString>(const ipc::SubdocumentChanged &change)>;
+using ChangeHandler = std::function<std::optional<QString>(const ipc::SubdocumentChanged& change)>;
 
 class LiveSubdocument : public QObject {
     Q_OBJECT
 
 public:
-    LiveSubdocument(const Manifest &manifest, QString program, PipeThread &pipes,
-                    TimeLimits limits = {}, QObject *parent = nullptr);
+    LiveSubdocument(const Manifest& manifest, QString program, PipeThread& pipes,
+                    TimeLimits limits = {}, QObject* parent = nullptr);
     ~LiveSubdocument() override;
 
-    [[nodiscard]] const Manifest &manifest() const { return manifest_; }
+    [[nodiscard]] const Manifest& manifest() const { return manifest_; }
     [[nodiscard]] Condition condition() const { return condition_; }
-    [[nodiscard]] const QString &reason() const { return reason_; } // of the last failure
+    [[nodiscard]] const QString& reason() const { return reason_; } // of the last failure
     [[nodiscard]] bool hasProcess() const { return process_ || next_; }
     [[nodiscard]] QString name() const; // what the medium calls itself, else the manifest's
 
     // --- its text
-    void setText(const QByteArray &text); // whole: at first, and after a reload of the document
-    void edit(const std::vector<ipc::TextEdit> &edits, const QString &label);
-    [[nodiscard]] const QByteArray &text() const { return text_; }
+    void setText(const QByteArray& text); // whole: at first, and after a reload of the document
+    void edit(const std::vector<ipc::TextEdit>& edits, const QString& label);
+    [[nodiscard]] const QByteArray& text() const { return text_; }
     void onChange(ChangeHandler handler) { changeHandler_ = std::move(handler); }
 
     // --- its process
@@ -56,9 +56,9 @@ public:
     void setPoster(std::optional<double> time) { poster_ = time; } // the time it is first shown at
 
     // --- its renditions
-    [[nodiscard]] std::unique_ptr<Rendition> createRendition(const QString &presentation = {});
+    [[nodiscard]] std::unique_ptr<Rendition> createRendition(const QString& presentation = {});
     [[nodiscard]] QString defaultPresentation() const;
-    [[nodiscard]] const std::vector<ipc::Presentation> &presentations() const {
+    [[nodiscard]] const std::vector<ipc::Presentation>& presentations() const {
         return presentations_;
     }
     // What the medium would like, in 1/96 inch; nothing before it said so.
@@ -72,16 +72,16 @@ public:
                   std::function<void(Snapshot)> done);
 
     // --- its commands
-    [[nodiscard]] const std::vector<ipc::MenuEntry> &menus() const { return menus_; }
-    void invoke(const QString &id, const Rendition *rendition);
+    [[nodiscard]] const std::vector<ipc::MenuEntry>& menus() const { return menus_; }
+    void invoke(const QString& id, const Rendition* rendition);
     // Of what moves: nothing for a medium without time.
-    [[nodiscard]] const std::optional<ipc::TimeChanged> &time() const { return time_; }
+    [[nodiscard]] const std::optional<ipc::TimeChanged>& time() const { return time_; }
     void play();
     void pause();
     void seek(double time);
     void setRate(double rate, bool loop);
 
-    [[nodiscard]] const ipc::Diagnostics &diagnostics() const { return diagnostics_; }
+    [[nodiscard]] const ipc::Diagnostics& diagnostics() const { return diagnostics_; }
     // The text is loaded and the medium has said what is wrong with it.
     [[nodiscard]] bool hasLoaded() const { return loaded_; }
 
@@ -94,12 +94,12 @@ Q_SIGNALS:
     void loaded();
     void undoRequested();
     void redoRequested();
-    void message(const QString &text); // for the status line
+    void message(const QString& text); // for the status line
     void processGone();                // there is room for another one
 
 private:
     friend class Rendition;
-    void forget(const Rendition &rendition);
+    void forget(const Rendition& rendition);
 
     [[nodiscard]] std::unique_ptr<MediumProcess> createProcess(Mode mode);
     void begin(Mode mode);
@@ -107,20 +107,20 @@ private:
     void load();
     void restoreTime();
     void askForSize();
-    void told(const ipc::ToHost &report);
-    void asked(MediumProcess &by, const ipc::Id &id, const ipc::ToHost &request);
-    void takeFrame(const ipc::RenditionFrame &frame);
-    void applyChange(MediumProcess &by, const ipc::Id &id, const ipc::SubdocumentChanged &change);
-    void processEnded(const QString &reason, bool wasAsked);
-    void nextEnded(const QString &reason);
+    void told(const ipc::ToHost& report);
+    void asked(MediumProcess& by, const ipc::Id& id, const ipc::ToHost& request);
+    void takeFrame(const ipc::RenditionFrame& frame);
+    void applyChange(MediumProcess& by, const ipc::Id& id, const ipc::SubdocumentChanged& change);
+    void processEnded(const QString& reason, bool wasAsked);
+    void nextEnded(const QString& reason);
     void switchMode(Mode mode, std::function<void()> then);
-    void discard(std::unique_ptr<MediumProcess> &process);
+    void discard(std::unique_ptr<MediumProcess>& process);
     void setCondition(Condition condition);
     [[nodiscard]] bool mayRestart();
 
     Manifest manifest_;
     QString program_;
-    PipeThread &pipes_;
+    PipeThread& pipes_;
     TimeLimits limits_;
     QByteArray text_;
     ipc::Integer revision_ = 1;
@@ -132,7 +132,7 @@ private:
     std::unique_ptr<MediumProcess> process_;
     std::unique_ptr<MediumProcess> next_; // of another mode, until it is ready
     std::function<void()> afterSwitch_;
-    std::vector<Rendition *> renditions_;
+    std::vector<Rendition*> renditions_;
     ipc::Integer lastRendition_ = 0;
     std::vector<ipc::Presentation> presentations_;
     std::optional<QSizeF> preferredSize_;

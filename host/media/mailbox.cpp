@@ -2,7 +2,7 @@
 
 namespace media {
 
-void Mailbox::append(Letter &&letter) {
+void Mailbox::append(Letter&& letter) {
     bytes_ += letter.bytes;
     letters_.push_back(std::move(letter));
     if (receiver_ && !rung_)
@@ -22,7 +22,7 @@ void Mailbox::pushAlways(Letter letter) {
     append(std::move(letter));
 }
 
-bool Mailbox::take(Letter &letter) {
+bool Mailbox::take(Letter& letter) {
     const std::lock_guard lock(mutex_);
     rung_ = false;
     if (letters_.empty())

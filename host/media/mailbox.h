@@ -29,11 +29,11 @@ public:
     static constexpr std::size_t mostBytes = 8 << 20; // beyond the one message that is being read
 
     // `slot` is invoked in the thread of `receiver` when there is something to read.
-    Mailbox(QObject *receiver, const char *slot) : receiver_(receiver), slot_(slot) {}
+    Mailbox(QObject* receiver, const char* slot) : receiver_(receiver), slot_(slot) {}
 
     [[nodiscard]] bool push(Letter letter); // false: it was too much, nothing was kept
     void pushAlways(Letter letter);         // what the pipe thread itself has to say
-    [[nodiscard]] bool take(Letter &letter);
+    [[nodiscard]] bool take(Letter& letter);
     void ring();   // asks for another turn of the receiver
     void detach(); // the receiver is gone
 
@@ -43,14 +43,14 @@ public:
 
 private:
     std::mutex mutex_;
-    QObject *receiver_;
-    const char *slot_;
+    QObject* receiver_;
+    const char* slot_;
     std::deque<Letter> letters_;
     std::map<ipc::Integer, std::size_t> awaited_;
     std::size_t bytes_ = 0;
     bool rung_ = false;
 
-    void append(Letter &&letter);
+    void append(Letter&& letter);
 };
 
 } // namespace media

@@ -12,16 +12,16 @@ namespace media {
 
 namespace {
 
-QStringList strings(const QJsonValue &value) {
+QStringList strings(const QJsonValue& value) {
     QStringList result;
-    for (const QJsonValue &item : value.toArray())
+    for (const QJsonValue& item : value.toArray())
         if (item.isString())
             result << item.toString();
     return result;
 }
 
-QString wrongMember(const QJsonObject &object) {
-    for (const char *member : {"name", "class", "storage"})
+QString wrongMember(const QJsonObject& object) {
+    for (const char* member : {"name", "class", "storage"})
         if (object[QLatin1String(member)].toString().isEmpty())
             return QStringLiteral("\"%1\" must be a string that is not empty").arg(member);
     if (strings(object["command"]).isEmpty() ||
@@ -34,14 +34,14 @@ QString wrongMember(const QJsonObject &object) {
     return {};
 }
 
-void addFolders(QStringList &folders, const QString &list, const QString &below) {
-    for (const QString &folder : list.split(':', Qt::SkipEmptyParts))
+void addFolders(QStringList& folders, const QString& list, const QString& below) {
+    for (const QString& folder : list.split(':', Qt::SkipEmptyParts))
         folders << QDir::cleanPath(below.isEmpty() ? folder : folder + '/' + below);
 }
 
 } // namespace
 
-std::optional<Manifest> readManifest(const QByteArray &json, QString &fault) {
+std::optional<Manifest> readManifest(const QByteArray& json, QString& fault) {
     QJsonParseError error;
     const QJsonDocument document = QJsonDocument::fromJson(json, &error);
     if (error.error != QJsonParseError::NoError) {
@@ -63,17 +63,17 @@ std::optional<Manifest> readManifest(const QByteArray &json, QString &fault) {
     return manifest;
 }
 
-Registry Registry::read(const QStringList &folders) {
+Registry Registry::read(const QStringList& folders) {
     Registry registry;
-    for (const QString &folder : folders) {
+    for (const QString& folder : folders) {
         const QDir dir(folder);
-        for (const QString &name : dir.entryList({"*.medium.json"}, QDir::Files, QDir::Name))
+        for (const QString& name : dir.entryList({"*.medium.json"}, QDir::Files, QDir::Name))
             registry.readFile(dir.filePath(name));
     }
     return registry;
 }
 
-void Registry::readFile(const QString &path) {
+void Registry::readFile(const QString& path) {
     constexpr qint64 mostBytes = 1 << 20;
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly) || file.size() > mostBytes) {
@@ -90,19 +90,19 @@ void Registry::readFile(const QString &path) {
     add(*manifest);
 }
 
-void Registry::add(const Manifest &manifest) {
+void Registry::add(const Manifest& manifest) {
     if (!forClass(manifest.documentClass))
         media_ << manifest;
 }
 
-const Manifest *Registry::forClass(const QString &documentClass) const {
-    for (const Manifest &manifest : media_)
+const Manifest* Registry::forClass(const QString& documentClass) const {
+    for (const Manifest& manifest : media_)
         if (manifest.documentClass == documentClass)
             return &manifest;
     return nullptr;
 }
 
-QStringList registryFolders(const QString &executableFolder) {
+QStringList registryFolders(const QString& executableFolder) {
     const QString below = QStringLiteral("ensemble/media");
     QStringList folders;
     addFolders(folders, qEnvironmentVariable("ENSEMBLE_MEDIA"), {});
@@ -115,11 +115,11 @@ QStringList registryFolders(const QString &executableFolder) {
     return folders;
 }
 
-QString programOf(const Manifest &manifest, const QString &executableFolder) {
-    const QString &program = manifest.command.first();
+QString programOf(const Manifest& manifest, const QString& executableFolder) {
+    const QString& program = manifest.command.first();
     if (QDir::isAbsolutePath(program))
         return QFileInfo(program).isExecutable() ? program : QString();
-    for (const QString &folder : {QFileInfo(manifest.file).absolutePath(), executableFolder}) {
+    for (const QString& folder : {QFileInfo(manifest.file).absolutePath(), executableFolder}) {
         const QFileInfo beside(QDir(folder).filePath(program));
         if (beside.isFile() && beside.isExecutable())
             return beside.absoluteFilePath();

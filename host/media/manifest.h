@@ -24,28 +24,28 @@ struct Manifest {
 
 class Registry {
 public:
-    [[nodiscard]] static Registry read(const QStringList &folders);
+    [[nodiscard]] static Registry read(const QStringList& folders);
 
-    [[nodiscard]] const Manifest *forClass(const QString &documentClass) const;
-    [[nodiscard]] const QList<Manifest> &media() const { return media_; }
-    [[nodiscard]] const QStringList &faults() const { return faults_; } // "file: text"
-    void add(const Manifest &manifest);
+    [[nodiscard]] const Manifest* forClass(const QString& documentClass) const;
+    [[nodiscard]] const QList<Manifest>& media() const { return media_; }
+    [[nodiscard]] const QStringList& faults() const { return faults_; } // "file: text"
+    void add(const Manifest& manifest);
 
 private:
-    void readFile(const QString &path);
+    void readFile(const QString& path);
 
     QList<Manifest> media_;
     QStringList faults_;
 };
 
 // $ENSEMBLE_MEDIA, $XDG_DATA_HOME, $XDG_DATA_DIRS, then beside the executable.
-[[nodiscard]] QStringList registryFolders(const QString &executableFolder);
+[[nodiscard]] QStringList registryFolders(const QString& executableFolder);
 
 // The manifest in `json`, or what is wrong with it in `fault`.
-[[nodiscard]] std::optional<Manifest> readManifest(const QByteArray &json, QString &fault);
+[[nodiscard]] std::optional<Manifest> readManifest(const QByteArray& json, QString& fault);
 
 // The program as a path: as it stands when absolute, else beside the manifest, beside the
 // executable, then in PATH; empty when there is none.
-[[nodiscard]] QString programOf(const Manifest &manifest, const QString &executableFolder);
+[[nodiscard]] QString programOf(const Manifest& manifest, const QString& executableFolder);
 
 } // namespace media

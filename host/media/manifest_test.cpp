@@ -41,7 +41,7 @@ TEST(Manifest, FaultsAreSentences) {
     EXPECT_THAT(faultOf(QByteArray(good).replace("[1,2]", "[2,1]")), HasSubstr("\"protocol\""));
 }
 
-void write(const QString &path, const QByteArray &bytes) {
+void write(const QString& path, const QByteArray& bytes) {
     QFile file(path);
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     file.write(bytes);

@@ -13,16 +13,16 @@ namespace {
 constexpr int mostLettersPerTurn = 100;
 constexpr int mostMsPerTurn = 8;
 
-void keep(std::vector<std::string> &environment, std::initializer_list<const char *> names) {
-    for (const char *name : names)
-        if (const char *value = std::getenv(name))
+void keep(std::vector<std::string>& environment, std::initializer_list<const char*> names) {
+    for (const char* name : names)
+        if (const char* value = std::getenv(name))
             environment.push_back(std::string(name) + '=' + value);
 }
 
 } // namespace
 
-MediumProcess::MediumProcess(const Manifest &manifest, QString program, Mode mode,
-                             PipeThread &pipes, TimeLimits limits, QObject *parent)
+MediumProcess::MediumProcess(const Manifest& manifest, QString program, Mode mode,
+                             PipeThread& pipes, TimeLimits limits, QObject* parent)
     : QObject(parent), manifest_(manifest), program_(std::move(program)), mode_(mode),
       pipes_(pipes), limits_(limits), frames_(std::make_shared<FrameMemory>()),
       mailbox_(std::make_shared<Mailbox>(this, "readMail")) {
@@ -80,7 +80,7 @@ void MediumProcess::introduce() {
     request(call, [this](Outcome<ipc::Initialized> outcome) {
         if (state_ != State::starting)
             return;
-        if (const auto *error = std::get_if<ipc::Error>(&outcome)) {
+        if (const auto* error = std::get_if<ipc::Error>(&outcome)) {
             end(QStringLiteral("refused to begin: ") + QString::fromStdString(error->message));
             return;
         }
@@ -91,7 +91,7 @@ void MediumProcess::introduce() {
     });
 }
 
-void MediumProcess::ask(const ipc::ToMedium &call, std::function<void(AnyOutcome)> done) {
+void MediumProcess::ask(const ipc::ToMedium& call, std::function<void(AnyOutcome)> done) {
     if (state_ == State::ended) {
         done(ipc::Error(ipc::ErrorCode::closed, "the medium has ended"));
         return;
@@ -102,20 +102,20 @@ void MediumProcess::ask(const ipc::ToMedium &call, std::function<void(AnyOutcome
     send(ipc::encodeRequest(id, call));
 }
 
-void MediumProcess::notify(const ipc::ToMedium &notification) {
+void MediumProcess::notify(const ipc::ToMedium& notification) {
     if (state_ != State::ended)
         send(ipc::encodeNotification(notification));
 }
 
-void MediumProcess::answer(const ipc::Id &id, const ipc::AnyResult &result) {
+void MediumProcess::answer(const ipc::Id& id, const ipc::AnyResult& result) {
     send(ipc::encodeAnswer(id, result));
 }
 
-void MediumProcess::refuse(const ipc::Id &id, const ipc::Error &error) {
+void MediumProcess::refuse(const ipc::Id& id, const ipc::Error& error) {
     send(ipc::encodeError(id, error));
 }
 
-void MediumProcess::send(const std::string &body) {
+void MediumProcess::send(const std::string& body) {
     if (link_ && !pipes_.send(link_, ipc::framed(body)))
         end(QStringLiteral("does not read what it is sent"));
 }
@@ -138,7 +138,7 @@ void MediumProcess::readMail() {
     }
 }
 
-void MediumProcess::read(Letter &letter) {
+void MediumProcess::read(Letter& letter) {
     switch (letter.kind) {
     case Letter::Kind::started:
         break;
@@ -155,14 +155,14 @@ void MediumProcess::read(Letter &letter) {
     }
 }
 
-void MediumProcess::readMessage(ipc::Decoded<ipc::ToHost> &message) {
-    if (const auto *report = std::get_if<ipc::Told<ipc::ToHost>>(&message)) {
+void MediumProcess::readMessage(ipc::Decoded<ipc::ToHost>& message) {
+    if (const auto* report = std::get_if<ipc::Told<ipc::ToHost>>(&message)) {
         Q_EMIT told(report->call);
-    } else if (const auto *request = std::get_if<ipc::Asked<ipc::ToHost>>(&message)) {
+    } else if (const auto* request = std::get_if<ipc::Asked<ipc::ToHost>>(&message)) {
         Q_EMIT asked(request->id, request->call);
-    } else if (const auto *wrong = std::get_if<ipc::Unanswerable>(&message)) {
+    } else if (const auto* wrong = std::get_if<ipc::Unanswerable>(&message)) {
         refuse(wrong->id, wrong->error);
-    } else if (auto *answered = std::get_if<ipc::Answered>(&message)) {
+    } else if (auto* answered = std::get_if<ipc::Answered>(&message)) {
         const auto found = waiting_.find(answered->id);
         if (found == waiting_.end())
             return;
@@ -174,7 +174,7 @@ void MediumProcess::readMessage(ipc::Decoded<ipc::ToHost> &message) {
 
 void MediumProcess::ping() {
     sincePing_.start();
-    request(ipc::Ping{}, [this](const Outcome<ipc::Done> &) {
+    request(ipc::Ping{}, [this](const Outcome<ipc::Done>&) {
         sincePing_.invalidate();
         sincePong_.start();
         if (!responding_) {
@@ -212,10 +212,10 @@ void MediumProcess::shutdown() {
     }
     state_ = State::closing;
     sinceShutdown_.start();
-    request(ipc::Shutdown{}, [this](const Outcome<ipc::Done> &) { notify(ipc::Exit{}); });
+    request(ipc::Shutdown{}, [this](const Outcome<ipc::Done>&) { notify(ipc::Exit{}); });
 }
 
-void MediumProcess::end(const QString &why) {
+void MediumProcess::end(const QString& why) {
     if (state_ == State::ended)
         return;
     if (link_)
@@ -223,14 +223,14 @@ void MediumProcess::end(const QString &why) {
     finish(why);
 }
 
-void MediumProcess::finish(const QString &reason) {
+void MediumProcess::finish(const QString& reason) {
     if (state_ == State::ended)
         return;
     state_ = State::ended;
     clock_.stop();
     auto waiting = std::move(waiting_);
     waiting_.clear();
-    for (auto &[id, request] : waiting)
+    for (auto& [id, request] : waiting)
         request.done(ipc::Error(ipc::ErrorCode::closed, "the medium " + reason.toStdString()));
     Q_EMIT ended(reason, askedToEnd_);
 }

@@ -42,22 +42,22 @@ class MediumProcess : public QObject {
 public:
     enum class State { starting, ready, closing, ended };
 
-    MediumProcess(const Manifest &manifest, QString program, Mode mode, PipeThread &pipes,
-                  TimeLimits limits = {}, QObject *parent = nullptr);
+    MediumProcess(const Manifest& manifest, QString program, Mode mode, PipeThread& pipes,
+                  TimeLimits limits = {}, QObject* parent = nullptr);
     ~MediumProcess() override; // ends it
 
     void start();
     void shutdown();              // asks it to end; it has TimeLimits::shutdown for that
-    void end(const QString &why); // now
+    void end(const QString& why); // now
 
     [[nodiscard]] State state() const { return state_; }
     [[nodiscard]] Mode mode() const { return mode_; }
     [[nodiscard]] bool isResponding() const { return responding_; }
-    [[nodiscard]] const ipc::Initialized &introduction() const { return introduction_; }
-    [[nodiscard]] FrameMemory &frames() { return *frames_; }
+    [[nodiscard]] const ipc::Initialized& introduction() const { return introduction_; }
+    [[nodiscard]] FrameMemory& frames() { return *frames_; }
     // True while it has much unread: leave out what can be left out, such as pointer moves.
     [[nodiscard]] bool isCongested() const;
-    [[nodiscard]] const QString &log() const { return log_; }
+    [[nodiscard]] const QString& log() const { return log_; }
 
     // Requests and notifications are dropped (requests: answered by an error) once it has ended.
     template <ipc::IsRequest R>
@@ -66,22 +66,22 @@ public:
         ask(ipc::ToMedium(std::move(call)), [done = std::move(done)](AnyOutcome outcome) {
             if (!done)
                 return;
-            if (auto *error = std::get_if<ipc::Error>(&outcome))
+            if (auto* error = std::get_if<ipc::Error>(&outcome))
                 done(std::move(*error));
             else
                 done(std::get<Result>(std::get<ipc::AnyResult>(std::move(outcome))));
         });
     }
-    void notify(const ipc::ToMedium &notification);
-    void answer(const ipc::Id &id, const ipc::AnyResult &result);
-    void refuse(const ipc::Id &id, const ipc::Error &error);
+    void notify(const ipc::ToMedium& notification);
+    void answer(const ipc::Id& id, const ipc::AnyResult& result);
+    void refuse(const ipc::Id& id, const ipc::Error& error);
 
 Q_SIGNALS:
     void ready();
     void respondingChanged();
-    void told(const ipc::ToHost &report);
-    void asked(const ipc::Id &id, const ipc::ToHost &request);
-    void ended(const QString &reason, bool wasAsked);
+    void told(const ipc::ToHost& report);
+    void asked(const ipc::Id& id, const ipc::ToHost& request);
+    void ended(const QString& reason, bool wasAsked);
 
 private:
     using AnyOutcome = std::variant<ipc::AnyResult, ipc::Error>;
@@ -90,20 +90,20 @@ private:
     };
 
     Q_INVOKABLE void readMail();
-    void read(Letter &letter);
-    void readMessage(ipc::Decoded<ipc::ToHost> &message);
+    void read(Letter& letter);
+    void readMessage(ipc::Decoded<ipc::ToHost>& message);
     void introduce();
-    void ask(const ipc::ToMedium &call, std::function<void(AnyOutcome)> done);
-    void send(const std::string &body);
+    void ask(const ipc::ToMedium& call, std::function<void(AnyOutcome)> done);
+    void send(const std::string& body);
     void ping();
     void tick();
-    void finish(const QString &reason);
+    void finish(const QString& reason);
     [[nodiscard]] Launch launchRequest() const;
 
     Manifest manifest_;
     QString program_;
     Mode mode_;
-    PipeThread &pipes_;
+    PipeThread& pipes_;
     TimeLimits limits_;
     std::shared_ptr<FrameMemory> frames_;
     std::shared_ptr<Mailbox> mailbox_;

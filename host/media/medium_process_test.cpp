@@ -16,8 +16,8 @@ using testing::waitFor;
 
 class MediumProcessTest : public ::testing::Test {
 protected:
-    std::unique_ptr<LiveSubdocument> subdocument(const QByteArray &text,
-                                                 const QStringList &behaviour = {}) {
+    std::unique_ptr<LiveSubdocument> subdocument(const QByteArray& text,
+                                                 const QStringList& behaviour = {}) {
         const Manifest manifest = scriptedManifest(behaviour);
         auto made = std::make_unique<LiveSubdocument>(manifest, programOf(manifest, {}), pipes_,
                                                       shortLimits());
@@ -26,7 +26,7 @@ protected:
     }
 
     // Starts it and says why it failed for good.
-    std::string failure(const QByteArray &text, const QStringList &behaviour = {}) {
+    std::string failure(const QByteArray& text, const QStringList& behaviour = {}) {
         auto it = subdocument(text, behaviour);
         it->start();
         EXPECT_TRUE(waitFor([&] { return it->condition() == Condition::failed; }));
@@ -37,7 +37,7 @@ protected:
     PipeThread pipes_;
 };
 
-QColor middle(const QImage &image) { return image.pixelColor(image.rect().center()); }
+QColor middle(const QImage& image) { return image.pixelColor(image.rect().center()); }
 
 TEST_F(MediumProcessTest, DrawsItsTextIntoARendition) {
     auto it = subdocument("colour 20C040\nsize 300 100");
@@ -57,7 +57,7 @@ TEST_F(MediumProcessTest, FollowsEditsResizesAndPresentations) {
     auto small = it->createRendition(), large = it->createRendition();
     small->setGeometry({40, 30}, 1);
     large->setGeometry({400, 300}, 2);
-    for (auto *rendition : {small.get(), large.get()})
+    for (auto* rendition : {small.get(), large.get()})
         rendition->setShown(true);
     it->start();
     ASSERT_TRUE(waitFor([&] { return !small->picture().isNull() && !large->picture().isNull(); }));
@@ -136,7 +136,7 @@ TEST_F(MediumProcessTest, EndsOneThatNeverAnswersTheStart) {
 }
 
 TEST_F(MediumProcessTest, ShowsThatItDoesNotRespondAndThenEndsIt) {
-    for (const char *behaviour : {"behave hang", "behave stop", "behave busy"}) {
+    for (const char* behaviour : {"behave hang", "behave stop", "behave busy"}) {
         auto it = subdocument(behaviour);
         bool wasQuiet = false;
         QObject::connect(it.get(), &LiveSubdocument::conditionChanged,
@@ -179,9 +179,10 @@ TEST_F(MediumProcessTest, ClosesOneThatPointsOutsideOfItsPictures) {
     rendition->setShown(true);
     it->start();
     ASSERT_TRUE(waitFor([&] { return !rendition->picture().isNull(); }));
+    rendition->painted();
     it->edit({{0, 0, "behave bad-frame\n"}}, {});
     ASSERT_TRUE(waitFor([&] { return it->condition() == Condition::failed; }));
-    EXPECT_THAT(it->reason().toStdString(), HasSubstr("outside of its place"));
+    EXPECT_THAT(it->reason().toStdString(), HasSubstr("sent a picture that has no place"));
 }
 
 // --- edits, modes, ends ------------------------------------------------------------------------
@@ -189,7 +190,7 @@ TEST_F(MediumProcessTest, ClosesOneThatPointsOutsideOfItsPictures) {
 TEST_F(MediumProcessTest, PassesOnAChangeAndRefusesAStaleOne) {
     auto it = subdocument("colour 102030\nchange X");
     std::vector<ipc::TextEdit> got;
-    it->onChange([&](const ipc::SubdocumentChanged &change) -> std::optional<QString> {
+    it->onChange([&](const ipc::SubdocumentChanged& change) -> std::optional<QString> {
         got = change.edits;
         it->edit(change.edits, "Append");
         return std::nullopt;
@@ -250,7 +251,7 @@ TEST_F(MediumProcessTest, OnlyTheNearestLive) {
     }
     const auto living = [&] {
         std::string which;
-        for (const auto &one : all)
+        for (const auto& one : all)
             which += one->condition() == Condition::live ? '1' : one->hasProcess() ? '?' : '0';
         return which;
     };
@@ -265,7 +266,7 @@ TEST_F(MediumProcessTest, OnlyTheNearestLive) {
 } // namespace
 } // namespace media
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     QCoreApplication application(argc, argv);
     ::testing::InitGoogleTest(&argc, argv);
     return RUN_ALL_TESTS();

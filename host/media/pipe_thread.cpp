@@ -34,7 +34,7 @@ struct Request {
     std::string text;
 };
 
-void closeOnce(int &descriptor) {
+void closeOnce(int& descriptor) {
     if (descriptor >= 0)
         close(descriptor);
     descriptor = -1;
@@ -103,12 +103,12 @@ private:
             if (shared_->stop)
                 return false;
         }
-        for (Request &request : requests)
+        for (Request& request : requests)
             obey(request);
         return true;
     }
 
-    void obey(Request &request) {
+    void obey(Request& request) {
         if (request.kind == Request::Kind::start) {
             startPipe(request);
             return;
@@ -125,7 +125,7 @@ private:
         writeTo(found->first, found->second);
     }
 
-    void startPipe(Request &request) {
+    void startPipe(Request& request) {
         Pipe pipe;
         pipe.mailbox = request.mailbox;
         pipe.ends = launch(request.launch);
@@ -146,7 +146,7 @@ private:
         std::vector<pollfd> polled{{shared_->wake, POLLIN, 0}};
         std::vector<std::pair<Link, int Launched::*>> whose{{0, nullptr}};
         int timeout = -1;
-        for (auto &[link, pipe] : pipes_) {
+        for (auto& [link, pipe] : pipes_) {
             const auto add = [&, id = link](int Launched::*end, short events) {
                 if (pipe.ends.*end >= 0) {
                     polled.push_back({pipe.ends.*end, events, 0});
@@ -173,7 +173,7 @@ private:
     }
 
     void serve(Link link, int Launched::*end) {
-        Pipe &pipe = pipes_.at(link);
+        Pipe& pipe = pipes_.at(link);
         if (end == &Launched::fromMedium)
             readFrom(pipe);
         else if (end == &Launched::log)
@@ -187,18 +187,18 @@ private:
         }
     }
 
-    void readAll(Pipe &pipe) {
+    void readAll(Pipe& pipe) {
         for (int turn = 0; turn < 32 && pipe.ends.fromMedium >= 0; ++turn)
             readFrom(pipe);
     }
 
-    void readFrom(Pipe &pipe) {
+    void readFrom(Pipe& pipe) {
         std::array<char, 65536> buffer;
         const ssize_t count = read(pipe.ends.fromMedium, buffer.data(), buffer.size());
         if (count > 0) {
             std::deque<std::string> bodies;
             pipe.decoder.feed({buffer.data(), static_cast<std::size_t>(count)}, bodies);
-            for (std::string &body : bodies)
+            for (std::string& body : bodies)
                 if (pipe.closing.empty())
                     deliver(pipe, body);
             if (pipe.closing.empty() && !pipe.decoder.fault().empty())
@@ -210,18 +210,18 @@ private:
         }
     }
 
-    void deliver(Pipe &pipe, std::string &body) {
+    void deliver(Pipe& pipe, std::string& body) {
         Letter letter;
         letter.bytes = body.size();
         letter.message =
             ipc::decodeForHost(body, [&](ipc::Integer id) { return pipe.mailbox->awaited(id); });
-        if (const auto *violation = std::get_if<ipc::Violation>(&letter.message))
+        if (const auto* violation = std::get_if<ipc::Violation>(&letter.message))
             pipe.closing = "sent what is not the protocol: " + violation->sentence;
         else if (!pipe.mailbox->push(std::move(letter)))
             pipe.closing = "sent more than can be read (a flood)";
     }
 
-    void readLog(Pipe &pipe) {
+    void readLog(Pipe& pipe) {
         std::array<char, 4096> buffer;
         const ssize_t count = read(pipe.ends.log, buffer.data(), buffer.size());
         if (count > 0) {
@@ -233,10 +233,10 @@ private:
         }
     }
 
-    void writeTo(Link link, Pipe &pipe) {
+    void writeTo(Link link, Pipe& pipe) {
         std::size_t bytes = 0, messages = 0;
         while (!pipe.toSend.empty() && pipe.ends.toMedium >= 0) {
-            const std::string &first = pipe.toSend.front();
+            const std::string& first = pipe.toSend.front();
             const ssize_t count =
                 write(pipe.ends.toMedium, first.data() + pipe.sent, first.size() - pipe.sent);
             if (count < 0 && errno != EINTR) {
@@ -253,12 +253,12 @@ private:
             }
         }
         const std::lock_guard lock(shared_->mutex);
-        auto &unsent = shared_->unsent[link];
+        auto& unsent = shared_->unsent[link];
         unsent.bytes -= bytes;
         unsent.messages -= messages;
     }
 
-    static bool isOver(const Pipe &pipe) {
+    static bool isOver(const Pipe& pipe) {
         return !pipe.closing.empty() || (pipe.deadline && Clock::now() >= *pipe.deadline);
     }
 
@@ -268,7 +268,7 @@ private:
     }
 
     void finish(Pipes::iterator at) {
-        Pipe &pipe = at->second;
+        Pipe& pipe = at->second;
         const int status = endAndReap(pipe.ends.process);
         readLog(pipe);
         for (int Launched::*end : {&Launched::toMedium, &Launched::fromMedium, &Launched::log,
@@ -320,7 +320,7 @@ bool PipeThread::send(Link link, std::string framed) {
     const auto found = shared_->unsent.find(link);
     if (found == shared_->unsent.end())
         return true; // its mailbox says that it has ended
-    Shared::Unsent &unsent = found->second;
+    Shared::Unsent& unsent = found->second;
     if (unsent.messages >= mostUnsentMessages || unsent.bytes + framed.size() > mostUnsentBytes)
         return false;
     unsent.bytes += framed.size();

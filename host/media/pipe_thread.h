@@ -21,8 +21,8 @@ public:
 
     PipeThread();
     ~PipeThread(); // ends every medium
-    PipeThread(const PipeThread &) = delete;
-    PipeThread &operator=(const PipeThread &) = delete;
+    PipeThread(const PipeThread&) = delete;
+    PipeThread& operator=(const PipeThread&) = delete;
 
     // Starts a medium; `frames` must stay open until the mailbox says `started` or `ended`.
     [[nodiscard]] Link start(Launch launch, std::shared_ptr<Mailbox> mailbox);
@@ -33,7 +33,7 @@ public:
     void end(Link link, std::string why);
 
     // The parent of processes that were asked to end and that nobody waits for.
-    [[nodiscard]] QObject &departing() { return *departing_; }
+    [[nodiscard]] QObject& departing() { return *departing_; }
     // Processes that have been started and not yet been reaped.
     [[nodiscard]] int alive() const;
 

@@ -5,18 +5,18 @@
 
 namespace media {
 
-Rendition::Rendition(LiveSubdocument &subdocument, ipc::Integer id)
+Rendition::Rendition(LiveSubdocument& subdocument, ipc::Integer id)
     : subdocument_(subdocument), id_(id) {}
 
 Rendition::~Rendition() {
     if (process_) {
         process_->request(ipc::RenditionDestroy{id_});
-        takeSlots({});
+        freeSlots(slots_);
     }
     subdocument_.forget(*this);
 }
 
-void Rendition::setPresentation(const QString &presentation) {
+void Rendition::setPresentation(const QString& presentation) {
     if (presentation == presentation_)
         return;
     presentation_ = presentation;
@@ -49,11 +49,9 @@ void Rendition::setShown(bool shown) {
 }
 
 void Rendition::painted() {
-    if (!unpainted_)
-        return;
-    unpainted_ = false;
-    if (process_)
-        process_->notify(ipc::RenditionAck{id_, lastSerial_});
+    for (const ipc::Integer serial : std::exchange(unpainted_, {}))
+        if (process_)
+            process_->notify(ipc::RenditionAck{id_, serial});
 }
 
 void Rendition::input(ipc::Input input) {
@@ -63,9 +61,9 @@ void Rendition::input(ipc::Input input) {
     process_->notify(ipc::RenditionInput{input});
 }
 
-void Rendition::attach(MediumProcess *process) {
+void Rendition::attach(MediumProcess* process) {
     slots_.clear(); // they went with the memory of the process before
-    unpainted_ = false;
+    unpainted_.clear();
     process_ = process;
     if (!process_)
         return;
@@ -89,41 +87,46 @@ void Rendition::sendGeometry(bool create) {
             slots.push_back(*slot);
     if (slots.size() <
         2) { // LIMIT: without room in the shared memory its pictures come by the pipe
-        for (const Slot &slot : slots)
+        for (const Slot& slot : slots)
             process_->frames().free(slot);
         slots.clear();
     }
-    for (const Slot &slot : slots)
+    for (const Slot& slot : slots)
         geometry.slots.push_back({slot.offset, slot.stride});
-    // Frames that came before the answer were drawn into the slots of before.
-    const auto done = [guard = QPointer(this), process = process_, slots](const auto &outcome) {
-        if (guard && guard->process_ == process && std::holds_alternative<ipc::Done>(outcome))
-            guard->takeSlots(slots);
-        else if (process)
-            for (const Slot &slot : slots)
+    // Until it answers, the medium may be drawing into the slots of before.
+    const auto done = [process = process_, retired = slots_](const Outcome<ipc::Done>&) {
+        if (process)
+            for (const Slot& slot : retired)
                 process->frames().free(slot);
     };
+    slots_ = std::move(slots);
     if (create)
         process_->request(ipc::RenditionCreate{geometry}, done);
     else
         process_->request(ipc::RenditionResize{geometry}, done);
 }
 
-void Rendition::takeSlots(std::vector<Slot> slots) {
-    for (const Slot &slot : slots_)
+void Rendition::freeSlots(const std::vector<Slot>& slots) const {
+    for (const Slot& slot : slots)
         process_->frames().free(slot);
-    slots_ = std::move(slots);
 }
 
-QImage Rendition::decoded(const ipc::RenditionFrame &frame) const {
+QImage Rendition::decoded(const ipc::RenditionFrame& frame) const {
     const QByteArray bytes = QByteArray::fromBase64(QByteArray::fromStdString(*frame.pixels));
-    const QImage image(reinterpret_cast<const uchar *>(bytes.constData()),
+    const QImage image(reinterpret_cast<const uchar*>(bytes.constData()),
                        static_cast<int>(frame.width), static_cast<int>(frame.height),
                        static_cast<qsizetype>(frame.width) * 4, QImage::Format_RGB32);
     return bytes.size() == frame.width * frame.height * 4 ? image.copy() : QImage();
 }
 
-bool Rendition::take(const ipc::RenditionFrame &frame) {
+bool Rendition::take(const ipc::RenditionFrame& frame) {
+    unpainted_.push_back(frame.serial);
+    if (unpainted_.size() > 2)
+        return false;
+    if (QSize(static_cast<int>(frame.width), static_cast<int>(frame.height)) != pixels_) {
+        painted(); // of a size before: acknowledged and dropped
+        return true;
+    }
     QImage picture;
     if (frame.pixels)
         picture = decoded(frame);
@@ -133,8 +136,6 @@ bool Rendition::take(const ipc::RenditionFrame &frame) {
     if (picture.isNull())
         return false;
     picture_ = picture;
-    lastSerial_ = frame.serial;
-    unpainted_ = true;
     if (!shown_)
         painted();
     Q_EMIT pictureChanged();

@@ -25,14 +25,14 @@ public:
     ~Rendition() override;
 
     [[nodiscard]] ipc::Integer id() const { return id_; }
-    [[nodiscard]] LiveSubdocument &subdocument() const { return subdocument_; }
-    [[nodiscard]] const QString &presentation() const { return presentation_; }
+    [[nodiscard]] LiveSubdocument& subdocument() const { return subdocument_; }
+    [[nodiscard]] const QString& presentation() const { return presentation_; }
 
     // The newest picture, null before the first. It stays when the medium is gone.
-    [[nodiscard]] const QImage &picture() const { return picture_; }
+    [[nodiscard]] const QImage& picture() const { return picture_; }
     [[nodiscard]] ipc::CursorShape cursor() const { return cursor_; }
 
-    void setPresentation(const QString &presentation);
+    void setPresentation(const QString& presentation);
     void setGeometry(QSize pixels,
                      double scale); // device pixels, and how many there are to 1/96 inch
     void setShown(bool shown);
@@ -42,19 +42,19 @@ public:
 Q_SIGNALS:
     void pictureChanged();
     void cursorChanged();
-    void unhandledInput(const ipc::Input &input); // keys that the medium does not use
+    void unhandledInput(const ipc::Input& input); // keys that the medium does not use
 
 private:
     friend class LiveSubdocument;
-    Rendition(LiveSubdocument &subdocument, ipc::Integer id);
+    Rendition(LiveSubdocument& subdocument, ipc::Integer id);
 
-    void attach(MediumProcess *process); // makes itself there; nullptr: the process is gone
+    void attach(MediumProcess* process); // makes itself there; nullptr: the process is gone
     void sendGeometry(bool create);
-    [[nodiscard]] bool take(const ipc::RenditionFrame &frame); // false: not a frame of ours
-    void takeSlots(std::vector<Slot> slots);
-    [[nodiscard]] QImage decoded(const ipc::RenditionFrame &frame) const;
+    [[nodiscard]] bool take(const ipc::RenditionFrame& frame); // false: not a frame of ours
+    void freeSlots(const std::vector<Slot>& slots) const;
+    [[nodiscard]] QImage decoded(const ipc::RenditionFrame& frame) const;
 
-    LiveSubdocument &subdocument_;
+    LiveSubdocument& subdocument_;
     ipc::Integer id_;
     QString presentation_; // "": the first that the medium has
     QSize pixels_{320, 240};
@@ -63,9 +63,8 @@ private:
     QImage picture_;
     ipc::CursorShape cursor_ = ipc::CursorShape::arrow;
     QPointer<MediumProcess> process_;
-    std::vector<Slot> slots_; // that the medium draws into now
-    ipc::Integer lastSerial_ = 0;
-    bool unpainted_ = false;
+    std::vector<Slot> slots_;             // that the medium draws into now
+    std::vector<ipc::Integer> unpainted_; // serials of frames that are not acknowledged yet
 };
 
 } // namespace media

@@ -12,7 +12,7 @@ namespace media::testing {
 
 // Runs events until `done` or `ms` have passed. Tests wait for states, never for times; the limit
 // only ends a test that would hang.
-inline bool waitFor(const std::function<bool()> &done, int ms = 20'000) {
+inline bool waitFor(const std::function<bool()>& done, int ms = 20'000) {
     QElapsedTimer elapsed;
     elapsed.start();
     while (!done()) {
@@ -23,7 +23,7 @@ inline bool waitFor(const std::function<bool()> &done, int ms = 20'000) {
     return true;
 }
 
-inline Manifest scriptedManifest(const QStringList &behaviour = {}) {
+inline Manifest scriptedManifest(const QStringList& behaviour = {}) {
     QString fault;
     Manifest manifest;
     manifest.name = "Scripted";

@@ -119,7 +119,8 @@ class Medium:
             subprocess.Popen(["sleep", "1000"])
         elif what == "bad-frame":
             for rendition in self.renditions:
-                notify("rendition/frame", rendition=rendition, slot=1, serial=10 ** 6, width=16000, height=16000, time=0)
+                notify("rendition/frame", rendition=rendition, slot=1, serial=10 ** 6, width=self.renditions[rendition]["width"],
+                       height=self.renditions[rendition]["height"], time=0, pixels="AAAA")
         elif what == "bad-reply":
             send({"id": 987654, "result": {}})
 
@@ -303,7 +304,7 @@ class Medium:
         elif method == "rendition/ack":
             r = self.renditions.get(p["rendition"])
             if r:
-                r["unacked"] = [s for s in r["unacked"] if s > p["serial"]]
+                r["unacked"] = [s for s in r["unacked"] if s != p["serial"]]
         elif method == "rendition/input":
             if p["type"] == "key-press" and p.get("key") != " ":
                 notify("rendition/unhandled", **p)

@@ -1,0 +1,71 @@
+// A document that is open, once, however many windows show it.
+//
+// The document holds the text; each subdocument of an installed medium has one LiveSubdocument. An
+// edit of a subdocument's text, by whomever, reaches its medium; an edit that a medium asks for
+// becomes a step of the document's one undo stack.
+#pragma once
+
+#include "document/document.h"
+#include "media/live_media.h"
+
+#include <QObject>
+#include <QSizeF>
+#include <map>
+#include <memory>
+
+namespace session {
+
+struct ListedFault {
+    sgml::Position position; // line 0: no place is known
+    bool isError = false;
+    QString message;
+    document::SubdocumentId subdocument = document::noSubdocument;
+    bool operator==(const ListedFault&) const = default;
+};
+
+class OpenDocument : public QObject {
+    Q_OBJECT
+
+public:
+    OpenDocument(std::unique_ptr<document::Document> document, const document::Schemas& schemas,
+                 media::LiveMedia& media);
+    ~OpenDocument() override;
+
+    [[nodiscard]] document::Document& document() { return *document_; }
+    [[nodiscard]] const document::Document& document() const { return *document_; }
+    [[nodiscard]] const document::Schemas& schemas() const { return schemas_; }
+    [[nodiscard]] media::LiveMedia& media() { return media_; }
+
+    // Nothing for one whose medium is not installed, or that is text.
+    [[nodiscard]] media::LiveSubdocument* live(document::SubdocumentId id) const;
+    // Why a subdocument has no medium, as a sentence.
+    [[nodiscard]] QString whyNotLive(document::SubdocumentId id) const;
+
+    // How large it is shown, in 1/96 inch: by its WIDTH and HEIGHT, else as its medium would like.
+    [[nodiscard]] QSizeF sizeOf(document::SubdocumentId id) const;
+
+    // Of the format, of the schemas, of subdocuments as their media say, in order of place.
+    [[nodiscard]] std::vector<ListedFault> faults() const;
+    // What a subdocument's medium finds wrong, placed in the file.
+    [[nodiscard]] std::vector<ListedFault> faultsOf(document::SubdocumentId id) const;
+
+Q_SIGNALS:
+    void structureChanged(); // something else than the text of subdocuments
+    void faultsChanged();
+    void message(const QString& text);
+
+private:
+    void readSubdocuments();
+    void documentChanged();
+    void textChanged(document::SubdocumentId id, const sgml::Edits& edits, const QString& label);
+    [[nodiscard]] std::optional<QString> applyChange(document::SubdocumentId id,
+                                                     const ipc::SubdocumentChanged& change);
+
+    std::unique_ptr<document::Document> document_;
+    const document::Schemas& schemas_;
+    media::LiveMedia& media_;
+    std::map<document::SubdocumentId, std::unique_ptr<media::LiveSubdocument>> live_;
+    bool onlyText_ = false; // the change that is being announced
+};
+
+} // namespace session
