@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <utility>
 
 namespace physics {
 namespace {
@@ -46,6 +47,11 @@ std::set<double> cutsOf(const std::vector<ActiveHold>& holds) {
         }
     cuts.erase(std::numeric_limits<double>::infinity());
     return cuts;
+}
+
+std::string numberText(double value) {
+    Graph graph;
+    return print(graph, graph.constant(value));
 }
 
 class SegmentMaker {
@@ -101,7 +107,7 @@ private:
         if (std::exchange(hasTold_, true))
             return;
         faults_.push_back("body \"" + body_ + "\": two trajectories hold its " + what +
-                          " at one time, from t = " + std::to_string(time) + " on");
+                          " at one time, from t = " + numberText(time) + " on");
     }
 
     const std::string& body_;
