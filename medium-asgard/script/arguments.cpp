@@ -51,7 +51,6 @@ Value Value::piece(std::size_t from, std::size_t to) const {
 }
 
 void Faults::error(Range range, std::string message, std::string suggestion) {
-    ++errors_;
     add(scene::Severity::error, range, std::move(message), std::move(suggestion));
 }
 
@@ -62,8 +61,16 @@ void Faults::warning(Range range, std::string message, std::string suggestion) {
 void Faults::add(scene::Severity severity, Range range, std::string message,
                  std::string suggestion) {
     constexpr std::size_t most = 1000;
-    if (out_.size() >= most)
+    constexpr int mostAtOnePlace = 3; // a command in a loop is wrong once, not a thousand times
+    if (range.known() && ++atPlace_[range.from] > mostAtOnePlace)
         return;
+    if (out_.size() > most)
+        return;
+    if (out_.size() == most) {
+        range = {};
+        message = "there is more that is wrong";
+        suggestion.clear();
+    }
     scene::Diagnostic diagnostic;
     diagnostic.severity = severity;
     diagnostic.range = range;
@@ -80,27 +87,32 @@ Arguments::Arguments(Faults& faults, Call& call, std::string subject, std::size_
 }
 
 void Arguments::read(std::size_t first, std::span<const std::string_view> options) {
-    for (std::size_t i = first; i < call_.words.size(); i += 2) {
+    const auto isKnown = [&](const Value& word) {
+        return std::find(options.begin(), options.end(), word.text) != options.end();
+    };
+    for (std::size_t i = first; i < call_.words.size(); ++i) {
         const Value& word = call_.words[i];
-        const bool known = std::find(options.begin(), options.end(), word.text) != options.end();
+        const bool known = isKnown(word);
         if (!known && (!word.text.starts_with('-') || decimalNumber(word.text))) {
             strayWord(word, options);
             return; // what follows is out of step
         }
         const Value* value = i + 1 < call_.words.size() ? &call_.words[i + 1] : nullptr;
+        if (value && isKnown(*value)) // no value looks like an option
+            value = nullptr;
+        if (value)
+            ++i;
         if (!known) {
             const std::vector<std::string> names(options.begin(), options.end());
             faults_.error(word.range, subject_ + " has no option " + quoted(word.text),
                           suggestionFor(word.text, names, "options here"));
-            continue;
-        }
-        if (given(word.text)) {
+        } else if (given(word.text)) {
             faults_.error(word.range, word.text + " of " + subject_ + " is given twice");
-            continue;
+        } else {
+            given_.push_back({word.text, word.range, value});
+            if (value)
+                call_.source.arguments.push_back({word.text, value->range, value->exact});
         }
-        given_.push_back({word.text, word.range, value});
-        if (value)
-            call_.source.arguments.push_back({word.text, value->range, value->exact});
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -39,14 +40,12 @@ public:
         : places_(places), out_(out) {}
     void error(Range range, std::string message, std::string suggestion = "");
     void warning(Range range, std::string message, std::string suggestion = "");
-    // The last error can stand for what follows from it.
-    [[nodiscard]] std::size_t count() const { return errors_; }
 
 private:
     void add(scene::Severity severity, Range range, std::string message, std::string suggestion);
     const Places& places_;
     std::vector<scene::Diagnostic>& out_;
-    std::size_t errors_ = 0;
+    std::map<std::size_t, int> atPlace_;
 };
 
 enum class Sign { any, positive, notNegative, unit }; // unit: from 0 to 1

@@ -36,8 +36,7 @@ Call callOf(std::string_view text, const Structure& structure, const RecordedCom
     if (command) {
         call.source.command = command->range;
     } else if (caller && !caller->words.empty()) {
-        fallback = caller->words[0].range;
-        call.source.runs = 0;
+        fallback = caller->words[0].range; // the nearest place that is known
     }
     for (std::size_t i = 0; i < recorded.words.size(); ++i) {
         Value value;

@@ -10,6 +10,19 @@ namespace script {
 
 using geometry::Vector;
 
+namespace {
+
+// Forces and links have no names; messages call them by what they act on.
+std::string named(const std::string& before, const std::string& alone, const Call& call,
+                  std::string_view option) {
+    for (std::size_t i = 1; i + 1 < call.words.size(); i += 2)
+        if (call.words[i].text == option && !call.words[i + 1].text.starts_with('-'))
+            return before + quoted(call.words[i + 1].text);
+    return alone;
+}
+
+} // namespace
+
 // -x -y -z as expressions. What is left out is zero, unless all are required.
 std::optional<std::array<scene::Expression, 3>> SceneMaker::components(Arguments& arguments,
                                                                        bool allRequired) {
@@ -38,8 +51,7 @@ std::optional<std::array<scene::Expression, 3>> SceneMaker::components(Arguments
 }
 
 void SceneMaker::force(Call& call) {
-    const std::string where = call.words.size() > 1 ? "" : " without options";
-    Arguments arguments(faults_, call, "the force" + where, 1,
+    Arguments arguments(faults_, call, named("the force on body ", "the force", call, "-body"), 1,
                         {"-body", "-torque", "-offset", "-x", "-y", "-z", "-frame", "-trajectory",
                          "-gravitational"});
     scene::Force force;
@@ -89,7 +101,7 @@ void SceneMaker::force(Call& call) {
 }
 
 void SceneMaker::link(Call& call) {
-    Arguments arguments(faults_, call, "the link", 1,
+    Arguments arguments(faults_, call, named("the link of body ", "the link", call, "-body1"), 1,
                         {"-body1", "-offset1", "-body2", "-offset2", "-x", "-y", "-z",
                          "-trajectory", "-tightness", "-damping"});
     scene::Link link;
@@ -103,7 +115,7 @@ void SceneMaker::link(Call& call) {
         const auto name = reference(arguments, "-body2", Kind::body);
         if (name && *name == link.first.body)
             faults_.error(arguments.find("-body2")->range,
-                          "the link joins body " + quoted(*name) + " to itself");
+                          "a link cannot join body " + quoted(*name) + " to itself");
         link.second = scene::BodyEnd{name.value_or(""), offset2};
         ++ends;
     } else if (arguments.attempted("-offset2")) {
@@ -183,14 +195,16 @@ void SceneMaker::parameter(Call& call) {
     parameter.value = value.value_or(0);
     parameter.label = arguments.text("-label").value_or("");
     parameter.unit = arguments.text("-unit").value_or("");
-    if (parameter.minimum && parameter.maximum && *parameter.minimum > *parameter.maximum)
+    const bool crossed =
+        parameter.minimum && parameter.maximum && *parameter.minimum > *parameter.maximum;
+    if (crossed)
         faults_.error(arguments.find("-max")->range,
                       arguments.subject() + " has a -max below its -min");
     const auto outside = [&](double v) {
         return (parameter.minimum && v < *parameter.minimum) ||
                (parameter.maximum && v > *parameter.maximum);
     };
-    if (value && outside(*value))
+    if (value && outside(*value) && !crossed)
         faults_.error(arguments.find("-value")->range,
                       arguments.subject() + " is outside its -min and -max");
     if (const auto given = overrides_.find(parameter.name); given != overrides_.end()) {

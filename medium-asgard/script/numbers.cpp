@@ -5,6 +5,18 @@
 
 namespace script {
 
+namespace {
+
+// Of a number that no double can hold: is it too small, not too large?
+bool isTiny(std::string_view text) {
+    const auto exponent = text.find_first_of("eE");
+    if (exponent != std::string_view::npos)
+        return exponent + 1 < text.size() && text[exponent + 1] == '-';
+    return text.starts_with('.') || text.starts_with("0.");
+}
+
+} // namespace
+
 std::optional<double> decimalNumber(std::string_view text) {
     constexpr std::string_view blanks = " \t\n\r\v\f";
     const auto from = text.find_first_not_of(blanks);
@@ -23,7 +35,7 @@ std::optional<double> decimalNumber(std::string_view text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (end != text.data() + text.size())
         return std::nullopt;
-    if (error == std::errc::result_out_of_range && value == 0) // an underflow
+    if (error == std::errc::result_out_of_range && isTiny(unsignedPart))
         return 0.0;
     if (error != std::errc{} || !std::isfinite(value))
         return std::nullopt;

@@ -176,8 +176,13 @@ ReadResult Reader::read(std::string_view text, const std::map<std::string, doubl
         result.diagnostics = {*refusal};
         return result;
     }
-    const Answer answer = implementation_->ask(text, parameters);
-    return judge(text, answer, implementation_->limits, parameters);
+    // Editors of other systems write a mark before the text; as blanks it moves nothing.
+    constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
+    std::string plain(text);
+    if (text.starts_with(byteOrderMark))
+        plain.replace(0, byteOrderMark.size(), byteOrderMark.size(), ' ');
+    const Answer answer = implementation_->ask(plain, parameters);
+    return judge(plain, answer, implementation_->limits, parameters);
 }
 
 } // namespace script

@@ -37,8 +37,9 @@ SceneMaker::SceneMaker(std::string_view text, const std::map<std::string, double
       faults_(places_, made.diagnostics) {}
 
 void SceneMaker::make(Call& call) {
-    const Place place = places_.at(call.source.command.from);
-    if (call.source.line == 0 && call.source.command.known()) {
+    const Range known = call.source.command.known() ? call.source.command : call.words[0].range;
+    if (known.known()) {
+        const Place place = places_.at(known.from);
         call.source.line = place.line;
         call.source.column = place.column;
     }
@@ -166,7 +167,36 @@ void SceneMaker::finish(bool finished) {
     checkHolds();
     if (finished)
         checkExpressions();
+    if (finished && made_.diagnostics.empty())
+        warnOfUnusedParameters();
     checkOverrides(finished);
+}
+
+namespace {
+
+bool isNamed(std::string_view text, std::size_t at, std::string_view name) {
+    const std::size_t end = at + name.size();
+    return (at == 0 || !continuesName(text[at - 1])) &&
+           (end >= text.size() || !continuesName(text[end]));
+}
+
+} // namespace
+
+// A parameter that moves nothing is most likely misspelt where it should.
+void SceneMaker::warnOfUnusedParameters() {
+    for (const scene::Parameter& parameter : made_.scene.parameters) {
+        const Range own = parameter.source.command;
+        if (!own.known() || parameter.source.arguments.empty())
+            continue;
+        bool used = false;
+        for (auto at = text_.find(parameter.name); at != std::string_view::npos && !used;
+             at = text_.find(parameter.name, at + 1))
+            used = (at < own.from || at >= own.to) && isNamed(text_, at, parameter.name);
+        if (!used)
+            faults_.warning(parameter.source.arguments[0].word,
+                            "parameter " + quoted(parameter.name) +
+                                " is read by no expression and no script");
+    }
 }
 
 void SceneMaker::checkOverrides(bool finished) {

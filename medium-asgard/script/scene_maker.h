@@ -77,6 +77,7 @@ private:
                            Reads reads = Reads::anything);
     void checkExpressions();
     void checkHolds();
+    void warnOfUnusedParameters();
     void checkOverrides(bool finished);
 
     std::string_view text_;

@@ -1,5 +1,6 @@
 #include "script/structure.h"
 
+#include "script/instrument.h"
 #include "script/tcl_syntax.h"
 
 #include <algorithm>
@@ -35,6 +36,12 @@ const Command* Structure::startingAt(std::size_t offset) const {
 }
 
 Structure structureOf(std::string_view text) {
+    // Continuations of other systems move no byte when they become Tcl's.
+    std::string plain;
+    if (text.find("\\\r\n") != std::string_view::npos) {
+        plain = withPlainContinuations(text);
+        text = plain;
+    }
     SyntaxWalker walker(text);
     Structure structure = walker.run();
     // A command's words are walked after its own record is made, so that only the order of equal

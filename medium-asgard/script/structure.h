@@ -29,7 +29,8 @@ struct Word {
     bool literal = false; // the content is the value: no $, no [, no backslash that is substituted
     bool braced = false;
     bool quoted = false;
-    bool expanded = false; // {*} before it (part of range, not of content)
+    bool expanded = false; // {*} before it (part of range, not of content), its words not known
+    bool fromList = false; // one of the words of {*}{a b ...}
 };
 
 struct Command {

@@ -39,7 +39,7 @@ std::string nearest(std::string_view written, std::span<const std::string> exist
         if (name.size() > written.size() + least || written.size() > name.size() + least)
             continue;
         const std::size_t d = distance(written, name);
-        if (d < least && d < std::max<std::size_t>(name.size(), 2)) {
+        if (d < least && d < written.size()) { // something is left of what was written
             least = d;
             best = name;
         }

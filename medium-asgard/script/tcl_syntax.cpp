@@ -89,7 +89,7 @@ std::size_t SyntaxWalker::command(std::size_t from, bool bracketed, int parent) 
             break;
         Command& command = structure_.commands[static_cast<std::size_t>(self)];
         command.range.to = read.range.to;
-        command.words.push_back(read);
+        append(command, read);
         at = skipBlanks(at);
     }
     if (failed_) { // Tcl refuses the whole command before it runs any of it
@@ -99,6 +99,35 @@ std::size_t SyntaxWalker::command(std::size_t from, bool bracketed, int parent) 
     }
     nested(self);
     return at;
+}
+
+// {*}{a b} is the words a and b, which stand in the text.
+void SyntaxWalker::append(Command& command, const Word& word) const {
+    if (!word.expanded || !word.literal) {
+        command.words.push_back(word);
+        return;
+    }
+    const std::string_view list =
+        text_.substr(word.content.from, word.content.to - word.content.from);
+    const ElementList elements = elementsOf(list);
+    const bool plain = elements.fault.empty() &&
+                       std::all_of(elements.elements.begin(), elements.elements.end(),
+                                   [](const Element& element) { return element.literal; });
+    if (!plain) {
+        command.words.push_back(word);
+        return;
+    }
+    for (const Element& element : elements.elements) {
+        Word part;
+        part.range = {word.content.from + element.range.from, word.content.from + element.range.to};
+        part.content = {word.content.from + element.content.from,
+                        word.content.from + element.content.to};
+        part.literal = true;
+        part.braced = list[element.range.from] == '{';
+        part.quoted = list[element.range.from] == '"';
+        part.fromList = true;
+        command.words.push_back(part);
+    }
 }
 
 std::size_t SyntaxWalker::word(std::size_t from, bool bracketed, int owner, Word& word) {
@@ -153,8 +182,7 @@ std::size_t SyntaxWalker::quotes(std::size_t from, int owner, Word& word) {
     while (!failed_ && at < end_ && text_[at] != '"') {
         if (text_[at] == '$' || text_[at] == '[' || text_[at] == '\\') {
             const std::size_t after = substitution(at, owner);
-            // A dollar sign that no name follows is itself.
-            if (text_[at] != '$' || after > at + 1)
+            if (after > at + 1) // a last backslash or a dollar without a name is itself
                 word.literal = false;
             at = after;
         } else {
@@ -174,7 +202,7 @@ std::size_t SyntaxWalker::bare(std::size_t from, bool bracketed, int owner, Word
     while (!failed_ && !blankAt(at) && !ends(at, bracketed)) {
         if (text_[at] == '$' || text_[at] == '[' || text_[at] == '\\') {
             const std::size_t after = substitution(at, owner);
-            if (text_[at] != '$' || after > at + 1)
+            if (after > at + 1) // a last backslash or a dollar without a name is itself
                 word.literal = false;
             at = after;
         } else {

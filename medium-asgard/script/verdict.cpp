@@ -136,7 +136,8 @@ scene::Diagnostic tclError(std::string_view text, const Structure& structure, co
     const std::vector<std::string> existing(recording.candidates.begin(),
                                             recording.candidates.end());
     std::string suggestion;
-    if (message.starts_with("missing") || message.starts_with("extra characters after close") ||
+    if (message.starts_with("missing close-") || message.starts_with("missing \"") ||
+        message.starts_with("missing )") || message.starts_with("extra characters after close") ||
         message.starts_with("unmatched")) {
         // A text that is no script: the walk over it knows where.
         const auto fault =
@@ -162,10 +163,16 @@ scene::Diagnostic tclError(std::string_view text, const Structure& structure, co
         }
         if (const std::string near = nearest(name, existing); !near.empty())
             suggestion = "did you mean \"" + near + "\"?";
+    } else if (const auto at = message.find(" at _@_"); at != std::string::npos) {
+        message = message.substr(0, at) + " in this expression";
     } else if (message.starts_with("scenes have no command") && command &&
                !command->words.empty()) {
         range = command->words[0].range;
     }
+    // One sentence, one line.
+    message = message.substr(0, message.find('\n'));
+    if (message.empty())
+        message = "the script stopped with an error that says nothing";
     return diagnosticAt(places, range, std::move(message), std::move(suggestion));
 }
 
@@ -178,9 +185,6 @@ scene::Diagnostic limitError(const Structure& structure, const Places& places,
                                 " commands; it was stopped here");
     return diagnosticAt(places, range, "the script ran longer than 2 s; it was stopped here");
 }
-
-// The bytes before the text proper, which editors of other systems write.
-constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
 
 } // namespace
 
