@@ -1,0 +1,101 @@
+#include "session/menu.h"
+
+#include <cstdio>
+
+namespace session {
+namespace {
+
+struct Switch {
+    const char* id;
+    const char* label;
+    bool render::Display::*value;
+};
+constexpr Switch switches[] = {
+    {"position-handles", "Show Position Handles", &render::Display::positionHandles},
+    {"velocity-handles", "Show Velocity Handles", &render::Display::velocityHandles},
+    {"wireframe", "Wireframe", &render::Display::wireframe},
+    {"axes", "Axes", &render::Display::axes},
+    {"grid", "Grid", &render::Display::grid},
+    {"trails", "Trails", &render::Display::trails},
+};
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", value);
+    return text;
+}
+
+ipc::MenuEntry entry(std::string id, std::string label, std::string icon = "") {
+    ipc::MenuEntry e;
+    e.id = std::move(id);
+    e.label = std::move(label);
+    e.icon = std::move(icon);
+    return e;
+}
+
+ipc::MenuEntry checkable(std::string id, std::string label, bool checked, ipc::Scope scope) {
+    ipc::MenuEntry e = entry(std::move(id), std::move(label));
+    e.checkable = true;
+    e.checked = checked;
+    e.scope = scope;
+    return e;
+}
+
+ipc::MenuEntry window(std::string id, std::string label) {
+    ipc::MenuEntry e = entry(std::move(id), std::move(label));
+    e.mode = ipc::Mode::edit;
+    return e;
+}
+
+} // namespace
+
+bool MenuState::operator==(const MenuState& other) const {
+    bool same = hasMotion == other.hasMotion && playing == other.playing && loops == other.loops &&
+                computing == other.computing && rate == other.rate;
+    for (const Switch& s : switches)
+        same = same && display.*s.value == other.display.*s.value;
+    return same;
+}
+
+std::vector<ipc::MenuEntry> menuOf(const MenuState& state) {
+    std::vector<ipc::MenuEntry> menu{
+        entry("play", "Play", "media-playback-start"),
+        entry("pause", "Pause", "media-playback-pause"),
+        entry("stop", "Stop", "media-playback-stop"),
+        entry("step", "Step", "media-skip-forward"),
+    };
+    menu[0].enabled = state.hasMotion && !state.playing;
+    menu[1].enabled = state.playing;
+    menu[2].enabled = menu[3].enabled = state.hasMotion;
+    for (const double rate : rates) {
+        menu.push_back(checkable("rate-" + number(rate), number(rate) + "\u00d7",
+                                 state.rate == rate, ipc::Scope::subdocument));
+        menu.back().group = "Rate";
+    }
+    menu.push_back(checkable("loop", "Loop", state.loops, ipc::Scope::subdocument));
+    menu.back().icon = "media-playlist-repeat";
+    for (const Switch& s : switches)
+        menu.push_back(checkable(s.id, s.label, state.display.*s.value, ipc::Scope::rendition));
+    menu.push_back(entry("reset-view", "Reset View"));
+    menu.back().scope = ipc::Scope::rendition;
+    menu.push_back(entry("recompute", "Recompute Motion", "view-refresh"));
+    menu.push_back(window("open-graphical-viewer", "Open Graphical Viewer"));
+    menu.push_back(window("open-language-viewer", "Open Language Viewer"));
+    return menu;
+}
+
+std::optional<double> rateOf(const std::string& id) {
+    for (const double rate : rates)
+        if (id == "rate-" + number(rate))
+            return rate;
+    return std::nullopt;
+}
+
+bool render::Display::*displaySwitch(const std::string& id) {
+    for (const Switch& s : switches)
+        if (id == s.id)
+            return s.value;
+    return nullptr;
+}
+
+} // namespace session

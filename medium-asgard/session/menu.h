@@ -1,0 +1,28 @@
+// The commands that the medium puts into the host's menus and tool area.
+#pragma once
+
+#include "ipc/messages.h"
+#include "render/renderer.h"
+
+#include <array>
+
+namespace session {
+
+// What the menus show.
+struct MenuState {
+    bool hasMotion = false, playing = false, loops = false, computing = false;
+    double rate = 1;
+    render::Display display; // of the visible renditions
+    bool operator==(const MenuState&) const;
+};
+
+inline constexpr std::array rates{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
+
+[[nodiscard]] std::vector<ipc::MenuEntry> menuOf(const MenuState& state);
+
+// The rate that "rate-0.25" names.
+[[nodiscard]] std::optional<double> rateOf(const std::string& id);
+// The switch of the display that an entry turns over, or null.
+[[nodiscard]] bool render::Display::*displaySwitch(const std::string& id);
+
+} // namespace session

@@ -1,0 +1,71 @@
+#include "session/playback.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace session {
+
+double Playback::wanted(Instant now) const {
+    if (!playing_)
+        return time_;
+    return time_ + rate_ * std::chrono::duration<double>(now - since_).count();
+}
+
+double Playback::time(Instant now) const {
+    return std::clamp(wanted(now), span_.start, std::max(span_.start, span_.computed));
+}
+
+void Playback::anchor(double time, Instant now) {
+    time_ = time;
+    since_ = now;
+}
+
+void Playback::setSpan(const Span& span, Instant now) {
+    const bool first = span_ == Span{} && !playing_;
+    anchor(wanted(now), now);
+    span_ = span;
+    time_ = first ? span.start : std::clamp(time_, span.start, std::max(span.start, span.finish));
+}
+
+void Playback::play(Instant now) {
+    if (playing_ || span_.finish <= span_.start)
+        return;
+    anchor(time_ >= span_.finish ? span_.start : time_, now);
+    playing_ = true;
+}
+
+void Playback::pause(Instant now) {
+    anchor(time(now), now);
+    playing_ = false;
+}
+
+void Playback::seek(double time, Instant now) {
+    anchor(std::clamp(time, span_.start, std::max(span_.start, span_.finish)), now);
+}
+
+void Playback::setRate(double rate, bool loops, Instant now) {
+    anchor(wanted(now), now);
+    rate_ = rate;
+    loops_ = loops;
+}
+
+bool Playback::advance(Instant now) {
+    if (!playing_)
+        return false;
+    const double at = wanted(now);
+    if (at < span_.computed)
+        return false;
+    if (span_.computed < span_.finish) { // wait for the motion
+        anchor(span_.computed, now);
+        return false;
+    }
+    if (loops_) {
+        anchor(span_.start + std::fmod(at - span_.finish, span_.finish - span_.start), now);
+        return false;
+    }
+    anchor(span_.finish, now);
+    playing_ = false;
+    return true;
+}
+
+} // namespace session

@@ -1,0 +1,52 @@
+// What time does a subdocument show now?
+//
+// Time follows the real-time clock (dissertation 4.1.9): shown = anchor + rate * (now - anchored).
+// It never runs past what is computed: there it waits, and goes on from there. At the finish it
+// stops, or starts again when it loops. Nothing here reads a clock: `now` is given.
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+namespace session {
+
+using Clock = std::chrono::steady_clock;
+using Instant = Clock::time_point;
+
+struct Span {
+    double start = 0, finish = 0, computed = 0; // start <= computed <= finish
+    bool operator==(const Span&) const = default;
+};
+
+class Playback {
+public:
+    // A motion of another extent or one that got further. Time stays where it is, if it can.
+    void setSpan(const Span& span, Instant now);
+    [[nodiscard]] const Span& span() const { return span_; }
+
+    // Within start..computed.
+    [[nodiscard]] double time(Instant now) const;
+    [[nodiscard]] bool playing() const { return playing_; }
+    [[nodiscard]] double rate() const { return rate_; }
+    [[nodiscard]] bool loops() const { return loops_; }
+
+    void play(Instant now); // from the start again when it stands at the finish
+    void pause(Instant now);
+    void seek(double time, Instant now); // clamped to start..finish; waits there for the motion
+    void setRate(double rate, bool loops, Instant now);
+
+    // Waits, stops or starts again where that is due. True when `playing` changed.
+    bool advance(Instant now);
+
+private:
+    [[nodiscard]] double wanted(Instant now) const; // without the limit of what is computed
+    void anchor(double time, Instant now);
+
+    Span span_;
+    bool playing_ = false, loops_ = false;
+    double rate_ = 1;
+    double time_ = 0;
+    Instant since_{};
+};
+
+} // namespace session

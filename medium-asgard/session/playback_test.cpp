@@ -1,0 +1,77 @@
+#include "session/playback.h"
+
+#include <gtest/gtest.h>
+
+namespace session {
+namespace {
+
+using std::chrono::milliseconds;
+
+const Instant zero{};
+
+Playback playbackOf(Span span) {
+    Playback playback;
+    playback.setSpan(span, zero);
+    return playback;
+}
+
+TEST(Playback, FollowsTheClockAtItsRateAndStopsAtTheFinish) {
+    Playback playback = playbackOf({1, 5, 5});
+    EXPECT_EQ(playback.time(zero), 1);
+    playback.play(zero);
+    EXPECT_DOUBLE_EQ(playback.time(zero + milliseconds(1500)), 2.5);
+    playback.setRate(2, false, zero + milliseconds(1500));
+    EXPECT_DOUBLE_EQ(playback.time(zero + milliseconds(2000)), 3.5);
+    EXPECT_FALSE(playback.advance(zero + milliseconds(2000)));
+    EXPECT_TRUE(playback.advance(zero + milliseconds(9000)));
+    EXPECT_FALSE(playback.playing());
+    EXPECT_EQ(playback.time(zero + milliseconds(9500)), 5);
+}
+
+TEST(Playback, PlaysFromTheStartAgainAtTheFinish) {
+    Playback playback = playbackOf({0, 2, 2});
+    playback.seek(7, zero);
+    EXPECT_EQ(playback.time(zero), 2);
+    playback.play(zero);
+    EXPECT_DOUBLE_EQ(playback.time(zero + milliseconds(500)), 0.5);
+}
+
+TEST(Playback, LoopsWithoutLosingTime) {
+    Playback playback = playbackOf({0, 2, 2});
+    playback.setRate(1, true, zero);
+    playback.play(zero);
+    EXPECT_FALSE(playback.advance(zero + milliseconds(4500)));
+    EXPECT_DOUBLE_EQ(playback.time(zero + milliseconds(4500)), 0.5);
+    EXPECT_DOUBLE_EQ(playback.time(zero + milliseconds(5000)), 1.0);
+}
+
+TEST(Playback, WaitsForTheMotionAndGoesOnFromThere) {
+    Playback playback = playbackOf({0, 10, 1});
+    playback.play(zero);
+    EXPECT_EQ(playback.time(zero + milliseconds(3000)), 1);
+    playback.advance(zero + milliseconds(3000));
+    playback.setSpan({0, 10, 10}, zero + milliseconds(3000));
+    EXPECT_DOUBLE_EQ(playback.time(zero + milliseconds(3500)), 1.5); // not 3.5
+    EXPECT_TRUE(playback.playing());
+}
+
+TEST(Playback, ASoughtTimeIsKeptWhileItIsNotComputedYet) {
+    Playback playback = playbackOf({0, 10, 1});
+    playback.seek(4, zero);
+    EXPECT_EQ(playback.time(zero), 1);
+    playback.setSpan({0, 10, 6}, zero);
+    EXPECT_EQ(playback.time(zero), 4);
+}
+
+TEST(Playback, AnEditThatShortensTheMotionMovesTimeIntoIt) {
+    Playback playback = playbackOf({0, 10, 10});
+    playback.seek(8, zero);
+    playback.setSpan({0, 3, 3}, zero);
+    EXPECT_EQ(playback.time(zero), 3);
+    Playback empty = playbackOf({2, 2, 2});
+    empty.play(zero);
+    EXPECT_FALSE(empty.playing());
+}
+
+} // namespace
+} // namespace session

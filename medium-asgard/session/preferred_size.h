@@ -1,0 +1,17 @@
+// How large a picture of a scene would like to be in a text.
+#pragma once
+
+#include "ipc/messages.h"
+#include "scene/scene.h"
+#include "simulation/motion.h"
+
+namespace session {
+
+// As wide as the column up to a limit; as high as what is seen needs, between a flat strip and a
+// square. Sizes at scale 1.
+[[nodiscard]] ipc::PreferredSize preferredSize(const scene::Scene* scene,
+                                               const simulation::MotionPointer& motion,
+                                               double availableWidth,
+                                               std::optional<double> availableHeight);
+
+} // namespace session

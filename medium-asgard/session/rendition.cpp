@@ -1,0 +1,128 @@
+#include "session/rendition.h"
+
+#include <algorithm>
+
+namespace session {
+namespace {
+
+std::optional<render::CameraControl::Button> buttonOf(ipc::Button button) {
+    switch (button) {
+    case ipc::Button::left:
+        return render::CameraControl::Button::left;
+    case ipc::Button::middle:
+        return render::CameraControl::Button::middle;
+    case ipc::Button::right:
+        return render::CameraControl::Button::right;
+    default:
+        return std::nullopt;
+    }
+}
+
+bool same(const render::Camera& a, const render::Camera& b) {
+    return a.center == b.center && a.rotation.coeffs() == b.rotation.coeffs() &&
+           a.scale == b.scale && a.position == b.position;
+}
+
+bool same(const render::Display& a, const render::Display& b) {
+    return a.wireframe == b.wireframe && a.axes == b.axes && a.grid == b.grid &&
+           a.trails == b.trails && a.positionHandles == b.positionHandles &&
+           a.velocityHandles == b.velocityHandles && a.background == b.background &&
+           a.samples == b.samples;
+}
+
+} // namespace
+
+bool same(const Look& a, const Look& b) {
+    return a.generation == b.generation && a.time == b.time && same(a.camera, b.camera) &&
+           same(a.display, b.display);
+}
+
+void Rendition::shape(const ipc::RenditionGeometry& geometry,
+                      std::array<std::shared_ptr<const MappedSlot>, 2> slots) {
+    geometry_ = geometry;
+    slots_ = std::move(slots);
+    own_.clear();
+    unacknowledged_.clear();
+    shown_.reset();
+}
+
+render::Size Rendition::size() const {
+    return {static_cast<int>(geometry_.width), static_cast<int>(geometry_.height)};
+}
+
+void Rendition::see(const scene::Scene& scene, const simulation::MotionPointer& motion,
+                    unsigned generation) {
+    if (viewOf_ == std::pair(generation, size()))
+        return;
+    viewOf_ = {generation, size()};
+    view_.emplace(scene, motion, viewName_, size());
+}
+
+void Rendition::follow(const std::string& view) {
+    viewName_ = view;
+    turned_ = false;
+    viewOf_.reset();
+    control_.release();
+}
+
+render::Camera Rendition::camera(double time) const {
+    if (turned_ || !view_)
+        return control_.camera();
+    return view_->at(time);
+}
+
+bool Rendition::input(const ipc::Input& input, double time) {
+    if (!turned_)
+        control_.set(camera(time));
+    const Eigen::Vector2d pixels(input.x, input.y);
+    const bool shifted =
+        std::ranges::find(input.modifiers, ipc::Modifier::shift) != input.modifiers.end();
+    const auto button = buttonOf(input.button);
+    bool changed = false;
+    if (input.type == ipc::InputType::press && button && !shifted) {
+        control_.press(*button, pixels, size());
+    } else if (input.type == ipc::InputType::move && control_.active()) {
+        changed = control_.move(pixels, size());
+    } else if (input.type == ipc::InputType::release || input.type == ipc::InputType::focusOut) {
+        control_.release();
+    } else if (input.type == ipc::InputType::wheel && input.dy != 0) {
+        control_.wheel(pixels, input.dy, size());
+        changed = true;
+    }
+    turned_ = turned_ || changed;
+    return changed;
+}
+
+std::optional<ipc::Integer> Rendition::freeSlot() const {
+    for (const ipc::Integer slot : {0, 1})
+        if (std::ranges::none_of(unacknowledged_,
+                                 [&](auto& entry) { return entry.second == slot; }))
+            return slot;
+    return std::nullopt;
+}
+
+Rendition::Frame Rendition::begin(const Look& look) {
+    const ipc::Integer slot = freeSlot().value();
+    Frame frame;
+    frame.message.rendition = geometry_.rendition;
+    frame.message.slot = slot;
+    frame.message.serial = ++serial_;
+    frame.message.width = geometry_.width;
+    frame.message.height = geometry_.height;
+    frame.message.time = look.time;
+    frame.into.size = size();
+    if (sharesMemory()) {
+        const auto index = static_cast<std::size_t>(slot);
+        frame.into.pixels = slots_[index]->pixels();
+        frame.into.stride = static_cast<std::size_t>(geometry_.slots[index].stride);
+    } else {
+        frame.into.stride = static_cast<std::size_t>(4 * geometry_.width);
+        own_.resize(frame.into.stride * static_cast<std::size_t>(geometry_.height));
+        frame.into.pixels = own_;
+    }
+    unacknowledged_[serial_] = slot;
+    shown_ = look;
+    return frame;
+}
+
+} // namespace session

@@ -1,0 +1,80 @@
+// One rendition of the picture: its size and slots, how its user sees the scene, and which of its
+// frames the host has not acknowledged.
+//
+// A frame is drawn only into a slot that the host does not read, and only when it would differ from
+// the last one: `Look` is everything that decides a picture.
+#pragma once
+
+#include "ipc/messages.h"
+#include "render/renderer.h"
+#include "render/view.h"
+#include "session/frame_memory.h"
+#include "session/playback.h"
+
+#include <array>
+#include <map>
+
+namespace session {
+
+struct Look {
+    unsigned generation = 0; // of the scene and its motion
+    double time = 0;
+    render::Camera camera;
+    render::Display display;
+};
+[[nodiscard]] bool same(const Look& a, const Look& b);
+
+class Rendition {
+public:
+    // Another size, other slots; the user's point of view stays. Frames of the old slots are void.
+    void shape(const ipc::RenditionGeometry& geometry,
+               std::array<std::shared_ptr<const MappedSlot>, 2> slots);
+    [[nodiscard]] render::Size size() const;
+    [[nodiscard]] double scale() const { return geometry_.scale; }
+
+    // --- how the user sees it
+    // The scene, its motion or the picture's size changed: the view that is followed is made anew.
+    void see(const scene::Scene& scene, const simulation::MotionPointer& motion,
+             unsigned generation);
+    // Follows the scene's view of that name; "" its first, or one that shows all well.
+    void follow(const std::string& view);
+    [[nodiscard]] render::Camera camera(double time) const;
+    // True when the picture changed.
+    bool input(const ipc::Input& input, double time);
+    [[nodiscard]] bool beingTurned() const { return control_.active(); }
+
+    // --- frames
+    struct Frame {
+        ipc::RenditionFrame message; // pixels are missing where there are no slots
+        render::Image into;
+    };
+    [[nodiscard]] bool hasFreeSlot() const { return freeSlot().has_value(); }
+    [[nodiscard]] bool shows(const Look& look) const { return shown_ && same(*shown_, look); }
+    // The next frame, to be drawn into `into`. Call only with a free slot.
+    [[nodiscard]] Frame begin(const Look& look);
+    void acknowledge(ipc::Integer serial) { unacknowledged_.erase(serial); }
+    [[nodiscard]] bool sharesMemory() const { return slots_[0] != nullptr; }
+    // What begin() showed did not come about.
+    void forget() { shown_.reset(); }
+
+    bool visible = false;
+    render::Display display;
+
+private:
+    [[nodiscard]] std::optional<ipc::Integer> freeSlot() const;
+
+    ipc::RenditionGeometry geometry_;
+    std::array<std::shared_ptr<const MappedSlot>, 2> slots_;
+    std::vector<std::byte> own_;                          // the frame where there are no slots
+    std::map<ipc::Integer, ipc::Integer> unacknowledged_; // serial to slot
+    ipc::Integer serial_ = 0;
+    std::optional<Look> shown_;
+
+    std::string viewName_;
+    std::optional<render::SceneView> view_;
+    std::optional<std::pair<unsigned, render::Size>> viewOf_; // generation and size
+    bool turned_ = false;                                     // by the user: the view is his
+    render::CameraControl control_;
+};
+
+} // namespace session

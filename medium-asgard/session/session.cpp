@@ -1,0 +1,302 @@
+#include "session/session.h"
+
+#include "ipc/base64.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace session {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds shortestFrame{16};
+constexpr milliseconds betweenTimes{33};        // told to a host that shows a rendition
+constexpr milliseconds betweenHiddenTimes{500}; // to one that shows none
+constexpr milliseconds beforeProgress{400};
+constexpr milliseconds betweenProgress{250};
+constexpr milliseconds whileReadingSettles{250};
+constexpr std::chrono::seconds longEnoughComputed{1};
+
+bool sameButTime(const ipc::TimeChanged& a, const ipc::TimeChanged& b) {
+    return a.playing == b.playing && a.rate == b.rate && a.loop == b.loop && a.start == b.start &&
+           a.finish == b.finish && a.predictable == b.predictable && a.state == b.state;
+}
+
+} // namespace
+
+Session::Session(Platform platform, ipc::MediumChannel& channel)
+    : platform_(std::move(platform)), channel_(channel), subdocument_(platform_.tools) {}
+
+void Session::receive(const ipc::MediumChannel::Call& call, Instant now) {
+    now_ = now;
+    if (const auto* told = std::get_if<ipc::Told<ipc::ToMedium>>(&call)) {
+        std::visit(
+            [this](const auto& message) {
+                if constexpr (requires { this->hear(message); })
+                    hear(message);
+            },
+            told->call);
+        return;
+    }
+    const auto& asked = std::get<ipc::Asked<ipc::ToMedium>>(call);
+    if (!mode_ && !std::holds_alternative<ipc::Initialize>(asked.call) &&
+        !std::holds_alternative<ipc::Ping>(asked.call))
+        return channel_.refuse(asked.id,
+                               {ipc::ErrorCode::invalidRequest, "initialize comes first"});
+    std::visit(
+        [&](const auto& message) {
+            if constexpr (requires { this->serve(message); })
+                reply(asked.id, serve(message));
+            else if constexpr (requires { this->serve(asked.id, message); })
+                serve(asked.id, message);
+        },
+        asked.call);
+}
+
+void Session::attend(Instant now) {
+    now_ = now;
+    due_.reset();
+    const Changes changes = subdocument_.update(now);
+    if (changes.motion || changes.scene)
+        for (auto& [id, subscription] : subscriptions_)
+            subscription.quantities.reset();
+    if (changes.diagnostics)
+        tellDiagnostics();
+    subdocument_.playback.advance(now);
+    shownTime_ = subdocument_.playback.time(now);
+    tellProgress();
+    answerWaiting();
+    tellTime();
+    tellValues();
+    tellMenu();
+    drawOwed();
+    if (const auto deadline = subdocument_.deadline())
+        dueAt(*deadline);
+    if (subdocument_.playback.playing())
+        dueAt(anyVisible() ? std::max(nextFrame_, now + shortestFrame) : now + betweenHiddenTimes);
+}
+
+std::optional<Instant> Session::deadline() const { return due_; }
+
+void Session::dueAt(Instant instant) { due_ = due_ ? std::min(*due_, instant) : instant; }
+
+// --- requests that wait -----------------------------------------------------------------------
+
+// Nothing that is being read or computed will change a picture soon.
+bool Session::settled(Instant now) const {
+    if (!subdocument_.computing())
+        return true;
+    return mode_ != ipc::Mode::batch && subdocument_.readAt() &&
+           now >= *subdocument_.readAt() + whileReadingSettles;
+}
+
+// In a batch a picture must not depend on how far the motion happened to be.
+bool Session::knownAt(double time, Instant now) const {
+    if (!subdocument_.computing())
+        return true;
+    const auto known = subdocument_.knownUntil();
+    return mode_ != ipc::Mode::batch && known && *known >= time &&
+           now >= subdocument_.startedAt() + longEnoughComputed;
+}
+
+void Session::answerWaiting() {
+    for (std::size_t i = 0; i < waiting_.size();) {
+        if (!waiting_[i].ready(now_)) {
+            ++i;
+            continue;
+        }
+        const auto answer = std::move(waiting_[i].answer);
+        waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(i));
+        answer();
+    }
+    if (!waiting_.empty())
+        dueAt(now_ + whileReadingSettles);
+}
+
+// --- what is told -----------------------------------------------------------------------------
+
+void Session::tellDiagnostics() {
+    channel_.notify(ipc::Diagnostics{subdocument_.revision(), subdocument_.diagnostics()});
+}
+
+void Session::tellProgress() {
+    if (!subdocument_.computing()) {
+        if (progress_)
+            channel_.notify(ipc::ProgressEnd{*progress_, ""});
+        progress_.reset();
+        return;
+    }
+    if (!progress_) {
+        const Instant begin = subdocument_.startedAt() + beforeProgress;
+        if (now_ < begin)
+            return dueAt(begin);
+        progress_ = ++lastToken_;
+        channel_.notify(ipc::ProgressBegin{*progress_, "Computing the motion", true});
+        nextProgress_ = now_;
+    }
+    if (now_ >= nextProgress_) {
+        const Span& span = subdocument_.playback.span();
+        ipc::ProgressReport report{*progress_, std::nullopt, ""};
+        if (subdocument_.knownUntil() && span.finish > span.start)
+            report.fraction = (span.computed - span.start) / (span.finish - span.start);
+        channel_.notify(report);
+        nextProgress_ = now_ + betweenProgress;
+    }
+    dueAt(nextProgress_);
+}
+
+ipc::TimeChanged Session::timeNow() const {
+    const Playback& playback = subdocument_.playback;
+    ipc::TimeChanged time;
+    time.time = shownTime_;
+    time.playing = playback.playing();
+    time.rate = playback.rate();
+    time.loop = playback.loops();
+    time.start = playback.span().start;
+    time.finish = playback.span().finish;
+    time.computed = playback.span().computed;
+    if (const auto& motion = subdocument_.motion())
+        time.predictable = motion->predictableUntil();
+    time.state = subdocument_.state();
+    return time;
+}
+
+void Session::tellTime() {
+    if (subdocument_.revision() == 0 && !subdocument_.scene() && !subdocument_.readAt())
+        return; // nothing was loaded
+    const ipc::TimeChanged time = timeNow();
+    const bool urgent = !toldTime_ || !sameButTime(*toldTime_, time);
+    if (!urgent && toldTime_->time == time.time && toldTime_->computed == time.computed)
+        return;
+    if (!urgent && (now_ < nextTimeTold_ || channel_.congested()))
+        return dueAt(std::max(nextTimeTold_, now_ + shortestFrame));
+    channel_.notify(time);
+    toldTime_ = time;
+    nextTimeTold_ = now_ + (anyVisible() ? betweenTimes : betweenHiddenTimes);
+}
+
+void Session::tellValues() {
+    const auto& motion = subdocument_.motion();
+    if (!motion || channel_.congested())
+        return;
+    for (auto& [id, subscription] : subscriptions_) {
+        if (!subscription.quantities) {
+            std::vector<std::string> faults;
+            simulation::Options options;
+            options.parameters = subdocument_.parameters();
+            subscription.quantities.emplace(*subdocument_.scene(), options, motion,
+                                            subscription.expressions, faults);
+            subscription.of = motion;
+        }
+        std::vector<double> values = subscription.quantities->at(shownTime_);
+        // Not-a-number differs from itself: compare what is told.
+        const auto sameValue = [](double a, double b) { return a == b || (a != a && b != b); };
+        if (subscription.told && std::ranges::equal(values, *subscription.told, sameValue))
+            continue;
+        channel_.notify(ipc::ValueChanged{id, shownTime_, values});
+        subscription.told = std::move(values);
+    }
+}
+
+MenuState Session::menuNow() const {
+    MenuState state;
+    const Playback& playback = subdocument_.playback;
+    state.hasMotion = subdocument_.motion() && playback.span().finish > playback.span().start;
+    state.playing = playback.playing();
+    state.loops = playback.loops();
+    state.rate = playback.rate();
+    state.display = display_;
+    for (const auto& [id, rendition] : renditions_)
+        if (rendition.visible) {
+            state.display = rendition.display;
+            break;
+        }
+    return state;
+}
+
+void Session::tellMenu() {
+    const MenuState state = menuNow();
+    if (!mode_ || toldMenu_ == state)
+        return;
+    if (toldMenu_)
+        channel_.notify(ipc::MenuChanged{menuOf(state)});
+    toldMenu_ = state;
+}
+
+// --- pictures ---------------------------------------------------------------------------------
+
+bool Session::anyVisible() const {
+    return std::ranges::any_of(renditions_, [](const auto& entry) { return entry.second.visible; });
+}
+
+bool Session::moving() const { return subdocument_.playback.playing() || now_ < calmAt_; }
+
+const scene::Scene& Session::drawnScene() const {
+    static const scene::Scene nothing;
+    return subdocument_.scene() ? *subdocument_.scene() : nothing;
+}
+
+Look Session::lookOf(Rendition& rendition) const {
+    Look look;
+    look.generation = subdocument_.generation();
+    look.time = shownTime_;
+    look.display = rendition.display;
+    if (!subdocument_.scene())
+        look.display.grid = false;
+    // Smooth edges cost time that a moving picture needs for the next one.
+    look.display.samples = moving() || rendition.beingTurned() ? 1 : 4;
+    look.camera = rendition.camera(shownTime_);
+    return look;
+}
+
+void Session::drawOwed() {
+    const bool nothingYet =
+        !subdocument_.scene() && (subdocument_.computing() || !subdocument_.readAt());
+    if (!platform_.draw || nothingYet || channel_.congested())
+        return;
+    const Instant begin = Clock::now();
+    bool drawn = false;
+    for (auto& [id, rendition] : renditions_) {
+        if (!rendition.visible)
+            continue;
+        rendition.see(drawnScene(), subdocument_.motion(), subdocument_.viewGeneration());
+        const Look look = lookOf(rendition);
+        if (rendition.shows(look) || !rendition.hasFreeSlot())
+            continue;
+        if (now_ < nextFrame_) {
+            dueAt(nextFrame_);
+            continue;
+        }
+        drawn = draw(rendition, look) || drawn;
+    }
+    if (now_ < calmAt_)
+        dueAt(calmAt_);
+    if (drawn) {
+        frameCost_ = Clock::now() - begin;
+        nextFrame_ = now_ + std::max<Clock::duration>(shortestFrame, 2 * frameCost_);
+    }
+}
+
+bool Session::draw(Rendition& rendition, const Look& look) {
+    Rendition::Frame frame = rendition.begin(look);
+    render::Drawing drawing;
+    drawing.scene = &drawnScene();
+    drawing.motion = subdocument_.motion();
+    drawing.time = look.time;
+    drawing.camera = look.camera;
+    drawing.display = look.display;
+    if (!platform_.draw(drawing, frame.into)) {
+        rendition.acknowledge(frame.message.serial);
+        platform_.draw = nullptr;
+        platform_.noPictures = "the graphics driver lost its state";
+        std::fprintf(stderr, "asgard: %s\n", platform_.noPictures.c_str());
+        return false;
+    }
+    if (!rendition.sharesMemory())
+        frame.message.pixels = ipc::toBase64(frame.into.pixels);
+    channel_.notify(frame.message);
+    return true;
+}
+
+} // namespace session

@@ -1,0 +1,157 @@
+// A medium's side of the protocol for one animation: what the host asks becomes scene, time and
+// pictures, and what happens here is told to the host.
+//
+// Serves any event loop (serve.h is the plain one; a window system's will do): give each call of
+// the host to receive(), then call attend(); call attend() too when descriptor() is readable and
+// when deadline() has come. No deadline and nothing readable: there is nothing to do, and nothing
+// is done. All of it belongs to one thread, the one that owns the renderer's context; reading and
+// computing happen on the worker's.
+//
+// Pictures are owed when a visible rendition would look different and the host has acknowledged
+// what it was sent. They are at most 60 a second and at most half of this thread's time.
+#pragma once
+
+#include "ipc/channel.h"
+#include "session/menu.h"
+#include "session/rendition.h"
+#include "session/subdocument.h"
+
+namespace session {
+
+// What a session needs of the process around it.
+struct Platform {
+    Tools tools;
+    std::function<bool(const render::Drawing&, const render::Image&)> draw;
+    std::string noPictures;                 // why `draw` is empty
+    int maximumSize = 4096;                 // of a picture
+    std::function<void(ipc::Mode)> confine; // called before anything of a document is looked at
+    std::function<void(const std::string& viewer)> openViewer; // mode edit: a menu entry's id
+    std::string version;
+};
+
+class Session {
+public:
+    Session(Platform platform, ipc::MediumChannel& channel);
+
+    void receive(const ipc::MediumChannel::Call& call, Instant now);
+    void attend(Instant now);
+    [[nodiscard]] int descriptor() const { return subdocument_.descriptor(); }
+    [[nodiscard]] std::optional<Instant> deadline() const;
+    [[nodiscard]] bool over() const { return over_; }
+
+    [[nodiscard]] Subdocument& subdocument() { return subdocument_; }
+    [[nodiscard]] const std::optional<ipc::Mode>& mode() const { return mode_; } // none: not yet
+
+private:
+    template <class Result> using Reply = ipc::Outcome<Result>;
+    struct Subscription {
+        std::vector<std::string> expressions;
+        std::optional<simulation::Quantities> quantities;
+        simulation::MotionPointer of; // the motion that they read
+        std::optional<std::vector<double>> told;
+    };
+    // A request that is answered when the motion is known far enough.
+    struct Waiting {
+        std::function<bool(Instant)> ready;
+        std::function<void()> answer;
+    };
+
+    // --- session_calls.cpp: what the host asks. Those with an id answer by themselves.
+    Reply<ipc::Initialized> serve(const ipc::Initialize& call);
+    Reply<ipc::Done> serve(const ipc::Ping&) { return ipc::Done{}; }
+    Reply<ipc::Done> serve(const ipc::SubdocumentLoad& call);
+    Reply<ipc::Done> serve(const ipc::SubdocumentEdit& call);
+    Reply<ipc::Presentations> serve(const ipc::PresentationList&);
+    void serve(const ipc::Id& id, const ipc::PresentationSize& call);
+    Reply<ipc::Exported> serve(const ipc::PresentationExport& call);
+    Reply<ipc::Done> serve(const ipc::RenditionCreate& call);
+    Reply<ipc::Done> serve(const ipc::RenditionResize& call);
+    Reply<ipc::Done> serve(const ipc::RenditionDestroy& call);
+    void serve(const ipc::Id& id, const ipc::RenditionSnapshot& call);
+    Reply<ipc::Done> serve(const ipc::MenuInvoke& call);
+    Reply<ipc::Done> serve(const ipc::TimePlay&);
+    Reply<ipc::Done> serve(const ipc::TimePause&);
+    Reply<ipc::Done> serve(const ipc::TimeSeek& call);
+    Reply<ipc::Done> serve(const ipc::TimeRate& call);
+    Reply<ipc::Parameters> serve(const ipc::ParameterList&);
+    void serve(const ipc::Id& id, const ipc::ValueRead& call);
+    Reply<ipc::Done> serve(const ipc::ValueSubscribe& call);
+    Reply<ipc::Done> serve(const ipc::ValueUnsubscribe& call);
+    Reply<ipc::Evaluated> serve(const ipc::ScriptEvaluate& call);
+    Reply<ipc::Done> serve(const ipc::Shutdown&) { return ipc::Done{}; }
+
+    void hear(const ipc::RenditionShow& call);
+    void hear(const ipc::RenditionHide& call);
+    void hear(const ipc::RenditionAck& call);
+    void hear(const ipc::RenditionInput& call);
+    void hear(const ipc::ParameterSet& call);
+    void hear(const ipc::ProgressCancel&) { subdocument_.cancel(); }
+    void hear(const ipc::Exit&) { over_ = true; }
+
+    std::optional<std::string> shape(Rendition& rendition, const ipc::RenditionGeometry& geometry);
+    Reply<ipc::Taken> take(const ipc::RenditionSnapshot& call);
+    std::optional<ipc::Error> noPicture(ipc::Integer width, ipc::Integer height) const;
+    [[nodiscard]] static bool usesKey(const std::string& name);
+    bool key(const std::string& name); // true: used
+    void step(double pictures);
+    void stop();
+    std::vector<Rendition*> targets(std::optional<ipc::Integer> rendition);
+
+    // --- session_commands.cpp: script/evaluate
+    Reply<ipc::Evaluated> evaluate(const std::string& script);
+    Reply<std::vector<double>> values(const std::vector<std::string>& expressions,
+                                      std::optional<double> time) const;
+
+    // --- session.cpp: what is told and drawn
+    [[nodiscard]] bool settled(Instant now) const;
+    [[nodiscard]] bool knownAt(double time, Instant now) const;
+    void answerWaiting();
+    void tellDiagnostics();
+    void tellProgress();
+    void tellTime();
+    void tellValues();
+    void tellMenu();
+    [[nodiscard]] ipc::TimeChanged timeNow() const;
+    [[nodiscard]] MenuState menuNow() const;
+    [[nodiscard]] bool anyVisible() const;
+    [[nodiscard]] bool moving() const;
+    void drawOwed();
+    [[nodiscard]] Look lookOf(Rendition& rendition) const;
+    bool draw(Rendition& rendition, const Look& look);
+    [[nodiscard]] const scene::Scene& drawnScene() const;
+    // Something is due then, if nothing happens before.
+    void dueAt(Instant instant);
+
+    template <class Result> void reply(const ipc::Id& id, Reply<Result> outcome) {
+        if (const auto* error = std::get_if<ipc::Error>(&outcome))
+            channel_.refuse(id, *error);
+        else
+            channel_.answer(id, std::get<Result>(std::move(outcome)));
+    }
+
+    Platform platform_;
+    ipc::MediumChannel& channel_;
+    Subdocument subdocument_;
+    std::optional<ipc::Mode> mode_;
+    std::optional<FrameMemory> memory_;
+    std::map<ipc::Integer, Rendition> renditions_;
+    render::Display display_; // that new renditions start with
+    std::map<ipc::Integer, Subscription> subscriptions_;
+    std::vector<Waiting> waiting_;
+    bool over_ = false;
+
+    Instant now_{};        // of the call that is being served
+    double shownTime_ = 0; // of the pictures and values that are made now
+    std::optional<Instant> due_;
+    Instant calmAt_{};    // until then the user is moving something
+    Instant nextFrame_{}; // no picture is drawn before
+    Clock::duration frameCost_{};
+    std::optional<ipc::TimeChanged> toldTime_;
+    Instant nextTimeTold_{};
+    std::optional<MenuState> toldMenu_;
+    std::optional<ipc::Integer> progress_; // token of what was begun
+    ipc::Integer lastToken_ = 0;
+    Instant nextProgress_{};
+};
+
+} // namespace session

@@ -1,0 +1,396 @@
+#include "session/preferred_size.h"
+#include "session/session.h"
+
+#include "ipc/base64.h"
+
+#include <algorithm>
+
+namespace session {
+namespace {
+
+constexpr ipc::Integer protocolVersion = 1;
+constexpr double picturesPerSecond = 25;           // what a step is counted in
+constexpr std::chrono::milliseconds settling{150}; // after the last movement of the user
+constexpr std::size_t mostRenditions = 256, mostSubscriptions = 1000, mostWaiting = 1000;
+
+ipc::Error notPossible(std::string sentence) {
+    return {ipc::ErrorCode::notPossible, std::move(sentence)};
+}
+ipc::Error faulty(std::string sentence) {
+    return {ipc::ErrorCode::invalidParameters, std::move(sentence)};
+}
+
+bool knownPresentation(const std::string& id) { return id.empty() || id == "picture"; }
+
+const ipc::Error unknownPresentation = faulty("there is only the presentation \"picture\"");
+const ipc::Error unknownRendition = faulty("there is no such rendition");
+
+} // namespace
+
+// --- the subdocument --------------------------------------------------------------------------
+
+auto Session::serve(const ipc::Initialize& call) -> Reply<ipc::Initialized> {
+    if (mode_)
+        return ipc::Error{ipc::ErrorCode::invalidRequest, "initialize comes only once"};
+    if (call.oldest > protocolVersion || call.newest < protocolVersion) {
+        over_ = true;
+        return ipc::Error{ipc::ErrorCode::noCommonVersion, "this medium speaks version 1"};
+    }
+    if (call.frames) {
+        auto memory = FrameMemory::of(*call.frames);
+        if (const auto* sentence = std::get_if<std::string>(&memory))
+            return faulty(*sentence);
+        memory_ = std::get<FrameMemory>(memory);
+    }
+    if (platform_.confine)
+        platform_.confine(call.mode);
+    mode_ = call.mode;
+    toldMenu_ = menuNow();
+    ipc::Initialized answer;
+    answer.protocol = protocolVersion;
+    answer.name = "Asgard";
+    answer.version = platform_.version;
+    answer.capabilities = {"time", "parameters", "values", "script", "snapshot", "edit"};
+    answer.menus = menuOf(*toldMenu_);
+    return answer;
+}
+
+auto Session::serve(const ipc::SubdocumentLoad& call) -> Reply<ipc::Done> {
+    subdocument_.load(call.text, call.revision, now_);
+    return ipc::Done{};
+}
+
+auto Session::serve(const ipc::SubdocumentEdit& call) -> Reply<ipc::Done> {
+    if (const auto sentence = subdocument_.edit(call.edits, call.revision, now_))
+        return notPossible(*sentence);
+    return ipc::Done{};
+}
+
+auto Session::serve(const ipc::PresentationList&) -> Reply<ipc::Presentations> {
+    return ipc::Presentations{{{"picture", "Picture"}}};
+}
+
+void Session::serve(const ipc::Id& id, const ipc::PresentationSize& call) {
+    if (!knownPresentation(call.presentation))
+        return channel_.refuse(id, unknownPresentation);
+    if (waiting_.size() >= mostWaiting)
+        return channel_.refuse(id, notPossible("too many requests wait for the motion"));
+    waiting_.push_back({[this](Instant now) { return settled(now); },
+                        [this, id, call] {
+                            channel_.answer(
+                                id, preferredSize(subdocument_.scene().get(), subdocument_.motion(),
+                                                  call.availableWidth, call.availableHeight));
+                        }});
+}
+
+auto Session::serve(const ipc::PresentationExport& call) -> Reply<ipc::Exported> {
+    return notPossible("this version of the medium exports no " + call.format);
+}
+
+// --- renditions -------------------------------------------------------------------------------
+
+std::optional<ipc::Error> Session::noPicture(ipc::Integer width, ipc::Integer height) const {
+    if (!platform_.draw)
+        return notPossible(platform_.noPictures);
+    if (std::max(width, height) > platform_.maximumSize)
+        return notPossible("a picture is at most " + std::to_string(platform_.maximumSize) +
+                           " pixels wide and high here");
+    return std::nullopt;
+}
+
+std::optional<std::string> Session::shape(Rendition& rendition,
+                                          const ipc::RenditionGeometry& geometry) {
+    std::array<std::shared_ptr<const MappedSlot>, 2> slots;
+    if (memory_ && !geometry.slots.empty()) {
+        if (geometry.slots.size() != slots.size())
+            return "a rendition has two slots";
+        for (std::size_t i = 0; i < slots.size(); ++i) {
+            auto mapped = memory_->map(geometry.slots[i], geometry.width, geometry.height);
+            if (const auto* sentence = std::get_if<std::string>(&mapped))
+                return *sentence;
+            slots[i] = std::get<std::shared_ptr<const MappedSlot>>(mapped);
+        }
+    }
+    rendition.shape(geometry, std::move(slots));
+    return std::nullopt;
+}
+
+auto Session::serve(const ipc::RenditionCreate& call) -> Reply<ipc::Done> {
+    if (!knownPresentation(call.presentation))
+        return unknownPresentation;
+    if (const auto error = noPicture(call.width, call.height))
+        return *error;
+    if (renditions_.contains(call.rendition))
+        return faulty("there is a rendition of that number already");
+    if (renditions_.size() >= mostRenditions)
+        return notPossible("there are " + std::to_string(mostRenditions) + " renditions already");
+    Rendition rendition;
+    rendition.display = display_;
+    if (const auto sentence = shape(rendition, call))
+        return faulty(*sentence);
+    renditions_.emplace(call.rendition, std::move(rendition));
+    return ipc::Done{};
+}
+
+auto Session::serve(const ipc::RenditionResize& call) -> Reply<ipc::Done> {
+    const auto found = renditions_.find(call.rendition);
+    if (found == renditions_.end())
+        return unknownRendition;
+    if (const auto error = noPicture(call.width, call.height))
+        return *error;
+    if (const auto sentence = shape(found->second, call))
+        return faulty(*sentence);
+    return ipc::Done{};
+}
+
+auto Session::serve(const ipc::RenditionDestroy& call) -> Reply<ipc::Done> {
+    if (renditions_.erase(call.rendition) == 0)
+        return unknownRendition;
+    return ipc::Done{};
+}
+
+void Session::serve(const ipc::Id& id, const ipc::RenditionSnapshot& call) {
+    if (!knownPresentation(call.presentation))
+        return channel_.refuse(id, unknownPresentation);
+    if (waiting_.size() >= mostWaiting)
+        return channel_.refuse(id, notPossible("too many requests wait for the motion"));
+    const double time = call.time.value_or(subdocument_.playback.time(now_));
+    waiting_.push_back({[this, time](Instant now) { return knownAt(time, now); },
+                        [this, id, call] { reply(id, take(call)); }});
+}
+
+auto Session::take(const ipc::RenditionSnapshot& call) -> Reply<ipc::Taken> {
+    if (const auto error = noPicture(call.width, call.height))
+        return *error;
+    const ScenePointer scene = subdocument_.scene();
+    if (!scene) {
+        const auto faults = subdocument_.diagnostics();
+        return notPossible(faults.empty() ? "no scene was loaded" : faults.front().message);
+    }
+    const auto& span = subdocument_.playback.span();
+    render::Drawing drawing;
+    drawing.scene = scene.get();
+    drawing.motion = subdocument_.motion();
+    drawing.time =
+        std::clamp(call.time.value_or(shownTime_), span.start, std::max(span.start, span.computed));
+    render::Image image;
+    image.size = {static_cast<int>(call.width), static_cast<int>(call.height)};
+    const auto seen = call.rendition ? renditions_.find(*call.rendition) : renditions_.end();
+    if (seen != renditions_.end()) {
+        seen->second.see(*scene, subdocument_.motion(), subdocument_.viewGeneration());
+        drawing.camera = seen->second.camera(drawing.time);
+        drawing.display = seen->second.display;
+    } else {
+        drawing.camera =
+            render::cameraOf(*scene, subdocument_.motion(), "", drawing.time, image.size);
+        drawing.display = display_;
+    }
+    drawing.display.samples = 8;
+    ipc::Taken taken{drawing.time, std::nullopt};
+    std::shared_ptr<const MappedSlot> slot;
+    std::vector<std::byte> own;
+    if (memory_ && call.offset && call.stride) {
+        auto mapped = memory_->map({*call.offset, *call.stride}, call.width, call.height);
+        if (const auto* sentence = std::get_if<std::string>(&mapped))
+            return faulty(*sentence);
+        slot = std::get<std::shared_ptr<const MappedSlot>>(mapped);
+        image.pixels = slot->pixels();
+        image.stride = static_cast<std::size_t>(*call.stride);
+    } else {
+        image.stride = static_cast<std::size_t>(4 * call.width);
+        own.resize(image.stride * static_cast<std::size_t>(call.height));
+        image.pixels = own;
+    }
+    if (!platform_.draw(drawing, image))
+        return notPossible("the graphics driver lost its state");
+    if (!slot)
+        taken.pixels = ipc::toBase64(own);
+    return taken;
+}
+
+void Session::hear(const ipc::RenditionShow& call) {
+    if (const auto found = renditions_.find(call.rendition); found != renditions_.end())
+        found->second.visible = true;
+}
+
+void Session::hear(const ipc::RenditionHide& call) {
+    if (const auto found = renditions_.find(call.rendition); found != renditions_.end())
+        found->second.visible = false;
+}
+
+void Session::hear(const ipc::RenditionAck& call) {
+    if (const auto found = renditions_.find(call.rendition); found != renditions_.end())
+        found->second.acknowledge(call.serial);
+}
+
+void Session::hear(const ipc::RenditionInput& call) {
+    if (call.type == ipc::InputType::keyPress || call.type == ipc::InputType::keyRelease) {
+        const bool press = call.type == ipc::InputType::keyPress;
+        if (!call.modifiers.empty() || !(press ? key(call.key) : usesKey(call.key)))
+            channel_.notify(ipc::RenditionUnhandled{call});
+        return;
+    }
+    const auto found = renditions_.find(call.rendition);
+    if (found == renditions_.end())
+        return;
+    Rendition& rendition = found->second;
+    const bool before = rendition.beingTurned();
+    if (rendition.input(call, subdocument_.playback.time(now_)))
+        calmAt_ = now_ + settling;
+    if (rendition.beingTurned() != before)
+        channel_.notify(ipc::RenditionCursor{call.rendition, before ? ipc::CursorShape::arrow
+                                                                    : ipc::CursorShape::grabbing});
+}
+
+// --- time -------------------------------------------------------------------------------------
+
+bool Session::usesKey(const std::string& name) {
+    constexpr std::array used{" ",         "ArrowLeft", "ArrowRight", "ArrowUp",
+                              "ArrowDown", "Home",      "End"};
+    return std::ranges::find(used, name) != used.end();
+}
+
+bool Session::key(const std::string& name) {
+    Playback& playback = subdocument_.playback;
+    if (name == " ")
+        playback.playing() ? playback.pause(now_) : playback.play(now_);
+    else if (name == "ArrowLeft" || name == "ArrowRight")
+        step(name == "ArrowLeft" ? -1 : 1);
+    else if (name == "ArrowDown" || name == "ArrowUp")
+        step(name == "ArrowDown" ? -10 : 10);
+    else if (name == "Home" || name == "End")
+        playback.seek(name == "Home" ? playback.span().start : playback.span().finish, now_);
+    return usesKey(name);
+}
+
+void Session::step(double pictures) {
+    Playback& playback = subdocument_.playback;
+    playback.pause(now_);
+    playback.seek(playback.time(now_) + pictures * playback.rate() / picturesPerSecond, now_);
+}
+
+void Session::stop() {
+    subdocument_.playback.pause(now_);
+    subdocument_.playback.seek(subdocument_.playback.span().start, now_);
+}
+
+auto Session::serve(const ipc::TimePlay&) -> Reply<ipc::Done> {
+    subdocument_.playback.play(now_);
+    return ipc::Done{};
+}
+
+auto Session::serve(const ipc::TimePause&) -> Reply<ipc::Done> {
+    subdocument_.playback.pause(now_);
+    return ipc::Done{};
+}
+
+auto Session::serve(const ipc::TimeSeek& call) -> Reply<ipc::Done> {
+    subdocument_.playback.seek(call.time, now_);
+    calmAt_ = now_ + settling;
+    return ipc::Done{};
+}
+
+auto Session::serve(const ipc::TimeRate& call) -> Reply<ipc::Done> {
+    subdocument_.playback.setRate(call.rate, call.loop, now_);
+    return ipc::Done{};
+}
+
+// --- menus ------------------------------------------------------------------------------------
+
+std::vector<Rendition*> Session::targets(std::optional<ipc::Integer> rendition) {
+    std::vector<Rendition*> all, visible;
+    for (auto& [id, candidate] : renditions_) {
+        if (rendition == id)
+            return {&candidate};
+        all.push_back(&candidate);
+        if (candidate.visible)
+            visible.push_back(&candidate);
+    }
+    return visible.empty() ? all : visible;
+}
+
+auto Session::serve(const ipc::MenuInvoke& call) -> Reply<ipc::Done> {
+    Playback& playback = subdocument_.playback;
+    if (const auto rate = rateOf(call.id)) {
+        playback.setRate(*rate, playback.loops(), now_);
+    } else if (bool render::Display::*value = displaySwitch(call.id)) {
+        const bool on = !(menuNow().display.*value);
+        for (Rendition* rendition : targets(call.rendition))
+            rendition->display.*value = on;
+        if (!call.rendition || renditions_.size() <= 1)
+            display_.*value = on;
+    } else if (call.id == "play") {
+        playback.play(now_);
+    } else if (call.id == "pause") {
+        playback.pause(now_);
+    } else if (call.id == "stop") {
+        stop();
+    } else if (call.id == "step") {
+        step(1);
+    } else if (call.id == "loop") {
+        playback.setRate(playback.rate(), !playback.loops(), now_);
+    } else if (call.id == "reset-view") {
+        for (Rendition* rendition : targets(call.rendition))
+            rendition->follow("");
+    } else if (call.id == "recompute") {
+        subdocument_.recompute(now_);
+    } else if (call.id == "open-graphical-viewer" || call.id == "open-language-viewer") {
+        if (!platform_.openViewer)
+            return notPossible("windows are opened by a process in mode \"edit\"");
+        platform_.openViewer(call.id);
+    } else {
+        return faulty("there is no menu entry \"" + call.id + "\"");
+    }
+    return ipc::Done{};
+}
+
+// --- parameters and values --------------------------------------------------------------------
+
+auto Session::serve(const ipc::ParameterList&) -> Reply<ipc::Parameters> {
+    ipc::Parameters list;
+    for (const scene::Parameter& parameter : drawnScene().parameters) {
+        const auto set = subdocument_.parameters().find(parameter.name);
+        const double value = set == subdocument_.parameters().end() ? parameter.value : set->second;
+        list.items.push_back({parameter.name, value, parameter.minimum, parameter.maximum,
+                              parameter.label, parameter.unit});
+    }
+    return list;
+}
+
+void Session::hear(const ipc::ParameterSet& call) {
+    subdocument_.setParameter(call.name, call.value, now_);
+}
+
+void Session::serve(const ipc::Id& id, const ipc::ValueRead& call) {
+    if (waiting_.size() >= mostWaiting)
+        return channel_.refuse(id, notPossible("too many requests wait for the motion"));
+    const double time = call.time.value_or(subdocument_.playback.time(now_));
+    waiting_.push_back({[this, time](Instant now) { return knownAt(time, now); },
+                        [this, id, call] {
+                            auto read = values(call.expressions, call.time);
+                            if (const auto* error = std::get_if<ipc::Error>(&read))
+                                channel_.refuse(id, *error);
+                            else
+                                channel_.answer(id,
+                                                ipc::Values{std::get<std::vector<double>>(read)});
+                        }});
+}
+
+auto Session::serve(const ipc::ValueSubscribe& call) -> Reply<ipc::Done> {
+    if (subscriptions_.size() >= mostSubscriptions)
+        return notPossible("there are " + std::to_string(mostSubscriptions) +
+                           " subscriptions already");
+    subscriptions_[call.id] = Subscription{call.expressions, std::nullopt, nullptr, std::nullopt};
+    return ipc::Done{};
+}
+
+auto Session::serve(const ipc::ValueUnsubscribe& call) -> Reply<ipc::Done> {
+    subscriptions_.erase(call.id);
+    return ipc::Done{};
+}
+
+auto Session::serve(const ipc::ScriptEvaluate& call) -> Reply<ipc::Evaluated> {
+    return evaluate(call.script);
+}
+
+} // namespace session

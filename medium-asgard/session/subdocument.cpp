@@ -1,0 +1,205 @@
+#include "session/subdocument.h"
+
+#include <algorithm>
+
+namespace session {
+namespace {
+
+// How long the old scene may stay while the motion of the new one is behind the time shown.
+constexpr std::chrono::milliseconds longestWait{250};
+
+ipc::DiagnosticItem itemOf(const scene::Diagnostic& diagnostic) {
+    ipc::DiagnosticItem item;
+    item.severity = diagnostic.severity == scene::Severity::error ? ipc::Severity::error
+                                                                  : ipc::Severity::warning;
+    item.line = diagnostic.line;
+    item.column = diagnostic.column;
+    item.endLine = diagnostic.endLine;
+    item.endColumn = diagnostic.endColumn;
+    item.message = diagnostic.message;
+    if (!diagnostic.suggestion.empty())
+        item.message += " - " + diagnostic.suggestion;
+    return item;
+}
+
+ipc::DiagnosticItem sentenceAt(const scene::Source* source, ipc::Severity severity,
+                               std::string sentence) {
+    ipc::DiagnosticItem item;
+    item.severity = severity;
+    item.message = std::move(sentence);
+    if (source && source->line > 0) {
+        item.line = item.endLine = source->line;
+        item.column = source->column;
+        item.endColumn = source->column + 1;
+    }
+    return item;
+}
+
+// Bodies stop together: one sentence for each reason, at the first of them.
+void addStops(const scene::Scene& scene, const simulation::Motion& motion,
+              std::vector<ipc::DiagnosticItem>& items) {
+    std::vector<std::string> said;
+    for (std::size_t body = 0; body < std::min(motion.bodies(), scene.bodies.size()); ++body) {
+        const auto stop = motion.stop(body);
+        if (!stop || std::ranges::find(said, stop->sentence) != said.end())
+            continue;
+        said.push_back(stop->sentence);
+        items.push_back(
+            sentenceAt(&scene.bodies[body].source, ipc::Severity::error, stop->sentence));
+    }
+}
+
+bool anyStop(const simulation::Motion& motion) {
+    for (std::size_t body = 0; body < motion.bodies(); ++body)
+        if (motion.stop(body))
+            return true;
+    return false;
+}
+
+} // namespace
+
+void Subdocument::load(std::string text, ipc::Integer revision, Instant now) {
+    text_ = std::move(text);
+    revision_ = revision;
+    start(now);
+}
+
+std::optional<std::string> Subdocument::edit(const std::vector<ipc::TextEdit>& edits,
+                                             ipc::Integer revision, Instant now) {
+    if (revision <= revision_)
+        return "the edit makes revision " + std::to_string(revision) + ", this is " +
+               std::to_string(revision_) + " already";
+    std::string text;
+    std::size_t at = 0;
+    for (const ipc::TextEdit& edit : edits) {
+        const auto from = static_cast<std::size_t>(edit.from);
+        const auto to = static_cast<std::size_t>(edit.to);
+        if (from < at || to < from || to > text_.size())
+            return "an edit lies outside the text or over another";
+        text.append(text_, at, from - at);
+        text += edit.text;
+        at = to;
+    }
+    text.append(text_, at);
+    load(std::move(text), revision, now);
+    return std::nullopt;
+}
+
+bool Subdocument::setParameter(const std::string& name, double value, Instant now) {
+    const ScenePointer& scene = awaited_.scene ? awaited_.scene : shown_.scene;
+    if (!scene)
+        return false;
+    const auto found = std::ranges::find(scene->parameters, name, &scene::Parameter::name);
+    if (found == scene->parameters.end())
+        return false;
+    parameters_[name] =
+        std::clamp(value, found->minimum.value_or(value),
+                   std::max(found->maximum.value_or(value), found->minimum.value_or(value)));
+    start(now);
+    return true;
+}
+
+void Subdocument::recompute(Instant now) { start(now); }
+
+void Subdocument::start(Instant now) {
+    worker_.start(text_, parameters_);
+    started_ = now;
+    read_.reset();
+    awaited_ = {};
+    refusal_.clear();
+    cancelled_ = false;
+}
+
+std::optional<Instant> Subdocument::deadline() const {
+    if (awaited_.scene && read_)
+        return *read_ + longestWait;
+    return std::nullopt;
+}
+
+Changes Subdocument::update(Instant now) {
+    Changes changes;
+    News news = worker_.collect();
+    if (news.diagnostics) {
+        read_ = now;
+        faults_ = std::move(*news.diagnostics);
+        faulty_ = !news.scene;
+        awaited_.scene = std::move(news.scene);
+        changes.diagnostics = true;
+    }
+    if (news.motion) {
+        generation_ += !awaited_.scene && !shown_.motion ? 1 : 0;
+        (awaited_.scene ? awaited_ : shown_).motion = std::move(news.motion);
+        changes.motion = true;
+    }
+    if (news.refusal) {
+        refusal_ = std::move(*news.refusal);
+        cancelled_ = news.cancelled;
+        faulty_ = faulty_ || !refusal_.empty();
+        changes.ended = changes.diagnostics = true;
+        if (!refusal_.empty())
+            awaited_ = {};
+    }
+    if (awaited_.scene && takeOverNow(now)) {
+        takeOver(now);
+        changes.scene = changes.motion = true;
+    }
+    if (changes.ended && changes.motion) { // whole, and no draft: the picture frames all of it
+        ++viewGeneration_;
+        ++generation_;
+    }
+    if (changes.motion && !shown_.motion)
+        changes.motion = false;
+    if (changes.motion)
+        playback.setSpan(
+            {shown_.motion->start(), shown_.motion->finish(), shown_.motion->computed()}, now);
+    return changes;
+}
+
+bool Subdocument::takeOverNow(Instant now) const {
+    if (!worker_.busy() || !read_ || now >= *read_ + longestWait)
+        return true;
+    return awaited_.motion && shown_.motion && awaited_.motion->computed() >= playback.time(now);
+}
+
+void Subdocument::takeOver(Instant now) {
+    shown_ = std::exchange(awaited_, {});
+    ++generation_;
+    ++viewGeneration_;
+    if (!shown_.motion) {
+        const scene::Simulator& simulator = shown_.scene->simulator;
+        playback.setSpan(
+            {simulator.start, std::max(simulator.start, simulator.finish), simulator.start}, now);
+    }
+}
+
+std::optional<double> Subdocument::knownUntil() const {
+    if (awaited_.scene || !read_ || faulty_ || !shown_.motion)
+        return std::nullopt;
+    return shown_.motion->computed();
+}
+
+ipc::MotionState Subdocument::state() const {
+    if (worker_.busy())
+        return ipc::MotionState::computing;
+    if (faulty_)
+        return shown_.scene ? ipc::MotionState::stale : ipc::MotionState::failed;
+    if (!shown_.motion || cancelled_ || anyStop(*shown_.motion))
+        return ipc::MotionState::failed;
+    return shown_.motion->draft() ? ipc::MotionState::draft : ipc::MotionState::current;
+}
+
+std::vector<ipc::DiagnosticItem> Subdocument::diagnostics() const {
+    std::vector<ipc::DiagnosticItem> items;
+    for (const scene::Diagnostic& fault : faults_)
+        items.push_back(itemOf(fault));
+    for (const std::string& sentence : refusal_)
+        items.push_back(sentenceAt(nullptr, ipc::Severity::error, sentence));
+    if (faulty_ || !shown_.motion || worker_.busy())
+        return items;
+    addStops(*shown_.scene, *shown_.motion, items);
+    for (const std::string& note : shown_.motion->notes())
+        items.push_back(sentenceAt(nullptr, ipc::Severity::warning, note));
+    return items;
+}
+
+} // namespace session
