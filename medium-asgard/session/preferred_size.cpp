@@ -50,8 +50,9 @@ double aspect(const scene::Scene& scene, const simulation::MotionPointer& motion
             box.extend(pixels + Eigen::Vector2d::Constant(radius));
         }
     }
-    const Eigen::Vector2d extent = box.isEmpty() ? Eigen::Vector2d::Zero() : box.sizes();
-    const double ratio = extent.x() / extent.y();
+    if (box.isEmpty())
+        return usualAspect;
+    const double ratio = box.sizes().x() / box.sizes().y();
     return std::isfinite(ratio) && ratio > 0 ? ratio : usualAspect;
 }
 

@@ -1,0 +1,49 @@
+// The commands of `asgard` that open no window: simulate, check, render (docs/command-line.md).
+//
+// Each takes its arguments as they were written and returns the exit code: 0, 1 when the work
+// failed, 2 when it was asked for wrongly. Sentences go to standard error, results to standard
+// output or a file; nothing is written when the request is refused.
+#pragma once
+
+#include "script/reader.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace batch {
+
+inline constexpr int success = 0, failure = 1, wrongUsage = 2;
+
+struct SimulateArguments {
+    std::string scene;
+    std::string csv = "-";
+    std::optional<std::string> at, times, quantities;
+    bool only = false;
+    std::optional<double> accuracy, finish;
+    std::string method;
+    std::optional<double> fixedStep;
+    bool whole = false, noEvents = false;
+    int threads = 1;
+    std::vector<std::string> set;
+    std::optional<std::string> stats;
+};
+
+struct CheckArguments {
+    std::string scene;
+};
+
+struct RenderArguments {
+    std::string scene;
+    std::optional<double> time, from, to, fps;
+    std::string size = "640x480";
+    std::string view;
+    bool wireframe = false;
+    std::string output;
+};
+
+[[nodiscard]] int simulateCommand(script::Reader& reader, const SimulateArguments& arguments);
+[[nodiscard]] int checkCommand(script::Reader& reader, const CheckArguments& arguments);
+[[nodiscard]] int renderCommand(script::Reader& reader, const RenderArguments& arguments);
+
+} // namespace batch

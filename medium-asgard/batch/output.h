@@ -1,0 +1,28 @@
+// Where batch commands write: a file, or standard output for "-".
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+namespace batch {
+
+class Output {
+public:
+    // Opens the file for writing; good() says whether that went well.
+    explicit Output(const std::string& file);
+    ~Output();
+    Output(const Output&) = delete;
+    Output& operator=(const Output&) = delete;
+
+    [[nodiscard]] bool good() const { return stream_ != nullptr; }
+    [[nodiscard]] std::FILE* stream() const { return stream_; }
+    // Everything has arrived; false with a sentence on standard error otherwise.
+    [[nodiscard]] bool finish(bool written);
+
+private:
+    std::string name_;
+    std::FILE* stream_;
+};
+
+} // namespace batch

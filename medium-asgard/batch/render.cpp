@@ -1,0 +1,165 @@
+#include "batch/command.h"
+#include "batch/input.h"
+#include "batch/picture_file.h"
+#include "render/view.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+namespace batch {
+namespace {
+
+struct Target {
+    PictureFormat format = PictureFormat::png;
+    bool folder = false; // numbered pictures
+};
+
+int refuse(const std::string& sentence, int exitCode) {
+    const bool line = sentence.ends_with('\n');
+    std::fprintf(stderr, line ? "%s" : "asgard: %s\n", sentence.c_str());
+    return exitCode;
+}
+
+std::variant<Target, Refusal> targetOf(const std::string& output) {
+    std::error_code ignored;
+    if (output.ends_with('/') || std::filesystem::is_directory(output, ignored))
+        return Target{PictureFormat::png, true};
+    const std::string extension = std::filesystem::path(output).extension();
+    if (extension == ".png")
+        return Target{PictureFormat::png, false};
+    if (extension == ".ppm")
+        return Target{PictureFormat::ppm, false};
+    return Refusal{wrongUsage,
+                   "this version writes .png, .ppm and numbered pictures into DIR/, not \"" +
+                       output + "\""};
+}
+
+std::optional<render::Size> sizeOf(const std::string& written) {
+    render::Size size;
+    const char* end = written.data() + written.size();
+    const auto width = std::from_chars(written.data(), end, size.width);
+    if (width.ec != std::errc{} || width.ptr == end || *width.ptr != 'x')
+        return std::nullopt;
+    const auto height = std::from_chars(width.ptr + 1, end, size.height);
+    if (height.ec != std::errc{} || height.ptr != end || size.width < 1 || size.height < 1)
+        return std::nullopt;
+    return size;
+}
+
+// The times of the pictures: one, or those of a film.
+std::variant<std::vector<double>, Refusal> timesOf(const RenderArguments& arguments, bool folder,
+                                                   double start, double finish) {
+    const bool film = arguments.from || arguments.to || arguments.fps;
+    if (film && arguments.time)
+        return Refusal{wrongUsage, "--time excludes --from, --to and --fps"};
+    if (film && !folder)
+        return Refusal{wrongUsage, "--from, --to and --fps want a folder: --output DIR/"};
+    std::vector<double> times{arguments.time.value_or(start)};
+    if (folder && !arguments.time) {
+        const double from = arguments.from.value_or(start), to = arguments.to.value_or(finish);
+        const double rate = arguments.fps.value_or(25);
+        if (!(rate > 0 && rate <= 1000) || !(to >= from) || (to - from) * rate > 99'999)
+            return Refusal{wrongUsage, "--from, --to and --fps want 1 to 99999 pictures"};
+        times.clear();
+        for (int i = 0; i <= static_cast<int>((to - from) * rate + 1e-9); ++i)
+            times.push_back(std::min(from + i / rate, to));
+    }
+    for (const double time : times)
+        if (!(time >= start && time <= finish)) {
+            char text[120];
+            std::snprintf(text, sizeof text, "time %g lies outside the motion, %g to %g", time,
+                          start, finish);
+            return Refusal{failure, text};
+        }
+    return times;
+}
+
+std::string fileName(const std::string& output, bool folder, std::size_t index) {
+    if (!folder)
+        return output;
+    char name[32];
+    std::snprintf(name, sizeof name, "%05zu.png", index + 1);
+    return (std::filesystem::path(output) / name).string();
+}
+
+std::optional<std::string> unknownView(const scene::Scene& scene, const std::string& name) {
+    std::string names;
+    for (const scene::View& view : scene.views) {
+        if (view.name == name)
+            return std::nullopt;
+        names += (names.empty() ? "" : " ") + view.name;
+    }
+    return "no view named \"" + name + "\" (views here: " + (names.empty() ? "none" : names) + ")";
+}
+
+int drawAll(const SceneText& scene, const simulation::MotionPointer& motion,
+            const RenderArguments& arguments, Target target, render::Size size,
+            const std::vector<double>& times) {
+    auto created = render::Renderer::create();
+    if (const auto* sentence = std::get_if<std::string>(&created))
+        return refuse(*sentence, failure);
+    render::Renderer& renderer = *std::get<std::unique_ptr<render::Renderer>>(created);
+    if (std::max(size.width, size.height) > renderer.maximumSize())
+        return refuse("pictures are at most " + std::to_string(renderer.maximumSize()) +
+                          " pixels wide and high here",
+                      failure);
+    const render::SceneView view(scene.reading.scene, motion, arguments.view, size);
+    const auto stride = static_cast<std::size_t>(4 * size.width);
+    std::vector<std::byte> pixels(stride * static_cast<std::size_t>(size.height));
+    const render::Image image{pixels, stride, size};
+    render::Drawing drawing{&scene.reading.scene, motion, 0, {}, {}};
+    drawing.display.wireframe = arguments.wireframe;
+    drawing.display.samples = 8;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        drawing.time = times[i];
+        drawing.camera = view.at(times[i]);
+        const std::string file = fileName(arguments.output, target.folder, i);
+        std::string why = "the graphics driver lost its state";
+        if (!renderer.draw(drawing, image) || !writePicture(file, target.format, image, why))
+            return refuse(file + ": " + why, failure);
+    }
+    return success;
+}
+
+} // namespace
+
+int renderCommand(script::Reader& reader, const RenderArguments& arguments) {
+    const auto target = targetOf(arguments.output);
+    if (const auto* refusal = std::get_if<Refusal>(&target))
+        return refuse(refusal->message, refusal->exitCode);
+    const auto size = sizeOf(arguments.size);
+    if (!size)
+        return refuse("--size wants WIDTHxHEIGHT in pixels, not \"" + arguments.size + "\"",
+                      wrongUsage);
+    const auto read = readScene(reader, arguments.scene);
+    if (const auto* refusal = std::get_if<Refusal>(&read))
+        return refuse(refusal->message, refusal->exitCode);
+    const auto& scene = std::get<SceneText>(read);
+    if (const auto refusal = unusable(scene))
+        return refuse(refusal->message, refusal->exitCode);
+    if (!arguments.view.empty())
+        if (const auto sentence = unknownView(scene.reading.scene, arguments.view))
+            return refuse(*sentence, failure);
+    const bool folder = std::get<Target>(target).folder;
+    const scene::Simulator& simulator = scene.reading.scene.simulator;
+    const auto times = timesOf(arguments, folder, simulator.start, simulator.finish);
+    if (const auto* refusal = std::get_if<Refusal>(&times))
+        return refuse(refusal->message, refusal->exitCode);
+    const simulation::Result result = simulation::simulate(scene.reading.scene);
+    if (!result.motion) {
+        for (const std::string& sentence : result.refusal)
+            std::fprintf(stderr, "%s: error: %s\n", scene.file.c_str(), sentence.c_str());
+        return failure;
+    }
+    std::error_code error;
+    if (folder && !std::filesystem::is_directory(arguments.output, error) &&
+        !std::filesystem::create_directories(arguments.output, error))
+        return refuse(arguments.output + ": " + error.message(), failure);
+    return drawAll(scene, result.motion, arguments, std::get<Target>(target), *size,
+                   std::get<std::vector<double>>(times));
+}
+
+} // namespace batch

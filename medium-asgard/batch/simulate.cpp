@@ -1,0 +1,160 @@
+#include "batch/command.h"
+#include "batch/input.h"
+#include "batch/output.h"
+#include "batch/statistics.h"
+#include "batch/table.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace batch {
+namespace {
+
+int refuse(const Refusal& refusal) {
+    const bool line = refusal.message.ends_with('\n');
+    std::fprintf(stderr, line ? "%s" : "asgard: %s\n", refusal.message.c_str());
+    return refusal.exitCode;
+}
+
+std::optional<Refusal> wrongNumbers(const SimulateArguments& arguments) {
+    const auto positive = [](const std::optional<double>& value) {
+        return !value || (std::isfinite(*value) && *value > 0);
+    };
+    if (!positive(arguments.accuracy))
+        return Refusal{wrongUsage, "--accuracy wants a positive number"};
+    if (!positive(arguments.fixedStep))
+        return Refusal{wrongUsage, "--fixed-step wants a positive number"};
+    if (arguments.finish && !std::isfinite(*arguments.finish))
+        return Refusal{wrongUsage, "--finish wants a number"};
+    if (arguments.threads < 1)
+        return Refusal{wrongUsage, "--threads wants at least 1"};
+    if (arguments.only && !arguments.quantities)
+        return Refusal{wrongUsage, "--only wants --quantities"};
+    if (arguments.at && arguments.times)
+        return Refusal{wrongUsage, "--at and --times exclude each other"};
+    return std::nullopt;
+}
+
+std::variant<std::vector<double>, Refusal> timesOf(const SimulateArguments& arguments, double start,
+                                                   double finish) {
+    std::variant<std::vector<double>, Refusal> times = usualTimes(start, finish);
+    if (arguments.at)
+        times = timesAt(*arguments.at);
+    if (arguments.times) {
+        const auto content = contentOf(*arguments.times);
+        if (const auto* refusal = std::get_if<Refusal>(&content))
+            return *refusal;
+        times = timesIn(std::get<std::string>(content), *arguments.times);
+    }
+    if (const auto* list = std::get_if<std::vector<double>>(&times))
+        for (const double time : *list)
+            if (time < start || time > finish)
+                return Refusal{failure, "time " + cell(time) + " lies outside the motion, " +
+                                            cell(start) + " to " + cell(finish)};
+    return times;
+}
+
+simulation::Options optionsOf(const SimulateArguments& arguments,
+                              std::map<std::string, double> parameters) {
+    simulation::Options options;
+    options.accuracy = arguments.accuracy;
+    options.finish = arguments.finish;
+    options.method = arguments.method;
+    options.fixedStep = arguments.fixedStep;
+    options.whole = arguments.whole;
+    options.eventDriven = !arguments.noEvents;
+    options.threads = arguments.threads;
+    options.parameters = std::move(parameters);
+    return options;
+}
+
+// Each reason once. True when there is one.
+bool tellStops(const SceneText& scene, const simulation::Motion& motion) {
+    std::vector<std::string> said;
+    for (std::size_t body = 0; body < motion.bodies(); ++body) {
+        const auto stop = motion.stop(body);
+        if (!stop || std::ranges::find(said, stop->sentence) != said.end())
+            continue;
+        said.push_back(stop->sentence);
+        std::fprintf(stderr, "%s: error: %s\n", scene.file.c_str(), stop->sentence.c_str());
+    }
+    return !said.empty();
+}
+
+bool writeStatistics(const std::string& file, const simulation::Statistics& statistics,
+                     double secondsReading) {
+    Output output(file);
+    if (!output.good())
+        return false;
+    const std::string json = statisticsJson(statistics, secondsReading);
+    return output.finish(std::fwrite(json.data(), 1, json.size(), output.stream()) == json.size());
+}
+
+// The scene is good, the times are good: compute and write.
+int compute(const SceneText& scene, const SimulateArguments& arguments,
+            const simulation::Options& options, const std::vector<double>& times,
+            double secondsReading) {
+    const simulation::Result result = simulation::simulate(scene.reading.scene, options);
+    if (!result.motion) {
+        std::string all;
+        for (const std::string& sentence : result.refusal)
+            all += scene.file + ": error: " + sentence + "\n";
+        return refuse({failure, all});
+    }
+    Columns columns{!arguments.only, {}};
+    if (arguments.quantities)
+        columns.quantities = quantitiesIn(*arguments.quantities);
+    std::vector<std::string> faults;
+    const simulation::Quantities quantities(scene.reading.scene, options, result.motion,
+                                            columns.quantities, faults);
+    if (!faults.empty()) {
+        std::string all;
+        for (const std::string& fault : faults)
+            all += "asgard: --quantities: " + fault + "\n";
+        return refuse({failure, all});
+    }
+    for (const std::string& note : result.motion->notes())
+        std::fprintf(stderr, "%s: warning: %s\n", scene.file.c_str(), note.c_str());
+    const bool stopped = tellStops(scene, *result.motion);
+    Output output(arguments.csv);
+    if (!output.good() || !output.finish(writeTable(output.stream(), scene.reading.scene,
+                                                    *result.motion, quantities, columns, times)))
+        return failure;
+    if (arguments.stats && !writeStatistics(*arguments.stats, result.statistics, secondsReading))
+        return failure;
+    return stopped || result.motion->computed() < result.motion->finish() ? failure : success;
+}
+
+} // namespace
+
+int simulateCommand(script::Reader& reader, const SimulateArguments& arguments) {
+    if (const auto refusal = wrongNumbers(arguments))
+        return refuse(*refusal);
+    const auto parameters = settings(arguments.set);
+    if (const auto* refusal = std::get_if<Refusal>(&parameters))
+        return refuse(*refusal);
+    const auto& values = std::get<std::map<std::string, double>>(parameters);
+    const auto begin = std::chrono::steady_clock::now();
+    const auto read = readScene(reader, arguments.scene, values);
+    const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - begin;
+    if (const auto* refusal = std::get_if<Refusal>(&read))
+        return refuse(*refusal);
+    const auto& scene = std::get<SceneText>(read);
+    if (const auto refusal = unusable(scene))
+        return refuse(*refusal);
+    if (const auto refusal = outOfBounds(scene.reading.scene, values))
+        return refuse(*refusal);
+    const scene::Simulator& simulator = scene.reading.scene.simulator;
+    const double finish = arguments.finish.value_or(simulator.finish);
+    if (finish < simulator.start)
+        return refuse({failure, "the motion would finish at " + cell(finish) +
+                                    ", before it starts at " + cell(simulator.start)});
+    const auto times = timesOf(arguments, simulator.start, finish);
+    if (const auto* refusal = std::get_if<Refusal>(&times))
+        return refuse(*refusal);
+    return compute(scene, arguments, optionsOf(arguments, values),
+                   std::get<std::vector<double>>(times), reading.count());
+}
+
+} // namespace batch

@@ -1,0 +1,106 @@
+// asgard: the animation medium. Serves a document host, opens its stand-alone editor, or works
+// without a window on one scene (docs/command-line.md).
+#include "batch/command.h"
+#include "medium_process.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+
+namespace {
+
+constexpr const char* summary =
+    "Asgard computes and shows the motion of bodies in space as their equations say.\n"
+    "A scene is a text in the language of docs/scene-language.md.";
+
+int notInThisVersion(const std::string& what) {
+    std::cerr << "asgard: this version does not have " << what << "\n";
+    return batch::wrongUsage;
+}
+
+void addSimulate(CLI::App& app, batch::SimulateArguments& a) {
+    CLI::App& c =
+        *app.add_subcommand("simulate", "Compute the motion of a scene and write it as a table");
+    c.add_option("SCENE", a.scene, "the scene's file, - for standard input")->required();
+    c.add_option("--csv", a.csv, "file of the table, - for standard output");
+    c.add_option("--at", a.at, "times T0:DT:T1");
+    c.add_option("--times", a.times, "file with times");
+    c.add_option("--quantities", a.quantities, "expressions to add, with commas between them");
+    c.add_flag("--only", a.only, "write t and the quantities only");
+    c.add_option("--accuracy", a.accuracy, "largest position error over the size of the scene");
+    c.add_option("--finish", a.finish, "when the motion ends");
+    CLI::Option* method = c.add_option("--method", a.method, "integration method instead of auto");
+    c.add_option("--fixed-step", a.fixedStep, "steps of exactly this length")->needs(method);
+    c.add_flag("--whole", a.whole, "solve the scene as one component");
+    c.add_flag("--no-events", a.noEvents, "finish each component before the next");
+    c.add_option("--threads", a.threads, "how many components are computed at a time");
+    c.add_option("--set", a.set, "NAME=VALUE of a parameter")->take_all()->allow_extra_args(false);
+    c.add_option("--stats", a.stats, "file for the work done, as JSON");
+}
+
+void addRender(CLI::App& app, batch::RenderArguments& a) {
+    CLI::App& c = *app.add_subcommand("render", "Draw a scene into picture files");
+    c.add_option("SCENE", a.scene, "the scene's file, - for standard input")->required();
+    c.add_option("--time", a.time, "when, instead of at the start");
+    c.add_option("--from", a.from, "first time of numbered pictures");
+    c.add_option("--to", a.to, "last time of numbered pictures");
+    c.add_option("--fps", a.fps, "pictures per second (25)");
+    c.add_option("--size", a.size, "WIDTHxHEIGHT in pixels (640x480)");
+    c.add_option("--view", a.view, "name of the scene's view, instead of its first");
+    c.add_flag("--wireframe", a.wireframe, "edges instead of faces");
+    c.add_option("--output", a.output, "FRAME.png, FRAME.ppm or DIR/")->required();
+}
+
+// Named in the contract, part of a later version: whatever follows them is taken and not looked at.
+CLI::App* addLater(CLI::App& app, const std::string& name, const std::string& what) {
+    CLI::App* c = app.add_subcommand(name, what + " (not in this version)");
+    c->allow_extras();
+    return c;
+}
+
+int run(int argc, char** argv, script::Reader& reader) {
+    CLI::App app(summary, "asgard");
+    app.set_version_flag("--version", std::string("asgard ") + ASGARD_VERSION);
+    app.require_subcommand(0, 1);
+    std::string scene;
+    bool medium = false;
+    app.add_flag("--medium", medium, "serve a document host over standard input and output");
+    app.add_option("SCENE", scene, "open this scene in the stand-alone editor");
+    batch::SimulateArguments simulate;
+    batch::CheckArguments check;
+    batch::RenderArguments render;
+    addSimulate(app, simulate);
+    app.add_subcommand("check", "Tell every fault of a scene")
+        ->add_option("SCENE", check.scene, "the scene's file, - for standard input")
+        ->required();
+    addRender(app, render);
+    const CLI::App* later[] = {addLater(app, "explain", "Tell what is modelled and why"),
+                               addLater(app, "study", "Compare methods and accuracies"),
+                               addLater(app, "export", "Write a scene for other programs")};
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? batch::success : batch::wrongUsage;
+    }
+    for (const CLI::App* command : later)
+        if (*command)
+            return notInThisVersion("\"asgard " + command->get_name() + "\"");
+    if (app.got_subcommand("simulate"))
+        return batch::simulateCommand(reader, simulate);
+    if (app.got_subcommand("check"))
+        return batch::checkCommand(reader, check);
+    if (app.got_subcommand("render"))
+        return batch::renderCommand(reader, render);
+    if (medium)
+        return asgard::serveAsMedium(reader);
+    return notInThisVersion("the stand-alone editor");
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    asgard::dieWithTheHost(argc, argv);
+    // Before anything else: what it forks must not have seen a scene, a thread or a driver.
+    script::Reader reader;
+    return run(argc, argv, reader);
+}

@@ -1,0 +1,78 @@
+#include "medium_process.h"
+
+#include "confinement/confinement.h"
+#include "session/serve.h"
+
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <string_view>
+
+#include <unistd.h>
+
+namespace asgard {
+namespace {
+
+// Room for a large scene and large frames; a run that wants more ends, not the machine.
+constexpr std::size_t mostMemory = std::size_t{4} << 30;
+constexpr std::size_t mostDescriptors = 64;
+
+// The driver opens files and starts threads with the first picture, which it cannot later on.
+void drawOnce(render::Renderer& renderer) {
+    const scene::Scene nothing;
+    std::array<std::byte, 4 * 16 * 16> pixels;
+    render::Drawing drawing;
+    drawing.scene = &nothing;
+    if (!renderer.draw(drawing, {pixels, 4 * 16, {16, 16}}))
+        std::fprintf(stderr, "asgard: the graphics driver could not draw\n");
+}
+
+void confine(ipc::Mode mode) {
+    if (mode == ipc::Mode::edit)
+        return;
+    const confinement::Limits limits{mostMemory, std::nullopt, mostDescriptors};
+    const auto report = confinement::confine(confinement::Role::player, limits);
+    if (!report.missing.empty())
+        std::fprintf(stderr, "asgard: not confined by every fence: %s\n", report.missing.c_str());
+}
+
+session::Tools toolsOf(script::Reader& reader) {
+    session::Tools tools;
+    tools.read = [&reader](const std::string& text, const session::ParameterValues& parameters) {
+        return reader.read(text, parameters);
+    };
+    tools.cancelReading = [&reader] { reader.cancel(); };
+    tools.simulate = simulation::simulate;
+    return tools;
+}
+
+} // namespace
+
+void dieWithTheHost(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i)
+        if (std::string_view(argv[i]) == "--medium")
+            confinement::dieWithParent(getppid());
+}
+
+int serveAsMedium(script::Reader& reader) {
+    std::signal(SIGPIPE, SIG_IGN);
+    session::Platform platform;
+    platform.tools = toolsOf(reader);
+    platform.version = ASGARD_VERSION;
+    platform.confine = confine;
+    auto created = render::Renderer::create();
+    if (const auto* sentence = std::get_if<std::string>(&created)) {
+        platform.noPictures = *sentence;
+        std::fprintf(stderr, "asgard: %s\n", sentence->c_str());
+    } else {
+        auto& renderer = *std::get<std::unique_ptr<render::Renderer>>(created);
+        drawOnce(renderer);
+        platform.maximumSize = renderer.maximumSize();
+        platform.draw = [&renderer](const render::Drawing& drawing, const render::Image& into) {
+            return renderer.draw(drawing, into);
+        };
+    }
+    return session::serve(std::move(platform), STDIN_FILENO, STDOUT_FILENO);
+}
+
+} // namespace asgard
