@@ -1,7 +1,7 @@
 #include "medium_process.h"
 
 #include "confinement/confinement.h"
-#include "session/serve.h"
+#include "service/serve.h"
 
 #include <array>
 #include <csignal>
@@ -36,9 +36,9 @@ void confine(ipc::Mode mode) {
         std::fprintf(stderr, "asgard: not confined by every fence: %s\n", report.missing.c_str());
 }
 
-session::Tools toolsOf(script::Reader& reader) {
-    session::Tools tools;
-    tools.read = [&reader](const std::string& text, const session::ParameterValues& parameters) {
+service::Tools toolsOf(script::Reader& reader) {
+    service::Tools tools;
+    tools.read = [&reader](const std::string& text, const service::ParameterValues& parameters) {
         return reader.read(text, parameters);
     };
     tools.cancelReading = [&reader] { reader.cancel(); };
@@ -56,7 +56,7 @@ void dieWithTheHost(int argc, char** argv) {
 
 int serveAsMedium(script::Reader& reader) {
     std::signal(SIGPIPE, SIG_IGN);
-    session::Platform platform;
+    service::Platform platform;
     platform.tools = toolsOf(reader);
     platform.version = ASGARD_VERSION;
     platform.confine = confine;
@@ -72,7 +72,7 @@ int serveAsMedium(script::Reader& reader) {
             return renderer.draw(drawing, into);
         };
     }
-    return session::serve(std::move(platform), STDIN_FILENO, STDOUT_FILENO);
+    return service::serve(std::move(platform), STDIN_FILENO, STDOUT_FILENO);
 }
 
 } // namespace asgard

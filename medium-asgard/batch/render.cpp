@@ -2,6 +2,7 @@
 #include "batch/input.h"
 #include "batch/picture_file.h"
 #include "render/view.h"
+#include "simulation/simulation.h"
 
 #include <algorithm>
 #include <charconv>

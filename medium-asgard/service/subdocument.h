@@ -9,10 +9,10 @@
 #pragma once
 
 #include "ipc/messages.h"
-#include "session/playback.h"
-#include "session/worker.h"
+#include "service/playback.h"
+#include "service/worker.h"
 
-namespace session {
+namespace service {
 
 struct Changes {
     bool scene = false;       // another scene is shown
@@ -87,4 +87,4 @@ private:
     unsigned generation_ = 0, viewGeneration_ = 0;
 };
 
-} // namespace session
+} // namespace service

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace session {
+namespace service {
 
 // What the menus show.
 struct MenuState {
@@ -25,4 +25,4 @@ inline constexpr std::array rates{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 // The switch of the display that an entry turns over, or null.
 [[nodiscard]] bool render::Display::*displaySwitch(const std::string& id);
 
-} // namespace session
+} // namespace service

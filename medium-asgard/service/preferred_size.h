@@ -5,7 +5,7 @@
 #include "scene/scene.h"
 #include "simulation/motion.h"
 
-namespace session {
+namespace service {
 
 // As wide as the column up to a limit; as high as what is seen needs, between a flat strip and a
 // square. Sizes at scale 1.
@@ -14,4 +14,4 @@ namespace session {
                                                double availableWidth,
                                                std::optional<double> availableHeight);
 
-} // namespace session
+} // namespace service

@@ -1,11 +1,11 @@
-#include "session/worker.h"
+#include "service/worker.h"
 
 #include <algorithm>
 
 #include <sys/eventfd.h>
 #include <unistd.h>
 
-namespace session {
+namespace service {
 
 Worker::Worker(Tools tools)
     : tools_(std::move(tools)), descriptor_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {}
@@ -147,4 +147,4 @@ void Worker::perform(const Job& job, unsigned number) {
     });
 }
 
-} // namespace session
+} // namespace service

@@ -1,8 +1,8 @@
-#include "session/menu.h"
+#include "service/menu.h"
 
 #include <cstdio>
 
-namespace session {
+namespace service {
 namespace {
 
 struct Switch {
@@ -98,4 +98,4 @@ bool render::Display::*displaySwitch(const std::string& id) {
     return nullptr;
 }
 
-} // namespace session
+} // namespace service

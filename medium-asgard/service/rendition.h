@@ -8,13 +8,13 @@
 #include "ipc/messages.h"
 #include "render/renderer.h"
 #include "render/view.h"
-#include "session/frame_memory.h"
-#include "session/playback.h"
+#include "service/frame_memory.h"
+#include "service/playback.h"
 
 #include <array>
 #include <map>
 
-namespace session {
+namespace service {
 
 struct Look {
     unsigned generation = 0; // of the scene and its motion
@@ -77,4 +77,4 @@ private:
     render::CameraControl control_;
 };
 
-} // namespace session
+} // namespace service

@@ -1,10 +1,10 @@
 // The medium's own commands (script/evaluate), as docs/medium-protocol.md lists them.
-#include "session/session.h"
+#include "service/session.h"
 
 #include <charconv>
 #include <cstdio>
 
-namespace session {
+namespace service {
 namespace {
 
 struct Command {
@@ -137,4 +137,4 @@ auto Session::values(const std::vector<std::string>& expressions, std::optional<
     return quantities.at(time.value_or(subdocument_.playback.time(now_)));
 }
 
-} // namespace session
+} // namespace service

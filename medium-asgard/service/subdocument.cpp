@@ -1,8 +1,8 @@
-#include "session/subdocument.h"
+#include "service/subdocument.h"
 
 #include <algorithm>
 
-namespace session {
+namespace service {
 namespace {
 
 // How long the old scene may stay while the motion of the new one is behind the time shown.
@@ -202,4 +202,4 @@ std::vector<ipc::DiagnosticItem> Subdocument::diagnostics() const {
     return items;
 }
 
-} // namespace session
+} // namespace service

@@ -1,4 +1,4 @@
-#include "session/serve.h"
+#include "service/serve.h"
 
 #include <array>
 #include <cerrno>
@@ -8,7 +8,7 @@
 #include <poll.h>
 #include <unistd.h>
 
-namespace session {
+namespace service {
 namespace {
 
 class Loop {
@@ -94,4 +94,4 @@ int serve(Platform platform, int input, int output) {
     return Loop(std::move(platform), input, output).run();
 }
 
-} // namespace session
+} // namespace service

@@ -12,7 +12,7 @@
 #include <string>
 #include <variant>
 
-namespace session {
+namespace service {
 
 // Writable rows of a picture in the host's memory; unmapped when the last user lets go.
 class MappedSlot {
@@ -44,4 +44,4 @@ private:
     ipc::Integer bytes_ = 0;
 };
 
-} // namespace session
+} // namespace service

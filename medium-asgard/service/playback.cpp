@@ -1,9 +1,9 @@
-#include "session/playback.h"
+#include "service/playback.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace session {
+namespace service {
 
 double Playback::wanted(Instant now) const {
     if (!playing_)
@@ -68,4 +68,4 @@ bool Playback::advance(Instant now) {
     return true;
 }
 
-} // namespace session
+} // namespace service

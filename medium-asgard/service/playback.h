@@ -8,7 +8,7 @@
 #include <chrono>
 #include <optional>
 
-namespace session {
+namespace service {
 
 using Clock = std::chrono::steady_clock;
 using Instant = Clock::time_point;
@@ -49,4 +49,4 @@ private:
     Instant since_{};
 };
 
-} // namespace session
+} // namespace service

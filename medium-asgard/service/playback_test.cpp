@@ -1,8 +1,8 @@
-#include "session/playback.h"
+#include "service/playback.h"
 
 #include <gtest/gtest.h>
 
-namespace session {
+namespace service {
 namespace {
 
 using std::chrono::milliseconds;
@@ -74,4 +74,4 @@ TEST(Playback, AnEditThatShortensTheMotionMovesTimeIntoIt) {
 }
 
 } // namespace
-} // namespace session
+} // namespace service

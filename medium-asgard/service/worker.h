@@ -12,7 +12,7 @@
 #include <mutex>
 #include <thread>
 
-namespace session {
+namespace service {
 
 using ScenePointer = std::shared_ptr<const scene::Scene>;
 using ParameterValues = std::map<std::string, double>;
@@ -74,4 +74,4 @@ private:
     bool busy_ = false, cancelled_ = false, ending_ = false;
 };
 
-} // namespace session
+} // namespace service

@@ -1,11 +1,11 @@
-#include "session/preferred_size.h"
+#include "service/preferred_size.h"
 
 #include "render/view.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace session {
+namespace service {
 namespace {
 
 constexpr double widest = 480, narrowest = 120;
@@ -72,4 +72,4 @@ ipc::PreferredSize preferredSize(const scene::Scene* scene, const simulation::Mo
     return {std::round(width), std::round(height)};
 }
 
-} // namespace session
+} // namespace service

@@ -12,11 +12,11 @@
 #pragma once
 
 #include "ipc/channel.h"
-#include "session/menu.h"
-#include "session/rendition.h"
-#include "session/subdocument.h"
+#include "service/menu.h"
+#include "service/rendition.h"
+#include "service/subdocument.h"
 
-namespace session {
+namespace service {
 
 // What a session needs of the process around it.
 struct Platform {
@@ -154,4 +154,4 @@ private:
     Instant nextProgress_{};
 };
 
-} // namespace session
+} // namespace service

@@ -1,11 +1,11 @@
-#include "session/preferred_size.h"
-#include "session/session.h"
+#include "service/preferred_size.h"
+#include "service/session.h"
 
 #include "ipc/base64.h"
 
 #include <algorithm>
 
-namespace session {
+namespace service {
 namespace {
 
 constexpr ipc::Integer protocolVersion = 1;
@@ -393,4 +393,4 @@ auto Session::serve(const ipc::ScriptEvaluate& call) -> Reply<ipc::Evaluated> {
     return evaluate(call.script);
 }
 
-} // namespace session
+} // namespace service

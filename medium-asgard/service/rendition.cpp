@@ -1,8 +1,8 @@
-#include "session/rendition.h"
+#include "service/rendition.h"
 
 #include <algorithm>
 
-namespace session {
+namespace service {
 namespace {
 
 std::optional<render::CameraControl::Button> buttonOf(ipc::Button button) {
@@ -125,4 +125,4 @@ Rendition::Frame Rendition::begin(const Look& look) {
     return frame;
 }
 
-} // namespace session
+} // namespace service

@@ -1,11 +1,11 @@
-#include "session/session.h"
+#include "service/session.h"
 
 #include "ipc/base64.h"
 
 #include <algorithm>
 #include <cstdio>
 
-namespace session {
+namespace service {
 namespace {
 
 using std::chrono::milliseconds;
@@ -299,4 +299,4 @@ bool Session::draw(Rendition& rendition, const Look& look) {
     return true;
 }
 
-} // namespace session
+} // namespace service

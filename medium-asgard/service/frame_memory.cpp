@@ -1,11 +1,11 @@
-#include "session/frame_memory.h"
+#include "service/frame_memory.h"
 
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace session {
+namespace service {
 
 MappedSlot::~MappedSlot() { munmap(mapping_, mapped_); }
 
@@ -45,4 +45,4 @@ FrameMemory::map(const ipc::Slot& slot, ipc::Integer width, ipc::Integer height)
     return std::make_shared<const MappedSlot>(mapping, mapped, pixels);
 }
 
-} // namespace session
+} // namespace service
