@@ -9,7 +9,7 @@ namespace expression {
 namespace {
 
 // What the roots are made of, arguments first. An own stack: expressions may be very deep.
-std::vector<Node> reachable(const Graph &graph, std::span<const Node> roots) {
+std::vector<Node> reachable(const Graph& graph, std::span<const Node> roots) {
     std::unordered_set<std::uint32_t> seen;
     std::vector<Node> pending(roots.begin(), roots.end()), found;
     while (!pending.empty()) {
@@ -28,7 +28,7 @@ std::vector<Node> reachable(const Graph &graph, std::span<const Node> roots) {
 // The chain rule at one node, given the derivatives of its arguments.
 class ChainRule {
 public:
-    explicit ChainRule(Graph &graph) : g_(graph) {}
+    explicit ChainRule(Graph& graph) : g_(graph) {}
 
     // d n, when its arguments a (and b, c) have derivatives da (and db, dc), not all 0.
     Node operator()(Node n, std::span<const Node> d) {
@@ -121,12 +121,12 @@ private:
         return sum;
     }
 
-    Graph &g_;
+    Graph& g_;
 };
 
 } // namespace
 
-Node differentiate(Graph &graph, Node node, Node symbol) {
+Node differentiate(Graph& graph, Node node, Node symbol) {
     const Node zero = graph.constant(0), one = graph.constant(1);
     std::unordered_map<std::uint32_t, Node> derivatives; // absent: 0
     ChainRule chainRule(graph);
@@ -147,8 +147,8 @@ Node differentiate(Graph &graph, Node node, Node symbol) {
     return found == derivatives.end() ? zero : found->second;
 }
 
-Node substitute(Graph &graph, Node node,
-                const std::unordered_map<std::uint32_t, Node> &replacements) {
+Node substitute(Graph& graph, Node node,
+                const std::unordered_map<std::uint32_t, Node>& replacements) {
     std::unordered_map<std::uint32_t, Node> made;
     for (const Node n : reachable(graph, std::span(&node, 1))) {
         const auto replacement = replacements.find(n.index);
@@ -171,7 +171,7 @@ Node substitute(Graph &graph, Node node,
     return made.at(node.index);
 }
 
-std::vector<Node> symbolsOf(const Graph &graph, std::span<const Node> nodes) {
+std::vector<Node> symbolsOf(const Graph& graph, std::span<const Node> nodes) {
     std::vector<Node> found = reachable(graph, nodes);
     std::erase_if(found, [&graph](Node n) { return graph.op(n) != Op::symbol; });
     return found;

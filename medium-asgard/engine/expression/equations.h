@@ -20,7 +20,9 @@ struct Phase {
     double from = -std::numeric_limits<double>::infinity(); // the phase begins at this time
     Node derivative;                                        // d unknown / dt
     std::optional<Node> given; // the value itself, when it is held; derivative is then d given / dt
-    std::optional<Node> jump;  // a new value at `from` of a differential phase (release, reset)
+    // A new value at `from` of a differential phase (release, reset), computed with the values of
+    // all unknowns just before. Without one the unknown goes on from its own last value.
+    std::optional<Node> jump;
 };
 
 struct Unknown {
@@ -28,8 +30,9 @@ struct Unknown {
     Node symbol;
     double initial = 0;
     std::vector<Phase> phases; // ordered by `from`; not empty
-    // How far a unit of this unknown moves a point of its body: 1 for a position, the body's
-    // radius for an attitude. 0: not a position (velocities); controlled relative to its own size.
+    // How far a unit of this unknown moves a point of its body: 1 for a position, twice the
+    // body's radius for an entry of an attitude's quaternion. 0: not a position (velocities);
+    // controlled relative to its own size.
     double lengthPerUnit = 0;
     // Index of the unknown that this one is the derivative of in every phase (v of x), if any.
     std::optional<std::size_t> integralOf;

@@ -21,7 +21,7 @@ std::size_t mixed(std::size_t hash, std::size_t value) {
 
 Graph::Graph() = default;
 
-std::size_t Graph::hashOf(const Entry &entry) {
+std::size_t Graph::hashOf(const Entry& entry) {
     std::size_t hash = static_cast<std::size_t>(entry.op);
     for (std::uint8_t i = 0; i < entry.count; ++i)
         hash = mixed(hash, entry.arguments[i].index);
@@ -32,13 +32,13 @@ std::size_t Graph::hashOf(const Entry &entry) {
     return hash;
 }
 
-bool Graph::isSame(const Entry &a, const Entry &b) {
+bool Graph::isSame(const Entry& a, const Entry& b) {
     return a.op == b.op && a.count == b.count && a.name == b.name &&
            std::equal(a.arguments, a.arguments + a.count, b.arguments) &&
            std::bit_cast<std::uint64_t>(a.value) == std::bit_cast<std::uint64_t>(b.value);
 }
 
-std::optional<Node> Graph::find(const Entry &entry, std::size_t hash) const {
+std::optional<Node> Graph::find(const Entry& entry, std::size_t hash) const {
     const auto [first, last] = table_.equal_range(hash);
     for (auto it = first; it != last; ++it)
         if (isSame(entries_[it->second], entry))
@@ -46,7 +46,7 @@ std::optional<Node> Graph::find(const Entry &entry, std::size_t hash) const {
     return std::nullopt;
 }
 
-Node Graph::intern(const Entry &entry) {
+Node Graph::intern(const Entry& entry) {
     const std::size_t hash = hashOf(entry);
     if (const auto found = find(entry, hash))
         return *found;
@@ -118,14 +118,14 @@ Node Graph::apply(Op op, Node a, Node b, Node c) {
 }
 
 std::span<const Node> Graph::arguments(Node n) const {
-    const Entry &entry = entries_[n.index];
+    const Entry& entry = entries_[n.index];
     return {entry.arguments, entry.count};
 }
 
-const std::string &Graph::name(Node symbol) const { return names_[entries_[symbol.index].name]; }
+const std::string& Graph::name(Node symbol) const { return names_[entries_[symbol.index].name]; }
 
 bool Graph::isConstant(Node n, double value) const {
-    const Entry &entry = entries_[n.index];
+    const Entry& entry = entries_[n.index];
     return entry.op == Op::constant && entry.value == value;
 }
 

@@ -64,7 +64,7 @@ enum class Op : std::uint8_t {
 
 struct Node {
     std::uint32_t index = 0;
-    auto operator<=>(const Node &) const = default;
+    auto operator<=>(const Node&) const = default;
 };
 
 class Graph {
@@ -86,7 +86,7 @@ public:
     [[nodiscard]] Op op(Node n) const { return entries_[n.index].op; }
     [[nodiscard]] std::span<const Node> arguments(Node n) const; // valid as long as the graph
     [[nodiscard]] double value(Node constant) const { return entries_[constant.index].value; }
-    [[nodiscard]] const std::string &name(Node symbol) const;
+    [[nodiscard]] const std::string& name(Node symbol) const;
     [[nodiscard]] bool isConstant(Node n, double value) const;
     [[nodiscard]] std::size_t size() const { return entries_.size(); }
 
@@ -99,10 +99,10 @@ private:
         std::uint32_t name = 0; // of a symbol
     };
     static Entry makeEntry(Op op, Node a, Node b = {}, Node c = {});
-    static std::size_t hashOf(const Entry &entry);
-    static bool isSame(const Entry &a, const Entry &b);
-    [[nodiscard]] std::optional<Node> find(const Entry &entry, std::size_t hash) const;
-    Node intern(const Entry &entry);
+    static std::size_t hashOf(const Entry& entry);
+    static bool isSame(const Entry& a, const Entry& b);
+    [[nodiscard]] std::optional<Node> find(const Entry& entry, std::size_t hash) const;
+    Node intern(const Entry& entry);
     Node make(Op op, Node a, Node b, Node c);
 
     std::deque<Entry> entries_;
@@ -112,17 +112,17 @@ private:
 };
 
 // Infix text that parse() reads back to the same node.
-[[nodiscard]] std::string print(const Graph &graph, Node node);
+[[nodiscard]] std::string print(const Graph& graph, Node node);
 
 // d node / d symbol. Switching functions differentiate piecewise: d abs(x) = sign(x) dx,
 // d floor = d sign = 0, d min(a,b) = select(a < b, da, db).
-[[nodiscard]] Node differentiate(Graph &graph, Node node, Node symbol);
+[[nodiscard]] Node differentiate(Graph& graph, Node node, Node symbol);
 
 // Every symbol replaced by the node given for it (symbols without one stay).
-[[nodiscard]] Node substitute(Graph &graph, Node node,
-                              const std::unordered_map<std::uint32_t, Node> &replacements);
+[[nodiscard]] Node substitute(Graph& graph, Node node,
+                              const std::unordered_map<std::uint32_t, Node>& replacements);
 
 // The symbols that a node reads, in order of index.
-[[nodiscard]] std::vector<Node> symbolsOf(const Graph &graph, std::span<const Node> nodes);
+[[nodiscard]] std::vector<Node> symbolsOf(const Graph& graph, std::span<const Node> nodes);
 
 } // namespace expression

@@ -66,7 +66,7 @@ TEST(Simplify, LocalAlgebraAsAnAuthorWouldWriteIt) {
         {"pi", "3.141592653589793"},
         {"B.x*A.mass", "B.x*A.mass"},
     };
-    for (const Row &row : rows)
+    for (const Row& row : rows)
         EXPECT_EQ(testing::simplified(row.given), row.expected) << row.given;
 }
 
@@ -111,7 +111,7 @@ TEST(Print, UsesOnlyTheParenthesesThatAreNeeded) {
         {"2*(x/y)", "2*x/y"},
         {"-(a + b)", "-(a + b)"},
     };
-    for (const Row &row : rows)
+    for (const Row& row : rows)
         EXPECT_EQ(testing::simplified(row.given), row.expected) << row.given;
 }
 
@@ -139,7 +139,7 @@ TEST(Differentiate, AsATextbookWouldWriteIt) {
         {"tan(x)", "1 + tan(x)^2"},
         {"tanh(x)", "1 - tanh(x)^2"},
     };
-    for (const Row &row : rows) {
+    for (const Row& row : rows) {
         Graph graph;
         const Node derivative = differentiate(graph, parsed(graph, row.given), graph.symbol("x"));
         EXPECT_EQ(print(graph, derivative), row.expected) << row.given;

@@ -37,9 +37,9 @@ std::string nearestName(std::string_view word, std::span<const std::string> cand
     constexpr std::size_t longestName = 64;
     if (word.empty() || word.size() > longestName)
         return "";
-    const std::string *best = nullptr;
+    const std::string* best = nullptr;
     int least = static_cast<int>(2 * std::max<std::size_t>(1, word.size() / 3)) + 1;
-    for (const std::string &candidate : candidates) {
+    for (const std::string& candidate : candidates) {
         if (candidate.size() > longestName)
             continue;
         const int d = distance(word, candidate);

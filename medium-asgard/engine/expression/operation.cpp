@@ -23,7 +23,7 @@ constexpr std::array<Description, 37> descriptions{{
 }};
 static_assert(static_cast<std::size_t>(Op::select) == 36);
 
-const Description &describe(Op op) { return descriptions[static_cast<std::size_t>(op)]; }
+const Description& describe(Op op) { return descriptions[static_cast<std::size_t>(op)]; }
 
 double truth(bool value) { return value ? 1.0 : 0.0; }
 
@@ -84,10 +84,15 @@ bool isSwitch(Op op) {
 
 double signOf(double x) { return x > 0 ? 1 : x < 0 ? -1 : x == 0 ? 0 : x; }
 
-double powerOf(double base, double exponent) {
+bool isShortPower(double exponent) {
     const double size = std::abs(exponent);
-    if (size > 4 || size * 2 != std::floor(size * 2))
+    return size <= 4 && size * 2 == std::floor(size * 2);
+}
+
+double powerOf(double base, double exponent) {
+    if (!isShortPower(exponent))
         return std::pow(base, exponent);
+    const double size = std::abs(exponent);
     const int whole = static_cast<int>(size);
     double result = smallWholePower(base, whole);
     if (whole != size)

@@ -21,6 +21,7 @@ namespace expression {
 
 [[nodiscard]] double compute(Op op, double a, double b = 0, double c = 0);
 [[nodiscard]] double powerOf(double base, double exponent);
-[[nodiscard]] double signOf(double x); // -1, 0, 1; NaN stays
+[[nodiscard]] bool isShortPower(double exponent); // products and a root
+[[nodiscard]] double signOf(double x);            // -1, 0, 1; NaN stays
 
 } // namespace expression

@@ -30,8 +30,8 @@ constexpr Function functions[] = {
     {"hypot", Op::hypot, true},
 };
 
-const Function *findFunction(std::string_view name) {
-    const auto *found = std::ranges::find(functions, name, &Function::name);
+const Function* findFunction(std::string_view name) {
+    const auto* found = std::ranges::find(functions, name, &Function::name);
     return found == std::end(functions) ? nullptr : found;
 }
 
@@ -50,10 +50,10 @@ constexpr Infix infixes[] = {
     {"-", 5, Op::subtract},   {"*", 6, Op::multiply},    {"/", 6, Op::divide},
 };
 
-const Infix *findInfix(const Token &token) {
+const Infix* findInfix(const Token& token) {
     if (token.kind != TokenKind::sign)
         return nullptr;
-    const auto *found = std::ranges::find(infixes, token.text, &Infix::sign);
+    const auto* found = std::ranges::find(infixes, token.text, &Infix::sign);
     return found == std::end(infixes) ? nullptr : found;
 }
 
@@ -67,7 +67,7 @@ std::string counted(std::size_t count) {
 // Recursive descent; the first fault ends it. A failed rule returns 0 and failed() is true.
 class Parser {
 public:
-    Parser(Graph &graph, std::string_view text, const Names &names)
+    Parser(Graph& graph, std::string_view text, const Names& names)
         : graph_(graph), names_(names), tokens_(text) {}
 
     std::variant<Node, SyntaxError> parse() {
@@ -84,15 +84,15 @@ public:
 private:
     // Counts levels, so that no text exhausts the machine's stack.
     struct Level {
-        explicit Level(Parser &parser) : parser_(parser) {
+        explicit Level(Parser& parser) : parser_(parser) {
             if (++parser_.depth_ > deepest)
                 parser_.fail(parser_.tokens_.now(),
                              "the expression is nested more than 200 levels deep");
         }
         ~Level() { --parser_.depth_; }
-        Level(const Level &) = delete;
-        Level &operator=(const Level &) = delete;
-        Parser &parser_;
+        Level(const Level&) = delete;
+        Level& operator=(const Level&) = delete;
+        Parser& parser_;
     };
 
     [[nodiscard]] bool failed() const { return error_ || tokens_.fault(); }
@@ -103,13 +103,13 @@ private:
         return graph_.constant(0);
     }
 
-    Node fail(const Token &at, std::string message, std::string suggestion = "") {
+    Node fail(const Token& at, std::string message, std::string suggestion = "") {
         return fail(at.from, at.to, std::move(message), std::move(suggestion));
     }
 
     // At the end of the text, what is wrong is the last thing before it.
     Node failExpecting(std::string_view expected) {
-        const Token &now = tokens_.now();
+        const Token& now = tokens_.now();
         const std::string wanted = "expected " + std::string(expected);
         if (now.kind == TokenKind::end)
             return fail(lastFrom_, lastTo_,
@@ -119,7 +119,7 @@ private:
     }
 
     void failAtLeftover() {
-        const Token &now = tokens_.now();
+        const Token& now = tokens_.now();
         if (now.kind == TokenKind::sign && (now.text == ")" || now.text == ":" || now.text == ","))
             fail(now, quoted(now.text) + " has no " +
                           (now.text == ")"   ? "\"(\" before it"
@@ -162,7 +162,7 @@ private:
     Node infix(int least) {
         Node left = unary();
         while (!failed()) {
-            const Infix *found = findInfix(tokens_.now());
+            const Infix* found = findInfix(tokens_.now());
             if (!found || found->binding < least)
                 break;
             take();
@@ -208,7 +208,7 @@ private:
         return inside;
     }
 
-    Node failUnclosed(const Token &open) {
+    Node failUnclosed(const Token& open) {
         if (tokens_.now().kind == TokenKind::end)
             return fail(open, "\"(\" is never closed");
         return failExpecting("an operator or \")\"");
@@ -216,7 +216,7 @@ private:
 
     Node named() {
         const Token name = take();
-        const Function *function = findFunction(name.text);
+        const Function* function = findFunction(name.text);
         if (!tokens_.isSign("(")) {
             if (function)
                 return fail(name, quoted(name.text) + " is a function",
@@ -242,7 +242,7 @@ private:
         return arguments;
     }
 
-    Node call(const Function &function, const Token &name, std::span<const Node> arguments) {
+    Node call(const Function& function, const Token& name, std::span<const Node> arguments) {
         const auto wanted = static_cast<std::size_t>(argumentCount(function.op));
         const bool fits = function.isVariadic ? arguments.size() >= 2 : arguments.size() == wanted;
         if (!fits)
@@ -259,7 +259,7 @@ private:
         return result;
     }
 
-    Node meaning(const Token &name, std::span<const Node> arguments, bool isCall) {
+    Node meaning(const Token& name, std::span<const Node> arguments, bool isCall) {
         Meaning found = names_(graph_, name.text, arguments, isCall);
         if (found.node)
             return *found.node;
@@ -271,8 +271,8 @@ private:
         return fail(name, std::move(found.message), std::move(found.suggestion));
     }
 
-    Graph &graph_;
-    const Names &names_;
+    Graph& graph_;
+    const Names& names_;
     Tokens tokens_;
     std::optional<SyntaxError> error_;
     std::size_t lastFrom_ = 0, lastTo_ = 0; // of the last token taken
@@ -281,17 +281,17 @@ private:
 
 } // namespace
 
-std::variant<Node, SyntaxError> parse(Graph &graph, std::string_view text, const Names &names) {
+std::variant<Node, SyntaxError> parse(Graph& graph, std::string_view text, const Names& names) {
     if (text.size() > longest)
         return SyntaxError{longest, text.size(), "the expression is longer than 100,000 bytes", ""};
     return Parser(graph, text, names).parse();
 }
 
-const std::vector<std::string> &functionNames() {
+const std::vector<std::string>& functionNames() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> list;
         std::ranges::transform(functions, std::back_inserter(list),
-                               [](const Function &f) { return std::string(f.name); });
+                               [](const Function& f) { return std::string(f.name); });
         std::ranges::sort(list);
         return list;
     }();

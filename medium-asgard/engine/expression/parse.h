@@ -24,14 +24,14 @@ struct Meaning {
     std::optional<Node> node;
     std::string message, suggestion;
 };
-using Names = std::function<Meaning(Graph &, std::string_view name, std::span<const Node> arguments,
+using Names = std::function<Meaning(Graph&, std::string_view name, std::span<const Node> arguments,
                                     bool isCall)>;
 
 // Numbers are decimal and finite. At most 200 levels of nesting and 100,000 bytes.
-[[nodiscard]] std::variant<Node, SyntaxError> parse(Graph &graph, std::string_view text,
-                                                    const Names &names);
+[[nodiscard]] std::variant<Node, SyntaxError> parse(Graph& graph, std::string_view text,
+                                                    const Names& names);
 
 // The names of the built-in functions, for messages and completion.
-[[nodiscard]] const std::vector<std::string> &functionNames();
+[[nodiscard]] const std::vector<std::string>& functionNames();
 
 } // namespace expression

@@ -13,7 +13,7 @@ using testing::parsed;
 std::string diagnosis(std::string_view text) {
     Graph graph;
     const auto result = parse(graph, text, testing::symbolOf);
-    const auto *error = std::get_if<SyntaxError>(&result);
+    const auto* error = std::get_if<SyntaxError>(&result);
     if (!error)
         return "right";
     std::string wrong(text.substr(error->from, error->to - error->from));
@@ -22,7 +22,7 @@ std::string diagnosis(std::string_view text) {
 }
 
 TEST(Parse, FaultsNameTheTextAndSayWhatWasExpected) {
-    const std::pair<const char *, const char *> rows[] = {
+    const std::pair<const char*, const char*> rows[] = {
         {"", "[] expected a value, and the expression is empty"},
         {"1 +", "[+] expected a value, and the expression ends here"},
         {"1 + * 2", "[*] expected a value, not \"*\""},
@@ -48,23 +48,23 @@ TEST(Parse, FaultsNameTheTextAndSayWhatWasExpected) {
         {"1,2", "[,] \",\" has no function that it belongs to"},
         {"sin(1 2)", "[2] expected an operator or \")\", not \"2\""},
     };
-    for (const auto &[text, expected] : rows)
+    for (const auto& [text, expected] : rows)
         EXPECT_EQ(diagnosis(text), expected) << text;
 }
 
 TEST(Parse, NumbersAreDecimalDoubles) {
-    const std::pair<const char *, double> rows[] = {
+    const std::pair<const char*, double> rows[] = {
         {"010", 10},   {".5", 0.5},        {"5.", 5},
         {"1e3", 1000}, {"1E-2", 0.01},     {"1e-999", 0},
         {"0.1", 0.1},  {"5e-324", 5e-324}, {"9007199254740993", 9007199254740992.0}};
-    for (const auto &[text, value] : rows) {
+    for (const auto& [text, value] : rows) {
         Graph graph;
         EXPECT_EQ(parsed(graph, text), graph.constant(value)) << text;
     }
 }
 
 TEST(Parse, OperatorsGroupAsInTclExceptThatPowerBindsTighterThanMinus) {
-    const std::pair<const char *, const char *> rows[] = {
+    const std::pair<const char*, const char*> rows[] = {
         {"a - b - c", "(a - b) - c"},
         {"a/b*c", "(a/b)*c"},
         {"a + b*c", "a + (b*c)"},
@@ -82,7 +82,7 @@ TEST(Parse, OperatorsGroupAsInTclExceptThatPowerBindsTighterThanMinus) {
         {"a\n + \t b", "a+b"},
         {"a ** b", "a ^ b"},
     };
-    for (const auto &[text, same] : rows) {
+    for (const auto& [text, same] : rows) {
         Graph graph;
         EXPECT_EQ(parsed(graph, text), parsed(graph, same)) << text;
     }
@@ -91,7 +91,7 @@ TEST(Parse, OperatorsGroupAsInTclExceptThatPowerBindsTighterThanMinus) {
 TEST(Parse, CallsThatAreNotBuiltInReachTheNamesWithTheirArguments) {
     Graph graph;
     std::string seen;
-    const Names names = [&](Graph &g, std::string_view name, std::span<const Node> arguments,
+    const Names names = [&](Graph& g, std::string_view name, std::span<const Node> arguments,
                             bool isCall) -> Meaning {
         seen += std::string(name) + '/' + std::to_string(arguments.size()) + (isCall ? "() " : " ");
         return {g.symbol(name), "", ""};
@@ -130,7 +130,7 @@ TEST(Parse, EveryTextHasAnAnswer) {
         }
         Graph graph;
         const auto result = parse(graph, text, testing::symbolOf);
-        if (const auto *error = std::get_if<SyntaxError>(&result)) {
+        if (const auto* error = std::get_if<SyntaxError>(&result)) {
             EXPECT_LE(error->from, error->to) << text;
             EXPECT_LE(error->to, text.size()) << text;
             EXPECT_FALSE(error->message.empty()) << text;

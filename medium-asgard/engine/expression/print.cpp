@@ -23,7 +23,7 @@ enum Binding {
     atom
 };
 
-Binding bindingOf(const Graph &graph, Node n) {
+Binding bindingOf(const Graph& graph, Node n) {
     switch (graph.op(n)) {
     case Op::constant:
         return graph.value(n) < 0 || std::signbit(graph.value(n)) ? sign : atom;
@@ -68,14 +68,14 @@ std::string numberText(double value) {
 // Prints with a stack of its own: an expression may be deeper than the machine's stack.
 class Printer {
 public:
-    explicit Printer(const Graph &graph) : graph_(graph) {}
+    explicit Printer(const Graph& graph) : graph_(graph) {}
 
     std::string print(Node root) {
         push(root, ternary);
         while (!pending_.empty()) {
             const Item item = pending_.back();
             pending_.pop_back();
-            if (const auto *text = std::get_if<std::string_view>(&item))
+            if (const auto* text = std::get_if<std::string_view>(&item))
                 text_ += *text;
             else
                 expand(std::get<Operand>(item));
@@ -180,13 +180,13 @@ private:
         return graph_.op(n) == Op::symbol || graph_.op(n) == Op::power;
     }
 
-    const Graph &graph_;
+    const Graph& graph_;
     std::vector<Item> pending_;
     std::string text_;
 };
 
 } // namespace
 
-std::string print(const Graph &graph, Node node) { return Printer(graph).print(node); }
+std::string print(const Graph& graph, Node node) { return Printer(graph).print(node); }
 
 } // namespace expression

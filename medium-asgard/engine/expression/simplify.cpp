@@ -12,7 +12,7 @@ using Result = std::optional<Node>;
 
 // One operation's view of its arguments, with the questions that rules ask.
 struct Rules {
-    Graph &g;
+    Graph& g;
 
     [[nodiscard]] bool is(Node n, Op op) const { return g.op(n) == op; }
     [[nodiscard]] bool isNumber(Node n) const { return g.op(n) == Op::constant; }
@@ -224,7 +224,7 @@ Result Rules::logical(Op op, Node a, Node b) const {
 
 } // namespace
 
-std::optional<Node> simplified(Graph &graph, Op op, std::span<const Node> arguments) {
+std::optional<Node> simplified(Graph& graph, Op op, std::span<const Node> arguments) {
     const Rules rules{graph};
     if (const auto number = rules.folded(op, arguments))
         return number;

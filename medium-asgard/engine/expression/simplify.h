@@ -15,6 +15,6 @@
 
 namespace expression {
 
-[[nodiscard]] std::optional<Node> simplified(Graph &graph, Op op, std::span<const Node> arguments);
+[[nodiscard]] std::optional<Node> simplified(Graph& graph, Op op, std::span<const Node> arguments);
 
 } // namespace expression

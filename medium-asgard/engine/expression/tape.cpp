@@ -12,7 +12,7 @@ namespace expression {
 namespace {
 
 // Arguments before what reads them, in order of index; an own stack, since graphs may be deep.
-std::vector<Node> inOrder(const Graph &graph, std::span<const Node> outputs) {
+std::vector<Node> inOrder(const Graph& graph, std::span<const Node> outputs) {
     std::vector<bool> seen(graph.size());
     std::vector<Node> pending(outputs.begin(), outputs.end()), found;
     while (!pending.empty()) {
@@ -90,12 +90,13 @@ double onBranch(Op op, double a, double b, Decision taken) {
 
 } // namespace
 
-Tape::Tape(const Graph &graph, std::span<const Node> inputs, std::span<const Node> outputs)
+Tape::Tape(const Graph& graph, std::span<const Node> inputs, std::span<const Node> outputs)
     : inputs_(inputs.size()) {
     std::unordered_map<std::uint32_t, std::uint32_t> slotOf;
     for (std::size_t i = 0; i < inputs.size(); ++i)
         slotOf.emplace(inputs[i].index, static_cast<std::uint32_t>(i));
     const std::vector<Node> nodes = inOrder(graph, outputs);
+    constants_.push_back(1); // of short powers
     for (const Node n : nodes)
         if (graph.op(n) == Op::constant) {
             slotOf.emplace(n.index, static_cast<std::uint32_t>(inputs_ + constants_.size()));
@@ -108,25 +109,47 @@ Tape::Tape(const Graph &graph, std::span<const Node> inputs, std::span<const Nod
         assert(graph.op(n) != Op::symbol && "every symbol that is read must be an input");
         const auto a = graph.arguments(n);
         const auto slot = [&](std::size_t i) { return i < a.size() ? slotOf.at(a[i].index) : 0; };
-        const auto result = static_cast<std::uint32_t>(slots_++);
-        const std::int32_t decision =
-            isSwitch(graph.op(n)) ? static_cast<std::int32_t>(guards_++) : -1;
-        code_.push_back({graph.op(n), result, slot(0), slot(1), slot(2), decision});
-        slotOf.emplace(n.index, result);
+        const bool isShort = graph.op(n) == Op::power && graph.op(a[1]) == Op::constant &&
+                             isShortPower(graph.value(a[1]));
+        slotOf.emplace(n.index, isShort ? emitShortPower(slot(0), graph.value(a[1]))
+                                        : emit(graph.op(n), slot(0), slot(1), slot(2)));
     }
     std::ranges::transform(outputs, std::back_inserter(outputSlots_),
                            [&](Node n) { return slotOf.at(n.index); });
 }
 
+std::uint32_t Tape::emit(Op op, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const std::int32_t decision = isSwitch(op) ? static_cast<std::int32_t>(guards_++) : -1;
+    const auto result = static_cast<std::uint32_t>(slots_++);
+    code_.push_back({op, result, a, b, c, decision});
+    return result;
+}
+
+// The products and the root that powerOf() computes, in its order: the same bits.
+std::uint32_t Tape::emitShortPower(std::uint32_t base, double exponent) {
+    const double size = std::abs(exponent);
+    const int whole = static_cast<int>(size);
+    std::uint32_t result = base;
+    if (whole >= 2)
+        result = emit(Op::multiply, base, base);
+    if (whole >= 3)
+        result = emit(Op::multiply, result, whole == 3 ? base : result);
+    if (whole != size) {
+        const std::uint32_t root = emit(Op::sqrt, base);
+        result = whole == 0 ? root : emit(Op::multiply, result, root);
+    }
+    return exponent < 0 ? emit(Op::divide, static_cast<std::uint32_t>(inputs_), result) : result;
+}
+
 template <class Switch>
-void Tape::run(std::span<const double> in, Scratch &scratch, const Switch &atSwitch) const {
+void Tape::run(std::span<const double> in, Scratch& scratch, const Switch& atSwitch) const {
     assert(in.size() == inputs_);
     if (scratch.size() < slots_)
         scratch.resize(slots_);
     std::ranges::copy(in, scratch.begin());
     std::ranges::copy(constants_, scratch.begin() + static_cast<std::ptrdiff_t>(inputs_));
-    double *const s = scratch.data();
-    for (const Instruction &i : code_) {
+    double* const s = scratch.data();
+    for (const Instruction& i : code_) {
         switch (i.op) {
         case Op::negate:
             s[i.result] = -s[i.a];
@@ -150,20 +173,20 @@ void Tape::run(std::span<const double> in, Scratch &scratch, const Switch &atSwi
     }
 }
 
-void Tape::copyOutputs(const Scratch &scratch, std::span<double> out) const {
+void Tape::copyOutputs(const Scratch& scratch, std::span<double> out) const {
     assert(out.size() == outputSlots_.size());
     std::ranges::transform(outputSlots_, out.begin(), [&](std::uint32_t s) { return scratch[s]; });
 }
 
-void Tape::evaluate(std::span<const double> in, std::span<double> out, Scratch &scratch) const {
-    run(in, scratch, [](const Instruction &i, double a, double b) { return compute(i.op, a, b); });
+void Tape::evaluate(std::span<const double> in, std::span<double> out, Scratch& scratch) const {
+    run(in, scratch, [](const Instruction& i, double a, double b) { return compute(i.op, a, b); });
     copyOutputs(scratch, out);
 }
 
-void Tape::evaluate(std::span<const double> in, std::span<double> out, Scratch &scratch,
+void Tape::evaluate(std::span<const double> in, std::span<double> out, Scratch& scratch,
                     std::span<const Decision> decisions, std::span<double> guards) const {
     assert(decisions.size() == guards_ && (guards.empty() || guards.size() == guards_));
-    run(in, scratch, [&](const Instruction &i, double a, double b) {
+    run(in, scratch, [&](const Instruction& i, double a, double b) {
         const auto index = static_cast<std::size_t>(i.decision);
         if (!guards.empty())
             guards[index] = guardOf(i.op, a, b, decisions[index]);
@@ -173,9 +196,9 @@ void Tape::evaluate(std::span<const double> in, std::span<double> out, Scratch &
 }
 
 void Tape::decide(std::span<const double> in, std::span<Decision> decisions,
-                  std::span<double> guards, Scratch &scratch) const {
+                  std::span<double> guards, Scratch& scratch) const {
     assert(decisions.size() == guards_ && (guards.empty() || guards.size() == guards_));
-    run(in, scratch, [&](const Instruction &i, double a, double b) {
+    run(in, scratch, [&](const Instruction& i, double a, double b) {
         const auto index = static_cast<std::size_t>(i.decision);
         decisions[index] = decisionOf(i.op, a, b);
         if (!guards.empty())
@@ -195,7 +218,7 @@ std::string Tape::print() const {
         return "r" + std::to_string(slot - inputs_ - constants_.size());
     };
     std::string text;
-    for (const Instruction &i : code_) {
+    for (const Instruction& i : code_) {
         text += named(i.result) + " = " + std::string(nameOf(i.op)) + ' ' + named(i.a);
         if (argumentCount(i.op) > 1)
             text += ' ' + named(i.b);

@@ -34,7 +34,7 @@ class Tape {
 public:
     Tape() = default;
     // Evaluates `outputs` as functions of `inputs` (symbols; every symbol read must be among them).
-    Tape(const Graph &graph, std::span<const Node> inputs, std::span<const Node> outputs);
+    Tape(const Graph& graph, std::span<const Node> inputs, std::span<const Node> outputs);
 
     [[nodiscard]] std::size_t inputs() const { return inputs_; }
     [[nodiscard]] std::size_t outputs() const { return outputSlots_.size(); }
@@ -45,13 +45,13 @@ public:
     using Scratch = std::vector<double>;
 
     // Branches follow from the values.
-    void evaluate(std::span<const double> in, std::span<double> out, Scratch &scratch) const;
+    void evaluate(std::span<const double> in, std::span<double> out, Scratch& scratch) const;
     // Branches are as given, guards are written (decisions() of each; `guards` may be empty).
-    void evaluate(std::span<const double> in, std::span<double> out, Scratch &scratch,
+    void evaluate(std::span<const double> in, std::span<double> out, Scratch& scratch,
                   std::span<const Decision> decisions, std::span<double> guards) const;
     // The branches that the values imply, and the guards.
     void decide(std::span<const double> in, std::span<Decision> decisions, std::span<double> guards,
-                Scratch &scratch) const;
+                Scratch& scratch) const;
 
     // One line per operation, for tests and `explain`.
     [[nodiscard]] std::string print() const;
@@ -62,10 +62,12 @@ private:
         std::uint32_t result, a, b, c;
         std::int32_t decision; // index, or -1
     };
+    std::uint32_t emit(Op op, std::uint32_t a, std::uint32_t b = 0, std::uint32_t c = 0);
+    std::uint32_t emitShortPower(std::uint32_t base, double exponent);
     // Runs all instructions; `atSwitch(instruction, a, b)` gives the values of those that decide.
     template <class Switch>
-    void run(std::span<const double> in, Scratch &scratch, const Switch &atSwitch) const;
-    void copyOutputs(const Scratch &scratch, std::span<double> out) const;
+    void run(std::span<const double> in, Scratch& scratch, const Switch& atSwitch) const;
+    void copyOutputs(const Scratch& scratch, std::span<double> out) const;
 
     std::vector<Instruction> code_;          // each result has a slot of its own (SSA)
     std::vector<double> constants_;          // initial contents of the slots after the inputs

@@ -24,7 +24,7 @@ std::size_t digitsFrom(std::string_view text, std::size_t at) {
 }
 
 // Infinity when it is too large; 0 when it is too small to be told from it.
-double decimalValue(const std::string &word) {
+double decimalValue(const std::string& word) {
     double value = 0;
     const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error == std::errc{})

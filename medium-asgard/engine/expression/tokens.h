@@ -21,13 +21,13 @@ class Tokens {
 public:
     explicit Tokens(std::string_view text) : text_(text) { advance(); }
 
-    [[nodiscard]] const Token &now() const { return now_; }
+    [[nodiscard]] const Token& now() const { return now_; }
     [[nodiscard]] bool isSign(std::string_view sign) const {
         return now_.kind == TokenKind::sign && now_.text == sign;
     }
     void advance();
     // A character or number that no expression has; reading then stands at its end.
-    [[nodiscard]] const std::optional<SyntaxError> &fault() const { return fault_; }
+    [[nodiscard]] const std::optional<SyntaxError>& fault() const { return fault_; }
 
 private:
     void readNumber();

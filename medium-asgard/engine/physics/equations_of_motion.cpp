@@ -116,17 +116,6 @@ std::vector<Held> heldTimes(std::span<const HoldSegment> segments) {
 
 // --- unknowns -------------------------------------------------------------------------------
 
-std::array<double, bodyUnknowns> initialState(const scene::Body& body, const BodyMotion& motion) {
-    const Quaternion& q = motion.start.attitude;
-    const Vector& place = motion.start.position;
-    const Vector& velocity = body.initialVelocity;
-    const Vector spin = motion.symbols.isSpinInWorldAxes
-                            ? body.initialAngularVelocity
-                            : Vector(q.conjugate() * body.initialAngularVelocity);
-    return {place[0], place[1], place[2], velocity[0], velocity[1], velocity[2], q.w(),
-            q.x(),    q.y(),    q.z(),    spin[0],     spin[1],     spin[2]};
-}
-
 std::array<Node, bodyUnknowns> symbolsOfBody(const BodySymbols& s) {
     return {s.position[0], s.position[1], s.position[2], s.velocity[0], s.velocity[1],
             s.velocity[2], s.attitude[0], s.attitude[1], s.attitude[2], s.attitude[3],
@@ -137,7 +126,8 @@ void addUnknowns(expression::EquationSet& set, const scene::Scene& scene, const 
                  BodyMotion& motion, std::span<const HoldSegment> segments) {
     motion.firstUnknown = set.unknowns.size();
     const auto symbols = symbolsOfBody(motion.symbols);
-    const auto initial = initialState(body, motion);
+    const auto initial = motion.unknownsOf({motion.start.position, body.initialVelocity,
+                                            motion.start.attitude, body.initialAngularVelocity});
     auto phases = phasesOf(set.graph, set.time, motion, segments, scene.simulator.start);
     for (std::size_t i = 0; i < bodyUnknowns; ++i) {
         expression::Unknown unknown;
@@ -160,6 +150,22 @@ void addUnknowns(expression::EquationSet& set, const scene::Scene& scene, const 
 const Held& BodyMotion::heldAt(double time) const {
     const auto after = std::ranges::upper_bound(held, time, {}, &Held::from);
     return after == held.begin() ? held.front() : *(after - 1);
+}
+
+BodyValues BodyMotion::valuesOf(std::span<const double, bodyUnknowns> u) const {
+    const Quaternion attitude = Quaternion(u[qw], u[qx], u[qy], u[qz]).normalized();
+    const Vector spin(u[w1], u[w2], u[w3]);
+    return {Vector(u[x], u[y], u[z]), Vector(u[dx], u[dy], u[dz]), attitude,
+            symbols.isSpinInWorldAxes ? spin : Vector(attitude * spin)};
+}
+
+std::array<double, bodyUnknowns> BodyMotion::unknownsOf(const BodyValues& v) const {
+    const Quaternion& q = v.attitude;
+    const Vector spin =
+        symbols.isSpinInWorldAxes ? v.angularVelocity : Vector(q.conjugate() * v.angularVelocity);
+    return {v.position[0], v.position[1], v.position[2], v.velocity[0], v.velocity[1],
+            v.velocity[2], q.w(),         q.x(),         q.y(),         q.z(),
+            spin[0],       spin[1],       spin[2]};
 }
 
 EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene) {

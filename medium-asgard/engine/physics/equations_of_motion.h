@@ -18,6 +18,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,14 @@ struct Held {
     bool attitude = false;
 };
 
+// The state of a body in the world, whatever its unknowns are.
+struct BodyValues {
+    Vector position = Vector::Zero(); // of the centre of mass
+    Vector velocity = Vector::Zero();
+    Quaternion attitude = Quaternion::Identity();
+    Vector angularVelocity = Vector::Zero(); // world axes
+};
+
 struct BodyMotion {
     std::string name;
     bool isFixed = false;
@@ -46,6 +55,10 @@ struct BodyMotion {
 
     [[nodiscard]] const Held& heldAt(double time) const;
     [[nodiscard]] std::size_t unknown(BodyUnknown which) const { return firstUnknown + which; }
+
+    // Between the values of the thirteen unknowns and the state in the world.
+    [[nodiscard]] BodyValues valuesOf(std::span<const double, bodyUnknowns> unknowns) const;
+    [[nodiscard]] std::array<double, bodyUnknowns> unknownsOf(const BodyValues& values) const;
 };
 
 // What one force or one end of a link adds to a body.

@@ -234,6 +234,19 @@ TEST(Equations, StartAtTheCentreOfMassWithTheSpinAlongTheBodysAxes) {
     EXPECT_NEAR(unknown(motion, "rod.qz").initial, std::sqrt(0.5), 1e-15);
 }
 
+TEST(Equations, AWorldStateAndTheUnknownsSayTheSame) {
+    const EquationsOfMotion motion(ballAndRod());
+    BodyValues given{Vector(1, 2, 3), Vector(4, 5, 6), geometry::fromRotationVector({1, -2, 0.5}),
+                     Vector(7, 8, 9)};
+    for (const BodyMotion& body : motion.bodies) {
+        const BodyValues back = body.valuesOf(body.unknownsOf(given));
+        EXPECT_EQ(back.position, given.position);
+        EXPECT_EQ(back.velocity, given.velocity);
+        EXPECT_LT(back.attitude.angularDistance(given.attitude), 1e-15);
+        EXPECT_LT((back.angularVelocity - given.angularVelocity).norm(), 1e-14);
+    }
+}
+
 TEST(Equations, FaultsOfExpressionsAreSentences) {
     scene::Scene scene = ballAndRod();
     scene.forces = {testing::force("ball", "1+", "0", "nobody.x")};
