@@ -9,19 +9,18 @@ namespace document {
 using sgml::NodeId;
 using sgml::noNode;
 
-namespace {
-
-// Nothing for what is not a number within the bounds: such an attribute does not count.
-std::optional<double> numberOf(std::optional<std::string_view> text, double least, double most) {
+std::optional<double> numberIn(std::optional<std::string_view> attribute, double least,
+                               double most) {
     double number = 0;
-    if (!text)
+    if (!attribute)
         return std::nullopt;
-    const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), number);
-    const bool whole = error == std::errc{} && end == text->data() + text->size();
-    return whole && std::isfinite(number) && number >= least && number <= most
-               ? std::optional(number)
-               : std::nullopt;
+    const char* const last = attribute->data() + attribute->size();
+    const auto [end, error] = std::from_chars(attribute->data(), last, number);
+    const bool sound = error == std::errc{} && end == last && std::isfinite(number);
+    return sound && number >= least && number <= most ? std::optional(number) : std::nullopt;
 }
+
+namespace {
 
 Placement placementOf(std::string_view text) {
     if (text == "left")
@@ -95,7 +94,6 @@ int Document::nextRevision(SubdocumentId id) {
 }
 
 Subdocument Document::describe(NodeId element) const {
-    constexpr double longest = 20'000; // 1/96 inch: what no paper and no screen reaches
     Subdocument result;
     result.element = element;
     const NodeId document = tree_.node(element).firstChild;
@@ -109,10 +107,10 @@ Subdocument Document::describe(NodeId element) const {
         return tree_.attribute(result.classElement, name);
     };
     result.name = attribute("ID").value_or("");
-    result.width = numberOf(attribute("WIDTH"), 1, longest);
-    result.height = numberOf(attribute("HEIGHT"), 1, longest);
+    result.width = numberIn(attribute("WIDTH"), 1, longestLength);
+    result.height = numberIn(attribute("HEIGHT"), 1, longestLength);
     result.placement = placementOf(attribute("ALIGN").value_or(""));
-    result.poster = numberOf(attribute("POSTER"), -1e12, 1e12);
+    result.poster = numberIn(attribute("POSTER"), -1e12, 1e12);
     result.alternative = attribute("ALT").value_or("");
     const NodeId storage = tree_.childElement(result.classElement);
     if (storage != noNode) {

@@ -35,12 +35,12 @@ enum class RunKind {
 // A line end in flowing text becomes one blank; what is left out there begins a new run.
 struct Run {
     RunKind kind = RunKind::text;
-    std::string text;                    // UTF-8
+    std::string text{};                  // UTF-8
     std::uint32_t style = 0;             // index into Model::textStyles
     sgml::NodeId element = sgml::noNode; // the innermost element
     sgml::NodeId content = sgml::noNode;
     std::size_t offset = 0; // unescaped, of the text's first byte
-    std::string target;     // LINK: its address; REF: "#" and the ID
+    std::string target{};   // LINK: its address; REF: "#" and the ID
     SubdocumentId subdocument = noSubdocument;
     std::size_t footnote = 0; // index into Model::footnotes
 };
@@ -66,9 +66,9 @@ struct Block {
     std::string marker; // number, bullet or label; "" without one
     std::uint32_t markerStyle = 0;
     std::vector<Run> runs;
-    std::uint32_t textStyle = 0; // of an empty block, and of what has no run
-    int headingLevel = 0;        // 1..: an entry of the outline; 0: none
-    std::string anchor;          // ID that references lead to, "#" not included
+    std::uint32_t textStyle = 0;      // of an empty block, and of what has no run
+    int headingLevel = 0;             // 1..: an entry of the outline; 0: none
+    std::vector<std::string> anchors; // IDs that references lead to, "#" not included
     SubdocumentId subdocument = noSubdocument;
     std::string source;                  // image: its file, as written
     std::optional<double> width, height; // image, chart: 1/96 inch
@@ -92,11 +92,12 @@ struct Footnote {
 // innermost. Blocks draw none of their own: style.border, background and padding of a Block are
 // those of a rule only, and of a Cell those of the cell.
 struct Box {
-    std::size_t first = 0, last = 0; // inclusive
+    std::size_t first = 0, last = 0; // inclusive; the padding above and below is in the spaceBefore
+                                     // of the first block and of the one after the last
     double indentLeft = 0, indentRight = 0;
     double padding = 0;
-    std::optional<Color> background;
-    Border border;
+    std::optional<Color> background{};
+    Border border{};
 };
 
 // LIMIT: tables nested deeper are shown as the text of their cells.

@@ -5,9 +5,10 @@
 //
 // A selector is the names of elements, outermost first, the last one being the element that the
 // block is about; others may stand between. `,` gives alternatives, `*` is any element,
-// `NAME:first` the first of its name among its siblings. Of two blocks that say different things
-// the one with more names counts, of equals the later one. Text properties (font, color, align,
-// line-height) are inherited, the others are not.
+// `NAME:first` the first of its name among its siblings, `NAME[KIND=number]` one with that
+// attribute. Generated text (`before`, `after`) looks as if it stood in an element BEFORE or AFTER.
+// Of two blocks that say different things the one with more names counts, of equals the later one.
+// Text properties (font, color, align, line-height) are inherited, the others are not.
 #pragma once
 
 #include "document/style.h"
@@ -55,16 +56,22 @@ struct ElementStyle {
     bool title = false; // its text is the document's title
 };
 
+// `font: 14pt bold "Gentium"` as read: a name and its words.
 struct Property {
+    struct Word {
+        std::string text; // a string without its quotes
+        bool quoted = false;
+        bool operator==(const Word&) const = default;
+    };
     std::string name;
-    std::vector<std::string> words; // strings without their quotes
-    std::vector<bool> quoted;
+    std::vector<Word> words;
     std::size_t offset = 0; // in the file
 };
 
 class Presentation {
 public:
-    // What is faulty is left out; each fault has its line in the file.
+    // What is faulty is left out; each fault has its line in the file. `base`: the one whose blocks
+    // come before all of its own.
     [[nodiscard]] static Presentation parse(std::string_view text, std::vector<sgml::Fault>& faults,
                                             const Presentation* base = nullptr);
 
@@ -74,24 +81,37 @@ public:
         struct Name {
             std::string name; // "*": any
             bool first = false;
+            std::string attribute, value; // "": none is asked for
         };
-        std::vector<Name> names; // outermost first
-        std::size_t block;       // index of its declarations
+        std::vector<Name> names; // outermost first. LIMIT: 100 of them
+        std::size_t block = 0;   // index of its properties
+        bool own = true;         // not the base's
     };
-    // How far the selectors have matched on the way from the document down to an element.
+    // How far each selector has matched on the way from the document down to an element.
     using Progress = std::vector<std::uint8_t>;
     [[nodiscard]] Progress start() const { return Progress(selectors_.size(), 0); }
+    struct Subject {
+        std::string_view name;
+        bool first = false;
+        const sgml::Tree* tree = nullptr; // null: generated text
+        sgml::NodeId element = sgml::noNode;
+    };
     // The style of an element inside one with style `outer`; `progress` goes one element down.
-    [[nodiscard]] ElementStyle style(std::string_view name, bool first, const ElementStyle& outer,
+    [[nodiscard]] ElementStyle style(const Subject& subject, const ElementStyle& outer,
                                      Progress& progress) const;
+    // What the document's class element inherits from.
     [[nodiscard]] ElementStyle rootStyle() const;
 
 private:
     friend class PresentationParser;
-    std::vector<Selector> selectors_; // ordered by weight, the base's before its own
+    std::vector<Selector> selectors_; // the weaker ones first
     std::vector<std::vector<Property>> blocks_;
     PageStyle page_;
-    TextStyle rootText_;
 };
+
+// Each puts one property into a style; "" or what is wrong with it.
+[[nodiscard]] std::string applyProperty(ElementStyle& style, const Property& property,
+                                        const ElementStyle& outer);
+[[nodiscard]] std::string applyPageProperty(PageStyle& page, const Property& property);
 
 } // namespace document

@@ -43,7 +43,9 @@ public:
     [[nodiscard]] const std::vector<FileFault>& faults() const { return faults_; }
 
 private:
-    void addFile(const QString& path, const QString& name, const std::string& text);
+    void addNamed(const QString& name, const std::map<QString, std::string>& builtIns,
+                  const std::map<QString, QString>& paths);
+    [[nodiscard]] bool addFile(const QString& path, const QString& name, const std::string& text);
     std::map<std::string, StructureSchema, std::less<>> structures_;
     // Class, then name.
     std::map<std::string, std::map<QString, Presentation>, std::less<>> presentations_;

@@ -40,7 +40,8 @@ struct Border {
 // Where a block stands and what surrounds it.
 struct BlockStyle {
     Align align = Align::left;
-    double spaceBefore = 0, spaceAfter = 0; // the larger of two that meet counts
+    // Of two that meet the larger counts: in a Model all of it is in spaceBefore.
+    double spaceBefore = 0, spaceAfter = 0;
     double indentLeft = 0, indentRight = 0; // from the text area's edges, those of containers added
     double firstLine = 0;                   // further indent of the first line; may be negative
     double lineHeight = 1.2;                // times the size of the letters

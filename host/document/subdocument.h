@@ -35,4 +35,11 @@ struct Subdocument {
     std::string alternative;                      // ALT
 };
 
+// LIMIT: lengths of attributes, in 1/96 inch: what no paper and no screen reaches.
+inline constexpr double longestLength = 20'000;
+
+// The number that an attribute holds, in C's notation; nothing for what is none or out of bounds.
+[[nodiscard]] std::optional<double> numberIn(std::optional<std::string_view> attribute,
+                                             double least, double most);
+
 } // namespace document

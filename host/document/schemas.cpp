@@ -1,0 +1,132 @@
+#include "document/schemas.h"
+
+#include "document/builtin_schemas.h"
+#include "document/file.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace document {
+
+namespace {
+
+// What every class inherits: the looks of TEXT, PARAGRAPH, LIST, ...
+const QString baseFile = QStringLiteral("COMMON.base.presentation");
+const QString presentationSuffix = QStringLiteral(".presentation");
+const QString structureSuffix = QStringLiteral(".structure");
+const QString defaultName = QStringLiteral("default");
+
+// LIMIT: a longer schema file is not read.
+constexpr std::size_t longestFile = 1 << 20;
+
+} // namespace
+
+Schemas Schemas::builtIn() { return load({}); }
+
+QStringList Schemas::standardFolders() {
+    QStringList folders;
+    for (const QString& place :
+         QStandardPaths::standardLocations(QStandardPaths::GenericDataLocation))
+        folders << place + QStringLiteral("/ensemble/schemas");
+    return folders;
+}
+
+Schemas Schemas::load(const QStringList& folders) {
+    Schemas schemas;
+    std::map<QString, std::string> builtIns;
+    for (const BuiltInSchema& file : builtInSchemas())
+        builtIns[QString::fromUtf8(file.name)] = file.text;
+    // Name of a schema file -> the first file of that name.
+    std::map<QString, QString> paths;
+    for (const QString& folder : folders)
+        for (const QString& name : QDir(folder).entryList(
+                 {QStringLiteral("*.structure"), QStringLiteral("*.presentation")}, QDir::Files))
+            paths.try_emplace(name, folder + QLatin1Char('/') + name);
+    schemas.addNamed(baseFile, builtIns, paths);
+    for (const auto& [name, text] : builtIns)
+        if (name != baseFile)
+            schemas.addNamed(name, builtIns, paths);
+    for (const auto& [name, path] : paths)
+        if (name != baseFile && !builtIns.contains(name))
+            schemas.addNamed(name, builtIns, paths);
+    return schemas;
+}
+
+// The user's file of that name if there is one without faults, else the built-in one.
+void Schemas::addNamed(const QString& name, const std::map<QString, std::string>& builtIns,
+                       const std::map<QString, QString>& paths) {
+    const auto path = paths.find(name);
+    if (path != paths.end()) {
+        const ReadFile file = readFile(FileSystem::real(), path->second, longestFile);
+        if (!file.read) {
+            sgml::Fault fault;
+            fault.position = {1, 1};
+            fault.message = file.sentence.toStdString();
+            faults_.push_back({path->second, fault});
+        } else if (addFile(path->second, name, file.bytes)) {
+            return;
+        }
+    }
+    const auto builtIn = builtIns.find(name);
+    if (builtIn != builtIns.end())
+        (void)addFile(QStringLiteral(":/") + name, name, builtIn->second);
+}
+
+// False: it has faults, and is not used.
+bool Schemas::addFile(const QString& path, const QString& name, const std::string& text) {
+    std::vector<sgml::Fault> faults;
+    if (name.endsWith(structureSuffix)) {
+        StructureSchema schema = StructureSchema::parse(text, faults);
+        if (faults.empty())
+            structures_[name.chopped(structureSuffix.size()).toStdString()] = std::move(schema);
+    } else {
+        const QString stem = name.chopped(presentationSuffix.size());
+        const QString className = stem.section(QLatin1Char('.'), 0, 0);
+        const QString own = stem.section(QLatin1Char('.'), 1);
+        Presentation presentation =
+            Presentation::parse(text, faults, name == baseFile ? nullptr : &plain_);
+        if (faults.empty() && name == baseFile)
+            plain_ = std::move(presentation);
+        else if (faults.empty())
+            presentations_[className.toStdString()][own.isEmpty() ? defaultName : own] =
+                std::move(presentation);
+    }
+    for (const sgml::Fault& fault : faults)
+        faults_.push_back({path, fault});
+    return faults.empty();
+}
+
+bool Schemas::isText(std::string_view className) const {
+    return presentations_.contains(className);
+}
+
+QStringList Schemas::presentations(std::string_view className) const {
+    QStringList names;
+    const auto found = presentations_.find(className);
+    if (found == presentations_.end())
+        return {defaultName};
+    for (const auto& [name, presentation] : found->second)
+        if (name == defaultName)
+            names.prepend(name);
+        else
+            names.append(name);
+    return names;
+}
+
+const Presentation& Schemas::presentation(std::string_view className, const QString& name) const {
+    const auto found = presentations_.find(className);
+    if (found == presentations_.end())
+        return plain_;
+    auto own = found->second.find(name);
+    if (own == found->second.end())
+        own = found->second.find(defaultName);
+    return own == found->second.end() ? found->second.begin()->second : own->second;
+}
+
+const StructureSchema* Schemas::structure(std::string_view className) const {
+    const auto found = structures_.find(className);
+    return found == structures_.end() ? nullptr : &found->second;
+}
+
+} // namespace document
