@@ -1,0 +1,211 @@
+#include "collision/advancement.h"
+
+#include "collision/polynomial.h"
+#include "collision/spheres.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace collision {
+
+namespace {
+
+constexpr double unnoticed = 1e-10; // of the size: a depth that a step may pass over
+constexpr double deep = 1e-9;       // of the size: deeper than this is an overlap, not a touch
+constexpr std::size_t mostEvaluations = 100'000;
+
+// What turning can add to the part's extent along `direction` within `window`: the extent grows
+// at most by rate s + curvature s^2 / 2, and never beyond `room`.
+struct Growth {
+    double rate = 0, curvature = 0, room = 0;
+};
+
+class Advance {
+public:
+    Advance(const PartPair& pair, Interval during)
+        : pair_(pair), during_(during), t_(during.from), size_(pair.size()) {}
+
+    Encounter run() {
+        while (result_.evaluations < mostEvaluations && !finished_) {
+            const Separation now = pair_.separationAt(t_, warm_);
+            ++result_.evaluations;
+            const double roundOff = pair_.roundOff(t_);
+            if (now.gap < -std::max(deep * size_, roundOff))
+                stepOutOf(-now.gap);
+            else if (now.gap <= roundOff || stalled_)
+                touch(now);
+            else
+                stepTowards(now);
+        }
+        return result_;
+    }
+
+private:
+    [[nodiscard]] double left() const { return during_.to - t_; }
+
+    void moveBy(double s) {
+        if (!(s < left())) {
+            // The end itself is looked at, once: a hit may fall exactly on it.
+            finished_ = t_ == during_.to || s > left();
+            t_ = during_.to;
+            return;
+        }
+        const double next = t_ + s;
+        stalled_ = next - t_ <= 0 || s <= 2e-16 * std::abs(t_);
+        t_ = stalled_ ? std::nextafter(t_, HUGE_VAL) : next;
+    }
+
+    void hit(const Contact& contact, double time, bool pressing) {
+        result_.hit = Hit{time, contact, pressing};
+        finished_ = true;
+    }
+
+    void touch(const Separation& now) {
+        stalled_ = false;
+        const Contact contact = contactOf(pair_, t_, now);
+        const double least = approachThreshold * pair_.speedScale(t_);
+        if (contact.closingSpeed > least) {
+            // Having touched without approaching and sunk in, they were pressed together.
+            if (pressed_)
+                hit(pressed_->second, pressed_->first, true);
+            else
+                hit(contact, t_, false);
+            return;
+        }
+        pressed_.reset();
+        if (contact.closingSpeed >= -least)
+            pressed_ = {t_, contact};
+        const double away = nextContact(now, 0, true);
+        const double floor = nextContact(now, unnoticed * size_, false);
+        moveBy(std::max(away, floor));
+    }
+
+    void stepTowards(const Separation& now) {
+        pressed_.reset();
+        moveBy(nextContact(now, now.gap, false));
+    }
+
+    // No faster than the fastest point: the depth cannot vanish before that.
+    void stepOutOf(double depth) {
+        if (result_.evaluations == 1)
+            result_.overlap = depth;
+        pressed_.reset();
+        const double window = std::min(left(), depth > 0 ? left() : 0);
+        double speed = 0;
+        for (const PartMotion* p : {&pair_.first, &pair_.second}) {
+            speed += turnBounds(p->piece, t_, t_ + window).angularSpeed * p->reach;
+        }
+        const RelativePath path = relativePath(pair_.first.piece, pair_.second.piece, t_);
+        for (const Polynomial& p : path) {
+            double power = 1;
+            for (std::size_t k = 1; k < p.count; ++k, power *= window)
+                speed += static_cast<double>(k) * std::abs(p.terms[k]) * power;
+        }
+        if (!std::isfinite(speed)) // too long a window for the bounds: a small step
+            moveBy(std::max(left() / 1024, 1e-12));
+        else if (speed > 0)
+            moveBy(std::max(depth, unnoticed * size_) / speed);
+        else
+            finished_ = true;
+    }
+
+    // Seconds until the gap, which is `gap` now, can become zero along the present normal; more
+    // than is left when it cannot. With `leaving`, the root at 0 is divided out.
+    double nextContact(const Separation& now, double gap, bool leaving) {
+        const Vector& n = now.normal;
+        const Polynomial along = motionAlong(n);
+        if (!pair_.first.turns() && !pair_.second.turns())
+            return root(withGap(along, gap), left(), leaving);
+        double best = 0;
+        double window = std::min(left(), window_);
+        for (int i = 0; i < 4; ++i) {
+            const double s = rootWithin(along, n, gap, window, leaving);
+            best = std::max(best, std::min(s, window));
+            if (s > window / 16) // wide enough; a narrower window has tighter bounds
+                break;
+            window = std::max(4 * s, window / 4096);
+        }
+        window_ = std::max(16 * best, 1e-12 * left());
+        // Nothing within the window: only that much is known.
+        return best >= left() ? 2 * left() : best;
+    }
+
+    double rootWithin(const Polynomial& along, const Vector& n, double gap, double window,
+                      bool leaving) const {
+        const Growth a = growth(pair_.first, -n, window), b = growth(pair_.second, n, window);
+        double s = 0;
+        if (const double c = a.curvature + b.curvature; std::isfinite(c)) {
+            Polynomial turning = withGap(along, gap);
+            turning.count = std::max<std::size_t>(turning.count, 3);
+            turning.terms[1] -= a.rate + b.rate;
+            turning.terms[2] -= c / 2;
+            s = root(turning, window, leaving);
+        }
+        if (const double clear = gap - a.room - b.room; clear > 0)
+            s = std::max(s, root(withGap(along, clear), window, false));
+        return s;
+    }
+
+    // n . (p(t + s) - p(t)), the constant term left 0.
+    [[nodiscard]] Polynomial motionAlong(const Vector& n) const {
+        const RelativePath path = relativePath(pair_.first.piece, pair_.second.piece, t_);
+        Polynomial result;
+        for (std::size_t c = 0; c < 3; ++c) {
+            result.count = std::max(result.count, path[c].count);
+            for (std::size_t k = 1; k < path[c].count; ++k)
+                result.terms[k] += n[static_cast<Eigen::Index>(c)] * path[c].terms[k];
+        }
+        return result;
+    }
+
+    static Polynomial withGap(Polynomial p, double gap) {
+        p.terms[0] = gap;
+        return p;
+    }
+
+    static double root(Polynomial p, double length, bool leaving) {
+        if (leaving) { // p(0) = 0
+            for (std::size_t k = 0; k + 1 < p.count; ++k)
+                p.terms[k] = p.terms[k + 1];
+            p.terms[p.count - 1] = 0;
+            p.count = std::max<std::size_t>(p.count - 1, 1);
+        }
+        const auto s = firstDescent(p, length);
+        return s ? *s : 2 * length;
+    }
+
+    // d/ds of R x is w x x, so that extents grow to first order like the support along n + s (n x
+    // w); that is convex in s and lies below its chord. Second order: (w^2 + w') |x|.
+    [[nodiscard]] Growth growth(const PartMotion& p, const Vector& n, double window) const {
+        if (!p.turns())
+            return {};
+        const TurnBounds bounds = turnBounds(p.piece, t_, t_ + window);
+        const Posed posed = p.posedAt(t_, positionAt(p.piece, t_)); // levers from the pivot
+        const double reach = p.reach - p.part->radius;
+        const double now = n.dot(posed.world(posed.support(n)));
+        const Vector turned = n + window * n.cross(velocityAt(p.piece, t_).angular);
+        const double then = turned.dot(posed.world(posed.support(turned)));
+        Growth g;
+        g.rate = (then - now) / window;
+        g.curvature =
+            (bounds.angularSpeed * bounds.angularSpeed + bounds.angularAcceleration) * reach;
+        g.room = reach - now;
+        return g;
+    }
+
+    const PartPair& pair_;
+    Interval during_;
+    double t_;
+    double size_;
+    double window_ = HUGE_VAL;
+    WarmStart warm_;
+    bool stalled_ = false, finished_ = false;
+    std::optional<std::pair<double, Contact>> pressed_;
+    Encounter result_;
+};
+
+} // namespace
+
+Encounter advance(const PartPair& pair, Interval during) { return Advance(pair, during).run(); }
+
+} // namespace collision

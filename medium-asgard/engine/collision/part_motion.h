@@ -1,0 +1,43 @@
+// One part of a moving shape during one piece of its motion.
+#pragma once
+
+#include "collision/contact.h"
+#include "collision/moving_shape.h"
+#include "collision/separation.h"
+
+namespace collision {
+
+struct PartMotion {
+    const Part* part = nullptr;
+    MotionPiece piece;
+    Vector pivot = Vector::Zero(); // in the shape's frame
+    double reach = 0;              // of the part from the pivot, surface included
+
+    [[nodiscard]] bool turns() const { return piece.attitude.size() > 1; }
+    [[nodiscard]] Posed posedAt(double t, const Vector& origin) const;
+};
+
+[[nodiscard]] PartMotion partMotion(const MovingShape& moving, std::size_t part, double t);
+
+struct PartPair {
+    PartMotion first, second;
+
+    [[nodiscard]] double size() const { return first.part->radius + second.part->radius + cores; }
+    double cores = 0; // reaches of the cores about themselves
+
+    // World coordinates minus this are small and share no rounding with places far away.
+    [[nodiscard]] Vector originAt(double t) const { return positionAt(second.piece, t); }
+    [[nodiscard]] Separation separationAt(double t, WarmStart& warm) const;
+    // The most that round-off of the poses can change a gap.
+    [[nodiscard]] double roundOff(double t) const;
+    // The speeds that enter: the scale against which an approach counts as none.
+    [[nodiscard]] double speedScale(double t) const;
+};
+
+[[nodiscard]] PartPair partPair(const MovingShape& first, std::size_t firstPart,
+                                const MovingShape& second, std::size_t secondPart, double t);
+
+// The contact of two parts that touch at t along (or all but along) the separation's normal.
+[[nodiscard]] Contact contactOf(const PartPair& pair, double t, const Separation& separation);
+
+} // namespace collision

@@ -1,0 +1,159 @@
+#include "collision/patch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace collision {
+
+namespace {
+
+using Flat = Eigen::Vector2d; // in the plane of contact
+using Outline = std::vector<Flat>;
+
+struct Plane {
+    Vector normal, right, up;
+    explicit Plane(const Vector& n) : normal(n), right(n.unitOrthogonal()), up(n.cross(right)) {}
+    [[nodiscard]] Flat flat(const Vector& v) const { return {right.dot(v), up.dot(v)}; }
+};
+
+double cross(const Flat& a, const Flat& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// Counter-clockwise about the plane's normal.
+void sortAround(std::vector<Vector>& points, const Plane& plane) {
+    if (points.size() < 3)
+        return;
+    Vector middle = Vector::Zero();
+    for (const Vector& p : points)
+        middle += p / static_cast<double>(points.size());
+    const auto angle = [&](const Vector& p) {
+        const Flat f = plane.flat(p - middle);
+        return std::atan2(f.y(), f.x());
+    };
+    std::stable_sort(points.begin(), points.end(),
+                     [&](const Vector& a, const Vector& b) { return angle(a) < angle(b); });
+}
+
+Outline flattened(const std::vector<Vector>& points, const Plane& plane, const Vector& origin) {
+    Outline outline;
+    for (const Vector& p : points)
+        outline.push_back(plane.flat(p - origin));
+    return outline;
+}
+
+// The part of an outline (polygon, segment or point) on the left of the line from a to b.
+Outline clipped(const Outline& outline, const Flat& a, const Flat& b, double tolerance) {
+    const Flat along = (b - a).normalized();
+    const auto side = [&](const Flat& p) { return cross(along, p - a); };
+    Outline result;
+    const std::size_t edges = outline.size() == 2 ? 1 : outline.size();
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Flat& p = outline[i];
+        const double s = side(p);
+        if (s >= -tolerance)
+            result.push_back(p);
+        if (i >= edges || outline.size() == 1)
+            continue;
+        const Flat& q = outline[(i + 1) % outline.size()];
+        const double u = side(q);
+        if ((s > tolerance && u < -tolerance) || (s < -tolerance && u > tolerance))
+            result.emplace_back(p + (q - p) * (s / (s - u)));
+    }
+    return result;
+}
+
+Outline clippedBy(Outline outline, const Outline& polygon, double tolerance) {
+    for (std::size_t i = 0; i < polygon.size() && !outline.empty(); ++i)
+        outline = clipped(outline, polygon[i], polygon[(i + 1) % polygon.size()], tolerance);
+    return outline;
+}
+
+// Two segments: their common stretch when parallel, else where they cross or come nearest.
+Outline common(const Outline& a, const Outline& b, double tolerance) {
+    const Flat u = a[1] - a[0], v = b[1] - b[0], w = b[0] - a[0];
+    const double turn = cross(u, v);
+    if (std::abs(turn) > 1e-9 * u.norm() * v.norm()) {
+        const double s = std::clamp(cross(w, v) / turn, 0.0, 1.0);
+        return {a[0] + s * u};
+    }
+    const double length = u.squaredNorm();
+    double low = w.dot(u) / length, high = (b[1] - a[0]).dot(u) / length;
+    if (low > high)
+        std::swap(low, high);
+    low = std::max(low, 0.0);
+    high = std::min(high, 1.0);
+    if (high < low || (high - low) * std::sqrt(length) <= tolerance) {
+        const double middle = std::clamp((low + high) / 2, 0.0, 1.0);
+        return {a[0] + middle * u};
+    }
+    return {a[0] + low * u, a[0] + high * u};
+}
+
+Outline overlapOf(const Outline& a, const Outline& b, double tolerance) {
+    Outline result;
+    if (a.size() == 1)
+        return a;
+    if (b.size() == 1)
+        return b;
+    if (a.size() == 2 && b.size() == 2)
+        return common(a, b, tolerance);
+    result = b.size() > 2 ? clippedBy(a, b, tolerance) : clippedBy(b, a, tolerance);
+    // Beside each other within the tolerance: the vertex that is nearest to the other's middle.
+    return result.empty() ? Outline{a[0]} : result;
+}
+
+Flat centreOf(const Outline& outline) {
+    Flat mean = Flat::Zero();
+    for (const Flat& p : outline)
+        mean += p / static_cast<double>(outline.size());
+    if (outline.size() < 3)
+        return mean;
+    double area = 0;
+    Flat moment = Flat::Zero();
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Flat p = outline[i] - mean, q = outline[(i + 1) % outline.size()] - mean;
+        area += cross(p, q) / 2;
+        moment += cross(p, q) / 6 * (p + q);
+    }
+    double extent = 0;
+    for (const Flat& p : outline)
+        extent = std::max(extent, (p - mean).squaredNorm());
+    return std::abs(area) > 1e-12 * extent ? Flat(mean + moment / area) : mean;
+}
+
+} // namespace
+
+std::vector<Vector> furthestFeature(const Posed& posed, const Vector& direction, double tolerance) {
+    const auto& vertices = posed.part->core.vertices;
+    const double most = direction.dot(posed.world(posed.support(direction)));
+    std::vector<Vector> result;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        if (const Vector w = posed.world(i); direction.dot(w) >= most - tolerance)
+            result.push_back(w);
+    sortAround(result, Plane(direction));
+    return result;
+}
+
+Patch patchOf(const Posed& first, const Posed& second, const Vector& normal, double tolerance) {
+    const Plane plane(normal);
+    auto ofFirst = furthestFeature(first, -normal, tolerance);
+    auto ofSecond = furthestFeature(second, normal, tolerance);
+    std::reverse(ofFirst.begin(), ofFirst.end()); // counter-clockwise about +normal, as the other
+    const double height = (normal.dot(ofFirst[0]) - first.part->radius + normal.dot(ofSecond[0]) +
+                           second.part->radius) /
+                          2;
+    const Vector origin = ofFirst[0];
+    const Outline outline =
+        overlapOf(flattened(ofFirst, plane, origin), flattened(ofSecond, plane, origin), tolerance);
+    const auto lift = [&](const Flat& f) {
+        const Vector flat = origin + f.x() * plane.right + f.y() * plane.up;
+        return Vector(flat + (height - normal.dot(flat)) * normal);
+    };
+    Patch patch;
+    for (const Flat& f : outline)
+        patch.corners.push_back(lift(f));
+    patch.centre = lift(centreOf(outline));
+    return patch;
+}
+
+} // namespace collision
