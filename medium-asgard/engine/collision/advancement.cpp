@@ -75,9 +75,17 @@ private:
         pressed_.reset();
         if (contact.closingSpeed >= -least)
             pressed_ = {t_, contact};
+        else if (now.gap < -100 * pair_.roundOff(t_)) {
+            // They part from an overlap that counts: out of it first, or the way back is that long.
+            stepOutOf(-now.gap);
+            return;
+        }
+        // A step too short to matter is made as long as sinking in unnoticed allows.
         const double away = nextContact(now, 0, true);
-        const double floor = nextContact(now, unnoticed * size_, false);
-        moveBy(std::max(away, floor));
+        if (away * pair_.relativeSpeed(t_) > unnoticed * size_)
+            moveBy(away);
+        else
+            moveBy(std::max(away, nextContact(now, unnoticed * size_, false)));
     }
 
     void stepTowards(const Separation& now) {
@@ -87,14 +95,13 @@ private:
 
     // No faster than the fastest point: the depth cannot vanish before that.
     void stepOutOf(double depth) {
-        if (result_.evaluations == 1)
+        if (result_.evaluations == 1 && depth > deep * size_)
             result_.overlap = depth;
         pressed_.reset();
-        const double window = std::min(left(), depth > 0 ? left() : 0);
+        const double window = left();
         double speed = 0;
-        for (const PartMotion* p : {&pair_.first, &pair_.second}) {
+        for (const PartMotion* p : {&pair_.first, &pair_.second})
             speed += turnBounds(p->piece, t_, t_ + window).angularSpeed * p->reach;
-        }
         const RelativePath path = relativePath(pair_.first.piece, pair_.second.piece, t_);
         for (const Polynomial& p : path) {
             double power = 1;
@@ -104,7 +111,7 @@ private:
         if (!std::isfinite(speed)) // too long a window for the bounds: a small step
             moveBy(std::max(left() / 1024, 1e-12));
         else if (speed > 0)
-            moveBy(std::max(depth, unnoticed * size_) / speed);
+            moveBy(std::max(depth, pair_.roundOff(t_)) / speed);
         else
             finished_ = true;
     }

@@ -65,7 +65,7 @@ Contact contactOf(const PartPair& pair, double t, const Separation& separation) 
     if (!isRound(pair)) {
         // At the contact itself the line between closest points is lost; a little before, it is
         // not.
-        const double speed = pair.speedScale(t);
+        const double speed = pair.relativeSpeed(t);
         const double before = speed > 0 ? t - 1e-6 * size / speed : t;
         WarmStart cold;
         const Separation earlier = pair.separationAt(before, cold);

@@ -36,6 +36,12 @@ double PartPair::speedScale(double t) const {
            b.angular.norm() * second.reach;
 }
 
+double PartPair::relativeSpeed(double t) const {
+    const Velocity a = velocityAt(first.piece, t), b = velocityAt(second.piece, t);
+    return (a.linear - b.linear).norm() + a.angular.norm() * first.reach +
+           b.angular.norm() * second.reach;
+}
+
 PartPair partPair(const MovingShape& first, std::size_t firstPart, const MovingShape& second,
                   std::size_t secondPart, double t) {
     PartPair pair{partMotion(first, firstPart, t), partMotion(second, secondPart, t)};

@@ -32,6 +32,8 @@ struct PartPair {
     [[nodiscard]] double roundOff(double t) const;
     // The speeds that enter: the scale against which an approach counts as none.
     [[nodiscard]] double speedScale(double t) const;
+    // No two points of the parts move faster against each other.
+    [[nodiscard]] double relativeSpeed(double t) const;
 };
 
 [[nodiscard]] PartPair partPair(const MovingShape& first, std::size_t firstPart,

@@ -75,6 +75,26 @@ std::optional<SphereHit> meetAgain(Polynomial g, double length, double speedOff,
     return SphereHit{*s, neutral && *s == 0};
 }
 
+// Where they meet after the overlap in which they are now has ended. `g` is negative now.
+std::optional<SphereHit> meetAfterParting(RelativePath path, Polynomial g, double radius,
+                                          double length) {
+    for (double& term : g.terms)
+        term = -term;
+    const auto apart = firstDescent(g, length);
+    if (!apart)
+        return std::nullopt;
+    for (Polynomial& p : path)
+        for (std::size_t i = 0; i + 1 < p.count; ++i)
+            for (std::size_t k = p.count - 1; k-- > i;)
+                p.terms[k] += *apart * p.terms[k + 1];
+    auto hit = meetAgain(squaredDistance(path, radius), length - *apart, 0, radius);
+    if (hit)
+        hit->after += *apart;
+    return hit;
+}
+
+constexpr double deepOverlap = 1e-9; // of the radius: more than round-off of any scene's numbers
+
 } // namespace
 
 SphereEncounter spheresMeet(const RelativePath& path, double radius, double length, double roundOff,
@@ -92,29 +112,16 @@ SphereEncounter spheresMeet(const RelativePath& path, double radius, double leng
             result.hit = SphereHit{*s, false};
         return result;
     }
-    if (gap < -std::max(1e-9 * radius, roundOff)) {
+    const double opening = g.count > 1 ? g.terms[1] / (2 * std::max(distance, radius)) : 0;
+    const bool isDeep = gap < -std::max(deepOverlap * radius, roundOff);
+    if (isDeep)
         result.overlap = -gap;
-        Polynomial inside = g;
-        for (double& term : inside.terms)
-            term = -term;
-        const auto apart = firstDescent(inside, length); // they separate there
-        if (!apart)
-            return result;
-        RelativePath later = path;
-        for (Polynomial& p : later)
-            for (std::size_t i = 0; i + 1 < p.count; ++i)
-                for (std::size_t k = p.count - 1; k-- > i;)
-                    p.terms[k] += *apart * p.terms[k + 1];
-        result.hit = meetAgain(squaredDistance(later, radius), length - *apart, 0, radius);
-        if (result.hit)
-            result.hit->after += *apart;
-        return result;
-    }
-    if (distance > 0 && g.count > 1 && g.terms[1] < -2 * distance * speedOff) {
+    if (isDeep || (gap < -100 * roundOff && opening > speedOff))
+        result.hit = meetAfterParting(path, g, radius, length);
+    else if (opening < -speedOff)
         result.hit = SphereHit{0, false};
-        return result;
-    }
-    result.hit = meetAgain(g, length, speedOff, distance);
+    else
+        result.hit = meetAgain(g, length, speedOff, distance);
     return result;
 }
 

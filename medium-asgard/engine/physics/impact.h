@@ -79,9 +79,4 @@ struct RestingForces {
                                           const Vector& freeAngularAcceleration,
                                           std::span<const RestingContact> contacts);
 
-// f >= 0, w = A f + b >= 0, f . w = 0 for a symmetric positive semidefinite A; the shortest f.
-// Empty when there is none (b cannot be balanced).
-[[nodiscard]] std::vector<double> solveComplementarity(const Eigen::MatrixXd& a,
-                                                       const Eigen::VectorXd& b);
-
 } // namespace physics

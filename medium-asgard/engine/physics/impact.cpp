@@ -1,0 +1,175 @@
+#include "physics/impact.h"
+
+#include "physics/complementarity.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace physics {
+
+namespace {
+
+// Surfaces that approach slower than this times the speeds that enter do not approach.
+constexpr double approachThreshold = 1e-12;
+
+// How a unit impulse along the contact's normal acts on one of its bodies.
+struct Response {
+    std::size_t body = 0;
+    Vector direction = Vector::Zero(); // of the impulse
+    Vector lever = Vector::Zero();
+    Vector velocity = Vector::Zero(), angularVelocity = Vector::Zero(); // that it gives
+};
+
+Response responseOf(const std::vector<ImpactBody>& bodies, std::size_t body, const Vector& point,
+                    const Vector& direction) {
+    const ImpactBody& b = bodies[body];
+    Response r;
+    r.body = body;
+    r.direction = direction;
+    r.lever = point - b.centre;
+    r.velocity = b.inverseMass * direction;
+    r.angularVelocity = b.inverseInertia * r.lever.cross(direction);
+    return r;
+}
+
+class Round {
+public:
+    Round(std::vector<ImpactBody>& bodies, std::span<const ImpactContact> contacts)
+        : bodies_(bodies), contacts_(contacts) {
+        for (const ImpactContact& c : contacts) {
+            first_.push_back(responseOf(bodies, c.first, c.point, c.normal));
+            second_.push_back(responseOf(bodies, c.second, c.point, -c.normal));
+        }
+    }
+
+    // Of the surfaces at the contact along its normal; negative: they approach.
+    [[nodiscard]] double speed(std::size_t i) const {
+        return alongOf(first_[i]) + alongOf(second_[i]);
+    }
+    [[nodiscard]] bool approaches(std::size_t i) const {
+        return speed(i) < -approachThreshold * (scaleOf(first_[i]) + scaleOf(second_[i]));
+    }
+    [[nodiscard]] bool canYield(std::size_t i) const { return mobility(i, i) > 0; }
+
+    // What a unit impulse at contact j adds to the speed at contact i.
+    [[nodiscard]] double mobility(std::size_t i, std::size_t j) const {
+        double sum = 0;
+        for (const Response* a : {&first_[i], &second_[i]})
+            for (const Response* b : {&first_[j], &second_[j]})
+                if (a->body == b->body)
+                    sum += a->direction.dot(b->velocity) +
+                           a->lever.cross(a->direction).dot(b->angularVelocity);
+        return sum;
+    }
+
+    // Impulses on the chosen contacts such that each parts at its restitution or more.
+    [[nodiscard]] std::vector<double> impulses(const std::vector<std::size_t>& chosen,
+                                               bool plastic) const {
+        const auto n = static_cast<Eigen::Index>(chosen.size());
+        Eigen::MatrixXd a(n, n);
+        Eigen::VectorXd b(n);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const std::size_t c = chosen[static_cast<std::size_t>(i)];
+            b[i] = (1 + (plastic ? 0 : contacts_[c].restitution)) * speed(c);
+            for (Eigen::Index j = 0; j < n; ++j)
+                a(i, j) = mobility(c, chosen[static_cast<std::size_t>(j)]);
+        }
+        return solveComplementarity(a, b);
+    }
+
+    void apply(std::size_t i, double impulse) {
+        for (const Response* r : {&first_[i], &second_[i]}) {
+            bodies_[r->body].velocity += impulse * r->velocity;
+            bodies_[r->body].angularVelocity += impulse * r->angularVelocity;
+        }
+    }
+
+private:
+    [[nodiscard]] double alongOf(const Response& r) const {
+        const ImpactBody& b = bodies_[r.body];
+        return r.direction.dot(b.velocity + b.angularVelocity.cross(r.lever));
+    }
+    [[nodiscard]] double scaleOf(const Response& r) const {
+        const ImpactBody& b = bodies_[r.body];
+        return b.velocity.norm() + b.angularVelocity.norm() * r.lever.norm();
+    }
+
+    std::vector<ImpactBody>& bodies_;
+    std::span<const ImpactContact> contacts_;
+    std::vector<Response> first_, second_;
+};
+
+// Gives the impulses to the chosen contacts. False when there are none that part them.
+bool solveTogether(Round& round, const std::vector<std::size_t>& chosen, bool plastic,
+                   ImpactResult& result) {
+    const std::vector<double> impulses = round.impulses(chosen, plastic);
+    if (impulses.empty())
+        return false;
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        if (impulses[i] > 0) {
+            round.apply(chosen[i], impulses[i]);
+            result.impulses.push_back({chosen[i], impulses[i]});
+        }
+    return true;
+}
+
+} // namespace
+
+ImpactResult resolveImpact(std::vector<ImpactBody> bodies,
+                           std::span<const ImpactContact> contacts) {
+    ImpactResult result;
+    result.bodies = std::move(bodies);
+    Round round(result.bodies, contacts);
+    std::vector<std::size_t> yielding;
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+        if (round.canYield(i))
+            yielding.push_back(i);
+        else if (round.approaches(i))
+            result.unyielding.push_back(i);
+
+    // Elastic chains end after about as many rounds as there are pairs of contacts; inelastic ones
+    // between walls never end, and what is left is then taken up without bounce.
+    const std::size_t most = 100 + 20 * yielding.size() * yielding.size();
+    for (std::size_t i = 0; i < most; ++i) {
+        std::vector<std::size_t> approaching;
+        for (std::size_t c : yielding)
+            if (round.approaches(c))
+                approaching.push_back(c);
+        if (approaching.empty())
+            return result;
+        if (!solveTogether(round, approaching, false, result))
+            break;
+    }
+    result.settled = solveTogether(round, yielding, true, result);
+    return result;
+}
+
+RestingForces restingForces(const ImpactBody& body, const Vector& freeAcceleration,
+                            const Vector& freeAngularAcceleration,
+                            std::span<const RestingContact> contacts) {
+    const auto n = static_cast<Eigen::Index>(contacts.size());
+    Eigen::MatrixXd turning(n, 3), normals(n, 3);
+    Eigen::VectorXd free(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const RestingContact& c = contacts[static_cast<std::size_t>(i)];
+        normals.row(i) = c.normal;
+        turning.row(i) = (c.point - body.centre).cross(c.normal);
+        free[i] = c.normal.dot(freeAcceleration) + turning.row(i).dot(freeAngularAcceleration) +
+                  c.extraAcceleration;
+    }
+    const Eigen::MatrixXd mobility = body.inverseMass * normals * normals.transpose() +
+                                     turning * body.inverseInertia * turning.transpose();
+    RestingForces result;
+    result.normalForces = solveComplementarity(mobility, free);
+    if (result.normalForces.empty())
+        result.normalForces.assign(contacts.size(), 0);
+    const Eigen::Map<const Eigen::VectorXd> forces(result.normalForces.data(), n);
+    result.acceleration = freeAcceleration + body.inverseMass * normals.transpose() * forces;
+    result.angularAcceleration =
+        freeAngularAcceleration + body.inverseInertia * (turning.transpose() * forces);
+    const Eigen::VectorXd gaps = mobility * forces + free;
+    result.gapAccelerations.assign(gaps.data(), gaps.data() + n);
+    return result;
+}
+
+} // namespace physics

@@ -1,0 +1,362 @@
+#include "physics/impact.h"
+
+#include "collision/broad_phase.h"
+#include "collision/flying_body.h"
+#include "collision/time_of_impact.h"
+#include "geometry/mass.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+namespace physics {
+namespace {
+
+using collision::FlyingBody;
+using collision::flyingBox;
+using collision::flyingSphere;
+using geometry::Quaternion;
+
+// A world of bodies in free flight, moved from impact to impact: what the simulation does, without
+// equations. Spin stays constant in flight: for spheres and cubes it does.
+class World {
+  public:
+    struct Member {
+        FlyingBody body;
+        double mass = 1; // infinity: fixed
+        Matrix inertia = Matrix::Identity();
+        double restitution = 1;
+    };
+
+    void add(const FlyingBody& body, double mass, double restitution = 1) {
+        const auto m = geometry::scaledToMass(geometry::massProperties(body.form, 1), mass);
+        members_.push_back({body, mass, m.inertia, restitution});
+    }
+    void addFixed(const FlyingBody& body) {
+        members_.push_back({body, std::numeric_limits<double>::infinity(), {}, 1});
+    }
+    [[nodiscard]] const FlyingBody& body(std::size_t i) const { return members_[i].body; }
+
+    // Runs to the time; returns the number of impulses.
+    std::size_t run(double until) {
+        std::size_t count = 0;
+        while (const auto t = nextHit(until))
+            count += impactAt(*t);
+        for (Member& m : members_)
+            m.body.moveTo(until);
+        now_ = until;
+        return count;
+    }
+    [[nodiscard]] double energy() const {
+        double sum = 0;
+        for (const Member& m : members_)
+            if (std::isfinite(m.mass))
+                sum += m.mass * m.body.velocity.squaredNorm() / 2 +
+                       m.body.spin.dot(worldInertia(m) * m.body.spin) / 2;
+        return sum;
+    }
+
+  private:
+    static Matrix worldInertia(const Member& m) {
+        const Matrix r = m.body.attitude.toRotationMatrix();
+        return r * m.inertia * r.transpose();
+    }
+    [[nodiscard]] bool mayMeet(std::size_t i, std::size_t j) const {
+        return std::isfinite(members_[i].mass) || std::isfinite(members_[j].mass);
+    }
+
+    std::optional<double> nextHit(double until) {
+        std::optional<double> first;
+        for (std::size_t i = 0; i < members_.size(); ++i)
+            for (std::size_t j = i + 1; j < members_.size(); ++j) {
+                if (!mayMeet(i, j))
+                    continue;
+                const auto e = collision::timeOfImpact(members_[i].body, members_[j].body,
+                                                       {now_, first.value_or(until)});
+                if (e.hit && !e.hit->pressing)
+                    first = e.hit->time;
+            }
+        return first;
+    }
+
+    std::size_t impactAt(double t) {
+        std::vector<ImpactBody> bodies;
+        for (Member& m : members_) {
+            m.body.moveTo(t);
+            ImpactBody b;
+            b.inverseMass = 1 / m.mass;
+            if (std::isfinite(m.mass))
+                b.inverseInertia = worldInertia(m).inverse();
+            b.centre = m.body.position;
+            b.velocity = m.body.velocity;
+            b.angularVelocity = m.body.spin;
+            bodies.push_back(b);
+        }
+        now_ = t;
+        std::vector<ImpactContact> contacts;
+        for (std::size_t i = 0; i < members_.size(); ++i)
+            for (std::size_t j = i + 1; j < members_.size(); ++j)
+                if (mayMeet(i, j))
+                    for (const auto& c :
+                         collision::contactsAt(members_[i].body, members_[j].body, t, 1e-11))
+                        contacts.push_back(
+                            {i, j, c.point, c.normal,
+                             std::min(members_[i].restitution, members_[j].restitution)});
+        const ImpactResult result = resolveImpact(bodies, contacts);
+        EXPECT_TRUE(result.settled);
+        EXPECT_FALSE(result.impulses.empty()) << "a hit without an impulse at " << t;
+        for (std::size_t i = 0; i < members_.size(); ++i) {
+            members_[i].body.velocity = result.bodies[i].velocity;
+            members_[i].body.spin = result.bodies[i].angularVelocity;
+        }
+        return result.impulses.size();
+    }
+
+    std::vector<Member> members_;
+    double now_ = 0;
+};
+
+// Scenes of the reference set are named by their numbers.
+
+// Galperin: the number of impacts of masses 1 and 100^n with a wall is the first n + 1 digits of pi.
+TEST(Impact, CountsTheDigitsOfPi) { // d04
+    for (const auto& [mass, count] : {std::pair{1.0, 3u}, {100.0, 31u}, {1e4, 314u}, {1e6, 3141u}}) {
+        World world;
+        world.addFixed(flyingBox({1, 4, 4}, {-0.5, 0, 0}));
+        world.add(flyingSphere(0.5, {2, 0, 0}), 1);
+        world.add(flyingSphere(0.5, {5, 0, 0}, {-1, 0, 0}), mass);
+        const double before = world.energy();
+        EXPECT_EQ(world.run(1000), count);
+        EXPECT_NEAR(world.energy(), before, 1e-11 * before);
+    }
+}
+
+TEST(Impact, PassesAlongARowOfTouchingSpheres) { // d03
+    World world;
+    world.add(flyingSphere(0.5, {-3, 0, 0}, {2, 0, 0}), 1);
+    for (int i = 0; i < 4; ++i)
+        world.add(flyingSphere(0.5, {static_cast<double>(i), 0, 0}), 1);
+    EXPECT_EQ(world.run(2), 4u);
+    for (std::size_t i = 0; i < 4; ++i)
+        EXPECT_LT(world.body(i).velocity.norm(), 1e-15);
+    EXPECT_NEAR(world.body(4).position.x(), 5, 1e-14);
+    EXPECT_NEAR(world.body(0).position.x(), -1, 1e-14);
+}
+
+TEST(Impact, OfASymmetricPinchIsSymmetric) { // d12b
+    World world;
+    world.add(flyingSphere(0.5, {-2, 0, 0}, {1, 0, 0}), 1);
+    world.add(flyingSphere(0.5, {0, 0, 0}), 1);
+    world.add(flyingSphere(0.5, {2, 0, 0}, {-1, 0, 0}), 1);
+    EXPECT_EQ(world.run(3), 2u);
+    EXPECT_EQ(world.body(0).velocity, Vector(-1, 0, 0));
+    EXPECT_EQ(world.body(1).velocity, Vector(0, 0, 0));
+    EXPECT_EQ(world.body(2).velocity, Vector(1, 0, 0));
+}
+
+TEST(Impact, InACornerReversesBothComponents) { // d12c
+    World world;
+    world.addFixed(flyingBox({1, 10, 10}, {-0.5, 4, 0}));
+    world.addFixed(flyingBox({10, 1, 10}, {4, -0.5, 0}));
+    world.add(flyingSphere(0.5, {3.5, 2.5, 0}, {-3, -2, 0.25}), 1);
+    EXPECT_EQ(world.run(3), 2u);
+    EXPECT_LT((world.body(2).position - Vector(6.5, 4.5, 0.75)).norm(), 1e-14);
+    EXPECT_LT((world.body(2).velocity - Vector(3, 2, 0.25)).norm(), 1e-14);
+}
+
+TEST(Impact, OfAGlancingSphereLeavesItsSpin) {
+    World world;
+    auto a = flyingSphere(0.5, {-3, 0.6, 0}, {2, 0, 0});
+    a.spin = {1, 2, 3};
+    world.add(a, 1);
+    world.add(flyingSphere(0.5, {0, 0, 0}), 3);
+    EXPECT_EQ(world.run(3), 1u);
+    EXPECT_EQ(world.body(0).spin, Vector(1, 2, 3));
+    EXPECT_EQ(world.body(1).spin, Vector(0, 0, 0));
+}
+
+TEST(Impact, OfASphereOnTheCornerOfABox) { // d07: impulse and velocities
+    World world;
+    world.add(flyingSphere(0.3, {4.05, 2.47, -1.73}, {-3, -2, 1}), 0.5);
+    auto box = flyingBox({2, 1, 1.5}, {0, 0, 0});
+    box.attitude = Quaternion(0.8, 0, 0.6, 0);
+    world.add(box, 3);
+    EXPECT_EQ(world.run(1), 1u);
+    EXPECT_LT((world.body(0).velocity -
+               Vector(2.2293585527009716, 0.26358347479849226, -0.03526629842539176))
+                  .norm(),
+              1e-12);
+    EXPECT_LT((world.body(1).velocity -
+               Vector(-0.8715597587834952, -0.3772639124664154, 0.17254438307089862))
+                  .norm(),
+              1e-12);
+}
+
+TEST(Impact, OfACubeOnItsCorner) { // d08
+    World world;
+    world.addFixed(flyingBox({100, 2, 100}, {0, -1, 0}));
+    auto cube = flyingBox({1, 1, 1}, {0, 1.5, 0});
+    cube.attitude = Quaternion(0.8, 0.36, 0.48, 0);
+    cube.acceleration = {0, -10, 0};
+    world.add(cube, 1);
+    EXPECT_EQ(world.run(0.5), 1u);
+    EXPECT_LT((world.body(1).velocity - Vector(0, 0.39969756114570215, 0)).norm(), 1e-12);
+    EXPECT_LT((world.body(1).spin - Vector(-7.6459717465823145, 0, -1.892054025425454)).norm(),
+              1e-12);
+}
+
+TEST(Impact, OfABoxLandingFlatMakesNoSpin) { // d08b
+    World world;
+    world.addFixed(flyingBox({100, 2, 100}, {0, -1, 0}));
+    auto box = flyingBox({2, 1, 1.5}, {0, 1.75, 0});
+    box.acceleration = {0, -10, 0};
+    world.add(box, 3);
+    EXPECT_EQ(world.run(0.95), 1u);
+    EXPECT_LT(world.body(1).spin.norm(), 1e-13);
+    EXPECT_LT((world.body(1).position - Vector(0, 1.7375, 0)).norm(), 1e-13);
+}
+
+TEST(Impact, OfARodOnASphere) { // d11
+    World world;
+    auto rod = flyingBox({2, 0.1, 0.1}, {0, 0, 0});
+    rod.spin = {0, 0, 3};
+    world.add(rod, 1);
+    world.add(flyingSphere(0.2, {0.5, 0.5, 0}), 0.3);
+    EXPECT_EQ(world.run(0.6), 1u);
+    EXPECT_NEAR(world.body(0).spin.z(), 1.607837360047142, 1e-12);
+    EXPECT_LT((world.body(1).position - Vector(0.05758033883919826, 1.4800703477333834, 0)).norm(),
+              1e-12);
+}
+
+TEST(Impact, BouncesAThousandTimesWithoutDrift) { // d05
+    World world;
+    world.addFixed(flyingBox({4000, 1, 4000}, {0, -0.5, 0}));
+    auto ball = flyingSphere(0.5, {0, 5.5, 0});
+    ball.acceleration = {0, -10, 0};
+    world.add(ball, 1);
+    EXPECT_EQ(world.run(2000), 1000u);
+    EXPECT_LT((world.body(1).position - Vector(0, 5.5, 0)).norm(), 1e-8);
+}
+
+// Momentum, angular momentum and, at restitution 1, energy.
+TEST(Impact, ConservesWhatItMustToRoundOff) {
+    std::mt19937_64 random(7);
+    std::normal_distribution<double> normal;
+    const auto vector = [&] { return Vector(normal(random), normal(random), normal(random)); };
+    for (int trial = 0; trial < 1000; ++trial) {
+        std::vector<ImpactBody> bodies(4);
+        for (ImpactBody& b : bodies) {
+            Matrix half;
+            half << vector(), vector(), vector();
+            b.inverseMass = std::exp(normal(random));
+            b.inverseInertia = half * half.transpose() + 0.1 * Matrix::Identity();
+            b.centre = vector();
+            b.velocity = vector();
+            b.angularVelocity = vector();
+        }
+        std::vector<ImpactContact> contacts;
+        const bool elastic = trial % 2;
+        for (std::size_t i = 0; i < 1 + random() % 5; ++i)
+            contacts.push_back({random() % 2, 2 + random() % 2, vector(), vector().normalized(),
+                                elastic ? 1.0 : 0.3});
+        const auto sum = [](const std::vector<ImpactBody>& all) {
+            Vector p = Vector::Zero(), l = Vector::Zero();
+            double e = 0;
+            for (const ImpactBody& b : all) {
+                const Vector momentum = b.velocity / b.inverseMass;
+                const Vector spin = b.inverseInertia.inverse() * b.angularVelocity;
+                p += momentum;
+                l += spin + b.centre.cross(momentum);
+                e += (momentum.dot(b.velocity) + spin.dot(b.angularVelocity)) / 2;
+            }
+            return std::tuple(p, l, e);
+        };
+        const auto result = resolveImpact(bodies, contacts);
+        const auto [p0, l0, e0] = sum(bodies);
+        const auto [p1, l1, e1] = sum(result.bodies);
+        EXPECT_LT((p1 - p0).norm(), 1e-11 * std::sqrt(e0));
+        EXPECT_LT((l1 - l0).norm(), 1e-11 * (1 + l0.norm() + e0));
+        if (elastic)
+            EXPECT_NEAR(e1, e0, 1e-10 * e0);
+        else
+            EXPECT_LE(e1, e0 * (1 + 1e-12));
+        for (const ImpulseGiven& j : result.impulses)
+            EXPECT_GT(j.impulse, 0);
+    }
+}
+
+TEST(Impact, BodiesThatCannotGiveWayPassThroughEachOther) {
+    std::vector<ImpactBody> bodies(2);
+    bodies[0].velocity = {-1, 0, 0};
+    const auto result = resolveImpact(bodies, std::vector<ImpactContact>{{0, 1, {}, {1, 0, 0}, 1}});
+    EXPECT_TRUE(result.impulses.empty());
+    EXPECT_EQ(result.unyielding, std::vector<std::size_t>{0});
+    EXPECT_EQ(result.bodies[0].velocity, Vector(-1, 0, 0));
+}
+
+TEST(Impact, WithAHeldAttitudeTurnsNothing) {
+    std::vector<ImpactBody> bodies(2);
+    bodies[0].inverseMass = 1; // free to move, its attitude held
+    bodies[0].velocity = {-1, 0, 0};
+    const auto result = resolveImpact(
+        bodies, std::vector<ImpactContact>{{0, 1, {0, 5, 0}, {1, 0, 0}, 0.5}});
+    ASSERT_EQ(result.impulses.size(), 1u);
+    EXPECT_DOUBLE_EQ(result.impulses[0].impulse, 1.5);
+    EXPECT_EQ(result.bodies[0].angularVelocity, Vector(0, 0, 0));
+}
+
+// A lossy ball between two fixed walls that touch it: rounds would go on forever.
+TEST(Impact, EndsWhenLossyBouncingWouldNot) {
+    std::vector<ImpactBody> bodies(4);
+    bodies[0].inverseMass = bodies[1].inverseMass = 1;
+    bodies[0].velocity = {1, 0, 0};
+    const std::vector<ImpactContact> contacts{
+        {1, 0, {}, {1, 0, 0}, 0.9}, {1, 2, {}, {-1, 0, 0}, 0.9}, {0, 3, {}, {1, 0, 0}, 0.9}};
+    const auto result = resolveImpact(bodies, contacts);
+    EXPECT_TRUE(result.settled);
+    EXPECT_GE(result.bodies[1].velocity.x() - result.bodies[0].velocity.x(), -1e-12);
+    EXPECT_LE(result.bodies[1].velocity.x(), 1e-12);
+}
+
+TEST(RestingForces, OfATableAreSharedEvenlyByItsFourFeet) {
+    ImpactBody table;
+    table.inverseMass = 0.5;
+    table.inverseInertia = Matrix::Identity();
+    std::vector<RestingContact> feet;
+    for (double x : {-1.0, 1.0})
+        for (double z : {-1.0, 1.0})
+            feet.push_back({{x, -1, z}, {0, 1, 0}, 0});
+    const auto forces = restingForces(table, {3, -10, 0}, {0, 0, 0}, feet);
+    for (double f : forces.normalForces)
+        EXPECT_NEAR(f, 5, 1e-12);
+    EXPECT_LT((forces.acceleration - Vector(3, 0, 0)).norm(), 1e-12); // slides without friction
+    EXPECT_LT(forces.angularAcceleration.norm(), 1e-12);
+}
+
+TEST(RestingForces, NeverPull) {
+    ImpactBody body;
+    body.inverseMass = 1;
+    body.inverseInertia = Matrix::Identity();
+    const std::vector<RestingContact> one{{{0, -1, 0}, {0, 1, 0}, 0}};
+    EXPECT_EQ(restingForces(body, {0, 2, 0}, {0, 0, 0}, one).normalForces[0], 0);
+    // Weight beyond the edge: the inner foot opens, the body tips over the outer one.
+    const std::vector<RestingContact> two{{{-2, -1, 0}, {0, 1, 0}, 0}, {{-1, -1, 0}, {0, 1, 0}, 0}};
+    const auto tips = restingForces(body, {0, -10, 0}, {0, 0, 0}, two);
+    EXPECT_EQ(tips.normalForces[0], 0);
+    EXPECT_NEAR(tips.normalForces[1], 5, 1e-12); // a = -10 + f, alpha = -f: -10 + f + f = 0
+    EXPECT_GT(tips.gapAccelerations[0], 0);
+}
+
+TEST(RestingForces, BalanceAWedge) { // two planes at 45 degrees
+    ImpactBody ball;
+    ball.inverseMass = 1;
+    const double s = std::sqrt(0.5);
+    const std::vector<RestingContact> sides{{{-s, -s, 0}, {s, s, 0}, 0}, {{s, -s, 0}, {-s, s, 0}, 0}};
+    const auto forces = restingForces(ball, {0, -10, 0}, {0, 0, 0}, sides);
+    EXPECT_NEAR(forces.normalForces[0], 10 * s, 1e-12);
+    EXPECT_LT(forces.acceleration.norm(), 1e-12);
+}
+
+} // namespace
+} // namespace physics
