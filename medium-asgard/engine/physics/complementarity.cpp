@@ -17,8 +17,11 @@ Eigen::MatrixXd block(const Eigen::MatrixXd& a, const Set& set) { return a(set, 
 // The unconstrained minimum over the set; zero elsewhere.
 Eigen::VectorXd minimumOver(const Set& set, const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
     Eigen::VectorXd f = Eigen::VectorXd::Zero(b.size());
-    if (!set.empty())
-        f(set) = block(a, set).ldlt().solve(-b(set));
+    if (!set.empty()) {
+        const Eigen::VectorXd right = -b(set);
+        const Eigen::VectorXd some = block(a, set).ldlt().solve(right);
+        f(set) = some;
+    }
     return f;
 }
 
@@ -89,8 +92,10 @@ std::vector<double> solveComplementarity(const Eigen::MatrixXd& a, const Eigen::
     // Without it, on the contacts that push: the shortest solution to the last bits.
     if (!set.empty()) {
         Eigen::VectorXd exact = Eigen::VectorXd::Zero(n);
-        exact(set) =
-            Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(block(a, set)).solve(-b(set));
+        const Eigen::VectorXd right = -b(set);
+        const Eigen::VectorXd some =
+            Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(block(a, set)).solve(right);
+        exact(set) = some;
         if (solves(a, b, exact, 1e-11))
             f = exact;
     }

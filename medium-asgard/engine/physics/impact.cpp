@@ -28,7 +28,12 @@ Response responseOf(const std::vector<ImpactBody>& bodies, std::size_t body, con
     r.direction = direction;
     r.lever = point - b.centre;
     r.velocity = b.inverseMass * direction;
-    r.angularVelocity = b.inverseInertia * r.lever.cross(direction);
+    // An impulse through the centre, up to rounding, turns nothing: a sphere's spin stays its own.
+    const double rounding = 1e-14 * r.lever.norm() + 1e-15 * (point.norm() + b.centre.norm());
+    if (r.lever.cross(direction).norm() <= rounding)
+        r.lever = r.lever.dot(direction) * direction;
+    else
+        r.angularVelocity = b.inverseInertia * r.lever.cross(direction);
     return r;
 }
 

@@ -21,7 +21,7 @@ using geometry::Quaternion;
 // A world of bodies in free flight, moved from impact to impact: what the simulation does, without
 // equations. Spin stays constant in flight: for spheres and cubes it does.
 class World {
-  public:
+public:
     struct Member {
         FlyingBody body;
         double mass = 1; // infinity: fixed
@@ -34,7 +34,7 @@ class World {
         members_.push_back({body, mass, m.inertia, restitution});
     }
     void addFixed(const FlyingBody& body) {
-        members_.push_back({body, std::numeric_limits<double>::infinity(), {}, 1});
+        members_.push_back({body, std::numeric_limits<double>::infinity(), Matrix::Identity(), 1});
     }
     [[nodiscard]] const FlyingBody& body(std::size_t i) const { return members_[i].body; }
 
@@ -57,7 +57,7 @@ class World {
         return sum;
     }
 
-  private:
+private:
     static Matrix worldInertia(const Member& m) {
         const Matrix r = m.body.attitude.toRotationMatrix();
         return r * m.inertia * r.transpose();
@@ -119,9 +119,11 @@ class World {
 
 // Scenes of the reference set are named by their numbers.
 
-// Galperin: the number of impacts of masses 1 and 100^n with a wall is the first n + 1 digits of pi.
+// Galperin: the number of impacts of masses 1 and 100^n with a wall is the first n + 1 digits of
+// pi.
 TEST(Impact, CountsTheDigitsOfPi) { // d04
-    for (const auto& [mass, count] : {std::pair{1.0, 3u}, {100.0, 31u}, {1e4, 314u}, {1e6, 3141u}}) {
+    for (const auto& [mass, count] :
+         {std::pair{1.0, 3u}, {100.0, 31u}, {1e4, 314u}, {1e6, 3141u}}) {
         World world;
         world.addFixed(flyingBox({1, 4, 4}, {-0.5, 0, 0}));
         world.add(flyingSphere(0.5, {2, 0, 0}), 1);
@@ -150,9 +152,9 @@ TEST(Impact, OfASymmetricPinchIsSymmetric) { // d12b
     world.add(flyingSphere(0.5, {0, 0, 0}), 1);
     world.add(flyingSphere(0.5, {2, 0, 0}, {-1, 0, 0}), 1);
     EXPECT_EQ(world.run(3), 2u);
-    EXPECT_EQ(world.body(0).velocity, Vector(-1, 0, 0));
-    EXPECT_EQ(world.body(1).velocity, Vector(0, 0, 0));
-    EXPECT_EQ(world.body(2).velocity, Vector(1, 0, 0));
+    EXPECT_LT((world.body(0).velocity - Vector(-1, 0, 0)).norm(), 1e-15);
+    EXPECT_LT(world.body(1).velocity.norm(), 1e-15);
+    EXPECT_LT((world.body(2).velocity - Vector(1, 0, 0)).norm(), 1e-15);
 }
 
 TEST(Impact, InACornerReversesBothComponents) { // d12c
@@ -289,7 +291,8 @@ TEST(Impact, ConservesWhatItMustToRoundOff) {
 TEST(Impact, BodiesThatCannotGiveWayPassThroughEachOther) {
     std::vector<ImpactBody> bodies(2);
     bodies[0].velocity = {-1, 0, 0};
-    const auto result = resolveImpact(bodies, std::vector<ImpactContact>{{0, 1, {}, {1, 0, 0}, 1}});
+    const auto result =
+        resolveImpact(bodies, std::vector<ImpactContact>{{0, 1, Vector::Zero(), {1, 0, 0}, 1}});
     EXPECT_TRUE(result.impulses.empty());
     EXPECT_EQ(result.unyielding, std::vector<std::size_t>{0});
     EXPECT_EQ(result.bodies[0].velocity, Vector(-1, 0, 0));
@@ -299,8 +302,8 @@ TEST(Impact, WithAHeldAttitudeTurnsNothing) {
     std::vector<ImpactBody> bodies(2);
     bodies[0].inverseMass = 1; // free to move, its attitude held
     bodies[0].velocity = {-1, 0, 0};
-    const auto result = resolveImpact(
-        bodies, std::vector<ImpactContact>{{0, 1, {0, 5, 0}, {1, 0, 0}, 0.5}});
+    const auto result =
+        resolveImpact(bodies, std::vector<ImpactContact>{{0, 1, {0, 5, 0}, {1, 0, 0}, 0.5}});
     ASSERT_EQ(result.impulses.size(), 1u);
     EXPECT_DOUBLE_EQ(result.impulses[0].impulse, 1.5);
     EXPECT_EQ(result.bodies[0].angularVelocity, Vector(0, 0, 0));
@@ -311,8 +314,9 @@ TEST(Impact, EndsWhenLossyBouncingWouldNot) {
     std::vector<ImpactBody> bodies(4);
     bodies[0].inverseMass = bodies[1].inverseMass = 1;
     bodies[0].velocity = {1, 0, 0};
-    const std::vector<ImpactContact> contacts{
-        {1, 0, {}, {1, 0, 0}, 0.9}, {1, 2, {}, {-1, 0, 0}, 0.9}, {0, 3, {}, {1, 0, 0}, 0.9}};
+    const std::vector<ImpactContact> contacts{{1, 0, Vector::Zero(), {1, 0, 0}, 0.9},
+                                              {1, 2, Vector::Zero(), {-1, 0, 0}, 0.9},
+                                              {0, 3, Vector::Zero(), {1, 0, 0}, 0.9}};
     const auto result = resolveImpact(bodies, contacts);
     EXPECT_TRUE(result.settled);
     EXPECT_GE(result.bodies[1].velocity.x() - result.bodies[0].velocity.x(), -1e-12);
@@ -352,7 +356,8 @@ TEST(RestingForces, BalanceAWedge) { // two planes at 45 degrees
     ImpactBody ball;
     ball.inverseMass = 1;
     const double s = std::sqrt(0.5);
-    const std::vector<RestingContact> sides{{{-s, -s, 0}, {s, s, 0}, 0}, {{s, -s, 0}, {-s, s, 0}, 0}};
+    const std::vector<RestingContact> sides{{{-s, -s, 0}, {s, s, 0}, 0},
+                                            {{s, -s, 0}, {-s, s, 0}, 0}};
     const auto forces = restingForces(ball, {0, -10, 0}, {0, 0, 0}, sides);
     EXPECT_NEAR(forces.normalForces[0], 10 * s, 1e-12);
     EXPECT_LT(forces.acceleration.norm(), 1e-12);

@@ -25,7 +25,7 @@ TEST(Scene, FindsElementsByName) {
 TEST(ShapeOf, TurnsAPartAndThenMovesIt) {
     ShapeSet set;
     set.parts.push_back({BoxShape{{2, 4, 6}}, {1, 0, 0}, {0, 0, std::numbers::pi / 2}, {}});
-    set.parts.push_back({SphereShape{0.5}, {0, 9, 0}, {}, {}});
+    set.parts.push_back({SphereShape{0.5}, {0, 9, 0}, Vector::Zero(), {}});
     const auto shape = std::get<geometry::Shape>(shapeOf(set));
     const geometry::Box first = geometry::bounds({{shape.parts[0]}});
     EXPECT_LT((first.min() - Vector(-1, -1, -3)).norm(), 1e-15);
@@ -36,8 +36,11 @@ TEST(ShapeOf, TurnsAPartAndThenMovesIt) {
 
 TEST(ShapeOf, SaysWhyAPartHasNoVolume) {
     ShapeSet set;
-    set.parts.push_back({SphereShape{}, {}, {}, {}});
-    set.parts.push_back({HullShape{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}}, {}, {}, {}});
+    set.parts.push_back({SphereShape{}, Vector::Zero(), Vector::Zero(), {}});
+    set.parts.push_back({HullShape{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}},
+                         Vector::Zero(),
+                         Vector::Zero(),
+                         {}});
     EXPECT_EQ(std::get<std::string>(shapeOf(set)),
               "its points lie in one plane, which bounds no volume");
 }
