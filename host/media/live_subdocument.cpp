@@ -26,6 +26,8 @@ LiveSubdocument::LiveSubdocument(const Manifest& manifest, QString program, Pipe
 }
 
 LiveSubdocument::~LiveSubdocument() {
+    for (Rendition* rendition : renditions_)
+        rendition->subdocument_ = nullptr;
     discard(next_);
     discard(process_);
 }

@@ -6,14 +6,17 @@
 namespace media {
 
 Rendition::Rendition(LiveSubdocument& subdocument, ipc::Integer id)
-    : subdocument_(subdocument), id_(id) {}
+    : subdocument_(&subdocument), id_(id) {}
+
+LiveSubdocument* Rendition::subdocument() const { return subdocument_; }
 
 Rendition::~Rendition() {
     if (process_) {
         process_->request(ipc::RenditionDestroy{id_});
         freeSlots(slots_);
     }
-    subdocument_.forget(*this);
+    if (subdocument_)
+        subdocument_->forget(*this);
 }
 
 void Rendition::setPresentation(const QString& presentation) {
@@ -76,7 +79,7 @@ void Rendition::sendGeometry(bool create) {
     ipc::RenditionGeometry geometry;
     geometry.rendition = id_;
     geometry.presentation =
-        (presentation_.isEmpty() ? subdocument_.defaultPresentation() : presentation_)
+        (presentation_.isEmpty() ? subdocument_->defaultPresentation() : presentation_)
             .toStdString();
     geometry.width = pixels_.width();
     geometry.height = pixels_.height();

@@ -25,7 +25,7 @@ public:
     ~Rendition() override;
 
     [[nodiscard]] ipc::Integer id() const { return id_; }
-    [[nodiscard]] LiveSubdocument& subdocument() const { return subdocument_; }
+    [[nodiscard]] LiveSubdocument* subdocument() const; // nullptr: it was removed from the document
     [[nodiscard]] const QString& presentation() const { return presentation_; }
 
     // The newest picture, null before the first. It stays when the medium is gone.
@@ -54,7 +54,7 @@ private:
     void freeSlots(const std::vector<Slot>& slots) const;
     [[nodiscard]] QImage decoded(const ipc::RenditionFrame& frame) const;
 
-    LiveSubdocument& subdocument_;
+    QPointer<LiveSubdocument> subdocument_;
     ipc::Integer id_;
     QString presentation_; // "": the first that the medium has
     QSize pixels_{320, 240};

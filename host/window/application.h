@@ -1,0 +1,42 @@
+// The windows that are open, the documents they show, and what is remembered between runs.
+#pragma once
+
+#include "media/live_media.h"
+#include "window/document_window.h"
+
+#include <QPointer>
+
+namespace window {
+
+// Fonts and colours of the program: its own where the desktop has no say.
+void dress();
+
+class Application : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Application(media::TimeLimits limits = {});
+    ~Application() override;
+
+    // Opens a file in a window, or raises the one that has it. Null, after a message, when it
+    // cannot be read.
+    DocumentWindow* open(const QString& fileName, QWidget* parent = nullptr);
+    DocumentWindow* openNew(); // an empty memo
+    DocumentWindow* addWindow(std::shared_ptr<session::OpenDocument> document);
+    void playWhenLoaded(session::OpenDocument& document);
+    void quit(); // after asking every window
+
+    [[nodiscard]] std::vector<DocumentWindow*> windowsOf(const session::OpenDocument& of) const;
+    [[nodiscard]] QStringList recentFiles() const;
+    void remember(const QString& fileName);
+    [[nodiscard]] media::LiveMedia& media() { return media_; }
+    [[nodiscard]] const media::PipeThread& pipes() const { return pipes_; }
+
+private:
+    document::Schemas schemas_;
+    media::PipeThread pipes_;
+    media::LiveMedia media_;
+    std::vector<QPointer<DocumentWindow>> windows_;
+};
+
+} // namespace window

@@ -1,0 +1,625 @@
+#include "window/document_view.h"
+
+#include "layout/measure.h"
+#include "paper/paper.h"
+#include "window/key_names.h"
+#include "window/play_bar.h"
+
+#include <QApplication>
+#include <QPaintEvent>
+#include <QScrollBar>
+#include <QWindow>
+#include <algorithm>
+#include <cmath>
+
+namespace window {
+
+namespace {
+
+constexpr double margin = 28; // around the pages
+constexpr double gap = 20;    // between them
+// Renditions further away than this many heights of the view give their pictures back.
+constexpr double farHeights = 8;
+constexpr int geometryDelayMs = 90;
+
+QColor backdrop(const QPalette& palette) {
+    const bool dark = palette.color(QPalette::Window).lightness() < 128;
+    return dark ? QColor(40, 41, 44) : QColor(229, 231, 235);
+}
+
+void paintShadow(QPainter& painter, const QRectF& page) {
+    for (int i = 0; i < 5; ++i) {
+        painter.setPen(QColor(0, 0, 0, 16 - 3 * i));
+        painter.drawRect(page.adjusted(-0.5 - i, 0.5 - i, 0.5 + i, 1.5 + i));
+    }
+}
+
+} // namespace
+
+DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
+    : QAbstractScrollArea(parent), document_(document), playBar_(new PlayBar(true, viewport())) {
+    setFrameShape(QFrame::NoFrame);
+    setAccessibleName(tr("Document"));
+    setFocusPolicy(Qt::StrongFocus);
+    viewport()->setMouseTracking(true);
+    verticalScrollBar()->setSingleStep(40);
+    playBar_->hide();
+    layoutTimer_.setSingleShot(true);
+    connect(&layoutTimer_, &QTimer::timeout, this, &DocumentView::layOut);
+    geometryTimer_.setSingleShot(true);
+    connect(&geometryTimer_, &QTimer::timeout, this, &DocumentView::updateGeometries);
+    connect(&document_, &session::OpenDocument::structureChanged, this, [this] {
+        std::erase_if(shown_, [this](const auto& one) {
+            return !document_.document().subdocument(one.first);
+        });
+        layoutTimer_.start(0);
+    });
+    connect(playBar_, &PlayBar::playWanted, this, [this] {
+        if (media::LiveSubdocument* live = document_.live(hovered_))
+            live->play();
+    });
+    connect(playBar_, &PlayBar::pauseWanted, this, [this] {
+        if (media::LiveSubdocument* live = document_.live(hovered_))
+            live->pause();
+    });
+    connect(playBar_, &PlayBar::seekWanted, this, [this](double time) {
+        if (media::LiveSubdocument* live = document_.live(hovered_))
+            live->seek(time);
+    });
+    layOut();
+}
+
+DocumentView::~DocumentView() {
+    for (const document::SubdocumentId id : document_.document().subdocuments())
+        if (media::LiveSubdocument* live = document_.live(id))
+            document_.media().setDistance(*live, this, media::LiveMedia::notNeeded);
+}
+
+// --- layout ------------------------------------------------------------------------------------
+
+void DocumentView::layOut() {
+    const document::Document& document = document_.document();
+    model_ = document::buildModel(
+        document, document_.schemas().presentation(document.className(), presentation_),
+        document_.schemas());
+    layout::Objects objects;
+    objects.subdocumentSize = [this](document::SubdocumentId id) {
+        return layout::fromPixels(document_.sizeOf(id));
+    };
+    objects.image = [&document](const std::string& source) {
+        return paper::imageOf(document, source);
+    };
+    pages_ = layout::layOut(model_, objects);
+    placeSubdocuments();
+    setScrollBars();
+    updateNearness();
+    viewport()->update();
+    Q_EMIT laidOut();
+}
+
+void DocumentView::placeSubdocuments() {
+    std::map<document::SubdocumentId, Shown> before;
+    before.swap(shown_);
+    for (const layout::PlacedSubdocument& placed : pages_.subdocuments) {
+        const auto old = before.find(placed.subdocument);
+        Shown shown;
+        if (old != before.end())
+            shown = std::move(old->second);
+        shown.id = placed.subdocument;
+        shown.page = placed.page;
+        shown.onPage = placed.rect;
+        shown_[placed.subdocument] = std::move(shown);
+    }
+    for (const auto& [id, gone] : before)
+        if (media::LiveSubdocument* live = document_.live(id))
+            document_.media().setDistance(*live, this, media::LiveMedia::notNeeded);
+    if (chosen_ && !shown_.contains(chosen_))
+        choose(document::noSubdocument);
+    if (!shown_.contains(hovered_))
+        hovered_ = document::noSubdocument;
+    updateGeometries();
+    updatePlayBar();
+}
+
+void DocumentView::setPresentation(const QString& name) {
+    presentation_ = name;
+    layOut();
+}
+
+double DocumentView::scale() const { return zoom_ / layout::twipsPerPixel; }
+
+QSizeF DocumentView::pageSize() const { return pages_.size * scale(); }
+
+QPointF DocumentView::pageTopLeft(std::size_t page) const {
+    const QSizeF size = pageSize();
+    const double left = std::max(margin, std::floor((viewport()->width() - size.width()) / 2)) -
+                        horizontalScrollBar()->value();
+    const double top = margin + std::floor(static_cast<double>(page) * (size.height() + gap)) -
+                       verticalScrollBar()->value();
+    return {left, top};
+}
+
+// On whole device pixels, so that a picture of that many pixels is copied and not resampled.
+QRectF DocumentView::placeOf(const Shown& shown) const {
+    const double ratio = devicePixelRatioF();
+    const QPointF corner = pageTopLeft(shown.page) + shown.onPage.topLeft() * scale();
+    const auto snapped = [ratio](double x) { return std::round(x * ratio) / ratio; };
+    return {snapped(corner.x()), snapped(corner.y()), snapped(shown.onPage.width() * scale()),
+            snapped(shown.onPage.height() * scale())};
+}
+
+QRectF DocumentView::placeOf(document::SubdocumentId id) const {
+    const auto found = shown_.find(id);
+    return found == shown_.end() ? QRectF() : placeOf(found->second);
+}
+
+media::Rendition* DocumentView::rendition(document::SubdocumentId id) const {
+    const auto found = shown_.find(id);
+    return found == shown_.end() ? nullptr : found->second.rendition.get();
+}
+
+void DocumentView::setScrollBars() {
+    const QSizeF page = pageSize();
+    const double height =
+        2 * margin + static_cast<double>(pages_.pages.size()) * (page.height() + gap) - gap;
+    const auto most = [](double length) {
+        return std::max(0, static_cast<int>(std::ceil(length)));
+    };
+    verticalScrollBar()->setPageStep(viewport()->height());
+    verticalScrollBar()->setRange(0, most(height - viewport()->height()));
+    horizontalScrollBar()->setPageStep(viewport()->width());
+    horizontalScrollBar()->setRange(0, most(page.width() + 2 * margin - viewport()->width()));
+}
+
+void DocumentView::setZoom(double zoom) {
+    zoom = std::clamp(zoom, leastZoom, mostZoom);
+    if (zoom == zoom_)
+        return;
+    const double middle = viewport()->height() / 2.0;
+    const double at = (verticalScrollBar()->value() + middle - margin) / zoom_;
+    const double x = (horizontalScrollBar()->value() + viewport()->width() / 2.0 - margin) / zoom_;
+    zoom_ = zoom;
+    setScrollBars();
+    verticalScrollBar()->setValue(static_cast<int>(at * zoom_ + margin - middle));
+    horizontalScrollBar()->setValue(
+        static_cast<int>(x * zoom_ + margin - viewport()->width() / 2.0));
+    geometryTimer_.start(geometryDelayMs);
+    updateNearness();
+    viewport()->update();
+    Q_EMIT zoomChanged();
+}
+
+void DocumentView::zoomBy(int steps) {
+    constexpr double step = 1.1;
+    const double next = zoom_ * std::pow(step, steps);
+    // Passing 100 % stops there.
+    setZoom((zoom_ < 0.999 && next > 1) || (zoom_ > 1.001 && next < 1) ? 1 : next);
+}
+
+// --- renditions --------------------------------------------------------------------------------
+
+void DocumentView::connectShown(Shown& shown) {
+    media::LiveSubdocument* live = document_.live(shown.id);
+    shown.context = std::make_unique<QObject>();
+    QObject* context = shown.context.get();
+    const document::SubdocumentId id = shown.id;
+    const auto update = [this, id] { updateOne(id); };
+    connect(shown.rendition.get(), &media::Rendition::pictureChanged, context, update);
+    connect(shown.rendition.get(), &media::Rendition::cursorChanged, context, [this, id] {
+        if (hovered_ == id)
+            updateCursor(viewport()->mapFromGlobal(QCursor::pos()));
+    });
+    connect(shown.rendition.get(), &media::Rendition::unhandledInput, context,
+            [this](const ipc::Input& input) {
+                if (input.type != ipc::InputType::keyPress)
+                    return;
+                Qt::KeyboardModifiers modifiers;
+                for (const ipc::Modifier modifier : input.modifiers)
+                    modifiers |=
+                        modifier == ipc::Modifier::shift ? Qt::ShiftModifier : Qt::NoModifier;
+                int key = keyNamed(input.key);
+                if (key == 0 && input.key.size() == 1)
+                    key = QChar::toUpper(static_cast<uint>(input.key[0]));
+                useKey(key, modifiers);
+            });
+    connect(live, &media::LiveSubdocument::conditionChanged, context, update);
+    connect(live, &media::LiveSubdocument::diagnosticsChanged, context, update);
+    connect(live, &media::LiveSubdocument::preferredSizeChanged, context,
+            [this] { layoutTimer_.start(0); });
+    connect(live, &media::LiveSubdocument::timeChanged, context, [this, id] {
+        if (hovered_ == id)
+            updatePlayBar();
+    });
+}
+
+// Which renditions are needed: those that are seen and those close by. Media are told what is seen.
+void DocumentView::updateNearness() {
+    std::vector<document::SubdocumentId> seen;
+    const double height = std::max(1, viewport()->height());
+    const bool canBeSeen = isVisible() && !(window()->windowState() & Qt::WindowMinimized);
+    for (auto& [id, shown] : shown_) {
+        media::LiveSubdocument* live = document_.live(id);
+        if (!live)
+            continue;
+        const QRectF place = placeOf(shown);
+        const double distance = std::max({0.0, place.top() - height, -place.bottom()});
+        const bool near = distance < height;
+        if (near && !shown.rendition) {
+            shown.rendition = live->createRendition();
+            connectShown(shown);
+            updateGeometry(shown);
+        } else if (shown.rendition && distance > farHeights * height) {
+            shown.context.reset();
+            shown.rendition.reset();
+        }
+        const bool isSeen = canBeSeen && distance == 0 && place.bottom() > 0;
+        if (shown.rendition)
+            shown.rendition->setShown(isSeen);
+        document_.media().setDistance(*live, this,
+                                      near && canBeSeen ? distance : media::LiveMedia::notNeeded);
+        if (isSeen)
+            seen.push_back(id);
+    }
+    std::sort(seen.begin(), seen.end(), [this](auto a, auto b) {
+        return std::pair(shown_.at(a).page, shown_.at(a).onPage.top()) <
+               std::pair(shown_.at(b).page, shown_.at(b).onPage.top());
+    });
+    if (seen == visible_)
+        return;
+    visible_ = seen;
+    Q_EMIT visibleChanged();
+}
+
+std::vector<document::SubdocumentId> DocumentView::visibleSubdocuments() const { return visible_; }
+
+void DocumentView::updateGeometry(Shown& shown) {
+    if (!shown.rendition)
+        return;
+    const double ratio = devicePixelRatioF();
+    shown.rendition->setGeometry((placeOf(shown).size() * ratio).toSize(), zoom_ * ratio);
+    if (media::LiveSubdocument* live = document_.live(shown.id))
+        live->setAvailable(
+            layout::toPixels({pages_.size.width() - layout::fromPoints(model_.page.marginLeft +
+                                                                       model_.page.marginRight),
+                              0}));
+}
+
+void DocumentView::updateGeometries() {
+    for (auto& [id, shown] : shown_)
+        updateGeometry(shown);
+}
+
+void DocumentView::updateOne(document::SubdocumentId id) {
+    viewport()->update(placeOf(id).toAlignedRect().adjusted(-4, -4, 4, 4));
+}
+
+void DocumentView::choose(document::SubdocumentId id) {
+    if (id == chosen_)
+        return;
+    const auto tell = [this](document::SubdocumentId to, ipc::InputType type) {
+        if (media::Rendition* of = rendition(to)) {
+            ipc::Input input;
+            input.type = type;
+            of->input(input);
+        }
+        updateOne(to);
+    };
+    tell(chosen_, ipc::InputType::focusOut);
+    chosen_ = id;
+    tell(chosen_, ipc::InputType::focusIn);
+    const document::Subdocument* subdocument = document_.document().subdocument(id);
+    setAccessibleDescription(subdocument ? QString::fromStdString(subdocument->alternative)
+                                         : QString());
+    Q_EMIT chosenChanged();
+}
+
+Shown* DocumentView::shownAt(QPointF point) {
+    for (auto& [id, shown] : shown_)
+        if (placeOf(shown).contains(point))
+            return &shown;
+    return nullptr;
+}
+
+QPointF DocumentView::pixelsIn(const Shown& shown, QPointF point) const {
+    return (point - placeOf(shown).topLeft()) * devicePixelRatioF();
+}
+
+void DocumentView::scrollTo(document::SubdocumentId id) {
+    const QRectF place = placeOf(id);
+    if (place.isNull() || (place.top() >= 0 && place.bottom() <= viewport()->height()))
+        return;
+    verticalScrollBar()->setValue(
+        verticalScrollBar()->value() + static_cast<int>(place.top()) -
+        std::max(20, (viewport()->height() - static_cast<int>(place.height())) / 2));
+}
+
+// --- painting ----------------------------------------------------------------------------------
+
+void DocumentView::paintEvent(QPaintEvent* event) {
+    QPainter painter(viewport());
+    painter.fillRect(event->rect(), backdrop(palette()));
+    paintPages(painter, event->rect());
+    for (auto& [id, shown] : shown_) {
+        const QRectF place = placeOf(shown);
+        if (!place.adjusted(-4, -4, 4, 4).intersects(QRectF(event->rect())))
+            continue;
+        paintShown(painter, place, shown, noticeOf(document_, shown), id == chosen_);
+        if (shown.rendition)
+            shown.rendition->painted();
+    }
+}
+
+void DocumentView::paintPages(QPainter& painter, const QRect& area) {
+    const QSizeF size = pageSize();
+    const double step = size.height() + gap;
+    const double from = area.top() + verticalScrollBar()->value() - margin;
+    const auto first = static_cast<std::size_t>(std::max(0.0, std::floor(from / step)));
+    for (std::size_t i = first; i < pages_.pages.size(); ++i) {
+        const QRectF page(pageTopLeft(i), size);
+        if (page.top() > area.bottom() + 10)
+            break;
+        if (!page.adjusted(-8, -8, 8, 8).intersects(QRectF(area)))
+            continue;
+        paintShadow(painter, page);
+        painter.fillRect(page, pages_.paper);
+        painter.save();
+        painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+        painter.setClipRect(page & QRectF(area));
+        painter.translate(page.topLeft());
+        painter.scale(scale(), scale());
+        const QRectF clip((QPointF(area.topLeft()) - page.topLeft()) / scale(),
+                          QSizeF(area.size()) / scale());
+        layout::paintPage(painter, pages_.pages[i], clip,
+                          [](QPainter&, const layout::SubdocumentPiece&) {});
+        painter.restore();
+    }
+}
+
+// --- events ------------------------------------------------------------------------------------
+
+void DocumentView::resizeEvent(QResizeEvent*) {
+    setScrollBars();
+    updateNearness();
+    updatePlayBar();
+}
+
+void DocumentView::scrollContentsBy(int, int) {
+    updateNearness();
+    updatePlayBar();
+    viewport()->update();
+}
+
+void DocumentView::showEvent(QShowEvent* event) {
+    QAbstractScrollArea::showEvent(event);
+    updateGeometries();
+    updateNearness();
+}
+
+void DocumentView::hideEvent(QHideEvent* event) {
+    QAbstractScrollArea::hideEvent(event);
+    updateNearness();
+}
+
+bool DocumentView::event(QEvent* event) {
+    // Plain keys belong to the chosen rendition before they are shortcuts of a menu.
+    if (event->type() == QEvent::ShortcutOverride && chosen_) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        constexpr auto commands = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
+        if (!(key->modifiers() & commands) && key->key() != Qt::Key_Tab &&
+            key->key() != Qt::Key_Backtab) {
+            event->accept();
+            return true;
+        }
+    }
+    if (event->type() == QEvent::WindowStateChange)
+        updateNearness();
+    return QAbstractScrollArea::event(event);
+}
+
+bool DocumentView::viewportEvent(QEvent* event) {
+    if (event->type() == QEvent::Leave) {
+        hovered_ = document::noSubdocument;
+        updatePlayBar();
+    }
+    return QAbstractScrollArea::viewportEvent(event);
+}
+
+void DocumentView::mousePressEvent(QMouseEvent* event) {
+    pressedAt_ = event->position();
+    wasDragged_ = false;
+    Shown* shown = shownAt(event->position());
+    choose(shown ? shown->id : document::noSubdocument);
+    if (!shown)
+        return;
+    media::LiveSubdocument* live = document_.live(shown->id);
+    if (!live || !shown->rendition)
+        return;
+    if (live->condition() == media::Condition::failed) {
+        live->start();
+        return;
+    }
+    grabbed_ = shown->id;
+    shown->rendition->input(inputOf(*event, pixelsIn(*shown, event->position())));
+}
+
+void DocumentView::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(event); }
+
+void DocumentView::mouseMoveEvent(QMouseEvent* event) {
+    constexpr double dragLength = 4;
+    wasDragged_ |= (event->position() - pressedAt_).manhattanLength() > dragLength;
+    Shown* shown = shownAt(event->position());
+    const document::SubdocumentId hovered =
+        shown && document_.live(shown->id) ? shown->id : document::noSubdocument;
+    if (hovered != hovered_ && !grabbed_) {
+        hovered_ = hovered;
+        updatePlayBar();
+    }
+    const document::SubdocumentId to = grabbed_ ? grabbed_ : hovered == chosen_ ? chosen_ : 0;
+    if (media::Rendition* of = rendition(to))
+        of->input(inputOf(*event, pixelsIn(shown_.at(to), event->position())));
+    updateCursor(event->position());
+}
+
+void DocumentView::mouseReleaseEvent(QMouseEvent* event) {
+    const auto held = shown_.find(grabbed_);
+    if (held != shown_.end() && held->second.rendition) {
+        held->second.rendition->input(inputOf(*event, pixelsIn(held->second, event->position())));
+        if (event->button() == Qt::RightButton && !wasDragged_)
+            Q_EMIT contextMenuWanted(grabbed_, event->globalPosition().toPoint());
+    } else if (event->button() == Qt::LeftButton && !wasDragged_) {
+        if (const document::Run* link = linkAt(event->position()))
+            follow(QString::fromStdString(link->target));
+    }
+    if (!event->buttons())
+        grabbed_ = document::noSubdocument;
+}
+
+// By key only: by mouse it comes with the release, since the right button drags in some media.
+void DocumentView::contextMenuEvent(QContextMenuEvent* event) {
+    if (event->reason() == QContextMenuEvent::Keyboard && chosen_)
+        Q_EMIT contextMenuWanted(chosen_,
+                                 viewport()->mapToGlobal(placeOf(chosen_).center().toPoint()));
+}
+
+void DocumentView::wheelEvent(QWheelEvent* event) {
+    if (event->modifiers() & Qt::ControlModifier) {
+        const int delta = event->angleDelta().y();
+        zoomBy(delta > 0 ? 1 : delta < 0 ? -1 : 0);
+        event->accept();
+        return;
+    }
+    const Shown* shown = shownAt(event->position());
+    if (shown && shown->id == chosen_ && shown->rendition) {
+        shown->rendition->input(inputOf(*event, pixelsIn(*shown, event->position())));
+        event->accept();
+        return;
+    }
+    QAbstractScrollArea::wheelEvent(event);
+}
+
+void DocumentView::keyPressEvent(QKeyEvent* event) {
+    if (chosen_ && event->key() == Qt::Key_Escape)
+        choose(document::noSubdocument);
+    else if (media::Rendition* of = rendition(chosen_))
+        of->input(inputOf(*event));
+    else
+        useKey(event->key(), event->modifiers());
+}
+
+void DocumentView::keyReleaseEvent(QKeyEvent* event) {
+    if (media::Rendition* of = rendition(chosen_))
+        of->input(inputOf(*event));
+}
+
+// A key that is the host's: because nothing is chosen, or because the medium did not use it.
+void DocumentView::useKey(int key, Qt::KeyboardModifiers modifiers) {
+    QScrollBar* bar = verticalScrollBar();
+    switch (key) {
+    case Qt::Key_Up:
+        bar->triggerAction(QAbstractSlider::SliderSingleStepSub);
+        break;
+    case Qt::Key_Down:
+        bar->triggerAction(QAbstractSlider::SliderSingleStepAdd);
+        break;
+    case Qt::Key_Left:
+        horizontalScrollBar()->triggerAction(QAbstractSlider::SliderSingleStepSub);
+        break;
+    case Qt::Key_Right:
+        horizontalScrollBar()->triggerAction(QAbstractSlider::SliderSingleStepAdd);
+        break;
+    case Qt::Key_PageUp:
+        bar->triggerAction(QAbstractSlider::SliderPageStepSub);
+        break;
+    case Qt::Key_PageDown:
+        bar->triggerAction(QAbstractSlider::SliderPageStepAdd);
+        break;
+    case Qt::Key_Home:
+        bar->setValue(0);
+        break;
+    case Qt::Key_End:
+        bar->setValue(bar->maximum());
+        break;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        if (!chosen_ && !visible_.empty())
+            choose(visible_.front());
+        break;
+    default:
+        Q_EMIT unhandledKey(key, modifiers);
+    }
+}
+
+// Tab goes from rendition to rendition, then on to the other widgets.
+bool DocumentView::focusNextPrevChild(bool next) {
+    std::vector<document::SubdocumentId> order;
+    for (const layout::PlacedSubdocument& placed : pages_.subdocuments)
+        order.push_back(placed.subdocument);
+    const auto at = std::find(order.begin(), order.end(), chosen_);
+    std::size_t index = at == order.end() ? (next ? 0 : order.size() - 1)
+                                          : static_cast<std::size_t>(at - order.begin()) +
+                                                (next ? 1 : static_cast<std::size_t>(-1));
+    if (index >= order.size()) {
+        choose(document::noSubdocument);
+        return QAbstractScrollArea::focusNextPrevChild(next);
+    }
+    choose(order[index]);
+    scrollTo(order[index]);
+    return true;
+}
+
+// --- links, bar, cursor ------------------------------------------------------------------------
+
+const document::Run* DocumentView::linkAt(QPointF point) const {
+    for (std::size_t i = 0; i < pages_.pages.size(); ++i) {
+        const QRectF page(pageTopLeft(i), pageSize());
+        if (!page.contains(point))
+            continue;
+        const document::Run* run =
+            layout::runAt(pages_.pages[i], (point - page.topLeft()) / scale());
+        return run && !run->target.empty() ? run : nullptr;
+    }
+    return nullptr;
+}
+
+void DocumentView::follow(const QString& target) {
+    if (!target.startsWith('#')) {
+        Q_EMIT linkActivated(target);
+        return;
+    }
+    const auto anchor = pages_.anchors.find(target.mid(1).toStdString());
+    if (anchor == pages_.anchors.end())
+        return;
+    const double y = pageTopLeft(anchor->second.first).y() + anchor->second.second * scale();
+    verticalScrollBar()->setValue(verticalScrollBar()->value() + static_cast<int>(y - margin));
+}
+
+void DocumentView::updatePlayBar() {
+    const auto found = shown_.find(hovered_);
+    const media::LiveSubdocument* live = document_.live(hovered_);
+    const bool hasTime = live && live->time() && live->time()->finish > live->time()->start &&
+                         live->condition() == media::Condition::live;
+    constexpr double leastWidth = 160;
+    if (found == shown_.end() || !hasTime || placeOf(found->second).width() < leastWidth) {
+        playBar_->hide();
+        return;
+    }
+    constexpr int inset = 8;
+    const QRectF place = placeOf(found->second);
+    playBar_->setTime(*live->time());
+    playBar_->setGeometry(QRectF(place.left() + inset, place.bottom() - PlayBar::barHeight - inset,
+                                 place.width() - 2 * inset, PlayBar::barHeight)
+                              .toRect());
+    playBar_->show();
+}
+
+void DocumentView::updateCursor(QPointF point) {
+    Shown* shown = shownAt(point);
+    if (shown && shown->rendition && (shown->id == chosen_ || shown->id == grabbed_))
+        viewport()->setCursor(cursorOf(shown->rendition->cursor()));
+    else if (!shown && linkAt(point))
+        viewport()->setCursor(Qt::PointingHandCursor);
+    else
+        viewport()->setCursor(Qt::ArrowCursor);
+}
+
+} // namespace window

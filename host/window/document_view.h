@@ -1,0 +1,111 @@
+// The pages of a document on the screen, with live renditions on them.
+//
+// Text is painted at once; renditions appear when their media have drawn. A view lays the pages out
+// for itself, by its own presentation and zoom, and has renditions of its own; the medium's process
+// is the document's. Clicking a rendition chooses it: the wheel and the keys then belong to it,
+// Escape gives them back.
+#pragma once
+
+#include "layout/paint.h"
+#include "window/shown.h"
+
+#include <QAbstractScrollArea>
+#include <QTimer>
+
+namespace window {
+
+class PlayBar;
+
+class DocumentView : public QAbstractScrollArea {
+    Q_OBJECT
+
+public:
+    DocumentView(session::OpenDocument& document, QWidget* parent = nullptr);
+    ~DocumentView() override;
+
+    [[nodiscard]] const QString& presentation() const { return presentation_; }
+    void setPresentation(const QString& name);
+    [[nodiscard]] double zoom() const { return zoom_; }
+    void setZoom(double zoom); // the middle of the view stays where it is
+    void zoomBy(int steps);
+
+    [[nodiscard]] document::SubdocumentId chosen() const { return chosen_; }
+    void choose(document::SubdocumentId id);
+    [[nodiscard]] std::vector<document::SubdocumentId> visibleSubdocuments() const;
+    [[nodiscard]] media::Rendition* rendition(document::SubdocumentId id) const;
+    [[nodiscard]] QRectF placeOf(document::SubdocumentId id) const; // in the viewport
+    void scrollTo(document::SubdocumentId id);
+
+    [[nodiscard]] const layout::Pages& pages() const { return pages_; }
+    [[nodiscard]] const document::Model& model() const { return model_; }
+    void layOut();
+
+    static constexpr double leastZoom = 0.25, mostZoom = 5;
+
+Q_SIGNALS:
+    void chosenChanged();
+    void visibleChanged();
+    void zoomChanged();
+    void laidOut();
+    void contextMenuWanted(document::SubdocumentId id, const QPoint& global);
+    void linkActivated(const QString& target);
+    void unhandledKey(int key, Qt::KeyboardModifiers modifiers);
+
+protected:
+    bool event(QEvent* event) override;
+    bool viewportEvent(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void scrollContentsBy(int dx, int dy) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    [[nodiscard]] double scale() const; // logical pixels to a twip
+    [[nodiscard]] QSizeF pageSize() const;
+    [[nodiscard]] QPointF pageTopLeft(std::size_t page) const;
+    [[nodiscard]] QRectF placeOf(const Shown& shown) const;
+    [[nodiscard]] Shown* shownAt(QPointF point);
+    [[nodiscard]] const document::Run* linkAt(QPointF point) const;
+    [[nodiscard]] QPointF pixelsIn(const Shown& shown, QPointF point) const;
+
+    void placeSubdocuments();
+    void connectShown(Shown& shown);
+    void setScrollBars();
+    void updateNearness();
+    void updateGeometry(Shown& shown);
+    void updateGeometries();
+    void updateOne(document::SubdocumentId id);
+    void paintPages(QPainter& painter, const QRect& area);
+    void useKey(int key, Qt::KeyboardModifiers modifiers);
+    void follow(const QString& target);
+    void updatePlayBar();
+    void updateCursor(QPointF point);
+
+    session::OpenDocument& document_;
+    QString presentation_;
+    double zoom_ = 1;
+    document::Model model_;
+    layout::Pages pages_;
+    std::map<document::SubdocumentId, Shown> shown_;
+    document::SubdocumentId chosen_ = document::noSubdocument;
+    document::SubdocumentId grabbed_ = document::noSubdocument; // has a button held down
+    document::SubdocumentId hovered_ = document::noSubdocument;
+    QPointF pressedAt_;
+    bool wasDragged_ = false;
+    PlayBar* playBar_;
+    QTimer layoutTimer_;
+    QTimer geometryTimer_;
+    std::vector<document::SubdocumentId> visible_;
+};
+
+} // namespace window

@@ -1,0 +1,392 @@
+#include "window/document_window.h"
+
+#include "paper/paper.h"
+#include "window/application.h"
+#include "window/faults_pane.h"
+#include "window/icons.h"
+#include "window/medium_commands.h"
+
+#include <QCloseEvent>
+#include <QDesktopServices>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPrintDialog>
+#include <QPrinter>
+#include <QProgressDialog>
+#include <QSaveFile>
+#include <QScreen>
+#include <QScrollBar>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+namespace window {
+
+namespace {
+
+constexpr double paperDpi = 300;
+
+QString filter() { return DocumentWindow::tr("Documents (*.ens);;All files (*)"); }
+
+QLabel* makeBanner(QWidget* parent) {
+    auto* banner = new QLabel(parent);
+    banner->setWordWrap(true);
+    banner->setMargin(8);
+    banner->setStyleSheet("background:#fdf3d7;color:#5c4813;border-bottom:1px solid #ecdcae");
+    banner->hide();
+    return banner;
+}
+
+} // namespace
+
+DocumentWindow::DocumentWindow(Application& application,
+                               std::shared_ptr<session::OpenDocument> document)
+    : application_(application), document_(std::move(document)), banner_(makeBanner(this)),
+      view_(new DocumentView(*document_)), faults_(new FaultsPane(*document_, this)),
+      tools_(new QToolBar(tr("Tools"), this)), pageLabel_(new QLabel(this)),
+      zoomLabel_(new QLabel(this)) {
+    setAttribute(Qt::WA_DeleteOnClose);
+    setAcceptDrops(true);
+    auto* middle = new QWidget(this);
+    auto* column = new QVBoxLayout(middle);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(banner_);
+    column->addWidget(view_, 1);
+    setCentralWidget(middle);
+    addDockWidget(Qt::BottomDockWidgetArea, faults_);
+    faults_->hide();
+    buildFileMenu();
+    buildEditMenu();
+    buildViewMenu();
+    buildHelpMenu();
+    buildTools();
+    commands_ =
+        new MediumCommands(*document_, *view_, *menuBar(), menuBar()->actions().last(), *tools_);
+    commands_->setParent(this);
+    statusBar()->addPermanentWidget(pageLabel_);
+    statusBar()->addPermanentWidget(zoomLabel_);
+    statusBar()->setSizeGripEnabled(false);
+
+    document::Document* of = &document_->document();
+    connect(of, &document::Document::modifiedChanged, this, &DocumentWindow::updateTitle);
+    connect(of, &document::Document::fileNameChanged, this, &DocumentWindow::updateTitle);
+    connect(of, &document::Document::undoChanged, this, &DocumentWindow::updateUndo);
+    connect(document_.get(), &session::OpenDocument::message, this,
+            [this](const QString& text) { statusBar()->showMessage(text, 8000); });
+    connect(faults_, &FaultsPane::countChanged, this, &DocumentWindow::updateFaults);
+    connect(faults_, &FaultsPane::activated, view_, &DocumentView::scrollTo);
+    connect(view_, &DocumentView::linkActivated, this, [this](const QString& target) {
+        // A document opens nothing by itself; the reader did, and sees where it leads.
+        const QUrl url(target);
+        if ((url.scheme() == "http" || url.scheme() == "https" || url.scheme() == "mailto") &&
+            QMessageBox::question(this, tr("Open a link"), tr("Open %1?").arg(target)) ==
+                QMessageBox::Yes)
+            QDesktopServices::openUrl(url);
+    });
+    connect(view_, &DocumentView::contextMenuWanted, this,
+            [this](document::SubdocumentId id, const QPoint& at) {
+                commands_->refresh();
+                if (QMenu* menu = commands_->menuOf(id))
+                    menu->popup(at);
+            });
+    connect(view_, &DocumentView::unhandledKey, this, &DocumentWindow::useShortcut);
+    const auto showPlace = [this] {
+        zoomLabel_->setText(tr("%1 %").arg(qRound(view_->zoom() * 100)));
+        const auto pages = static_cast<int>(view_->pages().pages.size());
+        const QScrollBar* bar = view_->verticalScrollBar();
+        const double part = bar->maximum() > 0 ? double(bar->value()) / bar->maximum() : 0;
+        pageLabel_->setText(tr("Page %1 of %2").arg(qRound(part * (pages - 1)) + 1).arg(pages));
+    };
+    connect(view_, &DocumentView::zoomChanged, this, showPlace);
+    connect(view_, &DocumentView::laidOut, this, showPlace);
+    connect(view_->verticalScrollBar(), &QScrollBar::valueChanged, this, showPlace);
+    showPlace();
+    updateTitle();
+    updateUndo();
+    view_->setFocus();
+    const QSize screen = this->screen()->availableSize();
+    resize(std::min(960, screen.width() - 20), std::min(1000, screen.height() - 40));
+}
+
+DocumentWindow::~DocumentWindow() {
+    // Its commands look at the view and the document, which go first otherwise.
+    delete commands_;
+    delete faults_;
+    delete view_;
+}
+
+// --- menus -------------------------------------------------------------------------------------
+
+QAction* DocumentWindow::add(QMenu* menu, const QString& text, const QKeySequence& keys,
+                             const std::function<void()>& done, const QString& icon) {
+    QAction* action = menu->addAction(text, this, done);
+    action->setShortcut(keys);
+    if (!icon.isEmpty())
+        action->setIcon(iconNamed(icon));
+    action->setIconVisibleInMenu(false);
+    return action;
+}
+
+void DocumentWindow::buildFileMenu() {
+    QMenu* menu = menuBar()->addMenu(tr("&File"));
+    add(menu, tr("&Open..."), QKeySequence::Open, [this] {
+        const QStringList files = QFileDialog::getOpenFileNames(this, tr("Open"), {}, filter());
+        for (const QString& file : files)
+            application_.open(file, this);
+    });
+    recent_ = menu->addMenu(tr("Open &Recent"));
+    connect(recent_, &QMenu::aboutToShow, this, &DocumentWindow::fillRecent);
+    menu->addSeparator();
+    save_ = add(menu, tr("&Save"), QKeySequence::Save, [this] { save(); });
+    add(menu, tr("Save &As..."), QKeySequence("Ctrl+Shift+S"), [this] { saveAs(); });
+    menu->addSeparator();
+    add(menu, tr("Export P&DF..."), QKeySequence("Ctrl+E"), [this] { exportPdf(); });
+    add(menu, tr("&Print..."), QKeySequence::Print, [this] { print(); });
+    menu->addSeparator();
+    add(menu, tr("&Close"), QKeySequence::Close, [this] { close(); });
+    add(menu, tr("&Quit"), QKeySequence("Ctrl+Q"), [this] { application_.quit(); });
+}
+
+void DocumentWindow::fillRecent() {
+    recent_->clear();
+    for (const QString& file : application_.recentFiles())
+        recent_
+            ->addAction(QFileInfo(file).fileName(), this,
+                        [this, file] { application_.open(file, this); })
+            ->setToolTip(file);
+    if (recent_->isEmpty())
+        recent_->addAction(tr("Nothing yet"))->setEnabled(false);
+}
+
+void DocumentWindow::buildEditMenu() {
+    QMenu* menu = menuBar()->addMenu(tr("&Edit"));
+    undo_ = add(menu, tr("&Undo"), QKeySequence::Undo, [this] { document_->document().undo(); });
+    redo_ = add(menu, tr("&Redo"), QKeySequence("Ctrl+Shift+Z"),
+                [this] { document_->document().redo(); });
+}
+
+void DocumentWindow::buildViewMenu() {
+    QMenu* menu = menuBar()->addMenu(tr("&View"));
+    add(menu, tr("&New Window"), QKeySequence("Ctrl+Shift+N"),
+        [this] { application_.addWindow(document_); });
+    presentations_ = menu->addMenu(tr("&Presentation"));
+    connect(presentations_, &QMenu::aboutToShow, this, &DocumentWindow::fillPresentations);
+    menu->addSeparator();
+    add(
+        menu, tr("Zoom &In"), QKeySequence("Ctrl++"), [this] { view_->zoomBy(1); }, "zoom-in")
+        ->setShortcuts({QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")});
+    add(
+        menu, tr("Zoom &Out"), QKeySequence("Ctrl+-"), [this] { view_->zoomBy(-1); }, "zoom-out");
+    add(menu, tr("&Actual Size"), QKeySequence("Ctrl+0"), [this] { view_->setZoom(1); });
+    menu->addSeparator();
+    menu->addAction(tools_->toggleViewAction());
+    menu->addAction(faults_->toggleViewAction());
+    add(menu, tr("&Full Screen"), QKeySequence("F11"),
+        [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+}
+
+void DocumentWindow::fillPresentations() {
+    presentations_->clear();
+    auto* group = new QActionGroup(presentations_);
+    const QStringList names = document_->schemas().presentations(document_->document().className());
+    for (const QString& name : names) {
+        QAction* action = presentations_->addAction(name.left(1).toUpper() + name.mid(1), this,
+                                                    [this, name] { view_->setPresentation(name); });
+        action->setCheckable(true);
+        action->setChecked(name == view_->presentation() ||
+                           (view_->presentation().isEmpty() && name == names.first()));
+        group->addAction(action);
+    }
+}
+
+void DocumentWindow::buildHelpMenu() {
+    QMenu* menu = menuBar()->addMenu(tr("&Help"));
+    add(menu, tr("&About Ensemble"), {}, [this] {
+        QStringList installed;
+        for (const media::Manifest& manifest : document_->media().registry().media())
+            installed << tr("%1 for %2").arg(manifest.name, manifest.documentClass);
+        installed << document_->media().registry().faults();
+        QMessageBox::about(this, tr("About Ensemble"),
+                           tr("Ensemble %1 shows compound documents.\n\nInstalled media:\n%2")
+                               .arg(QCoreApplication::applicationVersion(),
+                                    installed.isEmpty() ? tr("none") : installed.join('\n')));
+    });
+}
+
+void DocumentWindow::buildTools() {
+    tools_->setObjectName("tools");
+    tools_->setMovable(false);
+    tools_->setIconSize({18, 18});
+    tools_->toggleViewAction()->setText(tr("&Tool Area"));
+    addToolBar(tools_);
+}
+
+// --- what changes ------------------------------------------------------------------------------
+
+void DocumentWindow::updateTitle() {
+    const document::Document& of = document_->document();
+    const QString file =
+        of.fileName().isEmpty() ? tr("Untitled") : QFileInfo(of.fileName()).fileName();
+    setWindowTitle(file + "[*] - Ensemble");
+    setWindowModified(of.isModified());
+    setWindowFilePath(of.fileName());
+}
+
+void DocumentWindow::updateUndo() {
+    const document::Document& of = document_->document();
+    undo_->setEnabled(of.canUndo());
+    redo_->setEnabled(of.canRedo());
+    undo_->setText(of.canUndo() ? tr("&Undo %1").arg(of.undoLabel()) : tr("&Undo"));
+    redo_->setText(of.canRedo() ? tr("&Redo %1").arg(of.redoLabel()) : tr("&Redo"));
+}
+
+void DocumentWindow::updateFaults(int errors, int warnings) {
+    faults_->setWindowTitle(errors + warnings == 0
+                                ? tr("Faults")
+                                : tr("Faults: %1 errors, %2 warnings").arg(errors).arg(warnings));
+    const bool broken = document_->document().isBroken();
+    if (broken && banner_->isHidden())
+        faults_->show();
+    banner_->setText(tr("This file is damaged. It is shown as far as it can be read, and is not "
+                        "overwritten without your consent."));
+    banner_->setVisible(broken);
+}
+
+// A key that neither a chosen rendition nor the view uses may still be a shortcut of a menu.
+void DocumentWindow::useShortcut(int key, Qt::KeyboardModifiers modifiers) {
+    if (key == 0)
+        return;
+    const QKeySequence keys(QKeyCombination(modifiers, static_cast<Qt::Key>(key)));
+    for (QAction* action : findChildren<QAction*>())
+        if (action->isEnabled() && action->shortcuts().contains(keys)) {
+            action->trigger();
+            return;
+        }
+}
+
+// --- files -------------------------------------------------------------------------------------
+
+bool DocumentWindow::mayOverwrite() {
+    if (document_->document().fileState() != document::FileState::changed)
+        return true;
+    return QMessageBox::warning(
+               this, tr("Save"),
+               tr("Another program has changed the file since it was opened. Overwrite it?"),
+               QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
+}
+
+bool DocumentWindow::report(const document::SaveResult& result,
+                            const std::function<document::SaveResult()>& anyway) {
+    if (result.saved) {
+        statusBar()->showMessage(tr("Saved"), 4000);
+        return true;
+    }
+    if (!result.refused) {
+        QMessageBox::critical(this, tr("Save"), result.sentence);
+        return false;
+    }
+    const auto answer = QMessageBox::warning(
+        this, tr("Save"), tr("%1\n\nOverwrite it all the same?").arg(result.sentence),
+        QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
+    return answer == QMessageBox::Yes && report(anyway(), [] { return document::SaveResult{}; });
+}
+
+bool DocumentWindow::save() {
+    document::Document& of = document_->document();
+    if (of.fileName().isEmpty())
+        return saveAs();
+    return mayOverwrite() &&
+           report(of.save(), [&of] { return of.save(document::Document::Overwrite::evenBroken); });
+}
+
+bool DocumentWindow::saveAs() {
+    document::Document& of = document_->document();
+    const QString file = QFileDialog::getSaveFileName(this, tr("Save As"), of.fileName(), filter());
+    if (file.isEmpty())
+        return false;
+    const bool saved = report(of.saveAs(file), [&of, file] {
+        return of.saveAs(file, document::Document::Overwrite::evenBroken);
+    });
+    if (saved)
+        application_.remember(file);
+    return saved;
+}
+
+bool DocumentWindow::isLastOfDocument() const {
+    return application_.windowsOf(*document_).size() <= 1;
+}
+
+void DocumentWindow::closeEvent(QCloseEvent* event) {
+    if (document_->document().isModified() && isLastOfDocument()) {
+        const auto answer = QMessageBox::question(
+            this, tr("Close"), tr("The document has changes that are not saved."),
+            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+        if (answer == QMessageBox::Cancel || (answer == QMessageBox::Save && !save())) {
+            event->ignore();
+            return;
+        }
+    }
+    event->accept();
+}
+
+void DocumentWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls())
+        event->acceptProposedAction();
+}
+
+void DocumentWindow::dropEvent(QDropEvent* event) {
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile())
+            application_.open(url.toLocalFile(), this);
+}
+
+// --- paper -------------------------------------------------------------------------------------
+
+void DocumentWindow::exportPdf() {
+    const QFileInfo own(document_->document().fileName());
+    const QString file = QFileDialog::getSaveFileName(
+        this, tr("Export PDF"), own.dir().filePath(own.completeBaseName() + ".pdf"),
+        tr("PDF (*.pdf)"));
+    if (!file.isEmpty())
+        exportPdfTo(file);
+}
+
+void DocumentWindow::exportPdfTo(const QString& fileName) {
+    auto* paper = new paper::Paper(*document_, view_->presentation(), paperDpi, false, this);
+    statusBar()->showMessage(tr("Taking the pictures for %1").arg(QFileInfo(fileName).fileName()));
+    connect(paper, &paper::Paper::ready, this, [this, paper, fileName] {
+        paper->deleteLater();
+        QSaveFile file(fileName);
+        QString failed =
+            file.open(QIODevice::WriteOnly) ? paper->writePdf(file) : file.errorString();
+        if (failed.isEmpty() && !file.commit())
+            failed = file.errorString();
+        if (failed.isEmpty())
+            statusBar()->showMessage(tr("Wrote %1").arg(fileName), 8000);
+        else
+            QMessageBox::critical(this, tr("Export PDF"), failed);
+    });
+    paper->prepare();
+}
+
+void DocumentWindow::print() {
+    auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
+    printer->setFullPage(true);
+    printer->setDocName(windowTitle());
+    QPrintDialog dialog(printer.get(), this);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    auto* paper = new paper::Paper(*document_, view_->presentation(), paperDpi, false, this);
+    statusBar()->showMessage(tr("Taking the pictures to print"));
+    connect(paper, &paper::Paper::ready, this, [this, paper, printer] {
+        paper->deleteLater();
+        paper->print(*printer);
+        statusBar()->showMessage(tr("Printed"), 4000);
+    });
+    paper->prepare();
+}
+
+} // namespace window

@@ -1,0 +1,34 @@
+// What is wrong with a document, by line and column: of the file, of what it may contain, of its
+// subdocuments.
+#pragma once
+
+#include "session/open_document.h"
+
+#include <QDockWidget>
+#include <QTimer>
+
+class QTreeWidget;
+
+namespace window {
+
+class FaultsPane : public QDockWidget {
+    Q_OBJECT
+
+public:
+    FaultsPane(session::OpenDocument& document, QWidget* parent);
+    [[nodiscard]] int count() const;
+
+Q_SIGNALS:
+    void activated(document::SubdocumentId id);
+    void countChanged(int errors, int warnings);
+
+private:
+    void refresh();
+
+    session::OpenDocument& document_;
+    QTreeWidget* list_;
+    QTimer timer_;
+    std::vector<session::ListedFault> faults_;
+};
+
+} // namespace window

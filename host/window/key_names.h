@@ -1,0 +1,23 @@
+// Input of Qt as the medium protocol names it, and keys back.
+#pragma once
+
+#include "ipc/messages.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+namespace window {
+
+// As the W3C's UI Events name them: "a", "A", " ", "ArrowLeft", "F5".
+[[nodiscard]] std::string keyName(const QKeyEvent& event);
+// The key of that name, 0 for one that is a letter or unknown.
+[[nodiscard]] int keyNamed(const std::string& name);
+
+[[nodiscard]] ipc::Input inputOf(const QKeyEvent& event);
+// `pixels`: the place in the rendition, in its device pixels.
+[[nodiscard]] ipc::Input inputOf(const QMouseEvent& event, QPointF pixels);
+[[nodiscard]] ipc::Input inputOf(const QWheelEvent& event, QPointF pixels);
+[[nodiscard]] Qt::CursorShape cursorOf(ipc::CursorShape shape);
+
+} // namespace window

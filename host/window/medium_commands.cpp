@@ -1,0 +1,225 @@
+#include "window/medium_commands.h"
+
+#include "window/icons.h"
+#include "window/play_bar.h"
+
+#include <QLabel>
+#include <algorithm>
+#include <set>
+
+namespace window {
+
+namespace {
+
+bool sameShape(const std::vector<ipc::MenuEntry>& a, const std::vector<ipc::MenuEntry>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+        return x.id == y.id && x.label == y.label && x.group == y.group && x.icon == y.icon &&
+               x.shortcut == y.shortcut && x.checkable == y.checkable;
+    });
+}
+
+} // namespace
+
+MediumCommands::MediumCommands(session::OpenDocument& document, DocumentView& view, QMenuBar& bar,
+                               QAction* before, QToolBar& toolArea)
+    : document_(document), view_(view), bar_(bar), before_(before), tools_(toolArea),
+      owner_(new QLabel(&toolArea)), time_(new PlayBar(false, &toolArea)) {
+    timer_.setSingleShot(true);
+    connect(&timer_, &QTimer::timeout, this, &MediumCommands::refresh);
+    connect(&view_, &DocumentView::chosenChanged, this, &MediumCommands::schedule);
+    connect(&view_, &DocumentView::visibleChanged, this, &MediumCommands::schedule);
+    connect(&document_, &session::OpenDocument::structureChanged, this, [this] {
+        watch();
+        schedule();
+    });
+    owner_->setContentsMargins(6, 0, 6, 0);
+    tools_.addWidget(owner_);
+    timeAction_ = tools_.addWidget(time_);
+    time_->setMaximumWidth(360);
+    connect(time_, &PlayBar::playWanted, this, [this] { forTargets([](auto& l) { l.play(); }); });
+    connect(time_, &PlayBar::pauseWanted, this, [this] { forTargets([](auto& l) { l.pause(); }); });
+    connect(time_, &PlayBar::seekWanted, this,
+            [this](double t) { forTargets([t](auto& l) { l.seek(t); }); });
+    watch();
+    refresh();
+}
+
+MediumCommands::~MediumCommands() = default;
+
+void MediumCommands::watch() {
+    for (const QMetaObject::Connection& connection : watched_)
+        disconnect(connection);
+    watched_.clear();
+    for (const document::SubdocumentId id : document_.document().subdocuments())
+        if (media::LiveSubdocument* live = document_.live(id)) {
+            watched_.push_back(connect(live, &media::LiveSubdocument::menusChanged, this,
+                                       &MediumCommands::schedule));
+            watched_.push_back(connect(live, &media::LiveSubdocument::conditionChanged, this,
+                                       &MediumCommands::schedule));
+            watched_.push_back(connect(live, &media::LiveSubdocument::timeChanged, this,
+                                       &MediumCommands::refreshTime));
+        }
+}
+
+void MediumCommands::schedule() {
+    if (!timer_.isActive())
+        timer_.start(0);
+}
+
+std::vector<document::SubdocumentId> MediumCommands::targets(const QString& documentClass) const {
+    const auto isOf = [&](document::SubdocumentId id) {
+        const media::LiveSubdocument* live = document_.live(id);
+        return live && live->manifest().documentClass == documentClass;
+    };
+    if (isOf(view_.chosen()))
+        return {view_.chosen()};
+    std::vector<document::SubdocumentId> result;
+    for (const document::SubdocumentId id : view_.visibleSubdocuments())
+        if (isOf(id))
+            result.push_back(id);
+    return result;
+}
+
+media::LiveSubdocument* MediumCommands::first(const QString& documentClass) const {
+    const auto all = targets(documentClass);
+    return all.empty() ? nullptr : document_.live(all.front());
+}
+
+QString MediumCommands::toolOwner() const {
+    if (const media::LiveSubdocument* chosen = document_.live(view_.chosen()))
+        return chosen->manifest().documentClass;
+    for (const document::SubdocumentId id : view_.visibleSubdocuments())
+        if (const media::LiveSubdocument* live = document_.live(id))
+            return live->manifest().documentClass;
+    return {};
+}
+
+template <class Action> void MediumCommands::forTargets(Action action) const {
+    for (const document::SubdocumentId id : targets(toolOwner()))
+        if (media::LiveSubdocument* live = document_.live(id))
+            action(*live);
+}
+
+void MediumCommands::invoke(const QString& documentClass, const QString& id) {
+    for (const document::SubdocumentId target : targets(documentClass))
+        if (media::LiveSubdocument* live = document_.live(target))
+            live->invoke(id, view_.rendition(target));
+}
+
+// --- menus -------------------------------------------------------------------------------------
+
+void MediumCommands::refresh() {
+    std::set<QString> classes;
+    for (const document::SubdocumentId id : document_.document().subdocuments())
+        if (const media::LiveSubdocument* live = document_.live(id))
+            classes.insert(live->manifest().documentClass);
+    for (auto medium = media_.begin(); medium != media_.end();) {
+        const auto next = std::next(medium);
+        if (!classes.contains(medium->first)) {
+            delete medium->second.menu;
+            media_.erase(medium);
+        }
+        medium = next;
+    }
+    for (const QString& documentClass : classes)
+        refreshMenu(documentClass, media_[documentClass]);
+    refreshTools();
+}
+
+void MediumCommands::refreshMenu(const QString& documentClass, Medium& medium) {
+    const media::Manifest* manifest = document_.media().registry().forClass(documentClass);
+    if (!medium.menu) {
+        medium.menu = new QMenu(manifest ? manifest->name : documentClass, &bar_);
+        bar_.insertMenu(before_, medium.menu);
+    }
+    media::LiveSubdocument* target = first(documentClass);
+    if (target && (!sameShape(medium.entries, target->menus()) || medium.actions.empty()))
+        build(documentClass, medium, target->menus());
+    for (const ipc::MenuEntry& entry : target ? target->menus() : medium.entries) {
+        const auto action = medium.actions.find(entry.id);
+        if (action == medium.actions.end())
+            continue;
+        action->second->setEnabled(entry.enabled && target);
+        action->second->setChecked(entry.checked);
+    }
+    const bool hasKeys = documentClass == toolOwner();
+    for (const ipc::MenuEntry& entry : medium.entries)
+        medium.actions.at(entry.id)->setShortcut(
+            hasKeys ? QKeySequence(QString::fromStdString(entry.shortcut)) : QKeySequence());
+}
+
+void MediumCommands::build(const QString& documentClass, Medium& medium,
+                           const std::vector<ipc::MenuEntry>& entries) {
+    for (QAction* action : shown_)
+        tools_.removeAction(action);
+    shown_.clear();
+    medium.menu->clear();
+    qDeleteAll(medium.menu->findChildren<QMenu*>(Qt::FindDirectChildrenOnly));
+    medium.actions.clear();
+    medium.entries = entries;
+    QMenu* group = nullptr;
+    std::string groupName;
+    for (const ipc::MenuEntry& entry : entries) {
+        if (entry.group.empty())
+            group = nullptr;
+        else if (!group || entry.group != groupName)
+            group = medium.menu->addMenu(QString::fromStdString(entry.group));
+        groupName = entry.group;
+        const QString label = QString::fromStdString(entry.label);
+        if (label == "-") {
+            medium.actions[entry.id] = (group ? group : medium.menu)->addSeparator();
+            continue;
+        }
+        QAction* action = (group ? group : medium.menu)->addAction(label);
+        action->setCheckable(entry.checkable);
+        if (!entry.icon.empty())
+            action->setIcon(iconNamed(QString::fromStdString(entry.icon)));
+        const QString id = QString::fromStdString(entry.id);
+        connect(action, &QAction::triggered, this,
+                [this, documentClass, id] { invoke(documentClass, id); });
+        medium.actions[entry.id] = action;
+    }
+    if (entries.empty())
+        medium.menu->addAction(tr("No commands"))->setEnabled(false);
+}
+
+QMenu* MediumCommands::menuOf(document::SubdocumentId id) const {
+    const media::LiveSubdocument* live = document_.live(id);
+    const auto found = live ? media_.find(live->manifest().documentClass) : media_.end();
+    return found == media_.end() ? nullptr : found->second.menu;
+}
+
+// --- the tool area -----------------------------------------------------------------------------
+
+void MediumCommands::refreshTools() {
+    const QString owner = toolOwner();
+    std::vector<QAction*> wanted;
+    const auto medium = media_.find(owner);
+    if (medium != media_.end())
+        for (const ipc::MenuEntry& entry : medium->second.entries)
+            if (!entry.icon.empty() && !medium->second.actions.at(entry.id)->icon().isNull())
+                wanted.push_back(medium->second.actions.at(entry.id));
+    if (wanted != shown_) {
+        for (QAction* action : shown_)
+            tools_.removeAction(action);
+        for (QAction* action : wanted)
+            tools_.insertAction(timeAction_, action);
+        shown_ = wanted;
+    }
+    const media::LiveSubdocument* live = first(owner);
+    const std::size_t count = targets(owner).size();
+    owner_->setText(!live       ? QString()
+                    : count > 1 ? tr("%1, all %2 visible").arg(live->manifest().name).arg(count)
+                                : live->manifest().name);
+    refreshTime();
+}
+
+void MediumCommands::refreshTime() {
+    const media::LiveSubdocument* live = first(toolOwner());
+    const bool hasTime = live && live->time() && live->time()->finish > live->time()->start;
+    timeAction_->setVisible(hasTime);
+    if (hasTime)
+        time_->setTime(*live->time());
+}
+
+} // namespace window

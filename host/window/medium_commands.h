@@ -1,0 +1,67 @@
+// The menus of the media in a document, and the tool area that they share.
+//
+// Each medium that the document has gets a menu of its name, built from what it declares. Commands
+// act on the chosen rendition, else on all visible ones of that medium (dissertation 6.2.4). The
+// tool area belongs to the medium of the chosen rendition, else to that of the first visible one,
+// and carries those of its commands that have an icon, and the controls of its time.
+#pragma once
+
+#include "window/document_view.h"
+
+#include <QActionGroup>
+#include <QMenuBar>
+#include <QToolBar>
+
+class QLabel;
+
+namespace window {
+
+class MediumCommands : public QObject {
+    Q_OBJECT
+
+public:
+    // Menus are put before `before`.
+    MediumCommands(session::OpenDocument& document, DocumentView& view, QMenuBar& bar,
+                   QAction* before, QToolBar& toolArea);
+    ~MediumCommands() override;
+
+    [[nodiscard]] QMenu* menuOf(document::SubdocumentId id) const; // nullptr without a medium
+    // What a command of that medium would act on now.
+    [[nodiscard]] std::vector<document::SubdocumentId> targets(const QString& documentClass) const;
+    // The class whose medium owns the tool area; empty: none.
+    [[nodiscard]] QString toolOwner() const;
+    void refresh(); // now; otherwise it follows by itself
+
+private:
+    struct Medium {
+        QMenu* menu = nullptr;
+        std::vector<ipc::MenuEntry> entries; // that it was built from
+        std::map<std::string, QAction*> actions;
+    };
+
+    void watch();
+    void schedule();
+    void refreshMenu(const QString& documentClass, Medium& medium);
+    void build(const QString& documentClass, Medium& medium,
+               const std::vector<ipc::MenuEntry>& entries);
+    void refreshTools();
+    void refreshTime();
+    void invoke(const QString& documentClass, const QString& id);
+    [[nodiscard]] media::LiveSubdocument* first(const QString& documentClass) const;
+    template <class Action> void forTargets(Action action) const;
+
+    session::OpenDocument& document_;
+    DocumentView& view_;
+    QMenuBar& bar_;
+    QAction* before_;
+    QToolBar& tools_;
+    QLabel* owner_;
+    PlayBar* time_;
+    QAction* timeAction_;
+    std::map<QString, Medium> media_;
+    QTimer timer_;
+    std::vector<QAction*> shown_; // in the tool area
+    std::vector<QMetaObject::Connection> watched_;
+};
+
+} // namespace window

@@ -1,0 +1,36 @@
+// How one subdocument's place in a view looks: its picture, and over it what the reader must know.
+//
+// Picture and medium alive: the picture alone. No picture yet: the ALT text or that the medium
+// starts. A medium that does not respond: a note in the corner. One that ended: its last picture,
+// what happened, and that a click starts it again. A faulty text: its first fault with the place in
+// the file.
+#pragma once
+
+#include "media/live_subdocument.h"
+#include "session/open_document.h"
+
+#include <QPainter>
+
+namespace window {
+
+struct Shown {
+    document::SubdocumentId id = document::noSubdocument;
+    std::size_t page = 0;
+    QRectF onPage; // twips
+    std::unique_ptr<media::Rendition> rendition;
+    std::unique_ptr<QObject> context; // of its connections
+};
+
+// What stands over or instead of its picture.
+struct Notice {
+    enum class Kind { none, waiting, note, box, stopped };
+    Kind kind = Kind::none;
+    QString title, text;
+};
+[[nodiscard]] Notice noticeOf(const session::OpenDocument& document, const Shown& shown);
+
+// `rect` in logical pixels, on device pixels.
+void paintShown(QPainter& painter, const QRectF& rect, const Shown& shown, const Notice& notice,
+                bool chosen);
+
+} // namespace window
