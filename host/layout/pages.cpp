@@ -174,8 +174,8 @@ private:
             return;
         const document::Block& block = model_.blocks[strips_[s].block];
         const std::size_t page = pages_.pages.size() - 1;
-        if (!block.anchor.empty())
-            pages_.anchors[block.anchor] = {page, y_};
+        for (const std::string& anchor : block.anchors)
+            pages_.anchors[anchor] = {page, y_};
         if (block.headingLevel > 0) {
             QString text = QString::fromStdString(block.marker);
             for (const document::Run& run : block.runs)
