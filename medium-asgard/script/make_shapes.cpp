@@ -338,11 +338,10 @@ void SceneMaker::body(Call& call) {
                          "-color", "-shininess", "-transparency"});
     if (positional) {
         body.shape = call.words[2].text;
-        const std::vector<std::string> sets = names(Kind::shapeSet);
-        if (std::find(sets.begin(), sets.end(), body.shape) == sets.end())
+        if (!exists(Kind::shapeSet, body.shape))
             faults_.error(call.words[2].range,
                           subject + ": no shape set named " + quoted(body.shape),
-                          suggestionFor(body.shape, sets, "shape sets here"));
+                          suggest(Kind::shapeSet, body.shape));
         else if (arguments.has("-shape"))
             faults_.error(arguments.optionRange("-shape"),
                           subject + " has its shape already: " + quoted(body.shape));

@@ -6,7 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
+#include <numeric>
 
 namespace script {
 
@@ -98,18 +99,27 @@ void SceneMaker::bezierCurves(Arguments& arguments, scene::Trajectory& trajector
                 return;
             curve.control.push_back(*p);
         }
-        const auto overlaps = [&](const scene::BezierCurve& other) {
-            return curve.from < other.to && other.from < curve.to;
-        };
-        if (std::any_of(trajectory.curves.begin(), trajectory.curves.end(), overlaps)) {
-            arguments.wrong("-bezier", word.range, "intervals that do not overlap",
-                            "and this one meets one before it");
-            return;
-        }
         trajectory.curves.push_back(std::move(curve));
     }
-    std::sort(trajectory.curves.begin(), trajectory.curves.end(),
-              [](const auto& a, const auto& b) { return a.from < b.from; });
+    orderCurves(arguments, *list, trajectory);
+}
+
+// In the order of time; two that meet are reported at the one written later.
+void SceneMaker::orderCurves(Arguments& arguments, const std::vector<Value>& words,
+                             scene::Trajectory& trajectory) {
+    std::vector<std::size_t> order(trajectory.curves.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return trajectory.curves[a].from < trajectory.curves[b].from;
+    });
+    std::vector<scene::BezierCurve> ordered;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (i > 0 && trajectory.curves[order[i]].from < ordered.back().to)
+            arguments.wrong("-bezier", words[std::max(order[i - 1], order[i])].range,
+                            "intervals that do not overlap", "and this one meets another");
+        ordered.push_back(trajectory.curves[order[i]]);
+    }
+    trajectory.curves = std::move(ordered);
 }
 
 void SceneMaker::trajectory(Call& call) {
@@ -185,10 +195,9 @@ void SceneMaker::constrain(Call& call) {
     Arguments arguments(
         faults_, call, "the constraint on body " + quoted(body), 2,
         {"-pos", "-rot", "-dpos", "-drot", "-x", "-y", "-z", "-dx", "-dy", "-dz", "-from", "-to"});
-    const std::vector<std::string> bodies = names(Kind::body);
-    if (std::find(bodies.begin(), bodies.end(), body) == bodies.end()) {
+    if (!exists(Kind::body, body)) {
         faults_.error(call.words[1].range, "constrain: no body named " + quoted(body),
-                      suggestionFor(body, bodies, "bodies here"));
+                      suggest(Kind::body, body));
     } else if (const scene::Body* found = scene::findBody(made_.scene, body);
                found && found->fixed) {
         faults_.error(call.words[1].range,
@@ -218,32 +227,54 @@ void SceneMaker::constrain(Call& call) {
                                "-dy -dz with a trajectory");
 }
 
+namespace {
+
+// Where two lists of disjoint intervals, both ordered, first meet. Counts its steps.
+std::optional<double> meeting(const std::vector<Interval>& a, const std::vector<Interval>& b,
+                              std::size_t& steps) {
+    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size(); ++steps) {
+        if (a[i].first < b[j].second && b[j].first < a[i].second)
+            return std::max(a[i].first, b[j].first);
+        ++(a[i].second <= b[j].second ? i : j);
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
 // Each part of a body's motion is held by one trajectory at a time.
+// LIMIT: a scene with more constraints than can be compared in a moment is not checked to the end.
 void SceneMaker::checkHolds() {
-    const auto meet = [](const std::vector<Interval>& a, const std::vector<Interval>& b) {
-        for (const Interval& p : a)
-            for (const Interval& q : b)
-                if (p.first < q.second && q.first < p.second)
-                    return std::optional(std::max(p.first, q.first));
-        return std::optional<double>();
+    constexpr std::size_t mostSteps = 20'000'000;
+    std::map<std::string, const scene::Trajectory*> trajectories;
+    for (const scene::Trajectory& trajectory : made_.scene.trajectories)
+        trajectories.emplace(trajectory.name, &trajectory);
+    struct Held {
+        const Hold* hold;
+        std::vector<Interval> intervals;
     };
-    for (std::size_t i = 0; i < holds_.size(); ++i) {
-        const scene::Constraint& later = holds_[i].constraint;
-        const scene::Trajectory* own = scene::findTrajectory(made_.scene, later.trajectory);
-        for (std::size_t j = 0; own && j < i; ++j) {
-            const scene::Constraint& earlier = holds_[j].constraint;
-            const scene::Trajectory* other = scene::findTrajectory(made_.scene, earlier.trajectory);
-            if (!other || earlier.body != later.body ||
-                (axesOf(earlier.held) & axesOf(later.held)) == 0)
+    std::map<std::string, std::vector<Held>> byBody;
+    std::size_t steps = 0;
+    for (const Hold& hold : holds_) {
+        const auto trajectory = trajectories.find(hold.constraint.trajectory);
+        if (trajectory == trajectories.end())
+            continue;
+        Held held{&hold, intervalsOf(hold.constraint, *trajectory->second)};
+        std::vector<Held>& before = byBody[hold.constraint.body];
+        for (const Held& other : before) {
+            if (++steps > mostSteps)
+                return;
+            if ((axesOf(other.hold->constraint.held) & axesOf(hold.constraint.held)) == 0)
                 continue;
-            if (const auto when = meet(intervalsOf(earlier, *other), intervalsOf(later, *own))) {
-                faults_.error(holds_[i].range,
-                              holds_[i].option + " and " + holds_[j].option + " hold body " +
-                                  quoted(later.body) +
-                                  " at one time, from t = " + numberText(*when, true));
+            if (const auto when = meeting(other.intervals, held.intervals, steps)) {
+                faults_.error(hold.range, hold.option + " and " + other.hold->option +
+                                              " hold body " + quoted(hold.constraint.body) +
+                                              " at one time, from t = " + numberText(*when, true));
                 break;
             }
         }
+        steps += held.intervals.size();
+        before.push_back(std::move(held));
     }
 }
 

@@ -80,8 +80,7 @@ std::optional<scene::ScalarValue> SceneMaker::scalarValue(Arguments& arguments,
         const auto number = arguments.numberIn(option, *value, Sign::positive, wants);
         return number ? std::optional(scene::ScalarValue(*number)) : std::nullopt;
     }
-    const std::vector<std::string> trajectories = names(Kind::trajectory);
-    if (std::find(trajectories.begin(), trajectories.end(), value->text) != trajectories.end())
+    if (exists(Kind::trajectory, value->text))
         return scene::ScalarValue(value->text + ".x"); // a trajectory's first component
     return scene::ScalarValue(expression(arguments, option, *value));
 }

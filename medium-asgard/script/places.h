@@ -22,7 +22,10 @@ public:
 
 private:
     std::string_view text_;
-    std::vector<std::size_t> lines_; // where each starts
+    [[nodiscard]] std::size_t charactersBefore(std::size_t offset) const;
+    static constexpr std::size_t blockSize = 256;
+    std::vector<std::size_t> lines_;  // where each starts
+    std::vector<std::size_t> blocks_; // characters before each block of bytes
 };
 
 } // namespace script

@@ -20,7 +20,7 @@ namespace script {
 
 namespace {
 
-constexpr std::size_t mostTextBytes = std::size_t{16} << 20;
+constexpr std::size_t mostTextBytes = std::size_t{8} << 20;
 
 // A server that died must not end this process by SIGPIPE.
 class WithoutBrokenPipe {

@@ -64,16 +64,38 @@ void SceneMaker::make(Call& call) {
 
 // --- names ----------------------------------------------------------------------------------
 
-std::vector<std::string> SceneMaker::names(Kind kind) const {
-    if (const auto found = others_.find(kind); found != others_.end())
-        return found->second;
-    return {};
+namespace {
+
+bool isSymbol(std::string_view kind) {
+    return kind == "body" || kind == "trajectory" || kind == "parameter";
+}
+
+std::string keyOf(std::string_view kind, const std::string& name) {
+    return (isSymbol(kind) ? std::string("symbol") : std::string(kind)) + "\n" + name;
+}
+
+} // namespace
+
+bool SceneMaker::exists(Kind kind, const std::string& name) const {
+    if (!isSymbol(nameOf(kind)))
+        return defined_.contains(keyOf(nameOf(kind), name));
+    const auto found = symbols_.find(name);
+    return found != symbols_.end() && found->second == kind;
+}
+
+std::string SceneMaker::suggest(Kind kind, const std::string& name) {
+    constexpr int mostSuggestions = 300;
+    constexpr std::size_t mostNames = 1000;
+    if (++suggestions_ > mostSuggestions)
+        return "";
+    const std::vector<std::string>& all = others_[kind];
+    return suggestionFor(name, std::span(all).first(std::min(all.size(), mostNames)),
+                         kindLists[static_cast<std::size_t>(kind)]);
 }
 
 void SceneMaker::registerName(const std::string& name, const Value& word, Kind kind) {
-    const bool symbol = kind == Kind::body || kind == Kind::trajectory || kind == Kind::parameter;
-    const std::string key =
-        (symbol ? std::string("symbol") : std::string(nameOf(kind))) + "\n" + name;
+    const bool symbol = isSymbol(nameOf(kind));
+    const std::string key = keyOf(nameOf(kind), name);
     if (const auto found = defined_.find(key); found != defined_.end()) {
         const Kind before = symbol ? symbols_.at(name) : kind;
         std::string message =
@@ -125,8 +147,7 @@ std::string SceneMaker::newName(Call& call, Kind kind) {
         return "";
     }
     call.source.arguments.push_back({"", word.range, word.exact});
-    const bool symbol = kind == Kind::body || kind == Kind::trajectory || kind == Kind::parameter;
-    if (symbol)
+    if (isSymbol(nameOf(kind)))
         validSymbol(word.text, word, kind);
     registerName(word.text, word, kind);
     return word.text;
@@ -142,14 +163,13 @@ std::string SceneMaker::optionalName(Call& call, Kind kind, std::size_t& first) 
 
 bool SceneMaker::refers(Arguments& arguments, std::string_view option, const std::string& name,
                         Kind kind) {
-    const std::vector<std::string> existing = names(kind);
-    if (std::find(existing.begin(), existing.end(), name) != existing.end())
+    if (exists(kind, name))
         return true;
     const Value* value = arguments.find(option);
     faults_.error(value ? value->range : arguments.commandRange(),
                   arguments.subject() + ": no " + std::string(nameOf(kind)) + " named " +
                       quoted(name),
-                  suggestionFor(name, existing, kindLists[static_cast<std::size_t>(kind)]));
+                  suggest(kind, name));
     return false;
 }
 
@@ -184,6 +204,9 @@ bool isNamed(std::string_view text, std::size_t at, std::string_view name) {
 
 // A parameter that moves nothing is most likely misspelt where it should.
 void SceneMaker::warnOfUnusedParameters() {
+    constexpr std::size_t mostSearched = 100;
+    if (made_.scene.parameters.size() > mostSearched)
+        return;
     for (const scene::Parameter& parameter : made_.scene.parameters) {
         const Range own = parameter.source.command;
         if (!own.known() || parameter.source.arguments.empty())
@@ -208,7 +231,7 @@ void SceneMaker::checkOverrides(bool finished) {
             [&, wanted = name](const scene::Parameter& p) { return p.name == wanted; });
         if (found == made_.scene.parameters.end())
             faults_.error({}, "the scene has no parameter " + quoted(name),
-                          suggestionFor(name, names(Kind::parameter), "parameters here"));
+                          suggest(Kind::parameter, name));
     }
 }
 

@@ -42,7 +42,9 @@ private:
     std::string optionalName(Call& call, Kind kind, std::size_t& first);
     void registerName(const std::string& name, const Value& word, Kind kind);
     bool validSymbol(const std::string& name, const Value& word, Kind kind);
-    [[nodiscard]] std::vector<std::string> names(Kind kind) const;
+    [[nodiscard]] bool exists(Kind kind, const std::string& name) const;
+    // What to say when one does not; "" after a few hundred, which a loop can ask for.
+    [[nodiscard]] std::string suggest(Kind kind, const std::string& name);
     // The element of that name exists already, else a report.
     bool refers(Arguments& arguments, std::string_view option, const std::string& name, Kind kind);
     std::optional<std::string> reference(Arguments& arguments, std::string_view option, Kind kind);
@@ -62,7 +64,8 @@ private:
                                                                bool allRequired);
     void smoothCurves(Arguments& arguments, scene::Trajectory& trajectory);
     void bezierCurves(Arguments& arguments, scene::Trajectory& trajectory);
-    void orderCurves(Arguments& arguments, scene::Trajectory& trajectory);
+    void orderCurves(Arguments& arguments, const std::vector<Value>& words,
+                     scene::Trajectory& trajectory);
     std::optional<scene::VectorValue> vectorValue(Arguments& arguments, std::string_view option);
     std::optional<scene::ScalarValue> scalarValue(Arguments& arguments, std::string_view option);
 
@@ -95,6 +98,7 @@ private:
         scene::Constraint constraint;
     };
     std::vector<Hold> holds_;
+    int suggestions_ = 0;
     bool simulatorSeen_ = false;
 };
 

@@ -21,7 +21,7 @@ namespace script {
 using scene::Range;
 
 // Deeper nesting of scripts is left to Tcl, and has no places.
-constexpr int maximumDepth = 200;
+constexpr int maximumDepth = 100;
 
 struct Word {
     Range range;          // with its braces or quotes
@@ -74,6 +74,6 @@ struct ElementList {
 };
 
 // Tcl's rules for lists. Stops at the first fault, and after `most` elements.
-[[nodiscard]] ElementList elementsOf(std::string_view list, std::size_t most = 1'000'000);
+[[nodiscard]] ElementList elementsOf(std::string_view list, std::size_t most = 200'000);
 
 } // namespace script

@@ -93,7 +93,7 @@ TEST(Structure, EndsAtItsDepth) {
     const Structure structure = structureOf("a " + nested);
     ASSERT_FALSE(structure.faults.empty());
     EXPECT_THAT(structure.faults[0].message, testing::HasSubstr("nested"));
-    EXPECT_LE(structure.commands.size(), 201u);
+    EXPECT_LE(structure.commands.size(), 101u);
 }
 
 // --- against Tcl's parser -------------------------------------------------------------------

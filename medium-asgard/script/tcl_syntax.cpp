@@ -44,7 +44,7 @@ bool SyntaxWalker::ends(std::size_t at, bool bracketed) const {
 
 std::size_t SyntaxWalker::script(std::size_t from, std::size_t end, bool bracketed, int parent) {
     if (++depth_ > maximumDepth) {
-        fail(from, from + 1, "scripts are nested more than 200 levels deep");
+        fail(from, from + 1, "scripts are nested more than 100 levels deep");
         --depth_;
         return end;
     }

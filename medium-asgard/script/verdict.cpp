@@ -191,7 +191,7 @@ scene::Diagnostic limitError(const Structure& structure, const Places& places,
 std::optional<scene::Diagnostic> refuse(std::string_view text, std::size_t mostBytes) {
     const Places places(text.substr(0, mostBytes));
     if (text.size() > mostBytes)
-        return diagnosticAt(places, {}, "the text is longer than 16 MB");
+        return diagnosticAt(places, {}, "the text is longer than 8 MB");
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t length = characterAt(text, at);
         if (length == 0 || text[at] == '\0')
