@@ -8,8 +8,12 @@
 namespace expression {
 namespace {
 
-// What the roots are made of, arguments first. An own stack: expressions may be very deep.
-std::vector<Node> reachable(const Graph& graph, std::span<const Node> roots) {
+using Replacements = std::unordered_map<std::uint32_t, Node>;
+
+// What the roots are made of, arguments first; nothing below nodes of `end`. An own stack:
+// expressions may be very deep.
+std::vector<Node> reachable(const Graph& graph, std::span<const Node> roots,
+                            const Replacements& end = {}) {
     std::unordered_set<std::uint32_t> seen;
     std::vector<Node> pending(roots.begin(), roots.end()), found;
     while (!pending.empty()) {
@@ -18,6 +22,8 @@ std::vector<Node> reachable(const Graph& graph, std::span<const Node> roots) {
         if (!seen.insert(n.index).second)
             continue;
         found.push_back(n);
+        if (end.contains(n.index))
+            continue;
         const auto arguments = graph.arguments(n);
         pending.insert(pending.end(), arguments.begin(), arguments.end());
     }
@@ -147,10 +153,9 @@ Node differentiate(Graph& graph, Node node, Node symbol) {
     return found == derivatives.end() ? zero : found->second;
 }
 
-Node substitute(Graph& graph, Node node,
-                const std::unordered_map<std::uint32_t, Node>& replacements) {
+Node substitute(Graph& graph, Node node, const Replacements& replacements) {
     std::unordered_map<std::uint32_t, Node> made;
-    for (const Node n : reachable(graph, std::span(&node, 1))) {
+    for (const Node n : reachable(graph, std::span(&node, 1), replacements)) {
         const auto replacement = replacements.find(n.index);
         if (replacement != replacements.end()) {
             made.emplace(n.index, replacement->second);

@@ -118,7 +118,7 @@ private:
 // d floor = d sign = 0, d min(a,b) = select(a < b, da, db).
 [[nodiscard]] Node differentiate(Graph& graph, Node node, Node symbol);
 
-// Every symbol replaced by the node given for it (symbols without one stay).
+// Every node (a symbol, mostly) replaced by the one given for it; what is put in stays as it is.
 [[nodiscard]] Node substitute(Graph& graph, Node node,
                               const std::unordered_map<std::uint32_t, Node>& replacements);
 

@@ -11,8 +11,9 @@ using expression::Phase;
 // The equations of one segment of time, unknown by unknown.
 class Segment {
 public:
-    Segment(Graph& g, Node time, const BodyMotion& body, const HoldSegment& held)
-        : g_(g), time_(time), body_(body), s_(body.symbols) {
+    Segment(Graph& g, const Scope& scope, const BodyMotion& body, const HoldSegment& held)
+        : g_(g), time_(scope.time()), body_(body), s_(body.symbols),
+          pieces_(scope.piecesFrom(g, held.from)) {
         turn(held);
         for (std::size_t i = 0; i < 3; ++i)
             move(i, held.linear[i]);
@@ -28,7 +29,7 @@ private:
         for (std::size_t i = 0; i < 4; ++i)
             phases[qw + i].derivative = rate[i];
         if (!held.angular)
-            setSpin(body_.spinRate, std::nullopt);
+            setSpin(inForce(body_.spinRate), std::nullopt);
         else if (held.angular->isRate)
             setSpin(s_.toSpinAxes(g_, rateOf(held.angular->value)),
                     s_.toSpinAxes(g_, held.angular->value));
@@ -58,7 +59,7 @@ private:
         Phase& place = phases[x + i];
         Phase& velocity = phases[dx + i];
         place.derivative = s_.velocity[i];
-        velocity.derivative = body_.acceleration[i];
+        velocity.derivative = substitute(g_, body_.acceleration[i], pieces_);
         if (!held)
             return;
         if (held->isVelocity) {
@@ -88,12 +89,18 @@ private:
         return rate;
     }
 
+    NodeVector inForce(const NodeVector& v) {
+        return {substitute(g_, v[0], pieces_), substitute(g_, v[1], pieces_),
+                substitute(g_, v[2], pieces_)};
+    }
+
     NodeVector rateOf(const NodeVector& v) { return differentiated(g_, v, time_); }
 
     Graph& g_;
     Node time_;
     const BodyMotion& body_;
     const BodySymbols& s_;
+    std::unordered_map<std::uint32_t, Node> pieces_;
 };
 
 void append(std::vector<Phase>& phases, Phase next, double start) {
@@ -114,12 +121,13 @@ void append(std::vector<Phase>& phases, Phase next, double start) {
 
 } // namespace
 
-std::array<std::vector<Phase>, bodyUnknowns> phasesOf(Graph& g, Node time, const BodyMotion& body,
+std::array<std::vector<Phase>, bodyUnknowns> phasesOf(Graph& g, const Scope& scope,
+                                                      const BodyMotion& body,
                                                       std::span<const HoldSegment> segments,
                                                       double start) {
     std::array<std::vector<Phase>, bodyUnknowns> phases;
     for (const HoldSegment& held : segments) {
-        const Segment segment(g, time, body, held);
+        const Segment segment(g, scope, body, held);
         for (std::size_t i = 0; i < bodyUnknowns; ++i)
             append(phases[i], segment.phases[i], start);
     }

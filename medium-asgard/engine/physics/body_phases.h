@@ -2,7 +2,9 @@
 //
 // What is held is given and its rate is the derivative of what is given; what is not held goes on
 // by its own equation. When a trajectory lets go, the unknown starts from the last value that was
-// given. A held position is the reference point's, so that the centre of mass also turns about it.
+// given. Where forces read trajectories, each segment has the one piece that is in force, so that
+// its equations are smooth and no choice by time is left in them. A held position is the reference
+// point's, so that the centre of mass also turns about it.
 #pragma once
 
 #include "physics/equations_of_motion.h"
@@ -14,7 +16,7 @@ namespace physics {
 // Phases of the body's unknowns in the order of BodyUnknown. What was over before `start` leaves no
 // trace; the phase in force then is said to hold from the start of time.
 [[nodiscard]] std::array<std::vector<expression::Phase>, bodyUnknowns>
-phasesOf(Graph& g, Node time, const BodyMotion& body, std::span<const HoldSegment> segments,
-         double start);
+phasesOf(Graph& g, const Scope& scope, const BodyMotion& body,
+         std::span<const HoldSegment> segments, double start);
 
 } // namespace physics

@@ -106,12 +106,24 @@ void setRates(Graph& g, const scene::Scene& scene, std::size_t index, BodyMotion
 
 std::vector<Held> heldTimes(std::span<const HoldSegment> segments) {
     std::vector<Held> held;
-    for (const HoldSegment& segment : segments)
-        held.push_back({segment.from,
-                        {segment.linear[0].has_value(), segment.linear[1].has_value(),
-                         segment.linear[2].has_value()},
-                        segment.angular.has_value()});
+    for (const HoldSegment& segment : segments) {
+        const Held now{segment.from,
+                       {segment.linear[0].has_value(), segment.linear[1].has_value(),
+                        segment.linear[2].has_value()},
+                       segment.angular.has_value()};
+        if (held.empty() || held.back().position != now.position ||
+            held.back().attitude != now.attitude)
+            held.push_back(now);
+    }
     return held;
+}
+
+std::vector<HoldSegment> segmentsOfBody(Graph& g, const scene::Scene& scene, const Scope& scope,
+                                        std::size_t index, const BodyMotion& body,
+                                        std::vector<std::string>& faults) {
+    std::vector<Node> rates(body.acceleration.begin(), body.acceleration.end());
+    rates.insert(rates.end(), body.spinRate.begin(), body.spinRate.end());
+    return segmentsOf(scene, scope, index, scope.piecesReadBy(g, rates), faults);
 }
 
 // --- unknowns -------------------------------------------------------------------------------
@@ -122,13 +134,13 @@ std::array<Node, bodyUnknowns> symbolsOfBody(const BodySymbols& s) {
             s.spin[0],     s.spin[1],     s.spin[2]};
 }
 
-void addUnknowns(expression::EquationSet& set, const scene::Scene& scene, const scene::Body& body,
-                 BodyMotion& motion, std::span<const HoldSegment> segments) {
+void addUnknowns(expression::EquationSet& set, const Scope& scope, const scene::Body& body,
+                 BodyMotion& motion, std::span<const HoldSegment> segments, double start) {
     motion.firstUnknown = set.unknowns.size();
     const auto symbols = symbolsOfBody(motion.symbols);
     const auto initial = motion.unknownsOf({motion.start.position, body.initialVelocity,
                                             motion.start.attitude, body.initialAngularVelocity});
-    auto phases = phasesOf(set.graph, set.time, motion, segments, scene.simulator.start);
+    auto phases = phasesOf(set.graph, scope, motion, segments, start);
     for (std::size_t i = 0; i < bodyUnknowns; ++i) {
         expression::Unknown unknown;
         unknown.name = set.graph.name(symbols[i]);
@@ -191,11 +203,12 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene) {
     std::set<double> times;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         setRates(g, scene, b, bodies[b], contributions);
-        const std::vector<HoldSegment> segments = segmentsOf(scene, *scope, b, faults);
+        const std::vector<HoldSegment> segments =
+            segmentsOfBody(g, scene, *scope, b, bodies[b], faults);
         bodies[b].held = heldTimes(segments);
         if (bodies[b].isFixed)
             continue;
-        addUnknowns(set, scene, scene.bodies[b], bodies[b], segments);
+        addUnknowns(set, *scope, scene.bodies[b], bodies[b], segments, scene.simulator.start);
         for (const HoldSegment& segment : segments)
             times.insert(segment.from);
     }

@@ -137,12 +137,15 @@ std::vector<HoldInterval> intervalsOf(const scene::Constraint& constraint,
 }
 
 std::vector<HoldSegment> segmentsOf(const scene::Scene& scene, const Scope& scope, std::size_t body,
+                                    std::span<const double> cuts,
                                     std::vector<std::string>& faults) {
     const std::vector<ActiveHold> holds = holdsOf(scene, scope, body);
     SegmentMaker maker(scene.bodies[body].name, faults);
+    std::set<double> times = cutsOf(holds);
+    times.insert(cuts.begin(), cuts.end());
     std::vector<HoldSegment> segments;
-    for (const double cut : cutsOf(holds))
-        segments.push_back(maker.make(cut, holds));
+    for (const double time : times)
+        segments.push_back(maker.make(time, holds));
     return segments;
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,10 +35,11 @@ struct HoldInterval {
 [[nodiscard]] std::vector<HoldInterval> intervalsOf(const scene::Constraint& constraint,
                                                     const scene::Trajectory& trajectory);
 
-// A free segment from the start of time at least. Two constraints that hold one thing at one time
-// are told in `faults`; the earlier one of the text holds.
+// A segment from the start of time at least, and one from each of `cuts`, where forces change. Two
+// constraints that hold one thing at one time are told in `faults`; the earlier one of the text
+// holds.
 [[nodiscard]] std::vector<HoldSegment> segmentsOf(const scene::Scene& scene, const Scope& scope,
-                                                  std::size_t body,
+                                                  std::size_t body, std::span<const double> cuts,
                                                   std::vector<std::string>& faults);
 
 } // namespace physics

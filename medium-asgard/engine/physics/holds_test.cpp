@@ -237,6 +237,34 @@ TEST(Trajectories, InExpressionsAreChosenByTimeAndContinuedStraight) {
     }
 }
 
+// The breakpoints are known beforehand: phases, and no choice by time for a step to search.
+TEST(Trajectories, InForcesMakePhasesWithOnePieceEach) {
+    scene::Scene scene = heldBall(scene::Held::position);
+    scene.constraints.clear();
+    scene.forces = {testing::force("ball", "4*path.x", "2*path.dx*ball.y", "rod.z")};
+    const EquationsOfMotion motion(scene);
+    EXPECT_EQ(equation(motion, "ball.dx"),
+              "2*(1 + (t - 2)) | from 4: 2*(3 + (t - 4)) | from 6: 14");
+    EXPECT_EQ(equation(motion, "ball.dy"), "ball.y | from 6: 0");
+    EXPECT_EQ(equation(motion, "ball.dz"), "rod.z/2");
+    EXPECT_EQ(equation(motion, "rod.dx"), "0");
+    EXPECT_EQ(motion.breakpoints, (std::vector<double>{2, 4, 6, 8}));
+    EXPECT_EQ(motion.bodies[0].held.size(), 1u);
+}
+
+TEST(Trajectories, OfAThousandPiecesAreReadQuickly) {
+    scene::Scene scene = heldBall(scene::Held::position);
+    scene.constraints.clear();
+    scene.trajectories[0].curves.clear();
+    for (int i = 0; i < 1000; ++i)
+        scene.trajectories[0].curves.push_back(
+            {i * 1., i + 1., {Vector(i % 7, 0, 1), Vector(i % 3, 1, i), Vector(0, i % 5, 2)}});
+    scene.forces = {testing::force("ball", "sin(path.x)*path.dz", "path.y", "path.z*ball.x")};
+    const EquationsOfMotion motion(scene);
+    EXPECT_EQ(testing::unknown(motion, "ball.dx").phases.size(), 1001u);
+    EXPECT_LT(motion.set.graph.size(), 100'000u); // linear in the pieces
+}
+
 TEST(Trajectories, OfAnyDegreePassThroughTheirEndsAndKeepInsideTheirPolygon) {
     for (const std::size_t degree : {1u, 2u, 3u, 8u, 9u, 30u}) {
         scene::BezierCurve curve{10, 14, {}};

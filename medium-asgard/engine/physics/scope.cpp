@@ -24,6 +24,37 @@ Vector Scope::armTo(std::size_t body, const std::optional<Vector>& offset) const
     return offset ? Vector(*offset - masses_[body].centroid) : Vector(Vector::Zero());
 }
 
+std::unordered_map<std::uint32_t, Node> Scope::piecesFrom(Graph& g, double time) const {
+    std::unordered_map<std::uint32_t, Node> replacements;
+    for (const ScopeTrajectory& trajectory : trajectories_) {
+        const NodeVector value = pieceAt(trajectory.pieces, time).value;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (g.op(trajectory.value[i]) == Op::select)
+                replacements.emplace(trajectory.value[i].index, value[i]);
+            if (g.op(trajectory.rate[i]) == Op::select)
+                replacements.emplace(trajectory.rate[i].index, differentiate(g, value[i], time_));
+        }
+    }
+    return replacements;
+}
+
+std::vector<double> Scope::piecesReadBy(Graph& g, std::span<const Node> nodes) const {
+    std::vector<double> times;
+    const auto isRead = [&](const NodeVector& roots) {
+        std::unordered_map<std::uint32_t, Node> gone;
+        for (const Node root : roots)
+            if (g.op(root) == Op::select)
+                gone.emplace(root.index, time_);
+        return !gone.empty() &&
+               std::ranges::any_of(nodes, [&](Node n) { return substitute(g, n, gone) != n; });
+    };
+    for (const ScopeTrajectory& trajectory : trajectories_)
+        if (isRead(trajectory.value) || isRead(trajectory.rate))
+            for (const TrajectoryPiece& piece : std::span(trajectory.pieces).subspan(1))
+                times.push_back(piece.from);
+    return times;
+}
+
 std::variant<Node, expression::SyntaxError> Scope::parse(Graph& g, std::string_view text,
                                                          scene::Reading reading) const {
     return expression::parse(

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace physics {
@@ -37,6 +38,11 @@ public:
     [[nodiscard]] const ScopeTrajectory& trajectory(std::size_t i) const {
         return trajectories_[i];
     }
+    // What trajectories are from `time` to the next of their pieces, for substitute(): choices by
+    // time become the one piece.
+    [[nodiscard]] std::unordered_map<std::uint32_t, Node> piecesFrom(Graph& g, double time) const;
+    // Times at which the trajectories that some of these nodes read pass to another piece.
+    [[nodiscard]] std::vector<double> piecesReadBy(Graph& g, std::span<const Node> nodes) const;
     void setSceneNodes(const SceneNodes& nodes) { sceneNodes_ = nodes; }
 
     // From the centre of mass to a point given from the reference point (none: the centre).
