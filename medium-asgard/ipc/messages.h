@@ -76,6 +76,7 @@ struct DiagnosticItem {
     Severity severity = Severity::error;
     Integer line = 0, column = 0, endLine = 0, endColumn = 0; // line 0: no place is known
     std::string message;
+    bool operator==(const DiagnosticItem&) const = default;
 };
 
 // Error codes of answers.
@@ -389,6 +390,7 @@ struct Diagnostics { // the whole set, of that revision
     static constexpr auto method = "diagnostics";
     Integer revision = 0;
     std::vector<DiagnosticItem> items;
+    bool operator==(const Diagnostics&) const = default;
 };
 
 // --- the two directions -----------------------------------------------------------------------

@@ -26,15 +26,15 @@ bool same(const render::Camera& a, const render::Camera& b) {
 bool same(const render::Display& a, const render::Display& b) {
     return a.wireframe == b.wireframe && a.axes == b.axes && a.grid == b.grid &&
            a.trails == b.trails && a.positionHandles == b.positionHandles &&
-           a.velocityHandles == b.velocityHandles && a.background == b.background &&
-           a.samples == b.samples;
+           a.velocityHandles == b.velocityHandles && a.background == b.background;
 }
 
 } // namespace
 
-bool same(const Look& a, const Look& b) {
-    return a.generation == b.generation && a.time == b.time && same(a.camera, b.camera) &&
-           same(a.display, b.display);
+bool covers(const Look& shown, const Look& wanted) {
+    return shown.generation == wanted.generation && shown.time == wanted.time &&
+           same(shown.camera, wanted.camera) && same(shown.display, wanted.display) &&
+           shown.display.samples >= wanted.display.samples;
 }
 
 void Rendition::shape(const ipc::RenditionGeometry& geometry,

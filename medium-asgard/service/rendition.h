@@ -22,7 +22,8 @@ struct Look {
     render::Camera camera;
     render::Display display;
 };
-[[nodiscard]] bool same(const Look& a, const Look& b);
+// A picture of one look is as good as one of the other, or better: it may have more samples.
+[[nodiscard]] bool covers(const Look& shown, const Look& wanted);
 
 class Rendition {
 public:
@@ -49,7 +50,7 @@ public:
         render::Image into;
     };
     [[nodiscard]] bool hasFreeSlot() const { return freeSlot().has_value(); }
-    [[nodiscard]] bool shows(const Look& look) const { return shown_ && same(*shown_, look); }
+    [[nodiscard]] bool shows(const Look& look) const { return shown_ && covers(*shown_, look); }
     // The next frame, to be drawn into `into`. Call only with a free slot.
     [[nodiscard]] Frame begin(const Look& look);
     void acknowledge(ipc::Integer serial) { unacknowledged_.erase(serial); }
@@ -58,6 +59,7 @@ public:
     void forget() { shown_.reset(); }
 
     bool visible = false;
+    Instant calmAt{}; // until then its user is moving the view
     render::Display display;
 
 private:

@@ -117,7 +117,11 @@ void Session::answerWaiting() {
 // --- what is told -----------------------------------------------------------------------------
 
 void Session::tellDiagnostics() {
-    channel_.notify(ipc::Diagnostics{subdocument_.revision(), subdocument_.diagnostics()});
+    ipc::Diagnostics diagnostics{subdocument_.revision(), subdocument_.diagnostics()};
+    if (toldDiagnostics_ == diagnostics)
+        return;
+    channel_.notify(diagnostics);
+    toldDiagnostics_ = std::move(diagnostics);
 }
 
 void Session::tellProgress() {
@@ -230,7 +234,10 @@ bool Session::anyVisible() const {
     return std::ranges::any_of(renditions_, [](const auto& entry) { return entry.second.visible; });
 }
 
-bool Session::moving() const { return subdocument_.playback.playing() || now_ < calmAt_; }
+bool Session::moving(const Rendition& rendition) const {
+    return subdocument_.playback.playing() || now_ < calmAt_ || now_ < rendition.calmAt ||
+           rendition.beingTurned();
+}
 
 const scene::Scene& Session::drawnScene() const {
     static const scene::Scene nothing;
@@ -245,7 +252,7 @@ Look Session::lookOf(Rendition& rendition) const {
     if (!subdocument_.scene())
         look.display.grid = false;
     // Smooth edges cost time that a moving picture needs for the next one.
-    look.display.samples = moving() || rendition.beingTurned() ? 1 : 4;
+    look.display.samples = moving(rendition) ? 1 : 4;
     look.camera = rendition.camera(shownTime_);
     return look;
 }
@@ -262,6 +269,8 @@ void Session::drawOwed() {
             continue;
         rendition.see(drawnScene(), subdocument_.motion(), subdocument_.viewGeneration());
         const Look look = lookOf(rendition);
+        if (const Instant calm = std::max(calmAt_, rendition.calmAt); now_ < calm)
+            dueAt(calm);
         if (rendition.shows(look) || !rendition.hasFreeSlot())
             continue;
         if (now_ < nextFrame_) {
@@ -270,8 +279,6 @@ void Session::drawOwed() {
         }
         drawn = draw(rendition, look) || drawn;
     }
-    if (now_ < calmAt_)
-        dueAt(calmAt_);
     if (drawn) {
         frameCost_ = Clock::now() - begin;
         nextFrame_ = now_ + std::max<Clock::duration>(shortestFrame, 2 * frameCost_);

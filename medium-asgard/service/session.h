@@ -114,7 +114,7 @@ private:
     [[nodiscard]] ipc::TimeChanged timeNow() const;
     [[nodiscard]] MenuState menuNow() const;
     [[nodiscard]] bool anyVisible() const;
-    [[nodiscard]] bool moving() const;
+    [[nodiscard]] bool moving(const Rendition& rendition) const;
     void drawOwed();
     [[nodiscard]] Look lookOf(Rendition& rendition) const;
     bool draw(Rendition& rendition, const Look& look);
@@ -143,12 +143,13 @@ private:
     Instant now_{};        // of the call that is being served
     double shownTime_ = 0; // of the pictures and values that are made now
     std::optional<Instant> due_;
-    Instant calmAt_{};    // until then the user is moving something
+    Instant calmAt_{};    // until then the user is moving through time
     Instant nextFrame_{}; // no picture is drawn before
     Clock::duration frameCost_{};
     std::optional<ipc::TimeChanged> toldTime_;
     Instant nextTimeTold_{};
     std::optional<MenuState> toldMenu_;
+    std::optional<ipc::Diagnostics> toldDiagnostics_;
     std::optional<ipc::Integer> progress_; // token of what was begun
     ipc::Integer lastToken_ = 0;
     Instant nextProgress_{};

@@ -236,7 +236,7 @@ void Session::hear(const ipc::RenditionInput& call) {
     Rendition& rendition = found->second;
     const bool before = rendition.beingTurned();
     if (rendition.input(call, subdocument_.playback.time(now_)))
-        calmAt_ = now_ + settling;
+        rendition.calmAt = now_ + settling;
     if (rendition.beingTurned() != before)
         channel_.notify(ipc::RenditionCursor{call.rendition, before ? ipc::CursorShape::arrow
                                                                     : ipc::CursorShape::grabbing});

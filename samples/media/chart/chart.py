@@ -312,9 +312,9 @@ class Medium:
         if table.rows or not self.table.rows:  # a faulty text leaves the last picture
             self.kinds = {table.kind} if table.kind != self.table.kind else self.kinds
             self.table = table
+            self.redraw()
         self.now = min(self.now, self.finish())
         self.playing = self.playing and self.finish() > 0
-        self.redraw()
         self.wire.notify("diagnostics", revision=self.revision, items=[
             {"severity": "warning" if table.rows else "error", "line": line, "column": column, "endLine": line, "endColumn": end,
              "message": sentence} for line, column, end, sentence in table.faults[:200]])
