@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace collision {
 
@@ -12,37 +13,59 @@ namespace {
 
 constexpr double flatLanding = 1e-9; // of the size: less tilt than this is none
 
-// The normal of the touching face, or of two crossing edges, that lies along `normal` up to the
-// rounding with which closest points give it; else `normal`.
-Vector snapped(const Posed& first, const Posed& second, const Vector& normal, double size) {
-    const double tolerance = 3 * flatLanding * size;
-    const auto ofFirst = furthestFeature(first, -normal, tolerance);
-    const auto ofSecond = furthestFeature(second, normal, tolerance);
-    const auto faceOf = [&](const Posed& owner, double sign) -> const geometry::Face* {
-        const geometry::Face* best = nullptr;
-        double most = 1 - 1e-8;
-        for (const geometry::Face& f : owner.part->core.faces)
-            if (const double d = sign * (owner.rotation * f.normal).dot(normal); d > most) {
-                most = d;
-                best = &f;
-            }
-        return best;
-    };
-    if (ofFirst.size() > 2)
-        if (const geometry::Face* f = faceOf(first, -1))
-            return -(first.rotation * f->normal);
-    if (ofSecond.size() > 2)
-        if (const geometry::Face* f = faceOf(second, 1))
-            return second.rotation * f->normal;
-    if (ofFirst.size() == 2 && ofSecond.size() == 2) {
-        const Vector u = ofFirst[1] - ofFirst[0], v = ofSecond[1] - ofSecond[0];
-        const Vector across = u.cross(v);
-        if (across.norm() > 1e-6 * u.norm() * v.norm()) {
-            const Vector n = across.normalized();
-            const Vector along = n.dot(normal) > 0 ? n : Vector(-n);
-            return along.dot(normal) > 1 - 1e-8 ? along : normal;
+// The two posed parts at one time and the line between them.
+struct Touching {
+    Posed first, second;
+    Vector normal;
+};
+
+// Vertices of the part within `tolerance` of its furthest extent along a direction.
+std::vector<std::size_t> furthest(const Posed& posed, const Vector& direction, double tolerance) {
+    const double most = direction.dot(posed.world(posed.support(direction)));
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < posed.part->core.vertices.size(); ++i)
+        if (direction.dot(posed.world(i)) >= most - tolerance)
+            result.push_back(i);
+    return result;
+}
+
+const geometry::Face* faceAlong(const Posed& owner, const Vector& direction) {
+    const geometry::Face* best = nullptr;
+    double most = 1 - 1e-8;
+    for (const geometry::Face& f : owner.part->core.faces)
+        if (const double d = (owner.rotation * f.normal).dot(direction); d > most) {
+            most = d;
+            best = &f;
         }
+    return best;
+}
+
+Vector edgeOf(const Posed& posed, const std::vector<std::size_t>& ends) {
+    return (posed.world(ends[1]) - posed.world(ends[0])).normalized();
+}
+
+// Which features touch is seen `before`; where they are, and so the normal, is that of `now`.
+Vector normalOf(const Touching& before, const Touching& now, double tolerance) {
+    const auto ofFirst = furthest(before.first, -before.normal, tolerance);
+    const auto ofSecond = furthest(before.second, before.normal, tolerance);
+    if (ofFirst.size() > 2)
+        if (const geometry::Face* f = faceAlong(before.first, -before.normal))
+            return -(now.first.rotation * f->normal);
+    if (ofSecond.size() > 2)
+        if (const geometry::Face* f = faceAlong(before.second, before.normal))
+            return now.second.rotation * f->normal;
+    Vector normal = before.normal;
+    if (ofFirst.size() == 2 && ofSecond.size() == 2) {
+        const Vector across = edgeOf(now.first, ofFirst).cross(edgeOf(now.second, ofSecond));
+        if (across.norm() > 1e-6)
+            return (across.dot(normal) > 0 ? across : Vector(-across)).normalized();
     }
+    // Across the one edge, or the parallel ones.
+    for (const auto& [posed, ends] : {std::pair(&now.first, &ofFirst), {&now.second, &ofSecond}})
+        if (ends->size() == 2) {
+            const Vector along = edgeOf(*posed, *ends);
+            normal = (normal - along * along.dot(normal)).normalized();
+        }
     return normal;
 }
 
@@ -61,20 +84,23 @@ double closingSpeed(const Velocity& first, const Vector& firstPivot, const Veloc
 
 Contact contactOf(const PartPair& pair, double t, const Separation& separation) {
     const double size = pair.size();
-    Vector normal = separation.normal;
+    const Vector origin = pair.originAt(t);
+    const Posed first = pair.first.posedAt(t, origin), second = pair.second.posedAt(t, origin);
+    const Touching now{first, second, separation.normal};
+    Touching before = now;
     if (!isRound(pair)) {
         // At the contact itself the line between closest points is lost; a little before, it is
         // not.
         const double speed = pair.relativeSpeed(t);
-        const double before = speed > 0 ? t - 1e-6 * size / speed : t;
+        const double earlier = speed > 0 ? t - 1e-6 * size / speed : t;
         WarmStart cold;
-        const Separation earlier = pair.separationAt(before, cold);
-        if (earlier.gap > separation.gap && earlier.gap > 0)
-            normal = earlier.normal;
+        const Separation then = pair.separationAt(earlier, cold);
+        const Vector there = pair.originAt(earlier);
+        if (then.gap > separation.gap && then.gap > 0)
+            before = {pair.first.posedAt(earlier, there), pair.second.posedAt(earlier, there),
+                      then.normal};
     }
-    const Vector origin = pair.originAt(t);
-    const Posed first = pair.first.posedAt(t, origin), second = pair.second.posedAt(t, origin);
-    normal = snapped(first, second, normal, size);
+    const Vector normal = normalOf(before, now, 3 * flatLanding * size);
 
     const Patch patch = patchOf(first, second, normal, flatLanding * size);
     const Velocity va = velocityAt(pair.first.piece, t), vb = velocityAt(pair.second.piece, t);

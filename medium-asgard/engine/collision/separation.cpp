@@ -44,9 +44,13 @@ struct Closest {
     Vector vector = Vector::Zero(); // from second to first; zero: they overlap
     double bound = 0;               // the gap along it, a lower bound of the distance
     std::size_t iterations = 0;
+
+    [[nodiscard]] bool converged(double size) const {
+        return vector.norm() - bound <= 1e-9 * vector.norm() + 1e-14 * size;
+    }
 };
 
-Closest closestPoints(const Posed& first, const Posed& second, double size, WarmStart& warm) {
+Closest descend(const Posed& first, const Posed& second, double size, WarmStart& warm) {
     Difference difference(first, second);
     Simplex simplex;
     for (std::size_t i = 0; i < warm.count; ++i)
@@ -79,6 +83,19 @@ Closest closestPoints(const Posed& first, const Posed& second, double size, Warm
         return result;
     result.vector = v;
     result.bound = v.normalized().dot(difference.furthest(-v).place);
+    return result;
+}
+
+// A start that has become a sliver as the parts moved can end in a wrong place: then from anew.
+Closest closestPoints(const Posed& first, const Posed& second, double size, WarmStart& warm) {
+    const bool wasWarm = warm.count > 0;
+    Closest result = descend(first, second, size, warm);
+    if (wasWarm && !result.converged(size)) {
+        const std::size_t before = result.iterations;
+        warm.count = 0;
+        result = descend(first, second, size, warm);
+        result.iterations += before;
+    }
     return result;
 }
 
@@ -179,7 +196,8 @@ Separation separate(const Posed& first, const Posed& second, WarmStart& warm) {
     Separation best;
     const double distance = closest.vector.norm();
     const bool pointLike = first.part->isSphere() && second.part->isSphere();
-    if (distance > nearness * size || (pointLike && distance > 0)) {
+    const bool far = distance > nearness * size && closest.converged(size);
+    if (far || (pointLike && distance > 0)) {
         best.gap = closest.bound;
         best.normal = closest.vector / distance;
         tryFace(first, second, -best.normal, -1, best);

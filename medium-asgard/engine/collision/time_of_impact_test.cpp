@@ -1,5 +1,6 @@
 #include "collision/time_of_impact.h"
 
+#include "collision/encounter_trials.h"
 #include "collision/flying_body.h"
 
 #include <gtest/gtest.h>
@@ -278,6 +279,19 @@ TEST(TimeOfImpact, GrazingPassesOfSpinningBodiesStayCheap) {
         EXPECT_EQ(e.hit.has_value(), beyond > 0);
         EXPECT_LT(e.evaluations, 200u);
     }
+}
+
+TEST(TimeOfImpact, MissesAndInventsNothingInFastEncounters) {
+    std::mt19937_64 random(20261120);
+    std::size_t hits = 0, most = 0;
+    for (int i = 0; i < 3'000; ++i) {
+        const MeetingResult result = checkMeeting(drawMeeting(random));
+        EXPECT_EQ(result.fault, "") << "meeting " << i;
+        hits += result.hit;
+        most = std::max(most, result.evaluations);
+    }
+    EXPECT_GT(hits, 500u);
+    EXPECT_LT(most, 3000u); // of gaps; the fastest spin turns many times during a meeting
 }
 
 } // namespace
