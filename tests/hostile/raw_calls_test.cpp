@@ -1,0 +1,299 @@
+// What a process that runs hostile machine code can do inside each confinement: nothing.
+//
+// Each attempt runs in a process of its own that is confined as an evaluator or a player is. Then
+// again with fences taken away, to see that each of them stops what it is there for.
+#include "attempts.h"
+
+#include "confinement/confinement.h"
+#include "script/reader.h"
+
+#include <atomic>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <arpa/inet.h>
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using confinement::Fences;
+using confinement::Role;
+using hostile::Also;
+using hostile::Attempt;
+
+constexpr Fences noFences{false, false, false, false};
+constexpr int denied = 42;
+constexpr int succeeded = 43;
+
+confinement::Limits limitsFor(Role role) {
+    if (role == Role::player)
+        return {.memory = std::size_t{4} << 30, .cpuSeconds = {}, .descriptors = 64};
+    return {.memory = std::size_t{256} << 20, .cpuSeconds = 2, .descriptors = 0};
+}
+
+// A folder with files to lose, a process to attack, a port to call.
+class RawCalls : public testing::Test {
+protected:
+    void SetUp() override {
+        before_ = fs::current_path();
+        std::string pattern = (fs::temp_directory_path() / "cage-XXXXXX").string();
+        folder_ = mkdtemp(pattern.data());
+        fs::current_path(folder_);
+        hostile::otherProcess = fork();
+        if (hostile::otherProcess == 0) {
+            prctl(PR_SET_PDEATHSIG, SIGKILL);
+            while (true)
+                pause();
+        }
+        listener_ = socket(AF_INET, SOCK_STREAM, 0);
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        socklen_t size = sizeof address;
+        ASSERT_EQ(bind(listener_, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+        ASSERT_EQ(listen(listener_, 50), 0);
+        getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size);
+        hostile::listeningPort = ntohs(address.sin_port);
+        restock();
+        hostile::inheritedDescriptor = open("canary", O_RDONLY);
+    }
+
+    void TearDown() override {
+        close(listener_);
+        close(hostile::inheritedDescriptor);
+        kill(hostile::otherProcess, SIGKILL);
+        waitpid(hostile::otherProcess, nullptr, 0);
+        fs::current_path(before_);
+        fs::remove_all(folder_);
+    }
+
+    void restock() const {
+        for (const auto& entry : fs::directory_iterator(folder_))
+            fs::remove_all(entry.path());
+        fs::create_directory("mounted");
+        for (const char* name : {"canary", "spare1", "spare2", "spare4"})
+            std::ofstream(name) << "secret";
+    }
+
+    // The names of the attempts that succeed.
+    std::vector<std::string> run(Role role, Fences fences, bool descriptorsAndEnvironment = true) {
+        std::vector<std::string> names;
+        for (const Attempt& attempt : hostile::attempts()) {
+            restock();
+            const pid_t process = fork();
+            if (process == 0)
+                attack(attempt, role, fences, descriptorsAndEnvironment);
+            int status = 0;
+            waitpid(process, &status, 0);
+            // Exit with 0: another program ran in its place.
+            if (WIFEXITED(status) && WEXITSTATUS(status) != denied)
+                names.push_back(attempt.name);
+        }
+        return names;
+    }
+
+private:
+    [[noreturn]] static void attack(const Attempt& attempt, Role role, Fences fences,
+                                    bool descriptorsAndEnvironment) {
+        if (descriptorsAndEnvironment) {
+            confinement::closeDescriptorsExcept({});
+            confinement::emptyEnvironment();
+        }
+        alarm(10);
+        if (fences != noFences)
+            (void)confinement::confine(role, limitsFor(role), fences);
+        _exit(attempt.succeeds() ? succeeded : denied);
+    }
+
+    fs::path before_;
+    fs::path folder_;
+    int listener_ = -1;
+};
+
+std::vector<std::string> namesWhere(auto condition) {
+    std::vector<std::string> names;
+    for (const Attempt& attempt : hostile::attempts())
+        if (condition(attempt))
+            names.push_back(attempt.name);
+    return names;
+}
+
+bool landlockIsHere() {
+    const pid_t process = fork();
+    if (process == 0)
+        _exit(confinement::confine(Role::evaluator, {}, {false, true, true, false}).inForce.paths
+                  ? 1
+                  : 0);
+    int status = 0;
+    waitpid(process, &status, 0);
+    return WEXITSTATUS(status) == 1;
+}
+
+TEST_F(RawCalls, NoneSucceedsInAnEvaluator) {
+    EXPECT_GE(hostile::attempts().size(), 60u);
+    EXPECT_THAT(run(Role::evaluator, {}), testing::IsEmpty());
+}
+
+TEST_F(RawCalls, NoneSucceedsInAPlayer) {
+    const auto may = namesWhere([](const Attempt& a) { return a.playerMay; });
+    EXPECT_THAT(run(Role::player, {}), testing::IsSubsetOf(may));
+}
+
+// The attempts are real: without fences all that an ordinary process may do succeed.
+TEST_F(RawCalls, SucceedWhereNothingIsConfined) {
+    const auto ordinary = namesWhere([](const Attempt& a) { return a.ordinary; });
+    const auto done = run(Role::evaluator, noFences, false);
+    EXPECT_THAT(done, testing::IsSupersetOf(ordinary));
+    EXPECT_THAT(done, testing::Contains("use an inherited descriptor"));
+    EXPECT_THAT(done, testing::Contains("read a variable of the environment"));
+}
+
+TEST_F(RawCalls, AreStoppedByTheFilterAlone) {
+    EXPECT_THAT(run(Role::evaluator, {false, false, false, true}),
+                testing::UnorderedElementsAre("take a gigabyte"));
+}
+
+TEST_F(RawCalls, OnPathsAreStoppedByLandlockAlone) {
+    const auto paths = namesWhere([](const Attempt& a) { return a.also == Also::paths; });
+    const auto done = run(Role::evaluator, {false, false, true, false});
+    std::vector<std::string> through;
+    for (const std::string& name : paths)
+        if (std::find(done.begin(), done.end(), name) != done.end())
+            through.push_back(name);
+    if (landlockIsHere())
+        EXPECT_THAT(through, testing::IsEmpty());
+    else
+        GTEST_SKIP() << "this kernel has no Landlock; the filter on calls stands alone";
+}
+
+TEST_F(RawCalls, OnResourcesAreStoppedByLimitsAlone) {
+    const auto limited = namesWhere([](const Attempt& a) { return a.also == Also::limits; });
+    const auto done = run(Role::evaluator, {true, false, false, false});
+    for (const std::string& name : limited)
+        EXPECT_THAT(done, testing::Not(testing::Contains(name)));
+}
+
+TEST_F(RawCalls, AreStoppedWithAnyOneFenceMissing) {
+    EXPECT_THAT(run(Role::evaluator, {true, true, false, true}), testing::IsEmpty());
+    EXPECT_THAT(run(Role::evaluator, {true, false, true, true}), testing::IsEmpty());
+    EXPECT_THAT(run(Role::evaluator, {false, true, true, true}),
+                testing::UnorderedElementsAre("take a gigabyte"));
+}
+
+TEST(Privileges, CannotBeGainedAndTheProcessCannotBeRead) {
+    const pid_t process = fork();
+    if (process == 0) {
+        const auto report = confinement::confine(Role::evaluator, {}, {false, true, false, false});
+        const bool good = report.inForce.privileges &&
+                          prctl(PR_GET_NO_NEW_PRIVS, 0, 0, 0, 0) == 1 &&
+                          prctl(PR_GET_DUMPABLE, 0, 0, 0, 0) == 0;
+        _exit(good ? succeeded : denied);
+    }
+    int status = 0;
+    waitpid(process, &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), succeeded);
+}
+
+TEST(Report, SaysWhichFencesAreInForce) {
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    const pid_t process = fork();
+    if (process == 0) {
+        const auto report = confinement::confine(Role::player, limitsFor(Role::player));
+        const Fences f = report.inForce;
+        const char answer[4] = {static_cast<char>('0' + f.limits),
+                                static_cast<char>('0' + f.privileges),
+                                static_cast<char>('0' + (f.paths || report.landlockVersion == 0)),
+                                static_cast<char>('0' + f.calls)};
+        _exit(write(ends[1], answer, 4) == 4 ? 0 : 1); // its pipe still works
+    }
+    char answer[5] = {};
+    EXPECT_EQ(read(ends[0], answer, 4), 4);
+    EXPECT_STREQ(answer, "1111");
+    waitpid(process, nullptr, 0);
+    close(ends[0]);
+    close(ends[1]);
+}
+
+// A process that computes and never reads its pipe would outlive the one that started it.
+TEST(DieWithParent, EndsABusyProcess) {
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    const pid_t parent = fork();
+    if (parent == 0) {
+        const pid_t self = getpid();
+        if (fork() == 0) {
+            confinement::dieWithParent(self);
+            if (write(ends[1], "x", 1) != 1)
+                _exit(1);
+            std::atomic<unsigned> i{0};
+            while (true)
+                ++i;
+        }
+        pause();
+    }
+    close(ends[1]);
+    char c = 0;
+    ASSERT_EQ(read(ends[0], &c, 1), 1); // it runs
+    kill(parent, SIGKILL);
+    waitpid(parent, nullptr, 0);
+    EXPECT_EQ(read(ends[0], &c, 1), 0); // the last writer is gone
+    close(ends[0]);
+}
+
+// --- the real evaluators --------------------------------------------------------------------
+
+std::string statusOf(pid_t process, const std::string& field) {
+    std::ifstream file("/proc/" + std::to_string(process) + "/status");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with(field + ":\t"))
+            return line.substr(field.size() + 2);
+    return "";
+}
+
+std::vector<pid_t> childrenOf(pid_t parent) {
+    std::vector<pid_t> children;
+    for (const auto& entry : fs::directory_iterator("/proc")) {
+        const std::string name = entry.path().filename();
+        if (name.find_first_not_of("0123456789") == std::string::npos &&
+            statusOf(std::stoi(name), "PPid") == std::to_string(parent))
+            children.push_back(std::stoi(name));
+    }
+    return children;
+}
+
+TEST(Evaluators, OfAReaderStandConfined) {
+    const script::Reader reader;
+    (void)const_cast<script::Reader&>(reader).read("");
+    const std::vector<pid_t> servers = childrenOf(getpid());
+    ASSERT_EQ(servers.size(), 1u);
+    std::vector<pid_t> evaluators;
+    // The next one is made ready just after the answer.
+    for (int i = 0;
+         i < 1000 && (evaluators.empty() || statusOf(evaluators[0], "Seccomp_filters") != "2");
+         ++i) {
+        usleep(2000);
+        evaluators = childrenOf(servers[0]);
+    }
+    ASSERT_EQ(evaluators.size(), 1u);
+    for (const pid_t process : {servers[0], evaluators[0]}) {
+        EXPECT_EQ(statusOf(process, "Seccomp"), "2");
+        EXPECT_EQ(statusOf(process, "NoNewPrivs"), "1");
+        EXPECT_EQ(statusOf(process, "Threads"), "1");
+    }
+    EXPECT_EQ(statusOf(servers[0], "Seccomp_filters"), "1");
+    EXPECT_EQ(statusOf(evaluators[0], "Seccomp_filters"), "2");
+    EXPECT_TRUE(childrenOf(evaluators[0]).empty());
+}
+
+} // namespace
