@@ -62,10 +62,10 @@ struct Changes {
 class EventSource {
 public:
     virtual ~EventSource() = default;
-    [[nodiscard]] virtual std::optional<Event> next(const Histories &histories, double known) = 0;
+    [[nodiscard]] virtual std::optional<Event> next(const Histories& histories, double known) = 0;
     // New nodes go into the graph of `equations`; what is in force now is read there too.
-    virtual void apply(const Histories &histories, const Event &event,
-                       expression::EquationSet &equations, Changes &changes) = 0;
+    virtual void apply(const Histories& histories, const Event& event,
+                       expression::EquationSet& equations, Changes& changes) = 0;
 };
 
 } // namespace solution

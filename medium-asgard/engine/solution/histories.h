@@ -56,18 +56,22 @@ public:
         std::uint8_t coefficients = 0; // per column
         std::uint32_t offset = 0;      // into Chunk::values
     };
-    [[nodiscard]] const Step &step(std::size_t index) const;
+    [[nodiscard]] const Step& step(std::size_t index) const;
     [[nodiscard]] Piece piece(std::size_t index, std::size_t column) const;
     // Index of the step that holds t: the later one at a joint. `near` is where to look first.
     [[nodiscard]] std::size_t find(double t, std::size_t near = 0) const;
 
     // `rows` has `coefficients` numbers for each column.
-    void append(const Step &step, std::span<const double> rows);
+    void append(const Step& step, std::span<const double> rows);
+    // A component that has values but no step from them yet stands on an anchor: a step of no
+    // length that its first step replaces.
+    [[nodiscard]] bool endsInAnchor() const {
+        return size_ > 0 && step(size_ - 1).until == step(size_ - 1).origin;
+    }
+    void dropAnchor();
     // Forgets everything after t. Returns the number of whole steps that were dropped.
     std::size_t cut(double t);
-    // The last step begins at an event.
-    void markFresh() { nextIsFresh_ = true; }
-    // A copy that shares all full chunks.
+    // A copy that shares all chunks; what is shared is never written again.
     [[nodiscard]] std::shared_ptr<const History> freeze() const;
 
 private:
@@ -76,12 +80,14 @@ private:
         std::vector<Step> steps;
         std::vector<double> values;
     };
-    [[nodiscard]] Chunk &writableTail();
+    [[nodiscard]] Chunk& writableTail();
+    void dropLast();
 
     std::size_t columns_;
     std::size_t size_ = 0;
-    bool nextIsFresh_ = false;
-    std::vector<std::shared_ptr<Chunk>> chunks_; // all but the last have stepsPerChunk steps
+    std::vector<std::shared_ptr<Chunk>> chunks_;    // all but the last have stepsPerChunk steps
+    mutable std::size_t sharedChunks_ = 0;          // the first ones, which a frozen copy holds too
+    mutable std::shared_ptr<const History> frozen_; // none: changed since freeze()
 };
 
 class Histories {
@@ -92,8 +98,8 @@ public:
     [[nodiscard]] double reached(std::size_t unknown) const;
     // All unknowns that did not stop are known up to here.
     [[nodiscard]] double known() const { return known_; }
-    [[nodiscard]] const Stop *stop(std::size_t unknown) const;
-    [[nodiscard]] const std::vector<Stop> &stops() const { return stops_; }
+    [[nodiscard]] const Stop* stop(std::size_t unknown) const;
+    [[nodiscard]] const std::vector<Stop>& stops() const { return stops_; }
 
     [[nodiscard]] double value(std::size_t unknown, double t) const;
     [[nodiscard]] double derivative(std::size_t unknown, double t) const;
@@ -102,6 +108,13 @@ public:
     // The piece that holds t; at a joint the later one, and with pieceBefore the earlier one.
     [[nodiscard]] Piece piece(std::size_t unknown, double t) const;
     [[nodiscard]] Piece pieceBefore(std::size_t unknown, double t) const;
+
+    // The steps of the component that has the unknown at t, and its column there.
+    struct Place {
+        const History* history;
+        std::size_t column;
+    };
+    [[nodiscard]] Place place(std::size_t unknown, double t) const;
 
     // Times, in order, at which the unknown was restarted by an event (value or derivative may
     // jump).
@@ -119,8 +132,9 @@ private:
     struct Track {
         std::vector<Span> spans;
         std::optional<std::size_t> stop;
+        double initial = 0;
     };
-    [[nodiscard]] const Span &spanAt(std::size_t unknown, double t) const;
+    [[nodiscard]] const Span& spanAt(std::size_t unknown, double t) const;
 
     double start_ = 0, known_ = 0;
     std::vector<Track> tracks_;

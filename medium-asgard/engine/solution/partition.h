@@ -17,7 +17,7 @@ using Reads = std::vector<std::vector<std::size_t>>;
 
 // From all phases after `from` and the one in force then. The four of a quaternion read each other,
 // since they are renormalised together.
-[[nodiscard]] Reads readsOf(const expression::EquationSet &equations, double from);
+[[nodiscard]] Reads readsOf(const expression::EquationSet& equations, double from);
 
 struct Partition {
     // Unknowns of each component in order of index; components after those that they read.
@@ -27,8 +27,8 @@ struct Partition {
     std::vector<std::size_t> componentOf; // by unknown
 };
 
-[[nodiscard]] Partition partitionOf(const Reads &reads);
+[[nodiscard]] Partition partitionOf(const Reads& reads);
 // Everything in one component (the comparison of 5.2.4).
-[[nodiscard]] Partition wholePartition(const Reads &reads);
+[[nodiscard]] Partition wholePartition(const Reads& reads);
 
 } // namespace solution

@@ -54,7 +54,7 @@ struct Piece {
                                                     double from, double to, double resolution);
 
 // Points and matrix of interpolation of degree 8 on [0, 1]: Chebyshev's extremes, ends included.
-[[nodiscard]] const std::array<double, maximumCoefficients> &interpolationPoints();
+[[nodiscard]] const std::array<double, maximumCoefficients>& interpolationPoints();
 [[nodiscard]] Coefficients interpolate(std::span<const double> valuesAtPoints);
 
 } // namespace solution

@@ -68,7 +68,7 @@ struct Options {
 };
 
 // Every name that Options::method takes, without "auto".
-[[nodiscard]] const std::vector<std::string> &methodNames();
+[[nodiscard]] const std::vector<std::string>& methodNames();
 
 struct ComponentStatistics {
     std::vector<std::size_t> unknowns;
@@ -98,19 +98,19 @@ struct Advance {
 class Solver {
 public:
     // `source` may be null; it must outlive the solver.
-    Solver(expression::EquationSet equations, Options options, EventSource *source = nullptr);
+    Solver(expression::EquationSet equations, Options options, EventSource* source = nullptr);
     ~Solver();
-    Solver(Solver &&) noexcept;
-    Solver &operator=(Solver &&) noexcept;
+    Solver(Solver&&) noexcept;
+    Solver& operator=(Solver&&) noexcept;
 
     [[nodiscard]] Advance advanceTo(double finish);
 
     // What is solved now; valid until the next call of advanceTo(). On the solver's thread only.
-    [[nodiscard]] const Histories &histories() const;
+    [[nodiscard]] const Histories& histories() const;
     // The same, never to change again.
     [[nodiscard]] std::shared_ptr<const Histories> snapshot() const;
 
-    [[nodiscard]] const expression::EquationSet &equations() const;
+    [[nodiscard]] const expression::EquationSet& equations() const;
     [[nodiscard]] Statistics statistics() const;
 
 private:

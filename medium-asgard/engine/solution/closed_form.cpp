@@ -1,0 +1,257 @@
+#include "solution/closed_form.h"
+
+#include "expression/operation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace solution {
+
+using expression::Decision;
+using expression::Node;
+using expression::Op;
+
+namespace {
+
+struct Polynomial {
+    Coefficients c{};
+    std::size_t degree = 0;
+
+    static Polynomial constant(double value) {
+        Polynomial p;
+        p.c[0] = value;
+        return p;
+    }
+    void trim() {
+        while (degree > 0 && c[degree] == 0)
+            --degree;
+    }
+};
+
+using Maybe = std::optional<Polynomial>;
+
+Polynomial sum(const Polynomial& a, const Polynomial& b, double sign) {
+    Polynomial r;
+    r.degree = std::max(a.degree, b.degree);
+    for (std::size_t k = 0; k <= r.degree; ++k)
+        r.c[k] = a.c[k] + sign * b.c[k];
+    r.trim();
+    return r;
+}
+
+Maybe product(const Polynomial& a, const Polynomial& b) {
+    if (a.degree + b.degree > maximumDegree)
+        return std::nullopt;
+    Polynomial r;
+    r.degree = a.degree + b.degree;
+    for (std::size_t i = 0; i <= a.degree; ++i)
+        for (std::size_t j = 0; j <= b.degree; ++j)
+            r.c[i + j] += a.c[i] * b.c[j];
+    r.trim();
+    return r;
+}
+
+Maybe quotient(Polynomial a, double divisor) {
+    for (std::size_t k = 0; k <= a.degree; ++k)
+        a.c[k] /= divisor;
+    return a;
+}
+
+Maybe wholePower(const Polynomial& a, double exponent) {
+    if (exponent != std::floor(exponent) || exponent < 0 || exponent > maximumDegree)
+        return std::nullopt;
+    Maybe r = Polynomial::constant(1);
+    for (int k = 0; r && k < static_cast<int>(exponent); ++k)
+        r = product(*r, a);
+    return r;
+}
+
+// Evaluates nodes as polynomials of r = (t - t0) / scale.
+class Evaluation {
+public:
+    Evaluation(const expression::EquationSet& set, ComponentEquations& equations, double t)
+        : set_(set), equations_(equations), t_(t) {
+        Inputs& inputs = equations.inputs();
+        for (std::size_t i = 0; i < inputs.unknowns().size(); ++i) {
+            const Piece& piece = inputs.at(i, t);
+            until_ = std::min(until_, piece.until);
+            scale_ = i == 0 ? piece.scale : std::min(scale_, piece.scale);
+        }
+    }
+    [[nodiscard]] double until() const { return until_; }
+    [[nodiscard]] double scale() const { return scale_; }
+
+    // Arguments first, on an own stack: expressions may be deep.
+    Maybe of(Node root) {
+        std::vector<Node> stack{root};
+        while (!stack.empty()) {
+            const Node n = stack.back();
+            const std::size_t size = stack.size();
+            if (!done_.contains(n.index))
+                for (const Node argument : needed(n))
+                    if (!done_.contains(argument.index))
+                        stack.push_back(argument);
+            if (stack.size() > size)
+                continue;
+            stack.pop_back();
+            if (done_.contains(n.index))
+                continue;
+            const Maybe value = compute(n);
+            if (!value)
+                return std::nullopt;
+            done_.emplace(n.index, *value);
+        }
+        return done_.at(root.index);
+    }
+
+private:
+    // Branches that are not taken, and guards of what is decided, are not looked at.
+    std::vector<Node> needed(Node n) {
+        const auto arguments = set_.graph.arguments(n);
+        const Op op = set_.graph.op(n);
+        const auto decision = equations_.decisionOf(n);
+        if (decision && *decision != expression::noBranch) {
+            if (op == Op::abs)
+                return {arguments[0]};
+            if (op == Op::min || op == Op::max)
+                return {arguments[takesFirst(op, *decision) ? 0 : 1]};
+            return {};
+        }
+        if (op == Op::select) {
+            const auto condition = done_.find(arguments[0].index);
+            if (condition == done_.end())
+                return {arguments[0]};
+            return {arguments[condition->second.c[0] != 0 ? 1 : 2]};
+        }
+        return {arguments.begin(), arguments.end()};
+    }
+
+    static bool takesFirst(Op op, Decision decision) {
+        return op == Op::min ? decision <= 0 : decision >= 0;
+    }
+
+    Maybe compute(Node n) {
+        const Op op = set_.graph.op(n);
+        if (op == Op::constant)
+            return Polynomial::constant(set_.graph.value(n));
+        if (op == Op::symbol)
+            return symbol(n);
+        const auto decision = equations_.decisionOf(n);
+        if (decision && *decision != expression::noBranch)
+            return decided(n, op, *decision);
+        if (op == Op::select)
+            return select(n);
+        return arithmetic(n, op);
+    }
+
+    Maybe symbol(Node n) {
+        if (n == set_.time) {
+            Polynomial p = Polynomial::constant(t_);
+            p.c[1] = scale_;
+            p.degree = 1;
+            return p;
+        }
+        const auto input = equations_.inputOf(n);
+        if (!input)
+            return std::nullopt; // a state
+        const Piece& piece = equations_.inputs().at(*input, t_);
+        Polynomial p;
+        p.c = reparametrize(piece.coefficients, (t_ - piece.origin) / piece.scale,
+                            scale_ / piece.scale);
+        p.degree = piece.coefficients.size() - 1;
+        p.trim();
+        return p;
+    }
+
+    Maybe decided(Node n, Op op, Decision decision) {
+        const auto arguments = set_.graph.arguments(n);
+        switch (op) {
+        case Op::abs: {
+            const Polynomial& p = done_.at(arguments[0].index);
+            if (decision == 0 && p.degree > 0)
+                return std::nullopt;
+            const bool negative = decision < 0 || (decision == 0 && p.c[0] < 0);
+            return sum(Polynomial::constant(0), p, negative ? -1 : 1);
+        }
+        case Op::min:
+        case Op::max:
+            return done_.at(arguments[takesFirst(op, decision) ? 0 : 1].index);
+        case Op::less:
+            return Polynomial::constant(decision < 0);
+        case Op::lessEqual:
+            return Polynomial::constant(decision <= 0);
+        case Op::equal:
+            return Polynomial::constant(decision == 0);
+        case Op::notEqual:
+            return Polynomial::constant(decision != 0);
+        default: // sign, floor, ceil
+            return Polynomial::constant(static_cast<double>(decision));
+        }
+    }
+
+    Maybe select(Node n) {
+        const auto arguments = set_.graph.arguments(n);
+        const Polynomial& condition = done_.at(arguments[0].index);
+        if (condition.degree > 0)
+            return std::nullopt;
+        const Node taken = arguments[condition.c[0] != 0 ? 1 : 2];
+        return done_.at(taken.index);
+    }
+
+    Maybe arithmetic(Node n, Op op) {
+        const auto arguments = set_.graph.arguments(n);
+        const Polynomial a = done_.at(arguments[0].index);
+        const Polynomial b = arguments.size() > 1 ? done_.at(arguments[1].index) : Polynomial{};
+        if (a.degree == 0 && b.degree == 0)
+            return Polynomial::constant(expression::compute(op, a.c[0], b.c[0]));
+        switch (op) {
+        case Op::negate:
+            return sum(Polynomial::constant(0), a, -1);
+        case Op::add:
+            return sum(a, b, 1);
+        case Op::subtract:
+            return sum(a, b, -1);
+        case Op::multiply:
+            return product(a, b);
+        case Op::divide:
+            return b.degree == 0 ? quotient(a, b.c[0]) : std::nullopt;
+        case Op::power:
+            return b.degree == 0 ? wholePower(a, b.c[0]) : std::nullopt;
+        default:
+            return std::nullopt;
+        }
+    }
+
+    const expression::EquationSet& set_;
+    ComponentEquations& equations_;
+    double t_, until_ = infinity, scale_ = 1;
+    std::unordered_map<std::uint32_t, Polynomial> done_;
+};
+
+} // namespace
+
+std::optional<ClosedForm> closedForm(const expression::EquationSet& set,
+                                     ComponentEquations& equations, double t,
+                                     std::span<const double> y) {
+    Evaluation evaluation(set, equations, t);
+    ClosedForm result{evaluation.scale(), evaluation.until(), {}};
+    const auto outputs = equations.outputs();
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        const Maybe p = evaluation.of(outputs[i]);
+        const bool state = i < equations.states().size();
+        if (!p || (state && p->degree == maximumDegree))
+            return std::nullopt;
+        Coefficients column = p->c;
+        if (state) {
+            column = {};
+            column[0] = y[i];
+            for (std::size_t k = 0; k <= p->degree; ++k)
+                column[k + 1] = p->c[k] * result.scale / static_cast<double>(k + 1);
+        }
+        result.columns.push_back(column);
+    }
+    return result;
+}
+
+} // namespace solution

@@ -1,0 +1,23 @@
+// Unknowns that need no integrator: those whose rate, or held value, is a polynomial in time on a
+// whole interval, given that time and all that they read are polynomials there.
+//
+// A ballistic coordinate is one piece until something happens to it; a position whose velocity is
+// integrated by a method is the exact integral of the velocity's pieces.
+#pragma once
+
+#include "solution/component_equations.h"
+
+namespace solution {
+
+struct ClosedForm {
+    double scale = 1, until = infinity;
+    std::vector<Coefficients> columns; // states, then held unknowns
+};
+
+// From t on, with the states' values there; until the end of the inputs' pieces at t. None: some
+// right-hand side is no polynomial, reads a state, or has too high a degree.
+[[nodiscard]] std::optional<ClosedForm> closedForm(const expression::EquationSet& set,
+                                                   ComponentEquations& equations, double t,
+                                                   std::span<const double> y);
+
+} // namespace solution

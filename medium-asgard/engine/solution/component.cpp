@@ -1,0 +1,285 @@
+#include "solution/component.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace solution {
+
+Component::Component(expression::EquationSet& set, const Histories& histories,
+                     const Options& options, std::vector<std::size_t> unknowns)
+    : set_(set), histories_(histories), options_(options), unknowns_(std::move(unknowns)),
+      history_(std::make_shared<History>(unknowns_.size())), tolerance_(options.tolerance),
+      values_(unknowns_.size()) {
+    if (!options.tolerances.empty()) {
+        tolerance_ = infinity;
+        for (const std::size_t u : unknowns_)
+            tolerance_ = std::min(tolerance_, options.tolerances[u]);
+    }
+    for (const auto& four : set.quaternions) {
+        std::array<std::size_t, 4> places{};
+        bool whole = true;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto at = std::lower_bound(unknowns_.begin(), unknowns_.end(), four[k]);
+            whole = whole && at != unknowns_.end() && *at == four[k];
+            places[k] = static_cast<std::size_t>(at - unknowns_.begin());
+        }
+        if (whole)
+            quaternions_.push_back(places);
+    }
+    counts_.unknowns = unknowns_;
+}
+
+std::string Component::names(const std::vector<std::size_t>& places) const {
+    std::string text;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        if (k == 4 && places.size() > 5)
+            return text + " and " + std::to_string(places.size() - k) + " others";
+        text += (k == 0 ? "" : ", ") + set_.unknowns[unknowns_[places[k]]].name;
+    }
+    return text;
+}
+
+void Component::end(Stop::Reason reason, std::vector<std::size_t> culprits,
+                    const std::string& sentence) {
+    Stop stop;
+    stop.time = time_;
+    stop.reason = reason;
+    stop.unknowns = unknowns_;
+    for (const std::size_t place : culprits)
+        stop.culprits.push_back(unknowns_[place]);
+    stop.sentence = sentence;
+    stop_ = stop;
+    keepCounts();
+}
+
+// ---------------------------------------------------------------------------------------------
+// Phases
+
+void Component::startAt(double t, std::span<const double> values) {
+    time_ = t;
+    values_.assign(values.begin(), values.end());
+    openRegime(true);
+    if (!stop_)
+        begin();
+}
+
+void Component::openRegime(bool withJumps) {
+    phases_.assign(unknowns_.size(), 0);
+    nextPhase_ = infinity;
+    for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+        const auto& phases = set_.unknowns[unknowns_[i]].phases;
+        while (phases_[i] + 1 < phases.size() && phases[phases_[i] + 1].from <= time_)
+            ++phases_[i];
+        if (phases_[i] + 1 < phases.size())
+            nextPhase_ = std::min(nextPhase_, phases[phases_[i] + 1].from);
+    }
+    if (withJumps)
+        applyJumps();
+    equations_ = std::make_unique<ComponentEquations>(set_, histories_, unknowns_, phases_);
+    if (!equations_->loop().empty())
+        end(Stop::Reason::algebraicLoop, equations_->loop(),
+            names(equations_->loop()) + " are held by values that are defined by each other");
+    makeControl();
+}
+
+// Jumps of phases that begin now; they read the values before.
+void Component::applyJumps() {
+    std::vector<expression::Node> nodes;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+        const expression::Phase& phase = set_.unknowns[unknowns_[i]].phases[phases_[i]];
+        if (phase.jump && !phase.given && phase.from == time_) {
+            nodes.push_back(*phase.jump);
+            places.push_back(i);
+        }
+    }
+    if (nodes.empty())
+        return;
+    std::vector<expression::Node> symbols = expression::symbolsOf(set_.graph, nodes);
+    std::vector<double> in(symbols.size()), out(nodes.size());
+    for (std::size_t k = 0; k < symbols.size(); ++k) {
+        if (symbols[k] == set_.time)
+            in[k] = time_;
+        for (std::size_t u = 0; u < set_.unknowns.size(); ++u)
+            if (set_.unknowns[u].symbol == symbols[k]) {
+                const auto own = std::lower_bound(unknowns_.begin(), unknowns_.end(), u);
+                const bool isOwn = own != unknowns_.end() && *own == u;
+                in[k] = isOwn ? values_[static_cast<std::size_t>(own - unknowns_.begin())]
+                              : histories_.value(u, time_);
+            }
+    }
+    expression::Tape::Scratch scratch;
+    expression::Tape(set_.graph, symbols, nodes).evaluate(in, out, scratch);
+    for (std::size_t k = 0; k < places.size(); ++k)
+        values_[places[k]] = out[k];
+}
+
+void Component::makeControl() {
+    std::vector<UnknownScale> scales;
+    double extent = 0;
+    if (!options_.extents.empty())
+        for (const std::size_t u : unknowns_)
+            extent = std::max(extent, options_.extents[u]);
+    for (const std::size_t place : equations_->states()) {
+        const expression::Unknown& unknown = set_.unknowns[unknowns_[place]];
+        UnknownScale scale;
+        scale.extent = extent;
+        if (unknown.lengthPerUnit > 0) {
+            scale.kind = UnknownScale::Kind::position;
+            scale.lengthPerUnit = unknown.lengthPerUnit;
+        } else if (unknown.integralOf && set_.unknowns[*unknown.integralOf].lengthPerUnit > 0) {
+            scale.kind = UnknownScale::Kind::velocity;
+            scale.lengthPerUnit = set_.unknowns[*unknown.integralOf].lengthPerUnit;
+        }
+        scales.push_back(scale);
+    }
+    control_ = ErrorControl(std::move(scales), tolerance_);
+}
+
+std::vector<double> Component::stateValues() const {
+    std::vector<double> y;
+    for (const std::size_t place : equations_->states())
+        y.push_back(values_[place]);
+    return y;
+}
+
+void Component::setStates(std::span<const double> y) {
+    for (std::size_t i = 0; i < y.size(); ++i)
+        values_[equations_->states()[i]] = y[i];
+}
+
+void Component::takeHeldValues() {
+    const auto& held = equations_->held();
+    if (held.empty())
+        return;
+    std::vector<double> out(held.size());
+    if (!equations_->heldValues(time_, stateValues(), out)) {
+        const auto culprits = equations_->notFinite(time_, stateValues());
+        end(Stop::Reason::notFinite, culprits,
+            "the value that holds " + names(culprits) + " is not finite");
+        return;
+    }
+    for (std::size_t i = 0; i < held.size(); ++i)
+        values_[held[i]] = out[i];
+}
+
+void Component::normalize() {
+    for (const auto& four : quaternions_) {
+        double square = 0;
+        for (const std::size_t place : four)
+            square += values_[place] * values_[place];
+        if (square == 1 || !(square > 0) || !std::isfinite(square))
+            continue;
+        const double length = std::sqrt(square);
+        for (const std::size_t place : four)
+            values_[place] /= length;
+    }
+}
+
+// From time_ and values_, as if nothing had been before, except for what checkpoints keep.
+void Component::begin() {
+    keepCounts();
+    model_ = Model::undecided;
+    proposed_ = 0;
+    fresh_ = true;
+    immediate_ = 0;
+    stabilityMean_ = 0;
+    stepsSinceChange_ = 0;
+    equations_->inputs().window(infinity);
+    std::vector<double> y = stateValues();
+    equations_->decide(time_, y);
+    setStates(y);
+    takeHeldValues();
+    if (stop_)
+        return;
+    control_.observe(stateValues());
+    remember();
+    placeAnchor();
+}
+
+void Component::placeAnchor() {
+    history_->dropAnchor();
+    const std::vector<double> y = stateValues();
+    std::vector<double> slopes(y.size(), 0.0);
+    ++counts_.evaluations;
+    if (!equations_->rates(time_, y, slopes))
+        std::fill(slopes.begin(), slopes.end(), 0.0);
+    std::vector<double> rows(2 * unknowns_.size(), 0.0);
+    for (std::size_t place = 0; place < unknowns_.size(); ++place)
+        rows[2 * place] = values_[place];
+    for (std::size_t i = 0; i < y.size(); ++i)
+        rows[2 * equations_->states()[i] + 1] = slopes[i];
+    history_->append({time_, time_, 1, true, 2, 0}, rows);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Going back
+
+void Component::remember() {
+    checkpoints_.push_back({time_, phases_, control_, implicit_, evidence_});
+}
+
+void Component::backTo(double t) {
+    if (time_ <= t)
+        return;
+    stop_.reset();
+    // Values at t: those after an event of its own at t, if there was one.
+    const std::size_t index = history_->find(t);
+    for (std::size_t place = 0; place < unknowns_.size(); ++place)
+        values_[place] = history_->piece(index, place).value(t);
+    counts_.discardedSteps += history_->cut(t);
+    while (checkpoints_.size() > 1 && checkpoints_.back().time > t)
+        checkpoints_.pop_back();
+    while (!recentSwitches_.empty() && recentSwitches_.back() > t)
+        recentSwitches_.pop_back();
+    time_ = t;
+    openRegime(false);
+    if (stop_)
+        return;
+    const Checkpoint& last = checkpoints_.back();
+    implicit_ = last.implicit;
+    evidence_ = last.evidence;
+    if (last.phases != phases_)
+        return;
+    control_ = last.control;
+    for (std::size_t k = history_->find(last.time); k < history_->size(); ++k) {
+        std::vector<double> seen;
+        for (const std::size_t place : equations_->states())
+            seen.push_back(history_->piece(k, place).coefficients[0]);
+        control_.observe(seen);
+    }
+}
+
+void Component::restart(std::span<const Jump> jumps) {
+    if (!equations_ || stop_)
+        return;
+    for (const Jump& jump : jumps)
+        values_[jump.place] = jump.value;
+    normalize();
+    begin();
+}
+
+// ---------------------------------------------------------------------------------------------
+// Counts
+
+void Component::keepCounts() {
+    if (!method_)
+        return;
+    counts_.evaluations += method_->counts().evaluations;
+    counts_.factorisations += method_->counts().factorisations;
+    method_.reset();
+}
+
+std::size_t Component::evaluations() const {
+    return counts_.evaluations + (method_ ? method_->counts().evaluations : 0);
+}
+
+ComponentStatistics Component::statistics() const {
+    ComponentStatistics result = counts_;
+    result.evaluations = evaluations();
+    if (method_)
+        result.factorisations += method_->counts().factorisations;
+    return result;
+}
+
+} // namespace solution

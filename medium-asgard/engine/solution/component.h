@@ -1,0 +1,150 @@
+// One strongly connected component on its way through time: its phases, model, method, switches and
+// pieces. solver.h says what one step is.
+//
+//     startAt(t, values)         values of its unknowns are given; stands on an anchor
+//     while (input = waitsFor()) some other component must advance first
+//     step()                     until time() is far enough or ended()
+//     backTo(t)                  forget everything after t: an event
+//     restart(jumps)             go on from there
+//
+// Models, least first: `closed-form` (closed_form.h), `quadrature` (a single unknown whose rate
+// reads time and other components only, by an explicit method, unless pieces integrate exactly),
+// `explicit`, `implicit`. `auto` begins explicit. When h |lambda| has on average used four fifths
+// of the explicit method's stability for 20 steps, the step is bound by stiffness: it goes on with
+// Radau; when Radau's steps stay below twice the explicit limit, it goes back, and the next change
+// needs twice as many steps of evidence.
+#pragma once
+
+#include "solution/component_equations.h"
+#include "solution/method.h"
+#include "solution/solver.h"
+
+#include <deque>
+#include <memory>
+
+namespace solution {
+
+class Component {
+public:
+    Component(expression::EquationSet& set, const Histories& histories, const Options& options,
+              std::vector<std::size_t> unknowns);
+
+    [[nodiscard]] const std::vector<std::size_t>& unknowns() const { return unknowns_; }
+    [[nodiscard]] const std::shared_ptr<History>& history() const { return history_; }
+    [[nodiscard]] double time() const { return time_; }
+    [[nodiscard]] bool ended() const { return stop_.has_value(); }
+    [[nodiscard]] const std::optional<Stop>& stop() const { return stop_; }
+    [[nodiscard]] const std::vector<double>& values() const { return values_; }
+
+    void startAt(double t, std::span<const double> values);
+    // An unknown of another component that must be known for longer before the next step.
+    [[nodiscard]] std::optional<std::size_t> waitsFor();
+    void step();
+
+    void backTo(double t);
+    struct Jump {
+        std::size_t place; // in unknowns()
+        double value;
+    };
+    void restart(std::span<const Jump> jumps);
+    void end(Stop::Reason reason, std::vector<std::size_t> culprits, const std::string& sentence);
+
+    [[nodiscard]] ComponentStatistics statistics() const;
+    [[nodiscard]] std::size_t evaluations() const;
+
+private:
+    enum class Model { undecided, closedForm, held, integrated };
+
+    // Phases and regimes.
+    void openRegime(bool withJumps);
+    void applyJumps();
+    void makeControl();
+    void begin(); // decides branches, drops the method, stands on an anchor
+    void placeAnchor();
+    void takeHeldValues();
+    [[nodiscard]] std::vector<double> stateValues() const;
+    void setStates(std::span<const double> y);
+    void normalize();
+
+    // Steps.
+    [[nodiscard]] std::optional<std::size_t> look(std::size_t unknown, double target,
+                                                  std::size_t joints);
+    void decideModel();
+    [[nodiscard]] bool tryClosedForm();
+    void stepClosedForm();
+    void stepHeld();
+    void integrate();
+    [[nodiscard]] bool beginMethod();
+    [[nodiscard]] std::unique_ptr<Method> chooseMethod();
+    void finish(double to);
+    void refuse(const Attempt& attempt, double h);
+    void stopAtUnderflow(Attempt::Outcome outcome, double h);
+    void arrive(); // at limit_: a phase, an input's event, an input's end
+
+    // Switches.
+    [[nodiscard]] std::optional<Violation> violation(double from, double to, double scale,
+                                                     std::span<const Coefficients> columns);
+    void pass(const Violation& violation, bool immediate);
+
+    // Pieces: `columns` of the states over [time_, until], polynomials of (t - time_)/scale.
+    void append(std::span<const Coefficients> states, double scale, double until);
+    void appendPart(std::span<const Coefficients> states, double origin, double scale, double until,
+                    int depth);
+    [[nodiscard]] bool fitHeld(std::span<const Coefficients> states, double origin, double scale,
+                               double until, std::span<Coefficients> held);
+    void appendRow(std::span<const Coefficients> states, std::span<const Coefficients> held,
+                   double origin, double scale, double until);
+
+    void watchStiffness();
+    [[nodiscard]] double spectralRadius();
+    void changeMethod(bool implicit);
+    void keepCounts();
+    void remember(); // a checkpoint at time_
+    [[nodiscard]] std::string names(const std::vector<std::size_t>& places) const;
+
+    expression::EquationSet& set_;
+    const Histories& histories_;
+    const Options& options_;
+    std::vector<std::size_t> unknowns_;
+    std::shared_ptr<History> history_;
+    double tolerance_;
+
+    double time_ = 0;
+    std::vector<double> values_; // of all unknowns at time_
+    std::optional<Stop> stop_;
+
+    std::vector<std::size_t> phases_;
+    double nextPhase_ = infinity;
+    std::unique_ptr<ComponentEquations> equations_;
+    ErrorControl control_;
+    std::vector<std::array<std::size_t, 4>> quaternions_; // places
+
+    Model model_ = Model::undecided;
+    std::unique_ptr<Method> method_;
+    bool implicit_ = false;
+    double proposed_ = 0;             // length of the next step; 0: not known yet
+    double limit_ = infinity;         // where the next step must end at the latest
+    bool limitRestarts_ = false;      // an input restarts at limit_
+    std::optional<std::size_t> ends_; // an input's motion ends at limit_
+    bool fresh_ = true;               // the next piece begins at an event
+
+    std::size_t immediate_ = 0; // switches since time last advanced
+    std::deque<double> recentSwitches_;
+
+    double stabilityMean_ = 0;
+    std::size_t stepsSinceChange_ = 0, evidence_ = 20;
+
+    // What later steps depend on besides the values, for going back.
+    struct Checkpoint {
+        double time;
+        std::vector<std::size_t> phases;
+        ErrorControl control;
+        bool implicit;
+        std::size_t evidence;
+    };
+    std::vector<Checkpoint> checkpoints_;
+
+    ComponentStatistics counts_;
+};
+
+} // namespace solution

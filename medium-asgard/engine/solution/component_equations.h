@@ -1,0 +1,139 @@
+// The equations of one component while no phase of its unknowns begins or ends: y' = f(t, y), held
+// values h(t, y), and the branches of switching expressions that are in force.
+//
+// Held values are put into the derivatives symbolically, so that f reads time, the differential
+// unknowns (states) and other components only. The Jacobian is derived symbolically.
+//
+// Sides of surfaces (switching.h). A surface is passed when the field behind it leads away from it.
+// When it leads back, motion slides on the surface (Filippov 1988): with f- and f+ the fields of
+// both sides,
+//
+//     f = f- + w (f+ - f-),   w such that grad g . f + dg/dt = 0,
+//
+// until w leaves [0, 1]; several such surfaces at once give a linear system for their weights. This
+// is how a block that friction stops stays where it is. Where a state is itself the guard, its rate
+// is set to 0, so that it stays exactly.
+//
+// LIMIT: with several surfaces at once f is taken as affine in the weights, which holds unless
+// switching terms multiply each other.
+#pragma once
+
+#include "expression/equations.h"
+#include "expression/tape.h"
+#include "solution/inputs.h"
+#include "solution/switching.h"
+#include "solution/system.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace solution {
+
+class ComponentEquations final : public System {
+public:
+    // `phases[i]` is the phase of unknowns[i] that is in force.
+    ComponentEquations(expression::EquationSet& set, const Histories& histories,
+                       std::vector<std::size_t> unknowns, std::span<const std::size_t> phases);
+
+    // Places in `unknowns` of the differential ones and of the held ones, in order of evaluation.
+    [[nodiscard]] const std::vector<std::size_t>& states() const { return states_; }
+    [[nodiscard]] const std::vector<std::size_t>& held() const { return held_; }
+    // Held unknowns that are defined by each other; then nothing else may be asked.
+    [[nodiscard]] const std::vector<std::size_t>& loop() const { return loop_; }
+    [[nodiscard]] Inputs& inputs() { return inputs_; }
+
+    // System, for the integrators.
+    [[nodiscard]] std::size_t size() const override { return states_.size(); }
+    [[nodiscard]] bool rates(double t, std::span<const double> y, std::span<double> out) override;
+    [[nodiscard]] const Pattern& jacobianPattern() override;
+    [[nodiscard]] bool jacobian(double t, std::span<const double> y,
+                                std::span<double> entries) override;
+    [[nodiscard]] std::span<const std::pair<std::size_t, std::size_t>> integrals() const override {
+        return integrals_;
+    }
+
+    // Values of the held unknowns. False: not finite.
+    [[nodiscard]] bool heldValues(double t, std::span<const double> y, std::span<double> out);
+    // Places in `unknowns` of those whose rate or value is not finite.
+    [[nodiscard]] std::vector<std::size_t> notFinite(double t, std::span<const double> y);
+
+    // What the outputs are, for models in closed form: rates of states, then held values.
+    [[nodiscard]] std::span<const expression::Node> outputs() const { return outputs_; }
+    [[nodiscard]] std::optional<expression::Decision> decisionOf(expression::Node switching) const;
+    [[nodiscard]] std::optional<std::size_t> inputOf(expression::Node symbol) const;
+    [[nodiscard]] bool readsStates() const { return readsStates_; } // other than in guards
+
+    // Branches. decide() is from the values alone, with what the fields say on a surface itself.
+    void decide(double t, std::span<double> y);
+    [[nodiscard]] std::size_t watches() const { return watches_.size(); }
+    void watch(double t, std::span<const double> y, std::span<double> values);
+    enum class Crossing { done, impossible };
+    // Passes the surfaces of those watches, or slides on them; y is put onto surfaces of sliding.
+    [[nodiscard]] Crossing cross(const Violation& violation, double t, std::span<double> y,
+                                 bool insist);
+    [[nodiscard]] bool sliding() const { return !sliding_.empty(); }
+    // Unknowns (places) that the guards of these watches read.
+    [[nodiscard]] std::vector<std::size_t> unknownsOf(const std::vector<std::size_t>& watches);
+
+private:
+    struct Watch {
+        enum class Kind { side, least, most } kind; // least, most: of a weight
+        std::size_t surface;
+    };
+    struct Gradient {
+        expression::Tape tape;            // dg/dt, dg/dy, dg/dinputs
+        std::optional<std::size_t> state; // g is this state itself
+    };
+    static constexpr int onSurface = 0;
+
+    void orderHeld(std::span<const std::size_t> phases);
+    void makeOutputs(std::span<const std::size_t> phases);
+    void makeTape();
+    void findIntegrals();
+    void fill(double t, std::span<const double> y);
+    void evaluate(std::span<double> out);
+    void setSide(std::size_t surface, int side);
+    void refreshWatches();
+    [[nodiscard]] const Gradient& gradient(std::size_t surface);
+    struct Slope {
+        double rate, noise;
+    };
+    [[nodiscard]] Slope guardRate(std::size_t surface, std::span<const double> rates);
+    [[nodiscard]] bool weigh(); // weights_ and rates of sliding at what fill() was given
+    void settleOn(std::size_t surface);
+    [[nodiscard]] bool settleWeights(double t, std::span<const double> y);
+    void project(double t, std::span<double> y);
+    void makeJacobian();
+    [[nodiscard]] bool differences(double t, std::span<const double> y, std::span<double> entries);
+
+    expression::EquationSet& set_;
+    std::vector<std::size_t> unknowns_, states_, held_, loop_;
+    std::vector<expression::Node> outputs_, symbols_; // symbols: time, states, inputs
+    std::vector<std::pair<std::size_t, std::size_t>> integrals_;
+    bool readsStates_ = false;
+    Inputs inputs_;
+    expression::Tape tape_;
+    expression::Tape::Scratch scratch_;
+    std::vector<double> in_, out_, base_, other_, guards_;
+
+    std::vector<expression::Node> switches_;
+    std::vector<Surface> surfaces_;
+    std::vector<int> sides_; // -1, 0, 1; of sliding surfaces -1
+    std::vector<expression::Decision> decisions_;
+    std::vector<std::size_t> sliding_; // surfaces
+    std::vector<double> weights_;
+    std::vector<Watch> watches_;
+    std::vector<std::unique_ptr<Gradient>> gradients_;
+
+    struct Jacobian {
+        Pattern pattern;
+        expression::Tape tape;
+        std::vector<std::optional<std::size_t>> decisionFrom; // of ours
+        std::vector<int> orientation;
+    };
+    std::unique_ptr<Jacobian> jacobian_;
+};
+
+} // namespace solution

@@ -1,0 +1,597 @@
+// How a component steps; see component.h and solver.h.
+#include "solution/closed_form.h"
+#include "solution/component.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace solution {
+
+namespace {
+
+constexpr double largestValue = 1e100;
+// A step crosses at most so many joints of an input: dense output is only as smooth as its joints
+// allow, and upstream components need not be solved far beyond what anyone asked for.
+constexpr std::size_t mostJoints = 8;
+
+// Below this a step does not move time by more than rounding.
+double shortestStep(double t) {
+    return 4 * std::numeric_limits<double>::epsilon() * std::abs(t) +
+           std::numeric_limits<double>::min();
+}
+
+} // namespace
+
+// ---------------------------------------------------------------------------------------------
+// How far may the next step go?
+
+std::optional<std::size_t> Component::waitsFor() {
+    limit_ = nextPhase_;
+    limitRestarts_ = false;
+    ends_.reset();
+    // A model in closed form, and the choice of a first step, look at one piece of each input.
+    const bool single = model_ != Model::integrated || !method_;
+    const double target = single ? infinity : time_ + proposed_;
+    for (const std::size_t unknown : equations_->inputs().unknowns())
+        if (const auto waiting = look(unknown, target, single ? 1 : mostJoints))
+            return waiting;
+    return std::nullopt;
+}
+
+std::optional<std::size_t> Component::look(std::size_t unknown, double target, std::size_t joints) {
+    const History& input = *histories_.place(unknown, time_).history;
+    const auto mayEndAt = [this](double t, bool restarts) {
+        if (t < limit_ || (t == limit_ && restarts)) {
+            limit_ = t;
+            limitRestarts_ = restarts;
+            ends_.reset();
+        }
+    };
+    std::size_t passed = 0;
+    for (std::size_t i = input.find(time_); i < input.size(); ++i) {
+        if (i + 1 == input.size())
+            break;
+        const History::Step& next = input.step(i + 1);
+        if (next.origin <= time_)
+            continue;
+        if (next.fresh || ++passed == joints) {
+            mayEndAt(next.origin, next.fresh);
+            return std::nullopt;
+        }
+        if (next.origin >= std::min(limit_, target))
+            return std::nullopt;
+    }
+    const double until = input.until();
+    if (histories_.stop(unknown)) {
+        if (until < limit_) {
+            mayEndAt(until, false);
+            ends_ = unknown;
+        }
+        return std::nullopt;
+    }
+    if (until <= time_ || until < std::min(limit_, target)) {
+        if (joints == 1 && until > time_) { // its one piece is known
+            mayEndAt(until, false);
+            return std::nullopt;
+        }
+        return unknown;
+    }
+    return std::nullopt;
+}
+
+// ---------------------------------------------------------------------------------------------
+// One step
+
+void Component::step() {
+    if (ends_ && limit_ <= time_) {
+        end(Stop::Reason::inputEnded, {},
+            names({0}) + " reads " + set_.unknowns[*ends_].name + ", whose motion ended");
+        return;
+    }
+    if (counts_.steps >= options_.maximumSteps) {
+        end(Stop::Reason::tooManySteps, {},
+            "more than " + std::to_string(options_.maximumSteps) + " steps for " + names({0}));
+        return;
+    }
+    equations_->inputs().window(limit_);
+    if (limit_ - time_ <= shortestStep(time_)) { // a sliver that rounding left
+        const std::vector<double> y = stateValues();
+        std::vector<Coefficients> still(y.size(), Coefficients{});
+        for (std::size_t i = 0; i < y.size(); ++i)
+            still[i][0] = y[i];
+        append(still, 1, limit_);
+        time_ = limit_;
+        arrive();
+        return;
+    }
+    if (model_ == Model::undecided)
+        decideModel();
+    if (stop_)
+        return;
+    if (model_ == Model::closedForm)
+        stepClosedForm();
+    else if (model_ == Model::held)
+        stepHeld();
+    else
+        integrate();
+}
+
+void Component::decideModel() {
+    const bool ladder = options_.method == "auto";
+    if ((ladder || equations_->states().empty()) && tryClosedForm()) {
+        model_ = Model::closedForm;
+        counts_.model = "closed-form";
+        counts_.method = "exact";
+        counts_.why = "polynomials in time";
+    } else if (equations_->states().empty()) {
+        model_ = Model::held;
+        counts_.model = "closed-form";
+        counts_.method = "evaluation";
+        counts_.why = "held by expressions";
+    } else {
+        model_ = Model::integrated;
+    }
+}
+
+bool Component::tryClosedForm() {
+    return !equations_->sliding() &&
+           closedForm(set_, *equations_, time_, stateValues()).has_value();
+}
+
+void Component::stepClosedForm() {
+    auto form = closedForm(set_, *equations_, time_, stateValues());
+    if (!form || equations_->sliding()) { // an input's next pieces have too high a degree
+        model_ = equations_->states().empty() ? Model::held : Model::integrated;
+        proposed_ = 0;
+        return;
+    }
+    ++counts_.evaluations;
+    for (std::size_t i = 0; i < form->columns.size(); ++i)
+        for (const double c : form->columns[i])
+            if (!std::isfinite(c)) {
+                const auto culprits = equations_->notFinite(time_, stateValues());
+                end(Stop::Reason::notFinite, culprits, names(culprits) + " has no finite rate");
+                return;
+            }
+    double until = std::min(form->until, limit_);
+    if (equations_->watches() > 0) { // look for switches over lengths that double
+        proposed_ = proposed_ > 0 ? 2 * proposed_ : 1;
+        until = std::min(until, time_ + proposed_);
+    }
+    const auto count = static_cast<std::ptrdiff_t>(equations_->states().size());
+    const std::vector<Coefficients> states(form->columns.begin(), form->columns.begin() + count);
+    const std::vector<Coefficients> held(form->columns.begin() + count, form->columns.end());
+    const auto found = violation(time_, until, form->scale, states);
+    if (found && found->time <= time_) {
+        pass(*found, true);
+        return;
+    }
+    const double to = found ? found->time : until;
+    history_->dropAnchor();
+    appendRow(states, held, time_, form->scale, to);
+    std::vector<double> y(states.size());
+    for (std::size_t i = 0; i < y.size(); ++i)
+        y[i] = evaluate(states[i], (to - time_) / form->scale);
+    time_ = to;
+    if (to == infinity)
+        return;
+    setStates(y);
+    normalize();
+    takeHeldValues();
+    if (stop_)
+        return;
+    control_.observe(stateValues());
+    immediate_ = 0;
+    if (found)
+        pass(*found, false);
+    if (!stop_ && time_ >= limit_)
+        arrive();
+}
+
+// Held values alone, as polynomials of degree 8 that are halved until they fit.
+void Component::stepHeld() {
+    double h = proposed_ > 0 ? proposed_ : 1;
+    for (;;) {
+        const double to = time_ + 1.01 * h >= limit_ ? limit_ : time_ + h;
+        if (to - time_ <= shortestStep(time_)) {
+            const auto culprits = equations_->notFinite(time_ + h, {});
+            end(culprits.empty() ? Stop::Reason::stepUnderflow : Stop::Reason::notFinite, culprits,
+                "the value that holds " + names(culprits.empty() ? equations_->held() : culprits) +
+                    (culprits.empty() ? " changes too fast" : " is not finite"));
+            return;
+        }
+        std::vector<Coefficients> held(equations_->held().size());
+        counts_.evaluations += maximumCoefficients;
+        const auto found = violation(time_, to, to - time_, {});
+        if (found && found->time <= time_) {
+            pass(*found, true);
+            return;
+        }
+        const double until = found ? found->time : to;
+        if (!fitHeld({}, time_, 1, until, held)) {
+            ++counts_.rejectedSteps;
+            h *= 0.5;
+            continue;
+        }
+        ++counts_.steps;
+        history_->dropAnchor();
+        appendRow({}, held, time_, until - time_, until);
+        proposed_ = 2 * h;
+        time_ = until;
+        takeHeldValues();
+        if (stop_)
+            return;
+        immediate_ = 0;
+        if (found)
+            pass(*found, false);
+        if (!stop_ && time_ >= limit_)
+            arrive();
+        return;
+    }
+}
+
+// ---------------------------------------------------------------------------------------------
+// Integration
+
+std::unique_ptr<Method> Component::chooseMethod() {
+    const bool choose = options_.method == "auto";
+    const std::string name = !choose ? options_.method : implicit_ ? "radau5" : "dop853";
+    return makeMethod(name, *equations_, control_, options_.fixedStep.has_value());
+}
+
+bool Component::beginMethod() {
+    method_ = chooseMethod();
+    const bool quadrature = equations_->states().size() == 1 && !equations_->readsStates();
+    counts_.method = method_->name();
+    counts_.order = method_->order();
+    counts_.model = method_->implicit() ? "implicit" : quadrature ? "quadrature" : "explicit";
+    counts_.why = options_.method != "auto" ? "asked for"
+                  : method_->implicit()     ? "stiffness bounds explicit steps"
+                  : quadrature              ? "a function of time and of what is solved upstream"
+                                            : "not stiff";
+    const std::vector<double> y = stateValues();
+    if (!method_->begin(time_, y)) {
+        const auto culprits = equations_->notFinite(time_, y);
+        end(Stop::Reason::notFinite, culprits, names(culprits) + " has no finite rate");
+        return false;
+    }
+    if (options_.fixedStep)
+        proposed_ = *options_.fixedStep;
+    else if (proposed_ == 0)
+        proposed_ = options_.firstStep.value_or(method_->firstStep(limit_ - time_));
+    return true;
+}
+
+void Component::integrate() {
+    if (!method_ && !beginMethod())
+        return;
+    for (;;) { // every refusal shortens the step, until it cannot be
+        const double wanted = proposed_;
+        const bool lands = time_ + 1.01 * wanted >= limit_;
+        const double to = lands ? limit_ : time_ + wanted;
+        const double h = to - time_;
+        const Attempt attempt = method_->attempt(h);
+        if (attempt.outcome != Attempt::Outcome::accepted) {
+            refuse(attempt, h);
+            if (stop_)
+                return;
+            continue;
+        }
+        proposed_ = attempt.next;
+        if (lands && h < wanted)
+            proposed_ = std::max(proposed_, options_.fixedStep ? *options_.fixedStep : wanted);
+        finish(to);
+        return;
+    }
+}
+
+void Component::refuse(const Attempt& attempt, double h) {
+    ++counts_.rejectedSteps;
+    if (!options_.fixedStep && attempt.next > shortestStep(time_) && attempt.next < h) {
+        proposed_ = attempt.next;
+        return;
+    }
+    stopAtUnderflow(attempt.outcome, h);
+}
+
+void Component::stopAtUnderflow(Attempt::Outcome outcome, double h) {
+    std::vector<double> y = stateValues(), slopes(y.size());
+    const bool here = equations_->rates(time_, y, slopes);
+    if (outcome == Attempt::Outcome::notFinite) {
+        for (std::size_t i = 0; here && i < y.size(); ++i)
+            y[i] += h * slopes[i];
+        auto culprits = equations_->notFinite(time_ + h, y);
+        if (culprits.empty())
+            culprits = equations_->states();
+        end(Stop::Reason::notFinite, culprits, names(culprits) + " has no finite rate");
+        return;
+    }
+    std::size_t fastest = 0;
+    for (std::size_t i = 1; i < y.size(); ++i)
+        if (std::abs(slopes[i]) / control_.scale(i) >
+            std::abs(slopes[fastest]) / control_.scale(fastest))
+            fastest = i;
+    const std::vector<std::size_t> culprit = {equations_->states()[fastest]};
+    end(Stop::Reason::stepUnderflow, culprit,
+        outcome == Attempt::Outcome::notConverged
+            ? "the implicit equations of a step cannot be solved for " + names(culprit)
+            : "error control needs steps too short to resolve for " + names(culprit));
+}
+
+void Component::finish(double to) {
+    const double h = to - time_;
+    std::vector<Coefficients> columns(equations_->states().size());
+    method_->dense(columns);
+    const auto found = violation(time_, to, h, columns);
+    if (found && found->time <= time_) {
+        pass(*found, true);
+        return;
+    }
+    ++counts_.steps;
+    std::vector<double> y(method_->state().begin(), method_->state().end());
+    const double until = found ? found->time : to;
+    if (found)
+        for (std::size_t i = 0; i < y.size(); ++i)
+            y[i] = evaluate(columns[i], (until - time_) / h);
+    append(columns, h, until);
+    time_ = until;
+    setStates(y);
+    normalize();
+    takeHeldValues();
+    if (stop_)
+        return;
+    for (std::size_t i = 0; i < y.size(); ++i)
+        if (!(std::abs(y[i]) <= largestValue)) {
+            const std::vector<std::size_t> culprit = {equations_->states()[i]};
+            end(Stop::Reason::overflow, culprit, names(culprit) + " grows over 1e100");
+            return;
+        }
+    y = stateValues();
+    control_.observe(y);
+    immediate_ = 0;
+    if (found) {
+        pass(*found, false);
+        if (!stop_ && time_ >= limit_)
+            arrive();
+        return;
+    }
+    if (!method_->proceed(y)) {
+        const auto culprits = equations_->notFinite(time_, y);
+        end(Stop::Reason::notFinite, culprits, names(culprits) + " has no finite rate");
+        return;
+    }
+    watchStiffness();
+    if (time_ >= limit_)
+        arrive();
+}
+
+void Component::arrive() {
+    if (time_ >= nextPhase_) {
+        openRegime(true);
+        if (!stop_)
+            begin();
+    } else if (limitRestarts_) {
+        begin();
+    }
+    // The end of an input is reported by the next step, which cannot be made.
+}
+
+// ---------------------------------------------------------------------------------------------
+// Switches
+
+std::optional<Violation> Component::violation(double from, double to, double scale,
+                                              std::span<const Coefficients> columns) {
+    if (equations_->watches() == 0)
+        return std::nullopt;
+    std::vector<double> y(columns.size());
+    const auto watch = [&](double t, std::span<double> values) {
+        for (std::size_t i = 0; i < y.size(); ++i)
+            y[i] = evaluate(columns[i], (t - from) / scale);
+        equations_->watch(t, y, values);
+    };
+    return firstViolation(equations_->watches(), watch, from, to);
+}
+
+void Component::pass(const Violation& violation, bool immediate) {
+    constexpr std::size_t window = 100;
+    std::vector<std::size_t> flipping = equations_->unknownsOf(violation.watches);
+    if (flipping.empty())
+        flipping = {0};
+    const auto giveUp = [&] {
+        end(Stop::Reason::decisions, flipping,
+            "expressions that switch with " + names(flipping) +
+                " change their branches without end, and no motion keeps between them");
+    };
+    ++counts_.switches;
+    if (immediate) {
+        if (++immediate_ > 8 * equations_->watches() + 8)
+            return giveUp();
+    } else {
+        immediate_ = 0;
+        recentSwitches_.push_back(time_);
+        if (recentSwitches_.size() > window)
+            recentSwitches_.pop_front();
+        const double shortest = 1e-10 * std::max(std::abs(time_), time_ - options_.start) + 1e-16;
+        if (recentSwitches_.size() == window && time_ - recentSwitches_.front() <= shortest)
+            return giveUp();
+    }
+    const bool insist = immediate_ > 2 * equations_->watches() + 2;
+    std::vector<double> y = stateValues();
+    equations_->inputs().window(infinity);
+    if (equations_->cross(violation, time_, y, insist) == ComponentEquations::Crossing::impossible)
+        return giveUp();
+    setStates(y);
+    takeHeldValues();
+    if (stop_)
+        return;
+    keepCounts();
+    model_ = Model::undecided;
+    proposed_ = 0;
+    fresh_ = true;
+    remember();
+    placeAnchor();
+}
+
+// ---------------------------------------------------------------------------------------------
+// Pieces
+
+void Component::append(std::span<const Coefficients> states, double scale, double until) {
+    history_->dropAnchor();
+    appendPart(states, time_, scale, until, 0);
+}
+
+// Held values follow the states by polynomials of their own; where one does not fit, the step is
+// kept in halves.
+void Component::appendPart(std::span<const Coefficients> states, double origin, double scale,
+                           double until, int depth) {
+    constexpr int deepest = 10;
+    std::vector<Coefficients> held(equations_->held().size());
+    if (!held.empty() && !fitHeld(states, origin, scale, until, held) && depth < deepest) {
+        const double middle = origin + 0.5 * (until - origin);
+        appendPart(states, origin, scale, middle, depth + 1);
+        std::vector<Coefficients> second;
+        for (const Coefficients& column : states)
+            second.push_back(reparametrize(column, (middle - origin) / scale, 1));
+        appendPart(second, middle, scale, until, depth + 1);
+        return;
+    }
+    if (!held.empty() && until - origin != scale) { // one scale for all
+        std::vector<Coefficients> rescaled;
+        for (const Coefficients& column : states)
+            rescaled.push_back(reparametrize(column, 0, (until - origin) / scale));
+        appendRow(rescaled, held, origin, until - origin, until);
+        return;
+    }
+    appendRow(states, held, origin, scale, until);
+}
+
+// Polynomials of (t - origin)/(until - origin). False: they do not fit.
+bool Component::fitHeld(std::span<const Coefficients> states, double origin, double scale,
+                        double until, std::span<Coefficients> held) {
+    const auto& points = interpolationPoints();
+    std::vector<double> y(states.size()), out(held.size());
+    std::vector<std::array<double, maximumCoefficients>> samples(held.size());
+    const auto valuesAt = [&](double t) {
+        for (std::size_t i = 0; i < y.size(); ++i)
+            y[i] = evaluate(states[i], (t - origin) / scale);
+        return equations_->heldValues(t, y, out);
+    };
+    const double length = until - origin;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        if (!valuesAt(p == maximumDegree ? until : origin + points[p] * length))
+            return false;
+        for (std::size_t k = 0; k < held.size(); ++k)
+            samples[k][p] = out[k];
+    }
+    for (std::size_t k = 0; k < held.size(); ++k)
+        held[k] = interpolate(samples[k]);
+    for (const double s : {0.13, 0.31, 0.6, 0.93}) {
+        if (!valuesAt(origin + s * length))
+            return false;
+        for (std::size_t k = 0; k < held.size(); ++k) {
+            const auto [low, high] = std::minmax_element(samples[k].begin(), samples[k].end());
+            const double size = std::max(std::abs(*low), std::abs(*high));
+            const double allowed = std::max(1e-3 * tolerance_ * (*high - *low), 1e-13 * size);
+            if (!(std::abs(evaluate(held[k], s) - out[k]) <= allowed))
+                return false;
+        }
+    }
+    return true;
+}
+
+void Component::appendRow(std::span<const Coefficients> states, std::span<const Coefficients> held,
+                          double origin, double scale, double until) {
+    std::size_t count = 1;
+    for (const auto& list : {states, held})
+        for (const Coefficients& column : list)
+            for (std::size_t k = maximumDegree; k >= count; --k)
+                if (column[k] != 0) {
+                    count = k + 1;
+                    break;
+                }
+    std::vector<double> rows(count * unknowns_.size());
+    const auto place = [&](std::size_t unknown, const Coefficients& column) {
+        std::copy_n(column.begin(), count,
+                    rows.begin() + static_cast<std::ptrdiff_t>(unknown * count));
+    };
+    for (std::size_t i = 0; i < states.size(); ++i)
+        place(equations_->states()[i], states[i]);
+    for (std::size_t i = 0; i < held.size(); ++i)
+        place(equations_->held()[i], held[i]);
+    history_->append({origin, until, scale, fresh_, static_cast<std::uint8_t>(count), 0}, rows);
+    fresh_ = false;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Stiffness
+
+void Component::watchStiffness() {
+    if (options_.method != "auto" || !method_ || counts_.model == "quadrature")
+        return;
+    constexpr double smoothing = 0.1, bound = 0.8, worthwhile = 2;
+    ++stepsSinceChange_;
+    if (!method_->implicit()) {
+        stabilityMean_ += smoothing * (method_->stabilityUsed() - stabilityMean_);
+        if (stepsSinceChange_ >= evidence_ && stabilityMean_ > bound)
+            changeMethod(true);
+        return;
+    }
+    constexpr std::size_t interval = 16;
+    constexpr double explicitLimit = 6.1; // of dop853
+    if (stepsSinceChange_ % interval != 0)
+        return;
+    const double used = proposed_ * spectralRadius() / explicitLimit;
+    stabilityMean_ = stepsSinceChange_ == interval ? used : 0.5 * (stabilityMean_ + used);
+    if (stepsSinceChange_ >= evidence_ && stabilityMean_ < worthwhile) {
+        evidence_ *= 2;
+        changeMethod(false);
+    }
+}
+
+// Power iteration on the Jacobian, from a fixed vector; the mean growth of the last rounds, since
+// complex pairs turn.
+double Component::spectralRadius() {
+    constexpr int rounds = 24, counted = 8;
+    const Pattern& pattern = equations_->jacobianPattern();
+    std::vector<double> entries(pattern.entries());
+    if (!equations_->jacobian(time_, stateValues(), entries))
+        return 0;
+    std::vector<double> x(pattern.size()), image(pattern.size());
+    for (std::size_t i = 0; i < x.size(); ++i)
+        x[i] = 1 + 0.1 * static_cast<double>(i % 7);
+    double growth = 0;
+    for (int round = 0; round < rounds; ++round) {
+        std::fill(image.begin(), image.end(), 0.0);
+        for (std::size_t column = 0; column < x.size(); ++column)
+            for (int k = pattern.columnStarts[column]; k < pattern.columnStarts[column + 1]; ++k) {
+                const auto entry = static_cast<std::size_t>(k);
+                image[static_cast<std::size_t>(pattern.rows[entry])] += entries[entry] * x[column];
+            }
+        double before = 0, after = 0;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            before += x[i] * x[i];
+            after += image[i] * image[i];
+        }
+        if (!(after > 0) || !std::isfinite(after))
+            return 0;
+        if (round >= rounds - counted)
+            growth += 0.5 * std::log(after / before) / counted;
+        for (std::size_t i = 0; i < x.size(); ++i)
+            x[i] = image[i] / std::sqrt(after);
+    }
+    return std::exp(growth);
+}
+
+void Component::changeMethod(bool implicit) {
+    implicit_ = implicit;
+    keepCounts();
+    stabilityMean_ = 0;
+    stepsSinceChange_ = 0;
+    remember();
+    equations_->inputs().window(infinity);
+    const double h = proposed_;
+    if (beginMethod())
+        proposed_ = h;
+}
+
+} // namespace solution

@@ -1,0 +1,63 @@
+// How large may an error of one step be, for each unknown of a component?
+//
+//   position    tolerance * E / lengthPerUnit, E the extent of the component's motion: the range of
+//               its positions so far, at least what the caller says its bodies measure
+//   velocity    tolerance * the largest speed in the component so far
+//   any other   tolerance * its own largest value so far, at least 1e-3 of the largest of all
+//   others
+//               of the component (a spin that is zero but for rounding is no quantity of its own)
+//
+// An error in a velocity or a spin that moves nothing by a hundredth of the position's tolerance
+// within the step is also allowed, so that a body at rest is not followed into its rounding errors.
+// No scale is below the rounding of the value itself.
+//
+// The norm is the maximum, not a mean over unknowns: what is promised holds for each body, and a
+// mean would let one moving body hide among many that rest.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace solution {
+
+struct UnknownScale {
+    enum class Kind { position, velocity, other };
+    Kind kind = Kind::other;
+    double lengthPerUnit = 0; // of itself, or of the position that it is the velocity of
+    double extent = 0;        // the least that its component's extent is
+};
+
+class ErrorControl {
+public:
+    ErrorControl() = default;
+    ErrorControl(std::vector<UnknownScale> scales, double tolerance);
+
+    [[nodiscard]] double tolerance() const { return tolerance_; }
+    // Accepted values widen ranges and largest values.
+    void observe(std::span<const double> y);
+    // Scales for a step of length h to `y`, the values seen so far and these.
+    void prepare(std::span<const double> y, double h);
+    // max |error_i| / scale_i, with the scales last prepared.
+    [[nodiscard]] double norm(std::span<const double> error) const;
+    [[nodiscard]] double scale(std::size_t i) const { return weights_[i]; }
+    // The size against which a rate is judged slow or fast; 0: nothing is known yet.
+    [[nodiscard]] double magnitude(std::size_t i) const;
+    [[nodiscard]] double extent() const { return extent_; }
+
+private:
+    struct Seen {
+        double low = 0, high = 0;
+    };
+    void measure(std::span<const double> y);
+
+    std::vector<UnknownScale> scales_;
+    std::vector<Seen> seen_;
+    std::vector<double> weights_;
+    double tolerance_ = 1e-6;
+    bool any_ = false;
+    double leastExtent_ = 0, radius_ = 0;
+    double extent_ = 0, speed_ = 0, other_ = 0; // with the values last measured
+};
+
+} // namespace solution

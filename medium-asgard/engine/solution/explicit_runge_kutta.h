@@ -1,0 +1,61 @@
+// Explicit Runge-Kutta methods, from tables.
+//
+//   k_i = f(t + c_i h, y + h sum_j a_ij k_j)       y1 = y + h sum_i b_i k_i
+//
+// Stages after the first `stages` belong to dense output alone and are computed only for accepted
+// steps; stage number `stages` is f(t + h, y1), the first of the next step. Error estimates are
+// sums of k_i; with two of them (Hairer's 853) the estimate is e1^2 / sqrt(e1^2 + 0.01 e2^2).
+// Dense output: y(s) = y + h sum_i B_i(s) k_i.
+//
+// Step control: PI (exponents 0.7/p and 0.4/p), factors 1/5 to 6.
+// Stiffness: |lambda| = |k_a - k_b| / |Y_a - Y_b| of the last two stages at t + h.
+// Sources: Dormand and Prince 1980; Hairer, Norsett, Wanner, Solving ODEs I, II.5, II.6, IV.2.
+#pragma once
+
+#include "solution/method.h"
+
+namespace solution {
+
+struct Tableau {
+    const char* name;
+    std::size_t order = 0;
+    std::size_t stages = 0;                  // that make y1; stage `stages` is f at the end
+    std::vector<double> c = {};              // of all stages
+    std::vector<std::vector<double>> a = {}; // rows of all stages; row `stages` is b
+    std::vector<double> error = {}, secondError = {}; // sums of k_0..k_{stages}; may be empty
+    std::vector<std::vector<double>> dense = {};      // [stage][power - 1]: B_i(s) = sum B_ip s^p
+    std::size_t stiffStage = 0;                       // compared with the stage at the end
+    double stabilityLimit = 0;                        // on the negative real axis
+};
+
+// Null for a name that is not in the tables: dop853, dopri5, rk4, forward-euler.
+[[nodiscard]] const Tableau* tableauNamed(const std::string& name);
+
+class ExplicitRungeKutta final : public Method {
+public:
+    ExplicitRungeKutta(const Tableau& tableau, System& system, ErrorControl& control, bool fixed);
+
+    [[nodiscard]] const char* name() const override { return tableau_.name; }
+    [[nodiscard]] std::size_t order() const override { return tableau_.order; }
+    [[nodiscard]] bool implicit() const override { return false; }
+    [[nodiscard]] bool begin(double t, std::span<const double> y) override;
+    [[nodiscard]] Attempt attempt(double h) override;
+    void dense(std::span<Coefficients> columns) override;
+    [[nodiscard]] bool proceed(std::span<const double> y) override;
+    [[nodiscard]] double stabilityUsed() const override { return stabilityUsed_; }
+
+private:
+    [[nodiscard]] bool stage(std::size_t i, std::span<double> at);
+    [[nodiscard]] double errorNorm();
+    [[nodiscard]] Attempt judge(double error);
+    void estimateStiffness();
+
+    const Tableau& tableau_;
+    std::vector<std::vector<double>> k_;
+    std::vector<double> at_, stiffAt_, error_, secondError_;
+    double previousError_ = 1e-4;
+    bool afterRejection_ = false, endIsSlope_ = false;
+    double stabilityUsed_ = 0;
+};
+
+} // namespace solution

@@ -1,0 +1,192 @@
+#include "solution/histories.h"
+
+#include <algorithm>
+
+namespace solution {
+
+// ---------------------------------------------------------------------------------------------
+// One component's steps
+
+const History::Step& History::step(std::size_t index) const {
+    return chunks_[index / stepsPerChunk]->steps[index % stepsPerChunk];
+}
+
+Piece History::piece(std::size_t index, std::size_t column) const {
+    const Chunk& chunk = *chunks_[index / stepsPerChunk];
+    const Step& s = chunk.steps[index % stepsPerChunk];
+    const double* first = chunk.values.data() + s.offset + column * s.coefficients;
+    return {s.origin, s.until, s.scale, {first, s.coefficients}};
+}
+
+std::size_t History::find(double t, std::size_t near) const {
+    if (size_ == 0)
+        return 0;
+    near = std::min(near, size_ - 1);
+    for (std::size_t tries = 0; tries < 4; ++tries) { // readers mostly move a little forward
+        const bool started = step(near).origin <= t;
+        if (started && (near + 1 == size_ || t < step(near + 1).origin))
+            return near;
+        if (!started || near + 1 == size_)
+            break;
+        ++near;
+    }
+    std::size_t low = 0, high = size_; // the first step that begins after t
+    while (low < high) {
+        const std::size_t middle = (low + high) / 2;
+        if (step(middle).origin <= t)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low == 0 ? 0 : low - 1;
+}
+
+History::Chunk& History::writableTail() {
+    frozen_.reset();
+    if (chunks_.size() <= sharedChunks_) {
+        chunks_.back() = std::make_shared<Chunk>(*chunks_.back());
+        sharedChunks_ = chunks_.size() - 1;
+    }
+    return *chunks_.back();
+}
+
+void History::append(const Step& step, std::span<const double> rows) {
+    if (size_ % stepsPerChunk == 0)
+        chunks_.push_back(std::make_shared<Chunk>());
+    Chunk& chunk = writableTail();
+    Step placed = step;
+    placed.offset = static_cast<std::uint32_t>(chunk.values.size());
+    chunk.steps.push_back(placed);
+    chunk.values.insert(chunk.values.end(), rows.begin(), rows.end());
+    ++size_;
+}
+
+void History::dropLast() {
+    Chunk& chunk = writableTail();
+    chunk.values.resize(chunk.steps.back().offset);
+    chunk.steps.pop_back();
+    if (chunk.steps.empty())
+        chunks_.pop_back();
+    sharedChunks_ = std::min(sharedChunks_, chunks_.size());
+    --size_;
+}
+
+void History::dropAnchor() {
+    if (endsInAnchor())
+        dropLast();
+}
+
+std::size_t History::cut(double t) {
+    std::size_t dropped = 0;
+    for (; size_ > 0 && step(size_ - 1).origin >= t; ++dropped)
+        dropLast();
+    if (size_ > 0 && step(size_ - 1).until > t)
+        writableTail().steps.back().until = t;
+    return dropped;
+}
+
+std::shared_ptr<const History> History::freeze() const {
+    if (!frozen_) {
+        frozen_ = std::make_shared<History>(*this);
+        sharedChunks_ = chunks_.size();
+    }
+    return frozen_;
+}
+
+std::size_t History::bytes() const {
+    std::size_t total = 0;
+    for (const auto& chunk : chunks_)
+        total += chunk->steps.size() * sizeof(Step) + chunk->values.size() * sizeof(double);
+    return total;
+}
+
+// ---------------------------------------------------------------------------------------------
+// All unknowns
+
+const Histories::Span& Histories::spanAt(std::size_t unknown, double t) const {
+    const std::vector<Span>& spans = tracks_[unknown].spans;
+    std::size_t i = spans.size() - 1;
+    while (i > 0 && t < spans[i].from)
+        --i;
+    return spans[i];
+}
+
+Histories::Place Histories::place(std::size_t unknown, double t) const {
+    const Span& span = spanAt(unknown, t);
+    return {span.history.get(), span.column};
+}
+
+double Histories::reached(std::size_t unknown) const {
+    const std::vector<Span>& spans = tracks_[unknown].spans;
+    for (std::size_t i = spans.size(); i-- > 0;)
+        if (!spans[i].history->empty())
+            return spans[i].history->until();
+    return start_;
+}
+
+const Stop* Histories::stop(std::size_t unknown) const {
+    const auto& index = tracks_[unknown].stop;
+    return index ? &stops_[*index] : nullptr;
+}
+
+Piece Histories::piece(std::size_t unknown, double t) const {
+    const Track& track = tracks_[unknown];
+    const Span* span = &spanAt(unknown, t);
+    // A component that was made by an event and has not yet stepped has no pieces: the one before.
+    while (span->history->empty() && span != track.spans.data())
+        --span;
+    if (span->history->empty())
+        return {start_, start_, 1, {&track.initial, 1}};
+    return span->history->piece(span->history->find(t), span->column);
+}
+
+Piece Histories::pieceBefore(std::size_t unknown, double t) const {
+    const Track& track = tracks_[unknown];
+    const Span* span = &spanAt(unknown, t);
+    while (span != track.spans.data() && (span->history->empty() || span->from >= t))
+        --span;
+    if (span->history->empty())
+        return piece(unknown, t);
+    std::size_t index = span->history->find(t);
+    while (index > 0 && span->history->step(index).origin >= t)
+        --index;
+    return span->history->piece(index, span->column);
+}
+
+double Histories::value(std::size_t unknown, double t) const { return piece(unknown, t).value(t); }
+
+double Histories::derivative(std::size_t unknown, double t) const {
+    return piece(unknown, t).derivative(t);
+}
+
+double Histories::secondDerivative(std::size_t unknown, double t) const {
+    return piece(unknown, t).secondDerivative(t);
+}
+
+std::vector<double> Histories::restarts(std::size_t unknown) const {
+    std::vector<double> times;
+    const std::vector<Span>& spans = tracks_[unknown].spans;
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+        const double end = i + 1 < spans.size() ? spans[i + 1].from : infinity;
+        const History& history = *spans[i].history;
+        for (std::size_t k = 0; k < history.size() && history.step(k).origin < end; ++k)
+            if (history.step(k).fresh && history.step(k).origin > start_)
+                times.push_back(history.step(k).origin);
+    }
+    return times;
+}
+
+std::size_t Histories::bytes() const {
+    std::vector<const History*> seen;
+    for (const Track& track : tracks_)
+        for (const Span& span : track.spans)
+            seen.push_back(span.history.get());
+    std::sort(seen.begin(), seen.end());
+    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+    std::size_t total = 0;
+    for (const History* history : seen)
+        total += history->bytes();
+    return total;
+}
+
+} // namespace solution

@@ -1,0 +1,142 @@
+#include "solution/partition.h"
+
+#include <algorithm>
+#include <limits>
+#include <unordered_map>
+
+namespace solution {
+
+namespace {
+
+using expression::Node;
+
+std::vector<Node> nodesAfter(const expression::Unknown& unknown, double from) {
+    std::vector<Node> nodes;
+    for (std::size_t i = 0; i < unknown.phases.size(); ++i) {
+        const expression::Phase& phase = unknown.phases[i];
+        const bool over = i + 1 < unknown.phases.size() && unknown.phases[i + 1].from <= from;
+        if (over)
+            continue;
+        if (phase.given)
+            nodes.push_back(*phase.given);
+        else
+            nodes.push_back(phase.derivative);
+        if (phase.jump)
+            nodes.push_back(*phase.jump);
+    }
+    return nodes;
+}
+
+} // namespace
+
+Reads readsOf(const expression::EquationSet& equations, double from) {
+    std::unordered_map<std::uint32_t, std::size_t> unknownOf;
+    for (std::size_t i = 0; i < equations.unknowns.size(); ++i)
+        unknownOf.emplace(equations.unknowns[i].symbol.index, i);
+    Reads reads(equations.unknowns.size());
+    for (std::size_t i = 0; i < equations.unknowns.size(); ++i) {
+        const std::vector<Node> nodes = nodesAfter(equations.unknowns[i], from);
+        for (const Node symbol : expression::symbolsOf(equations.graph, nodes))
+            if (const auto found = unknownOf.find(symbol.index); found != unknownOf.end())
+                reads[i].push_back(found->second);
+    }
+    for (const auto& four : equations.quaternions)
+        for (const std::size_t i : four)
+            reads[i].insert(reads[i].end(), four.begin(), four.end());
+    for (auto& list : reads) {
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+    }
+    return reads;
+}
+
+namespace {
+
+void connect(Partition& partition, const Reads& reads) {
+    partition.componentOf.resize(reads.size());
+    for (std::size_t c = 0; c < partition.components.size(); ++c)
+        for (const std::size_t i : partition.components[c])
+            partition.componentOf[i] = c;
+    partition.reads.resize(partition.components.size());
+    for (std::size_t c = 0; c < partition.components.size(); ++c) {
+        std::vector<std::size_t>& list = partition.reads[c];
+        for (const std::size_t i : partition.components[c])
+            for (const std::size_t j : reads[i])
+                if (partition.componentOf[j] != c)
+                    list.push_back(partition.componentOf[j]);
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+    }
+}
+
+} // namespace
+
+Partition partitionOf(const Reads& reads) {
+    constexpr std::size_t unseen = std::numeric_limits<std::size_t>::max();
+    const std::size_t n = reads.size();
+    std::vector<std::size_t> number(n, unseen), low(n, 0), stack;
+    std::vector<bool> onStack(n, false);
+    struct Visit {
+        std::size_t node, arc;
+    };
+    std::vector<Visit> visits;
+    std::size_t count = 0;
+    Partition partition;
+
+    const auto enter = [&](std::size_t v) {
+        number[v] = low[v] = count++;
+        stack.push_back(v);
+        onStack[v] = true;
+        visits.push_back({v, 0});
+    };
+    const auto close = [&](std::size_t root) {
+        std::vector<std::size_t> component;
+        std::size_t v = unseen;
+        do {
+            v = stack.back();
+            stack.pop_back();
+            onStack[v] = false;
+            component.push_back(v);
+        } while (v != root);
+        std::sort(component.begin(), component.end());
+        partition.components.push_back(std::move(component));
+    };
+
+    // Arcs are followed from an equation to what it reads, so a component closes after its inputs.
+    for (std::size_t start = 0; start < n; ++start) {
+        if (number[start] != unseen)
+            continue;
+        enter(start);
+        while (!visits.empty()) {
+            const std::size_t v = visits.back().node;
+            if (visits.back().arc < reads[v].size()) {
+                const std::size_t w = reads[v][visits.back().arc++];
+                if (number[w] == unseen)
+                    enter(w);
+                else if (onStack[w])
+                    low[v] = std::min(low[v], number[w]);
+                continue;
+            }
+            visits.pop_back();
+            if (!visits.empty())
+                low[visits.back().node] = std::min(low[visits.back().node], low[v]);
+            if (low[v] == number[v])
+                close(v);
+        }
+    }
+    connect(partition, reads);
+    return partition;
+}
+
+Partition wholePartition(const Reads& reads) {
+    Partition partition;
+    if (!reads.empty()) {
+        partition.components.emplace_back(reads.size());
+        for (std::size_t i = 0; i < reads.size(); ++i)
+            partition.components[0][i] = i;
+    }
+    connect(partition, reads);
+    return partition;
+}
+
+} // namespace solution

@@ -1,0 +1,324 @@
+#include "solution/radau.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace solution {
+
+namespace {
+
+const double root6 = std::sqrt(6.0);
+const double node[3] = {(4 - root6) / 10, (4 + root6) / 10, 1};
+
+// Eigenvalues of A^-1: g, and a +- ib (from the roots of its characteristic polynomial).
+const double cube9 = std::cbrt(9.0);
+const double inverseG = (6 + cube9 * (cube9 - 1)) / 30;
+const double rawA = (12 - cube9 * (cube9 - 1)) / 60;
+const double rawB = cube9 * (cube9 + 1) * std::numbers::sqrt3 / 60;
+const double g = 1 / inverseG;
+const double a = rawA / (rawA * rawA + rawB * rawB);
+const double b = rawB / (rawA * rawA + rawB * rawB);
+
+// Columns of T: the eigenvectors' real form; its last row is (t, 1, 0).
+const double T[3][3] = {
+    {9.1232394870892942792e-02, -0.14125529502095420843, -3.0029194105147424492e-02},
+    {0.24171793270710701896, 0.20412935229379993199, 0.38294211275726193779},
+    {0.96604818261509293619, 1, 0}};
+const double inverseT[3][3] = {
+    {4.3255798900631553510, 0.33919925181580986954, 0.54177053993587487119},
+    {-4.1787185915519047273, -0.32768282076106238708, 0.47662355450055045196},
+    {-0.50287263494578687595, 2.5719269498556054292, -0.59603920482822492497}};
+
+// Error estimate: (g/h I - J)^-1 (f(y0) + sum e_i z_i / h).
+const double estimateWeight[3] = {-(13 + 7 * root6) / 3, (-13 + 7 * root6) / 3, -1.0 / 3};
+
+// Coefficients of the polynomial of degree n through given values at given points in [0, 1].
+template <std::size_t Count>
+std::array<std::array<double, Count>, Count>
+lagrangeBasis(const std::array<double, Count>& points) {
+    std::array<std::array<double, Count>, Count> basis{}; // [point][power]
+    for (std::size_t i = 0; i < Count; ++i) {
+        basis[i][0] = 1;
+        std::size_t degree = 0;
+        for (std::size_t j = 0; j < Count; ++j) {
+            if (j == i)
+                continue;
+            ++degree;
+            const double d = points[i] - points[j];
+            for (std::size_t k = degree; k > 0; --k)
+                basis[i][k] = (basis[i][k - 1] - points[j] * basis[i][k]) / d;
+            basis[i][0] = -points[j] * basis[i][0] / d;
+        }
+    }
+    return basis;
+}
+
+// The collocation polynomial through 0 and the z_i, and polynomials through four slopes.
+const auto collocation = lagrangeBasis<4>({0, node[0], node[1], node[2]});
+
+} // namespace
+
+Radau::Radau(System& system, ErrorControl& control, bool fixed)
+    : Method(system, control, fixed), at_(system.size()), error_(system.size()),
+      errorRates_(system.size()), endSlope_(system.size()), startSlope_(system.size()),
+      pair_(system.size()) {
+    const std::size_t n = system.size();
+    start_.resize(n);
+    end_.resize(n);
+    slope_.resize(n);
+    for (Stages* stages : {&z_, &w_, &f_, &previousZ_})
+        for (std::vector<double>& stage : *stages)
+            stage.resize(n);
+    solver_ = std::make_unique<LinearSolver>(system.jacobianPattern());
+    jacobian_.resize(system.jacobianPattern().entries());
+}
+
+bool Radau::begin(double t, std::span<const double> y) {
+    t_ = t;
+    start_.assign(y.begin(), y.end());
+    previousStep_ = 0;
+    factored_ = jacobianFresh_ = false;
+    first_ = true;
+    afterRejection_ = false;
+    acceptedStep_ = 0;
+    rate_ = 1;
+    if (!rates(t, y, slope_))
+        return false;
+    startSlope_ = slope_;
+    return true;
+}
+
+// Stages on the last step's polynomial, continued; at the start on nothing (z = 0).
+void Radau::predict() {
+    for (std::size_t i = 0; i < 3; ++i)
+        std::fill(z_[i].begin(), z_[i].end(), 0.0);
+    if (previousStep_ > 0)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double s = 1 + node[i] * h_ / previousStep_;
+            double at[3] = {}, end[3] = {};
+            for (std::size_t j = 0; j < 3; ++j) {
+                at[j] = evaluate(collocation[j + 1], s);
+                end[j] = evaluate(collocation[j + 1], 1);
+            }
+            for (std::size_t n = 0; n < start_.size(); ++n)
+                for (std::size_t j = 0; j < 3; ++j)
+                    z_[i][n] += (at[j] - end[j]) * previousZ_[j][n];
+        }
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t n = 0; n < start_.size(); ++n)
+            w_[i][n] =
+                inverseT[i][0] * z_[0][n] + inverseT[i][1] * z_[1][n] + inverseT[i][2] * z_[2][n];
+}
+
+void Radau::middle(std::vector<double>& y) const {
+    for (std::size_t n = 0; n < y.size(); ++n)
+        y[n] = start_[n] + z_[1][n];
+}
+
+bool Radau::linearize(double t, std::span<const double> y) {
+    ++counts_.jacobians;
+    jacobianFresh_ = true;
+    return system_.jacobian(t, y, jacobian_);
+}
+
+bool Radau::refactor() {
+    ++counts_.factorisations;
+    factored_ = solver_->factor(jacobian_, g / h_, std::complex<double>(a, b) / h_);
+    factoredStep_ = h_;
+    return factored_;
+}
+
+// One Newton correction of all stages; `size` is its norm.
+bool Radau::correction(double& size) {
+    const std::size_t count = start_.size();
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t n = 0; n < count; ++n)
+            at_[n] = start_[n] + z_[i][n];
+        if (!rates(t_ + node[i] * h_, at_, f_[i]))
+            return false;
+    }
+    const auto transformed = [this](std::size_t i, std::size_t n) {
+        return inverseT[i][0] * f_[0][n] + inverseT[i][1] * f_[1][n] + inverseT[i][2] * f_[2][n];
+    };
+    for (std::size_t n = 0; n < count; ++n) {
+        error_[n] = transformed(0, n) - g / h_ * w_[0][n];
+        pair_[n] = std::complex<double>(transformed(1, n), transformed(2, n)) -
+                   std::complex<double>(a, b) / h_ * std::complex<double>(w_[1][n], w_[2][n]);
+    }
+    solver_->solve(error_);
+    solver_->solve(pair_);
+    size = 0;
+    for (std::size_t n = 0; n < count; ++n) {
+        w_[0][n] += error_[n];
+        w_[1][n] += pair_[n].real();
+        w_[2][n] += pair_[n].imag();
+        const double before[3] = {z_[0][n], z_[1][n], z_[2][n]};
+        for (std::size_t i = 0; i < 3; ++i) {
+            z_[i][n] = T[i][0] * w_[0][n] + T[i][1] * w_[1][n] + T[i][2] * w_[2][n];
+            size = std::max(size, std::abs(z_[i][n] - before[i]) / control_.scale(n));
+        }
+    }
+    return std::isfinite(size);
+}
+
+Radau::Newton Radau::iterate() {
+    constexpr std::size_t mostIterations = 12, mayGrow = 5;
+    constexpr double mostGrowth = 5, slow = 0.1;
+    const double kappa = std::min(0.03, std::sqrt(control_.tolerance()));
+    double last = 0;
+    rate_ = std::max(rate_, 1e-16);
+    double rate = rate_ < 1 && jacobianFresh_ == false ? std::pow(rate_, 0.8) : 1;
+    for (iterations_ = 1; iterations_ <= mostIterations; ++iterations_) {
+        double size = 0;
+        if (!correction(size))
+            return Newton::notFinite;
+        if (last > 0) {
+            rate = size / last;
+            if (rate >= (iterations_ <= mayGrow ? mostGrowth : 1))
+                return Newton::failed;
+        }
+        last = size;
+        if (size == 0 || (rate < 1 && rate / (1 - rate) * size < kappa)) {
+            rate_ = iterations_ > 1 ? rate : rate_;
+            return Newton::converged;
+        }
+        if (iterations_ > 1 && rate > slow) {
+            middle(at_);
+            if (!linearize(t_ + node[1] * h_, at_) || !refactor())
+                return Newton::notFinite;
+        }
+    }
+    return Newton::failed;
+}
+
+// A step whose Jacobian was good is estimated from f(y0) and the stages; a second evaluation damps
+// the estimate where stiff components dominate it.
+double Radau::estimate() {
+    for (std::size_t n = 0; n < error_.size(); ++n) {
+        errorRates_[n] = (estimateWeight[0] * z_[0][n] + estimateWeight[1] * z_[1][n] +
+                          estimateWeight[2] * z_[2][n]) /
+                         h_;
+        error_[n] = errorRates_[n] + slope_[n];
+    }
+    solver_->solve(error_);
+    double error = control_.norm(error_);
+    if (error >= 1 && (first_ || afterRejection_)) {
+        for (std::size_t n = 0; n < error_.size(); ++n)
+            at_[n] = start_[n] + error_[n];
+        if (rates(t_, at_, error_)) {
+            for (std::size_t n = 0; n < error_.size(); ++n)
+                error_[n] += errorRates_[n];
+            solver_->solve(error_);
+            error = control_.norm(error_);
+        }
+    }
+    return std::max(error, 1e-10);
+}
+
+Attempt Radau::attempt(double h) {
+    h_ = h;
+    control_.prepare(start_, h);
+    predict();
+    const bool keep = factored_ && h == factoredStep_ && rate_ < 1e-3;
+    if (!keep) {
+        middle(at_);
+        bool ready = linearize(t_ + node[1] * h, at_) && refactor();
+        if (!ready) // the prediction may lie where f has no value
+            ready = linearize(t_, start_) && refactor();
+        if (!ready) {
+            afterRejection_ = true;
+            return {Attempt::Outcome::notFinite, 0.25 * h};
+        }
+    } else {
+        jacobianFresh_ = false;
+    }
+    const Newton result = iterate();
+    if (result != Newton::converged) {
+        afterRejection_ = true;
+        factored_ = false;
+        rate_ = 1;
+        const bool finite = result == Newton::failed;
+        return {finite ? Attempt::Outcome::notConverged : Attempt::Outcome::notFinite,
+                finite ? 0.5 * h : 0.25 * h};
+    }
+    for (std::size_t n = 0; n < end_.size(); ++n)
+        end_[n] = start_[n] + z_[2][n];
+    if (fixed_)
+        return {Attempt::Outcome::accepted, h};
+    return judge(estimate());
+}
+
+// Gustafsson's predictive controller; few Newton iterations allow a bolder step, and a step that
+// would grow by less than a fifth is kept, with its factors.
+Attempt Radau::judge(double error) {
+    constexpr double safety = 0.9, most = 12;
+    const double bold = safety * (1 + 2 * most) / (static_cast<double>(iterations_) + 2 * most);
+    double quotient = std::clamp(std::pow(error, 0.25) / bold, 0.125, 5.0);
+    if (!(error < 1)) {
+        afterRejection_ = true;
+        return {Attempt::Outcome::errorTooLarge, first_ ? 0.1 * h_ : h_ / quotient};
+    }
+    if (acceptedStep_ > 0) {
+        const double predicted =
+            (acceptedStep_ / h_) * std::pow(error * error / acceptedError_, 0.25) / safety;
+        quotient = std::max(quotient, std::clamp(predicted, 0.125, 5.0));
+    }
+    acceptedStep_ = h_;
+    acceptedError_ = std::max(1e-2, error);
+    double next = h_ / quotient;
+    if (afterRejection_)
+        next = std::min(next, h_);
+    if (quotient <= 1 && quotient >= 1 / 1.2)
+        next = h_;
+    afterRejection_ = false;
+    return {Attempt::Outcome::accepted, next};
+}
+
+double Radau::slopeAt(std::size_t stage, std::size_t n) const {
+    double slope = 0;
+    for (std::size_t j = 0; j < 3; ++j)
+        slope += evaluateDerivative(collocation[j + 1], node[stage]) * z_[j][n];
+    return slope / h_;
+}
+
+void Radau::dense(std::span<Coefficients> columns) {
+    const auto& slopes = collocation; // basis for values at 0, c1, c2, 1
+    for (std::size_t n = 0; n < columns.size(); ++n) {
+        const double k[4] = {startSlope_[n], slopeAt(0, n), slopeAt(1, n), slopeAt(2, n)};
+        endSlope_[n] = k[3];
+        columns[n] = {};
+        columns[n][0] = start_[n];
+        for (std::size_t power = 0; power < 4; ++power)
+            for (std::size_t i = 0; i < 4; ++i)
+                columns[n][power + 1] +=
+                    h_ * k[i] * slopes[i][power] / static_cast<double>(power + 1);
+    }
+    for (const auto& [x, v] : system_.integrals()) {
+        const double rise = end_[x] - start_[x];
+        const double v0 = h_ * start_[v], v1 = h_ * end_[v];
+        const double a0 = h_ * h_ * startSlope_[v], a1 = h_ * h_ * endSlope_[v];
+        columns[x] = {start_[x],
+                      v0,
+                      a0 / 2,
+                      10 * rise - 6 * v0 - 4 * v1 - 1.5 * a0 + 0.5 * a1,
+                      -15 * rise + 8 * v0 + 7 * v1 + 1.5 * a0 - a1,
+                      6 * rise - 3 * v0 - 3 * v1 - 0.5 * a0 + 0.5 * a1};
+        columns[v] = {};
+        for (std::size_t power = 0; power < 5; ++power)
+            columns[v][power] = static_cast<double>(power + 1) * columns[x][power + 1] / h_;
+    }
+}
+
+bool Radau::proceed(std::span<const double> y) {
+    t_ += h_;
+    for (std::size_t i = 0; i < 3; ++i)
+        previousZ_[i] = z_[i];
+    previousStep_ = h_;
+    startSlope_ = endSlope_;
+    start_.assign(y.begin(), y.end());
+    first_ = false;
+    return rates(t_, y, slope_);
+}
+
+} // namespace solution

@@ -1,0 +1,465 @@
+#include "solution/solver.h"
+
+#include "solution/component.h"
+#include "solution/partition.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace solution {
+
+const std::vector<std::string>& methodNames() {
+    static const std::vector<std::string> names = {"dop853", "dopri5", "radau5", "rk4",
+                                                   "forward-euler"};
+    return names;
+}
+
+class Solver::Implementation {
+public:
+    Implementation(expression::EquationSet equations, Options options, EventSource* source)
+        : set_(std::move(equations)), options_(std::move(options)), source_(source) {
+        histories_.start_ = histories_.known_ = options_.start;
+        histories_.tracks_.resize(set_.unknowns.size());
+        std::vector<double> initial;
+        for (std::size_t u = 0; u < set_.unknowns.size(); ++u) {
+            initial.push_back(set_.unknowns[u].initial);
+            histories_.tracks_[u].initial = initial.back();
+        }
+        place(options_.start, initial);
+        noteStops();
+    }
+
+    Advance advanceTo(double finish);
+    [[nodiscard]] std::shared_ptr<const Histories> snapshot() const;
+    [[nodiscard]] Statistics statistics() const;
+
+    expression::EquationSet set_;
+    Histories histories_;
+
+private:
+    using Identity = std::size_t; // of a component, in order of making: inputs before readers
+
+    void place(double t, const std::vector<double>& values);
+    void addTracks(const Component& component, double t);
+    void connect(const Partition& partition);
+    void run(double finish, Advance& advance);
+    [[nodiscard]] Component* nextOf(double finish);
+    [[nodiscard]] Component& readyFor(Component& component);
+    void stepOne(Component& component);
+    [[nodiscard]] double known() const;
+
+    [[nodiscard]] bool handleEvents(double finish);
+    void apply(const Event& event);
+    [[nodiscard]] std::vector<std::size_t> touchedBy(const Event& event,
+                                                     const Changes& changes) const;
+    void goBack(const std::vector<std::size_t>& components, double t);
+    void restart(const std::vector<std::size_t>& components, const Changes& changes);
+    void endThose(const Changes& changes);
+    [[nodiscard]] std::vector<std::size_t> replace(const Event& event, const Changes& changes);
+    void retire(Component& component);
+    void stopFor(const Event& event, Stop::Reason reason, const std::string& sentence);
+    void noteStops();
+
+    Options options_;
+    EventSource* source_;
+    std::vector<std::unique_ptr<Component>> components_; // inputs before readers
+    std::vector<std::vector<std::size_t>> readers_;
+    std::vector<std::size_t> componentOf_;
+    std::set<std::pair<double, std::size_t>> live_; // by time; not those that ended
+
+    Statistics past_; // of components that replaced equations ended, and of events
+    double lastEvent_ = -infinity;
+    std::size_t eventsAtOnce_ = 0;
+    double asked_ = -infinity; // the source has answered up to here
+};
+
+// ---------------------------------------------------------------------------------------------
+// Making components
+
+void Solver::Implementation::place(double t, const std::vector<double>& values) {
+    const Reads reads = readsOf(set_, t);
+    const Partition partition = options_.whole ? wholePartition(reads) : partitionOf(reads);
+    for (const auto& unknowns : partition.components) {
+        components_.push_back(std::make_unique<Component>(set_, histories_, options_, unknowns));
+        addTracks(*components_.back(), t);
+    }
+    connect(partition);
+    for (std::size_t c = 0; c < components_.size(); ++c) {
+        std::vector<double> own;
+        for (const std::size_t u : components_[c]->unknowns())
+            own.push_back(values[u]);
+        components_[c]->startAt(t, own);
+    }
+    for (std::size_t c = 0; c < components_.size(); ++c)
+        if (!components_[c]->ended())
+            live_.emplace(components_[c]->time(), c);
+}
+
+void Solver::Implementation::addTracks(const Component& component, double t) {
+    for (std::size_t column = 0; column < component.unknowns().size(); ++column) {
+        auto& spans = histories_.tracks_[component.unknowns()[column]].spans;
+        while (!spans.empty() && spans.back().from >= t)
+            spans.pop_back();
+        spans.push_back({t, component.history(), column});
+    }
+}
+
+void Solver::Implementation::connect(const Partition& partition) {
+    componentOf_ = partition.componentOf;
+    readers_.assign(partition.components.size(), {});
+    for (std::size_t c = 0; c < partition.components.size(); ++c)
+        for (const std::size_t input : partition.reads[c])
+            readers_[input].push_back(c);
+}
+
+// ---------------------------------------------------------------------------------------------
+// The schedule
+
+double Solver::Implementation::known() const {
+    return live_.empty() ? infinity : live_.begin()->first;
+}
+
+Component& Solver::Implementation::readyFor(Component& component) {
+    Component* candidate = &component;
+    while (const auto input = candidate->waitsFor())
+        candidate = components_[componentOf_[*input]].get();
+    return *candidate;
+}
+
+void Solver::Implementation::stepOne(Component& component) {
+    const std::size_t c = componentOf_[component.unknowns()[0]];
+    live_.erase({component.time(), c});
+    component.step();
+    if (component.ended())
+        noteStops();
+    else
+        live_.emplace(component.time(), c);
+}
+
+// Furthest behind first; without event-driven scheduling the first in order that is not done.
+Component* Solver::Implementation::nextOf(double finish) {
+    if (options_.eventDriven)
+        return known() < finish ? components_[live_.begin()->second].get() : nullptr;
+    for (const auto& component : components_)
+        if (!component->ended() && component->time() < finish)
+            return component.get();
+    return nullptr;
+}
+
+void Solver::Implementation::run(double finish, Advance& advance) {
+    double told = histories_.known_;
+    for (;;) {
+        if (options_.cancelled && options_.cancelled()) {
+            advance.cancelled = true;
+            return;
+        }
+        if (Component* next = nextOf(finish))
+            stepOne(readyFor(*next));
+        const bool complete = known() >= finish;
+        histories_.known_ = std::min(known(), finish);
+        if (histories_.known_ > told || complete) {
+            const bool ask = source_ && (options_.eventDriven || complete);
+            bool event = false;
+            while (ask && handleEvents(finish))
+                event = true;
+            told = histories_.known_;
+            if (event)
+                continue;
+            if (options_.progress)
+                options_.progress(told);
+        }
+        if (complete)
+            return;
+    }
+}
+
+Advance Solver::Implementation::advanceTo(double finish) {
+    Advance advance;
+    if (!std::isfinite(finish)) // nobody can wait for that
+        finish = histories_.known_;
+    run(finish, advance);
+    histories_.known_ = std::min(known(), finish);
+    advance.reached = histories_.known_;
+    return advance;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Events
+
+// True when there was one; the schedule then goes on from it.
+bool Solver::Implementation::handleEvents(double finish) {
+    const double until = std::min(known(), finish);
+    if (until < asked_)
+        return false;
+    const auto event = source_->next(histories_, until);
+    if (!event) {
+        asked_ = until;
+        return false;
+    }
+    const double time = std::clamp(event->time, std::max(lastEvent_, options_.start), until);
+    eventsAtOnce_ = time > lastEvent_ ? 1 : eventsAtOnce_ + 1;
+    lastEvent_ = asked_ = time;
+    ++past_.events;
+    Event placed = *event;
+    placed.time = time;
+    apply(placed);
+    if (eventsAtOnce_ > 2 * options_.maximumEventsAtOnce) // nothing that it touches moves any more
+        return false;
+    if (eventsAtOnce_ >= options_.maximumEventsAtOnce)
+        stopFor(placed, Stop::Reason::tooManyEvents,
+                "more than " + std::to_string(options_.maximumEventsAtOnce) +
+                    " events at one instant");
+    histories_.known_ = std::min(known(), finish);
+    return true;
+}
+
+void Solver::Implementation::apply(const Event& event) {
+    Changes changes;
+    source_->apply(histories_, event, set_, changes);
+    std::vector<std::size_t> touched = touchedBy(event, changes);
+    goBack(touched, event.time);
+    if (!changes.equations.empty())
+        touched = replace(event, changes);
+    restart(touched, changes);
+    endThose(changes);
+    noteStops();
+}
+
+// Components of what the event touches, and transitively those that read them, in order.
+std::vector<std::size_t> Solver::Implementation::touchedBy(const Event& event,
+                                                           const Changes& changes) const {
+    std::vector<bool> seen(components_.size(), false);
+    std::vector<std::size_t> open;
+    const auto touch = [&](std::size_t component) {
+        if (!seen[component]) {
+            seen[component] = true;
+            open.push_back(component);
+        }
+    };
+    for (const std::size_t u : event.touched)
+        touch(componentOf_[u]);
+    for (const auto& jump : changes.jumps)
+        touch(componentOf_[jump.unknown]);
+    for (const auto& equation : changes.equations)
+        touch(componentOf_[equation.unknown]);
+    for (const auto& end : changes.ends)
+        for (const std::size_t u : end.unknowns)
+            touch(componentOf_[u]);
+    while (!open.empty()) {
+        const std::size_t c = open.back();
+        open.pop_back();
+        for (const std::size_t reader : readers_[c])
+            touch(reader);
+    }
+    std::vector<std::size_t> touched;
+    for (std::size_t c = 0; c < seen.size(); ++c)
+        if (seen[c])
+            touched.push_back(c);
+    return touched;
+}
+
+void Solver::Implementation::goBack(const std::vector<std::size_t>& components, double t) {
+    for (const std::size_t c : components) {
+        Component& component = *components_[c];
+        live_.erase({component.time(), c});
+        component.backTo(t);
+        if (!component.ended())
+            live_.emplace(component.time(), c);
+    }
+}
+
+void Solver::Implementation::restart(const std::vector<std::size_t>& components,
+                                     const Changes& changes) {
+    std::map<std::size_t, std::vector<Component::Jump>> jumps;
+    for (const auto& jump : changes.jumps) {
+        const std::size_t c = componentOf_[jump.unknown];
+        const auto& own = components_[c]->unknowns();
+        const auto column = std::lower_bound(own.begin(), own.end(), jump.unknown) - own.begin();
+        jumps[c].push_back({static_cast<std::size_t>(column), jump.value});
+    }
+    for (const std::size_t c : components) {
+        components_[c]->restart(jumps[c]);
+        if (components_[c]->ended())
+            live_.erase({components_[c]->time(), c});
+    }
+}
+
+void Solver::Implementation::endThose(const Changes& changes) {
+    for (const auto& end : changes.ends)
+        for (const std::size_t u : end.unknowns) {
+            const std::size_t c = componentOf_[u];
+            if (components_[c]->ended())
+                continue;
+            live_.erase({components_[c]->time(), c});
+            components_[c]->end(Stop::Reason::source, {}, end.sentence);
+        }
+}
+
+void Solver::Implementation::stopFor(const Event& event, Stop::Reason reason,
+                                     const std::string& sentence) {
+    Changes changes;
+    changes.ends.push_back({event.touched, sentence});
+    for (const std::size_t u : event.touched) {
+        const std::size_t c = componentOf_[u];
+        if (components_[c]->ended())
+            continue;
+        live_.erase({components_[c]->time(), c});
+        components_[c]->end(reason, {}, sentence);
+    }
+    noteStops();
+}
+
+void Solver::Implementation::noteStops() {
+    histories_.stops_.clear();
+    for (auto& track : histories_.tracks_)
+        track.stop.reset();
+    for (const auto& component : components_)
+        if (const auto& stop = component->stop()) {
+            for (const std::size_t u : component->unknowns())
+                histories_.tracks_[u].stop = histories_.stops_.size();
+            histories_.stops_.push_back(*stop);
+        }
+}
+
+// ---------------------------------------------------------------------------------------------
+// New equations
+
+void Solver::Implementation::retire(Component& component) {
+    const ComponentStatistics s = component.statistics();
+    past_.steps += s.steps;
+    past_.rejectedSteps += s.rejectedSteps;
+    past_.discardedSteps += s.discardedSteps;
+    past_.evaluations += s.evaluations;
+    past_.equationEvaluations += s.evaluations * s.unknowns.size();
+    past_.factorisations += s.factorisations;
+    past_.switches += s.switches;
+}
+
+// Equations from the event on. Components that keep their unknowns and equations stay as they are;
+// others are made anew from the values at the event. Answers with what must restart.
+std::vector<std::size_t> Solver::Implementation::replace(const Event& event,
+                                                         const Changes& changes) {
+    std::set<std::size_t> changed;
+    for (const auto& change : changes.equations) {
+        auto& phases = set_.unknowns[change.unknown].phases;
+        std::erase_if(phases, [&](const expression::Phase& p) { return p.from >= event.time; });
+        phases.push_back(change.phase);
+        phases.back().from = event.time;
+        phases.insert(phases.end(), change.later.begin(), change.later.end());
+        changed.insert(change.unknown);
+    }
+    const Reads reads = readsOf(set_, event.time);
+    const Partition partition = options_.whole ? wholePartition(reads) : partitionOf(reads);
+    std::vector<std::unique_ptr<Component>> old = std::move(components_);
+    const std::vector<std::size_t> oldOf = componentOf_;
+    components_.clear();
+    connect(partition);
+
+    const auto stays = [&](const std::vector<std::size_t>& unknowns) {
+        const Component* was = old[oldOf[unknowns[0]]].get();
+        return was && was->unknowns() == unknowns &&
+               std::none_of(unknowns.begin(), unknowns.end(),
+                            [&](std::size_t u) { return changed.contains(u); });
+    };
+    std::vector<std::size_t> isNew;
+    std::map<std::size_t, Stop> ended; // made of unknowns whose motion ended before
+    std::vector<std::vector<double>> values(partition.components.size());
+    for (std::size_t c = 0; c < partition.components.size(); ++c) {
+        const auto& unknowns = partition.components[c];
+        if (stays(unknowns)) {
+            components_.push_back(nullptr);
+            continue;
+        }
+        isNew.push_back(c);
+        for (const std::size_t u : unknowns) {
+            Component& was = *old[oldOf[u]];
+            was.backTo(event.time);
+            const auto& own = was.unknowns();
+            const auto column = std::lower_bound(own.begin(), own.end(), u) - own.begin();
+            values[c].push_back(was.values()[static_cast<std::size_t>(column)]);
+        }
+        components_.push_back(std::make_unique<Component>(set_, histories_, options_, unknowns));
+    }
+    for (std::size_t c = 0; c < components_.size(); ++c)
+        if (!components_[c])
+            components_[c] = std::move(old[oldOf[partition.components[c][0]]]);
+    for (const auto& component : old)
+        if (component)
+            retire(*component);
+    for (const auto& jump : changes.jumps) {
+        const std::size_t c = componentOf_[jump.unknown];
+        const auto& own = partition.components[c];
+        const auto column = std::lower_bound(own.begin(), own.end(), jump.unknown) - own.begin();
+        if (!values[c].empty())
+            values[c][static_cast<std::size_t>(column)] = jump.value;
+    }
+    for (const std::size_t c : isNew)
+        addTracks(*components_[c], event.time);
+    for (const std::size_t c : isNew)
+        components_[c]->startAt(event.time, values[c]);
+    for (const auto& [c, stop] : ended)
+        components_[c]->end(stop.reason, {}, stop.sentence);
+    live_.clear();
+    for (std::size_t c = 0; c < components_.size(); ++c)
+        if (!components_[c]->ended())
+            live_.emplace(components_[c]->time(), c);
+
+    Event again = event;
+    for (const std::size_t c : isNew)
+        again.touched.insert(again.touched.end(), partition.components[c].begin(),
+                             partition.components[c].end());
+    std::vector<std::size_t> touched = touchedBy(again, changes);
+    goBack(touched, event.time);
+    return touched;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Reading
+
+std::shared_ptr<const Histories> Solver::Implementation::snapshot() const {
+    auto copy = std::make_shared<Histories>(histories_);
+    std::map<const History*, std::shared_ptr<const History>> frozen;
+    for (auto& track : copy->tracks_)
+        for (auto& span : track.spans) {
+            auto& shared = frozen[span.history.get()];
+            if (!shared)
+                shared = span.history->freeze();
+            span.history = shared;
+        }
+    return copy;
+}
+
+Statistics Solver::Implementation::statistics() const {
+    Statistics total = past_;
+    for (const auto& component : components_) {
+        const ComponentStatistics s = component->statistics();
+        total.steps += s.steps;
+        total.rejectedSteps += s.rejectedSteps;
+        total.discardedSteps += s.discardedSteps;
+        total.evaluations += s.evaluations;
+        total.equationEvaluations += s.evaluations * s.unknowns.size();
+        total.factorisations += s.factorisations;
+        total.switches += s.switches;
+        total.largestComponent = std::max(total.largestComponent, s.unknowns.size());
+        total.componentList.push_back(s);
+    }
+    total.components = components_.size();
+    total.historyBytes = histories_.bytes();
+    return total;
+}
+
+Solver::Solver(expression::EquationSet equations, Options options, EventSource* source)
+    : implementation_(
+          std::make_unique<Implementation>(std::move(equations), std::move(options), source)) {}
+Solver::~Solver() = default;
+Solver::Solver(Solver&&) noexcept = default;
+Solver& Solver::operator=(Solver&&) noexcept = default;
+
+Advance Solver::advanceTo(double finish) { return implementation_->advanceTo(finish); }
+const Histories& Solver::histories() const { return implementation_->histories_; }
+std::shared_ptr<const Histories> Solver::snapshot() const { return implementation_->snapshot(); }
+const expression::EquationSet& Solver::equations() const { return implementation_->set_; }
+Statistics Solver::statistics() const { return implementation_->statistics(); }
+
+} // namespace solution

@@ -1,0 +1,301 @@
+// Whole runs of small equation sets: accuracy, models, work.
+#include "solution/solver_testing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+using namespace solution;
+using namespace solution::testing;
+
+namespace {
+
+double worst(const Histories& histories, std::size_t unknown, double from, double to,
+             const std::function<double(double)>& exact) {
+    double largest = 0;
+    for (int k = 0; k <= 1000; ++k) {
+        const double t = from + (to - from) * k / 1000;
+        largest = std::max(largest, std::abs(histories.value(unknown, t) - exact(t)));
+    }
+    return largest;
+}
+
+} // namespace
+
+TEST(Solver, FollowsAnExponential) {
+    const Solver solver = solved(equationsOf({{"y", "-y", 1}}), 5, tolerance(1e-10));
+    EXPECT_LT(worst(solver.histories(), 0, 0, 5, [](double t) { return std::exp(-t); }), 1e-9);
+}
+
+// A ballistic coordinate is a polynomial: exact, in no step.
+TEST(Solver, ABallisticCoordinateTakesNoStep) {
+    const Solver solver =
+        solved(equationsOf({{"x", "dx", 2, 1}, {"dx", "-9.81", 3}}), 1000, tolerance(1e-4));
+    EXPECT_NEAR(solver.histories().value(0, 1000), 2 + 3e3 - 9.81e6 / 2, 1e-9);
+    EXPECT_NEAR(solver.histories().derivative(0, 7), 3 - 9.81 * 7, 1e-12);
+    EXPECT_EQ(solver.statistics().steps, 0u);
+    EXPECT_EQ(solver.statistics().componentList[0].model, "closed-form");
+    EXPECT_EQ(solver.statistics().componentList[1].model, "closed-form");
+    EXPECT_EQ(solver.histories().reached(0), infinity);
+}
+
+TEST(Solver, AVelocityThatDragSlowsIsIntegratedAndItsPositionFollowsExactly) {
+    const Solver solver =
+        solved(equationsOf({{"x", "dx", 0, 1}, {"dx", "-2*dx", 3}}), 4, tolerance(1e-10));
+    const Statistics statistics = solver.statistics();
+    ASSERT_EQ(statistics.componentList.size(), 2u);
+    EXPECT_EQ(statistics.componentList[0].model, "explicit");
+    EXPECT_EQ(statistics.componentList[1].model, "closed-form");
+    EXPECT_LT(
+        worst(solver.histories(), 0, 0, 4, [](double t) { return 1.5 * (1 - std::exp(-2 * t)); }),
+        1e-9);
+}
+
+TEST(Solver, AFunctionOfTimeIsQuadrature) {
+    const Solver solver =
+        solved(equationsOf({{"dx", "cos(3*t)", 0}, {"x", "dx", 1, 1}}), 10, tolerance(1e-10));
+    EXPECT_EQ(solver.statistics().componentList[0].model, "quadrature");
+    EXPECT_LT(
+        worst(solver.histories(), 1, 0, 10, [](double t) { return 1 + (1 - std::cos(3 * t)) / 9; }),
+        1e-9);
+}
+
+// Kepler's orbit with eccentricity 0.9 from its pericentre: x = cos E - e, y = sqrt(1-e^2) sin E,
+// t = E - e sin E.
+TEST(Solver, FollowsKeplersOrbitBetweenItsSteps) {
+    const auto set = [] {
+        return equationsOf({{"x", "dx", 0.1, 1},
+                            {"y", "dy", 0, 1},
+                            {"dx", "-x/(x^2+y^2)^1.5", 0},
+                            {"dy", "-y/(x^2+y^2)^1.5", std::sqrt(1.9 / 0.1)}});
+    };
+    const Solver solver = solved(set(), 2 * std::numbers::pi, tolerance(1e-12));
+    double largest = 0;
+    for (int k = 0; k <= 500; ++k) {
+        const double anomaly = 2 * std::numbers::pi * k / 500, e = 0.9;
+        const double t = anomaly - e * std::sin(anomaly);
+        largest = std::max(
+            {largest, std::abs(solver.histories().value(0, t) - (std::cos(anomaly) - e)),
+             std::abs(solver.histories().value(1, t) - std::sqrt(1 - e * e) * std::sin(anomaly))});
+    }
+    EXPECT_LT(largest, 1e-9); // the problem amplifies errors by 2e5 in an orbit
+    EXPECT_LT(solver.statistics().steps, 200u);
+}
+
+TEST(Solver, TakesRadauWhereStabilityBoundsTheStepAndGoesBack) {
+    // Stiff for t < 5, then not: the fast decay is switched off smoothly.
+    const Solver solver = solved(
+        equationsOf({{"y", "-1e5*(y-cos(t))/(1+exp(20*(t-5)))-0.1*y+cos(30*t)", 1}, {"z", "cos(y*t)*z", 1}}),
+        10, tolerance(1e-6));
+    const Statistics statistics = solver.statistics();
+    EXPECT_EQ(statistics.componentList[0].method, "dop853");
+    EXPECT_GT(statistics.componentList[0].factorisations, 10u);
+    EXPECT_LT(statistics.componentList[0].evaluations, 20000u);
+}
+
+TEST(Solver, AStiffSpringIsNoBurden) {
+    for (const double k : {1e8, 1e10, 1e12}) {
+        const std::string c = std::to_string(2 * std::sqrt(k));
+        const Solver solver = solved(
+            equationsOf(
+                {{"x", "dx", 0, 1},
+                 {"dx", "-" + std::to_string(k) + "*(x-0.1*sin(t))-" + c + "*(dx-0.1*cos(t))",
+                  0.1}}),
+            10, tolerance(1e-8));
+        EXPECT_LT(worst(solver.histories(), 0, 0, 10, [](double t) { return 0.1 * std::sin(t); }),
+                  1e-6)
+            << k;
+        EXPECT_LT(solver.statistics().evaluations, 30000u) << k;
+    }
+}
+
+// An unrelated component costs only itself, and a slow pendulum is not stepped at a fast one's
+// rate.
+TEST(Solver, ComponentsKeepTheirOwnPace) {
+    const std::vector<Line> slow = {{"x", "dx", 2, 1}, {"dx", "-9.81*sin(x)", 0}};
+    std::vector<Line> both = slow;
+    both.push_back({"y", "dy", 2, 1});
+    both.push_back({"dy", "-9.81e6*sin(y)", 0});
+    const Solver alone = solved(equationsOf(slow), 1, tolerance(1e-6));
+    const Solver together = solved(equationsOf(both), 1, tolerance(1e-6));
+    const auto list = together.statistics().componentList;
+    ASSERT_EQ(list.size(), 2u);
+    EXPECT_EQ(list[0].steps, alone.statistics().steps);
+    EXPECT_EQ(list[0].evaluations, alone.statistics().evaluations);
+    EXPECT_GT(list[1].steps, 100 * list[0].steps);
+    for (int k = 0; k <= 100; ++k)
+        EXPECT_EQ(together.histories().value(0, k / 100.0), alone.histories().value(0, k / 100.0));
+
+    Options whole = tolerance(1e-6);
+    whole.whole = true;
+    const Solver joined = solved(equationsOf(both), 1, whole);
+    EXPECT_EQ(joined.statistics().components, 1u);
+    EXPECT_NEAR(joined.histories().value(0, 1), alone.histories().value(0, 1), 1e-4);
+}
+
+TEST(Solver, AReaderSeesADifferenceBetweenStepsOnlyToTheTolerance) {
+    // y' = x with x an oscillator of its own: y = 1 - cos t.
+    const Solver solver = solved(
+        equationsOf(
+            {{"x", "v", 0}, {"v", "-x", 1}, {"y", "x*1.0*cos(0)+0*t", 0}, {"z", "sin(x)", 0}}),
+        20, tolerance(1e-9));
+    EXPECT_LT(worst(solver.histories(), 2, 0, 20, [](double t) { return 1 - std::cos(t); }), 1e-6);
+}
+
+// Steps do not depend on where the run is told to stop, nor on how often it is resumed.
+TEST(Solver, TheFinishChangesNoBit) {
+    const std::vector<Line> lines = {{"x", "dx", 1, 1},
+                                     {"dx", "-x-x^3", 0},
+                                     {"y", "dy", 0, 1},
+                                     {"dy", "sin(x*t)-y", 0},
+                                     {"s", "sin(t)*y", 0}};
+    const Solver full = solved(equationsOf(lines), 20);
+    Solver pieces(equationsOf(lines), {});
+    for (int k = 1; k <= 57; ++k)
+        ASSERT_FALSE(pieces.advanceTo(20.0 * k / 57).cancelled);
+    const Solver shorter = solved(equationsOf(lines), 3.3);
+    for (std::size_t u = 0; u < 5; ++u)
+        for (int k = 0; k <= 200; ++k) {
+            EXPECT_EQ(full.histories().value(u, k / 10.0), pieces.histories().value(u, k / 10.0));
+            if (k <= 33) {
+                EXPECT_EQ(full.histories().value(u, k / 10.0),
+                          shorter.histories().value(u, k / 10.0));
+            }
+        }
+}
+
+TEST(Solver, CanBeCancelledAndKeepsWhatItHas) {
+    int polls = 0;
+    Options options;
+    options.cancelled = [&] { return ++polls > 20; };
+    Solver solver(equationsOf({{"x", "dx", 1, 1}, {"dx", "-1e6*x", 0}}), options);
+    const Advance advance = solver.advanceTo(10);
+    EXPECT_TRUE(advance.cancelled);
+    EXPECT_GT(advance.reached, 0);
+    EXPECT_LT(advance.reached, 10);
+}
+
+TEST(Solver, SnapshotsNeverChange) {
+    Solver solver(equationsOf({{"x", "dx", 1, 1}, {"dx", "-x", 0}}), {});
+    ASSERT_FALSE(solver.advanceTo(3).cancelled);
+    const auto early = solver.snapshot();
+    const double reached = early->reached(0), value = early->value(0, 2.5);
+    ASSERT_FALSE(solver.advanceTo(300).cancelled);
+    EXPECT_EQ(early->reached(0), reached);
+    EXPECT_EQ(early->value(0, 2.5), value);
+    EXPECT_EQ(solver.histories().value(0, 2.5), value);
+    EXPECT_GT(solver.snapshot()->reached(0), 299);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Phases
+
+TEST(Phases, ATrajectoryTakesHoldAndLetsGo) {
+    auto set = equationsOf({{"x", "dx", 0, 1}, {"dx", "0", 1}});
+    addPhase(set, 0, 2, "2*t", "t^2"); // held: x jumps from 2 to 4
+    addPhase(set, 1, 2, "2", "2*t");   // and its velocity with it
+    addPhase(set, 0, 3, "dx");         // released: goes on
+    addPhase(set, 1, 3, "0");
+    const Solver solver = solved(std::move(set), 5);
+    const Histories& h = solver.histories();
+    EXPECT_NEAR(h.value(0, 1.5), 1.5, 1e-12);
+    EXPECT_NEAR(h.pieceBefore(0, 2).value(2), 2, 1e-12);
+    EXPECT_NEAR(h.value(0, 2), 4, 1e-12);
+    EXPECT_NEAR(h.value(0, 2.5), 6.25, 1e-12);
+    EXPECT_NEAR(h.value(0, 4), 9 + 6, 1e-12);
+    EXPECT_EQ(h.restarts(0), (std::vector<double>{2, 3}));
+    EXPECT_EQ(solver.statistics().steps, 0u);
+}
+
+TEST(Phases, AJumpIsAppliedAtItsTime) {
+    auto set = equationsOf({{"x", "dx", 0, 1}, {"dx", "-x", 1}});
+    addPhase(set, 1, 2, "-x", "", "-dx");
+    const Solver solver = solved(std::move(set), 4, tolerance(1e-10));
+    // Velocity reversed at t = 2: the motion runs backwards.
+    EXPECT_NEAR(solver.histories().value(0, 3), std::sin(1), 1e-8);
+    EXPECT_NEAR(solver.histories().value(0, 4), 0, 1e-8);
+}
+
+TEST(Phases, AHeldValueThatIsNoPolynomialIsFittedTightly) {
+    auto set = equationsOf({{"x", "0", 0, 1}, {"y", "x", 0, 1}});
+    set.unknowns[0].phases[0].given = expression::testing::parsed(set.graph, "sin(5*t)+exp(-t)");
+    const Solver solver = solved(std::move(set), 10, tolerance(1e-9));
+    EXPECT_LT(worst(solver.histories(), 0, 0, 10,
+                    [](double t) { return std::sin(5 * t) + std::exp(-t); }),
+              1e-11);
+    EXPECT_LT(worst(solver.histories(), 1, 0, 10,
+                    [](double t) { return (1 - std::cos(5 * t)) / 5 + 1 - std::exp(-t); }),
+              1e-9);
+}
+
+TEST(Phases, AHeldValueMayReadStates) {
+    auto set = equationsOf({{"x", "dx", 1, 1}, {"dx", "-x+0*h", 0}, {"h", "0", 0}});
+    set.unknowns[2].phases[0].given = expression::testing::parsed(set.graph, "x*x+t");
+    const Solver solver = solved(std::move(set), 10, tolerance(1e-10));
+    EXPECT_LT(
+        worst(solver.histories(), 2, 0, 10, [](double t) { return std::cos(t) * std::cos(t) + t; }),
+        1e-8);
+}
+
+TEST(Phases, ValuesThatHoldEachOtherAreALoop) {
+    auto set = equationsOf({{"x", "0", 0}, {"y", "0", 0}, {"z", "1", 0}});
+    set.unknowns[0].phases[0].given = expression::testing::parsed(set.graph, "y+1");
+    set.unknowns[1].phases[0].given = expression::testing::parsed(set.graph, "x+1");
+    const Solver solver = solved(std::move(set), 1);
+    ASSERT_NE(solver.histories().stop(0), nullptr);
+    EXPECT_EQ(solver.histories().stop(0)->reason, Stop::Reason::algebraicLoop);
+    EXPECT_EQ(solver.histories().stop(0)->sentence,
+              "x, y are held by values that are defined by each other");
+    EXPECT_EQ(solver.histories().value(2, 1), 1);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Motion that ends
+
+TEST(Stops, ARightHandSideThatIsNotFiniteIsNamedAndLocated) {
+    const Solver solver = solved(equationsOf({{"x", "dx", 0, 1},
+                                              {"dx", "sqrt(2-t)", 0},
+                                              {"z", "dz", 0, 1},
+                                              {"dz", "-z", 1},
+                                              {"w", "x+1", 0}}),
+                                 10, tolerance(1e-8));
+    const Histories& h = solver.histories();
+    ASSERT_NE(h.stop(1), nullptr);
+    EXPECT_EQ(h.stop(1)->reason, Stop::Reason::notFinite);
+    EXPECT_NEAR(h.stop(1)->time, 2, 1e-9);
+    EXPECT_EQ(h.stop(1)->culprits, std::vector<std::size_t>{1});
+    EXPECT_EQ(h.stop(1)->sentence, "dx has no finite rate");
+    // What reads it ends with it; the others go on.
+    ASSERT_NE(h.stop(0), nullptr);
+    EXPECT_EQ(h.stop(0)->reason, Stop::Reason::inputEnded);
+    EXPECT_EQ(h.stop(0)->sentence, "x reads dx, whose motion ended");
+    EXPECT_NE(h.stop(4), nullptr);
+    EXPECT_NEAR(h.value(1, 1), (std::pow(2, 1.5) - 1) * 2 / 3, 1e-7);
+    EXPECT_EQ(h.stop(2), nullptr);
+    EXPECT_NEAR(h.value(2, 10), std::sin(10), 1e-6);
+    EXPECT_EQ(h.known(), 10);
+}
+
+TEST(Stops, ASwitchToNothingEndsAtTheSwitch) {
+    const Solver solver = solved(equationsOf({{"x", "t<2?1:1/0", 0}, {"y", "y", 1}}), 5);
+    ASSERT_NE(solver.histories().stop(0), nullptr);
+    EXPECT_EQ(solver.histories().stop(0)->time, 2);
+    EXPECT_EQ(solver.histories().value(0, 2), 2);
+    EXPECT_EQ(solver.histories().stop(1), nullptr);
+}
+
+TEST(Stops, AnExplosionIsAnAnswer) {
+    const Solver solver = solved(equationsOf({{"x", "x^2", 1}}), 5, tolerance(1e-8));
+    ASSERT_NE(solver.histories().stop(0), nullptr);
+    EXPECT_NEAR(solver.histories().stop(0)->time, 1, 1e-6);
+}
+
+TEST(Stops, TooManyStepsIsAnAnswer) {
+    Options options = tolerance(1e-8);
+    options.maximumSteps = 100;
+    const Solver solver = solved(equationsOf({{"x", "v", 1}, {"v", "-1e8*x", 0}}), 10, options);
+    ASSERT_NE(solver.histories().stop(0), nullptr);
+    EXPECT_EQ(solver.histories().stop(0)->reason, Stop::Reason::tooManySteps);
+    EXPECT_EQ(solver.statistics().steps, 100u);
+}

@@ -1,0 +1,238 @@
+#include "solution/switching.h"
+
+#include "expression/operation.h"
+#include "solution/polynomial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace solution {
+
+using expression::Graph;
+using expression::Node;
+using expression::Op;
+
+std::vector<Node> switchesOf(const Graph& graph, std::span<const Node> outputs) {
+    std::vector<bool> seen(graph.size());
+    std::vector<Node> pending(outputs.begin(), outputs.end()), found;
+    while (!pending.empty()) {
+        const Node n = pending.back();
+        pending.pop_back();
+        if (seen[n.index])
+            continue;
+        seen[n.index] = true;
+        if (expression::isSwitch(graph.op(n)))
+            found.push_back(n);
+        const auto arguments = graph.arguments(n);
+        pending.insert(pending.end(), arguments.begin(), arguments.end());
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+// One node for g and -g: differences in order of their terms, no leading minus.
+Guard guardOf(Graph& graph, Node switching) {
+    const auto arguments = graph.arguments(switching);
+    Guard guard{arguments[0], 1};
+    if (arguments.size() == 2)
+        guard.node = graph.subtract(arguments[0], arguments[1]);
+    for (;;) {
+        const auto terms = graph.arguments(guard.node);
+        if (graph.op(guard.node) == Op::negate)
+            guard = {terms[0], -guard.orientation};
+        else if (graph.op(guard.node) == Op::subtract && terms[1] < terms[0])
+            guard = {graph.subtract(terms[1], terms[0]), -guard.orientation};
+        else
+            return guard;
+    }
+}
+
+std::vector<Surface> surfacesOf(Graph& graph, std::span<const Node> outputs) {
+    std::vector<Surface> surfaces;
+    std::map<Node, std::size_t> byGuard;
+    const std::vector<Node> switches = switchesOf(graph, outputs);
+    for (std::size_t decision = 0; decision < switches.size(); ++decision) {
+        const Op op = graph.op(switches[decision]);
+        if (op == Op::floor || op == Op::ceil) {
+            Surface whole;
+            whole.whole = true;
+            whole.ceiling = op == Op::ceil;
+            whole.guard = graph.arguments(switches[decision])[0];
+            whole.members.push_back({decision, 1});
+            surfaces.push_back(whole);
+            continue;
+        }
+        const Guard guard = guardOf(graph, switches[decision]);
+        const auto [place, isNew] = byGuard.emplace(guard.node, surfaces.size());
+        if (isNew) {
+            surfaces.emplace_back();
+            surfaces.back().guard = guard.node;
+        }
+        surfaces[place->second].members.push_back({decision, guard.orientation});
+    }
+    return surfaces;
+}
+
+namespace {
+
+using Evaluate = std::function<void(double, std::span<double>)>;
+using Samples = std::array<double, maximumCoefficients>;
+
+constexpr double checkPoints[] = {0.31, 0.73};
+constexpr int deepest = 24;
+constexpr int mostPieces = 500;
+
+class Search {
+public:
+    Search(std::size_t watches, const Evaluate& evaluate, double from)
+        : evaluate_(evaluate), values_(watches), samples_(watches), from_(from) {}
+
+    std::optional<Violation> in(double a, double b, int depth) {
+        sample(a, b);
+        if (a == from_)
+            if (Violation violation = atStart(); !violation.watches.empty())
+                return violation;
+        if (depth < deepest && budget_ > 0 && !explained(a, b)) {
+            const double middle = a + 0.5 * (b - a);
+            if (auto found = in(a, middle, depth + 1))
+                return found;
+            return in(middle, b, depth + 1);
+        }
+        return refine(a, b);
+    }
+
+private:
+    void sample(double a, double b) {
+        const auto& points = interpolationPoints();
+        --budget_;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            evaluate_(i + 1 == points.size() ? b : a + points[i] * (b - a), values_);
+            for (std::size_t k = 0; k < values_.size(); ++k)
+                samples_[k][i] = values_[k];
+        }
+    }
+
+    // At or below 0 at the start and below before it has ever been above.
+    static bool fallsFromStart(const Samples& samples) {
+        if (samples[0] > 0)
+            return false;
+        double largest = 0;
+        for (const double x : samples)
+            largest = std::max(largest, std::abs(x));
+        for (std::size_t i = 1; i < samples.size(); ++i) {
+            if (samples[i] > 0)
+                return false;
+            if (samples[i] < -1e-9 * largest)
+                return true;
+        }
+        return false;
+    }
+
+    // Does a polynomial of degree 8 follow the watches here? Far above 0 it need not do so closely.
+    bool explained(double a, double b) {
+        std::vector<Coefficients> curves;
+        for (const Samples& samples : samples_)
+            curves.push_back(interpolate(samples));
+        for (const double point : checkPoints) {
+            evaluate_(a + point * (b - a), values_);
+            for (std::size_t k = 0; k < values_.size(); ++k) {
+                const auto [low, high] =
+                    std::minmax_element(samples_[k].begin(), samples_[k].end());
+                const double size = std::max(std::abs(*low), std::abs(*high));
+                const double wrong = std::abs(evaluate(curves[k], point) - values_[k]);
+                if (!(wrong <= std::max(1e-4 * size, 0.02 * *low)))
+                    return false;
+            }
+        }
+        return true;
+    }
+
+    // The earliest root of any watch in this piece, on the watches themselves.
+    std::optional<Violation> refine(double a, double b) {
+        Violation earliest{b, {}};
+        const std::vector<Samples> samples = samples_; // bisection evaluates too
+        for (std::size_t k = 0; k < samples.size(); ++k) {
+            const auto time = firstRoot(k, samples[k], a, earliest.time, b - a);
+            if (!time)
+                continue;
+            if (*time < earliest.time)
+                earliest = {*time, {}};
+            earliest.watches.push_back(k);
+        }
+        if (earliest.watches.empty())
+            return std::nullopt;
+        return earliest;
+    }
+
+    std::optional<double> firstRoot(std::size_t k, const Samples& samples, double a, double b,
+                                    double length) {
+        const Coefficients curve = interpolate(samples);
+        double s = armedFrom(samples);
+        const double end = (b - a) / length;
+        while (s < end) {
+            const auto crossing = firstCrossing(curve, +1, s, end, 1e-7);
+            if (!crossing)
+                return between(k, a + s * length, b);
+            // The curve is good to 1e-4 of its size: look a little around it.
+            for (const double margin : {1e-7, 1e-5, 1e-3, 0.02}) {
+                const double low = a + std::max(s, crossing->low - margin) * length;
+                const double high = std::min(b, a + (crossing->high + margin) * length);
+                if (const auto root = between(k, low, high))
+                    return root;
+            }
+            s = crossing->high + 0.02; // a touch, or the curve's own error
+        }
+        return std::nullopt;
+    }
+
+    // To the last bit: above 0 at the double before the answer, and not at it.
+    std::optional<double> between(std::size_t k, double low, double high) {
+        if (!(watch(k, low) > 0 && watch(k, high) <= 0))
+            return std::nullopt;
+        for (;;) {
+            const double middle = low + 0.5 * (high - low);
+            if (middle <= low || middle >= high)
+                return high;
+            (watch(k, middle) > 0 ? low : high) = middle;
+        }
+    }
+
+    static double armedFrom(const Samples& samples) {
+        const auto& points = interpolationPoints();
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            if (samples[i] > 0)
+                return points[i];
+        return 1;
+    }
+
+    double watch(std::size_t k, double t) {
+        evaluate_(t, values_);
+        return values_[k];
+    }
+
+    Violation atStart() const {
+        Violation violation{from_, {}};
+        for (std::size_t k = 0; k < samples_.size(); ++k)
+            if (fallsFromStart(samples_[k]))
+                violation.watches.push_back(k);
+        return violation;
+    }
+
+    const Evaluate& evaluate_;
+    std::vector<double> values_;
+    std::vector<Samples> samples_;
+    double from_;
+    int budget_ = mostPieces;
+};
+
+} // namespace
+
+std::optional<Violation> firstViolation(std::size_t watches, const Evaluate& evaluate, double from,
+                                        double to) {
+    if (watches == 0 || !(to > from))
+        return std::nullopt;
+    return Search(watches, evaluate, from).in(from, to, 0);
+}
+
+} // namespace solution

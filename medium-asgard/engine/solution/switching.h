@@ -1,0 +1,65 @@
+// Where do the branches of switching expressions change?
+//
+// Comparisons, sign, abs, min and max with the same guard (up to its sign) change together: they
+// are one surface g = 0, on whose sides the equations are smooth. floor and ceil are surfaces of
+// their own. A step keeps all sides as they are; watches, functions that are at least 0 while that
+// is right, are followed on its dense output, and the first to fall below 0 ends the step.
+#pragma once
+
+#include "expression/graph.h"
+#include "expression/tape.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace solution {
+
+struct Surface {
+    struct Member {
+        std::size_t decision; // of the tape
+        int orientation;      // its guard is this times g
+    };
+    bool whole = false;     // floor or ceil: members has one entry and g is its own guard
+    bool ceiling = false;   // of the two, ceil
+    expression::Node guard; // g; for floor and ceil their argument
+    std::vector<Member> members;
+};
+
+// The surfaces of the tape that evaluates `outputs`. New nodes go into the graph.
+[[nodiscard]] std::vector<Surface> surfacesOf(expression::Graph& graph,
+                                              std::span<const expression::Node> outputs);
+
+// Switching nodes among what `outputs` read, in the order in which a tape numbers its decisions.
+[[nodiscard]] std::vector<expression::Node> switchesOf(const expression::Graph& graph,
+                                                       std::span<const expression::Node> outputs);
+
+// The guard of a switching node of surfaces with two sides, and its orientation.
+struct Guard {
+    expression::Node node;
+    int orientation;
+};
+[[nodiscard]] Guard guardOf(expression::Graph& graph, expression::Node switching);
+
+struct Violation {
+    double time = 0;
+    std::vector<std::size_t> watches; // those that are no longer above 0 at `time`
+};
+
+// The first time in [from, to] at which a watch falls to 0 or below, to the last bit: it is above 0
+// at the double before. A watch that starts at or below 0 (by rounding, after an event) is followed
+// from where it rises above; if it only falls, the violation is at `from`.
+//
+// On pieces of the interval, halved until a polynomial of degree 8 agrees with the watches, its
+// Bernstein form isolates the first root; bisection on the watches themselves finishes.
+//
+// LIMIT: a watch that falls below 0 and rises again between samples that a polynomial of degree 8
+// explains otherwise is not seen; nor is a touch, nor what needs more than 500 pieces.
+[[nodiscard]] std::optional<Violation>
+firstViolation(std::size_t watches,
+               const std::function<void(double t, std::span<double> values)>& evaluate, double from,
+               double to);
+
+} // namespace solution

@@ -1,0 +1,34 @@
+// What an integrator sees of a component: y' = f(t, y), and the Jacobian df/dy when it asks.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace solution {
+
+// Places of a sparse square matrix, by columns (compressed), rows in order within each.
+struct Pattern {
+    std::vector<int> columnStarts, rows;
+    [[nodiscard]] std::size_t size() const { return columnStarts.size() - 1; }
+    [[nodiscard]] std::size_t entries() const { return rows.size(); }
+};
+
+class System {
+public:
+    virtual ~System() = default;
+    [[nodiscard]] virtual std::size_t size() const = 0;
+    // False: some derivative has no finite value there.
+    [[nodiscard]] virtual bool rates(double t, std::span<const double> y,
+                                     std::span<double> derivatives) = 0;
+    [[nodiscard]] virtual const Pattern& jacobianPattern() = 0;
+    [[nodiscard]] virtual bool jacobian(double t, std::span<const double> y,
+                                        std::span<double> entries) = 0;
+    // Pairs (x, v) for which x' = v holds exactly: positions and their velocities.
+    [[nodiscard]] virtual std::span<const std::pair<std::size_t, std::size_t>> integrals() const {
+        return {};
+    }
+};
+
+} // namespace solution
