@@ -11,10 +11,8 @@ using sgml::noNode;
 // --- blocks ---------------------------------------------------------------------------------
 
 const ModelBuilder::Frame& ModelBuilder::blockFrame() const {
-    std::size_t i = frames_.size() - 1;
-    while (i > 0 && frames_[i].role == Role::inlined)
-        --i;
-    return frames_[i];
+    const Frame& top = frames_.back();
+    return top.role == Role::inlined ? frames_[top.blockFrame] : top;
 }
 
 Block& ModelBuilder::addBlock(BlockKind kind) {
@@ -49,13 +47,14 @@ Block& ModelBuilder::addBlock(BlockKind kind) {
 
 // The innermost marker that waits for a block, up to the cell or footnote that this is in.
 void ModelBuilder::takeMarker(Block& block) {
-    for (std::size_t i = frames_.size(); i-- > 0;) {
+    for (std::size_t i = frames_.size(); i-- > 0 && markers_ > 0;) {
         Frame& frame = frames_[i];
         if (!frame.marker.empty()) {
             Presentation::Progress progress = frame.progress;
             const ElementStyle style =
                 frame.presentation->style({.name = "MARKER"}, frame.style, progress);
             block.marker.swap(frame.marker);
+            --markers_;
             block.markerStyle = textStyle(style.text);
             block.style.markerWidth = frame.style.block.markerWidth;
             block.style.markerAlign = frame.style.block.markerAlign;

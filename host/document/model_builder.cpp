@@ -92,6 +92,7 @@ ModelBuilder::Frame ModelBuilder::frameInside(NodeId node) const {
     frame.target = outer.target;
     frame.path = outer.path;
     frame.reference = outer.reference;
+    frame.blockFrame = outer.role == Role::inlined ? outer.blockFrame : frames_.size() - 1;
     return frame;
 }
 
@@ -124,6 +125,7 @@ bool ModelBuilder::begin(Frame frame) {
         return false;
     }
     frame.emitted = emitted_;
+    markers_ += frame.marker.empty() ? 0 : 1;
     if (frame.style.title)
         ++titles_;
     frames_.push_back(std::move(frame));
@@ -144,7 +146,8 @@ void ModelBuilder::leave() {
     if (frame.style.display == Display::unknown && frame.role == Role::inlined)
         addText("</" + std::string(tree_.name(frame.node)) + ">");
     if (frame.role != Role::inlined)
-        endBlock(frames_.back());
+        endBlock(frame);
+    dropMarker(frame); // an inline element's has no place
     if (frame.role == Role::row || frame.role == Role::cell || frame.role == Role::footnote)
         flow_ = frame.outer;
     if (frame.role == Role::table)
@@ -183,6 +186,16 @@ void ModelBuilder::endNumbering(const Frame& frame) {
         counters_.leaveStep(frame.style.counter);
 }
 
+namespace {
+
+// "Figure 1" is not broken between its words.
+void keepTogether(std::string& text) {
+    for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at))
+        text.replace(at, 1, "\u00A0");
+}
+
+} // namespace
+
 // Runs that refer are empty until all is numbered, since they may refer to what comes later.
 void ModelBuilder::resolveReferences(std::vector<Block>& blocks) {
     for (Block& block : blocks) {
@@ -193,6 +206,7 @@ void ModelBuilder::resolveReferences(std::vector<Block>& blocks) {
             run.text = reference == references_.end() || reference->second.empty()
                            ? run.target.substr(1)
                            : reference->second;
+            keepTogether(run.text);
             if (reference != references_.end())
                 continue;
             sgml::Fault fault;
@@ -250,9 +264,7 @@ bool ModelBuilder::beginDisplay(Frame& frame) {
 }
 
 bool ModelBuilder::beginBlock(Frame& frame) {
-    const bool outerMarker = std::any_of(frames_.begin(), frames_.end() - 1,
-                                         [](const Frame& outer) { return !outer.marker.empty(); });
-    if (!frame.marker.empty() && outerMarker) {
+    if (!frame.marker.empty() && markers_ > 1) {
         // An item in an item: the outer one's marker stands on a line of its own.
         std::string marker;
         marker.swap(frame.marker);
@@ -275,13 +287,18 @@ bool ModelBuilder::beginBlock(Frame& frame) {
     return true;
 }
 
+void ModelBuilder::dropMarker(Frame& frame) {
+    markers_ -= frame.marker.empty() ? 0 : 1;
+    frame.marker.clear();
+}
+
 void ModelBuilder::endBlock(Frame& frame) {
     const bool nothing = emitted_ == frame.emitted && tree_.isElement(frame.node);
     if (nothing && frame.role == Role::block &&
         (!frame.marker.empty() || tree_.childElement(frame.node) == noNode))
         openText();
     closeText();
-    frame.marker.clear();
+    dropMarker(frame);
     if (frame.role != Role::block && frame.role != Role::table)
         return;
     const BlockStyle& style = frame.style.block;
@@ -375,7 +392,9 @@ bool ModelBuilder::beginFootnote(Frame& frame) {
     addRun(std::move(mark));
     frame.role = Role::footnote;
     frame.outer = flow_;
+    dropMarker(frame);
     frame.marker = number;
+    ++markers_;
     footnotes_.push_back({.number = number, .element = frame.node, .blocks = {}});
     flow_ = {};
     flow_.out = &footnotes_.back().blocks;
@@ -456,10 +475,12 @@ bool ModelBuilder::addSubdocument(NodeId node) {
     Frame frame = frameInside(node);
     frame.style = frame.presentation->style({"DOCUMENT", isFirst(node), &tree_, node},
                                             frames_.back().style, frame.progress);
-    if (subdocument != nullptr && !subdocument->name.empty()) {
+    if (subdocument != nullptr && !subdocument->name.empty())
         references_.try_emplace(subdocument->name, frame.reference);
+    if (!frame.style.show)
+        return false;
+    if (subdocument != nullptr && !subdocument->name.empty())
         anchors_.push_back(subdocument->name);
-    }
     if (subdocument != nullptr && subdocument->placement == Placement::inlined) {
         addRun({.kind = RunKind::subdocument,
                 .style = textStyle(frame.style.text),

@@ -42,6 +42,7 @@ private:
         std::string marker;                     // not yet shown
         std::vector<int> path;                  // of the innermost counter
         std::string reference;                  // what refers to its element
+        std::size_t blockFrame = 0;             // index of the innermost one that is no inline
         std::size_t emitted = 0;                // blocks and runs before it was entered
         std::size_t firstBlock = 0;             // of those that it put into flow_.out
         std::size_t table = noBlock;            // role table: its block in flow_.out
@@ -93,6 +94,7 @@ private:
     void closeText() { flow_.open = false; }
     void enterCell(const BlockStyle& style, sgml::NodeId node);
     void takeMarker(Block& block);
+    void dropMarker(Frame& frame);
     void addRun(Run run);
     void addText(std::string text, sgml::NodeId content = sgml::noNode, std::size_t offset = 0);
     [[nodiscard]] bool atLineStart() const;
@@ -116,7 +118,8 @@ private:
     std::map<sgml::NodeId, SubdocumentId> subdocuments_;
     std::vector<std::string> anchors_; // of the next block
     std::size_t emitted_ = 0;
-    int tables_ = 0; // that are open
+    std::size_t markers_ = 0; // that wait for a block
+    int tables_ = 0;          // that are open
     int titles_ = 0;
     bool titled_ = false;
 };

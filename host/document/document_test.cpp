@@ -1,0 +1,233 @@
+#include "document/document.h"
+#include "sgml/random_document.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace document {
+
+namespace {
+
+std::string readSample(const std::string& name) {
+    std::ifstream file(SOURCE_DIR "/samples/" + name, std::ios::binary);
+    std::ostringstream bytes;
+    bytes << file.rdbuf();
+    return bytes.str();
+}
+
+const std::string twoScenes =
+    "DOCUMENT CMEMO\n<CMEMO><BODY>\n"
+    "<DOCUMENT>DOCUMENT ANIMATION\n<ANIMATION ID=\"one\" WIDTH=\"300\" ALIGN=\"right\" "
+    "ALT=\"first\">"
+    "<ASGARD>{a \\{1\\}\nb {2}}</ASGARD></ANIMATION></DOCUMENT>\n"
+    "<DOCUMENT>DOCUMENT CHART\n<CHART ID=\"two\" WIDTH=\"wide\"><DATA></DATA></CHART></DOCUMENT>\n"
+    "</BODY></CMEMO>\n";
+
+// What is announced about texts, as a medium would apply it.
+struct Mirror {
+    std::string text;
+    int revision = 0;
+    SubdocumentId id;
+    Mirror(Document& document, SubdocumentId of) : text(document.text(of)), id(of) {
+        QObject::connect(
+            &document, &Document::textChanged, &document,
+            [this](SubdocumentId changed, const sgml::Edits& edits, int now, const QString&) {
+                if (changed != id)
+                    return;
+                text = sgml::applied(text, edits);
+                EXPECT_GT(now, revision);
+                revision = now;
+            });
+    }
+};
+
+} // namespace
+
+TEST(Document, DescribesItsSubdocuments) {
+    const Document document(twoScenes);
+    ASSERT_EQ(document.subdocuments().size(), 2u);
+    const Subdocument& one = *document.subdocument(document.subdocumentNamed("one"));
+    EXPECT_EQ(one.className, "ANIMATION");
+    EXPECT_EQ(one.storage, "ASGARD");
+    EXPECT_EQ(one.width, 300);
+    EXPECT_EQ(one.height, std::nullopt);
+    EXPECT_EQ(one.placement, Placement::right);
+    EXPECT_EQ(one.alternative, "first");
+    EXPECT_EQ(document.text(one.id), "a {1}\nb {2}");
+    const Subdocument& two = *document.subdocument(document.subdocumentNamed("two"));
+    EXPECT_EQ(two.width, std::nullopt); // senseless
+    EXPECT_TRUE(two.hasText);
+    EXPECT_EQ(document.text(two.id), "");
+}
+
+// The medium counts in its own text; the file spells some characters with two bytes.
+TEST(Document, PlacesOfAMediumBecomePlacesOfTheFile) {
+    const Document document(twoScenes);
+    const SubdocumentId one = document.subdocumentNamed("one");
+    const sgml::Position start = document.filePosition(one, {1, 1});
+    EXPECT_EQ(document.bytes().substr(sgml::offsetOf(document.bytes(), start), 4), "a \\{");
+    EXPECT_EQ(document.filePosition(one, {1, 4}).column, start.column + 4);
+    EXPECT_EQ(document.filePosition(one, {2, 3}), (sgml::Position{start.line + 1, 3}));
+}
+
+TEST(Document, EditsOfATextAreAnnouncedCheckedAndUndone) {
+    Document document(twoScenes);
+    const SubdocumentId one = document.subdocumentNamed("one");
+    Mirror mirror(document, one);
+    EXPECT_EQ(document.editText(one, 0, {{{3, 4}, "{7}"}}, "Move"), EditResult::applied);
+    EXPECT_EQ(document.text(one), "a {{7}}\nb {2}");
+    EXPECT_EQ(mirror.text, document.text(one));
+    EXPECT_NE(document.bytes().find("{a \\{\\{7\\}\\}\nb {2}}"), std::string::npos)
+        << "the rest keeps its spelling";
+    EXPECT_EQ(document.editText(one, 0, {{{0, 1}, "x"}}, "Late"), EditResult::stale);
+    EXPECT_EQ(document.editText(one, 1, {{{5, 99}, "x"}}, "Far"), EditResult::invalid);
+    EXPECT_EQ(document.editText(one, 1, {{{0, 0}, "\xFF"}}, "Bytes"), EditResult::invalid);
+    EXPECT_EQ(document.editText(one, 1, {{{0, 1}, "a"}}, "Same"), EditResult::nothing);
+    EXPECT_EQ(document.editText(99, 1, {{{0, 1}, "a"}}, "Who"), EditResult::unknown);
+    EXPECT_TRUE(document.isModified());
+    EXPECT_EQ(document.undoLabel(), "Move");
+    document.undo();
+    EXPECT_EQ(document.bytes(), twoScenes);
+    EXPECT_EQ(mirror.text, document.text(one));
+    EXPECT_FALSE(document.isModified());
+    EXPECT_EQ(document.redoLabel(), "Move");
+}
+
+TEST(Document, AStorageWithoutBracesTakesText) {
+    Document document(twoScenes);
+    const SubdocumentId two = document.subdocumentNamed("two");
+    Mirror mirror(document, two);
+    EXPECT_EQ(document.editText(two, 0, {{{0, 0}, "1 {2}"}}, "Fill"), EditResult::applied);
+    EXPECT_NE(document.bytes().find("<DATA>{1 \\{2\\}}</DATA>"), std::string::npos);
+    EXPECT_EQ(mirror.text, "1 {2}");
+}
+
+TEST(Document, EditsOfOneGroupAreOneStep) {
+    Document document(twoScenes);
+    const SubdocumentId one = document.subdocumentNamed("one");
+    Mirror mirror(document, one);
+    for (int i = 0; i < 5; ++i)
+        EXPECT_EQ(document.editText(one, i, {{{0, 1}, std::string(1, static_cast<char>('p' + i))}},
+                                    "Drag", "d1"),
+                  EditResult::applied);
+    EXPECT_EQ(document.editText(one, 5, {{{0, 1}, "z"}}, "Drag", "d2"), EditResult::applied);
+    document.undo();
+    EXPECT_EQ(document.text(one)[0], 't');
+    document.undo();
+    EXPECT_EQ(document.bytes(), twoScenes);
+    EXPECT_EQ(mirror.text, document.text(one));
+    EXPECT_FALSE(document.canUndo());
+}
+
+TEST(Document, SubdocumentsKeepTheirNumberThroughEditsAndComeBackWithIt) {
+    Document document(twoScenes);
+    const SubdocumentId one = document.subdocumentNamed("one"),
+                        two = document.subdocumentNamed("two");
+    const std::size_t body = twoScenes.find("<BODY>") + 6;
+    const std::string third =
+        "<DOCUMENT>DOCUMENT ANIMATION\n<ANIMATION ID=\"new\"></ANIMATION></DOCUMENT>";
+    document.edit({{{body, body}, third}}, "Insert");
+    ASSERT_EQ(document.subdocuments().size(), 3u);
+    const SubdocumentId added = document.subdocuments()[0];
+    EXPECT_EQ(document.subdocuments(), (std::vector<SubdocumentId>{added, one, two}));
+    const sgml::Node& node = document.tree().node(document.subdocument(one)->element);
+    document.edit({{node.range, ""}}, "Delete");
+    EXPECT_EQ(document.subdocuments(), (std::vector<SubdocumentId>{added, two}));
+    document.undo();
+    EXPECT_EQ(document.subdocuments(), (std::vector<SubdocumentId>{added, one, two}));
+    document.undo();
+    EXPECT_EQ(document.subdocuments(), (std::vector<SubdocumentId>{one, two}));
+    document.redo();
+    document.redo();
+    EXPECT_EQ(document.subdocuments(), (std::vector<SubdocumentId>{added, two}));
+}
+
+// Undo to the start gives the first bytes, redo to the end the last; every listener keeps up.
+TEST(Document, RandomEditsUndoAndRedoExactly) {
+    sgml::RandomDocument random(40);
+    for (int round = 0; round < 60; ++round) {
+        const std::string first = round % 3 == 0 ? twoScenes : random.sound();
+        Document document(first);
+        std::vector<std::unique_ptr<Mirror>> mirrors;
+        for (const SubdocumentId id : document.subdocuments())
+            mirrors.push_back(std::make_unique<Mirror>(document, id));
+        for (int step = 0; step < 40; ++step) {
+            const std::vector<SubdocumentId> ids = document.subdocuments();
+            const std::size_t kind = random.below(8);
+            if (kind == 0) {
+                document.undo();
+            } else if (kind == 1) {
+                document.redo();
+            } else if (kind == 2) {
+                const std::size_t at = random.below(document.bytes().size() + 1);
+                (void)document.edit({{{at, std::min(at + random.below(9), document.bytes().size())},
+                                      random.text(2)}},
+                                    "Bytes");
+            } else if (!ids.empty()) {
+                const SubdocumentId id = ids[random.below(ids.size())];
+                const std::size_t size = document.text(id).size();
+                const std::size_t from = random.below(size + 1);
+                (void)document.editText(
+                    id, document.subdocument(id)->revision,
+                    {{{from, from + random.below(size - from + 1)}, random.text(3)}}, "Text",
+                    kind == 3 ? "group" : "");
+            }
+        }
+        const std::string last = document.bytes();
+        const auto expectMirrored = [&] {
+            for (const auto& mirror : mirrors)
+                if (document.subdocument(mirror->id) != nullptr) {
+                    EXPECT_EQ(mirror->text, document.text(mirror->id));
+                }
+        };
+        while (document.canRedo())
+            document.redo();
+        const std::string end = document.bytes();
+        while (document.canUndo())
+            document.undo();
+        ASSERT_EQ(document.bytes(), first);
+        expectMirrored();
+        while (document.canRedo())
+            document.redo();
+        ASSERT_EQ(document.bytes(), end);
+        ASSERT_TRUE(document.tree() == sgml::Tree::parse(end));
+        expectMirrored();
+    }
+}
+
+TEST(Document, SamplesHoldWhatTheySay) {
+    const Document memo(readSample("memo.ens"));
+    EXPECT_TRUE(memo.faults().empty());
+    ASSERT_EQ(memo.subdocuments().size(), 1u);
+    EXPECT_NE(memo.text(memo.subdocuments()[0])
+                  .find("shape_set ss1 -desc {-sub {-pos {0 0 0} -sphere 0.5}}"),
+              std::string::npos);
+    const Document report(readSample("report.ens"));
+    EXPECT_TRUE(report.faults().empty());
+    EXPECT_EQ(report.subdocuments().size(), 3u);
+}
+
+TEST(Document, SamplesCutAnywhereAreReadUpToTheCut) {
+    for (const std::string name : {"memo.ens", "report.ens"}) {
+        const std::string text = readSample(name);
+        const sgml::Tree whole = sgml::Tree::parse(text);
+        const std::size_t step =
+            name == "memo.ens" ? 1 : 7; // every seventh of the long one, with each remainder
+        for (std::size_t cut = 0; cut < text.size(); cut += step + (cut % 64 == 0 ? 1 : 0)) {
+            const Document document(text.substr(0, cut));
+            ASSERT_EQ(document.bytes().size(), cut);
+            ASSERT_EQ(document.isBroken(),
+                      cut < whole.node(whole.classElement(whole.root())).range.to);
+            for (sgml::NodeId id = 1; id < whole.size(); ++id)
+                if (whole.node(id).kind == sgml::NodeKind::content &&
+                    whole.node(id).range.to <= cut) {
+                    ASSERT_LT(id, document.tree().size());
+                    ASSERT_EQ(document.tree().node(id).range, whole.node(id).range) << cut;
+                }
+        }
+    }
+}
+
+} // namespace document
