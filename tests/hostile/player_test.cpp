@@ -1,0 +1,83 @@
+// A confined player still does what a player does: draws, computes in threads, waits, reads scenes.
+//
+// In the order of a medium's start: an evaluator server forked, a frame drawn, confined.
+#include "confinement/confinement.h"
+#include "render/renderer.h"
+#include "script/reader.h"
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <future>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+std::size_t pixelsDrawn(render::Renderer& renderer, const scene::Scene& scene, int width) {
+    const render::Size size{width, width * 3 / 4};
+    const auto stride = static_cast<std::size_t>(size.width) * 4;
+    std::vector<std::byte> pixels(stride * static_cast<std::size_t>(size.height));
+    render::Drawing drawing;
+    drawing.scene = &scene;
+    drawing.camera = render::framed(scene, {}, size);
+    drawing.display.grid = false;
+    if (!renderer.draw(drawing, {pixels, stride, size}))
+        return 0;
+    std::size_t dark = 0;
+    for (std::size_t i = 0; i < pixels.size(); i += 4)
+        dark += pixels[i] != pixels[0] || pixels[i + 1] != pixels[1] ? 1 : 0;
+    return dark;
+}
+
+// Returns the number of the step that failed, 0 when all is well.
+int play() {
+    script::Reader reader;
+    auto made = render::Renderer::create();
+    auto* renderer = std::get_if<std::unique_ptr<render::Renderer>>(&made);
+    if (!renderer)
+        return 1;
+    scene::Scene nothing;
+    (void)pixelsDrawn(**renderer, nothing, 64);
+    const auto report =
+        confinement::confine(confinement::Role::player,
+                             {.memory = std::size_t{4} << 30, .cpuSeconds = {}, .descriptors = 64});
+    if (!report.inForce.calls || !report.inForce.privileges)
+        return 2;
+    // Only now the document.
+    const script::ReadResult read =
+        reader.read("shape_set s -desc {-sub {-box {1 2 3} -color red}}\n"
+                    "body b s -init_rot {1 1 0}\n");
+    if (!read.usable)
+        return 3;
+    // Other sizes, other samples, meshes and states of the pipeline than before.
+    for (const int width : {160, 640, 320})
+        if (pixelsDrawn(**renderer, read.scene, width) < 100)
+            return 4;
+    if (std::async(std::launch::async, [] { return 7; }).get() != 7)
+        return 5;
+    pollfd nothingToRead{-1, POLLIN, 0};
+    if (poll(&nothingToRead, 1, 5) != 0)
+        return 6;
+    // A script that runs away is ended by the server, though this process may signal nobody.
+    const script::ReadResult endless = reader.read("while 1 {}");
+    if (endless.usable || endless.diagnostics.empty())
+        return 7;
+    return reader.read("").usable ? 0 : 8;
+}
+
+TEST(Player, DrawsAndReadsScenesWhenConfined) {
+    const pid_t process = fork();
+    if (process == 0)
+        _exit(play());
+    int status = 0;
+    waitpid(process, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
+    EXPECT_EQ(WEXITSTATUS(status), 0) << "the step that failed";
+}
+
+} // namespace
