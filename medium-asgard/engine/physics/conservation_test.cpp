@@ -240,14 +240,17 @@ TEST(Conservation, ALinkFarFromTheOriginSeesTheSameExtension) {
     scene::Scene near = ballAndRod();
     near.bodies[1].initialAttitude = geometry::fromRotationVector({0.1, 0.2, 0.3});
     near.bodies[0].initialPosition = {0.5, 0.25, 0}; // exact in binary, also far away
-    near.links = {linkTo("ball")};
+    near.links = {linkTo("ball"), linkTo("ball")};
+    near.links[1].second =
+        scene::PointEnd{{"ball.px(0.1, 0.2, 0.3)", "ball.y - 0.1", "ball.pz(0.1, 0.2, 0.3)"}};
     scene::Scene far = near;
     for (scene::Body& body : far.bodies)
         body.initialPosition += Vector(1 << 20, -(1 << 20), 1 << 20);
     const Moving a(near), b(far);
-    for (std::size_t i = 0; i < 3; ++i)
-        EXPECT_EQ(testing::valueOf(a.motion, a.motion.links[0].extension[i], a.state, 0),
-                  testing::valueOf(b.motion, b.motion.links[0].extension[i], b.state, 0));
+    for (const std::size_t link : {0u, 1u})
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_EQ(testing::valueOf(a.motion, a.motion.links[link].extension[i], a.state, 0),
+                      testing::valueOf(b.motion, b.motion.links[link].extension[i], b.state, 0));
 }
 
 // A rotation matrix stays a rotation when the quaternion's length has drifted.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace physics {
 namespace {
@@ -12,6 +13,22 @@ std::optional<std::size_t> indexNamed(const std::vector<T>& elements, const std:
     if (found == elements.end())
         return std::nullopt;
     return static_cast<std::size_t>(found - elements.begin());
+}
+
+// A sum's place and what is added to it: B.x + ... is (B.x, ...), 1e6 - ... is (1e6, -...).
+// Anything else is (0, itself). For differences of places far from the origin.
+std::pair<Node, Node> placeAndRest(Graph& g, Node sum) {
+    const auto isPlace = [&g](Node n) { return g.op(n) == Op::symbol || g.op(n) == Op::constant; };
+    if (isPlace(sum))
+        return {sum, g.constant(0)};
+    const auto terms = g.arguments(sum);
+    if (g.op(sum) == Op::add && isPlace(terms[0]))
+        return {terms[0], terms[1]};
+    if (g.op(sum) == Op::add && isPlace(terms[1]))
+        return {terms[1], terms[0]};
+    if (g.op(sum) == Op::subtract && isPlace(terms[0]))
+        return {terms[0], g.negate(terms[1])};
+    return {g.constant(0), sum};
 }
 
 NodeVector negated(Graph& g, const NodeVector& v) {
@@ -165,7 +182,10 @@ ForceReader::End ForceReader::secondEnd(const scene::Link& link) {
     } else {
         const NodeVector point = parsed(std::get<scene::PointEnd>(link.second).coordinates,
                                         link.source, element, scene::Reading::positions);
-        return {point, zero, rateOfPoint(point), zero};
+        End made{zero, zero, rateOfPoint(point), zero};
+        for (std::size_t i = 0; i < 3; ++i)
+            std::tie(made.place[i], made.arm[i]) = placeAndRest(g_, point[i]);
+        return made;
     }
     return {zero, zero, zero, zero};
 }
