@@ -44,6 +44,25 @@ Vector toWorld(const Camera& camera, Size size, const Eigen::Vector2d& pixels, d
     return camera.rotation.conjugate() * (view / camera.scale) + camera.center;
 }
 
+Camera turningAbout(const Camera& camera, const Vector& world) {
+    Camera moved = camera;
+    moved.position += camera.scale * (camera.rotation * (world - camera.center));
+    moved.center = world;
+    return moved;
+}
+
+Quaternion facing(const Vector& toward, const Vector& up) {
+    Vector right = up.cross(toward);
+    // Straight down or up: any side will do.
+    if (right.norm() < 1e-9 * up.norm() * toward.norm())
+        right = toward.unitOrthogonal();
+    right.normalize();
+    // Columns: where the screen's right, up and towards-the-viewer point in the world.
+    Eigen::Matrix3d axes;
+    axes << right, toward.cross(right).normalized(), toward.normalized();
+    return Quaternion(Eigen::Matrix3d(axes.transpose())).normalized();
+}
+
 void CameraControl::press(Button button, Eigen::Vector2d pixels, Size) {
     pressed_ = button;
     first_ = last_ = pixels;

@@ -41,6 +41,13 @@ inline constexpr double virtualSphere = 0.85;
 [[nodiscard]] Vector toWorld(const Camera& camera, Size size, const Eigen::Vector2d& pixels,
                              double viewZ = 0);
 
+// The same picture, from now on turned and scaled about another point of the world.
+[[nodiscard]] Camera turningAbout(const Camera& camera, const Vector& world);
+
+// The attitude that looks against `toward`, with `up` upwards where that is possible: along a world
+// axis, the picture's plane is a coordinate plane.
+[[nodiscard]] Quaternion facing(const Vector& toward, const Vector& up);
+
 // The camera that shows all of the motion well: everything that moves, over the whole motion, and
 // what is fixed near it, with a margin; from slightly above and to the side when the motion is not
 // planar, straight on when it is. Without a motion: the bodies where they start.

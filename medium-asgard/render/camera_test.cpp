@@ -51,6 +51,27 @@ TEST(Camera, PixelsLeadBackToTheWorld) {
     }
 }
 
+TEST(Camera, TurningAboutAnotherPointLeavesThePictureAsItIs) {
+    std::mt19937 random(5);
+    for (int i = 0; i < 20; ++i) {
+        const Camera before = someCamera(random);
+        const Vector point(3, -1, 2), other(0.5, 0.7, -0.2);
+        const Camera after = turningAbout(before, point);
+        EXPECT_EQ(after.center, point);
+        EXPECT_LT((toPixels(before, {}, other) - toPixels(after, {}, other)).norm(), 1e-8);
+    }
+}
+
+TEST(Camera, FacingAnAxisMakesThePictureACoordinatePlane) {
+    const Quaternion top = facing(Vector::UnitY(), Vector::UnitZ());
+    EXPECT_LT((top * Vector::UnitY() - Vector::UnitZ()).norm(), 1e-12);
+    EXPECT_LT((top * Vector::UnitZ() - Vector::UnitY()).norm(), 1e-12);
+    // Where up is the line of sight itself, any side will do.
+    const Quaternion down = facing(Vector::UnitY(), Vector::UnitY());
+    EXPECT_LT((down * Vector::UnitY() - Vector::UnitZ()).norm(), 1e-12);
+    EXPECT_NEAR(down.norm(), 1, 1e-12);
+}
+
 // --- the pointer ----------------------------------------------------------------------------
 
 const Size picture{500, 500};

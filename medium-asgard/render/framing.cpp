@@ -58,23 +58,16 @@ Vector recentred(const std::vector<Ball>& seen, const Vector& center, double sca
 } // namespace
 
 Quaternion bestAttitude(const Extent& extent) {
-    // Columns: where the screen's right, up and towards-the-viewer point in the world.
-    Eigen::Matrix3d axes;
-    Vector toward;
-    if (extent.planeNormal) {
-        toward = *extent.planeNormal;
-    } else {
-        // A quarter turn of z, or of x when z is up, leads; 28 degrees to the side, 20 above.
-        const Vector front =
-            std::abs(extent.up.z()) < 0.5 ? Vector(Vector::UnitZ()) : Vector(-Vector::UnitY());
-        const Vector right = extent.up.cross(front);
-        const double side = 28 * M_PI / 180, above = 20 * M_PI / 180;
-        toward = std::cos(above) * (std::cos(side) * front + std::sin(side) * right) +
-                 std::sin(above) * extent.up;
-    }
-    const Vector right = extent.up.cross(toward).normalized();
-    axes << right, toward.cross(right), toward;
-    return Quaternion(Eigen::Matrix3d(axes.transpose())).normalized();
+    if (extent.planeNormal)
+        return facing(*extent.planeNormal, extent.up);
+    // 28 degrees to the side of the front, 20 above. The front is z, or -y where z is up.
+    const Vector front =
+        std::abs(extent.up.z()) < 0.5 ? Vector(Vector::UnitZ()) : Vector(-Vector::UnitY());
+    const Vector right = extent.up.cross(front);
+    const double side = 28 * M_PI / 180, above = 20 * M_PI / 180;
+    const Vector toward = std::cos(above) * (std::cos(side) * front + std::sin(side) * right) +
+                          std::sin(above) * extent.up;
+    return facing(toward, extent.up);
 }
 
 Camera fittedAbout(const Extent& extent, const Quaternion& attitude, const Vector& center,

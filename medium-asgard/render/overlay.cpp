@@ -11,9 +11,12 @@ bool isSphere(const Solid& solid) {
     return std::holds_alternative<scene::SphereShape>(solid.part->shape);
 }
 
-// Dark enough to be seen, with the hue of the surface.
+// With the hue of the surface, dark enough to be seen, or light enough on what is dark.
 Ink rim(const Solid& solid, const Frame& frame, double width, float alpha) {
-    return {solid.color * 0.33F, alpha, frame.stroke(width)};
+    const float lightness = solid.color.dot(Eigen::Vector3f(0.3F, 0.6F, 0.1F));
+    const Eigen::Vector3f ink = lightness < 0.2F ? Eigen::Vector3f(solid.color.array() + 0.32F)
+                                                 : Eigen::Vector3f(solid.color * 0.33F);
+    return {ink, alpha, frame.stroke(width)};
 }
 
 // A circle about `middle` in the plane of u and v.

@@ -215,7 +215,8 @@ Solids::Instance Solids::instanceOf(const Solid& solid) {
         for (int column = 0; column < 3; ++column)
             instance.rows[4 * row + column] = static_cast<float>(solid.linear(row, column));
         instance.rows[4 * row + 3] = static_cast<float>(solid.place[row]);
-        instance.color[row] = static_cast<float>(linearLight(solid.color[row]));
+        // Nothing is quite black: light shows its form.
+        instance.color[row] = static_cast<float>(0.012 + 0.988 * linearLight(solid.color[row]));
     }
     instance.color[3] = solid.alpha;
     instance.material[0] = solid.shininess;

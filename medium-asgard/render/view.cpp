@@ -17,18 +17,6 @@ struct Bound {
     std::optional<std::size_t> first;
 };
 
-// Columns of the attitude's inverse: where the screen's right, up and towards-the-viewer point.
-Quaternion lookingAlong(const Vector& toward, const Vector& up) {
-    Vector right = up.cross(toward);
-    // Straight down or up: any side will do.
-    if (right.norm() < 1e-9 * up.norm())
-        right = toward.unitOrthogonal();
-    right.normalize();
-    Eigen::Matrix3d axes;
-    axes << right, toward.cross(right), toward;
-    return Quaternion(Eigen::Matrix3d(axes.transpose())).normalized();
-}
-
 } // namespace
 
 struct SceneView::Implementation {
@@ -120,7 +108,7 @@ Camera SceneView::Implementation::fromEye(const std::vector<double>& values) con
     if (distance == 0)
         return usual;
     const Vector upward = read(up, 3, values).value_or(extent.up);
-    return {target, lookingAlong((stand - target) / distance, upward), eyeDistance / distance,
+    return {target, facing((stand - target) / distance, upward), eyeDistance / distance,
             read(position, 3, values).value_or(Vector::Zero())};
 }
 

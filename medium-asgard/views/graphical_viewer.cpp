@@ -1,0 +1,264 @@
+#include "views/graphical_viewer.h"
+
+#include "views/icons.h"
+
+#include <QActionGroup>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QMenuBar>
+#include <QVBoxLayout>
+
+namespace views {
+
+namespace {
+
+constexpr double rates[] = {0.1, 0.25, 0.5, 1, 2, 4};
+
+QString rateText(double rate) { return QStringLiteral("%1×").arg(rate); }
+
+} // namespace
+
+GraphicalViewer::GraphicalViewer(SceneDocument& document,
+                                 std::shared_ptr<render::Renderer> renderer, const QString& reason,
+                                 Windows windows, int number)
+    : document_(document), windows_(std::move(windows)), number_(number) {
+    setAttribute(Qt::WA_DeleteOnClose);
+    auto* whole = new QWidget;
+    auto* column = new QVBoxLayout(whole);
+    column->setContentsMargins(8, 8, 8, 8);
+    column->setSpacing(8);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    auto* frame = new QFrame;
+    frame->setFrameStyle(QFrame::StyledPanel | QFrame::Sunken);
+    display_ = new SceneDisplay(document_, std::move(renderer), reason);
+    auto* inFrame = new QVBoxLayout(frame);
+    inFrame->setContentsMargins(1, 1, 1, 1);
+    inFrame->addWidget(display_);
+    panel_ = new StatusPanel(document_, playback_, display_->display());
+    row->addWidget(frame, 1);
+    row->addWidget(panel_);
+    column->addLayout(row, 1);
+    timeBar_ = new TimeBar;
+    buildTimeControls(column);
+    setCentralWidget(whole);
+    buildMenus();
+
+    connect(panel_, &StatusPanel::displayChanged, display_, &SceneDisplay::setDisplay);
+    connect(&playback_, &Playback::timeChanged, this, [this] {
+        display_->setTime(playback_.time(), playback_.isPlaying() || timeBar_->isSliderDown());
+        timeBar_->setTime(playback_.time());
+        timeLabel_->setText(timeText(playback_.time(), playback_.finish() - playback_.start()));
+    });
+    connect(&playback_, &Playback::stateChanged, this, &GraphicalViewer::updateState);
+    connect(timeBar_, &TimeBar::timeChosen, &playback_, &Playback::seek);
+    connect(&document_, &SceneDocument::motionChanged, this, &GraphicalViewer::updateRange);
+    connect(&document_, &SceneDocument::sceneChanged, this, &GraphicalViewer::fillViewsMenu);
+    connect(&document_, &SceneDocument::nameChanged, this, &GraphicalViewer::updateTitle);
+    connect(display_, &SceneDisplay::viewFollowed, this, &GraphicalViewer::fillViewsMenu);
+    updateRange();
+    updateState();
+    updateTitle();
+    fillViewsMenu();
+    display_->setFocus();
+    resize(900, 640);
+}
+
+QToolButton* GraphicalViewer::addButton(QHBoxLayout* row, Icon which, const QString& tip,
+                                        std::function<void()> action) {
+    auto* button = new QToolButton;
+    button->setIconSize(QSize(20, 20));
+    button->setAutoRaise(true);
+    button->setToolTip(tip);
+    button->setAccessibleName(tip.section(QStringLiteral(" ("), 0, 0));
+    button->setFocusPolicy(Qt::TabFocus);
+    connect(button, &QToolButton::clicked, this, std::move(action));
+    row->addWidget(button);
+    buttons_.emplace_back(button, which);
+    return button;
+}
+
+void GraphicalViewer::buildTimeControls(QVBoxLayout* column) {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(2);
+    addButton(row, Icon::first, tr("First moment (Home)"),
+              [this] { playback_.seek(playback_.start()); });
+    addButton(row, Icon::stepBack, tr("Step back (Left)"), [this] { playback_.step(-1); });
+    playButton_ =
+        addButton(row, Icon::play, tr("Play or pause (Space)"), [this] { togglePlaying(); });
+    addButton(row, Icon::stop, tr("Stop (Escape)"), [this] { playback_.stop(); });
+    addButton(row, Icon::stepForward, tr("Step (Right)"), [this] { playback_.step(1); });
+    addButton(row, Icon::last, tr("Last moment (End)"),
+              [this] { playback_.seek(playback_.finish()); });
+    loopButton_ = addButton(row, Icon::loop, tr("Play again and again (L)"),
+                            [this] { playback_.setLoops(!playback_.loops()); });
+    loopButton_->setCheckable(true);
+    rateButton_ = new QToolButton;
+    rateButton_->setAutoRaise(true);
+    rateButton_->setPopupMode(QToolButton::InstantPopup);
+    rateButton_->setToolTip(tr("How fast it is played"));
+    rateButton_->setAccessibleName(tr("Rate"));
+    rateButton_->setFocusPolicy(Qt::TabFocus);
+    auto* menu = new QMenu(rateButton_);
+    for (double rate : rates)
+        menu->addAction(rateText(rate), this, [this, rate] { playback_.setRate(rate); });
+    rateButton_->setMenu(menu);
+    row->addWidget(rateButton_);
+    row->addStretch();
+    timeLabel_ = new QLabel;
+    QFont font = timeLabel_->font();
+    font.setBold(true);
+    timeLabel_->setFont(font);
+    timeLabel_->setAccessibleName(tr("Time"));
+    row->addWidget(timeLabel_);
+    column->addLayout(row);
+    column->addWidget(timeBar_);
+    updateIcons();
+}
+
+void GraphicalViewer::buildMenus() {
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    file->addAction(tr("New &Graphical Viewer"), QKeySequence(Qt::CTRL | Qt::Key_N), this,
+                    [this] { windows_.openGraphicalViewer(); });
+    file->addAction(tr("New &Language Viewer"), QKeySequence(Qt::CTRL | Qt::Key_L), this,
+                    [this] { windows_.openLanguageViewer(); });
+    file->addSeparator();
+    if (windows_.save)
+        file->addAction(tr("&Save"), QKeySequence::Save, this, [this] { windows_.save(); });
+    file->addAction(tr("&Close"), QKeySequence::Close, this, &QWidget::close);
+
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    undoAction_ =
+        edit->addAction(tr("&Undo"), QKeySequence::Undo, this, [this] { document_.undo(); });
+    redoAction_ =
+        edit->addAction(tr("&Redo"), QKeySequence::Redo, this, [this] { document_.redo(); });
+    connect(edit, &QMenu::aboutToShow, this, [this] {
+        undoAction_->setEnabled(document_.canUndo());
+        redoAction_->setEnabled(document_.canRedo());
+    });
+    connect(edit, &QMenu::aboutToHide, this, [this] {
+        undoAction_->setEnabled(true); // shortcuts work while the menu is closed
+        redoAction_->setEnabled(true);
+    });
+    buildViewMenu();
+
+    QMenu* motion = menuBar()->addMenu(tr("&Motion"));
+    playAction_ = motion->addAction(tr("&Play"), QKeySequence(Qt::Key_Space), this,
+                                    [this] { togglePlaying(); });
+    motion->addAction(tr("S&top"), QKeySequence(Qt::Key_Escape), this,
+                      [this] { playback_.stop(); });
+    motion->addAction(tr("&Step"), QKeySequence(Qt::Key_Right), this,
+                      [this] { playback_.step(1); });
+    motion->addAction(tr("Step &Back"), QKeySequence(Qt::Key_Left), this,
+                      [this] { playback_.step(-1); });
+    motion->addAction(tr("&First Moment"), QKeySequence(Qt::Key_Home), this,
+                      [this] { playback_.seek(playback_.start()); });
+    motion->addAction(tr("&Last Moment"), QKeySequence(Qt::Key_End), this,
+                      [this] { playback_.seek(playback_.finish()); });
+    loopAction_ = motion->addAction(tr("L&oop"), QKeySequence(Qt::Key_L), this,
+                                    [this] { playback_.setLoops(!playback_.loops()); });
+    loopAction_->setCheckable(true);
+    motion->addSeparator();
+    motion->addAction(tr("&Recompute Motion"), QKeySequence(Qt::Key_F5), this,
+                      [this] { document_.recompute(); });
+}
+
+void GraphicalViewer::buildViewMenu() {
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    view->addAction(tr("&Frame All"), QKeySequence(Qt::Key_F), this,
+                    [this] { display_->frameAll(); });
+    viewsMenu_ = view->addMenu(tr("&Views of the Scene"));
+    view->addSeparator();
+    const struct {
+        QString label;
+        int key;
+        geometry::Vector toward;
+    } directions[] = {
+        {tr("Along &z: the Plane x y"), Qt::Key_3, geometry::Vector::UnitZ()},
+        {tr("Along &x: the Plane y z"), Qt::Key_1, geometry::Vector::UnitX()},
+        {tr("Along &y: the Plane x z"), Qt::Key_2, geometry::Vector::UnitY()},
+        {tr("Against z"), Qt::SHIFT | Qt::Key_3, -geometry::Vector::UnitZ()},
+        {tr("Against x"), Qt::SHIFT | Qt::Key_1, -geometry::Vector::UnitX()},
+        {tr("Against y"), Qt::SHIFT | Qt::Key_2, -geometry::Vector::UnitY()},
+    };
+    for (const auto& direction : directions)
+        view->addAction(direction.label, QKeySequence(direction.key), this,
+                        [this, toward = direction.toward] { display_->lookAlong(toward); });
+    view->addSeparator();
+    for (const StatusPanel::Switch& one : panel_->switches()) {
+        QAction* action = view->addAction(one.box->text());
+        action->setCheckable(true);
+        action->setChecked(one.box->isChecked());
+        connect(action, &QAction::toggled, one.box, &QCheckBox::setChecked);
+        connect(one.box, &QCheckBox::toggled, action, &QAction::setChecked);
+    }
+}
+
+void GraphicalViewer::fillViewsMenu() {
+    viewsMenu_->clear();
+    const auto& views = document_.shown().scene->views;
+    viewsMenu_->setEnabled(!views.empty());
+    for (const scene::View& view : views) {
+        const QString name = QString::fromStdString(view.name);
+        QAction* action = viewsMenu_->addAction(name.isEmpty() ? tr("(unnamed)") : name, this,
+                                                [this, name] { display_->followView(name); });
+        action->setCheckable(true);
+        action->setChecked(name == display_->followedView());
+    }
+}
+
+void GraphicalViewer::togglePlaying() {
+    if (playback_.isPlaying())
+        playback_.pause();
+    else
+        playback_.play();
+}
+
+void GraphicalViewer::updateRange() {
+    const Shown& shown = document_.shown();
+    const scene::Simulator& simulator = shown.scene->simulator;
+    const bool known = shown.motion != nullptr;
+    playback_.setRange(known ? shown.motion->start() : simulator.start,
+                       known ? shown.motion->finish() : simulator.finish,
+                       known ? shown.motion->computed() : simulator.start);
+    std::vector<double> impacts;
+    if (known)
+        for (const simulation::Impact& impact : shown.motion->impacts())
+            impacts.push_back(impact.time);
+    timeBar_->setMarks(known ? shown.motion->predictableUntil() : std::nullopt, impacts);
+    timeBar_->setEnabled(known);
+}
+
+void GraphicalViewer::updateState() {
+    timeBar_->setRange(playback_.start(), playback_.finish(), playback_.computed());
+    timeBar_->setTime(playback_.time());
+    loopButton_->setChecked(playback_.loops());
+    loopAction_->setChecked(playback_.loops());
+    rateButton_->setText(rateText(playback_.rate()));
+    playAction_->setText(playback_.isPlaying() ? tr("&Pause") : tr("&Play"));
+    timeLabel_->setText(timeText(playback_.time(), playback_.finish() - playback_.start()));
+    updateIcons();
+    if (!playback_.isPlaying())
+        display_->setTime(playback_.time(), false);
+}
+
+void GraphicalViewer::updateIcons() {
+    for (const auto& [button, which] : buttons_)
+        button->setIcon(
+            icon(button == playButton_ && playback_.isPlaying() ? Icon::pause : which, palette()));
+}
+
+void GraphicalViewer::updateTitle() {
+    const QString viewer =
+        number_ == 1 ? tr("Graphical Viewer") : tr("Graphical Viewer %1").arg(number_);
+    setWindowTitle(tr("%1[*] – %2").arg(document_.name(), viewer));
+    setWindowModified(document_.hasHost() ? false : document_.isModified());
+}
+
+void GraphicalViewer::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && playButton_ != nullptr)
+        updateIcons();
+}
+
+} // namespace views

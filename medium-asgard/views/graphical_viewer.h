@@ -1,0 +1,64 @@
+// The graphical viewer's window (dissertation 4.1): menu bar, picture, status and switches at the
+// right, time buttons and the time scrollbar below. Any number of them, each with its own
+// viewpoint and time.
+#pragma once
+
+#include "views/playback.h"
+#include "views/scene_display.h"
+#include "views/status_panel.h"
+#include "views/time_bar.h"
+
+#include <QMainWindow>
+#include <QToolButton>
+
+namespace views {
+
+// What a window can ask for beyond its own document.
+struct Windows {
+    std::function<void()> openGraphicalViewer, openLanguageViewer;
+    std::function<void()> save; // none: under a host, which saves
+};
+
+class GraphicalViewer : public QMainWindow {
+    Q_OBJECT
+public:
+    // `number` tells several viewers apart in their titles.
+    GraphicalViewer(SceneDocument& document, std::shared_ptr<render::Renderer> renderer,
+                    const QString& reason, Windows windows, int number);
+
+    [[nodiscard]] Playback& playback() { return playback_; }
+    [[nodiscard]] SceneDisplay& display() { return *display_; }
+    [[nodiscard]] TimeBar& timeBar() { return *timeBar_; }
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void buildMenus();
+    void buildViewMenu();
+    void buildTimeControls(class QVBoxLayout* column);
+    QToolButton* addButton(class QHBoxLayout* row, enum class Icon which, const QString& tip,
+                           std::function<void()> action);
+    void fillViewsMenu();
+    void updateRange();
+    void updateState();
+    void updateIcons();
+    void updateTitle();
+    void togglePlaying();
+
+    SceneDocument& document_;
+    Windows windows_;
+    int number_;
+    Playback playback_;
+    SceneDisplay* display_;
+    StatusPanel* panel_;
+    TimeBar* timeBar_;
+    QMenu* viewsMenu_ = nullptr;
+    QAction *playAction_ = nullptr, *loopAction_ = nullptr, *undoAction_ = nullptr,
+            *redoAction_ = nullptr;
+    QToolButton *playButton_ = nullptr, *loopButton_ = nullptr, *rateButton_ = nullptr;
+    std::vector<std::pair<QToolButton*, Icon>> buttons_;
+    QLabel* timeLabel_ = nullptr;
+};
+
+} // namespace views

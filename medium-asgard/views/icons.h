@@ -1,0 +1,13 @@
+// The viewers' icons, drawn in the palette's own colours, sharp at any scale.
+#pragma once
+
+#include <QIcon>
+#include <QPalette>
+
+namespace views {
+
+enum class Icon { first, stepBack, play, pause, stop, stepForward, last, loop, frameAll };
+
+[[nodiscard]] QIcon icon(Icon which, const QPalette& palette);
+
+} // namespace views

@@ -1,0 +1,279 @@
+#include "views/scene_display.h"
+
+#include "render/framing.h"
+#include "render/handles.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace views {
+
+namespace {
+
+using Button = render::CameraControl::Button;
+
+std::optional<Button> buttonOf(Qt::MouseButton button) {
+    switch (button) {
+    case Qt::LeftButton:
+        return Button::left;
+    case Qt::MiddleButton:
+        return Button::middle;
+    case Qt::RightButton:
+        return Button::right;
+    default:
+        return std::nullopt;
+    }
+}
+
+} // namespace
+
+SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<render::Renderer> renderer,
+                           QString reason, QWidget* parent)
+    : QWidget(parent), document_(document), renderer_(std::move(renderer)),
+      reason_(std::move(reason)) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setMouseTracking(false);
+    setAccessibleName(tr("Scene"));
+    setAccessibleDescription(tr("Picture of the scene. Drag with the left button to turn it, the "
+                                "middle one to move it, the right one to scale or roll it."));
+    settle_.setSingleShot(true);
+    settle_.setInterval(180);
+    connect(&settle_, &QTimer::timeout, this, [this] { redraw(false); });
+    connect(&document_, &SceneDocument::sceneChanged, this, &SceneDisplay::sceneChanged);
+    connect(&document_, &SceneDocument::motionChanged, this, &SceneDisplay::motionChanged);
+}
+
+render::Size SceneDisplay::pixelSize() const {
+    const QSizeF size = QSizeF(this->size()) * devicePixelRatioF();
+    return {std::max(1, static_cast<int>(std::lround(size.width()))),
+            std::max(1, static_cast<int>(std::lround(size.height())))};
+}
+
+Eigen::Vector2d SceneDisplay::inPixels(const QPointF& position) const {
+    return Eigen::Vector2d(position.x(), position.y()) * devicePixelRatioF();
+}
+
+void SceneDisplay::redraw(bool moving) {
+    moving_ = moving;
+    imageIsOld_ = true;
+    if (moving)
+        settle_.start();
+    update();
+}
+
+void SceneDisplay::setTime(double time, bool moving) {
+    if (time == time_)
+        return;
+    time_ = time;
+    cameraIsOld_ = cameraIsOld_ || (view_ && view_->follows());
+    redraw(moving);
+}
+
+void SceneDisplay::setDisplay(const render::Display& display) {
+    display_ = display;
+    redraw(false);
+}
+
+void SceneDisplay::sceneChanged() {
+    const auto& views = document_.shown().scene->views;
+    const bool known = std::any_of(views.begin(), views.end(), [&](const auto& v) {
+        return QString::fromStdString(v.name) == followed_;
+    });
+    // A scene with views opens in its first one.
+    if (framesItself_ && !known && !views.empty())
+        followView(QString::fromStdString(views.front().name));
+    else if (!followed_.isEmpty() && !known)
+        followView({});
+    motionChanged();
+}
+
+void SceneDisplay::motionChanged() {
+    view_.reset();
+    cameraIsOld_ = true;
+    redraw(moving_);
+}
+
+void SceneDisplay::updateCamera() {
+    if (!cameraIsOld_)
+        return;
+    cameraIsOld_ = false;
+    const Shown& shown = document_.shown();
+    const bool follows = !followed_.isEmpty();
+    if (!follows && !framesItself_)
+        return;
+    if (follows && !view_)
+        view_.emplace(*shown.scene, shown.motion, followed_.toStdString(), pixelSize());
+    control_.set(follows ? view_->at(time_)
+                         : render::framed(*shown.scene, shown.motion, pixelSize()));
+    Q_EMIT cameraChanged();
+}
+
+void SceneDisplay::movedByUser() {
+    framesItself_ = false;
+    if (!followed_.isEmpty())
+        followView({});
+    Q_EMIT cameraChanged();
+    redraw(true);
+}
+
+void SceneDisplay::setCamera(const render::Camera& camera) {
+    control_.set(camera);
+    movedByUser();
+}
+
+void SceneDisplay::frameAll() {
+    followView({});
+    framesItself_ = true;
+    cameraIsOld_ = true;
+    redraw(false);
+}
+
+void SceneDisplay::lookAlong(const geometry::Vector& toward) {
+    updateCamera();
+    const geometry::Vector up = render::upOf(*document_.shown().scene);
+    // Down on the ground, or up at it: what was in front is at the bottom.
+    const double along = toward.dot(up);
+    geometry::Vector upright = up;
+    if (std::abs(along) > 0.99)
+        upright =
+            std::abs(up.z()) < 0.5 ? geometry::Vector(0, 0, -along) : geometry::Vector(0, along, 0);
+    render::Camera camera = control_.camera();
+    camera.rotation = render::facing(toward, upright);
+    const bool wasFraming = framesItself_;
+    setCamera(camera);
+    if (wasFraming) {
+        const Shown& shown = document_.shown();
+        setCamera(render::fitted(render::extentOf(*shown.scene, shown.motion.get()),
+                                 camera.rotation, pixelSize()));
+    }
+    redraw(false);
+}
+
+void SceneDisplay::followView(const QString& name) {
+    view_.reset();
+    cameraIsOld_ = true;
+    if (name != followed_) {
+        followed_ = name;
+        Q_EMIT viewFollowed();
+    }
+    redraw(false);
+}
+
+std::vector<geometry::Vector> SceneDisplay::verticesAndHandles() const {
+    const Shown& shown = document_.shown();
+    std::vector<geometry::Vector> points;
+    for (std::size_t i = 0; i < shown.scene->bodies.size(); ++i) {
+        const geometry::Pose pose = render::poseOf(*shown.scene, shown.motion.get(), i, time_);
+        for (const render::Ball& ball : render::outlineOf(*shown.scene, shown.scene->bodies[i]))
+            points.push_back(pose.toWorld(ball.center));
+    }
+    const render::Drawing drawing{shown.scene.get(), shown.motion, time_, control_.camera(),
+                                  display_};
+    const double size = render::extentOf(*shown.scene, shown.motion.get()).size;
+    for (const render::Handle& handle : render::handlesOf(drawing, size))
+        points.push_back(handle.place);
+    return points;
+}
+
+void SceneDisplay::centerAt(const QPointF& position) {
+    const render::Camera& camera = control_.camera();
+    const Eigen::Vector2d pixels = inPixels(position);
+    double nearest = 8 * devicePixelRatioF();
+    double front = -std::numeric_limits<double>::infinity(), back = -front;
+    std::optional<geometry::Vector> taken;
+    for (const geometry::Vector& point : verticesAndHandles()) {
+        const double z =
+            (camera.rotation * (point - camera.center)).z() * camera.scale + camera.position.z();
+        front = std::max(front, z);
+        back = std::min(back, z);
+        const double distance = (render::toPixels(camera, pixelSize(), point) - pixels).norm();
+        if (distance < nearest) {
+            nearest = distance;
+            taken = point;
+        }
+    }
+    const double middle = front >= back ? (front + back) / 2 : 0;
+    setCamera(render::turningAbout(
+        camera, taken ? *taken : render::toWorld(camera, pixelSize(), pixels, middle)));
+}
+
+void SceneDisplay::mousePressEvent(QMouseEvent* event) {
+    const auto button = buttonOf(event->button());
+    // With Shift a button selects and edits: not this widget's affair.
+    if (!button || (event->modifiers() & Qt::ShiftModifier)) {
+        event->ignore();
+        return;
+    }
+    updateCamera();
+    control_.press(*button, inPixels(event->position()), pixelSize());
+}
+
+void SceneDisplay::mouseMoveEvent(QMouseEvent* event) {
+    if (control_.active() && control_.move(inPixels(event->position()), pixelSize()))
+        movedByUser();
+}
+
+void SceneDisplay::mouseReleaseEvent(QMouseEvent*) { control_.release(); }
+
+void SceneDisplay::wheelEvent(QWheelEvent* event) {
+    updateCamera();
+    control_.wheel(inPixels(event->position()), event->angleDelta().y() / 120.0, pixelSize());
+    movedByUser();
+    event->accept();
+}
+
+void SceneDisplay::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_C && event->modifiers() == Qt::NoModifier)
+        centerAt(mapFromGlobal(QPointF(QCursor::pos())));
+    else
+        QWidget::keyPressEvent(event);
+}
+
+void SceneDisplay::resizeEvent(QResizeEvent*) {
+    view_.reset();
+    cameraIsOld_ = true;
+    imageIsOld_ = true;
+}
+
+void SceneDisplay::drawImage() {
+    updateCamera();
+    imageIsOld_ = false;
+    const render::Size size = pixelSize();
+    if (image_.size() != QSize(size.width, size.height))
+        image_ = QImage(size.width, size.height, QImage::Format_RGB32);
+    image_.setDevicePixelRatio(devicePixelRatioF());
+    render::Drawing drawing{document_.shown().scene.get(), document_.shown().motion, time_,
+                            control_.camera(), display_};
+    drawing.display.samples = moving_ ? 1 : 4;
+    const render::Image into{{reinterpret_cast<std::byte*>(image_.bits()),
+                              static_cast<std::size_t>(image_.sizeInBytes())},
+                             static_cast<std::size_t>(image_.bytesPerLine()),
+                             size};
+    if (!renderer_->draw(drawing, into)) {
+        renderer_.reset();
+        reason_ = tr("The graphics context was lost. Open another viewer.");
+    }
+}
+
+void SceneDisplay::paintEvent(QPaintEvent*) {
+    if (renderer_ && (imageIsOld_ || image_.isNull()))
+        drawImage();
+    QPainter painter(this);
+    if (renderer_) {
+        painter.drawImage(QPointF(0, 0), image_);
+        return;
+    }
+    painter.fillRect(rect(), palette().base());
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
+                     reason_);
+}
+
+} // namespace views

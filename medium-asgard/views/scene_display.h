@@ -1,0 +1,92 @@
+// The picture of a scene in a window, and how the pointer and keys move its viewpoint.
+//
+// An ordinary widget that paints the renderer's image: no window system's OpenGL is needed, and
+// tests without a display see the same pixels. Unshifted buttons move the view (render/camera.h),
+// `c` puts the centre of rotation under the pointer (dissertation 4.1.7). Until the user moves it,
+// the view frames the whole motion by itself. While something moves, pictures are drawn quickly;
+// at rest, finely.
+#pragma once
+
+#include "render/extent.h"
+#include "render/renderer.h"
+#include "render/view.h"
+#include "views/scene_document.h"
+
+#include <QImage>
+#include <QTimer>
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+namespace views {
+
+class SceneDisplay : public QWidget {
+    Q_OBJECT
+public:
+    // Shows the document's scene; `renderer` may be shared by all windows of the thread, and null:
+    // then `reason` is shown instead.
+    SceneDisplay(SceneDocument& document, std::shared_ptr<render::Renderer> renderer,
+                 QString reason, QWidget* parent = nullptr);
+
+    void setTime(double time, bool moving);
+    [[nodiscard]] double time() const { return time_; }
+
+    void setDisplay(const render::Display& display);
+    [[nodiscard]] const render::Display& display() const { return display_; }
+
+    [[nodiscard]] const render::Camera& camera() const { return control_.camera(); }
+    void setCamera(const render::Camera& camera); // the user's own from now on
+    void frameAll();
+    void lookAlong(const geometry::Vector& toward); // keeps what is in the middle
+    // The scene's view of that name; "" leaves it where it is.
+    void followView(const QString& name);
+    [[nodiscard]] const QString& followedView() const { return followed_; }
+    // The centre of rotation becomes the vertex or handle near the pixel, else what is at
+    // mid-depth.
+    void centerAt(const QPointF& position);
+
+    [[nodiscard]] QSize sizeHint() const override { return {640, 480}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
+
+Q_SIGNALS:
+    void cameraChanged();
+    void viewFollowed(); // another named view, or none any more
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    [[nodiscard]] render::Size pixelSize() const;
+    [[nodiscard]] Eigen::Vector2d inPixels(const QPointF& position) const;
+    void sceneChanged();
+    void motionChanged();
+    void updateCamera();
+    void movedByUser();
+    void redraw(bool moving);
+    void drawImage();
+    [[nodiscard]] std::vector<geometry::Vector> verticesAndHandles() const;
+
+    SceneDocument& document_;
+    std::shared_ptr<render::Renderer> renderer_;
+    QString reason_; // why there is no picture
+    render::CameraControl control_;
+    render::Display display_;
+    double time_ = 0;
+    bool framesItself_ = true;
+    QString followed_;
+    std::optional<render::SceneView> view_; // the followed view, prepared
+    bool cameraIsOld_ = true;
+    QImage image_;
+    bool imageIsOld_ = true;
+    bool moving_ = false;
+    QTimer settle_; // then the fine picture is drawn
+};
+
+} // namespace views

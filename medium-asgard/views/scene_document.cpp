@@ -1,0 +1,225 @@
+#include "views/scene_document.h"
+
+#include "views/worker.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+
+#include <algorithm>
+
+namespace views {
+
+namespace {
+
+bool continuesCharacter(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+std::string applied(const std::string& text, std::size_t from, std::size_t to,
+                    const std::string& replacement) {
+    return text.substr(0, from) + replacement + text.substr(to);
+}
+
+} // namespace
+
+TextEdit editBetween(const std::string& before, const std::string& after) {
+    const std::size_t shorter = std::min(before.size(), after.size());
+    std::size_t head = 0;
+    while (head < shorter && before[head] == after[head])
+        ++head;
+    while (head > 0 && ((head < before.size() && continuesCharacter(before[head])) ||
+                        (head < after.size() && continuesCharacter(after[head]))))
+        --head;
+    std::size_t tail = 0;
+    while (tail < shorter - head &&
+           before[before.size() - 1 - tail] == after[after.size() - 1 - tail])
+        ++tail;
+    while (tail > 0 && continuesCharacter(before[before.size() - tail]))
+        --tail;
+    return {head, before.size() - tail, after.substr(head, after.size() - tail - head)};
+}
+
+struct SceneDocument::Worker {
+    explicit Worker(Workshop workshop) : thread(std::move(workshop)) {}
+    WorkThread thread;
+};
+
+SceneDocument::SceneDocument(Workshop workshop, QObject* parent)
+    : QObject(parent), worker_(std::make_unique<Worker>(std::move(workshop))) {
+    // Results cross to this thread; what a newer start overtook is dropped on arrival.
+    const auto post = [this](auto call) {
+        QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
+    };
+    worker_->thread.onRead = [this, post](unsigned serial, const script::ReadResult& result) {
+        post([this, serial, result] { didRead(serial, result); });
+    };
+    worker_->thread.onProgress = [this, post](unsigned serial, const auto& scene,
+                                              const auto& motion) {
+        post([this, serial, scene, motion] { didMove(serial, scene, motion); });
+    };
+    worker_->thread.onFinished = [this, post](unsigned serial, const auto& scene,
+                                              const simulation::Result& result) {
+        post([this, serial, scene, result] { didFinish(serial, scene, result); });
+    };
+}
+
+SceneDocument::~SceneDocument() = default;
+
+bool SceneDocument::hasErrors() const {
+    return std::any_of(diagnostics_.begin(), diagnostics_.end(),
+                       [](const auto& d) { return d.severity == scene::Severity::error; });
+}
+
+void SceneDocument::setText(const std::string& text, const QString& label) {
+    if (text == text_)
+        return;
+    const TextEdit edit = editBetween(text_, text);
+    if (host_.changed) {
+        host_.changed(edit, label);
+    } else {
+        done_.push_back({edit, text_.substr(edit.from, edit.to - edit.from), label});
+        undone_.clear();
+    }
+    replaceText(text);
+}
+
+void SceneDocument::setTextFromHost(const std::string& text) {
+    if (text != text_)
+        replaceText(text);
+}
+
+bool SceneDocument::canUndo() const { return host_.undo || !done_.empty(); }
+
+bool SceneDocument::canRedo() const { return host_.redo || !undone_.empty(); }
+
+void SceneDocument::undo() {
+    if (host_.undo)
+        return host_.undo();
+    if (done_.empty())
+        return;
+    const Change change = done_.back();
+    done_.pop_back();
+    undone_.push_back(change);
+    replaceText(applied(text_, change.edit.from, change.edit.from + change.edit.text.size(),
+                        change.removed));
+}
+
+void SceneDocument::redo() {
+    if (host_.redo)
+        return host_.redo();
+    if (undone_.empty())
+        return;
+    const Change change = undone_.back();
+    undone_.pop_back();
+    done_.push_back(change);
+    replaceText(applied(text_, change.edit.from, change.edit.to, change.edit.text));
+}
+
+void SceneDocument::replaceText(const std::string& text) {
+    text_ = text;
+    ++revision_;
+    Q_EMIT textChanged();
+    Q_EMIT nameChanged();
+    start();
+}
+
+void SceneDocument::recompute() { start(); }
+
+void SceneDocument::start() {
+    worker_->thread.start(text_);
+    setWork(Work::reading);
+}
+
+void SceneDocument::setWork(Work work) {
+    if (work == work_)
+        return;
+    work_ = work;
+    Q_EMIT workChanged();
+}
+
+void SceneDocument::didRead(unsigned serial, const script::ReadResult& result) {
+    if (serial != worker_->thread.serial())
+        return;
+    diagnostics_ = result.diagnostics;
+    if (result.usable)
+        sceneRevision_ = revision_;
+    Q_EMIT diagnosticsChanged();
+    setWork(result.usable ? Work::simulating : Work::none);
+}
+
+void SceneDocument::didMove(unsigned serial, const std::shared_ptr<const scene::Scene>& scene,
+                            const simulation::MotionPointer& motion) {
+    if (serial != worker_->thread.serial())
+        return;
+    const bool other = shown_.scene != scene;
+    shown_ = {scene, motion};
+    if (other)
+        Q_EMIT sceneChanged();
+    Q_EMIT motionChanged();
+}
+
+void SceneDocument::didFinish(unsigned serial, const std::shared_ptr<const scene::Scene>& scene,
+                              const simulation::Result& result) {
+    if (serial != worker_->thread.serial())
+        return;
+    statistics_ = result.statistics;
+    const auto add = [this](scene::Severity severity, const std::string& sentence) {
+        scene::Diagnostic diagnostic;
+        diagnostic.severity = severity;
+        diagnostic.message = sentence;
+        diagnostics_.push_back(diagnostic);
+    };
+    for (const std::string& sentence : result.refusal)
+        add(scene::Severity::error, sentence);
+    if (result.motion) {
+        for (const std::string& note : result.motion->notes())
+            add(scene::Severity::warning, note);
+        for (std::size_t i = 0; i < result.motion->bodies(); ++i)
+            if (const auto stop = result.motion->stop(i))
+                if (std::none_of(diagnostics_.begin(), diagnostics_.end(),
+                                 [&](const auto& d) { return d.message == stop->sentence; }))
+                    add(scene::Severity::error, stop->sentence);
+    }
+    didMove(serial, scene, result.motion);
+    Q_EMIT diagnosticsChanged();
+    setWork(Work::none);
+}
+
+QString SceneDocument::open(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return tr("Cannot read %1: %2.").arg(path, file.errorString());
+    const QByteArray bytes = file.readAll();
+    path_ = path;
+    savedText_ = bytes.toStdString();
+    done_.clear();
+    undone_.clear();
+    replaceText(savedText_);
+    return {};
+}
+
+QString SceneDocument::save(const QString& path) {
+    // Written beside it and renamed: a full disk leaves the old file as it was.
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) ||
+        file.write(text_.data(), static_cast<qint64>(text_.size())) !=
+            static_cast<qint64>(text_.size()) ||
+        !file.commit())
+        return tr("Cannot write %1: %2.").arg(path, file.errorString());
+    path_ = path;
+    savedText_ = text_;
+    Q_EMIT nameChanged();
+    return {};
+}
+
+QString SceneDocument::name() const {
+    if (!name_.isEmpty())
+        return name_;
+    return path_.isEmpty() ? tr("untitled") : QFileInfo(path_).fileName();
+}
+
+void SceneDocument::setName(const QString& name) {
+    name_ = name;
+    Q_EMIT nameChanged();
+}
+
+} // namespace views

@@ -1,0 +1,141 @@
+// The scene that all views of a process show and change: its text, and what was made of it.
+//
+// The text is the truth. setText() is the only way to change it from a view; the text is then read
+// and its motion computed on a worker thread, and every view follows by signals. While a text has
+// errors the last good scene and its motion stay (scene language, "Errors").
+//
+// Stand-alone the document is a file with an undo stack of its own. Under a host the text belongs
+// to the host: changes are reported through `HostLink`, undo is asked for there, and what the host
+// changes arrives by setTextFromHost().
+#pragma once
+
+#include "scene/diagnostic.h"
+#include "script/reader.h"
+#include "simulation/simulation.h"
+
+#include <QObject>
+#include <QString>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace views {
+
+// How texts become scenes and scenes motion. Called on the worker thread, one call at a time;
+// cancelReading on any.
+struct Workshop {
+    std::function<script::ReadResult(std::string_view text)> read;
+    std::function<void()> cancelReading;
+    std::function<simulation::Result(const scene::Scene&, const simulation::Options&,
+                                     const simulation::Observer&)>
+        simulate;
+};
+
+// Bytes [from, to) of the old text become `text`.
+struct TextEdit {
+    std::size_t from = 0, to = 0;
+    std::string text;
+};
+// The smallest one that makes `after` of `before`, at character boundaries of UTF-8.
+[[nodiscard]] TextEdit editBetween(const std::string& before, const std::string& after);
+
+struct HostLink {
+    std::function<void(const TextEdit& edit, const QString& label)> changed;
+    std::function<void()> undo, redo;
+};
+
+// A good scene and the motion that belongs to it; no motion while the first bit is computed, or
+// when the scene cannot be simulated.
+struct Shown {
+    std::shared_ptr<const scene::Scene> scene = std::make_shared<scene::Scene>();
+    simulation::MotionPointer motion;
+};
+
+enum class Work { none, reading, simulating };
+
+class SceneDocument : public QObject {
+    Q_OBJECT
+public:
+    explicit SceneDocument(Workshop workshop, QObject* parent = nullptr);
+    ~SceneDocument() override; // cancels what is being computed
+
+    [[nodiscard]] const std::string& text() const { return text_; }
+    [[nodiscard]] int revision() const { return revision_; }
+    [[nodiscard]] const Shown& shown() const { return shown_; }
+    // Of the current text, by place; faults of the motion without a place at the end.
+    [[nodiscard]] const std::vector<scene::Diagnostic>& diagnostics() const { return diagnostics_; }
+    [[nodiscard]] bool hasErrors() const;
+    [[nodiscard]] Work work() const { return work_; }
+    // The scene that was read from this very text is the one shown: places in it are right.
+    [[nodiscard]] bool sceneIsCurrent() const { return sceneRevision_ == revision_; }
+    [[nodiscard]] const std::optional<simulation::Statistics>& statistics() const {
+        return statistics_;
+    }
+
+    // A view's change: one step of undo.
+    void setText(const std::string& text, const QString& label);
+    // Computes the motion again from the current text.
+    void recompute();
+
+    [[nodiscard]] bool canUndo() const;
+    [[nodiscard]] bool canRedo() const;
+    void undo();
+    void redo();
+
+    // --- under a host
+    void setHostLink(HostLink link) { host_ = std::move(link); }
+    [[nodiscard]] bool hasHost() const { return static_cast<bool>(host_.changed); }
+    void setTextFromHost(const std::string& text);
+
+    // --- stand-alone: "" or the sentence that says what went wrong
+    [[nodiscard]] QString open(const QString& path);
+    [[nodiscard]] QString save(const QString& path);
+    [[nodiscard]] const QString& path() const { return path_; }
+    [[nodiscard]] const std::string& savedText() const { return savedText_; }
+    [[nodiscard]] bool isModified() const { return text_ != savedText_; }
+    // For titles: the file's name, or what the host calls it.
+    [[nodiscard]] QString name() const;
+    void setName(const QString& name);
+
+Q_SIGNALS:
+    void textChanged();
+    void diagnosticsChanged();
+    void sceneChanged();  // another scene is shown
+    void motionChanged(); // more or other motion of it
+    void workChanged();
+    void nameChanged(); // or whether it is modified
+
+private:
+    struct Change { // one step of undo
+        TextEdit edit;
+        std::string removed;
+        QString label;
+    };
+    struct Worker;
+
+    void replaceText(const std::string& text);
+    void start();
+    void setWork(Work work);
+    void didRead(unsigned serial, const script::ReadResult& result);
+    void didMove(unsigned serial, const std::shared_ptr<const scene::Scene>& scene,
+                 const simulation::MotionPointer& motion);
+    void didFinish(unsigned serial, const std::shared_ptr<const scene::Scene>& scene,
+                   const simulation::Result& result);
+
+    std::string text_, savedText_;
+    QString path_, name_;
+    int revision_ = 0;
+    int sceneRevision_ = -1;
+    Shown shown_;
+    std::vector<scene::Diagnostic> diagnostics_;
+    std::optional<simulation::Statistics> statistics_;
+    Work work_ = Work::none;
+    HostLink host_;
+    std::vector<Change> done_, undone_;
+    std::unique_ptr<Worker> worker_;
+};
+
+} // namespace views

@@ -1,0 +1,132 @@
+#include "views/status_panel.h"
+
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace views {
+
+QString timeText(double time, double length) {
+    // A thousandth of the motion is worth a digit, and never less than a millisecond of a second.
+    const int digits =
+        length > 0 ? std::clamp(static_cast<int>(3 - std::floor(std::log10(length))), 0, 9) : 3;
+    return QString::number(time, 'f', digits) + QStringLiteral(" s");
+}
+
+namespace {
+
+QLabel* addRow(QFormLayout* form, const QString& label, const QString& tip) {
+    auto* value = new QLabel;
+    value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    value->setToolTip(tip);
+    value->setAccessibleName(label);
+    auto* name = new QLabel(label);
+    name->setForegroundRole(QPalette::PlaceholderText);
+    name->setToolTip(tip);
+    form->addRow(name, value);
+    return value;
+}
+
+} // namespace
+
+StatusPanel::StatusPanel(SceneDocument& document, Playback& playback,
+                         const render::Display& display, QWidget* parent)
+    : QWidget(parent), document_(document), playback_(playback), display_(display) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    auto* status = new QGroupBox(tr("Motion"));
+    auto* form = new QFormLayout(status);
+    form->setContentsMargins(10, 6, 10, 8);
+    form->setVerticalSpacing(4);
+    time_ = addRow(form, tr("Time"), tr("The moment that is shown"));
+    computed_ = addRow(form, tr("Computed"), tr("How far the motion is computed"));
+    accuracy_ = addRow(form, tr("Error"),
+                       tr("The largest error in position that the computation estimates, over the "
+                          "size of the scene"));
+    predictable_ = addRow(form, tr("Reliable"),
+                          tr("From then on the smallest disturbance changes the motion wholly"));
+    impacts_ = addRow(form, tr("Collisions"), tr("How many so far"));
+    state_ = new QLabel;
+    state_->setWordWrap(true);
+    state_->setAccessibleName(tr("State"));
+    form->addRow(state_);
+    column->addWidget(status);
+    addSwitches(display);
+    column->addStretch();
+    setFixedWidth(190);
+    connect(&playback_, &Playback::timeChanged, this, &StatusPanel::showTime);
+    connect(&playback_, &Playback::stateChanged, this, &StatusPanel::showMotion);
+    connect(&document_, &SceneDocument::motionChanged, this, &StatusPanel::showMotion);
+    connect(&document_, &SceneDocument::workChanged, this, &StatusPanel::showMotion);
+    connect(&document_, &SceneDocument::diagnosticsChanged, this, &StatusPanel::showMotion);
+    showMotion();
+}
+
+void StatusPanel::addSwitches(const render::Display& display) {
+    auto* group = new QGroupBox(tr("Show"));
+    auto* column = new QVBoxLayout(group);
+    column->setContentsMargins(10, 6, 10, 8);
+    column->setSpacing(4);
+    const auto add = [&](const QString& label, const QString& tip, bool render::Display::*what) {
+        auto* box = new QCheckBox(label);
+        box->setToolTip(tip);
+        box->setChecked(display.*what);
+        column->addWidget(box);
+        switches_.push_back({box, what});
+        connect(box, &QCheckBox::toggled, this, [this, what](bool on) {
+            display_.*what = on;
+            Q_EMIT displayChanged(display_);
+        });
+    };
+    using render::Display;
+    add(tr("&Trails"), tr("The paths of the centres of mass up to now"), &Display::trails);
+    add(tr("&Ground"), tr("A grid under the scene, and shadows"), &Display::grid);
+    add(tr("&Axes"), tr("The world's axes: x red, y green, z blue"), &Display::axes);
+    add(tr("&Wireframe"), tr("Edges only"), &Display::wireframe);
+    add(tr("&Position handles"), tr("Where bodies start: orange balls"), &Display::positionHandles);
+    add(tr("Ve&locity handles"), tr("Velocities at the start: green arrows"),
+        &Display::velocityHandles);
+    layout()->addWidget(group);
+}
+
+void StatusPanel::showTime() {
+    time_->setText(timeText(playback_.time(), playback_.finish() - playback_.start()));
+    std::size_t count = 0;
+    if (const auto& motion = document_.shown().motion)
+        for (const simulation::Impact& impact : motion->impacts())
+            count += impact.time <= playback_.time() ? 1 : 0;
+    impacts_->setText(QString::number(count));
+}
+
+void StatusPanel::showMotion() {
+    showTime();
+    const auto& motion = document_.shown().motion;
+    const double length = playback_.finish() - playback_.start();
+    const bool whole = playback_.computed() >= playback_.finish();
+    computed_->setText(whole ? tr("all %1").arg(timeText(length, length))
+                             : tr("to %1").arg(timeText(playback_.computed(), length)));
+    const auto error = motion ? motion->errorEstimate() : std::nullopt;
+    accuracy_->setText(error ? QStringLiteral("≤ ") + QString::number(*error, 'g', 2)
+                             : QStringLiteral("–"));
+    const auto until = motion ? motion->predictableUntil() : std::nullopt;
+    predictable_->setText(!motion ? QStringLiteral("–")
+                          : until ? tr("to %1").arg(timeText(*until, length))
+                                  : tr("throughout"));
+    if (document_.work() == Work::reading)
+        state_->setText(tr("Reading the scene…"));
+    else if (document_.work() == Work::simulating)
+        state_->setText(tr("Computing the motion…"));
+    else if (document_.hasErrors())
+        state_->setText(document_.sceneIsCurrent()
+                            ? tr("The motion has faults: see a language viewer.")
+                            : tr("The text has errors. This is the last good scene."));
+    else
+        state_->setText({});
+    state_->setVisible(!state_->text().isEmpty());
+}
+
+} // namespace views

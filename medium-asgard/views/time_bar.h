@@ -1,0 +1,51 @@
+// The time scrollbar: its slider's left edge is now, its length one second (dissertation 4.1).
+//
+// The trough shows what is computed, from when on the motion is not predictable, and where bodies
+// hit. A QAbstractSlider, so that keys, wheel and screen readers work as on any slider.
+#pragma once
+
+#include <QAbstractSlider>
+
+#include <optional>
+#include <vector>
+
+namespace views {
+
+class TimeBar : public QAbstractSlider {
+    Q_OBJECT
+public:
+    explicit TimeBar(QWidget* parent = nullptr);
+
+    void setRange(double start, double finish, double computed);
+    void setMarks(std::optional<double> predictableUntil, std::vector<double> impacts);
+    void setTime(double time); // emits nothing
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+    // Of the time, in this widget: the slider's left edge.
+    [[nodiscard]] double position(double time) const;
+
+Q_SIGNALS:
+    void timeChosen(double time);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void sliderChange(SliderChange change) override;
+
+private:
+    [[nodiscard]] double timeAt(double position) const;
+    [[nodiscard]] QRectF trough() const;
+    [[nodiscard]] QRectF slider() const;
+
+    double start_ = 0, finish_ = 1, computed_ = 0, time_ = 0;
+    std::optional<double> predictableUntil_;
+    std::vector<double> impacts_;
+    double grip_ = 0;      // where the slider was taken, from its left edge
+    bool setting_ = false; // the value changes because the time does
+};
+
+} // namespace views
