@@ -1,7 +1,5 @@
 #include "views/graphical_viewer.h"
 
-#include "views/icons.h"
-
 #include <QActionGroup>
 #include <QHBoxLayout>
 #include <QMenu>
@@ -171,18 +169,18 @@ void GraphicalViewer::buildViewMenu() {
     view->addSeparator();
     const struct {
         QString label;
-        int key;
+        QKeySequence key;
         geometry::Vector toward;
     } directions[] = {
-        {tr("Along &z: the Plane x y"), Qt::Key_3, geometry::Vector::UnitZ()},
-        {tr("Along &x: the Plane y z"), Qt::Key_1, geometry::Vector::UnitX()},
-        {tr("Along &y: the Plane x z"), Qt::Key_2, geometry::Vector::UnitY()},
-        {tr("Against z"), Qt::SHIFT | Qt::Key_3, -geometry::Vector::UnitZ()},
-        {tr("Against x"), Qt::SHIFT | Qt::Key_1, -geometry::Vector::UnitX()},
-        {tr("Against y"), Qt::SHIFT | Qt::Key_2, -geometry::Vector::UnitY()},
+        {tr("Along &z: the Plane x y"), QKeySequence(Qt::Key_3), geometry::Vector::UnitZ()},
+        {tr("Along &x: the Plane y z"), QKeySequence(Qt::Key_1), geometry::Vector::UnitX()},
+        {tr("Along &y: the Plane x z"), QKeySequence(Qt::Key_2), geometry::Vector::UnitY()},
+        {tr("Against z"), QKeySequence(Qt::SHIFT | Qt::Key_3), -geometry::Vector::UnitZ()},
+        {tr("Against x"), QKeySequence(Qt::SHIFT | Qt::Key_1), -geometry::Vector::UnitX()},
+        {tr("Against y"), QKeySequence(Qt::SHIFT | Qt::Key_2), -geometry::Vector::UnitY()},
     };
     for (const auto& direction : directions)
-        view->addAction(direction.label, QKeySequence(direction.key), this,
+        view->addAction(direction.label, direction.key, this,
                         [this, toward = direction.toward] { display_->lookAlong(toward); });
     view->addSeparator();
     for (const StatusPanel::Switch& one : panel_->switches()) {

@@ -3,6 +3,7 @@
 // viewpoint and time.
 #pragma once
 
+#include "views/icons.h"
 #include "views/playback.h"
 #include "views/scene_display.h"
 #include "views/status_panel.h"
@@ -10,6 +11,9 @@
 
 #include <QMainWindow>
 #include <QToolButton>
+
+class QHBoxLayout;
+class QVBoxLayout;
 
 namespace views {
 
@@ -36,8 +40,8 @@ protected:
 private:
     void buildMenus();
     void buildViewMenu();
-    void buildTimeControls(class QVBoxLayout* column);
-    QToolButton* addButton(class QHBoxLayout* row, enum class Icon which, const QString& tip,
+    void buildTimeControls(QVBoxLayout* column);
+    QToolButton* addButton(QHBoxLayout* row, Icon which, const QString& tip,
                            std::function<void()> action);
     void fillViewsMenu();
     void updateRange();

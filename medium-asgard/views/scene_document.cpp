@@ -140,8 +140,6 @@ void SceneDocument::didRead(unsigned serial, const script::ReadResult& result) {
     if (serial != worker_->thread.serial())
         return;
     diagnostics_ = result.diagnostics;
-    if (result.usable)
-        sceneRevision_ = revision_;
     Q_EMIT diagnosticsChanged();
     setWork(result.usable ? Work::simulating : Work::none);
 }
@@ -152,6 +150,7 @@ void SceneDocument::didMove(unsigned serial, const std::shared_ptr<const scene::
         return;
     const bool other = shown_.scene != scene;
     shown_ = {scene, motion};
+    sceneRevision_ = revision_;
     if (other)
         Q_EMIT sceneChanged();
     Q_EMIT motionChanged();

@@ -1,0 +1,176 @@
+#include "views/control_panel.h"
+
+#include "views/status_panel.h"
+
+#include <QCloseEvent>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStyle>
+#include <QVBoxLayout>
+
+namespace views {
+
+namespace {
+
+QString sceneFiles() { return ControlPanel::tr("Scenes (*.al);;All files (*)"); }
+
+} // namespace
+
+ControlPanel::ControlPanel(SceneDocument& document, Windows windows)
+    : document_(document), windows_(std::move(windows)), name_(new QLabel), place_(new QLabel),
+      state_(new QLabel), progress_(new QProgressBar), simulate_(new QPushButton(tr("&Simulate"))) {
+    setWindowTitle(tr("Asgard"));
+    auto* whole = new QWidget;
+    auto* column = new QVBoxLayout(whole);
+    column->setContentsMargins(14, 12, 14, 12);
+    column->setSpacing(6);
+    QFont large = name_->font();
+    large.setPointSizeF(large.pointSizeF() * 1.35);
+    large.setBold(true);
+    name_->setFont(large);
+    name_->setAccessibleName(tr("Scene"));
+    place_->setForegroundRole(QPalette::PlaceholderText);
+    place_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    state_->setWordWrap(true);
+    state_->setMinimumHeight(2 * state_->fontMetrics().height());
+    state_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    state_->setAccessibleName(tr("State"));
+    progress_->setTextVisible(false);
+    progress_->setFixedHeight(6);
+    progress_->setRange(0, 1000);
+    progress_->setAccessibleName(tr("How far the motion is computed"));
+    column->addWidget(name_);
+    column->addWidget(place_);
+    column->addSpacing(6);
+    column->addWidget(progress_);
+    column->addWidget(state_);
+    column->addSpacing(6);
+    auto* graphical = new QPushButton(tr("New &Graphical Viewer"));
+    auto* language = new QPushButton(tr("New &Language Viewer"));
+    simulate_->setToolTip(tr("Compute the motion again (F5)"));
+    simulate_->setDefault(true);
+    for (QPushButton* button : {simulate_, graphical, language}) {
+        button->setMinimumHeight(32);
+        column->addWidget(button);
+    }
+    setCentralWidget(whole);
+    buildMenus();
+    connect(simulate_, &QPushButton::clicked, &document_, &SceneDocument::recompute);
+    connect(graphical, &QPushButton::clicked, this, [this] { windows_.openGraphicalViewer(); });
+    connect(language, &QPushButton::clicked, this, [this] { windows_.openLanguageViewer(); });
+    for (auto signal : {&SceneDocument::nameChanged, &SceneDocument::motionChanged,
+                        &SceneDocument::workChanged, &SceneDocument::diagnosticsChanged})
+        connect(&document_, signal, this, &ControlPanel::showState);
+    showState();
+    setFixedWidth(320);
+}
+
+void ControlPanel::buildMenus() {
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    file->addAction(tr("&Open…"), QKeySequence::Open, this, &ControlPanel::open);
+    file->addAction(tr("&Save"), QKeySequence::Save, this, [this] { save(); });
+    file->addAction(tr("Save &As…"), QKeySequence::SaveAs, this, [this] { saveAs(); });
+    file->addSeparator();
+    file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    edit->addAction(tr("&Undo"), QKeySequence::Undo, &document_, &SceneDocument::undo);
+    edit->addAction(tr("&Redo"), QKeySequence::Redo, &document_, &SceneDocument::redo);
+    QMenu* scene = menuBar()->addMenu(tr("&Scene"));
+    scene->addAction(tr("&Simulate"), QKeySequence(Qt::Key_F5), &document_,
+                     &SceneDocument::recompute);
+    scene->addAction(tr("New &Graphical Viewer"), QKeySequence(Qt::CTRL | Qt::Key_N), this,
+                     [this] { windows_.openGraphicalViewer(); });
+    scene->addAction(tr("New &Language Viewer"), QKeySequence(Qt::CTRL | Qt::Key_L), this,
+                     [this] { windows_.openLanguageViewer(); });
+}
+
+void ControlPanel::showState() {
+    name_->setText(document_.name() + (document_.isModified() ? tr(" (changed)") : QString()));
+    const QString folder = QFileInfo(document_.path()).absolutePath();
+    place_->setText(document_.path().isEmpty()
+                        ? tr("not saved yet")
+                        : place_->fontMetrics().elidedText(QDir::toNativeSeparators(folder),
+                                                           Qt::ElideMiddle, 280));
+    place_->setToolTip(folder);
+    const auto& motion = document_.shown().motion;
+    const double length = motion ? motion->finish() - motion->start() : 0;
+    const double share = length > 0 ? (motion->computed() - motion->start()) / length : 0;
+    progress_->setValue(static_cast<int>(1000 * share));
+    std::size_t errors = 0;
+    for (const scene::Diagnostic& d : document_.diagnostics())
+        errors += d.severity == scene::Severity::error ? 1 : 0;
+    if (document_.work() == Work::reading)
+        state_->setText(tr("Reading the scene…"));
+    else if (document_.work() == Work::simulating)
+        state_->setText(tr("Computing the motion…"));
+    else if (errors > 0)
+        state_->setText(
+            tr("%n fault(s): a language viewer shows where.", nullptr, static_cast<int>(errors)));
+    else if (motion)
+        state_->setText(
+            tr("%1 of motion computed%2.")
+                .arg(timeText(length, length),
+                     document_.statistics()
+                         ? tr(" in %1 s").arg(document_.statistics()->seconds, 0, 'g', 2)
+                         : QString()));
+    else
+        state_->setText({});
+}
+
+void ControlPanel::openFile(const QString& path) {
+    if (const QString fault = document_.open(path); !fault.isEmpty())
+        QMessageBox::warning(this, tr("Open"), fault);
+}
+
+void ControlPanel::open() {
+    if (!mayLeave())
+        return;
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Open a scene"), QFileInfo(document_.path()).absolutePath(), sceneFiles());
+    if (!path.isEmpty())
+        openFile(path);
+}
+
+bool ControlPanel::saveTo(const QString& path) {
+    const QString fault = document_.save(path);
+    if (!fault.isEmpty())
+        QMessageBox::warning(this, tr("Save"), fault);
+    return fault.isEmpty();
+}
+
+bool ControlPanel::save() {
+    return document_.path().isEmpty() ? saveAs() : saveTo(document_.path());
+}
+
+bool ControlPanel::saveAs() {
+    QString path = QFileDialog::getSaveFileName(
+        this, tr("Save the scene"),
+        document_.path().isEmpty() ? QStringLiteral("scene.al") : document_.path(), sceneFiles());
+    return !path.isEmpty() && saveTo(path);
+}
+
+bool ControlPanel::mayLeave() {
+    if (!document_.isModified())
+        return true;
+    const auto answer = QMessageBox::question(
+        this, tr("Asgard"), tr("%1 was changed and not saved.").arg(document_.name()),
+        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+    if (answer == QMessageBox::Save)
+        return save();
+    return answer == QMessageBox::Discard;
+}
+
+void ControlPanel::closeEvent(QCloseEvent* event) {
+    event->setAccepted(mayLeave());
+    if (event->isAccepted())
+        Q_EMIT leaving();
+}
+
+} // namespace views

@@ -1,0 +1,47 @@
+// The control panel (dissertation 4): the small window that manages the whole of a stand-alone
+// session - its file, its simulation, its viewers.
+#pragma once
+
+#include "views/graphical_viewer.h"
+#include "views/scene_document.h"
+
+#include <QMainWindow>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace views {
+
+class ControlPanel : public QMainWindow {
+    Q_OBJECT
+public:
+    ControlPanel(SceneDocument& document, Windows windows);
+
+    // Opens a file in place of the present one; asks first when that would lose changes.
+    void open();
+    bool save(); // false: not saved
+    bool saveAs();
+    // Nothing would be lost, or the user agreed to what is.
+    bool mayLeave();
+
+Q_SIGNALS:
+    void leaving(); // all windows are to close
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    void buildMenus();
+    void showState();
+    void openFile(const QString& path);
+    bool saveTo(const QString& path);
+
+    SceneDocument& document_;
+    Windows windows_;
+    QLabel *name_, *place_, *state_;
+    QProgressBar* progress_;
+    QPushButton* simulate_;
+};
+
+} // namespace views

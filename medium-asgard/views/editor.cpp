@@ -1,0 +1,148 @@
+#include "views/editor.h"
+
+#include "script/reader.h"
+#include "views/control_panel.h"
+
+#include <QApplication>
+#include <QMessageBox>
+#include <QScreen>
+
+#include <clocale>
+
+namespace views {
+
+namespace {
+
+template <class Window> QList<Window*> alive(const QList<QPointer<Window>>& windows) {
+    QList<Window*> result;
+    for (const QPointer<Window>& window : windows)
+        if (window)
+            result.push_back(window);
+    return result;
+}
+
+// Control panel at the top left, the language viewer below it, the graphical one beside them, as
+// far as the screen allows (dissertation, Figure 4.1).
+void arrange(ControlPanel& panel, GraphicalViewer& graphical, LanguageViewer& language) {
+    const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
+    const int gap = 12, title = 32;
+    const int left = std::max(panel.sizeHint().width(), screen.width() * 2 / 5);
+    panel.move(screen.left() + gap, screen.top() + gap);
+    const int below = panel.sizeHint().height() + title + 2 * gap;
+    language.resize(left - 2 * gap, std::max(280, screen.height() - below - title - 2 * gap));
+    language.move(screen.left() + gap, screen.top() + below);
+    graphical.resize(
+        screen.width() - left - 2 * gap,
+        std::min(screen.height() - title - 3 * gap, (screen.width() - left) * 4 / 5 + 80));
+    graphical.move(screen.left() + left + gap / 2, screen.top() + gap);
+}
+
+} // namespace
+
+Workshop workshopOf(script::Reader& reader) {
+    return {[&reader](std::string_view text) { return reader.read(text); },
+            [&reader] { reader.cancel(); },
+            [](const auto& scene, const auto& options, const auto& observer) {
+                return simulation::simulate(scene, options, observer);
+            }};
+}
+
+Editor::Editor(Workshop workshop, QObject* parent)
+    : QObject(parent), document_(std::move(workshop)) {}
+
+Editor::~Editor() {
+    for (GraphicalViewer* viewer : graphicalViewers())
+        delete viewer;
+    for (LanguageViewer* viewer : languageViewers())
+        delete viewer;
+    delete controlPanel_;
+}
+
+Windows Editor::windows() {
+    Windows windows;
+    windows.openGraphicalViewer = [this] { openGraphicalViewer(); };
+    windows.openLanguageViewer = [this] { openLanguageViewer(); };
+    if (!document_.hasHost())
+        windows.save = [this] {
+            if (controlPanel_)
+                controlPanel_->save();
+        };
+    return windows;
+}
+
+GraphicalViewer* Editor::openGraphicalViewer() {
+    if (!renderer_) {
+        auto made = render::Renderer::create();
+        if (auto* renderer = std::get_if<std::unique_ptr<render::Renderer>>(&made))
+            renderer_ = std::move(*renderer);
+        else
+            noRenderer_ = QString::fromStdString(std::get<std::string>(made));
+    }
+    auto* viewer =
+        new GraphicalViewer(document_, renderer_, noRenderer_, windows(), ++graphicalCount_);
+    // A new viewer begins where the last one is.
+    if (const auto open = graphicalViewers(); !open.isEmpty())
+        viewer->playback().seek(open.back()->playback().time());
+    graphical_.push_back(viewer);
+    connect(viewer, &QObject::destroyed, this, &Editor::viewersChanged);
+    viewer->show();
+    Q_EMIT viewersChanged();
+    return viewer;
+}
+
+LanguageViewer* Editor::openLanguageViewer() {
+    auto* viewer = new LanguageViewer(document_, windows(), ++languageCount_);
+    language_.push_back(viewer);
+    connect(viewer, &QObject::destroyed, this, &Editor::viewersChanged);
+    viewer->show();
+    Q_EMIT viewersChanged();
+    return viewer;
+}
+
+ControlPanel* Editor::openControlPanel() {
+    if (!controlPanel_) {
+        controlPanel_ = new ControlPanel(document_, windows());
+        connect(controlPanel_, &ControlPanel::leaving, this, [this] {
+            if (closeViewers())
+                QCoreApplication::quit();
+        });
+    }
+    controlPanel_->show();
+    return controlPanel_;
+}
+
+QList<GraphicalViewer*> Editor::graphicalViewers() const { return alive(graphical_); }
+
+QList<LanguageViewer*> Editor::languageViewers() const { return alive(language_); }
+
+bool Editor::closeViewers() {
+    for (LanguageViewer* viewer : languageViewers())
+        if (!viewer->close())
+            return false;
+    for (GraphicalViewer* viewer : graphicalViewers())
+        viewer->close();
+    return true;
+}
+
+int runEditor(int argc, char** argv, const std::string& file) {
+    script::Reader reader; // forks while there is nothing of a document and one thread
+    QApplication application(argc, argv);
+    std::setlocale(LC_NUMERIC, "C"); // Qt takes the user's; numbers of scenes have points
+    QApplication::setApplicationName(QStringLiteral("asgard"));
+    QApplication::setApplicationDisplayName(QStringLiteral("Asgard"));
+    QApplication::setQuitOnLastWindowClosed(true);
+    Editor editor(workshopOf(reader));
+    ControlPanel* panel = editor.openControlPanel();
+    if (!file.empty())
+        if (const QString fault = editor.document().open(QString::fromStdString(file));
+            !fault.isEmpty()) {
+            QMessageBox::critical(panel, QStringLiteral("Asgard"), fault);
+            return 1;
+        }
+    GraphicalViewer* graphical = editor.openGraphicalViewer();
+    LanguageViewer* language = editor.openLanguageViewer();
+    arrange(*panel, *graphical, *language);
+    return QApplication::exec();
+}
+
+} // namespace views

@@ -1,0 +1,61 @@
+// All windows that one scene has in this process, and the document that they share.
+//
+// Stand-alone: runEditor(). Under a host, in `edit` mode, the session makes an Editor, gives it a
+// HostLink, and opens viewers as the host asks for them.
+#pragma once
+
+#include "views/graphical_viewer.h"
+#include "views/language_viewer.h"
+#include "views/scene_document.h"
+
+#include <QList>
+#include <QObject>
+#include <QPointer>
+
+namespace script {
+class Reader;
+}
+
+namespace views {
+
+class ControlPanel;
+
+// The workshop of this program: texts read by `reader`, motion computed by simulation/.
+[[nodiscard]] Workshop workshopOf(script::Reader& reader);
+
+class Editor : public QObject {
+    Q_OBJECT
+public:
+    explicit Editor(Workshop workshop, QObject* parent = nullptr);
+    ~Editor() override; // closes its windows
+
+    [[nodiscard]] SceneDocument& document() { return document_; }
+
+    GraphicalViewer* openGraphicalViewer();
+    LanguageViewer* openLanguageViewer();
+    ControlPanel* openControlPanel();
+    [[nodiscard]] QList<GraphicalViewer*> graphicalViewers() const;
+    [[nodiscard]] QList<LanguageViewer*> languageViewers() const;
+    // Asks about drafts; false when the user wants to stay.
+    bool closeViewers();
+
+Q_SIGNALS:
+    void viewersChanged(); // one was opened or closed
+
+private:
+    [[nodiscard]] Windows windows();
+
+    SceneDocument document_;
+    std::shared_ptr<render::Renderer> renderer_; // one context for all viewers
+    QString noRenderer_;
+    QPointer<ControlPanel> controlPanel_;
+    QList<QPointer<GraphicalViewer>> graphical_;
+    QList<QPointer<LanguageViewer>> language_;
+    int graphicalCount_ = 0, languageCount_ = 0;
+};
+
+// The stand-alone editor: control panel, a graphical and a language viewer; `file` may be "".
+// Starts the evaluator server itself, before Qt: call it while the process has one thread.
+int runEditor(int argc, char** argv, const std::string& file);
+
+} // namespace views

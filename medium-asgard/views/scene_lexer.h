@@ -1,0 +1,28 @@
+// Colours of a scene's text: commands, options, numbers, comments, as the language knows them.
+//
+// What is a command, a word or a comment comes from script/structure.h, which follows Tcl's rules;
+// so a scene command in the body of a loop is coloured and the same letters in a string are not.
+#pragma once
+
+#include "views/scintilla.h"
+
+namespace views {
+
+class SceneLexer : public QsciLexerCustom {
+    Q_OBJECT
+public:
+    enum Style { plain, comment, sceneCommand, tclCommand, option, number, variable, string };
+
+    explicit SceneLexer(QsciScintilla* editor);
+
+    [[nodiscard]] const char* language() const override { return "Asgard"; }
+    [[nodiscard]] QString description(int style) const override;
+    [[nodiscard]] QColor defaultColor(int style) const override;
+    [[nodiscard]] QColor defaultPaper(int style) const override;
+    [[nodiscard]] QFont defaultFont(int style) const override;
+
+    // Bytes [start, end) are to be coloured; the whole text is, since a brace changes all below.
+    void styleText(int start, int end) override;
+};
+
+} // namespace views
