@@ -2,6 +2,7 @@
 // without a window on one scene (docs/command-line.md).
 #include "batch/command.h"
 #include "medium_process.h"
+#include "views/editor.h"
 
 #include <CLI/CLI.hpp>
 
@@ -93,7 +94,7 @@ int run(int argc, char** argv, script::Reader& reader) {
         return batch::renderCommand(reader, render);
     if (medium)
         return asgard::serveAsMedium(reader);
-    return notInThisVersion("the stand-alone editor");
+    return views::runEditor(argc, argv, scene, reader);
 }
 
 } // namespace

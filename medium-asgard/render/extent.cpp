@@ -56,13 +56,20 @@ bool finite(const Pose& pose) {
 // What one body does over the motion.
 struct Path {
     Box centers;                  // of the shape's origin
-    Vector spin = Vector::Zero(); // sum of the absolute angular velocity's components
+    Vector spin = Vector::Zero(); // the angle turned about each axis, to and fro alike
     std::vector<Pose> poses;
+
+    [[nodiscard]] bool travels() const {
+        return !centers.isEmpty() &&
+               centers.sizes().maxCoeff() > 1e-9 * (1 + centers.center().norm());
+    }
+    [[nodiscard]] bool turns() const { return spin.sum() > 1e-6; } // more than rounding does
 };
 
 Path pathOf(const scene::Scene& scene, const simulation::Motion* motion, std::size_t body,
             const std::vector<double>& times) {
     Path path;
+    const double interval = times.size() > 1 ? times[1] - times[0] : 0;
     for (double time : times) {
         const Pose pose = poseOf(scene, motion, body, time);
         if (!finite(pose))
@@ -70,9 +77,27 @@ Path pathOf(const scene::Scene& scene, const simulation::Motion* motion, std::si
         path.centers.extend(pose.position);
         path.poses.push_back(pose);
         if (motion != nullptr && body < motion->bodies())
-            path.spin += motion->at(body, time).angularVelocity.cwiseAbs();
+            path.spin += interval * motion->at(body, time).angularVelocity.cwiseAbs();
     }
     return path;
+}
+
+struct Survey {
+    std::vector<std::vector<Ball>> outlines; // of each body
+    std::vector<Path> paths;
+};
+
+Survey surveyOf(const scene::Scene& scene, const simulation::Motion* motion) {
+    Survey survey;
+    std::size_t points = 0;
+    for (const scene::Body& body : scene.bodies) {
+        survey.outlines.push_back(outlineOf(scene, body));
+        points += survey.outlines.back().size();
+    }
+    const std::vector<double> times = sampleTimes(motion, points);
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        survey.paths.push_back(pathOf(scene, motion, i, times));
+    return survey;
 }
 
 Box around(const Ball& ball) {
@@ -89,7 +114,7 @@ void keepPath(Extent& extent, const Path& path, const std::vector<Ball>& outline
     for (const Pose& pose : path.poses) {
         for (const Ball& ball : outline)
             keep(extent, {pose.toWorld(ball.center), ball.radius});
-        if (path.centers.sizes().isZero() && path.spin.isZero())
+        if (!path.travels() && !path.turns())
             return;
     }
 }
@@ -188,35 +213,27 @@ Vector upOf(const scene::Scene& scene) {
 Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion) {
     Extent extent;
     extent.up = upOf(scene);
-    std::vector<std::vector<Ball>> outlines;
-    std::size_t points = 0;
-    for (const scene::Body& body : scene.bodies) {
-        outlines.push_back(outlineOf(scene, body));
-        points += outlines.back().size();
-    }
-    const std::vector<double> times = sampleTimes(motion, points);
-    std::vector<Path> paths;
+    const Survey survey = surveyOf(scene, motion);
     bool anyMoves = false;
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        paths.push_back(pathOf(scene, motion, i, times));
-        const Box& centers = paths[i].centers;
-        const bool travels =
-            !centers.isEmpty() && centers.sizes().maxCoeff() > 1e-9 * (1 + centers.center().norm());
-        extent.turns.push_back(paths[i].spin.sum() > 0);
-        extent.moves.push_back(travels || extent.turns[i]);
-        anyMoves = anyMoves || extent.moves[i];
+    for (const Path& path : survey.paths) {
+        extent.turns.push_back(path.turns());
+        extent.moves.push_back(path.travels() || path.turns());
+        anyMoves = anyMoves || extent.moves.back();
     }
-    for (std::size_t i = 0; i < paths.size(); ++i)
-        if (!anyMoves || extent.moves[i])
-            keepPath(extent, paths[i], outlines[i]);
+    const auto belongs = [&](std::size_t i) {
+        return !anyMoves || extent.moves[i] || !scene.bodies[i].fixed;
+    };
+    for (std::size_t i = 0; i < survey.paths.size(); ++i)
+        if (belongs(i))
+            keepPath(extent, survey.paths[i], survey.outlines[i]);
     const Box moving = extent.box;
-    for (std::size_t i = 0; i < paths.size(); ++i)
-        if (anyMoves && !extent.moves[i] && !paths[i].poses.empty())
-            keepNear(extent, moving, paths[i].poses.front(), outlines[i]);
+    for (std::size_t i = 0; i < survey.paths.size(); ++i)
+        if (!belongs(i) && !survey.paths[i].poses.empty())
+            keepNear(extent, moving, survey.paths[i].poses.front(), survey.outlines[i]);
     if (extent.box.isEmpty())
         keep(extent, {Vector::Zero(), 1});
     extent.size = std::max(extent.box.sizes().maxCoeff(), 1e-9);
-    extent.planeNormal = flatAlong(paths, extent.moves, extent.up);
+    extent.planeNormal = flatAlong(survey.paths, extent.moves, extent.up);
     extent.lowest =
         extent.box.center().dot(extent.up) - extent.box.sizes().dot(extent.up.cwiseAbs()) / 2;
     return extent;

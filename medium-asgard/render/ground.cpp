@@ -83,9 +83,15 @@ void addGrid(Lines& lines, const Extent& extent, const Frame& frame) {
     const auto place = [&](double i, double j) {
         return frame.toView(below.dot(up) * up + (footU + i) * cell * u + (footV + j) * cell * v);
     };
+    // Seen at a slant the lines crowd: they fade, and are gone when the ground is seen edge-on.
+    const Plane ground = groundOf(extent, frame);
+    const double rise = std::abs(eyeDistance * ground.normal.z() - ground.offset) / eyeDistance;
+    const double slant = std::clamp((rise - 0.02) / 0.12, 0.0, 1.0);
+    if (slant == 0)
+        return;
     const auto alpha = [&](double i, double j) {
         const double d = std::hypot(i, j) / reach;
-        return static_cast<float>(0.5 * std::max(0.0, 1 - d * d));
+        return static_cast<float>(0.5 * slant * std::max(0.0, 1 - d * d));
     };
     for (int line = -reach; line <= reach; ++line)
         for (int along = -reach; along < reach; ++along) {

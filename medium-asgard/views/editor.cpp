@@ -27,14 +27,14 @@ void arrange(ControlPanel& panel, GraphicalViewer& graphical, LanguageViewer& la
     const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
     const int gap = 12, title = 32;
     const int left = std::max(panel.sizeHint().width(), screen.width() * 2 / 5);
-    panel.move(screen.left() + gap, screen.top() + gap);
-    const int below = panel.sizeHint().height() + title + 2 * gap;
-    language.resize(left - 2 * gap, std::max(280, screen.height() - below - title - 2 * gap));
+    panel.move(screen.left() + gap, screen.top() + title);
+    const int below = panel.sizeHint().height() + 2 * title + gap;
+    language.resize(left - 2 * gap, std::max(280, screen.height() - below - 2 * gap));
     language.move(screen.left() + gap, screen.top() + below);
     graphical.resize(
         screen.width() - left - 2 * gap,
         std::min(screen.height() - title - 3 * gap, (screen.width() - left) * 4 / 5 + 80));
-    graphical.move(screen.left() + left + gap / 2, screen.top() + gap);
+    graphical.move(screen.left() + left + gap / 2, screen.top() + title);
 }
 
 } // namespace
@@ -124,8 +124,7 @@ bool Editor::closeViewers() {
     return true;
 }
 
-int runEditor(int argc, char** argv, const std::string& file) {
-    script::Reader reader; // forks while there is nothing of a document and one thread
+int runEditor(int argc, char** argv, const std::string& file, script::Reader& reader) {
     QApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C"); // Qt takes the user's; numbers of scenes have points
     QApplication::setApplicationName(QStringLiteral("asgard"));

@@ -55,7 +55,7 @@ private:
 };
 
 // The stand-alone editor: control panel, a graphical and a language viewer; `file` may be "".
-// Starts the evaluator server itself, before Qt: call it while the process has one thread.
-int runEditor(int argc, char** argv, const std::string& file);
+// `reader` was made before anything else of this process. Returns the exit code.
+int runEditor(int argc, char** argv, const std::string& file, script::Reader& reader);
 
 } // namespace views

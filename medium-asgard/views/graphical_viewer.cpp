@@ -12,7 +12,7 @@ namespace {
 
 constexpr double rates[] = {0.1, 0.25, 0.5, 1, 2, 4};
 
-QString rateText(double rate) { return QStringLiteral("%1×").arg(rate); }
+QString rateText(double rate) { return QStringLiteral("%1 × ").arg(rate); }
 
 } // namespace
 

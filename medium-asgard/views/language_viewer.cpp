@@ -94,6 +94,7 @@ void LanguageViewer::buildEditor() {
     editor_->setLexer(new SceneLexer(editor_));
     editor_->setMarginType(0, QsciScintilla::NumberMargin);
     editor_->setMarginWidth(1, 0);
+    editor_->SendScintilla(QsciScintillaBase::SCI_SETMARGINLEFT, 0UL, 6L);
     editor_->setTabWidth(4);
     editor_->setIndentationsUseTabs(false);
     editor_->setAutoIndent(true);
