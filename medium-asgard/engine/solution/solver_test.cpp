@@ -85,9 +85,10 @@ TEST(Solver, FollowsKeplersOrbitBetweenItsSteps) {
 
 TEST(Solver, TakesRadauWhereStabilityBoundsTheStepAndGoesBack) {
     // Stiff for t < 5, then not: the fast decay is switched off smoothly.
-    const Solver solver = solved(
-        equationsOf({{"y", "-1e5*(y-cos(t))/(1+exp(20*(t-5)))-0.1*y+cos(30*t)", 1}, {"z", "cos(y*t)*z", 1}}),
-        10, tolerance(1e-6));
+    const Solver solver =
+        solved(equationsOf({{"y", "-1e5*(y-cos(t))/(1+exp(20*(t-5)))-0.1*y+cos(30*t)", 1},
+                            {"z", "cos(y*t)*z", 1}}),
+               10, tolerance(1e-6));
     const Statistics statistics = solver.statistics();
     EXPECT_EQ(statistics.componentList[0].method, "dop853");
     EXPECT_GT(statistics.componentList[0].factorisations, 10u);

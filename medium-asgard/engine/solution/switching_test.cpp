@@ -1,0 +1,240 @@
+// Switching expressions: located, passed, slid upon; and what cannot be.
+#include "solution/solver_testing.h"
+#include "solution/switching.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+using namespace solution;
+using namespace solution::testing;
+
+namespace {
+
+std::optional<Violation> violationOf(const std::function<double(double)>& f, double from,
+                                     double to) {
+    return firstViolation(
+        1, [&](double t, std::span<double> out) { out[0] = f(t); }, from, to);
+}
+
+} // namespace
+
+TEST(FirstViolation, IsTheFirstRootToTheLastBit) {
+    const auto found = violationOf([](double t) { return std::cos(t); }, 0, 20);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->time, std::numbers::pi / 2, 1e-15);
+    EXPECT_LE(std::cos(found->time), 0);
+    EXPECT_GT(std::cos(std::nextafter(found->time, 0)), 0);
+}
+
+TEST(FirstViolation, IsFoundAmongManyOscillations) {
+    const auto found = violationOf([](double t) { return std::sin(1e5 * t) + 0.5; }, 0, 10);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->time, std::numbers::pi * 7 / 6 / 1e5, 1e-18);
+}
+
+TEST(FirstViolation, ShortDipsAreFoundAndNarrowMissesAreNot) {
+    EXPECT_TRUE(violationOf([](double t) { return std::pow(t - 0.7123, 2) - 1e-10; }, 0, 1));
+    EXPECT_FALSE(violationOf([](double t) { return std::pow(t - 0.7123, 2) + 1e-10; }, 0, 1));
+}
+
+// What starts at zero is followed once it has risen; what only falls is wrong from the start.
+TEST(FirstViolation, StartsArmedOnlyAboveZero) {
+    const auto later = violationOf([](double t) { return t * (1 - t); }, 0, 2);
+    ASSERT_TRUE(later);
+    EXPECT_EQ(later->time, 1);
+    const auto now = violationOf([](double t) { return -t; }, 0, 2);
+    ASSERT_TRUE(now);
+    EXPECT_EQ(now->time, 0);
+    EXPECT_FALSE(violationOf([](double) { return 0.0; }, 0, 2));
+}
+
+TEST(Surfaces, GuardsThatDifferInSignAreOneSurface) {
+    expression::Graph graph;
+    const expression::Node node = expression::testing::parsed(
+        graph, "(v>0?-3:v<0?3:0) + sign(-v) + abs(x-y) + (y<=x) + min(x,y) + floor(x)");
+    const auto surfaces = surfacesOf(graph, {&node, 1});
+    ASSERT_EQ(surfaces.size(), 3u);
+    std::size_t whole = 0, members = 0;
+    for (const Surface& surface : surfaces) {
+        whole += surface.whole ? 1 : 0;
+        members += surface.members.size();
+    }
+    EXPECT_EQ(whole, 1u);
+    EXPECT_EQ(members, 7u);
+}
+
+// A spring that only pushes: free flight, then half an oscillation.
+TEST(Switches, AContactSpringIsEnteredAndLeftAtItsRoots) {
+    // x0 = 1, g = 10; contact at t1 = sqrt(2/10) with v1 = -sqrt(20).
+    const Solver solver = solved(equationsOf({{"x", "dx", 1, 1}, {"dx", "-10+(x<0?-1e4*x:0)", 0}}),
+                                 2, tolerance(1e-11));
+    const double t1 = std::sqrt(0.2);
+    const auto restarts = solver.histories().restarts(1);
+    ASSERT_GE(restarts.size(), 2u);
+    EXPECT_NEAR(restarts[0], t1, 1e-14);
+    // Inside: x'' = -10 - 1e4 x, from 0 with v1; leaves with the opposite velocity.
+    const double w = 100, rest = -10 / 1e4, amplitude = std::hypot(rest, std::sqrt(20) / w);
+    const double phase = std::asin(-rest / amplitude);
+    EXPECT_NEAR(restarts[1], t1 + (std::numbers::pi + 2 * phase) / w, 1e-9);
+    EXPECT_NEAR(solver.histories().value(1, restarts[1]), std::sqrt(20), 1e-7);
+}
+
+TEST(Switches, TimesAreExact) {
+    const Solver solver = solved(equationsOf({{"x", "t<2?1:-1", 0}, {"y", "abs(t-3)", 0}}), 5);
+    EXPECT_EQ(solver.histories().restarts(0), std::vector<double>{2});
+    EXPECT_NEAR(solver.histories().value(0, 5), -1, 1e-15);
+    EXPECT_NEAR(solver.histories().value(1, 5), 4.5 + 2, 1e-14);
+    EXPECT_EQ(solver.statistics().steps, 0u);
+}
+
+TEST(Switches, AStaircaseIsClimbedStepByStep) {
+    const Solver solver =
+        solved(equationsOf({{"x", "floor(t)", 0}, {"y", "ceil(0.5-t)", 0}}), 10.5);
+    EXPECT_NEAR(solver.histories().value(0, 10.5), 45 + 5, 1e-12);
+    EXPECT_NEAR(solver.histories().value(1, 10.5), 0.5 - 45, 1e-12);
+    const auto restarts = solver.histories().restarts(0);
+    ASSERT_GE(restarts.size(), 10u);
+    for (std::size_t k = 0; k < 10; ++k)
+        EXPECT_EQ(restarts[k], static_cast<double>(k + 1));
+}
+
+TEST(Switches, ASquareWaveDrivesAnOscillatorWithoutAKink) {
+    // x'' = -x + s, s = 1 on even half periods of sin(3t): compare with a run in pieces.
+    const Solver solver = solved(equationsOf({{"x", "dx", 0, 1}, {"dx", "-x+(sin(3*t)>0?1:0)", 0}}),
+                                 6, tolerance(1e-11));
+    double x = 0, v = 0, t = 0;
+    for (int k = 0; t < 6; ++k) {
+        const double end = std::min(6.0, (k + 1) * std::numbers::pi / 3), h = end - t;
+        const double s = k % 2 == 0 ? 1 : 0, c = x - s;
+        x = s + c * std::cos(h) + v * std::sin(h);
+        v = -c * std::sin(h) + v * std::cos(h);
+        t = end;
+    }
+    EXPECT_NEAR(solver.histories().value(0, 6), x, 1e-9);
+    EXPECT_NEAR(solver.histories().value(1, 6), v, 1e-9);
+}
+
+// A block that friction stops on a floor stops and stays; no force is large enough to move it until
+// the push exceeds mu m g.
+TEST(Friction, ABlockStopsAndStaysAndStartsAgain) {
+    // mu g = 2, v0 = 3: stops at t = 1.5 after 2.25 m. Push (t > 5) grows as t - 5: starts at 7.
+    const Solver solver = solved(
+        equationsOf({{"x", "dx", 0, 1}, {"dx", "-2*sign(dx)+max(0,t-5)", 3}}), 9, tolerance(1e-9));
+    const Histories& h = solver.histories();
+    EXPECT_NEAR(h.value(0, 1.5), 2.25, 1e-12);
+    for (const double t : {1.6, 3.0, 5.0, 6.9}) {
+        EXPECT_EQ(h.value(1, t), 0) << t;
+        EXPECT_NEAR(h.value(0, t), 2.25, 1e-12) << t;
+    }
+    EXPECT_NEAR(h.value(1, 9), 2, 1e-8); // v = (t-7)^2/2
+    EXPECT_NEAR(h.value(0, 9), 2.25 + 8.0 / 6, 1e-8);
+    EXPECT_EQ(h.stop(0), nullptr);
+}
+
+TEST(Friction, WrittenAsComparisonsIsTheSame) {
+    const Solver solver =
+        solved(equationsOf({{"x", "dx", 0, 1}, {"dx", "dx>0?-2:dx<0?2:0", 3}}), 9, tolerance(1e-9));
+    EXPECT_EQ(solver.histories().value(1, 5), 0);
+    EXPECT_NEAR(solver.histories().value(0, 5), 2.25, 1e-12);
+}
+
+TEST(Friction, ABlockAtRestThatIsNotPushedHardStays) {
+    const Solver solver =
+        solved(equationsOf({{"x", "dx", 0, 1}, {"dx", "1.9*sin(3*t)-2*sign(dx)", 0}}), 20);
+    EXPECT_EQ(solver.histories().value(0, 20), 0);
+    EXPECT_EQ(solver.histories().value(1, 20), 0);
+    EXPECT_LT(solver.statistics().evaluations, 3000u);
+}
+
+// A block on a spring with dry friction comes to rest where the spring is too weak.
+TEST(Friction, ASpringAndFrictionEndInRest) {
+    // x'' = -x - 0.3 sign(x'), from 2: turning points 2, -1.4, 0.8, -0.2 (rest: |x| < 0.3).
+    const Solver solver = solved(equationsOf({{"x", "dx", 2, 1}, {"dx", "-x-0.3*sign(dx)", 0}}), 30,
+                                 tolerance(1e-11));
+    const Histories& h = solver.histories();
+    EXPECT_NEAR(h.value(0, std::numbers::pi), -1.4, 1e-9);
+    EXPECT_NEAR(h.value(0, 2 * std::numbers::pi), 0.8, 1e-9);
+    EXPECT_NEAR(h.value(0, 3 * std::numbers::pi), -0.2, 1e-8);
+    EXPECT_NEAR(h.value(0, 30), -0.2, 1e-8);
+    EXPECT_EQ(h.value(1, 30), 0);
+}
+
+// On a belt: the block takes on the belt's speed and keeps it until the spring pulls it off.
+TEST(Friction, ABlockOnABeltSticksAndSlips) {
+    const Solver solver = solved(equationsOf({{"x", "dx", 0, 1}, {"dx", "-4*x-2*sign(dx-0.5)", 0}}),
+                                 20, tolerance(1e-10));
+    const Histories& h = solver.histories();
+    // Sticks until 4 x = 2.
+    const auto restarts = h.restarts(1);
+    ASSERT_GE(restarts.size(), 2u);
+    EXPECT_NEAR(h.value(1, 0.5 * (restarts[0] + restarts[1])), 0.5, 1e-12);
+    EXPECT_NEAR(h.value(0, restarts[1]), 0.5, 1e-9);
+    EXPECT_EQ(h.stop(0), nullptr);
+}
+
+// Two blocks, coupled by a spring, each on its own friction: both surfaces are held at once.
+TEST(Friction, TwoCoupledBlocksBothComeToRest) {
+    const Solver solver = solved(equationsOf({{"x", "dx", 0, 1},
+                                              {"dx", "5*(y-x)-sign(dx)", 3},
+                                              {"y", "dy", 0, 1},
+                                              {"dy", "5*(x-y)-sign(dy)", 0}}),
+                                 20, tolerance(1e-9));
+    const Histories& h = solver.histories();
+    EXPECT_EQ(h.stop(0), nullptr);
+    EXPECT_EQ(h.value(1, 20), 0);
+    EXPECT_EQ(h.value(3, 20), 0);
+    EXPECT_LE(5 * std::abs(h.value(0, 20) - h.value(2, 20)), 1.0);
+}
+
+// The block's velocity is compared with that of another body on which it slides.
+TEST(Friction, ABlockOnASlidingPlankEndsAtCommonSpeed) {
+    const Solver solver = solved(equationsOf({{"a", "-4*sign(a-b)", 3}, {"b", "1*sign(a-b)", 0}}),
+                                 5, tolerance(1e-9));
+    const Histories& h = solver.histories();
+    EXPECT_NEAR(h.value(0, 5), 0.6, 1e-12); // 1 : 4 in mass
+    EXPECT_NEAR(h.value(1, 5), 0.6, 1e-12);
+    EXPECT_NEAR(h.value(0, 0.6), 0.6, 1e-12);
+}
+
+// A relay drives to zero from both sides of two surfaces in ever shorter turns (the twisting
+// algorithm): no time passes between them in the end, and that is said.
+TEST(Switches, AnEndlessSequenceEndsInBoundedWork) {
+    const Solver solver = solved(
+        equationsOf({{"x", "dx", 1, 1}, {"dx", "-2*sign(x)-sign(dx)", 0}, {"z", "-z", 1}}), 20);
+    const Histories& h = solver.histories();
+    EXPECT_LT(solver.statistics().evaluations, 20000u);
+    if (h.stop(0)) {
+        EXPECT_EQ(h.stop(0)->reason, Stop::Reason::decisions);
+        EXPECT_NEAR(h.value(0, h.stop(0)->time), 0, 1e-6);
+    } else {
+        EXPECT_NEAR(h.value(0, 20), 0, 1e-6);
+    }
+    EXPECT_EQ(h.stop(2), nullptr);
+    EXPECT_EQ(h.known(), 20);
+}
+
+TEST(Switches, ARestOnASurfaceThatPushesFromBothSidesIsKept) {
+    const Solver solver = solved(equationsOf({{"x", "dx", 0, 1}, {"dx", "-sign(x)", 0}}), 10);
+    EXPECT_EQ(solver.histories().value(0, 10), 0);
+    EXPECT_EQ(solver.histories().stop(0), nullptr);
+}
+
+TEST(Switches, ABlockAtRestOnASpringContactFallsIntoIt) {
+    const Solver solver = solved(equationsOf({{"x", "dx", 0, 1}, {"dx", "-10+(x<0?-100*x:0)", 0}}),
+                                 3, tolerance(1e-10));
+    // x = -0.1 (1 - cos 10 t)
+    EXPECT_NEAR(solver.histories().value(0, 1), -0.1 * (1 - std::cos(10)), 1e-8);
+    EXPECT_NEAR(solver.histories().value(0, 3), -0.1 * (1 - std::cos(30)), 1e-7);
+}
+
+TEST(Switches, AStiffContactIsLeftOnTime) {
+    // k = 1e8 with critical damping: the implicit method meets switches too.
+    const Solver solver =
+        solved(equationsOf({{"x", "dx", 1, 1}, {"dx", "-10+(x<0?-1e8*x-2e4*dx:0)", 0}}), 3,
+               tolerance(1e-8));
+    EXPECT_EQ(solver.histories().stop(0), nullptr);
+    EXPECT_NEAR(solver.histories().value(0, 0.4), 0.2, 1e-12);
+    EXPECT_LT(solver.statistics().evaluations, 60000u);
+}
