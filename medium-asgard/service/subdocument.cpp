@@ -158,7 +158,7 @@ Changes Subdocument::update(Instant now) {
 bool Subdocument::takeOverNow(Instant now) const {
     if (!worker_.busy() || !read_ || now >= *read_ + longestWait)
         return true;
-    return awaited_.motion && shown_.motion && awaited_.motion->computed() >= playback.time(now);
+    return awaited_.motion && (!shown_.scene || awaited_.motion->computed() >= playback.time(now));
 }
 
 void Subdocument::takeOver(Instant now) {

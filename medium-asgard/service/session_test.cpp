@@ -1,0 +1,362 @@
+// A session with a world that the test holds by the hand: reading answers at once, the motion goes
+// as far as the test lets it, pictures are counted.
+#include "service/session.h"
+
+#include <gmock/gmock.h>
+
+#include <atomic>
+
+#include <poll.h>
+
+namespace service {
+namespace {
+
+using std::chrono::milliseconds;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+class StillMotion final : public simulation::Motion {
+public:
+    StillMotion(double finish, double computed, std::vector<simulation::Stop> stops = {})
+        : finish_(finish), computed_(computed), stops_(std::move(stops)) {}
+    double start() const override { return 0; }
+    double finish() const override { return finish_; }
+    double computed() const override { return computed_; }
+    bool draft() const override { return false; }
+    std::size_t bodies() const override { return 1; }
+    simulation::BodyState at(std::size_t, double) const override { return {}; }
+    std::optional<simulation::Stop> stop(std::size_t) const override {
+        return stops_.empty() ? std::nullopt : std::optional(stops_.front());
+    }
+    simulation::Vector centroid(std::size_t) const override { return simulation::Vector::Zero(); }
+    double mass(std::size_t) const override { return 1; }
+    const std::vector<simulation::Impact>& impacts() const override { return impacts_; }
+    std::vector<double> jumps(std::size_t) const override { return {}; }
+    std::optional<double> errorEstimate() const override { return std::nullopt; }
+    std::optional<double> predictableUntil() const override { return std::nullopt; }
+    const std::vector<std::string>& notes() const override { return notes_; }
+
+private:
+    double finish_, computed_;
+    std::vector<simulation::Stop> stops_;
+    std::vector<simulation::Impact> impacts_;
+    std::vector<std::string> notes_;
+};
+
+// Texts: "faulty" makes no scene, "p" has a parameter p, all others have one body.
+// A motion of 10 s is computed up to what allow() said, and ends there when `ends`.
+class World {
+public:
+    Tools tools() {
+        Tools tools;
+        tools.read = [this](const std::string& text, const ParameterValues& parameters) {
+            return read(text, parameters);
+        };
+        tools.cancelReading = [] {};
+        tools.simulate = [this](const auto&, const auto&, const auto& observer) {
+            return simulate(observer);
+        };
+        return tools;
+    }
+
+    void allow(double time) {
+        const std::lock_guard lock(mutex_);
+        allowed_ = time;
+        changed_.notify_all();
+    }
+
+    std::vector<simulation::Stop> stops; // of the motion when it is whole
+    std::atomic<int> runs{0}, cancelledRuns{0};
+
+private:
+    script::ReadResult read(const std::string& text, const ParameterValues& parameters) {
+        script::ReadResult result;
+        const bool known = text == "p" || parameters.empty();
+        result.usable = text != "faulty" && known;
+        if (!result.usable)
+            result.diagnostics.push_back({scene::Severity::error, {}, 1, 1, 1, 2, "faulty", ""});
+        if (text == "p")
+            result.scene.parameters.push_back({"p", 1, 0, 2, "", "", {}});
+        result.scene.simulator.finish = 10;
+        result.scene.bodies.emplace_back().name = "b";
+        result.scene.bodies.back().source.line = 3;
+        return result;
+    }
+
+    simulation::Result simulate(const simulation::Observer& observer) {
+        ++runs;
+        double reached = 0;
+        std::unique_lock lock(mutex_);
+        while (reached < 10) {
+            if (observer.cancelled()) {
+                ++cancelledRuns;
+                return {std::make_shared<StillMotion>(10, reached), {}, {}, true};
+            }
+            if (allowed_ > reached) {
+                reached = std::min(allowed_, 10.0);
+                observer.progress(std::make_shared<StillMotion>(10, reached));
+            } else {
+                changed_.wait_for(lock, milliseconds(1));
+            }
+        }
+        return {std::make_shared<StillMotion>(10, 10, stops), {}, {}, false};
+    }
+
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    double allowed_ = 0;
+};
+
+class SessionTest : public testing::Test {
+protected:
+    SessionTest() {
+        Platform platform;
+        platform.tools = world.tools();
+        platform.draw = [this](const render::Drawing& drawing, const render::Image&) {
+            drawn.push_back(drawing.time);
+            return true;
+        };
+        session.emplace(std::move(platform), medium);
+    }
+
+    // Both ends say what they have to say, at the time `now`.
+    void exchange() {
+        for (int i = 0; i < 3; ++i) {
+            medium.feed(std::string(host.outgoing()));
+            host.sent(host.outgoing().size());
+            while (const auto call = medium.next())
+                session->receive(*call, now);
+            session->attend(now);
+            host.feed(std::string(medium.outgoing()));
+            medium.sent(medium.outgoing().size());
+            while (auto call = host.next())
+                if (auto* heard = std::get_if<ipc::Told<ipc::ToHost>>(&*call))
+                    take(std::move(heard->call));
+        }
+        ASSERT_EQ(host.fault(), "");
+        ASSERT_EQ(medium.fault(), "");
+    }
+
+    void take(ipc::ToHost call) {
+        if (auto* time = std::get_if<ipc::TimeChanged>(&call))
+            told = *time;
+        else if (auto* d = std::get_if<ipc::Diagnostics>(&call))
+            diagnostics = *d;
+        else if (auto* frame = std::get_if<ipc::RenditionFrame>(&call))
+            frames.push_back(*frame);
+        else if (std::holds_alternative<ipc::ProgressBegin>(call))
+            progress.push_back("begin");
+        else if (std::holds_alternative<ipc::ProgressEnd>(call))
+            progress.push_back("end");
+    }
+
+    template <class F> void until(F condition) {
+        const Instant end = Clock::now() + std::chrono::seconds(20);
+        while (!condition()) {
+            ASSERT_LT(Clock::now(), end) << "waited too long";
+            pollfd news{session->descriptor(), POLLIN, 0};
+            poll(&news, 1, 5);
+            exchange();
+        }
+    }
+
+    template <class R> void ask(R request) {
+        host.request(std::move(request), [this](ipc::Outcome<typename R::Result> outcome) {
+            const auto* error = std::get_if<ipc::Error>(&outcome);
+            answers.push_back(std::string(R::method) + (error ? ": " + error->message : ""));
+        });
+        exchange();
+    }
+
+    void load(const std::string& text, ipc::Integer revision = 1) {
+        if (!session->mode())
+            ask(ipc::Initialize{});
+        ask(ipc::SubdocumentLoad{text, revision});
+    }
+
+    void show() {
+        ipc::RenditionCreate create;
+        create.rendition = 1;
+        create.width = create.height = 20;
+        ask(create);
+        host.notify(ipc::RenditionShow{1});
+        exchange();
+    }
+
+    void computedTo(double time) {
+        world.allow(time);
+        until([&] { return told && told->computed == std::min(time, 10.0); });
+    }
+
+    World world;
+    ipc::HostChannel host;
+    ipc::MediumChannel medium;
+    std::optional<Session> session;
+    Instant now = Clock::now();
+    std::vector<double> drawn;
+    std::optional<ipc::TimeChanged> told;
+    std::optional<ipc::Diagnostics> diagnostics;
+    std::vector<ipc::RenditionFrame> frames;
+    std::vector<std::string> answers, progress;
+};
+
+TEST_F(SessionTest, MotionIsShownAsFarAsItIsKnown) {
+    load("a");
+    until([&] { return diagnostics.has_value(); });
+    now += milliseconds(300); // longer than the old scene may stay
+    computedTo(2);
+    EXPECT_EQ(told->state, ipc::MotionState::computing);
+    ask(ipc::TimePlay{});
+    now += milliseconds(5000);
+    exchange();
+    EXPECT_EQ(told->time, 2);
+    EXPECT_TRUE(told->playing);
+    computedTo(10);
+    until([&] { return told->state == ipc::MotionState::current; });
+    now += milliseconds(1000);
+    exchange();
+    EXPECT_NEAR(told->time, 3, 1e-9);
+}
+
+TEST_F(SessionTest, PingIsAnsweredAndASnapshotWaitsWhileTheMotionIsComputed) {
+    load("a");
+    now += milliseconds(2000);
+    computedTo(1);
+    ipc::RenditionSnapshot snapshot;
+    snapshot.width = snapshot.height = 10;
+    snapshot.time = 5;
+    answers.clear();
+    ask(snapshot);
+    ask(ipc::Ping{});
+    EXPECT_THAT(answers, ElementsAre("ping"));
+    now += milliseconds(100); // time is told that seldom
+    computedTo(6);
+    until([&] { return answers.size() == 2; });
+    EXPECT_THAT(answers, ElementsAre("ping", "rendition/snapshot"));
+    EXPECT_THAT(drawn, Contains(5));
+}
+
+TEST_F(SessionTest, ANewerTextCancelsTheRunOfTheOlder) {
+    load("a");
+    until([&] { return world.runs == 1; });
+    load("b", 2);
+    until([&] { return world.runs == 2; });
+    EXPECT_EQ(world.cancelledRuns, 1);
+    computedTo(10);
+    until([&] { return told->state == ipc::MotionState::current; });
+    EXPECT_EQ(diagnostics->revision, 2);
+}
+
+TEST_F(SessionTest, TheOldSceneStaysUntilTheNewMotionReachesTheTimeShown) {
+    load("a");
+    computedTo(10);
+    until([&] { return told->state == ipc::MotionState::current; });
+    ask(ipc::TimeSeek{4});
+    world.allow(0);
+    const unsigned before = session->subdocument().generation();
+    load("b", 2);
+    until([&] { return diagnostics->revision == 2; });
+    world.allow(3);
+    until([&] { return world.runs == 2; });
+    exchange();
+    EXPECT_EQ(session->subdocument().generation(), before);
+    EXPECT_EQ(told->time, 4);
+    world.allow(5);
+    until([&] { return session->subdocument().generation() != before; });
+    EXPECT_EQ(told->time, 4);
+}
+
+TEST_F(SessionTest, AFaultyTextLeavesTheLastSceneAndSaysSo) {
+    load("a");
+    computedTo(10);
+    until([&] { return told->state == ipc::MotionState::current; });
+    const ScenePointer scene = session->subdocument().scene();
+    load("faulty", 2);
+    until([&] { return told->state == ipc::MotionState::stale; });
+    EXPECT_EQ(session->subdocument().scene(), scene);
+    EXPECT_THAT(diagnostics->items, testing::SizeIs(1));
+}
+
+TEST_F(SessionTest, ProgressIsToldOnlyOfWhatTakesLongAndCanBeCancelled) {
+    load("a");
+    computedTo(1);
+    EXPECT_THAT(progress, IsEmpty());
+    now += milliseconds(500);
+    exchange();
+    EXPECT_THAT(progress, ElementsAre("begin"));
+    host.notify(ipc::ProgressCancel{1});
+    exchange();
+    until([&] { return told->state == ipc::MotionState::failed; });
+    EXPECT_THAT(progress, ElementsAre("begin", "end"));
+    EXPECT_EQ(told->computed, 1); // what there was is kept
+}
+
+TEST_F(SessionTest, AMotionThatStoppedIsSaidAtItsBody) {
+    world.stops = {{3, "the force on \"b\" is not finite at t = 3"}};
+    load("a");
+    computedTo(10);
+    until([&] { return told->state == ipc::MotionState::failed; });
+    ASSERT_THAT(diagnostics->items, testing::SizeIs(1));
+    EXPECT_EQ(diagnostics->items[0].line, 3);
+    EXPECT_THAT(diagnostics->items[0].message, HasSubstr("not finite"));
+}
+
+TEST_F(SessionTest, PicturesAreDrawnOnceForEachLookAndNeverWhileHidden) {
+    load("a");
+    computedTo(10);
+    until([&] { return told->state == ipc::MotionState::current; });
+    show();
+    until([&] { return frames.size() == 1; });
+    for (int i = 0; i < 5; ++i) {
+        now += milliseconds(100);
+        exchange();
+    }
+    EXPECT_EQ(drawn.size(), 1u);
+    EXPECT_FALSE(session->deadline()); // nothing will be due
+    host.notify(ipc::RenditionHide{1});
+    ask(ipc::TimePlay{});
+    now += milliseconds(1000);
+    exchange();
+    EXPECT_EQ(drawn.size(), 1u);
+    host.notify(ipc::RenditionShow{1});
+    exchange();
+    EXPECT_EQ(drawn.size(), 2u);
+}
+
+TEST_F(SessionTest, WhatIsNotAcknowledgedIsNotDrawnOver) {
+    load("a");
+    computedTo(10);
+    until([&] { return told->state == ipc::MotionState::current; });
+    show();
+    ask(ipc::TimePlay{});
+    for (int i = 0; i < 20; ++i) {
+        now += milliseconds(100);
+        exchange();
+    }
+    ASSERT_EQ(frames.size(), 2u);
+    EXPECT_NE(frames[0].slot, frames[1].slot);
+    host.notify(ipc::RenditionAck{1, frames[1].serial});
+    exchange();
+    ASSERT_EQ(frames.size(), 3u);
+    EXPECT_EQ(frames[2].slot, frames[1].slot);
+}
+
+TEST_F(SessionTest, AParameterKeepsToItsBoundsAndDoesNotSpoilATextWithoutIt) {
+    load("p");
+    computedTo(10);
+    until([&] { return told->state == ipc::MotionState::current; });
+    host.notify(ipc::ParameterSet{"p", 5});
+    host.notify(ipc::ParameterSet{"q", 5}); // there is none
+    exchange();
+    EXPECT_THAT(session->subdocument().parameters(), ElementsAre(std::pair("p", 2.0)));
+    until([&] { return told->state == ipc::MotionState::current; });
+    load("a", 2);
+    until([&] { return diagnostics->revision == 2 && told->state == ipc::MotionState::current; });
+    EXPECT_THAT(diagnostics->items, IsEmpty());
+}
+
+} // namespace
+} // namespace service
