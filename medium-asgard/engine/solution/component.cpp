@@ -183,8 +183,7 @@ void Component::begin() {
     proposed_ = 0;
     fresh_ = true;
     immediate_ = 0;
-    stabilityMean_ = 0;
-    stepsSinceChange_ = 0;
+    choice_ = choice_.restarted();
     equations_->inputs().window(infinity);
     std::vector<double> y = stateValues();
     equations_->decide(time_, y);
@@ -215,9 +214,7 @@ void Component::placeAnchor() {
 // ---------------------------------------------------------------------------------------------
 // Going back
 
-void Component::remember() {
-    checkpoints_.push_back({time_, phases_, control_, implicit_, evidence_});
-}
+void Component::remember() { checkpoints_.push_back({time_, phases_, control_, choice_}); }
 
 void Component::backTo(double t) {
     if (time_ <= t)
@@ -237,8 +234,7 @@ void Component::backTo(double t) {
     if (stop_)
         return;
     const Checkpoint& last = checkpoints_.back();
-    implicit_ = last.implicit;
-    evidence_ = last.evidence;
+    choice_ = last.choice;
     if (last.phases != phases_)
         return;
     control_ = last.control;

@@ -9,14 +9,11 @@
 //
 // Models, least first: `closed-form` (closed_form.h), `quadrature` (a single unknown whose rate
 // reads time and other components only, by an explicit method, unless pieces integrate exactly),
-// `explicit`, `implicit`. `auto` begins explicit. When h |lambda| has on average used four fifths
-// of the explicit method's stability for 20 steps, the step is bound by stiffness: it goes on with
-// Radau; when Radau's steps stay below twice the explicit limit, it goes back, and the next change
-// needs twice as many steps of evidence.
+// `explicit`, `implicit` (method_choice.h).
 #pragma once
 
 #include "solution/component_equations.h"
-#include "solution/method.h"
+#include "solution/method_choice.h"
 #include "solution/solver.h"
 
 #include <deque>
@@ -95,9 +92,9 @@ private:
     void appendRow(std::span<const Coefficients> states, std::span<const Coefficients> held,
                    double origin, double scale, double until);
 
-    void watchStiffness();
+    void reconsider(double h);
     [[nodiscard]] double spectralRadius();
-    void changeMethod(bool implicit);
+    void changeMethod();
     void keepCounts();
     void remember(); // a checkpoint at time_
     [[nodiscard]] std::string names(const std::vector<std::size_t>& places) const;
@@ -121,7 +118,7 @@ private:
 
     Model model_ = Model::undecided;
     std::unique_ptr<Method> method_;
-    bool implicit_ = false;
+    MethodChoice choice_;
     double proposed_ = 0;             // length of the next step; 0: not known yet
     double limit_ = infinity;         // where the next step must end at the latest
     bool limitRestarts_ = false;      // an input restarts at limit_
@@ -131,16 +128,12 @@ private:
     std::size_t immediate_ = 0; // switches since time last advanced
     std::deque<double> recentSwitches_;
 
-    double stabilityMean_ = 0;
-    std::size_t stepsSinceChange_ = 0, evidence_ = 20;
-
     // What later steps depend on besides the values, for going back.
     struct Checkpoint {
         double time;
         std::vector<std::size_t> phases;
         ErrorControl control;
-        bool implicit;
-        std::size_t evidence;
+        MethodChoice choice;
     };
     std::vector<Checkpoint> checkpoints_;
 

@@ -235,7 +235,7 @@ void Component::stepHeld() {
 
 std::unique_ptr<Method> Component::chooseMethod() {
     const bool choose = options_.method == "auto";
-    const std::string name = !choose ? options_.method : implicit_ ? "radau5" : "dop853";
+    const std::string name = !choose ? options_.method : choice_.implicit() ? "radau5" : "dop853";
     return makeMethod(name, *equations_, control_, options_.fixedStep.has_value());
 }
 
@@ -360,7 +360,7 @@ void Component::finish(double to) {
         end(Stop::Reason::notFinite, culprits, names(culprits) + " has no finite rate");
         return;
     }
-    watchStiffness();
+    reconsider(h);
     if (time_ >= limit_)
         arrive();
 }
@@ -525,27 +525,12 @@ void Component::appendRow(std::span<const Coefficients> states, std::span<const 
 // ---------------------------------------------------------------------------------------------
 // Stiffness
 
-void Component::watchStiffness() {
-    if (options_.method != "auto" || !method_ || counts_.model == "quadrature")
+void Component::reconsider(double h) {
+    if (options_.method != "auto" || counts_.model == "quadrature")
         return;
-    constexpr double smoothing = 0.1, bound = 0.8, worthwhile = 2;
-    ++stepsSinceChange_;
-    if (!method_->implicit()) {
-        stabilityMean_ += smoothing * (method_->stabilityUsed() - stabilityMean_);
-        if (stepsSinceChange_ >= evidence_ && stabilityMean_ > bound)
-            changeMethod(true);
-        return;
-    }
-    constexpr std::size_t interval = 16;
-    constexpr double explicitLimit = 6.1; // of dop853
-    if (stepsSinceChange_ % interval != 0)
-        return;
-    const double used = proposed_ * spectralRadius() / explicitLimit;
-    stabilityMean_ = stepsSinceChange_ == interval ? used : 0.5 * (stabilityMean_ + used);
-    if (stepsSinceChange_ >= evidence_ && stabilityMean_ < worthwhile) {
-        evidence_ *= 2;
-        changeMethod(false);
-    }
+    if (choice_.changesAfter(*method_, h) ||
+        (choice_.wantsSpectralRadius() && choice_.changesFor(spectralRadius(), h)))
+        changeMethod();
 }
 
 // Power iteration on the Jacobian, from a fixed vector; the mean growth of the last rounds, since
@@ -582,11 +567,8 @@ double Component::spectralRadius() {
     return std::exp(growth);
 }
 
-void Component::changeMethod(bool implicit) {
-    implicit_ = implicit;
+void Component::changeMethod() {
     keepCounts();
-    stabilityMean_ = 0;
-    stepsSinceChange_ = 0;
     remember();
     equations_->inputs().window(infinity);
     const double h = proposed_;

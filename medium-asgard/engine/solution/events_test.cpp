@@ -93,11 +93,8 @@ private:
     std::size_t u_, next_ = 0;
 };
 
-const std::vector<Line> ballAndMore = {{"x", "v", 5, 1},
-                                       {"v", "-10", 0},
-                                       {"a", "b", 1, 1},
-                                       {"b", "-a-a^3", 0},
-                                       {"r", "sin(v)-r", 0}};
+const std::vector<Line> ballAndMore = {
+    {"x", "v", 5, 1}, {"v", "-10", 0}, {"a", "b", 1, 1}, {"b", "-a-a^3", 0}, {"r", "sin(v)-r", 0}};
 
 } // namespace
 

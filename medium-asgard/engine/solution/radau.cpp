@@ -218,8 +218,10 @@ double Radau::estimate() {
 
 Attempt Radau::attempt(double h) {
     h_ = h;
-    control_.prepare(start_, h);
     predict();
+    for (std::size_t n = 0; n < end_.size(); ++n)
+        end_[n] = start_[n] + (previousStep_ > 0 ? z_[2][n] : h * slope_[n]);
+    control_.prepare(end_, h);
     const bool keep = factored_ && h == factoredStep_ && rate_ < 1e-3;
     if (!keep) {
         middle(at_);
@@ -246,6 +248,7 @@ Attempt Radau::attempt(double h) {
         end_[n] = start_[n] + z_[2][n];
     if (fixed_)
         return {Attempt::Outcome::accepted, h};
+    control_.prepare(end_, h);
     return judge(estimate());
 }
 
