@@ -1,0 +1,197 @@
+#!/usr/bin/env python3
+"""The commands of asgard without a window: what they write, where, and how they end.
+
+usage: commands_test.py PATH-TO-ASGARD [unittest arguments]
+"""
+import csv
+import io
+import json
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+
+ASGARD = None
+
+FLYING = """simulator -start 0 -finish 2
+parameter speed -value 1 -min 0 -max 3
+shape_set ball -desc {-sub {-sphere 0.5 -color red}}
+body b ball -init_pos {1 2 3} -init_dpos [list $speed 0 0]
+body wall ball -init_pos {9 9 9} -fixed 1
+"""
+COLUMNS = "x y z dx dy dz qw qx qy qz wx wy wz".split()
+
+
+class Commands(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.scene = self.file("flying.al", FLYING)
+
+    def file(self, name, text):
+        path = os.path.join(self.folder, name)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return path
+
+    def run_asgard(self, *arguments, text=None):
+        return subprocess.run([ASGARD, *arguments], input=text, capture_output=True, text=True, timeout=60, cwd=self.folder,
+                              env={"PATH": os.environ.get("PATH", "")})
+
+    def simulate(self, *arguments, code=0, text=None):
+        ran = self.run_asgard("simulate", *arguments, text=text)
+        self.assertEqual(ran.returncode, code, ran.stderr)
+        return list(csv.reader(io.StringIO(ran.stdout, newline=""))), ran.stderr
+
+    # --- simulate --------------------------------------------------------------------------------
+
+    def test_the_table_has_thirteen_columns_for_each_body_and_101_rows(self):
+        rows, _ = self.simulate(self.scene)
+        self.assertEqual(rows[0], ["t"] + [f"{b}.{c}" for b in ("b", "wall") for c in COLUMNS])
+        self.assertEqual(len(rows), 102)
+        self.assertEqual((float(rows[1][0]), float(rows[-1][0])), (0, 2))
+        first = dict(zip(rows[0], map(float, rows[1])))
+        self.assertEqual([first[f"b.{c}"] for c in COLUMNS], [1, 2, 3, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0])
+        last = dict(zip(rows[0], map(float, rows[-1])))
+        self.assertAlmostEqual(last["b.x"], 3, places=3)
+        self.assertEqual(last["wall.x"], 9)
+
+    def test_times_are_those_asked_for_in_their_order(self):
+        rows, _ = self.simulate(self.scene, "--at", "0:0.1:0.3")
+        self.assertEqual([r[0] for r in rows[1:]], ["0", "0.10000000000000001", "0.20000000000000001", "0.29999999999999999"])
+        times = self.file("some.times", "2\n0.5, 1\n")
+        rows, _ = self.simulate(self.scene, "--times", times)
+        self.assertEqual([float(r[0]) for r in rows[1:]], [2, 0.5, 1])
+
+    def test_a_scene_comes_from_standard_input_and_the_same_bytes_every_time(self):
+        a, b = (self.run_asgard("simulate", "-", text=FLYING).stdout for _ in (0, 1))
+        self.assertEqual(a, b)
+        self.assertEqual(a, self.run_asgard("simulate", self.scene).stdout)
+
+    def test_parameters_are_set_within_their_bounds(self):
+        rows, _ = self.simulate(self.scene, "--at", "0:1:2", "--set", "speed=2.5")
+        self.assertAlmostEqual(float(rows[-1][1]), 6, places=2)
+        for setting, code in (("speed=4", 1), ("speed=-1", 1), ("sped=1", 1), ("speed", 2), ("speed=x", 2)):
+            self.refused(code, "--set", setting)
+
+    def test_statistics_have_every_key(self):
+        out = os.path.join(self.folder, "stats.json")
+        self.simulate(self.scene, "--stats", out)
+        with open(out, encoding="utf-8") as file:
+            statistics = json.load(file)
+        wanted = ("seconds seconds_reading steps rejected_steps discarded_steps evaluations equation_evaluations factorisations "
+                  "pair_tests collisions components largest_component history_bytes reached error_estimate predictable_until "
+                  "component_list")
+        self.assertEqual(sorted(statistics), sorted(wanted.split()))
+
+    def refused(self, code, *arguments, scene=None):
+        """Nothing is written and something is said."""
+        out = os.path.join(self.folder, "out.csv")
+        ran = self.run_asgard("simulate", scene or self.scene, "--csv", out, *arguments)
+        self.assertEqual(ran.returncode, code, (arguments, ran.stderr))
+        self.assertFalse(os.path.exists(out), arguments)
+        self.assertEqual(ran.stdout, "")
+        self.assertNotEqual(ran.stderr.strip(), "")
+        return ran.stderr
+
+    def test_what_is_refused_writes_nothing(self):
+        self.refused(1, "--at", "0:1:3")
+        self.refused(1, "--finish", "-1")
+        self.refused(1, "--times", "absent.times")
+        self.refused(1, scene="absent.al")
+        self.refused(1, scene=self.file("bad.al", "body b"))
+        for usage in (("--at", "0:0:1"), ("--at", "x"), ("--accuracy", "0"), ("--accuracy", "x"), ("--fixed-step", "0.1"),
+                      ("--only",), ("--bogus",), ("--threads", "0"), ("--method", "rk4", "--fixed-step", "-1")):
+            self.refused(2, *usage)
+
+    def test_a_file_that_cannot_be_written_is_a_failure(self):
+        ran = self.run_asgard("simulate", self.scene, "--csv", "/absent/out.csv")
+        self.assertEqual(ran.returncode, 1)
+        self.assertIn("/absent/out.csv", ran.stderr)
+        ran = self.run_asgard("simulate", self.scene, "--csv", "/dev/full")
+        self.assertEqual(ran.returncode, 1)
+
+    # --- check -----------------------------------------------------------------------------------
+
+    def test_check_tells_every_fault_with_its_place(self):
+        ran = self.run_asgard("check", self.scene)
+        self.assertEqual((ran.returncode, ran.stdout, ran.stderr), (0, "", ""))
+        bad = self.file("bad.al", FLYING + "body c bell\nbody d ball -init_pos {1 2}\n")
+        ran = self.run_asgard("check", bad)
+        self.assertEqual(ran.returncode, 1)
+        self.assertEqual(ran.stderr, "")
+        places = [line for line in ran.stdout.split("\n") if ": error: " in line]
+        self.assertEqual([p.split(": error: ")[0] for p in places], [f"{bad}:6:8", f"{bad}:7:23"])
+
+    def test_check_ends_what_does_not_end(self):
+        ran = self.run_asgard("check", "-", text="while 1 {}")
+        self.assertEqual(ran.returncode, 1)
+        self.assertIn("standard input", ran.stdout)
+
+    # --- render ----------------------------------------------------------------------------------
+
+    def test_render_writes_png_and_ppm_of_the_size_asked(self):
+        ran = self.run_asgard("render", self.scene, "--output", "a.png")
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        width, height, pixels = read_png(os.path.join(self.folder, "a.png"))
+        self.assertEqual((width, height), (640, 480))
+        self.assertGreater(len(set(pixels)), 30)
+        ran = self.run_asgard("render", self.scene, "--time", "1", "--size", "64x32", "--output", "a.ppm")
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        with open(os.path.join(self.folder, "a.ppm"), "rb") as file:
+            self.assertEqual(file.read(13), b"P6\n64 32\n255\n")
+            self.assertEqual(len(file.read()), 64 * 32 * 3)
+
+    def test_a_film_is_numbered_pictures(self):
+        ran = self.run_asgard("render", self.scene, "--from", "0.5", "--to", "1.5", "--fps", "4", "--size", "40x30", "--output", "film/")
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        names = sorted(os.listdir(os.path.join(self.folder, "film")))
+        self.assertEqual(names, [f"{i:05}.png" for i in range(1, 6)])
+        pictures = {read_png(os.path.join(self.folder, "film", n)) for n in names}
+        self.assertGreater(len(pictures), 1)
+
+    def test_what_render_refuses(self):
+        for code, arguments in ((1, ("--time", "3", "--output", "a.png")), (1, ("--view", "v", "--output", "a.png")),
+                                (2, ("--output", "a.mp4")), (2, ("--output", "a.pdf")), (2, ("--size", "0x4", "--output", "a.png")),
+                                (2, ("--size", "9", "--output", "a.png")), (2, ("--from", "0", "--output", "a.png")), (2, ()),
+                                (1, ("--size", "1000000x2", "--output", "a.png"))):
+            ran = self.run_asgard("render", self.scene, *arguments)
+            self.assertEqual(ran.returncode, code, (arguments, ran.stderr))
+            self.assertNotEqual(ran.stderr.strip(), "")
+        self.assertEqual(os.listdir(self.folder), ["flying.al"])
+
+    # --- the rest ----------------------------------------------------------------------------------
+
+    def test_help_version_and_what_a_later_version_has(self):
+        ran = self.run_asgard("--help")
+        self.assertEqual(ran.returncode, 0)
+        for word in ("simulate", "check", "render", "--medium"):
+            self.assertIn(word, ran.stdout)
+        self.assertEqual(self.run_asgard("--version").stdout.split()[0], "asgard")
+        for command in (("explain", self.scene, "--json", "x"), ("study", self.scene), ("export", self.scene, "--output", "a.glb")):
+            ran = self.run_asgard(*command)
+            self.assertEqual(ran.returncode, 2)
+            self.assertEqual(len(ran.stderr.strip().split("\n")), 1)
+        self.assertEqual(self.run_asgard("--bogus").returncode, 2)
+
+
+def read_png(path):
+    """Width, height and the bytes of the rows, filters not undone."""
+    with open(path, "rb") as file:
+        data = file.read()
+    width, height = struct.unpack(">II", data[16:24])
+    packed, at = b"", 8
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        packed += data[at + 8:at + 8 + length] if kind == b"IDAT" else b""
+        at += 12 + length
+    return width, height, zlib.decompress(packed)
+
+
+if __name__ == "__main__":
+    ASGARD = os.path.abspath(sys.argv.pop(1))
+    unittest.main(verbosity=1)
