@@ -127,13 +127,17 @@ void Document::play(Change& change, Direction direction, const QString& label) {
         playAll(change, direction, label);
 }
 
-// Only one content changes: its neighbours are not looked at.
+// Only one content changes. In a sound document that leaves the structure as it is, and with it all
+// that is known of the subdocuments.
 void Document::playText(Change& change, Direction direction, const QString& label) {
     const bool forward = direction == Direction::forward;
-    const std::map<std::size_t, SubdocumentId> known = survivors(change, direction);
+    const bool sound = tree_.faults().empty();
+    const std::map<std::size_t, SubdocumentId> known =
+        sound ? std::map<std::size_t, SubdocumentId>{} : survivors(change, direction);
     tree_ = sgml::edited(std::move(tree_), forward ? change.forward : change.backward,
                          subdocuments_.at(change.id).content);
-    readSubdocuments(known);
+    if (!sound)
+        readSubdocuments(known);
     const int revision = nextRevision(change.id);
     emit textChanged(change.id, forward ? change.textForward : change.textBackward, revision,
                      label);
