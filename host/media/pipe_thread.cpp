@@ -27,7 +27,7 @@ constexpr std::size_t mostLog = 4096;
 constexpr std::chrono::milliseconds graceAfterEof{300};
 
 struct Request {
-    enum class Kind { start, send, end } kind = Kind::send;
+    enum class Kind { start, send, closeInput, end } kind = Kind::send;
     PipeThread::Link link = 0;
     Launch launch;
     std::shared_ptr<Mailbox> mailbox;
@@ -68,6 +68,7 @@ struct Pipe {
     ipc::FrameDecoder decoder;
     std::deque<std::string> toSend;
     std::size_t sent = 0; // of the first of them
+    bool closesInput = false;
     std::string log;
     std::optional<Clock::time_point> deadline;
     std::string closing; // why it is being ended by us; empty: it ended itself
@@ -121,7 +122,10 @@ private:
             finish(found);
             return;
         }
-        found->second.toSend.push_back(std::move(request.text));
+        if (request.kind == Request::Kind::closeInput)
+            found->second.closesInput = true;
+        else
+            found->second.toSend.push_back(std::move(request.text));
         writeTo(found->first, found->second);
     }
 
@@ -252,6 +256,8 @@ private:
                 pipe.sent = 0;
             }
         }
+        if (pipe.toSend.empty() && pipe.closesInput)
+            closeOnce(pipe.ends.toMedium);
         const std::lock_guard lock(shared_->mutex);
         auto& unsent = shared_->unsent[link];
         unsent.bytes -= bytes;
@@ -334,6 +340,12 @@ std::size_t PipeThread::unsent(Link link) const {
     const std::lock_guard lock(shared_->mutex);
     const auto found = shared_->unsent.find(link);
     return found == shared_->unsent.end() ? 0 : found->second.messages;
+}
+
+void PipeThread::closeInput(Link link) {
+    const std::lock_guard lock(shared_->mutex);
+    shared_->requests.push_back({Request::Kind::closeInput, link, {}, {}, {}});
+    shared_->ring();
 }
 
 void PipeThread::end(Link link, std::string why) {

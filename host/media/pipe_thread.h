@@ -29,6 +29,7 @@ public:
     // False when so much is unsent that the medium obviously does not read.
     [[nodiscard]] bool send(Link link, std::string framed);
     [[nodiscard]] std::size_t unsent(Link link) const; // messages
+    void closeInput(Link link);                        // after what is unsent
     // Ends it now. Its mailbox gets `ended` with `why`.
     void end(Link link, std::string why);
 

@@ -269,37 +269,35 @@ void DocumentWindow::useShortcut(int key, Qt::KeyboardModifiers modifiers) {
 
 // --- files -------------------------------------------------------------------------------------
 
-bool DocumentWindow::mayOverwrite() {
-    if (document_->document().fileState() != document::FileState::changed)
-        return true;
-    return QMessageBox::warning(
-               this, tr("Save"),
-               tr("Another program has changed the file since it was opened. Overwrite it?"),
-               QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
-}
-
-bool DocumentWindow::report(const document::SaveResult& result,
-                            const std::function<document::SaveResult()>& anyway) {
-    if (result.saved) {
-        statusBar()->showMessage(tr("Saved"), 4000);
-        return true;
+// What is refused for a reason is done all the same when the user says so.
+bool DocumentWindow::saveBy(
+    const std::function<document::SaveResult(document::SaveOptions)>& saving) {
+    document::SaveOptions options;
+    for (;;) {
+        const document::SaveResult result = saving(options);
+        if (result.saved) {
+            statusBar()->showMessage(tr("Saved"), 4000);
+            return true;
+        }
+        if (result.refusal == document::Refusal::none) {
+            QMessageBox::critical(this, tr("Save"), result.sentence);
+            return false;
+        }
+        const auto answer = QMessageBox::warning(
+            this, tr("Save"), tr("%1\n\nOverwrite it all the same?").arg(result.sentence),
+            QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
+        if (answer != QMessageBox::Yes)
+            return false;
+        (result.refusal == document::Refusal::broken ? options.evenBroken : options.evenChanged) =
+            true;
     }
-    if (!result.refused) {
-        QMessageBox::critical(this, tr("Save"), result.sentence);
-        return false;
-    }
-    const auto answer = QMessageBox::warning(
-        this, tr("Save"), tr("%1\n\nOverwrite it all the same?").arg(result.sentence),
-        QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
-    return answer == QMessageBox::Yes && report(anyway(), [] { return document::SaveResult{}; });
 }
 
 bool DocumentWindow::save() {
     document::Document& of = document_->document();
     if (of.fileName().isEmpty())
         return saveAs();
-    return mayOverwrite() &&
-           report(of.save(), [&of] { return of.save(document::Document::Overwrite::evenBroken); });
+    return saveBy([&of](document::SaveOptions options) { return of.save(options); });
 }
 
 bool DocumentWindow::saveAs() {
@@ -307,9 +305,8 @@ bool DocumentWindow::saveAs() {
     const QString file = QFileDialog::getSaveFileName(this, tr("Save As"), of.fileName(), filter());
     if (file.isEmpty())
         return false;
-    const bool saved = report(of.saveAs(file), [&of, file] {
-        return of.saveAs(file, document::Document::Overwrite::evenBroken);
-    });
+    const bool saved =
+        saveBy([&of, file](document::SaveOptions options) { return of.saveAs(file, options); });
     if (saved)
         application_.remember(file);
     return saved;

@@ -47,9 +47,7 @@ private:
     void updateFaults(int errors, int warnings);
     void print();
     void exportPdf();
-    bool mayOverwrite();
-    bool report(const document::SaveResult& result,
-                const std::function<document::SaveResult()>& anyway);
+    bool saveBy(const std::function<document::SaveResult(document::SaveOptions)>& saving);
     [[nodiscard]] bool isLastOfDocument() const;
     void useShortcut(int key, Qt::KeyboardModifiers modifiers);
     QAction* add(QMenu* menu, const QString& text, const QKeySequence& keys,

@@ -1,0 +1,35 @@
+#include "console/batch_document.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <cstdio>
+
+namespace console {
+
+void complain(const QString& text) { std::fprintf(stderr, "%s\n", qPrintable(text)); }
+
+BatchDocument::BatchDocument(const QString& input)
+    : schemas_(document::Schemas::load(document::Schemas::standardFolders())),
+      media_(media::Registry::read(media::registryFolders(QCoreApplication::applicationDirPath())),
+             QCoreApplication::applicationDirPath(), pipes_) {
+    for (const QString& fault : media_.registry().faults())
+        complain(fault);
+    std::unique_ptr<document::Document> document;
+    if (input == "-") {
+        QFile in;
+        static_cast<void>(in.open(stdin, QIODevice::ReadOnly));
+        document = std::make_unique<document::Document>(in.readAll().toStdString());
+    } else {
+        document::Document::Loaded loaded = document::Document::load(input);
+        failure_ = loaded.failure;
+        document = std::move(loaded.document);
+    }
+    if (!document)
+        return;
+    document_ = std::make_unique<session::OpenDocument>(std::move(document), schemas_, media_);
+    for (const document::SubdocumentId id : document_->document().subdocuments())
+        if (media::LiveSubdocument* live = document_->live(id))
+            live->setMode(media::Mode::batch);
+}
+
+} // namespace console

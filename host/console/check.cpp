@@ -1,0 +1,88 @@
+#include "console/check.h"
+
+#include "console/batch_document.h"
+#include "console/convert.h"
+
+#include <cstdio>
+
+namespace console {
+
+namespace {
+
+// A medium answers a load at once; what is wrong with the text follows.
+constexpr int mostMsForDiagnostics = 30'000;
+
+// Runs every medium until it has said what is wrong with its text, a few at a time.
+class Examination {
+public:
+    explicit Examination(BatchDocument& batch) : batch_(batch) {}
+
+    void run() {
+        for (const document::SubdocumentId id : batch_.document().document().subdocuments())
+            if (media::LiveSubdocument* live = batch_.document().live(id))
+                examine(id, *live);
+    }
+    [[nodiscard]] const std::vector<session::ListedFault>& failures() const { return failures_; }
+
+private:
+    void examine(document::SubdocumentId id, media::LiveSubdocument& live) {
+        QEventLoop loop;
+        bool answered = false;
+        const auto look = [&] {
+            if (answered || live.condition() == media::Condition::failed)
+                loop.quit();
+        };
+        QObject::connect(&live, &media::LiveSubdocument::diagnosticsChanged, &loop, [&] {
+            answered = true;
+            look();
+        });
+        QObject::connect(&live, &media::LiveSubdocument::conditionChanged, &loop, look);
+        QTimer::singleShot(mostMsForDiagnostics, &loop, &QEventLoop::quit);
+        live.start();
+        loop.exec();
+        if (!answered)
+            failures_.push_back(
+                {placeOf(id), true,
+                 live.condition() == media::Condition::failed
+                     ? live.reason()
+                     : live.name() + QStringLiteral(" did not say whether the text is right."),
+                 id});
+        live.makeStill();
+    }
+
+    sgml::Position placeOf(document::SubdocumentId id) const {
+        const document::Document& of = batch_.document().document();
+        const document::Subdocument* subdocument = of.subdocument(id);
+        return subdocument ? of.tree().position(of.tree().node(subdocument->element).range.from)
+                           : sgml::Position{};
+    }
+
+    BatchDocument& batch_;
+    std::vector<session::ListedFault> failures_;
+};
+
+} // namespace
+
+int check(const QString& input) {
+    BatchDocument batch(input);
+    if (!batch.isOpen()) {
+        complain(batch.failure());
+        return failure;
+    }
+    Examination examination(batch);
+    examination.run();
+    std::vector<session::ListedFault> faults = batch.document().faults();
+    faults.insert(faults.end(), examination.failures().begin(), examination.failures().end());
+    std::stable_sort(faults.begin(), faults.end(),
+                     [](const auto& a, const auto& b) { return a.position < b.position; });
+    bool errors = false;
+    for (const session::ListedFault& fault : faults) {
+        errors |= fault.isError;
+        std::printf("%s:%d:%d: %s: %s\n", qPrintable(input), fault.position.line,
+                    fault.position.column, fault.isError ? "error" : "warning",
+                    qPrintable(fault.message));
+    }
+    return errors ? failure : success;
+}
+
+} // namespace console

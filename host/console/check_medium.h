@@ -1,0 +1,14 @@
+// ensemble --check-medium COMMAND...: does a program speak the medium protocol?
+//
+// Starts the program again for each check, confined by nothing but what the host does to every
+// medium, and prints one line per check: `ok NAME` or `FAIL NAME: what happened`. What a medium
+// says it cannot do (time) is checked to be refused properly. Exit 0 when all checks hold.
+#pragma once
+
+#include <QStringList>
+
+namespace console {
+
+[[nodiscard]] int checkMedium(const QStringList& command);
+
+} // namespace console

@@ -1,0 +1,126 @@
+#include "console/convert.h"
+
+#include "console/batch_document.h"
+#include "paper/paper.h"
+#include "paper/plain_text.h"
+
+#include <QBuffer>
+#include <QFile>
+#include <QFileInfo>
+#include <QImageWriter>
+#include <QSaveFile>
+#include <cstdio>
+
+namespace console {
+
+namespace {
+
+constexpr double paperDpi = 300;
+constexpr double screenDpi = 144;
+
+QString outputFile(const Conversion& conversion) {
+    const QString extension = conversion.format == "text" ? "txt" : conversion.format;
+    const QString base =
+        conversion.input == "-" ? "document" : QFileInfo(conversion.input).completeBaseName();
+    if (conversion.output.isEmpty())
+        return base + '.' + extension;
+    if (conversion.output.endsWith('/') || QFileInfo(conversion.output).isDir())
+        return conversion.output + (conversion.output.endsWith('/') ? "" : "/") + base + '.' +
+               extension;
+    return conversion.output;
+}
+
+QString writeBytes(const QString& name, const QByteArray& bytes) {
+    if (name == "-") {
+        const auto size = static_cast<std::size_t>(bytes.size());
+        return std::fwrite(bytes.constData(), 1, size, stdout) == size ? QString()
+                                                                       : "cannot be written";
+    }
+    QSaveFile file(name);
+    file.setDirectWriteFallback(true); // such as /dev/stdout
+    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit())
+        return {};
+    return file.errorString();
+}
+
+QString writePng(const paper::Paper& paper, const QString& name) {
+    for (int page = 0; page < paper.pageCount(); ++page) {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        if (!paper.image(page, screenDpi).save(&buffer, "PNG"))
+            return "the picture cannot be made";
+        QString pageName = name;
+        if (paper.pageCount() > 1 && name != "-") {
+            const QFileInfo info(name);
+            pageName = info.dir().filePath(
+                QStringLiteral("%1-%2.png").arg(info.completeBaseName()).arg(page + 1));
+        }
+        const QString failed = writeBytes(pageName, bytes);
+        if (!failed.isEmpty())
+            return failed;
+    }
+    return {};
+}
+
+QString writeText(BatchDocument& batch, const QString& name) {
+    const document::Document& of = batch.document().document();
+    const document::Model model =
+        document::buildModel(of, batch.schemas().presentation(of.className()), batch.schemas());
+    const QString text = paper::plainText(model, [&](document::SubdocumentId id) {
+        const document::Subdocument* subdocument = of.subdocument(id);
+        return QString::fromStdString(!subdocument ? std::string("?")
+                                      : subdocument->alternative.empty()
+                                          ? subdocument->className
+                                          : subdocument->alternative);
+    });
+    return writeBytes(name, text.toUtf8());
+}
+
+bool isBroken(BatchDocument& batch, const QString& input) {
+    const document::Document& of = batch.document().document();
+    for (const sgml::Fault& fault : of.faults())
+        complain(QString::fromStdString(sgml::formatted(fault, input.toStdString())));
+    return of.isBroken();
+}
+
+} // namespace
+
+int convert(const Conversion& conversion) {
+    BatchDocument batch(conversion.input);
+    if (!batch.isOpen()) {
+        complain(batch.failure());
+        return failure;
+    }
+    const bool broken = isBroken(batch, conversion.input);
+    const QString name = outputFile(conversion);
+    QString failed;
+    QStringList missing;
+    if (conversion.format == "text") {
+        failed = writeText(batch, name);
+    } else {
+        const bool png = conversion.format == "png";
+        paper::Paper paper(batch.document(), {}, png ? screenDpi : paperDpi, true);
+        QEventLoop loop;
+        QObject::connect(&paper, &paper::Paper::ready, &loop, &QEventLoop::quit);
+        paper.prepare();
+        loop.exec();
+        missing = paper.failures();
+        if (png) {
+            failed = writePng(paper, name);
+        } else {
+            QByteArray bytes;
+            QBuffer buffer(&bytes);
+            buffer.open(QIODevice::WriteOnly);
+            failed = paper.writePdf(buffer);
+            if (failed.isEmpty())
+                failed = writeBytes(name, bytes);
+        }
+    }
+    for (const QString& one : missing)
+        complain(QStringLiteral("%1: error: %2").arg(conversion.input, one));
+    if (!failed.isEmpty())
+        complain(QStringLiteral("%1: error: %2").arg(name, failed));
+    return failed.isEmpty() && missing.isEmpty() && !broken ? success : failure;
+}
+
+} // namespace console

@@ -1,0 +1,121 @@
+// ensemble: reads, shows, plays, prints and saves compound documents. See docs/command-line.md.
+#include "console/check.h"
+#include "console/check_medium.h"
+#include "console/convert.h"
+#include "window/application.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <clocale>
+#include <cstdio>
+
+namespace {
+
+constexpr const char* usage =
+    "usage: ensemble [--play] [DOCUMENT ...]           open documents\n"
+    "       ensemble --convert-to pdf|png|text [--output FILE|DIR] DOCUMENT\n"
+    "       ensemble --check DOCUMENT                  every fault of the document and its "
+    "subdocuments\n"
+    "       ensemble --check-medium COMMAND...         the conformance test of the medium "
+    "protocol\n"
+    "       ensemble --help | --version\n";
+
+int wrong(const QString& sentence) {
+    std::fprintf(stderr, "ensemble: %s\n%s", qPrintable(sentence), usage);
+    return console::wrongUsage;
+}
+
+// Batch commands need no display; windows without one are said to be impossible, in words.
+bool hasDisplay() {
+    return !qEnvironmentVariableIsEmpty("DISPLAY") ||
+           !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
+           !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+}
+
+int convert(const QCommandLineParser& options) {
+    const QString format = options.value("convert-to");
+    if (format == "html" || format == "markdown") {
+        std::fprintf(stderr, "ensemble: %s is not written yet: pdf, png and text are\n",
+                     qPrintable(format));
+        return console::wrongUsage;
+    }
+    if (format != "pdf" && format != "png" && format != "text")
+        return wrong("--convert-to wants pdf, png or text");
+    if (options.positionalArguments().size() != 1)
+        return wrong("--convert-to wants one document");
+    return console::convert({format, options.positionalArguments().first(), options.value("output")});
+}
+
+int openWindows(QApplication& application, const QCommandLineParser& options) {
+    window::dress();
+    window::Application windows;
+    bool opened = false;
+    for (const QString& file : options.positionalArguments())
+        if (window::DocumentWindow* made = windows.open(file)) {
+            opened = true;
+            if (options.isSet("play"))
+                windows.playWhenLoaded(made->document());
+        }
+    if (options.positionalArguments().isEmpty())
+        opened = windows.openNew() != nullptr;
+    return opened ? application.exec() : console::failure;
+}
+
+int run(QApplication& application, const QStringList& arguments, bool canOpenWindows) {
+    const qsizetype medium = arguments.indexOf("--check-medium");
+    if (medium == 1)
+        return arguments.size() < 3 ? wrong("--check-medium wants a command")
+                                    : console::checkMedium(arguments.mid(2));
+    QCommandLineParser options;
+    options.addOptions({{"convert-to", {}, "format"},
+                        {"output", {}, "file"},
+                        {"check", {}},
+                        {"play", {}},
+                        {"help", {}},
+                        {"version", {}}});
+    if (!options.parse(arguments))
+        return wrong(options.errorText());
+    if (options.isSet("help") || options.isSet("version")) {
+        std::printf("%s", options.isSet("help")
+                              ? usage
+                              : qPrintable("ensemble " + application.applicationVersion() + "\n"));
+        return console::success;
+    }
+    if (options.isSet("convert-to"))
+        return convert(options);
+    if (options.isSet("check"))
+        return options.positionalArguments().size() == 1
+                   ? console::check(options.positionalArguments().first())
+                   : wrong("--check wants one document");
+    if (options.isSet("output"))
+        return wrong("--output belongs to --convert-to");
+    if (!canOpenWindows) {
+        std::fprintf(stderr, "ensemble: there is no display to open a window on; "
+                             "--convert-to and --check need none\n");
+        return console::failure;
+    }
+    return openWindows(application, options);
+}
+
+bool isBatch(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i)
+        for (const char* option :
+             {"--convert-to", "--check", "--check-medium", "--help", "--version"})
+            if (QByteArray(argv[i]).startsWith(option))
+                return true;
+    return false;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const bool canOpenWindows = hasDisplay();
+    if (isBatch(argc, argv) || !canOpenWindows)
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    QApplication application(argc, argv);
+    std::setlocale(LC_NUMERIC, "C");
+    QApplication::setApplicationName("ensemble");
+    QApplication::setOrganizationName("ensemble");
+    QApplication::setApplicationVersion(ENSEMBLE_VERSION);
+    return run(application, application.arguments(), canOpenWindows);
+}
