@@ -54,20 +54,27 @@ double ErrorControl::magnitude(std::size_t i) const {
 }
 
 void ErrorControl::prepare(std::span<const double> y, double h) {
+    constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
     measure(y);
-    const double slow = 0.01 * extent_ / std::max(h, std::numeric_limits<double>::min());
+    double coarsest = 0; // rounding of the position farthest from the origin
+    for (std::size_t i = 0; i < scales_.size(); ++i)
+        if (scales_[i].kind == UnknownScale::Kind::position)
+            coarsest = std::max(coarsest, rounding * std::abs(y[i]) * scales_[i].lengthPerUnit);
+    // A speed that does not show within the step.
+    const double unseen = std::max(0.01 * tolerance_ * extent_, coarsest) /
+                          std::max(h, std::numeric_limits<double>::min());
     for (std::size_t i = 0; i < scales_.size(); ++i) {
         const double length = scales_[i].lengthPerUnit;
-        double size = 0;
+        double weight = std::max(rounding * std::abs(y[i]), 1e-280);
         if (scales_[i].kind == UnknownScale::Kind::position)
-            size = extent_ / length;
+            weight = std::max(weight, tolerance_ * extent_ / length);
         else if (scales_[i].kind == UnknownScale::Kind::velocity)
-            size = std::max(speed_, slow) / length;
+            weight = std::max({weight, tolerance_ * speed_ / length, unseen / length});
         else
-            size = std::max({seen_[i].high, -seen_[i].low, std::abs(y[i]), 1e-3 * other_,
-                             radius_ > 0 ? slow / radius_ : 0});
-        const double rounding = 16 * std::numeric_limits<double>::epsilon() * std::abs(y[i]);
-        weights_[i] = std::max({tolerance_ * size, rounding, 1e-280});
+            weight = std::max({weight, tolerance_ * seen_[i].high, -tolerance_ * seen_[i].low,
+                               tolerance_ * std::abs(y[i]), tolerance_ * 1e-3 * other_,
+                               radius_ > 0 ? unseen / radius_ : 0});
+        weights_[i] = weight;
     }
 }
 

@@ -8,8 +8,9 @@
 //               of the component (a spin that is zero but for rounding is no quantity of its own)
 //
 // An error in a velocity or a spin that moves nothing by a hundredth of the position's tolerance
-// within the step is also allowed, so that a body at rest is not followed into its rounding errors.
-// No scale is below the rounding of the value itself.
+// within the step, or by less than the rounding of the positions, is also allowed, so that a body
+// at rest is not followed into its rounding errors. No scale is below the rounding of the value
+// itself.
 //
 // The norm is the maximum, not a mean over unknowns: what is promised holds for each body, and a
 // mean would let one moving body hide among many that rest.

@@ -1,0 +1,291 @@
+// Which side of each surface holds, and sliding on surfaces; see component_equations.h.
+#include "solution/component_equations.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace solution {
+
+using expression::Decision;
+using expression::Node;
+
+void ComponentEquations::setSide(std::size_t surface, int side) {
+    sides_[surface] = side;
+    for (const Surface::Member& member : surfaces_[surface].members)
+        decisions_[member.decision] = side * member.orientation;
+}
+
+void ComponentEquations::refreshWatches() {
+    watches_.clear();
+    for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+        const bool slides = std::find(sliding_.begin(), sliding_.end(), s) != sliding_.end();
+        if (!slides) {
+            watches_.push_back({Watch::Kind::side, s});
+            continue;
+        }
+        watches_.push_back({Watch::Kind::least, s});
+        watches_.push_back({Watch::Kind::most, s});
+    }
+}
+
+const ComponentEquations::Gradient& ComponentEquations::gradient(std::size_t surface) {
+    std::unique_ptr<Gradient>& place = gradients_[surface];
+    if (!place) {
+        place = std::make_unique<Gradient>();
+        std::vector<Node> derivatives;
+        for (const Node symbol : symbols_)
+            derivatives.push_back(
+                expression::differentiate(set_.graph, surfaces_[surface].guard, symbol));
+        place->tape = expression::Tape(set_.graph, symbols_, derivatives);
+        for (std::size_t i = 0; i < states_.size(); ++i)
+            if (surfaces_[surface].guard == symbols_[1 + i])
+                place->state = i;
+    }
+    return *place;
+}
+
+// d g / dt along given rates of the states, at the point given to fill(); and the size of what
+// rounding may have made of a zero.
+ComponentEquations::Slope ComponentEquations::guardRate(std::size_t surface,
+                                                        std::span<const double> rates) {
+    const Gradient& g = gradient(surface);
+    std::vector<double> partial(symbols_.size()), inputRates(inputs_.unknowns().size());
+    expression::Tape::Scratch scratch;
+    g.tape.evaluate(in_, partial, scratch);
+    inputs_.rates(in_[0], inputRates);
+    Slope slope{partial[0], std::abs(partial[0])};
+    const auto add = [&slope](double term) {
+        slope.rate += term;
+        slope.noise += std::abs(term);
+    };
+    for (std::size_t i = 0; i < states_.size(); ++i)
+        if (partial[1 + i] != 0)
+            add(partial[1 + i] * rates[i]);
+    for (std::size_t i = 0; i < inputRates.size(); ++i)
+        if (partial[1 + states_.size() + i] != 0)
+            add(partial[1 + states_.size() + i] * inputRates[i]);
+    slope.noise *= 1e-12;
+    return slope;
+}
+
+// Rates while sliding, into out_.
+bool ComponentEquations::weigh() {
+    const auto m = static_cast<Eigen::Index>(sliding_.size());
+    for (const std::size_t s : sliding_)
+        setSide(s, -1);
+    evaluate(base_);
+    Eigen::MatrixXd change(m, m);
+    Eigen::VectorXd wanted(m);
+    std::vector<std::vector<double>> fields;
+    for (Eigen::Index j = 0; j < m; ++j) {
+        const std::size_t s = sliding_[static_cast<std::size_t>(j)];
+        setSide(s, +1);
+        evaluate(other_);
+        setSide(s, -1);
+        fields.push_back(other_);
+    }
+    for (Eigen::Index i = 0; i < m; ++i) {
+        const std::size_t s = sliding_[static_cast<std::size_t>(i)];
+        wanted(i) = -guardRate(s, base_).rate;
+        for (Eigen::Index j = 0; j < m; ++j)
+            change(i, j) = guardRate(s, fields[static_cast<std::size_t>(j)]).rate + wanted(i);
+    }
+    const Eigen::VectorXd w = m == 1 ? Eigen::VectorXd(wanted / change(0, 0))
+                                     : Eigen::VectorXd(change.fullPivLu().solve(wanted));
+    if (!w.allFinite() || (m > 1 && !(change * w).isApprox(wanted, 1e-9) && wanted.norm() > 0))
+        return false;
+    out_ = base_;
+    for (Eigen::Index j = 0; j < m; ++j)
+        for (std::size_t n = 0; n < out_.size(); ++n)
+            out_[n] += w(j) * (fields[static_cast<std::size_t>(j)][n] - base_[n]);
+    for (const std::size_t s : sliding_)
+        if (const auto state = gradient(s).state)
+            out_[*state] = 0;
+    weights_.assign(w.data(), w.data() + m);
+    return true;
+}
+
+void ComponentEquations::watch(double t, std::span<const double> y, std::span<double> values) {
+    fill(t, y);
+    if (!sliding_.empty() && !weigh())
+        std::fill(weights_.begin(), weights_.end(), -1.0); // no longer possible: leave
+    tape_.evaluate(in_, other_, scratch_, decisions_, guards_);
+    for (std::size_t k = 0; k < watches_.size(); ++k) {
+        const auto [kind, s] = watches_[k];
+        const Surface& surface = surfaces_[s];
+        const double g = guards_[surface.members[0].decision] * surface.members[0].orientation;
+        if (kind != Watch::Kind::side) {
+            const auto place = std::find(sliding_.begin(), sliding_.end(), s) - sliding_.begin();
+            const double w = weights_[static_cast<std::size_t>(place)];
+            values[k] = kind == Watch::Kind::least ? w : 1 - w;
+        } else if (surface.whole) {
+            values[k] = g;
+        } else if (sides_[s] == onSurface) {
+            values[k] = 1e-12 - std::abs(g);
+        } else {
+            values[k] = sides_[s] * g;
+        }
+    }
+}
+
+// The side to take when a state starts exactly on a surface.
+void ComponentEquations::settleOn(std::size_t surface) {
+    std::vector<double> above(out_.size()), below(out_.size()), on(out_.size());
+    setSide(surface, +1);
+    evaluate(above);
+    setSide(surface, -1);
+    evaluate(below);
+    setSide(surface, onSurface);
+    evaluate(on);
+    const auto signOf = [this, surface](std::span<const double> field) {
+        const Slope slope = guardRate(surface, field);
+        return slope.rate > slope.noise ? 1 : slope.rate < -slope.noise ? -1 : 0;
+    };
+    const int up = signOf(above), down = signOf(below);
+    if (up < 0 && down > 0)
+        sliding_.push_back(surface);
+    else if (up > 0 && down >= 0)
+        setSide(surface, +1);
+    else if (down < 0 && up <= 0)
+        setSide(surface, -1);
+    else if (up > 0 && down < 0) // both lead away: the value on the surface itself decides
+        setSide(surface, signOf(on));
+    else if (up < 0 || (up == 0 && above == on))
+        setSide(surface, up < 0 ? -1 : +1);
+    else if (down > 0 || below == on)
+        setSide(surface, down > 0 ? +1 : -1);
+}
+
+void ComponentEquations::decide(double t, std::span<double> y) {
+    sliding_.clear();
+    if (surfaces_.empty())
+        return;
+    fill(t, y);
+    tape_.decide(in_, decisions_, guards_, scratch_);
+    std::vector<std::size_t> touching;
+    for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+        const Surface::Member& member = surfaces_[s].members[0];
+        const Decision taken = decisions_[member.decision];
+        if (surfaces_[s].whole || taken == expression::noBranch)
+            continue;
+        sides_[s] = static_cast<int>(taken) * member.orientation;
+        if (sides_[s] == onSurface)
+            touching.push_back(s);
+    }
+    for (const std::size_t s : touching)
+        settleOn(s);
+    if (!settleWeights(t, y))
+        sliding_.clear();
+    project(t, y);
+    refreshWatches();
+}
+
+// Surfaces whose weight lies outside [0, 1] are left; false when that does not settle.
+bool ComponentEquations::settleWeights(double t, std::span<const double> y) {
+    const std::size_t most = 2 * sliding_.size();
+    fill(t, y);
+    for (std::size_t round = 0; round <= most; ++round) {
+        if (sliding_.empty())
+            return true;
+        if (!weigh())
+            return false;
+        const auto outside = std::find_if(weights_.begin(), weights_.end(),
+                                          [](double w) { return w < -1e-12 || w > 1 + 1e-12; });
+        if (outside == weights_.end())
+            return true;
+        const auto place = outside - weights_.begin();
+        const std::size_t s = sliding_[static_cast<std::size_t>(place)];
+        const int side = *outside < 0 ? -1 : +1;
+        sliding_.erase(sliding_.begin() + place);
+        setSide(s, side);
+    }
+    return false;
+}
+
+// Onto the surfaces of sliding, along the difference of their fields; exactly where the guard is a
+// state.
+void ComponentEquations::project(double t, std::span<double> y) {
+    for (const std::size_t s : sliding_) {
+        const Gradient& g = gradient(s);
+        if (g.state) {
+            y[*g.state] = 0;
+            continue;
+        }
+        fill(t, y);
+        tape_.evaluate(in_, other_, scratch_, decisions_, guards_);
+        const Surface::Member& member = surfaces_[s].members[0];
+        const double off = guards_[member.decision] * member.orientation;
+        setSide(s, +1);
+        evaluate(other_);
+        setSide(s, -1);
+        evaluate(base_);
+        std::vector<double> direction(states_.size());
+        for (std::size_t i = 0; i < direction.size(); ++i)
+            direction[i] = other_[i] - base_[i];
+        const double along = guardRate(s, other_).rate - guardRate(s, base_).rate;
+        if (along != 0 && std::isfinite(off / along))
+            for (std::size_t i = 0; i < direction.size(); ++i)
+                y[i] -= off / along * direction[i];
+    }
+}
+
+ComponentEquations::Crossing ComponentEquations::cross(const Violation& violation, double t,
+                                                       std::span<double> y, bool insist) {
+    fill(t, y);
+    std::vector<double> before(out_.size());
+    std::vector<Decision> implied(decisions_.size());
+    tape_.decide(in_, implied, guards_, scratch_);
+    std::vector<std::size_t> passed;
+    for (const std::size_t k : violation.watches) {
+        const auto [kind, s] = watches_[k];
+        const Surface::Member& member = surfaces_[s].members[0];
+        if (kind != Watch::Kind::side) {
+            sliding_.erase(std::remove(sliding_.begin(), sliding_.end(), s), sliding_.end());
+            setSide(s, kind == Watch::Kind::least ? -1 : +1);
+        } else if (surfaces_[s].whole) {
+            const Decision now = decisions_[member.decision];
+            const Decision next = implied[member.decision];
+            decisions_[member.decision] = next != now            ? next
+                                          : surfaces_[s].ceiling ? now + 1
+                                                                 : now - 1;
+        } else if (insist) {
+            setSide(s, onSurface);
+        } else {
+            const auto g = static_cast<int>(implied[member.decision]) * member.orientation;
+            setSide(s, sides_[s] == onSurface ? g : -sides_[s]);
+            passed.push_back(s);
+        }
+    }
+    // Behind each passed surface: does the field lead away?
+    if (!sliding_.empty() && !weigh())
+        return Crossing::impossible;
+    if (sliding_.empty())
+        evaluate(out_);
+    before = out_;
+    for (const std::size_t s : passed) {
+        const Slope slope = guardRate(s, before);
+        if (slope.rate * sides_[s] < -slope.noise)
+            sliding_.push_back(s);
+    }
+    if (!settleWeights(t, y))
+        return Crossing::impossible;
+    project(t, y);
+    refreshWatches();
+    return Crossing::done;
+}
+
+std::vector<std::size_t> ComponentEquations::unknownsOf(const std::vector<std::size_t>& watches) {
+    std::vector<Node> guards;
+    for (const std::size_t k : watches)
+        guards.push_back(surfaces_[watches_[k].surface].guard);
+    std::vector<std::size_t> found;
+    for (const Node symbol : expression::symbolsOf(set_.graph, guards))
+        for (std::size_t i = 0; i < unknowns_.size(); ++i)
+            if (set_.unknowns[unknowns_[i]].symbol == symbol)
+                found.push_back(i);
+    return found;
+}
+
+} // namespace solution
