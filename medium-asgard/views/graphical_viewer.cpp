@@ -2,6 +2,7 @@
 
 #include <QActionGroup>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QMenu>
 #include <QMenuBar>
 #include <QVBoxLayout>
@@ -54,6 +55,8 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document,
     connect(&document_, &SceneDocument::sceneChanged, this, &GraphicalViewer::fillViewsMenu);
     connect(&document_, &SceneDocument::nameChanged, this, &GraphicalViewer::updateTitle);
     connect(display_, &SceneDisplay::viewFollowed, this, &GraphicalViewer::fillViewsMenu);
+    for (QAbstractButton* button : findChildren<QAbstractButton*>())
+        button->installEventFilter(this);
     updateRange();
     updateState();
     updateTitle();
@@ -251,6 +254,16 @@ void GraphicalViewer::updateTitle() {
         number_ == 1 ? tr("Graphical Viewer") : tr("Graphical Viewer %1").arg(number_);
     setWindowTitle(tr("%1[*] – %2").arg(document_.name(), viewer));
     setWindowModified(document_.hasHost() ? false : document_.isModified());
+}
+
+// Space presses the button or box that has the keyboard; elsewhere it plays.
+bool GraphicalViewer::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space) {
+        event->accept();
+        return true;
+    }
+    return QMainWindow::eventFilter(watched, event);
 }
 
 void GraphicalViewer::changeEvent(QEvent* event) {

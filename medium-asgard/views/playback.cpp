@@ -76,6 +76,8 @@ void Playback::stop() {
 
 void Playback::step(int steps) {
     pause();
+    if (!(stepLength() > 0))
+        return;
     // Steps land on whole multiples from the start, however one got in between.
     const double at = (time_ - start_) / stepLength();
     const double next = steps > 0 ? std::floor(at + 1e-6) : std::ceil(at - 1e-6);

@@ -48,6 +48,7 @@ SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<render::Rend
     connect(&settle_, &QTimer::timeout, this, [this] { redraw(false); });
     connect(&document_, &SceneDocument::sceneChanged, this, &SceneDisplay::sceneChanged);
     connect(&document_, &SceneDocument::motionChanged, this, &SceneDisplay::motionChanged);
+    sceneChanged();
 }
 
 render::Size SceneDisplay::pixelSize() const {

@@ -1,0 +1,95 @@
+// What the tests of this folder share: an application, a reader, and motion that is known exactly.
+#pragma once
+
+#include "render/test_scenes.h"
+#include "script/reader.h"
+#include "views/scene_document.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QTest>
+
+#include <atomic>
+#include <functional>
+
+namespace views {
+
+// Made before anything else of the process, as in the programs.
+inline script::Reader& theReader() {
+    static script::Reader reader;
+    return reader;
+}
+
+inline QApplication& theApplication() {
+    static int argc = 1;
+    static char name[] = "views_test";
+    static char* argv[] = {name, nullptr};
+    theReader();
+    static QApplication application(argc, argv);
+    return application;
+}
+
+// Bodies fly on from where they start; nothing acts on them.
+inline simulation::MotionPointer flight(const scene::Scene& scene) {
+    std::vector<render::GivenMotion::Law> laws;
+    for (const scene::Body& body : scene.bodies)
+        laws.push_back([body](double t) {
+            simulation::BodyState state;
+            state.position = body.initialPosition + t * body.initialVelocity;
+            state.velocity = body.initialVelocity;
+            return state;
+        });
+    return std::make_shared<render::GivenMotion>(scene.simulator.finish, laws);
+}
+
+// A workshop that counts what it is asked for.
+struct TestWorkshop {
+    std::atomic<int> reads{0}, simulations{0}, cancelled{0};
+    std::atomic<bool> blocked{false}; // simulations wait until this is false or they are cancelled
+
+    Workshop workshop() {
+        Workshop w;
+        w.read = [this](std::string_view text) {
+            ++reads;
+            return theReader().read(text);
+        };
+        w.cancelReading = [] { theReader().cancel(); };
+        w.simulate = [this](const scene::Scene& scene, const simulation::Options&,
+                            const simulation::Observer& observer) {
+            ++simulations;
+            simulation::Result result;
+            while (blocked && !observer.cancelled())
+                QThread::msleep(1);
+            if (observer.cancelled()) {
+                ++cancelled;
+                result.cancelled = true;
+            }
+            result.motion = flight(scene);
+            return result;
+        };
+        return w;
+    }
+};
+
+// Handles events until the condition holds; false after ten seconds.
+inline bool waitFor(const std::function<bool()>& condition) {
+    QElapsedTimer timer;
+    timer.start();
+    while (!condition()) {
+        if (timer.elapsed() > 10000)
+            return false;
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+        QThread::msleep(1);
+    }
+    return true;
+}
+
+inline bool settle(SceneDocument& document) {
+    return waitFor([&] { return document.work() == Work::none; });
+}
+
+inline const std::string ballScene = "simulator -finish 2\n"
+                                     "shape_set ball -desc {-sub {-sphere 0.5}}\n"
+                                     "body b1 ball -init_pos {-1 0 0} -init_dpos {1 0 0}\n";
+
+} // namespace views
