@@ -1,0 +1,89 @@
+// Elements that become one run or one block, and have nothing inside that is walked.
+#include "document/model_builder.h"
+
+namespace document {
+
+using sgml::NodeId;
+
+// Shown as text of its own until something gives it life.
+bool ModelBuilder::addLiving(const Frame& frame) {
+    const bool slider = frame.style.display == Display::slider;
+    Run run{.kind = slider ? RunKind::slider : RunKind::value, .element = frame.node};
+    run.style = textStyle(frame.style.text);
+    run.text = slider ? attribute(frame.node, "NAME") + " = " + attribute(frame.node, "VALUE")
+                      : "[" + attribute(frame.node, "EXPRESSION") + "]";
+    addRun(std::move(run));
+    return false;
+}
+
+bool ModelBuilder::addChart(const Frame& frame) {
+    const std::string values = attribute(frame.node, "VALUES"); // before frames move
+    Frame& own = frames_.back();
+    beginBlock(own);
+    Block& block = addBlock(BlockKind::chart);
+    block.width = lengthAttribute(block.element, "WIDTH");
+    block.height = lengthAttribute(block.element, "HEIGHT");
+    block.alternative = attribute(block.element, "ALT");
+    block.runs.push_back(
+        {.text = "Chart of " + values, .style = textStyle(own.style.text), .element = own.node});
+    return false;
+}
+
+bool ModelBuilder::addImage(const Frame& frame) {
+    std::string file = attribute(frame.node, "FILE");
+    if (file.empty())
+        file = tree_.contentText(frame.node);
+    beginBlock(frames_.back());
+    Block& block = addBlock(BlockKind::image);
+    block.source = file;
+    block.width = lengthAttribute(block.element, "WIDTH");
+    block.height = lengthAttribute(block.element, "HEIGHT");
+    block.alternative = attribute(block.element, "ALT");
+    return false;
+}
+
+bool ModelBuilder::addLeaf(const Frame& frame, BlockKind kind) {
+    (void)frame;
+    beginBlock(frames_.back());
+    addBlock(kind);
+    return false;
+}
+
+bool ModelBuilder::addSubdocument(NodeId node) {
+    const auto known = subdocuments_.find(node);
+    const SubdocumentId id = known == subdocuments_.end() ? noSubdocument : known->second;
+    const Subdocument* subdocument = document_.subdocument(id);
+    Frame frame = frameInside(node);
+    frame.style = frame.presentation->style({"DOCUMENT", isFirst(node), &tree_, node},
+                                            frames_.back().style, frame.progress);
+    if (subdocument != nullptr && !subdocument->name.empty())
+        references_.try_emplace(subdocument->name, frame.reference);
+    if (!frame.style.show)
+        return false;
+    if (subdocument != nullptr && !subdocument->name.empty())
+        anchors_.push_back(subdocument->name);
+    if (subdocument != nullptr && subdocument->placement == Placement::inlined) {
+        addRun({.kind = RunKind::subdocument,
+                .style = textStyle(frame.style.text),
+                .element = node,
+                .subdocument = id});
+        return false;
+    }
+    frames_.push_back(std::move(frame));
+    Frame& own = frames_.back();
+    own.emitted = emitted_;
+    beginBlock(own);
+    Block& block = addBlock(BlockKind::subdocument);
+    block.subdocument = id;
+    const Placement placement =
+        subdocument == nullptr ? Placement::unspecified : subdocument->placement;
+    if (placement == Placement::left || block.style.align == Align::justify)
+        block.style.align = Align::left;
+    if (placement == Placement::center || placement == Placement::right)
+        block.style.align = placement == Placement::center ? Align::center : Align::right;
+    endBlock(own);
+    frames_.pop_back();
+    return false;
+}
+
+} // namespace document
