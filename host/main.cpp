@@ -43,7 +43,8 @@ int convert(const QCommandLineParser& options) {
         return wrong("--convert-to wants pdf, png or text");
     if (options.positionalArguments().size() != 1)
         return wrong("--convert-to wants one document");
-    return console::convert({format, options.positionalArguments().first(), options.value("output")});
+    return console::convert(
+        {format, options.positionalArguments().first(), options.value("output")});
 }
 
 int openWindows(QApplication& application, const QCommandLineParser& options) {
@@ -106,12 +107,20 @@ bool isBatch(int argc, char** argv) {
     return false;
 }
 
+// Standard error of a batch command is for its own messages: not for hints of Qt about the desktop.
+void onlyErrors(QtMsgType type, const QMessageLogContext&, const QString& text) {
+    if (type == QtCriticalMsg || type == QtFatalMsg)
+        std::fprintf(stderr, "ensemble: %s\n", qPrintable(text));
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     const bool canOpenWindows = hasDisplay();
     if (isBatch(argc, argv) || !canOpenWindows)
         qputenv("QT_QPA_PLATFORM", "offscreen");
+    if (isBatch(argc, argv))
+        qInstallMessageHandler(onlyErrors);
     QApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C");
     QApplication::setApplicationName("ensemble");

@@ -67,13 +67,14 @@ private:
         double before = 0, after = 0;
     };
 
-    // The paddings that boxes put before and after their first and last blocks.
+    // The paddings that boxes put above their first blocks and below their last ones. They are part
+    // of the space between blocks already; they count by themselves at the top of a page.
     std::vector<Inset> boxInsets() const {
         std::vector<Inset> insets(model_.blocks.size());
         for (const document::Box& box : model_.boxes)
             if (box.last < insets.size()) {
-                insets[box.first].before += fromPoints(box.padding + box.border.width);
-                insets[box.last].after += fromPoints(box.padding + box.border.width);
+                insets[box.first].before += fromPoints(box.padding);
+                insets[box.last].after += fromPoints(box.padding);
             }
         return insets;
     }
@@ -84,15 +85,10 @@ private:
     bool lastOfBlock(std::size_t strip) const {
         return strip + 1 == strips_.size() || strips_[strip + 1].block != strips_[strip].block;
     }
-    double insetBefore(std::size_t s) const {
-        return firstOfBlock(s) ? insets_[strips_[s].block].before : 0;
-    }
-    double insetAfter(std::size_t s) const {
-        return lastOfBlock(s) ? insets_[strips_[s].block].after : 0;
-    }
-
-    double gapBefore(const Strip& strip) const {
-        return y_ == top_ ? 0 : std::max(after_, strip.before);
+    double gapBefore(std::size_t s) const {
+        if (y_ == top_)
+            return firstOfBlock(s) ? insets_[strips_[s].block].before : 0;
+        return std::max(after_, strips_[s].before);
     }
 
     double notesHeight(const std::vector<std::size_t>& notes) const {
@@ -104,12 +100,11 @@ private:
     }
 
     double heightOf(const Chunk& chunk) const {
-        double height = gapBefore(strips_[chunk.first]);
+        double height = gapBefore(chunk.first);
         for (std::size_t s = chunk.first; s <= chunk.last; ++s) {
             if (s > chunk.first)
                 height += std::max(strips_[s - 1].after, strips_[s].before);
-            height += insetBefore(s) + strips_[s].height + insetAfter(s) +
-                      notesHeight(strips_[s].footnotes);
+            height += strips_[s].height + notesHeight(strips_[s].footnotes);
             if (!strips_[s].footnotes.empty() && pageNotes_.empty())
                 height += fromPoints(noteGapPoints);
         }
@@ -153,16 +148,15 @@ private:
     void place(const Chunk& chunk) {
         for (std::size_t s = chunk.first; s <= chunk.last; ++s) {
             const Strip& strip = strips_[s];
-            const double needed = gapBefore(strip) + insetBefore(s) + strip.height + insetAfter(s) +
-                                  notesHeight(strip.footnotes);
+            const double needed = gapBefore(s) + strip.height + notesHeight(strip.footnotes);
             if (needed > roomBelow() && y_ > top_)
                 newPage();
-            y_ += gapBefore(strip) + insetBefore(s);
+            y_ += gapBefore(s);
             note(s);
             for (const Piece& piece : strip.pieces)
                 put(moved(piece, {left_, y_}));
             placed_.push_back({s, y_, y_ + strip.height});
-            y_ += strip.height + insetAfter(s);
+            y_ += strip.height;
             after_ = strip.after;
             pageNotes_.insert(pageNotes_.end(), strip.footnotes.begin(), strip.footnotes.end());
         }
@@ -229,29 +223,27 @@ private:
         }
         if (from > to)
             return;
-        const double padding = fromPoints(box.padding);
         FramePiece frame;
         frame.background = box.background;
         frame.border = box.border;
         frame.border.top &= first; // a box that goes on is open where the page ends
         frame.border.bottom &= last;
-        // Boxes inside have put their paddings between this one and the text.
-        frame.rect = QRectF(QPointF(left_ + fromPoints(box.indentLeft) - padding,
-                                    from - inner(box, box.first, &Inset::before) - padding),
-                            QPointF(left_ + width_ - fromPoints(box.indentRight) + padding,
-                                    to + inner(box, box.last, &Inset::after) + padding));
+        frame.rect = QRectF(QPointF(left_ + fromPoints(box.indentLeft),
+                                    from - within(box, box.first, &Inset::before)),
+                            QPointF(left_ + width_ - fromPoints(box.indentRight),
+                                    to + within(box, box.last, &Inset::after)));
         behind.push_back(frame);
     }
 
-    // Padding that boxes within `box` put at that block.
-    double inner(const document::Box& box, std::size_t block, double Inset::*side) const {
+    // The paddings of `box` and of the boxes in it at that block.
+    double within(const document::Box& box, std::size_t block, double Inset::*side) const {
         double sum = 0;
-        bool within = false;
+        bool inside = false;
         for (const document::Box& other : model_.boxes) {
-            if (within && (side == &Inset::before ? other.first : other.last) == block &&
+            inside |= &other == &box;
+            if (inside && (side == &Inset::before ? other.first : other.last) == block &&
                 other.first >= box.first && other.last <= box.last)
-                sum += fromPoints(other.padding + other.border.width);
-            within |= &other == &box;
+                sum += fromPoints(other.padding);
         }
         return sum;
     }

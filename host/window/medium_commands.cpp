@@ -206,6 +206,11 @@ void MediumCommands::refreshTools() {
             tools_.insertAction(timeAction_, action);
         shown_ = wanted;
     }
+    const bool hasOwnPlay =
+        medium != media_.end() &&
+        std::any_of(medium->second.entries.begin(), medium->second.entries.end(),
+                    [](const auto& entry) { return entry.icon == "media-playback-start"; });
+    time_->setButtonShown(!hasOwnPlay);
     const media::LiveSubdocument* live = first(owner);
     const std::size_t count = targets(owner).size();
     owner_->setText(!live       ? QString()

@@ -102,6 +102,8 @@ void PlayBar::setTime(const ipc::TimeChanged& time) {
                           : 0);
 }
 
+void PlayBar::setButtonShown(bool shown) { button_->setVisible(shown); }
+
 void PlayBar::paintEvent(QPaintEvent*) {
     if (!dark_)
         return;

@@ -46,9 +46,11 @@ def notify(method, **params):
 def receive():
     length = None
     while True:
-        line = sys.stdin.buffer.readline()
+        line = sys.stdin.buffer.readline(1024)
         if not line:
             return None
+        if not line.endswith(b"\n"):
+            sys.exit("what is not the protocol")
         line = line.strip()
         if not line:
             break
@@ -57,6 +59,10 @@ def receive():
             length = int(value)
     body = sys.stdin.buffer.read(length)
     return json.loads(body)
+
+
+class Impossible(Exception):
+    pass
 
 
 class Medium:
@@ -232,6 +238,8 @@ class Medium:
                 self.text = p["text"]
             else:
                 data = self.text.encode()
+                if any(e["to"] > len(data) for e in p["edits"]):
+                    raise Impossible("the edit lies outside of the text")
                 for e in reversed(p["edits"]):
                     data = data[:e["from"]] + e["text"].encode() + data[e["to"]:]
                 self.text = data.decode()
@@ -266,6 +274,8 @@ class Medium:
         if method == "menu/invoke":
             if p["id"] == "crash":
                 self.behave(["crash"])
+            if p["id"] not in [entry["id"] for entry in self.menus()]:
+                raise Impossible("there is no such command")
             if p["id"] == "play":
                 self.playing = True
             if p["id"] == "handles":
@@ -327,6 +337,9 @@ class Medium:
             os._exit(0)
         try:
             result = self.answer(method, params)
+        except Impossible as error:
+            send({"id": message["id"], "error": {"code": -32003, "message": str(error)}})
+            return
         except (KeyError, TypeError, ValueError) as error:
             send({"id": message["id"], "error": {"code": -32602, "message": "bad parameters: %r" % error}})
             return
