@@ -40,7 +40,7 @@ struct Impact {
 };
 
 class Motion {
-  public:
+public:
     virtual ~Motion() = default;
 
     [[nodiscard]] virtual double start() const = 0;

@@ -20,17 +20,17 @@ namespace simulation {
 struct Options {
     std::optional<double> accuracy; // overrides the scene's
     std::optional<double> finish;
-    std::string method = "";        // "" : the scene's
+    std::string method = ""; // "" : the scene's
     std::optional<double> fixedStep;
-    bool whole = false;        // one component for the whole scene (dissertation 5.2.1, 5.2.4)
-    bool eventDriven = true;   // false: finish each component before the next (5.2.4, case 5)
+    bool whole = false;      // one component for the whole scene (dissertation 5.2.1, 5.2.4)
+    bool eventDriven = true; // false: finish each component before the next (5.2.4, case 5)
     int threads = 1;
     std::map<std::string, double> parameters; // override the scene's values
 };
 
 struct Observer {
-    std::function<bool()> cancelled;                     // true: stop soon, keep what there is
-    std::function<void(MotionPointer)> progress;         // a longer motion; any thread
+    std::function<bool()> cancelled;             // true: stop soon, keep what there is
+    std::function<void(MotionPointer)> progress; // a longer motion; any thread
 };
 
 // Work done, for tests and --stats. Counts are portable; seconds are not.
@@ -65,7 +65,7 @@ struct Result {
 // Quantities: any expression of the scene language, and scene.energy, scene.px .. scene.lz,
 // events.collisions, read from a motion (command-line contract, "simulate").
 class Quantities {
-  public:
+public:
     // Faulty expressions are reported in `faults`, one sentence each.
     Quantities(const scene::Scene& scene, const Options& options, MotionPointer motion,
                const std::vector<std::string>& expressions, std::vector<std::string>& faults);
@@ -76,7 +76,7 @@ class Quantities {
     // One value per expression, at a time in start..computed; NaN where it is not defined.
     [[nodiscard]] std::vector<double> at(double time) const;
 
-  private:
+private:
     struct Implementation;
     std::unique_ptr<Implementation> implementation_;
 };

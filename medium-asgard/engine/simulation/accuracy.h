@@ -1,0 +1,27 @@
+// How far apart are two runs of one scene? The measure of the accuracy that is promised.
+//
+// Position error of a body at a time: the larger of the distance of the centres of mass and
+// (angle between the attitudes) x (radius of the body). It is scaled by the size of what moves
+// together (an island), which is never larger than the scene: the longest edge of the box that
+// holds the island's bodies, bounding spheres included, over the motion.
+#pragma once
+
+#include "simulation/run.h"
+
+#include <vector>
+
+namespace simulation {
+
+struct IslandError {
+    double size = 0;
+    double largest = 0; // scaled
+    double beyondFrom =
+        0; // the first time at which the scaled error exceeds `limit`; infinity: never
+};
+
+// By body: the error of its island (bodies of one island share it). Compared at the steps of both
+// runs and at equally spaced times, as far as both are known.
+[[nodiscard]] std::vector<IslandError> compareRuns(const Problem& problem, const Run& first,
+                                                   const Run& second, double limit);
+
+} // namespace simulation

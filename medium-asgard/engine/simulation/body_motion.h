@@ -1,0 +1,63 @@
+// One body's solved motion, in the two forms that its readers need: its state at a time, and the
+// polynomial pieces that collision searches.
+#pragma once
+
+#include "collision/moving_shape.h"
+#include "physics/equations_of_motion.h"
+#include "simulation/motion.h"
+#include "solution/histories.h"
+
+#include <optional>
+
+namespace simulation {
+
+// What readers of motion need to know of a body; independent of how it moves.
+struct BodyRecord {
+    bool isFixed = false;
+    bool isSpinInWorldAxes = true;
+    geometry::Pose start; // centre of mass; of a fixed body at all times
+    std::size_t firstUnknown = 0;
+    double mass = 0;   // infinity when fixed
+    double radius = 0; // of the shape about the centre of mass
+    Vector centroid = Vector::Zero();
+};
+
+[[nodiscard]] std::vector<BodyRecord> recordsOf(const physics::EquationsOfMotion& equations);
+
+enum class Side { after, before }; // which value counts at an event's own time
+
+[[nodiscard]] BodyState stateOf(const BodyRecord& body, const solution::Histories& histories,
+                                double time, Side side = Side::after);
+// The least time up to which an unknown of the body is known; infinity when fixed.
+[[nodiscard]] double knownUntil(const BodyRecord& body, const solution::Histories& histories);
+
+// Linear acceleration of the centre of mass and angular acceleration, world axes.
+struct Acceleration {
+    Vector linear = Vector::Zero(), angular = Vector::Zero();
+};
+[[nodiscard]] Acceleration accelerationOf(const BodyRecord& body,
+                                          const solution::Histories& histories, double time);
+
+class MovingBody final : public collision::MovingShape {
+public:
+    MovingBody(const BodyRecord& record, geometry::Shape shape)
+        : record_(record), shape_(std::move(shape)) {}
+
+    // The histories that pieceAt() reads; they must outlive its calls. Forgets pieces read before.
+    void read(const solution::Histories& histories);
+    void forget() { piece_.reset(); }
+
+    [[nodiscard]] const geometry::Shape& shape() const override { return shape_; }
+    [[nodiscard]] Vector pivot() const override { return record_.centroid; }
+    [[nodiscard]] const collision::MotionPiece& pieceAt(double t) const override;
+
+private:
+    [[nodiscard]] collision::MotionPiece solvedPiece(double t) const;
+
+    BodyRecord record_;
+    geometry::Shape shape_;
+    const solution::Histories* histories_ = nullptr;
+    mutable std::optional<collision::MotionPiece> piece_;
+};
+
+} // namespace simulation

@@ -1,0 +1,115 @@
+// When do bodies meet, and what happens then? Collisions as the solver's source of events.
+//
+// The front is the time up to which every pair has been looked at. From it, windows no longer than
+// a body takes to cross its own size are searched as the motion becomes known:
+//
+//     next(known):
+//         forget what an event has made invalid (bodies known for less than was looked at)
+//         while front < known:
+//             window = [front, min(known, front + window length)]
+//             pairs whose boxes overlap in the window  ->  time of impact of each, kept per pair
+//             the earliest hit in the window: move the front there;
+//                 gather all that touches at that instant, solve the impact
+//                 some impulse: that is the event; else go on
+//             no hit: front = end of the window
+//
+// Pairs keep what was found beyond an event that does not concern them (dissertation 5.2.3).
+// Bouncing under restitution < 1 whose next hop is lower than `restHeight` bodies' radii ends in a
+// plastic impact, and then the contact presses (dissertation, none; scene language, "Physics").
+#pragma once
+
+#include "collision/broad_phase.h"
+#include "collision/time_of_impact.h"
+#include "physics/equations_of_motion.h"
+#include "physics/impact.h"
+#include "simulation/body_motion.h"
+#include "solution/event_source.h"
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace simulation {
+
+class CollisionSource final : public solution::EventSource {
+public:
+    // `equations` must outlive the source. A refusal (a shape that is none) is told by the caller's
+    // own reading of the scene: shapes are valid here.
+    CollisionSource(const scene::Scene& scene, const physics::EquationsOfMotion& equations,
+                    std::vector<geometry::Shape> shapes, double start, double finish,
+                    double restHeight);
+    ~CollisionSource() override;
+
+    [[nodiscard]] std::optional<solution::Event> next(const solution::Histories& histories,
+                                                      double known) override;
+    void apply(const solution::Histories& histories, const solution::Event& event,
+               expression::EquationSet& equations, solution::Changes& changes) override;
+
+    [[nodiscard]] const std::vector<Impact>& impacts() const { return impacts_; }
+    [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+    [[nodiscard]] std::size_t pairTests() const { return pairTests_; }
+
+private:
+    using Pair = collision::Pair;
+    struct Found { // of one pair
+        double testedUntil = 0;
+        std::optional<collision::Hit> hit;
+    };
+    struct Cluster { // all that touches at one instant, through bodies that can give way
+        std::vector<std::size_t> bodies;              // indices into the scene's
+        std::vector<physics::ImpactContact> contacts; // with indices into `bodies`
+    };
+
+    [[nodiscard]] bool mayMeet(std::size_t a, std::size_t b) const;
+    [[nodiscard]] bool canGiveWay(std::size_t body, double time) const;
+    void forgetInvalid(const solution::Histories& histories);
+    void lookAtWindow(const solution::Histories& histories, double until);
+    void updateCandidates(double until);
+    void testPair(const Pair& pair, double until);
+    void keepHit(const Pair& pair, Found& found, std::optional<collision::Hit> hit);
+    void dropHit(const Pair& pair);
+    [[nodiscard]] std::optional<solution::Event>
+    handle(const solution::Histories& histories, const Pair& pair, const collision::Hit& hit);
+    [[nodiscard]] std::optional<solution::Event> meet(const solution::Histories& histories,
+                                                      const Pair& pair, double time);
+    [[nodiscard]] std::optional<solution::Event> press(const solution::Histories& histories,
+                                                       const Pair& pair, const collision::Hit& hit);
+    [[nodiscard]] Cluster clusterAt(const Pair& pair, double time);
+    void addContacts(Cluster& cluster, std::size_t a, std::size_t b, double time);
+    void softenLastHops(const solution::Histories& histories, Cluster& cluster,
+                        std::span<const physics::ImpactBody> bodies, double time) const;
+    [[nodiscard]] physics::ImpactBody impactBody(const solution::Histories& histories,
+                                                 std::size_t body, double time) const;
+    void record(const Cluster& cluster, const physics::ImpactResult& result, double time);
+    void noteOnce(const Pair& pair, const std::string& sentence);
+    [[nodiscard]] double windowLength(const solution::Histories& histories) const;
+
+    const scene::Scene& scene_;
+    const physics::EquationsOfMotion& equations_;
+    std::vector<BodyRecord> records_;
+    std::vector<MovingBody> bodies_;
+    std::vector<bool> ended_;
+    double finish_, restHeight_;
+
+    double front_;
+    std::vector<double> boxUntil_; // boxes_[b] holds the motion from the front up to here
+    std::vector<geometry::Box> boxes_;
+    std::vector<std::set<std::size_t>> partners_; // whose boxes overlap
+    std::map<Pair, Found> found_;
+    std::set<std::tuple<double, std::size_t, std::size_t>> hits_; // of found_
+    std::map<Pair, double> passingUntil_; // pairs that cannot give way, let through each other
+    std::set<Pair> linked_;
+    std::set<Pair> noted_;
+    bool eventPending_ = false;
+
+    std::vector<solution::Changes::Jump> jumps_; // of the event that next() answered last
+    std::vector<solution::Changes::End> ends_;
+    std::vector<Impact> impacts_;
+    std::vector<std::string> notes_;
+    std::size_t pairTests_ = 0;
+};
+
+} // namespace simulation

@@ -1,0 +1,50 @@
+// A Motion over solved histories.
+#pragma once
+
+#include "simulation/body_motion.h"
+#include "simulation/motion.h"
+
+#include <map>
+#include <memory>
+
+namespace simulation {
+
+class ComputedMotion final : public Motion {
+public:
+    struct Contents {
+        double start = 0, finish = 0;
+        bool draft = false;
+        std::shared_ptr<const std::vector<BodyRecord>> bodies;
+        std::shared_ptr<const solution::Histories> histories;
+        std::map<std::size_t, Stop> stops; // by body
+        std::vector<Impact> impacts;
+        std::vector<std::string> notes;
+        std::optional<double> errorEstimate, predictableUntil;
+    };
+    explicit ComputedMotion(Contents contents);
+
+    [[nodiscard]] const solution::Histories& histories() const { return *c_.histories; }
+
+    [[nodiscard]] double start() const override { return c_.start; }
+    [[nodiscard]] double finish() const override { return c_.finish; }
+    [[nodiscard]] double computed() const override { return computed_; }
+    [[nodiscard]] bool draft() const override { return c_.draft; }
+    [[nodiscard]] std::size_t bodies() const override { return c_.bodies->size(); }
+    [[nodiscard]] BodyState at(std::size_t body, double time) const override;
+    [[nodiscard]] std::optional<Stop> stop(std::size_t body) const override;
+    [[nodiscard]] Vector centroid(std::size_t body) const override;
+    [[nodiscard]] double mass(std::size_t body) const override;
+    [[nodiscard]] const std::vector<Impact>& impacts() const override { return c_.impacts; }
+    [[nodiscard]] std::vector<double> jumps(std::size_t body) const override;
+    [[nodiscard]] std::optional<double> errorEstimate() const override { return c_.errorEstimate; }
+    [[nodiscard]] std::optional<double> predictableUntil() const override {
+        return c_.predictableUntil;
+    }
+    [[nodiscard]] const std::vector<std::string>& notes() const override { return c_.notes; }
+
+private:
+    Contents c_;
+    double computed_ = 0;
+};
+
+} // namespace simulation

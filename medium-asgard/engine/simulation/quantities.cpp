@@ -1,0 +1,99 @@
+#include "expression/tape.h"
+#include "physics/scene_quantities.h"
+#include "simulation/computed_motion.h"
+#include "simulation/simulation.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace simulation {
+
+struct Quantities::Implementation {
+    std::shared_ptr<const ComputedMotion> motion;
+    std::vector<std::size_t> unknowns; // that the expressions read, as inputs after time and count
+    expression::Tape tape;
+    std::size_t count = 0;
+    mutable expression::Tape::Scratch scratch;
+
+    [[nodiscard]] std::vector<double> at(double time) const;
+};
+
+namespace {
+
+using expression::Node;
+
+std::vector<Node> parseAll(physics::EquationsOfMotion& equations,
+                           const std::vector<std::string>& expressions,
+                           std::vector<std::string>& faults) {
+    std::vector<Node> nodes;
+    for (const std::string& text : expressions) {
+        const auto parsed =
+            equations.scope->parse(equations.set.graph, text, scene::Reading::quantities);
+        if (const auto* fault = std::get_if<expression::SyntaxError>(&parsed)) {
+            const std::string hint =
+                fault->suggestion.empty() ? "" : " (" + fault->suggestion + ")";
+            faults.push_back("\"" + text + "\": " + fault->message + hint);
+        } else {
+            nodes.push_back(std::get<Node>(parsed));
+        }
+    }
+    return nodes;
+}
+
+} // namespace
+
+Quantities::Quantities(const scene::Scene& original, const Options& options, MotionPointer motion,
+                       const std::vector<std::string>& expressions,
+                       std::vector<std::string>& faults)
+    : implementation_(std::make_unique<Implementation>()) {
+    scene::Scene scene = original;
+    for (scene::Parameter& parameter : scene.parameters)
+        if (const auto given = options.parameters.find(parameter.name);
+            given != options.parameters.end())
+            parameter.value = given->second;
+    physics::EquationsOfMotion equations(scene);
+    faults.insert(faults.end(), equations.faults.begin(), equations.faults.end());
+    implementation_->motion = std::dynamic_pointer_cast<const ComputedMotion>(motion);
+    implementation_->count = expressions.size();
+    if (!equations.scope || !implementation_->motion)
+        return;
+    const physics::SceneNodes nodes = physics::sceneNodes(equations, scene);
+    equations.scope->setSceneNodes(nodes);
+    const std::vector<Node> outputs = parseAll(equations, expressions, faults);
+    if (outputs.size() != expressions.size())
+        return;
+    std::vector<Node> inputs{equations.set.time, nodes.collisions};
+    const auto symbols = expression::symbolsOf(equations.set.graph, outputs);
+    for (std::size_t i = 0; i < equations.set.unknowns.size(); ++i)
+        if (std::ranges::find(symbols, equations.set.unknowns[i].symbol) != symbols.end()) {
+            inputs.push_back(equations.set.unknowns[i].symbol);
+            implementation_->unknowns.push_back(i);
+        }
+    implementation_->tape = expression::Tape(equations.set.graph, inputs, outputs);
+}
+
+Quantities::~Quantities() = default;
+Quantities::Quantities(Quantities&&) noexcept = default;
+Quantities& Quantities::operator=(Quantities&&) noexcept = default;
+
+std::vector<double> Quantities::Implementation::at(double time) const {
+    std::vector<double> values(count, std::numeric_limits<double>::quiet_NaN());
+    if (!motion || tape.outputs() != count)
+        return values;
+    const auto& impacts = motion->impacts();
+    const auto collisions = std::ranges::count_if(
+        impacts, [time](const Impact& impact) { return impact.time <= time; });
+    std::vector<double> inputs{time, static_cast<double>(collisions)};
+    for (const std::size_t unknown : unknowns) {
+        // Past the end of its motion an unknown has no value.
+        const solution::Stop* stop = motion->histories().stop(unknown);
+        inputs.push_back(stop && time > stop->time ? std::numeric_limits<double>::quiet_NaN()
+                                                   : motion->histories().value(unknown, time));
+    }
+    tape.evaluate(inputs, values, scratch);
+    return values;
+}
+
+std::vector<double> Quantities::at(double time) const { return implementation_->at(time); }
+
+} // namespace simulation

@@ -1,0 +1,226 @@
+#include "simulation/run.h"
+
+#include "scene/shape_of.h"
+#include "solution/partition.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+#include <set>
+
+namespace simulation {
+namespace {
+
+using physics::bodyUnknowns;
+
+// Which body an unknown belongs to: bodies have their unknowns in a row.
+std::size_t bodyOf(const Problem& problem, std::size_t unknown) {
+    std::size_t found = 0;
+    for (std::size_t b = 0; b < problem.bodies->size(); ++b)
+        if (!(*problem.bodies)[b].isFixed && (*problem.bodies)[b].firstUnknown <= unknown)
+            if (unknown < (*problem.bodies)[b].firstUnknown + bodyUnknowns)
+                found = b;
+    return found;
+}
+
+std::string timeText(double time) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.6g", time);
+    return text;
+}
+
+std::string sentenceOf(const Problem& problem, const solution::Histories& histories,
+                       const solution::Stop& stop) {
+    std::string reason = stop.sentence;
+    if (stop.reason == solution::Stop::Reason::notFinite) {
+        std::vector<double> state;
+        for (std::size_t i = 0; i < histories.unknowns(); ++i)
+            state.push_back(histories.value(i, stop.time));
+        const std::string named =
+            problem.equations.whatIsNotFinite(problem.scene, state, stop.time);
+        if (!named.empty())
+            reason = named;
+    }
+    return "Stopped at t = " + timeText(stop.time) + " s: " + reason + ".";
+}
+
+std::map<std::size_t, Stop> stopsOf(const Problem& problem, const solution::Histories& histories) {
+    std::map<std::size_t, Stop> stops;
+    for (const solution::Stop& stop : histories.stops())
+        for (const std::size_t unknown : stop.unknowns) {
+            const std::size_t body = bodyOf(problem, unknown);
+            const auto place = stops.find(body);
+            if (place == stops.end() || stop.time < place->second.time)
+                stops[body] = {.time = stop.time, .sentence = sentenceOf(problem, histories, stop)};
+        }
+    return stops;
+}
+
+struct Groups { // union-find
+    std::vector<std::size_t> parent;
+    explicit Groups(std::size_t n) : parent(n) { std::iota(parent.begin(), parent.end(), 0); }
+    std::size_t root(std::size_t i) {
+        while (parent[i] != i)
+            i = parent[i] = parent[parent[i]];
+        return i;
+    }
+    void join(std::size_t a, std::size_t b) {
+        a = root(a);
+        b = root(b);
+        parent[std::max(a, b)] = std::min(a, b);
+    }
+};
+
+std::vector<std::size_t> islandsOf(const Problem& problem, const std::vector<Impact>& impacts) {
+    Groups groups(problem.bodies->size());
+    const auto reads = solution::readsOf(problem.equations.set, problem.start());
+    std::vector<std::size_t> owner(reads.size());
+    for (std::size_t i = 0; i < reads.size(); ++i)
+        owner[i] = bodyOf(problem, i);
+    for (std::size_t i = 0; i < reads.size(); ++i)
+        for (const std::size_t read : reads[i])
+            groups.join(owner[i], owner[read]);
+    for (const Impact& impact : impacts)
+        if (!(*problem.bodies)[impact.first].isFixed && !(*problem.bodies)[impact.second].isFixed)
+            groups.join(impact.first, impact.second);
+    std::vector<std::size_t> island(problem.bodies->size());
+    for (std::size_t b = 0; b < island.size(); ++b)
+        island[b] = groups.root(b);
+    return island;
+}
+
+solution::Options solverOptions(const Problem& problem, const std::vector<double>& tolerances,
+                                const Observer& observer) {
+    solution::Options options;
+    options.start = problem.start();
+    options.method = problem.scene.simulator.method;
+    options.fixedStep = problem.options.fixedStep;
+    options.firstStep = problem.scene.simulator.firstStep;
+    options.whole = problem.options.whole;
+    options.eventDriven = problem.options.eventDriven;
+    options.cancelled = observer.cancelled;
+    for (std::size_t b = 0; b < problem.bodies->size(); ++b)
+        if (!(*problem.bodies)[b].isFixed) {
+            options.tolerances.insert(options.tolerances.end(), bodyUnknowns, tolerances[b]);
+            options.extents.insert(options.extents.end(), bodyUnknowns,
+                                   2 * (*problem.bodies)[b].radius);
+        }
+    return options;
+}
+
+void applyOptions(scene::Scene& scene, const Options& options, std::vector<std::string>& faults) {
+    if (options.accuracy)
+        scene.simulator.accuracy = *options.accuracy;
+    if (options.finish)
+        scene.simulator.finish = *options.finish;
+    if (!options.method.empty())
+        scene.simulator.method = options.method;
+    const auto& methods = solution::methodNames();
+    if (scene.simulator.method != "auto" &&
+        std::ranges::find(methods, scene.simulator.method) == methods.end()) {
+        std::string known = "auto";
+        for (const std::string& name : methods)
+            known += ", " + name;
+        faults.push_back("There is no method \"" + scene.simulator.method +
+                         "\" (methods here: " + known + ").");
+    }
+    if (scene.simulator.finish < scene.simulator.start)
+        faults.push_back("The motion would finish before it starts.");
+    for (const auto& [name, value] : options.parameters) {
+        const auto parameter = std::ranges::find(scene.parameters, name, &scene::Parameter::name);
+        if (parameter == scene.parameters.end())
+            faults.push_back("The scene has no parameter \"" + name + "\".");
+        else
+            parameter->value = value;
+    }
+}
+
+} // namespace
+
+bool Problem::collides() const { return scene.simulator.collisions && bodies->size() > 1; }
+
+std::variant<std::shared_ptr<const Problem>, std::vector<std::string>>
+problemOf(const scene::Scene& original, const Options& options) {
+    std::vector<std::string> faults;
+    scene::Scene scene = original;
+    applyOptions(scene, options, faults);
+    std::vector<geometry::Shape> shapes;
+    for (const scene::Body& body : scene.bodies) {
+        const scene::ShapeSet* set = scene::findShapeSet(scene, body.shape);
+        auto shape = set ? scene::shapeOf(*set)
+                         : std::variant<geometry::Shape, std::string>("there is none");
+        if (const auto* why = std::get_if<std::string>(&shape))
+            faults.push_back("Body \"" + body.name + "\" has no shape: " + *why + ".");
+        else
+            shapes.push_back(std::get<geometry::Shape>(std::move(shape)));
+    }
+    if (!faults.empty())
+        return faults;
+    physics::EquationsOfMotion equations(scene);
+    if (!equations.faults.empty())
+        return equations.faults;
+    auto bodies = std::make_shared<const std::vector<BodyRecord>>(recordsOf(equations));
+    return std::make_shared<const Problem>(Problem{.scene = std::move(scene),
+                                                   .equations = std::move(equations),
+                                                   .shapes = std::move(shapes),
+                                                   .bodies = std::move(bodies),
+                                                   .options = options});
+}
+
+MotionPointer Run::motion(const Problem& problem, bool draft, std::optional<double> errorEstimate,
+                          std::optional<double> predictableUntil) const {
+    return std::make_shared<ComputedMotion>(
+        ComputedMotion::Contents{.start = problem.start(),
+                                 .finish = problem.finish(),
+                                 .draft = draft,
+                                 .bodies = problem.bodies,
+                                 .histories = histories,
+                                 .stops = stops,
+                                 .impacts = impacts,
+                                 .notes = notes,
+                                 .errorEstimate = errorEstimate,
+                                 .predictableUntil = predictableUntil});
+}
+
+Run runAt(const Problem& problem, const std::vector<double>& tolerances, const Observer& observer) {
+    // A hop that is lower than this moves nothing by more than the accuracy allows.
+    const double restHeight = 1e-3 * problem.accuracy();
+    std::optional<CollisionSource> collisions;
+    if (problem.collides())
+        collisions.emplace(problem.scene, problem.equations, problem.shapes, problem.start(),
+                           problem.finish(), restHeight);
+    solution::Options options = solverOptions(problem, tolerances, observer);
+    const solution::Solver* current = nullptr;
+    double published = problem.start();
+    const auto collect = [&](const solution::Solver& solver) {
+        Run run;
+        run.histories = solver.snapshot();
+        run.stops = stopsOf(problem, *run.histories);
+        if (collisions) {
+            run.impacts = collisions->impacts();
+            run.notes = collisions->notes();
+            run.pairTests = collisions->pairTests();
+        }
+        return run;
+    };
+    if (observer.progress)
+        options.progress = [&](double known) {
+            const double span = problem.finish() - problem.start();
+            if (current && known >= published + span / 50) {
+                published = known;
+                observer.progress(collect(*current).motion(problem, true, {}, {}));
+            }
+        };
+    solution::Solver solver(problem.equations.set, options, collisions ? &*collisions : nullptr);
+    current = &solver;
+    const solution::Advance advance = solver.advanceTo(problem.finish());
+    Run run = collect(solver);
+    run.statistics = solver.statistics();
+    run.reached = advance.reached;
+    run.cancelled = advance.cancelled;
+    run.island = islandsOf(problem, run.impacts);
+    return run;
+}
+
+} // namespace simulation

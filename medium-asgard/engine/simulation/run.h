@@ -1,0 +1,56 @@
+// One solution of a scene at given tolerances.
+#pragma once
+
+#include "simulation/collision_source.h"
+#include "simulation/computed_motion.h"
+#include "simulation/simulation.h"
+#include "solution/solver.h"
+
+#include <memory>
+#include <variant>
+#include <vector>
+
+namespace simulation {
+
+// A scene with everything that does not depend on tolerances worked out.
+struct Problem {
+    scene::Scene scene; // with the options' parameters, accuracy and finish
+    physics::EquationsOfMotion equations;
+    std::vector<geometry::Shape> shapes; // by body
+    std::shared_ptr<const std::vector<BodyRecord>> bodies;
+    Options options;
+
+    [[nodiscard]] double start() const { return scene.simulator.start; }
+    [[nodiscard]] double finish() const { return scene.simulator.finish; }
+    [[nodiscard]] double accuracy() const { return scene.simulator.accuracy; }
+    [[nodiscard]] bool collides() const;
+};
+
+// Or the sentences that say why nothing can be computed.
+[[nodiscard]] std::variant<std::shared_ptr<const Problem>, std::vector<std::string>>
+problemOf(const scene::Scene& scene, const Options& options);
+
+struct Run {
+    std::shared_ptr<const solution::Histories> histories;
+    std::map<std::size_t, Stop> stops; // by body
+    std::vector<Impact> impacts;
+    std::vector<std::string> notes;
+    solution::Statistics statistics;
+    std::size_t pairTests = 0;
+    double reached = 0;
+    bool cancelled = false;
+
+    // Which bodies belong together: bodies of one island read or hit each other, directly or
+    // through others. island[b] is the least body of b's.
+    std::vector<std::size_t> island;
+
+    [[nodiscard]] MotionPointer motion(const Problem& problem, bool draft,
+                                       std::optional<double> errorEstimate,
+                                       std::optional<double> predictableUntil) const;
+};
+
+// tolerances: of one step, relative, by body. Progress is published as a draft.
+[[nodiscard]] Run runAt(const Problem& problem, const std::vector<double>& tolerances,
+                        const Observer& observer);
+
+} // namespace simulation
