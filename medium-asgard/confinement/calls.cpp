@@ -27,7 +27,8 @@ constexpr int forAll[] = {
     SCMP_SYS(exit_group),    SCMP_SYS(rt_sigreturn),    SCMP_SYS(rt_sigprocmask),
     SCMP_SYS(clock_gettime), SCMP_SYS(gettimeofday),    SCMP_SYS(getpid),
     SCMP_SYS(gettid),        SCMP_SYS(restart_syscall), SCMP_SYS(getrandom),
-    SCMP_SYS(sched_yield),   SCMP_SYS(getrusage),       SCMP_SYS(times)};
+    SCMP_SYS(sigaltstack),   SCMP_SYS(sched_yield),     SCMP_SYS(getrusage),
+    SCMP_SYS(times)};
 
 constexpr int forServer[] = {
     SCMP_SYS(poll), SCMP_SYS(ppoll), SCMP_SYS(wait4), SCMP_SYS(pipe2), SCMP_SYS(fcntl),
@@ -85,7 +86,7 @@ constexpr int forPlayer[] = {SCMP_SYS(readv),
                              SCMP_SYS(rt_sigaction),
                              SCMP_SYS(rt_sigtimedwait),
                              SCMP_SYS(rt_sigpending),
-                             SCMP_SYS(sigaltstack),
+
                              SCMP_SYS(mlock),
                              SCMP_SYS(munlock),
                              SCMP_SYS(mincore),
@@ -103,7 +104,7 @@ constexpr int forPlayer[] = {SCMP_SYS(readv),
                              SCMP_SYS(arch_prctl),
                              SCMP_SYS(kcmp)};
 
-bool allow(void *filter, std::span<const int> calls) {
+bool allow(void* filter, std::span<const int> calls) {
     for (const int call : calls)
         if (seccomp_rule_add(filter, SCMP_ACT_ALLOW, call, 0) != 0)
             return false;
@@ -112,7 +113,7 @@ bool allow(void *filter, std::span<const int> calls) {
 
 // Memory may be mapped and its protection changed, but not to something that runs. A player may:
 // the software renderer compiles its shaders.
-bool allowMemory(void *filter, bool executable) {
+bool allowMemory(void* filter, bool executable) {
     for (const int call : {SCMP_SYS(mmap), SCMP_SYS(mprotect)}) {
         const int failed = executable ? seccomp_rule_add(filter, SCMP_ACT_ALLOW, call, 0)
                                       : seccomp_rule_add(filter, SCMP_ACT_ALLOW, call, 1,
@@ -124,13 +125,13 @@ bool allowMemory(void *filter, bool executable) {
 }
 
 // A process may signal itself: abort() does. The identity of a later child is not known here.
-bool allowOwnSignals(void *filter) {
+bool allowOwnSignals(void* filter) {
     const auto self = static_cast<scmp_datum_t>(getpid());
     return seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(tgkill), 1,
                             SCMP_A0(SCMP_CMP_EQ, self)) == 0;
 }
 
-bool fillForPlayer(void *filter) {
+bool fillForPlayer(void* filter) {
     // Threads, not processes.
     return allow(filter, forPlayer) &&
            seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(clone), 1,
@@ -150,7 +151,7 @@ bool fillForPlayer(void *filter) {
                             SCMP_A1(SCMP_CMP_MASKED_EQ, 0xff00, 'F' << 8)) == 0;
 }
 
-bool fillForServer(void *filter) {
+bool fillForServer(void* filter) {
     // New processes, but none in a namespace of its own.
     constexpr scmp_datum_t namespaces = CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS |
                                         CLONE_NEWIPC | CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNET;
@@ -163,7 +164,7 @@ bool fillForServer(void *filter) {
            seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(tgkill), 0) == 0;
 }
 
-bool fill(void *filter, Role role) {
+bool fill(void* filter, Role role) {
     if (!allow(filter, forAll) || !allowMemory(filter, role == Role::player) ||
         seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0) != 0)
         return false;

@@ -15,7 +15,7 @@ namespace confinement {
 
 namespace {
 
-void note(Report &report, bool &inForce, const std::string &failure) {
+void note(Report& report, bool& inForce, const std::string& failure) {
     inForce = failure.empty();
     if (!failure.empty())
         report.missing += (report.missing.empty() ? "" : "; ") + failure;
@@ -35,7 +35,7 @@ void closeRange(unsigned from, unsigned to) {
 
 } // namespace
 
-Report confine(Role role, const Limits &limits, Fences wanted) {
+Report confine(Role role, const Limits& limits, Fences wanted) {
     Report report;
     report.inForce = Fences{false, false, false, false};
     if (wanted.limits)

@@ -33,7 +33,7 @@ struct Fences {
     bool privileges = true;
     bool paths = true;
     bool calls = true;
-    bool operator==(const Fences &) const = default;
+    bool operator==(const Fences&) const = default;
 };
 
 struct Limits {
@@ -49,7 +49,7 @@ struct Report {
 };
 
 // Confines the calling process. A fence that fails is left out and reported; the others hold.
-[[nodiscard]] Report confine(Role role, const Limits &limits, Fences wanted = {});
+[[nodiscard]] Report confine(Role role, const Limits& limits, Fences wanted = {});
 
 // Ends this process with SIGKILL when the thread that started it ends. If that has already
 // happened (`parent` is not the parent any more), ends it now.

@@ -8,9 +8,9 @@
 
 namespace confinement {
 
-[[nodiscard]] std::string setLimits(Role role, const Limits &limits);
+[[nodiscard]] std::string setLimits(Role role, const Limits& limits);
 [[nodiscard]] std::string dropPrivileges(Role role);
-[[nodiscard]] std::string forbidPaths(Role role, int &landlockVersion);
+[[nodiscard]] std::string forbidPaths(Role role, int& landlockVersion);
 [[nodiscard]] std::string filterCalls(Role role);
 
 } // namespace confinement

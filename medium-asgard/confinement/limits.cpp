@@ -10,7 +10,7 @@ namespace confinement {
 
 namespace {
 
-std::string limit(int resource, rlim_t soft, rlim_t hard, const char *name) {
+std::string limit(int resource, rlim_t soft, rlim_t hard, const char* name) {
     rlimit present{};
     if (getrlimit(static_cast<__rlimit_resource_t>(resource), &present) != 0)
         return std::string("no limit on ") + name;
@@ -35,7 +35,7 @@ constexpr bool addressSpaceIsOurs() {
 
 } // namespace
 
-std::string setLimits(Role role, const Limits &limits) {
+std::string setLimits(Role role, const Limits& limits) {
     std::string failure = limit(RLIMIT_CORE, 0, 0, "core files");
     if (failure.empty())
         failure = limit(RLIMIT_FSIZE, 0, 0, "file size");

@@ -43,7 +43,7 @@ std::size_t sizeFor(int version) { return version >= 6 ? 24 : version >= 4 ? 16 
 
 } // namespace
 
-std::string forbidPaths(Role, int &landlockVersion) {
+std::string forbidPaths(Role, int& landlockVersion) {
     const long version = syscall(createRuleset, nullptr, 0, askVersion);
     if (version < 1)
         return "no Landlock in this kernel";

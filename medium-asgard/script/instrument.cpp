@@ -20,13 +20,16 @@ std::string instrumented(std::string_view text, const Structure& structure, std:
     out.reserve(text.size() + structure.commands.size() * 12);
     std::size_t copied = 0;
     for (const Command& command : structure.commands) {
+        const bool ownOfTcl = isTclCommand(command.name(text));
+        if (ownOfTcl && command.substituted)
+            continue;
         const std::size_t from = command.range.from;
         out.append(text.substr(copied, from - copied));
         copied = from;
         char digits[24];
         const auto end = std::to_chars(digits, digits + sizeof digits, from).ptr;
         out.append(mark).append(" ").append(digits, end);
-        out.append(isTclCommand(command.name(text)) ? ";" : " ");
+        out.append(ownOfTcl ? ";" : " ");
     }
     out.append(text.substr(copied));
     return out;

@@ -5,7 +5,9 @@
 //                              stay compiled)
 //     M 120 body b1 rod ...    notes it and runs it (scene commands, procedures, computed names):
 //                              after the words' own substitutions, so that the place is still right
-// No line is added or removed. Marks never show: withoutMarks() takes them out of what Tcl reports.
+// Tcl's own commands in brackets get none: the command around them is place enough while they run,
+// and Tcl's trace tells them apart when they fail. No line is added or removed. Marks never show:
+// withoutMarks() takes them out of what Tcl reports.
 #pragma once
 
 #include "script/structure.h"

@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"MarksDoNotShowInBodies",
              "proc p {} {body a s}\nproc q {} [info body p]\nif {[info body p] eq \"body a s\"} "
              "q",
-             "a runs 0 4:6 `` =info* =info*\n"},
+             "a runs 0 4:1 `` =if* =if*\n"},
         Case{"MarksDoNotShowInErrors", "proc p {} {error [info level 0]}\np", "p\n"},
         Case{"MarksDoNotShowInErrorInfo",
              "catch {body}; proc p {} {nosuch 1}\ncatch p m o\n"

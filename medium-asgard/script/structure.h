@@ -36,7 +36,8 @@ struct Word {
 struct Command {
     Range range; // from the first byte of the first word to the last of the last
     std::vector<Word> words;
-    int parent = -1; // index of the command in whose word this one stands
+    int parent = -1;          // index of the command in whose word this one stands
+    bool substituted = false; // in brackets: its result becomes part of that word
     // The name as written; "" when it is computed.
     [[nodiscard]] std::string_view name(std::string_view text) const;
 };

@@ -80,7 +80,7 @@ std::size_t SyntaxWalker::comment(std::size_t from) {
 
 std::size_t SyntaxWalker::command(std::size_t from, bool bracketed, int parent) {
     const int self = static_cast<int>(structure_.commands.size());
-    structure_.commands.push_back({Range{from, from}, {}, parent});
+    structure_.commands.push_back({Range{from, from}, {}, parent, bracketed});
     std::size_t at = from;
     while (!failed_ && !ends(at, bracketed)) {
         Word read;

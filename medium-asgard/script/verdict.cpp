@@ -106,18 +106,24 @@ bool startsLike(std::string_view text, const Command& command, std::string_view 
     return !beginning.empty() && text.substr(command.range.from).starts_with(beginning);
 }
 
-// The command that failed is the one that was started last, or one around it whose words were being
-// substituted; Tcl tells how its text begins.
+// The command that failed is the one that was started last, one in brackets inside it, or one
+// around it whose words were being substituted; Tcl tells how its text begins.
 const Command* failed(std::string_view text, const Structure& structure,
                       const Recording& recording) {
     const Command* last =
         recording.offset == noOffset ? nullptr : structure.startingAt(recording.offset);
-    for (const Command* command = last; command;
-         command = command->parent < 0
-                       ? nullptr
-                       : &structure.commands[static_cast<std::size_t>(command->parent)])
-        if (startsLike(text, *command, recording.executing))
-            return command;
+    if (!last || startsLike(text, *last, recording.executing))
+        return last;
+    const Command* end = structure.commands.data() + structure.commands.size();
+    for (const Command* inner = last + 1; inner < end && inner->range.from < last->range.to;
+         ++inner)
+        if (startsLike(text, *inner, recording.executing))
+            return inner;
+    for (const Command* outer = last; outer->parent >= 0;) {
+        outer = &structure.commands[static_cast<std::size_t>(outer->parent)];
+        if (startsLike(text, *outer, recording.executing))
+            return outer;
+    }
     return last;
 }
 

@@ -95,9 +95,13 @@ protected:
                 attack(attempt, role, fences, descriptorsAndEnvironment);
             int status = 0;
             waitpid(process, &status, 0);
-            // Exit with 0: another program ran in its place.
-            if (WIFEXITED(status) && WEXITSTATUS(status) != denied)
+            if (!WIFEXITED(status)) // ended by a signal: it did not succeed
+                continue;
+            const int code = WEXITSTATUS(status);
+            if (code == succeeded || code == 0) // 0: another program ran in its place
                 names.push_back(attempt.name);
+            else if (code != denied)
+                names.push_back(attempt.name + " was not even tried");
         }
         return names;
     }
