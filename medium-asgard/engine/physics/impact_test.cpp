@@ -241,6 +241,29 @@ TEST(Impact, BouncesAThousandTimesWithoutDrift) { // d05
     EXPECT_LT((world.body(1).position - Vector(0, 5.5, 0)).norm(), 1e-8);
 }
 
+// Sinai's billiard: round-off may grow as the motion's own sensitivity lets it, and no faster.
+TEST(Impact, InABilliardErrsByNoMoreThanItsSensitivity) { // d13
+    World world;
+    world.add(flyingSphere(0.25, {-1.5, 0.375, 0}, {0.8125, 0.5, 0}), 1);
+    world.addFixed(flyingSphere(1, {0, 0, 0}));
+    for (double x : {-2.5, 2.5})
+        world.addFixed(flyingBox({1, 6, 4}, {x, 0, 0}));
+    for (double y : {-2.5, 2.5})
+        world.addFixed(flyingBox({6, 1, 4}, {0, y, 0}));
+    world.run(1.01);
+    EXPECT_LT(
+        (world.body(0).position - Vector(-1.053867769201994463, 1.1012278237358780639, 0)).norm(),
+        1e-14);
+    world.run(5.01);
+    EXPECT_LT(
+        (world.body(0).position - Vector(-1.7185538483723527075, 1.0474800556774191909, 0)).norm(),
+        1e-12);
+    world.run(8.01);
+    EXPECT_LT((world.body(0).position - Vector(-0.051470867612528376957, 1.3874436290896630489, 0))
+                  .norm(),
+              1e-10);
+}
+
 // Momentum, angular momentum and, at restitution 1, energy.
 TEST(Impact, ConservesWhatItMustToRoundOff) {
     std::mt19937_64 random(7);
