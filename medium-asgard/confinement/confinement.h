@@ -51,6 +51,10 @@ struct Report {
 // Confines the calling process. A fence that fails is left out and reported; the others hold.
 [[nodiscard]] Report confine(Role role, const Limits& limits, Fences wanted = {});
 
+// What confine() would report here, tried out in a process that ends at once. For About boxes; call
+// it before this process is confined itself.
+[[nodiscard]] Report tryOut(Role role, const Limits& limits);
+
 // Ends this process with SIGKILL when the thread that started it ends. If that has already
 // happened (`parent` is not the parent any more), ends it now.
 void dieWithParent(int parent);

@@ -187,6 +187,14 @@ TEST_F(RawCalls, OnResourcesAreStoppedByLimitsAlone) {
         EXPECT_THAT(done, testing::Not(testing::Contains(name)));
 }
 
+// Paths hold in the evaluator's own confinement too, in which no descriptor can be opened.
+TEST_F(RawCalls, OnPathsAreStoppedWithoutTheFilter) {
+    const auto paths = namesWhere([](const Attempt& a) { return a.also == Also::paths; });
+    const auto done = run(Role::evaluator, {true, true, true, false});
+    for (const std::string& name : paths)
+        EXPECT_THAT(done, testing::Not(testing::Contains(name)));
+}
+
 TEST_F(RawCalls, AreStoppedWithAnyOneFenceMissing) {
     EXPECT_THAT(run(Role::evaluator, {true, true, false, true}), testing::IsEmpty());
     EXPECT_THAT(run(Role::evaluator, {true, false, true, true}), testing::IsEmpty());
@@ -227,6 +235,15 @@ TEST(Report, SaysWhichFencesAreInForce) {
     waitpid(process, nullptr, 0);
     close(ends[0]);
     close(ends[1]);
+}
+
+TEST(Report, OfATrialIsThatOfTheRealThing) {
+    const auto report = confinement::tryOut(Role::evaluator, limitsFor(Role::evaluator));
+    EXPECT_TRUE(report.inForce.limits && report.inForce.privileges && report.inForce.calls);
+    EXPECT_EQ(report.inForce.paths, landlockIsHere());
+    EXPECT_EQ(report.missing.empty(), report.inForce.paths);
+    std::ifstream stillFree("/proc/self/status"); // this process is as it was
+    EXPECT_TRUE(stillFree.good());
 }
 
 // A process that computes and never reads its pipe would outlive the one that started it.

@@ -1,0 +1,259 @@
+// What each command's options mean, and that no recording, however wrong, breaks the making.
+#include "script/make_scene.h"
+
+#include "script/reader.h"
+
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace script {
+namespace {
+
+using scene::Scene;
+using scene::Vector;
+
+Scene read(const std::string& text) {
+    static Reader reader;
+    const ReadResult result = reader.read("shape_set s -desc {-sub {-sphere 1}}\n" + text);
+    for (const scene::Diagnostic& diagnostic : result.diagnostics)
+        ADD_FAILURE() << diagnostic.message;
+    return result.scene;
+}
+
+TEST(Body, HasItsDefaults) {
+    const scene::Body body = read("body b s").bodies.at(0);
+    EXPECT_EQ(body.shape, "s");
+    EXPECT_EQ(body.initialPosition, Vector::Zero());
+    EXPECT_EQ(body.initialAttitude.coeffs(), scene::Quaternion::Identity().coeffs());
+    EXPECT_FALSE(body.mass || body.inertia || body.collisionGroup || body.appearance.color);
+    EXPECT_EQ(body.density, 1);
+    EXPECT_EQ(body.restitution, 1);
+    EXPECT_FALSE(body.fixed);
+}
+
+TEST(Body, TakesARotationVectorOrAQuaternion) {
+    const Scene scene = read("body a s -init_rot {0 0 1.5}\nbody b s -init_rot {3 0 0 4}\n"
+                             "body c s -init_rot {0 0 0}\nbody d s -init_rot {1e200 0 0 1e200}");
+    EXPECT_NEAR(scene.bodies[0].initialAttitude.w(), std::cos(0.75), 1e-15);
+    EXPECT_NEAR(scene.bodies[0].initialAttitude.z(), std::sin(0.75), 1e-15);
+    EXPECT_NEAR(scene.bodies[1].initialAttitude.w(), 0.6, 1e-15);
+    EXPECT_EQ(scene.bodies[2].initialAttitude.w(), 1);
+    EXPECT_NEAR(scene.bodies[3].initialAttitude.z(), std::sqrt(0.5), 1e-15);
+}
+
+TEST(Body, TakesPrincipalMomentsOrATensor) {
+    const Scene scene = read("body a s -inertia {1 2 3}\nbody b s -inertia {1 2 3 0.1 0.2 0.3}");
+    EXPECT_EQ(*scene.bodies[0].inertia, (std::array<double, 6>{1, 2, 3, 0, 0, 0}));
+    EXPECT_EQ(*scene.bodies[1].inertia, (std::array<double, 6>{1, 2, 3, 0.1, 0.2, 0.3}));
+}
+
+TEST(Colors, AreHexadecimalNamedOrNumbers) {
+    const Scene scene =
+        read("body a s -color #ff0080\nbody b s -color LightSteelBlue\nbody c s -color {0.5 0 1}");
+    EXPECT_EQ(*scene.bodies[0].appearance.color, (scene::Color{1, 0, 128 / 255.0}));
+    EXPECT_EQ(*scene.bodies[1].appearance.color,
+              (scene::Color{0xb0 / 255.0, 0xc4 / 255.0, 0xde / 255.0}));
+    EXPECT_EQ(*scene.bodies[2].appearance.color, (scene::Color{0.5, 0, 1}));
+}
+
+TEST(ShapeSet, IsAUnionOfPartsAndOneHullOfAllFaces) {
+    const Scene scene = read("shape_set u -transparency 0.5 -desc {\n"
+                             "  -sub {-pos {1 2 3} -rot {0 0 1} -color red -box {1 2 3}}\n"
+                             "  -face {-color blue {0 0 0} {1 0 0} {0 1 0}}\n"
+                             "  -sub {-points {{0 0 0} {1 0 0} {0 1 0} {0 0 1}}}\n"
+                             "  -face {-color green {0 0 0} {1 0 0} {0 0 1}}}");
+    const scene::ShapeSet& set = scene.shapeSets.at(1);
+    ASSERT_EQ(set.parts.size(), 3u);
+    EXPECT_EQ(set.appearance.transparency, 0.5);
+    EXPECT_EQ(std::get<scene::BoxShape>(set.parts[0].shape).edges, Vector(1, 2, 3));
+    EXPECT_EQ(set.parts[0].position, Vector(1, 2, 3));
+    EXPECT_EQ(set.parts[0].rotation, Vector(0, 0, 1));
+    EXPECT_EQ(std::get<scene::HullShape>(set.parts[1].shape).points.size(), 6u);
+    EXPECT_EQ(*set.parts[1].appearance.color, (scene::Color{0, 0, 1})); // the first
+    EXPECT_EQ(std::get<scene::HullShape>(set.parts[2].shape).points.size(), 4u);
+}
+
+TEST(Force, IsOfOneOfThreeKinds) {
+    const Scene scene = read("body b s\ntrajectory T -points {{0 0 0 0} {1 1 1 1}}\n"
+                             "force -body b -y {-9.81 * b.mass} -offset {1 0 0} -frame body\n"
+                             "force -body b -trajectory T -torque 1\n"
+                             "force -body b -gravitational {0 -9.81 0}\n");
+    const auto& first = std::get<scene::ComponentForce>(scene.forces.at(0).kind);
+    EXPECT_THAT(first.components, testing::ElementsAre("0", "-9.81 * b.mass", "0"));
+    EXPECT_EQ(first.frame, scene::Frame::body);
+    EXPECT_EQ(*scene.forces[0].offset, Vector(1, 0, 0));
+    EXPECT_TRUE(scene.forces[1].couple);
+    EXPECT_EQ(std::get<scene::TrajectoryForce>(scene.forces[1].kind).trajectory, "T");
+    EXPECT_EQ(std::get<scene::GravitationalForce>(scene.forces[2].kind).acceleration,
+              Vector(0, -9.81, 0));
+}
+
+TEST(Link, JoinsABodyToABodyAPointOrATrajectory) {
+    const Scene scene = read("body a s\nbody b s\ntrajectory T -points {{0 0 0 0} {1 1 1 1}}\n"
+                             "link -body1 a -body2 b -offset2 {1 0 0} -tightness 5\n"
+                             "link -body1 a -x {sin(t)} -y {b.y} -z 0 -tightness 6 -damping 0\n"
+                             "link -body1 a -trajectory T -tightness 7\n");
+    EXPECT_EQ(std::get<scene::BodyEnd>(scene.links.at(0).second).body, "b");
+    EXPECT_FALSE(scene.links[0].damping);
+    EXPECT_EQ(std::get<scene::PointEnd>(scene.links[1].second).coordinates[0], "sin(t)");
+    EXPECT_EQ(scene.links[1].damping, 0);
+    EXPECT_EQ(std::get<scene::TrajectoryEnd>(scene.links[2].second).trajectory, "T");
+}
+
+// The slope at a point is that of the chord between its neighbours; a cubic's inner control points
+// lie a third of the interval along the slopes of its ends.
+TEST(Trajectory, PassesThroughItsPointsWithTheSlopesOfTheChords) {
+    const Scene scene = read("trajectory T -points {{0 0 0 0} {1 3 0 0} {3 6 0 3}}");
+    const auto& curves = scene.trajectories.at(0).curves;
+    ASSERT_EQ(curves.size(), 2u);
+    EXPECT_EQ(curves[0].from, 0);
+    EXPECT_EQ(curves[1].to, 3);
+    const Vector middle(2, 0, 1); // (6 - 0, 0, 3 - 0) / (3 - 0)
+    EXPECT_TRUE(curves[0].control[1].isApprox(Vector(1, 0, 0)));
+    EXPECT_TRUE(curves[0].control[2].isApprox(Vector(3, 0, 0) - middle / 3));
+    EXPECT_TRUE(curves[1].control[1].isApprox(Vector(3, 0, 0) + middle * 2 / 3));
+    EXPECT_TRUE(curves[1].control[2].isApprox(Vector(6, 0, 3) - Vector(1.5, 0, 1.5) * 2 / 3));
+    EXPECT_EQ(scene.trajectories[0].points.size(), 3u);
+}
+
+TEST(Trajectory, OrdersItsCurvesInTime) {
+    const Scene scene = read("trajectory T -bezier {{2 3 {1 0 0}} {0 1 {0 0 0} {1 1 1}}}");
+    EXPECT_EQ(scene.trajectories.at(0).curves[0].from, 0);
+    EXPECT_EQ(scene.trajectories[0].curves[1].control.size(), 1u);
+}
+
+TEST(Constraint, HoldsEachComponentByOneTrajectoryAtATime) {
+    const std::string start = "body b s\ntrajectory T -points {{0 0 0 0} {1 1 1 1}}\n"
+                              "trajectory U -points {{1 0 0 0} {2 1 1 1}}\n";
+    EXPECT_EQ(read(start + "constrain b -pos T -rot T\nconstrain b -dpos U").constraints.size(),
+              3u);
+    EXPECT_EQ(read(start + "constrain b -x T\nconstrain b -dy T -from 0.5").constraints.size(), 2u);
+    EXPECT_EQ(
+        read(start + "constrain b -x T -to 0.5\nconstrain b -dx T -from 0.5").constraints[0].to,
+        0.5);
+}
+
+TEST(View, TakesNumbersExpressionsAndTrajectories) {
+    const Scene scene = read("body b s\ntrajectory T -points {{0 0 0 0} {1 1 1 1}}\n"
+                             "view -center {1 2 3} -scale {1 + t} -rot T -pos {b.x {b.y + 1} 0}\n"
+                             "view near -eye T -look {b.x b.y b.z} -up {0 1 0}\n"
+                             "view far -scale T");
+    const scene::View& first = scene.views.at(0);
+    EXPECT_EQ(std::get<Vector>(*first.center), Vector(1, 2, 3));
+    EXPECT_EQ(std::get<scene::Expression>(*first.scale), "1 + t");
+    EXPECT_EQ(std::get<std::string>(*first.rotation), "T");
+    EXPECT_EQ((std::get<std::array<scene::Expression, 3>>(*first.position))[1], "b.y + 1");
+    EXPECT_EQ(scene.views[1].name, "near");
+    EXPECT_EQ(std::get<scene::Expression>(*scene.views[2].scale), "T.x");
+}
+
+TEST(Simulator, HasItsDefaults) {
+    const Scene scene = read("simulator -accuracy 1e-6 -method radau5 -collisions 0");
+    EXPECT_EQ(scene.simulator.start, 0);
+    EXPECT_EQ(scene.simulator.finish, 10);
+    EXPECT_FALSE(scene.simulator.firstStep);
+    EXPECT_EQ(scene.simulator.accuracy, 1e-6);
+    EXPECT_EQ(scene.simulator.method, "radau5");
+    EXPECT_FALSE(scene.simulator.collisions);
+}
+
+TEST(Expressions, MayNameWhatComesLater) {
+    EXPECT_EQ(
+        read("body a s\nforce -body a -x {b.x * k}\nbody b s\nparameter k -value 2").bodies.size(),
+        2u);
+}
+
+// A recording comes from a process that is not trusted: any words in any order.
+TEST(MakeScene, SurvivesRandomRecordings) {
+    static const std::vector<std::string> words = {"body",
+                                                   "instance",
+                                                   "force",
+                                                   "link",
+                                                   "trajectory",
+                                                   "constrain",
+                                                   "view",
+                                                   "lightsource",
+                                                   "parameter",
+                                                   "plot",
+                                                   "simulator",
+                                                   "shape_set",
+                                                   "-desc",
+                                                   "-sub {-sphere 1}",
+                                                   "-face",
+                                                   "s",
+                                                   "b",
+                                                   "T",
+                                                   "-shape",
+                                                   "-body",
+                                                   "-body1",
+                                                   "-body2",
+                                                   "-x",
+                                                   "-y",
+                                                   "-z",
+                                                   "-points",
+                                                   "{0 0 0 0} {1 1 1 1}",
+                                                   "{0 1 {0 0 0}}",
+                                                   "-bezier",
+                                                   "-pos",
+                                                   "-rot",
+                                                   "-dpos",
+                                                   "-value",
+                                                   "1",
+                                                   "-1",
+                                                   "1e308",
+                                                   "0 0 0",
+                                                   "1 2 3",
+                                                   "1e308 1e308 1e308",
+                                                   "-init_pos",
+                                                   "-init_rot",
+                                                   "-inertia",
+                                                   "-mass",
+                                                   "-gravitational",
+                                                   "-tightness",
+                                                   "b.x + t",
+                                                   "((((",
+                                                   "",
+                                                   "{",
+                                                   "\"",
+                                                   "\\",
+                                                   "\xff\xfe",
+                                                   "-values",
+                                                   "-labels",
+                                                   "-eye",
+                                                   "-look",
+                                                   "-color",
+                                                   "red",
+                                                   "#12",
+                                                   "-from",
+                                                   "-to",
+                                                   "t",
+                                                   "-ct"};
+    const std::string text = "body b s\nforce -body b -x 1\n";
+    const Structure structure = structureOf(text);
+    std::mt19937 random(5);
+    std::size_t elements = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        Recording recording;
+        const std::size_t commands = 1 + random() % 6;
+        for (std::size_t k = 0; k < commands; ++k) {
+            RecordedCommand command;
+            command.offset = random() % 3 == 0 ? random() % 30 : noOffset;
+            command.caller = random() % 2 == 0 ? 9 : random();
+            command.words.push_back(words[random() % 12]);
+            const std::size_t count = random() % 12;
+            for (std::size_t w = 0; w < count; ++w)
+                command.words.push_back(words[random() % words.size()]);
+            recording.commands.push_back(command);
+        }
+        const MadeScene made = makeScene(text, structure, recording, random() % 2 == 0, {});
+        elements += made.scene.bodies.size() + made.scene.trajectories.size();
+        for (const scene::Diagnostic& diagnostic : made.diagnostics)
+            ASSERT_FALSE(diagnostic.message.empty());
+    }
+    EXPECT_GT(elements, 100u);
+}
+
+} // namespace
+} // namespace script
