@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
 namespace render {
@@ -161,6 +162,33 @@ std::optional<Vector> flatAlong(const std::vector<Path>& paths, const std::vecto
     return std::nullopt;
 }
 
+// "-10 * b1.mass": numbers and masses, nothing that changes.
+bool isWeight(const std::string& expression) {
+    bool mass = false;
+    for (std::size_t i = 0; i < expression.size();) {
+        const auto c = static_cast<unsigned char>(expression[i]);
+        if (std::isalpha(c) == 0 && c != '_') {
+            const bool number = std::isdigit(c) != 0 || c == '.';
+            ++i;
+            while (number && i < expression.size() &&
+                   (std::isalnum(static_cast<unsigned char>(expression[i])) != 0 ||
+                    expression[i] == '.'))
+                ++i; // the exponent's letter belongs to the number
+            continue;
+        }
+        std::size_t end = i;
+        while (end < expression.size() &&
+               (std::isalnum(static_cast<unsigned char>(expression[end])) != 0 ||
+                expression[end] == '_' || expression[end] == '.' || expression[end] == ':'))
+            ++end;
+        if (!expression.substr(i, end - i).ends_with(".mass"))
+            return false;
+        mass = true;
+        i = end;
+    }
+    return mass;
+}
+
 bool isZero(const std::string& expression) {
     return expression.find_first_not_of("0.+- \t\n") == std::string::npos;
 }
@@ -183,7 +211,32 @@ Pose poseOf(const scene::Scene& scene, const simulation::Motion* motion, std::si
     return {b.initialPosition, b.initialAttitude};
 }
 
-Vector upOf(const scene::Scene& scene) {
+Vector upOf(const scene::Scene& scene) { return againstGravity(scene).value_or(Vector::UnitY()); }
+
+std::optional<Vector> tableNormal(const scene::Scene& scene) {
+    double largest = 0;
+    std::optional<Vector> normal;
+    for (const scene::Body& body : scene.bodies) {
+        const scene::ShapeSet* shape = scene::findShapeSet(scene, body.shape);
+        if (!body.fixed || shape == nullptr || body.initialAttitude.vec().norm() > 1e-9)
+            continue;
+        for (const scene::Part& part : shape->parts) {
+            const auto* box = std::get_if<scene::BoxShape>(&part.shape);
+            Eigen::Index thin = 0;
+            if (box == nullptr || !part.rotation.isZero() || box->edges.minCoeff(&thin) <= 0)
+                continue;
+            const double area = box->edges.prod() / box->edges[thin];
+            const double narrow = std::min(box->edges[(thin + 1) % 3], box->edges[(thin + 2) % 3]);
+            if (area > largest && box->edges[thin] < 0.25 * narrow) {
+                largest = area;
+                normal = Vector(Vector::Unit(thin));
+            }
+        }
+    }
+    return normal;
+}
+
+std::optional<Vector> againstGravity(const scene::Scene& scene) {
     std::array<int, 6> votes{}; // against -x, +x, -y, ...
     for (const scene::Force& force : scene.forces) {
         if (force.couple)
@@ -198,21 +251,23 @@ Vector upOf(const scene::Scene& scene) {
                                              [](const auto& e) { return !isZero(e); });
             for (std::size_t axis = 0; axis < 3 && given == 1; ++axis) {
                 const std::string& e = c->components[axis];
-                if (!isZero(e) && e.find(".mass") != std::string::npos)
+                if (!isZero(e) && isWeight(e))
                     ++votes[2 * axis + (e.find('-') == std::string::npos)];
             }
         }
     }
     const auto most = std::max_element(votes.begin(), votes.end());
     if (*most == 0)
-        return Vector::UnitY();
+        return std::nullopt;
     const auto winner = most - votes.begin();
     return Vector(Vector::Unit(winner / 2)) * (winner % 2 == 0 ? 1.0 : -1.0);
 }
 
 Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion) {
     Extent extent;
-    extent.up = upOf(scene);
+    const std::optional<Vector> up = againstGravity(scene);
+    extent.up = up.value_or(Vector::UnitY());
+    extent.ground = up ? *up : tableNormal(scene).value_or(extent.up);
     const Survey survey = surveyOf(scene, motion);
     bool anyMoves = false;
     for (const Path& path : survey.paths) {
@@ -234,8 +289,8 @@ Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion) {
         keep(extent, {Vector::Zero(), 1});
     extent.size = std::max(extent.box.sizes().maxCoeff(), 1e-9);
     extent.planeNormal = flatAlong(survey.paths, extent.moves, extent.up);
-    extent.lowest =
-        extent.box.center().dot(extent.up) - extent.box.sizes().dot(extent.up.cwiseAbs()) / 2;
+    extent.lowest = extent.box.center().dot(extent.ground) -
+                    extent.box.sizes().dot(extent.ground.cwiseAbs()) / 2;
     return extent;
 }
 

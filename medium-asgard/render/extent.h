@@ -26,7 +26,8 @@ struct Extent {
     std::vector<bool> moves; // of each body: its place or attitude changes
     std::vector<bool> turns; // of each body: its attitude changes
     Vector up = Vector::UnitY();
-    double lowest = 0;                 // along up
+    Vector ground = Vector::UnitY();   // normal of what things stand on: up, where anything falls
+    double lowest = 0;                 // along the ground's normal
     double size = 1;                   // longest edge of the box
     std::optional<Vector> planeNormal; // the axis that the motion is flat along
 };
@@ -38,9 +39,14 @@ struct Extent {
 [[nodiscard]] geometry::Pose poseOf(const scene::Scene& scene, const simulation::Motion* motion,
                                     std::size_t body, double time);
 
+// Where nothing falls, a wide flat box that is fixed, as a table, tells what things stand on.
+[[nodiscard]] std::optional<Vector> tableNormal(const scene::Scene& scene);
+
 // Against gravity, as far as the scene's forces tell: the world axis that most bodies fall along;
 // y when nothing falls.
 [[nodiscard]] Vector upOf(const scene::Scene& scene);
+// None: nothing falls.
+[[nodiscard]] std::optional<Vector> againstGravity(const scene::Scene& scene);
 
 [[nodiscard]] Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion);
 

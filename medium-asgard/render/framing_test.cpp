@@ -25,6 +25,12 @@ TEST(Up, IsAgainstWhatMostBodiesFallAlong) {
     written.kind = scene::ComponentForce{{"0", "-10 * b1.mass", "0.0"}, scene::Frame::world};
     scene.forces = {written};
     EXPECT_EQ(upOf(scene), Vector::UnitY());
+    // Friction that its author wrote with a mass is no fall.
+    scene::Force friction;
+    friction.kind = scene::ComponentForce{{"-0.3 * 1e1 * b1.mass * sign(b1.dx)", "0", "0"},
+                                          scene::Frame::world};
+    scene.forces = {friction, friction, written};
+    EXPECT_EQ(upOf(scene), Vector::UnitY());
     // A couple is no fall, nor is a push without mass.
     written.couple = true;
     scene.forces = {written, fallingAlong("a", {-1, 0, 0})};

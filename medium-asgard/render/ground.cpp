@@ -44,14 +44,14 @@ Top topOf(const Solid& solid, const Mesh& mesh, const Vector& up) {
 } // namespace
 
 Plane groundOf(const Extent& extent, const Frame& frame) {
-    const Vector up = frame.directionInView(extent.up);
-    const double rise = extent.lowest - extent.box.center().dot(extent.up);
+    const Vector up = frame.directionInView(extent.ground);
+    const double rise = extent.lowest - extent.box.center().dot(extent.ground);
     return {up, frame.toView(extent.box.center()).dot(up) + frame.camera().scale * rise};
 }
 
 std::optional<Floor> floorOf(std::span<const Solid> solids, const Extent& extent,
                              const Frame& frame, Solids& meshes) {
-    const Vector up = frame.directionInView(extent.up);
+    const Vector up = frame.directionInView(extent.ground);
     const double enough = std::pow(0.3 * extent.size * frame.camera().scale, 2);
     std::optional<Floor> floor;
     double largest = enough;
@@ -69,8 +69,8 @@ std::optional<Floor> floorOf(std::span<const Solid> solids, const Extent& extent
     return floor;
 }
 
-void addGrid(Lines& lines, const Extent& extent, const Frame& frame) {
-    const Vector up = extent.up;
+void addGrid(Lines& lines, const Extent& extent, const Frame& frame, double strength) {
+    const Vector up = extent.ground;
     const Vector u = std::abs(up.x()) > 0.5 ? Vector(Vector::UnitY()) : Vector(Vector::UnitX());
     const Vector v = up.cross(u);
     const double cell = roundLength(extent.size / 5);
@@ -91,7 +91,7 @@ void addGrid(Lines& lines, const Extent& extent, const Frame& frame) {
         return;
     const auto alpha = [&](double i, double j) {
         const double d = std::hypot(i, j) / reach;
-        return static_cast<float>(0.5 * slant * std::max(0.0, 1 - d * d));
+        return static_cast<float>(0.5 * strength * slant * std::max(0.0, 1 - d * d));
     };
     for (int line = -reach; line <= reach; ++line)
         for (int along = -reach; along < reach; ++along) {
@@ -102,11 +102,11 @@ void addGrid(Lines& lines, const Extent& extent, const Frame& frame) {
                 continue;
             const Eigen::Vector3f grey(0.58F, 0.61F, 0.66F);
             const auto ink = [&](bool strong) {
-                return Ink{grey, strong ? a * 1.5F : a, frame.stroke(0.9)};
+                return Ink{grey, strong ? a * 1.3F : a, frame.stroke(0.9)};
             };
-            lines.add(place(line, along), place(line, along + 1), ink(tenth), tenth ? b * 1.5F : b);
+            lines.add(place(line, along), place(line, along + 1), ink(tenth), tenth ? b * 1.3F : b);
             lines.add(place(along, line), place(along + 1, line), ink(otherTenth),
-                      otherTenth ? b * 1.5F : b);
+                      otherTenth ? b * 1.3F : b);
         }
 }
 

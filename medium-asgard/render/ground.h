@@ -25,6 +25,6 @@ struct Floor {
                                            const Frame& frame, Solids& meshes);
 
 // A grid on the ground, its cell a round length, fading towards its rim.
-void addGrid(Lines& lines, const Extent& extent, const Frame& frame);
+void addGrid(Lines& lines, const Extent& extent, const Frame& frame, double strength);
 
 } // namespace render

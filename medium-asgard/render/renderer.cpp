@@ -110,7 +110,7 @@ void Renderer::Implementation::paintGround(std::span<const Solid> opaque, const 
         solids->drawShadows(opaque, frame, plane, 0.5 * extent.size * frame.camera().scale);
         gl.Disable(GL_STENCIL_TEST);
     }
-    addGrid(*lines, extent, frame);
+    addGrid(*lines, extent, frame, floor ? 0.55 : 1);
     lines->draw(projection, frame.halfSize(), 0);
     gl.DepthMask(GL_TRUE);
 }

@@ -220,7 +220,7 @@ Solids::Instance Solids::instanceOf(const Solid& solid) {
     }
     instance.color[3] = solid.alpha;
     instance.material[0] = solid.shininess;
-    instance.material[1] = solid.turns ? 0.22F : 0.0F;
+    instance.material[1] = solid.turns ? 0.16F : 0.0F;
     return instance;
 }
 

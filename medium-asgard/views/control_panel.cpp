@@ -111,8 +111,8 @@ void ControlPanel::showState() {
     else if (document_.work() == Work::simulating)
         state_->setText(tr("Computing the motion…"));
     else if (errors > 0)
-        state_->setText(
-            tr("%n fault(s): a language viewer shows where.", nullptr, static_cast<int>(errors)));
+        state_->setText(errors == 1 ? tr("One fault: a language viewer shows where.")
+                                    : tr("%1 faults: a language viewer shows where.").arg(errors));
     else if (motion)
         state_->setText(
             tr("%1 of motion computed%2.")

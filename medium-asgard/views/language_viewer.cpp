@@ -49,6 +49,7 @@ LanguageViewer::LanguageViewer(SceneDocument& document, Windows windows, int num
     buildEditor();
     messages_->setAccessibleName(tr("Messages"));
     messages_->setWordWrap(true);
+    messages_->setIconSize(QSize(16, 16));
     messages_->setAlternatingRowColors(true);
     notice_->setWordWrap(true);
     notice_->setAccessibleName(tr("Notice"));
