@@ -11,9 +11,10 @@ using expression::Phase;
 // The equations of one segment of time, unknown by unknown.
 class Segment {
 public:
-    Segment(Graph& g, const Scope& scope, const BodyMotion& body, const HoldSegment& held)
+    Segment(Graph& g, const Scope& scope, const BodyMotion& body,
+            std::span<const std::size_t> trajectories, const HoldSegment& held)
         : g_(g), time_(scope.time()), body_(body), s_(body.symbols),
-          pieces_(scope.piecesFrom(g, held.from)) {
+          pieces_(scope.piecesFrom(g, trajectories, held.from)) {
         turn(held);
         for (std::size_t i = 0; i < 3; ++i)
             move(i, held.linear[i]);
@@ -124,10 +125,11 @@ void append(std::vector<Phase>& phases, Phase next, double start) {
 std::array<std::vector<Phase>, bodyUnknowns> phasesOf(Graph& g, const Scope& scope,
                                                       const BodyMotion& body,
                                                       std::span<const HoldSegment> segments,
+                                                      std::span<const std::size_t> trajectories,
                                                       double start) {
     std::array<std::vector<Phase>, bodyUnknowns> phases;
     for (const HoldSegment& held : segments) {
-        const Segment segment(g, scope, body, held);
+        const Segment segment(g, scope, body, trajectories, held);
         for (std::size_t i = 0; i < bodyUnknowns; ++i)
             append(phases[i], segment.phases[i], start);
     }

@@ -13,10 +13,12 @@
 
 namespace physics {
 
-// Phases of the body's unknowns in the order of BodyUnknown. What was over before `start` leaves no
+// Phases of the body's unknowns in the order of BodyUnknown; `trajectories` are those that its
+// forces read. What was over before `start` leaves no
 // trace; the phase in force then is said to hold from the start of time.
 [[nodiscard]] std::array<std::vector<expression::Phase>, bodyUnknowns>
 phasesOf(Graph& g, const Scope& scope, const BodyMotion& body,
-         std::span<const HoldSegment> segments, double start);
+         std::span<const HoldSegment> segments, std::span<const std::size_t> trajectories,
+         double start);
 
 } // namespace physics

@@ -81,13 +81,12 @@ BodyMotion bodyMotion(Graph& g, const scene::Body& body, const BodyMass& mass) {
 
 // Newton and Euler with all that acts. A weight is an acceleration as it stands: dividing the mass
 // out of it again would round.
-void setRates(Graph& g, const scene::Scene& scene, std::size_t index, BodyMotion& body,
-              std::span<const Contribution> contributions) {
+void setRates(Graph& g, const scene::Scene& scene, BodyMotion& body,
+              std::span<const Contribution* const> contributions) {
     NodeVector force = constant(g, Vector::Zero()), torque = force;
     Vector gravity = Vector::Zero();
-    for (const Contribution& c : contributions) {
-        if (c.body != index)
-            continue;
+    for (const Contribution* contribution : contributions) {
+        const Contribution& c = *contribution;
         torque = add(g, torque, c.torque);
         const auto* weight =
             c.kind == Contribution::Kind::force
@@ -118,12 +117,19 @@ std::vector<Held> heldTimes(std::span<const HoldSegment> segments) {
     return held;
 }
 
-std::vector<HoldSegment> segmentsOfBody(Graph& g, const scene::Scene& scene, const Scope& scope,
-                                        std::size_t index, const BodyMotion& body,
-                                        std::vector<std::string>& faults) {
+std::vector<std::size_t> trajectoriesReadBy(const Graph& g, const Scope& scope,
+                                            const BodyMotion& body) {
     std::vector<Node> rates(body.acceleration.begin(), body.acceleration.end());
     rates.insert(rates.end(), body.spinRate.begin(), body.spinRate.end());
-    return segmentsOf(scene, scope, index, scope.piecesReadBy(g, rates), faults);
+    return scope.trajectoriesReadBy(g, rates);
+}
+
+std::vector<double> cutsOf(const Scope& scope, std::span<const std::size_t> trajectories) {
+    std::vector<double> cuts;
+    for (const std::size_t index : trajectories)
+        for (const TrajectoryPiece& piece : std::span(scope.trajectory(index).pieces).subspan(1))
+            cuts.push_back(piece.from);
+    return cuts;
 }
 
 // --- unknowns -------------------------------------------------------------------------------
@@ -134,13 +140,12 @@ std::array<Node, bodyUnknowns> symbolsOfBody(const BodySymbols& s) {
             s.spin[0],     s.spin[1],     s.spin[2]};
 }
 
-void addUnknowns(expression::EquationSet& set, const Scope& scope, const scene::Body& body,
-                 BodyMotion& motion, std::span<const HoldSegment> segments, double start) {
+void addUnknowns(expression::EquationSet& set, const scene::Body& body, BodyMotion& motion,
+                 std::array<std::vector<expression::Phase>, bodyUnknowns> phases) {
     motion.firstUnknown = set.unknowns.size();
     const auto symbols = symbolsOfBody(motion.symbols);
     const auto initial = motion.unknownsOf({motion.start.position, body.initialVelocity,
                                             motion.start.attitude, body.initialAngularVelocity});
-    auto phases = phasesOf(set.graph, scope, motion, segments, start);
     for (std::size_t i = 0; i < bodyUnknowns; ++i) {
         expression::Unknown unknown;
         unknown.name = set.graph.name(symbols[i]);
@@ -185,8 +190,9 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene) {
     set.time = g.symbol("t");
     std::vector<BodyMass> masses;
     std::vector<BodySymbols> symbols;
+    MassReader reader(scene);
     for (const scene::Body& body : scene.bodies) {
-        const auto mass = massOf(scene, body);
+        const auto mass = reader.massOf(body);
         if (const auto* sentence = std::get_if<std::string>(&mass)) {
             faults.push_back(*sentence);
             continue;
@@ -200,15 +206,19 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene) {
     scope.emplace(g, scene, std::move(masses), std::move(symbols));
     ForceReader(g, scene, *scope, faults).read(contributions, links);
 
+    std::vector<std::vector<const Contribution*>> acting(bodies.size());
+    for (const Contribution& c : contributions)
+        acting[c.body].push_back(&c);
     std::set<double> times;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        setRates(g, scene, b, bodies[b], contributions);
-        const std::vector<HoldSegment> segments =
-            segmentsOfBody(g, scene, *scope, b, bodies[b], faults);
+        setRates(g, scene, bodies[b], acting[b]);
+        const auto read = trajectoriesReadBy(g, *scope, bodies[b]);
+        const auto segments = segmentsOf(scene, *scope, b, cutsOf(*scope, read), faults);
         bodies[b].held = heldTimes(segments);
         if (bodies[b].isFixed)
             continue;
-        addUnknowns(set, *scope, scene.bodies[b], bodies[b], segments, scene.simulator.start);
+        addUnknowns(set, scene.bodies[b], bodies[b],
+                    phasesOf(g, *scope, bodies[b], segments, read, scene.simulator.start));
         for (const HoldSegment& segment : segments)
             times.insert(segment.from);
     }

@@ -1,6 +1,5 @@
 #include "physics/forces.h"
 
-#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -8,11 +7,11 @@ namespace physics {
 namespace {
 
 template <class T>
-std::optional<std::size_t> indexNamed(const std::vector<T>& elements, const std::string& name) {
-    const auto found = std::ranges::find(elements, name, &T::name);
-    if (found == elements.end())
-        return std::nullopt;
-    return static_cast<std::size_t>(found - elements.begin());
+std::unordered_map<std::string, std::size_t> indexByName(const std::vector<T>& elements) {
+    std::unordered_map<std::string, std::size_t> indices;
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        indices.try_emplace(elements[i].name, i);
+    return indices;
 }
 
 // A sum's place and what is added to it: B.x + ... is (B.x, ...), 1e6 - ... is (1e6, -...).
@@ -39,7 +38,8 @@ NodeVector negated(Graph& g, const NodeVector& v) {
 
 ForceReader::ForceReader(Graph& g, const scene::Scene& scene, const Scope& scope,
                          std::vector<std::string>& faults)
-    : g_(g), scene_(scene), scope_(scope), faults_(faults) {
+    : g_(g), scene_(scene), scope_(scope), faults_(faults), bodies_(indexByName(scene.bodies)),
+      trajectories_(indexByName(scene.trajectories)) {
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         const BodySymbols& body = scope.body(b);
         const NodeQuaternion attitudeRate = body.attitudeRate(g);
@@ -58,12 +58,13 @@ void ForceReader::read(std::vector<Contribution>& contributions, std::vector<Lin
 }
 
 std::optional<std::size_t> ForceReader::bodyNamed(const std::string& name) const {
-    return indexNamed(scene_.bodies, name);
+    const auto found = bodies_.find(name);
+    return found == bodies_.end() ? std::nullopt : std::optional(found->second);
 }
 
 const ScopeTrajectory* ForceReader::trajectoryNamed(const std::string& name) const {
-    const auto index = indexNamed(scene_.trajectories, name);
-    return index ? &scope_.trajectory(*index) : nullptr;
+    const auto found = trajectories_.find(name);
+    return found == trajectories_.end() ? nullptr : &scope_.trajectory(found->second);
 }
 
 NodeVector ForceReader::parsed(const std::array<scene::Expression, 3>& texts,

@@ -47,6 +47,7 @@ private:
     const scene::Scene& scene_;
     const Scope& scope_;
     std::vector<std::string>& faults_;
+    std::unordered_map<std::string, std::size_t> bodies_, trajectories_; // by name
     std::unordered_map<std::uint32_t, Node> positionRates_; // of each symbol of a place or attitude
 };
 

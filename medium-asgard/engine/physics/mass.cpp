@@ -1,9 +1,7 @@
 #include "physics/mass.h"
 
-#include "geometry/mass.h"
 #include "scene/shape_of.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace physics {
@@ -41,24 +39,42 @@ bool BodyMass::isIsotropic() const {
     return isPrincipal() && inertia(0, 0) == inertia(1, 1) && inertia(1, 1) == inertia(2, 2);
 }
 
-std::variant<BodyMass, std::string> massOf(const scene::Scene& scene, const scene::Body& body) {
-    const auto set = std::ranges::find(scene.shapeSets, body.shape, &scene::ShapeSet::name);
-    if (set == scene.shapeSets.end())
+MassReader::MassReader(const scene::Scene& scene) {
+    for (const scene::ShapeSet& set : scene.shapeSets)
+        sets_.try_emplace(set.name, &set);
+}
+
+const std::variant<MassReader::OfUnitDensity, std::string>&
+MassReader::propertiesOf(const scene::ShapeSet& set) {
+    const auto [it, isNew] = known_.try_emplace(&set);
+    if (!isNew)
+        return it->second;
+    auto made = scene::shapeOf(set);
+    if (auto* sentence = std::get_if<std::string>(&made)) {
+        it->second = std::move(*sentence);
+    } else {
+        const auto& shape = std::get<geometry::Shape>(made);
+        const auto properties = geometry::massProperties(shape, 1);
+        it->second = OfUnitDensity{properties, geometry::radiusAbout(shape, properties.centroid)};
+    }
+    return it->second;
+}
+
+std::variant<BodyMass, std::string> MassReader::massOf(const scene::Body& body) {
+    const auto set = sets_.find(body.shape);
+    if (set == sets_.end())
         return "body \"" + body.name + "\": no shape set named \"" + body.shape + "\"";
-    auto made = scene::shapeOf(*set);
-    if (const auto* sentence = std::get_if<std::string>(&made))
+    const auto& known = propertiesOf(*set->second);
+    if (const auto* sentence = std::get_if<std::string>(&known))
         return "body \"" + body.name + "\": shape set \"" + body.shape + "\": " + *sentence;
-    const auto& shape = std::get<geometry::Shape>(made);
-    auto properties = geometry::massProperties(shape, body.density);
-    if (body.mass)
-        properties = geometry::scaledToMass(properties, *body.mass);
+    const auto& [unit, radius] = std::get<OfUnitDensity>(known);
+    const auto properties =
+        geometry::scaledToMass(unit, body.mass.value_or(body.density * unit.volume));
     BodyMass result;
     result.mass = properties.mass;
-    result.centroid = properties.centroid;
-    result.radius = geometry::radiusAbout(shape, properties.centroid);
-    const double limit = negligible * result.radius;
-    result.centroid =
-        (result.centroid.array().abs() < limit).select(geometry::Vector::Zero(), result.centroid);
+    const auto isRounding = properties.centroid.array().abs() < negligible * radius;
+    result.centroid = isRounding.select(geometry::Vector::Zero(), properties.centroid);
+    result.radius = radius;
     result.inertia = cleared(body.inertia ? givenInertia(*body.inertia) : properties.inertia);
     return result;
 }

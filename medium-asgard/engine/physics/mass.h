@@ -1,9 +1,11 @@
 // Mass, centre and inertia of a body, as its author gave them or as they follow from its shape.
 #pragma once
 
+#include "geometry/mass.h"
 #include "scene/scene.h"
 
 #include <string>
+#include <unordered_map>
 #include <variant>
 
 namespace physics {
@@ -20,8 +22,24 @@ struct BodyMass {
 };
 
 // What rounding leaves of products and differences that are 0 (1e-13 of the trace) is cleared, so
-// that no equation depends on what it does not. The sentence says why there is no mass.
-[[nodiscard]] std::variant<BodyMass, std::string> massOf(const scene::Scene& scene,
-                                                         const scene::Body& body);
+// that no equation depends on what it does not. Each shape set is worked out once.
+class MassReader {
+public:
+    explicit MassReader(const scene::Scene& scene);
+
+    // The sentence says why there is no mass.
+    [[nodiscard]] std::variant<BodyMass, std::string> massOf(const scene::Body& body);
+
+private:
+    struct OfUnitDensity {
+        geometry::MassProperties properties;
+        double radius = 0;
+    };
+    [[nodiscard]] const std::variant<OfUnitDensity, std::string>&
+    propertiesOf(const scene::ShapeSet& set);
+
+    std::unordered_map<std::string, const scene::ShapeSet*> sets_;
+    std::unordered_map<const scene::ShapeSet*, std::variant<OfUnitDensity, std::string>> known_;
+};
 
 } // namespace physics

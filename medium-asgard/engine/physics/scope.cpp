@@ -1,6 +1,7 @@
 #include "physics/scope.h"
 
 #include <algorithm>
+#include <set>
 
 namespace physics {
 
@@ -16,6 +17,10 @@ Scope::Scope(Graph& g, const scene::Scene& scene, std::vector<BodyMass> masses,
         made.pieces = piecesOf(g, time_, trajectory);
         made.value = valueOf(g, time_, made.pieces);
         made.rate = differentiated(g, made.value, time_);
+        for (const NodeVector& roots : {made.value, made.rate})
+            for (const Node root : roots)
+                if (g.op(root) == Op::select)
+                    choices_[root.index].push_back(trajectories_.size());
         trajectories_.push_back(std::move(made));
     }
 }
@@ -24,35 +29,43 @@ Vector Scope::armTo(std::size_t body, const std::optional<Vector>& offset) const
     return offset ? Vector(*offset - masses_[body].centroid) : Vector(Vector::Zero());
 }
 
-std::unordered_map<std::uint32_t, Node> Scope::piecesFrom(Graph& g, double time) const {
+std::vector<std::size_t> Scope::trajectoriesReadBy(const Graph& g,
+                                                   std::span<const Node> nodes) const {
+    std::set<std::size_t> found;
+    std::set<Node> seen;
+    std::vector<Node> pending(nodes.begin(), nodes.end());
+    while (!choices_.empty() && !pending.empty()) {
+        const Node n = pending.back();
+        pending.pop_back();
+        if (!seen.insert(n).second)
+            continue;
+        const auto choice = choices_.find(n.index);
+        if (choice != choices_.end()) {
+            found.insert(choice->second.begin(), choice->second.end());
+            continue;
+        }
+        const auto arguments = g.arguments(n);
+        pending.insert(pending.end(), arguments.begin(), arguments.end());
+    }
+    return {found.begin(), found.end()};
+}
+
+std::unordered_map<std::uint32_t, Node>
+Scope::piecesFrom(const Graph& g, std::span<const std::size_t> trajectories, double time) const {
     std::unordered_map<std::uint32_t, Node> replacements;
-    for (const ScopeTrajectory& trajectory : trajectories_) {
-        const NodeVector value = pieceAt(trajectory.pieces, time).value;
+    const auto replace = [&](Node root, Node piece) {
+        if (g.op(root) == Op::select)
+            replacements.emplace(root.index, piece);
+    };
+    for (const std::size_t index : trajectories) {
+        const ScopeTrajectory& trajectory = trajectories_[index];
+        const TrajectoryPiece& piece = pieceAt(trajectory.pieces, time);
         for (std::size_t i = 0; i < 3; ++i) {
-            if (g.op(trajectory.value[i]) == Op::select)
-                replacements.emplace(trajectory.value[i].index, value[i]);
-            if (g.op(trajectory.rate[i]) == Op::select)
-                replacements.emplace(trajectory.rate[i].index, differentiate(g, value[i], time_));
+            replace(trajectory.value[i], piece.value[i]);
+            replace(trajectory.rate[i], piece.rate[i]);
         }
     }
     return replacements;
-}
-
-std::vector<double> Scope::piecesReadBy(Graph& g, std::span<const Node> nodes) const {
-    std::vector<double> times;
-    const auto isRead = [&](const NodeVector& roots) {
-        std::unordered_map<std::uint32_t, Node> gone;
-        for (const Node root : roots)
-            if (g.op(root) == Op::select)
-                gone.emplace(root.index, time_);
-        return !gone.empty() &&
-               std::ranges::any_of(nodes, [&](Node n) { return substitute(g, n, gone) != n; });
-    };
-    for (const ScopeTrajectory& trajectory : trajectories_)
-        if (isRead(trajectory.value) || isRead(trajectory.rate))
-            for (const TrajectoryPiece& piece : std::span(trajectory.pieces).subspan(1))
-                times.push_back(piece.from);
-    return times;
 }
 
 std::variant<Node, expression::SyntaxError> Scope::parse(Graph& g, std::string_view text,

@@ -38,11 +38,13 @@ public:
     [[nodiscard]] const ScopeTrajectory& trajectory(std::size_t i) const {
         return trajectories_[i];
     }
-    // What trajectories are from `time` to the next of their pieces, for substitute(): choices by
-    // time become the one piece.
-    [[nodiscard]] std::unordered_map<std::uint32_t, Node> piecesFrom(Graph& g, double time) const;
-    // Times at which the trajectories that some of these nodes read pass to another piece.
-    [[nodiscard]] std::vector<double> piecesReadBy(Graph& g, std::span<const Node> nodes) const;
+    // The trajectories (indices, in order) whose choices by time some of these nodes read.
+    [[nodiscard]] std::vector<std::size_t> trajectoriesReadBy(const Graph& g,
+                                                              std::span<const Node> nodes) const;
+    // What these trajectories are from `time` to the next of their pieces, for substitute(): a
+    // choice by time becomes the one piece.
+    [[nodiscard]] std::unordered_map<std::uint32_t, Node>
+    piecesFrom(const Graph& g, std::span<const std::size_t> trajectories, double time) const;
     void setSceneNodes(const SceneNodes& nodes) { sceneNodes_ = nodes; }
 
     // From the centre of mass to a point given from the reference point (none: the centre).
@@ -67,6 +69,7 @@ private:
     std::vector<BodyMass> masses_;
     std::vector<BodySymbols> bodies_;
     std::vector<ScopeTrajectory> trajectories_;
+    std::unordered_map<std::uint32_t, std::vector<std::size_t>> choices_; // whose value or rate
     SceneNodes sceneNodes_;
 };
 

@@ -77,16 +77,18 @@ NodeVector chosen(Graph& g, Node time, std::span<const TrajectoryPiece> pieces) 
 
 std::vector<TrajectoryPiece> piecesOf(Graph& g, Node time, const scene::Trajectory& trajectory) {
     std::vector<TrajectoryPiece> pieces;
+    const auto add = [&](double from, const NodeVector& value) {
+        pieces.push_back({from, value, differentiated(g, value, time)});
+    };
     const auto& curves = trajectory.curves;
-    if (curves.empty())
-        return {{-std::numeric_limits<double>::infinity(), constant(g, Vector::Zero())}};
-    pieces.push_back(
-        {-std::numeric_limits<double>::infinity(), continued(g, time, curves.front(), false)});
+    constexpr double always = -std::numeric_limits<double>::infinity();
+    add(always,
+        curves.empty() ? constant(g, Vector::Zero()) : continued(g, time, curves.front(), false));
     for (std::size_t i = 0; i < curves.size(); ++i) {
-        pieces.push_back({curves[i].from, curveValue(g, time, curves[i])});
+        add(curves[i].from, curveValue(g, time, curves[i]));
         const bool isLast = i + 1 == curves.size();
         if (isLast || curves[i + 1].from > curves[i].to)
-            pieces.push_back({curves[i].to, continued(g, time, curves[i], true)});
+            add(curves[i].to, continued(g, time, curves[i], true));
     }
     return pieces;
 }

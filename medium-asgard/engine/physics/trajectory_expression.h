@@ -16,6 +16,7 @@ namespace physics {
 struct TrajectoryPiece {
     double from = 0;  // in force from here to the next piece; the first from the start of time
     NodeVector value; // smooth in t
+    NodeVector rate;  // its derivative
 };
 
 [[nodiscard]] std::vector<TrajectoryPiece> piecesOf(Graph& g, Node time,
