@@ -4,6 +4,7 @@
 #include "script/suggestion.h"
 
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Cholesky>
 
@@ -113,12 +114,43 @@ bool SceneMaker::facePoints(Arguments& arguments, const Value& face, std::vector
     return good;
 }
 
+// -sphere, -box or -points.
+bool SceneMaker::shapeOfPart(Arguments& arguments, const std::string& option, const Value& value,
+                             scene::Part& part) {
+    if (option == "-sphere") {
+        const auto radius = arguments.numberIn(option, value, Sign::positive, "a positive radius");
+        part.shape = scene::SphereShape{radius.value_or(1)};
+        return radius.has_value();
+    }
+    if (option == "-box") {
+        const auto edges = arguments.vectorIn(option, value, "three positive edge lengths");
+        if (edges && edges->minCoeff() <= 0)
+            arguments.wrong(option, value.range, "three positive edge lengths",
+                            "not " + quoted(value.text));
+        part.shape = scene::BoxShape{edges.value_or(Vector::Ones())};
+        return edges && edges->minCoeff() > 0;
+    }
+    const auto list = arguments.listIn(option, value, "a list of points {x y z}");
+    if (!list)
+        return false;
+    scene::HullShape hull;
+    for (const Value& point : *list) {
+        const auto p = arguments.vectorIn(option, point, "points of three numbers");
+        if (!p)
+            return false; // one report per list
+        hull.points.push_back(*p);
+    }
+    part.shape = hull;
+    return solid(arguments, option, value.range, hull.points);
+}
+
 std::optional<scene::Part> SceneMaker::partOf(Arguments& arguments, const Value& description) {
     static const std::vector<std::string> options = {
         "-sphere", "-box", "-points", "-pos", "-rot", "-color", "-shininess", "-transparency"};
     const auto words = arguments.listIn("-sub", description, "a list of options");
     if (!words)
         return std::nullopt;
+    const std::string whole = "-sub of " + arguments.subject();
     scene::Part part;
     bool shaped = false;
     bool good = true;
@@ -126,11 +158,8 @@ std::optional<scene::Part> SceneMaker::partOf(Arguments& arguments, const Value&
         if (appearanceWord(arguments, *words, i, part.appearance))
             continue;
         const Value& option = (*words)[i];
-        const bool known = std::find(options.begin(), options.end(), option.text) != options.end();
-        if (!known) {
-            faults_.error(option.range,
-                          "-sub of " + arguments.subject() + " has no option " +
-                              quoted(option.text),
+        if (std::find(options.begin(), options.end(), option.text) == options.end()) {
+            faults_.error(option.range, whole + " has no option " + quoted(option.text),
                           suggestionFor(option.text, options, "options here"));
             return std::nullopt;
         }
@@ -142,51 +171,19 @@ std::optional<scene::Part> SceneMaker::partOf(Arguments& arguments, const Value&
         if (option.text == "-pos" || option.text == "-rot") {
             const auto v = arguments.vectorIn(option.text, value, "three numbers");
             good = good && v.has_value();
-            if (v)
-                (option.text == "-pos" ? part.position : part.rotation) = *v;
-            continue;
-        }
-        if (shaped) {
-            faults_.error(option.range,
-                          "-sub of " + arguments.subject() +
-                              " is one part, and has a shape already",
+            (option.text == "-pos" ? part.position : part.rotation) = v.value_or(Vector::Zero());
+        } else if (std::exchange(shaped, true)) {
+            faults_.error(option.range, whole + " is one part, and has a shape already",
                           "write another -sub {...} for another part");
             return std::nullopt;
-        }
-        shaped = true;
-        if (option.text == "-sphere") {
-            const auto r =
-                arguments.numberIn("-sphere", value, Sign::positive, "a positive radius");
-            good = good && r.has_value();
-            part.shape = scene::SphereShape{r.value_or(1)};
-        } else if (option.text == "-box") {
-            const auto edges = arguments.vectorIn("-box", value, "three positive edge lengths");
-            if (edges && edges->minCoeff() <= 0)
-                arguments.wrong("-box", value.range, "three positive edge lengths",
-                                "not " + quoted(value.text));
-            good = good && edges && edges->minCoeff() > 0;
-            part.shape = scene::BoxShape{edges.value_or(Vector::Ones())};
         } else {
-            const auto list = arguments.listIn("-points", value, "a list of points {x y z}");
-            scene::HullShape hull;
-            good = good && list.has_value();
-            for (const Value& point : list.value_or(std::vector<Value>{})) {
-                const auto p = arguments.vectorIn("-points", point, "points of three numbers");
-                good = good && p.has_value();
-                if (!p)
-                    break;
-                hull.points.push_back(*p);
-            }
-            good = good && solid(arguments, "-points", value.range, hull.points);
-            part.shape = std::move(hull);
+            good = shapeOfPart(arguments, option.text, value, part) && good;
         }
     }
-    if (!shaped && good) {
+    if (!shaped && good)
         arguments.wrong("-sub", description.range, "one of -sphere, -box and -points",
                         "and gets none");
-        return std::nullopt;
-    }
-    return good ? std::optional(part) : std::nullopt;
+    return good && shaped ? std::optional(part) : std::nullopt;
 }
 
 std::vector<scene::Part> SceneMaker::partsOf(Arguments& arguments, const Value& description) {

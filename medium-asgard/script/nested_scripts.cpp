@@ -33,8 +33,16 @@ void SyntaxWalker::nestedExpression(const Word& word, int owner) {
     end_ = outerEnd;
 }
 
-void SyntaxWalker::nestedSwitch(int owner, std::size_t first) {
-    const std::vector<Word> words = structure_.commands[static_cast<std::size_t>(owner)].words;
+// switch ?options? string pattern body ... , or with the patterns and bodies as one list.
+void SyntaxWalker::nestedSwitch(const std::vector<Word>& words, int owner) {
+    std::size_t first = 1;
+    while (first < words.size() && contentOf(words[first]).starts_with('-')) {
+        const std::string_view option = contentOf(words[first]);
+        first += option == "-matchvar" || option == "-indexvar" ? 2 : 1;
+        if (option == "--")
+            break;
+    }
+    ++first;                        // the string
     if (first + 1 < words.size()) { // pattern script pattern script ...
         for (std::size_t i = first + 1; i < words.size(); i += 2)
             nestedScript(words[i], owner);
@@ -57,23 +65,65 @@ void SyntaxWalker::nestedSwitch(int owner, std::size_t first) {
 namespace {
 
 // Words that are scripts, by place, for commands where places are enough. Negative: from the end.
-struct Places {
+struct ScriptWords {
     std::string_view command, subcommand;
     int scripts[2];
     std::size_t leastWords;
 };
 constexpr int none = 99;
-constexpr Places places[] = {
-    {"while", "", {2, none}, 3},         {"for", "", {1, 3}, 5},
-    {"foreach", "", {-1, none}, 4},      {"lmap", "", {-1, none}, 4},
-    {"proc", "", {3, none}, 4},          {"catch", "", {1, none}, 2},
-    {"dict", "for", {-1, none}, 5},      {"dict", "map", {-1, none}, 5},
-    {"dict", "with", {-1, none}, 4},     {"dict", "update", {-1, none}, 6},
-    {"namespace", "eval", {3, none}, 4}, {"uplevel", "", {-1, none}, 2},
-    {"eval", "", {1, none}, 2},
+constexpr ScriptWords scriptWords[] = {
+    {"while", "", {2, none}, 3},       {"for", "", {1, 3}, 5},
+    {"for", "", {4, none}, 5},         {"foreach", "", {-1, none}, 4},
+    {"lmap", "", {-1, none}, 4},       {"proc", "", {3, none}, 4},
+    {"catch", "", {1, none}, 2},       {"dict", "for", {-1, none}, 5},
+    {"dict", "map", {-1, none}, 5},    {"dict", "with", {-1, none}, 4},
+    {"dict", "update", {-1, none}, 6}, {"namespace", "eval", {3, none}, 4},
+    {"uplevel", "", {-1, none}, 2},    {"eval", "", {1, none}, 2},
 };
 
 } // namespace
+
+std::string_view SyntaxWalker::contentOf(const Word& word) const {
+    return text_.substr(word.content.from, word.content.to - word.content.from);
+}
+
+void SyntaxWalker::nestedByPlace(const Command& command, int owner) {
+    const std::vector<Word>& words = command.words;
+    const std::string_view name = command.name(text_);
+    const std::size_t count = words.size();
+    // A script of several words is their concatenation, and has no place.
+    if ((name == "eval" && count != 2) || (name == "namespace" && count != 4) ||
+        (name == "uplevel" && count > 3))
+        return;
+    for (const ScriptWords& known : scriptWords) {
+        if (known.command != name || count < known.leastWords ||
+            (!known.subcommand.empty() && contentOf(words[1]) != known.subcommand))
+            continue;
+        for (const int place : known.scripts)
+            if (place != none)
+                nestedScript(words[place < 0 ? count - 1 : static_cast<std::size_t>(place)], owner);
+    }
+}
+
+void SyntaxWalker::nestedIf(const std::vector<Word>& words, int owner) {
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const std::string_view word = contentOf(words[i]);
+        if (words[i].braced && (i == 1 || contentOf(words[i - 1]) == "elseif"))
+            nestedExpression(words[i], owner);
+        else if (word != "then" && word != "else" && word != "elseif")
+            nestedScript(words[i], owner);
+    }
+}
+
+// try body ?on code vars body? ?trap pattern vars body? ?finally body?
+void SyntaxWalker::nestedTry(const std::vector<Word>& words, int owner) {
+    for (std::size_t i = 1; i < words.size();) {
+        nestedScript(words[i], owner);
+        ++i;
+        if (i < words.size())
+            i += contentOf(words[i]) == "finally" ? 1 : 3;
+    }
+}
 
 void SyntaxWalker::nested(int owner) {
     // A copy: walking nested scripts makes the vector of commands grow.
@@ -82,55 +132,19 @@ void SyntaxWalker::nested(int owner) {
     const std::string_view name = command.name(text_);
     if (name.empty())
         return;
-    const auto textOf = [&](std::size_t i) {
-        const Range content = words[i].content;
-        return text_.substr(content.from, content.to - content.from);
-    };
-    const std::size_t count = words.size();
-    // A script of several words is their concatenation, and has no place.
-    const bool joined = (name == "eval" && count != 2) || (name == "namespace" && count != 4) ||
-                        (name == "uplevel" && count > 3);
-    for (const Places& known : places) {
-        if (joined || known.command != name || count < known.leastWords ||
-            (!known.subcommand.empty() && textOf(1) != known.subcommand))
-            continue;
-        for (const int place : known.scripts)
-            if (place != none)
-                nestedScript(words[place < 0 ? count - 1 : static_cast<std::size_t>(place)], owner);
-    }
-    if (name == "expr" && count == 2)
+    nestedByPlace(command, owner);
+    if (name == "expr" && words.size() == 2)
         nestedExpression(words[1], owner);
-    else if ((name == "while" || name == "for") && count >= 3)
-        nestedExpression(words[name == "for" ? 2 : 1], owner);
-    if (name == "for" && count >= 5)
-        nestedScript(words[4], owner);
-    if (name == "if") {
-        for (std::size_t i = 1; i < count; ++i) {
-            const std::string_view word = textOf(i);
-            if (words[i].braced && (i == 1 || textOf(i - 1) == "elseif"))
-                nestedExpression(words[i], owner);
-            else if (word != "then" && word != "else" && word != "elseif")
-                nestedScript(words[i], owner);
-        }
-    } else if (name == "try") {
-        // try body ?on code vars body? ?trap pattern vars body? ?finally body?
-        for (std::size_t i = 1; i < count;) {
-            nestedScript(words[i], owner);
-            ++i;
-            if (i < count)
-                i += textOf(i) == "finally" ? 1 : 3;
-        }
-    } else if (name == "switch") {
-        std::size_t first = 1;
-        while (first < count && textOf(first).starts_with('-')) {
-            const bool takesValue = textOf(first) == "-matchvar" || textOf(first) == "-indexvar";
-            const bool last = textOf(first) == "--";
-            first += takesValue ? 2 : 1;
-            if (last)
-                break;
-        }
-        nestedSwitch(owner, first + 1);
-    }
+    else if (name == "while" && words.size() == 3)
+        nestedExpression(words[1], owner);
+    else if (name == "for" && words.size() == 5)
+        nestedExpression(words[2], owner);
+    else if (name == "if")
+        nestedIf(words, owner);
+    else if (name == "try")
+        nestedTry(words, owner);
+    else if (name == "switch")
+        nestedSwitch(words, owner);
 }
 
 } // namespace script

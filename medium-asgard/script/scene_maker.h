@@ -52,6 +52,8 @@ private:
     // --- parts of elements ---
     std::vector<scene::Part> partsOf(Arguments& arguments, const Value& description);
     std::optional<scene::Part> partOf(Arguments& arguments, const Value& description);
+    bool shapeOfPart(Arguments& arguments, const std::string& option, const Value& value,
+                     scene::Part& part);
     bool facePoints(Arguments& arguments, const Value& face, std::vector<geometry::Vector>& points,
                     scene::Appearance& appearance);
     bool solid(Arguments& arguments, std::string_view option, Range range,

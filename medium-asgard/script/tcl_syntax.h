@@ -25,7 +25,11 @@ private:
     void nested(int owner); // the scripts among a command's words
     void nestedScript(const Word& word, int owner);
     void nestedExpression(const Word& word, int owner);
-    void nestedSwitch(int owner, std::size_t first);
+    void nestedByPlace(const Command& command, int owner);
+    void nestedIf(const std::vector<Word>& words, int owner);
+    void nestedTry(const std::vector<Word>& words, int owner);
+    void nestedSwitch(const std::vector<Word>& words, int owner);
+    [[nodiscard]] std::string_view contentOf(const Word& word) const;
     void fail(std::size_t from, std::size_t to, std::string message);
 
     [[nodiscard]] bool ends(std::size_t at, bool bracketed) const; // a command ends here

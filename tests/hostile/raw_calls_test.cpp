@@ -190,6 +190,8 @@ TEST_F(RawCalls, OnResourcesAreStoppedByLimitsAlone) {
 // Paths hold in the evaluator's own confinement too, in which no descriptor can be opened.
 TEST_F(RawCalls, OnPathsAreStoppedWithoutTheFilter) {
     const auto paths = namesWhere([](const Attempt& a) { return a.also == Also::paths; });
+    if (!landlockIsHere())
+        GTEST_SKIP() << "this kernel has no Landlock; the filter on calls stands alone";
     const auto done = run(Role::evaluator, {true, true, true, false});
     for (const std::string& name : paths)
         EXPECT_THAT(done, testing::Not(testing::Contains(name)));
