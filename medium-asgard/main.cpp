@@ -1,6 +1,7 @@
 // asgard: the animation medium. Serves a document host, opens its stand-alone editor, or works
 // without a window on one scene (docs/command-line.md).
 #include "batch/command.h"
+#include "edit_mode.h"
 #include "medium_process.h"
 #include "views/editor.h"
 

@@ -1,7 +1,7 @@
 #include "medium_process.h"
 
 #include "confinement/confinement.h"
-#include "service/serve.h"
+#include "edit_mode.h"
 
 #include <array>
 #include <csignal>
@@ -36,12 +36,15 @@ void confine(ipc::Mode mode) {
         std::fprintf(stderr, "asgard: not confined by every fence: %s\n", report.missing.c_str());
 }
 
-service::Tools toolsOf(script::Reader& reader) {
+// Who reads scenes in this process.
+constexpr int session = 1, windowsOfTheAuthor = 2;
+
+service::Tools toolsOf(SharedReader& reader) {
     service::Tools tools;
     tools.read = [&reader](const std::string& text, const service::ParameterValues& parameters) {
-        return reader.read(text, parameters);
+        return reader.read(session, text, parameters);
     };
-    tools.cancelReading = [&reader] { reader.cancel(); };
+    tools.cancelReading = [&reader] { reader.cancel(session); };
     tools.simulate = simulation::simulate;
     return tools;
 }
@@ -56,8 +59,10 @@ void dieWithTheHost(int argc, char** argv) {
 
 int serveAsMedium(script::Reader& reader) {
     std::signal(SIGPIPE, SIG_IGN);
+    SharedReader shared(reader);
+    Windows* windows = nullptr;
     service::Platform platform;
-    platform.tools = toolsOf(reader);
+    platform.tools = toolsOf(shared);
     platform.version = ASGARD_VERSION;
     platform.confine = confine;
     auto created = render::Renderer::create();
@@ -72,7 +77,20 @@ int serveAsMedium(script::Reader& reader) {
             return renderer.draw(drawing, into);
         };
     }
-    return service::serve(std::move(platform), STDIN_FILENO, STDOUT_FILENO);
+    platform.openViewer = [&windows](const std::string& entry) {
+        if (windows)
+            return windows->open(entry);
+        const std::string why = noDisplay();
+        return std::optional(why.empty() ? "windows are opened by a process in mode \"edit\""
+                                         : why);
+    };
+    service::Connection connection(std::move(platform), STDIN_FILENO, STDOUT_FILENO);
+    service::serve(connection, [&connection] {
+        return connection.session().mode() == ipc::Mode::edit && noDisplay().empty();
+    });
+    if (!connection.closed())
+        serveWithWindows(connection, shared, windowsOfTheAuthor, windows);
+    return connection.exitCode();
 }
 
 } // namespace asgard

@@ -1,5 +1,6 @@
 #include "service/serve.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -9,89 +10,83 @@
 #include <unistd.h>
 
 namespace service {
-namespace {
 
-class Loop {
-public:
-    Loop(Platform platform, int input, int output)
-        : input_(input), output_(output), session_(std::move(platform), channel_) {}
+Connection::Connection(Platform platform, int input, int output)
+    : input_(input), output_(output), session_(std::move(platform), channel_) {
+    for (const int descriptor : {input, output})
+        fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) | O_NONBLOCK);
+}
 
-    int run() {
-        while (open_ && !session_.over() && channel_.fault().empty()) {
-            wait();
-            while (!session_.over())
-                if (const auto call = channel_.next())
-                    session_.receive(*call, Clock::now());
-                else
-                    break;
-            session_.attend(Clock::now());
-            flush();
-        }
-        if (channel_.fault().empty())
-            return 0;
-        std::fprintf(stderr, "asgard: the host sent %s\n", channel_.fault().c_str());
-        return 1;
-    }
+bool Connection::closed() const { return !open_ || session_.over() || !channel_.fault().empty(); }
 
-private:
-    // Until a byte comes or can go, the worker has news, or something is due.
-    void wait() {
-        const bool sending = !channel_.outgoing().empty();
-        std::array<pollfd, 3> polled{pollfd{input_, POLLIN, 0},
-                                     pollfd{session_.descriptor(), POLLIN, 0},
-                                     pollfd{output_, static_cast<short>(sending ? POLLOUT : 0), 0}};
-        poll(polled.data(), polled.size(), timeout());
-        if (polled[0].revents != 0)
-            receive();
-        if ((polled[2].revents & (POLLERR | POLLHUP | POLLNVAL)) != 0)
+int Connection::exitCode() const {
+    if (channel_.fault().empty())
+        return 0;
+    std::fprintf(stderr, "asgard: the host sent %s\n", channel_.fault().c_str());
+    return 1;
+}
+
+void Connection::receive() {
+    std::array<char, 1 << 16> bytes;
+    const ssize_t count = read(input_, bytes.data(), bytes.size());
+    if (count > 0)
+        channel_.feed({bytes.data(), static_cast<std::size_t>(count)});
+    else if (count == 0 || (errno != EAGAIN && errno != EINTR))
+        open_ = false;
+    while (!session_.over())
+        if (const auto call = channel_.next())
+            session_.receive(*call, Clock::now());
+        else
+            break;
+    attend();
+}
+
+void Connection::attend() {
+    session_.attend(Clock::now());
+    flush();
+}
+
+void Connection::flush() {
+    while (open_ && sending()) {
+        const std::string_view bytes = channel_.outgoing();
+        const ssize_t count = write(output_, bytes.data(), bytes.size());
+        if (count > 0)
+            channel_.sent(static_cast<std::size_t>(count));
+        else if (errno == EAGAIN)
+            return;
+        else if (errno != EINTR)
             open_ = false; // nobody reads any more
     }
+}
 
-    int timeout() const {
-        const auto deadline = session_.deadline();
-        if (!deadline)
-            return -1;
-        const auto rest =
-            std::chrono::ceil<std::chrono::milliseconds>(*deadline - Clock::now()).count();
-        return static_cast<int>(std::clamp<long>(rest, 0, 60'000));
-    }
+namespace {
 
-    void receive() {
-        std::array<char, 1 << 16> bytes;
-        const ssize_t count = read(input_, bytes.data(), bytes.size());
-        if (count > 0)
-            channel_.feed({bytes.data(), static_cast<std::size_t>(count)});
-        else if (count == 0 || (errno != EAGAIN && errno != EINTR))
-            open_ = false;
-    }
-
-    void flush() {
-        while (!channel_.outgoing().empty()) {
-            const std::string_view bytes = channel_.outgoing();
-            const ssize_t count = write(output_, bytes.data(), bytes.size());
-            if (count > 0)
-                channel_.sent(static_cast<std::size_t>(count));
-            else if (errno == EAGAIN)
-                return;
-            else if (errno != EINTR)
-                open_ = false;
-            if (!open_)
-                return;
-        }
-    }
-
-    int input_, output_;
-    bool open_ = true;
-    ipc::MediumChannel channel_;
-    Session session_;
-};
+int timeout(const Session& session) {
+    const auto deadline = session.deadline();
+    if (!deadline)
+        return -1;
+    const auto rest =
+        std::chrono::ceil<std::chrono::milliseconds>(*deadline - Clock::now()).count();
+    return static_cast<int>(std::clamp<long>(rest, 0, 60'000));
+}
 
 } // namespace
 
-int serve(Platform platform, int input, int output) {
-    for (const int descriptor : {input, output})
-        fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) | O_NONBLOCK);
-    return Loop(std::move(platform), input, output).run();
+void serve(Connection& connection, const std::function<bool()>& until) {
+    Session& session = connection.session();
+    while (!connection.closed() && !until()) {
+        const auto output = static_cast<short>(connection.sending() ? POLLOUT : 0);
+        std::array<pollfd, 3> polled{pollfd{connection.input(), POLLIN, 0},
+                                     pollfd{session.descriptor(), POLLIN, 0},
+                                     pollfd{connection.output(), output, 0}};
+        poll(polled.data(), polled.size(), timeout(session));
+        if ((polled[2].revents & (POLLERR | POLLHUP | POLLNVAL)) != 0)
+            return; // nobody reads any more
+        if (polled[0].revents != 0)
+            connection.receive();
+        else
+            connection.attend();
+    }
 }
 
 } // namespace service

@@ -25,7 +25,8 @@ struct Platform {
     std::string noPictures;                 // why `draw` is empty
     int maximumSize = 4096;                 // of a picture
     std::function<void(ipc::Mode)> confine; // called before anything of a document is looked at
-    std::function<void(const std::string& viewer)> openViewer; // mode edit: a menu entry's id
+    // Opens the window that a menu entry names, in mode edit; else the sentence why not.
+    std::function<std::optional<std::string>(const std::string& id)> openViewer;
     std::string version;
 };
 
@@ -40,6 +41,10 @@ public:
     [[nodiscard]] bool over() const { return over_; }
 
     [[nodiscard]] Subdocument& subdocument() { return subdocument_; }
+    // One change of the text, made in one of the medium's windows: it is the host's to accept. Then
+    // it is the text here too, and `done` hears nothing; else why not.
+    void propose(const ipc::TextEdit& edit, const std::string& label,
+                 std::function<void(std::optional<std::string> refusal)> done);
     [[nodiscard]] const std::optional<ipc::Mode>& mode() const { return mode_; } // none: not yet
 
 private:

@@ -66,6 +66,17 @@ auto Session::serve(const ipc::SubdocumentEdit& call) -> Reply<ipc::Done> {
     return ipc::Done{};
 }
 
+void Session::propose(const ipc::TextEdit& edit, const std::string& label,
+                      std::function<void(std::optional<std::string>)> done) {
+    ipc::SubdocumentChanged change{subdocument_.revision(), {edit}, label, ""};
+    channel_.request(change, [this, edit, done](const ipc::Outcome<ipc::Revised>& outcome) {
+        if (const auto* error = std::get_if<ipc::Error>(&outcome))
+            return done(error->message);
+        const auto revision = std::get<ipc::Revised>(outcome).revision;
+        done(subdocument_.edit({edit}, revision, now_));
+    });
+}
+
 auto Session::serve(const ipc::PresentationList&) -> Reply<ipc::Presentations> {
     return ipc::Presentations{{{"picture", "Picture"}}};
 }
@@ -337,7 +348,8 @@ auto Session::serve(const ipc::MenuInvoke& call) -> Reply<ipc::Done> {
     } else if (call.id == "open-graphical-viewer" || call.id == "open-language-viewer") {
         if (!platform_.openViewer)
             return notPossible("windows are opened by a process in mode \"edit\"");
-        platform_.openViewer(call.id);
+        if (const auto sentence = platform_.openViewer(call.id))
+            return notPossible(*sentence);
     } else {
         return faulty("there is no menu entry \"" + call.id + "\"");
     }
