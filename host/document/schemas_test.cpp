@@ -6,7 +6,7 @@
 
 #include <QTemporaryDir>
 
-#include <chrono>
+#include <ctime>
 #include <fstream>
 
 namespace document {
@@ -89,10 +89,10 @@ TEST(Structure, NoRuleIsExponential) {
         rule += " (B* B*)*";
     for (int i = 0; i < 200; ++i)
         body += "<B></B>";
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock(); // of the processor, not of the wall
     EXPECT_EQ(check(rule + " C\nB =\nC =\n", body + "</A>"),
               "<A> ends too early; expected B or C\n");
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3));
+    EXPECT_LT(std::clock() - start, 3 * CLOCKS_PER_SEC);
 }
 
 TEST(Presentation, FaultsOfAFileAreGivenByLine) {
