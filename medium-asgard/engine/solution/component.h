@@ -73,6 +73,7 @@ private:
     void integrate();
     [[nodiscard]] bool beginMethod();
     [[nodiscard]] std::unique_ptr<Method> chooseMethod();
+    void endWithoutRate(double t, std::span<const double> y);
     void finish(double to);
     void refuse(const Attempt& attempt, double h);
     void stopAtUnderflow(Attempt::Outcome outcome, double h);

@@ -145,10 +145,11 @@ void ComponentEquations::evaluate(std::span<double> out) {
 
 bool ComponentEquations::rates(double t, std::span<const double> y, std::span<double> out) {
     fill(t, y);
+    slidingFailed_ = !sliding_.empty() && !weigh();
+    if (slidingFailed_)
+        return false;
     if (sliding_.empty())
         evaluate(out_);
-    else if (!weigh())
-        return false;
     std::copy_n(out_.begin(), states_.size(), out.begin());
     return std::all_of(out_.begin(), out_.end(), [](double x) { return std::isfinite(x); });
 }

@@ -15,7 +15,8 @@
 // is set to 0, so that it stays exactly.
 //
 // LIMIT: with several surfaces at once f is taken as affine in the weights, which holds unless
-// switching terms multiply each other.
+// switching terms multiply each other or stand in each other's guards. On floor and ceil nothing
+// slides. Such motion ends with a reason when it cannot go on.
 #pragma once
 
 #include "expression/equations.h"
@@ -56,6 +57,8 @@ public:
 
     // Values of the held unknowns. False: not finite.
     [[nodiscard]] bool heldValues(double t, std::span<const double> y, std::span<double> out);
+    // Sliding had no solution when rates() was asked last: then that is why it failed.
+    [[nodiscard]] bool slidingFailed() const { return slidingFailed_; }
     // Places in `unknowns` of those whose rate or value is not finite.
     [[nodiscard]] std::vector<std::size_t> notFinite(double t, std::span<const double> y);
 
@@ -82,8 +85,19 @@ private:
         enum class Kind { side, least, most } kind; // least, most: of a weight
         std::size_t surface;
     };
+    // A tape of derived expressions, on the branches that are in force for the equations.
+    struct Derived {
+        expression::Tape tape;
+        struct Source { // of each of its decisions
+            std::optional<std::size_t> decision, surface;
+            int orientation = 1;
+        };
+        std::vector<Source> sources;
+        std::vector<expression::Decision> decisions;
+        expression::Tape::Scratch scratch;
+    };
     struct Gradient {
-        expression::Tape tape;            // dg/dt, dg/dy, dg/dinputs
+        Derived derivatives;              // dg/dt, dg/dy, dg/dinputs
         std::optional<std::size_t> state; // g is this state itself
     };
     static constexpr int onSurface = 0;
@@ -96,13 +110,23 @@ private:
     void evaluate(std::span<double> out);
     void setSide(std::size_t surface, int side);
     void refreshWatches();
-    [[nodiscard]] const Gradient& gradient(std::size_t surface);
+    [[nodiscard]] Gradient& gradient(std::size_t surface);
     struct Slope {
-        double rate, noise;
+        double rate;
+        double noise; // what rounding may make of a rate of 0
+        double near;  // and of a guard of 0, where its root was located
     };
+    [[nodiscard]] Derived derive(std::span<const expression::Node> nodes);
+    void evaluate(Derived& derived, std::span<double> out) const;
     [[nodiscard]] Slope guardRate(std::size_t surface, std::span<const double> rates);
     [[nodiscard]] bool weigh(); // weights_ and rates of sliding at what fill() was given
     void settleOn(std::size_t surface);
+    void field(); // rates into out_, whether sliding or not
+    [[nodiscard]] double guard(std::size_t surface) const; // after evaluating guards_
+    [[nodiscard]] bool isRight(std::size_t surface);
+    void follow(const std::vector<std::size_t>& passed);
+    void pass(const Watch& watch, std::span<const expression::Decision> implied, bool insist,
+              std::vector<std::size_t>& passed);
     [[nodiscard]] bool settleWeights(double t, std::span<const double> y);
     void project(double t, std::span<double> y);
     void makeJacobian();
@@ -124,14 +148,13 @@ private:
     std::vector<expression::Decision> decisions_;
     std::vector<std::size_t> sliding_; // surfaces
     std::vector<double> weights_;
+    bool slidingFailed_ = false;
     std::vector<Watch> watches_;
     std::vector<std::unique_ptr<Gradient>> gradients_;
 
     struct Jacobian {
         Pattern pattern;
-        expression::Tape tape;
-        std::vector<std::optional<std::size_t>> decisionFrom; // of ours
-        std::vector<int> orientation;
+        Derived entries;
     };
     std::unique_ptr<Jacobian> jacobian_;
 };

@@ -37,21 +37,40 @@ void ComponentEquations::makeJacobian() {
         }
         pattern.columnStarts.push_back(static_cast<int>(pattern.rows.size()));
     }
-    jacobian_->tape = expression::Tape(set_.graph, symbols_, entries);
-    // Its own switches stand on the same surfaces as ours.
-    for (const Node switching : switchesOf(set_.graph, entries)) {
-        jacobian_->decisionFrom.emplace_back();
-        jacobian_->orientation.push_back(1);
+    jacobian_->entries = derive(entries);
+}
+
+// Its own switches are ours, or stand on the same surfaces as ours.
+ComponentEquations::Derived ComponentEquations::derive(std::span<const Node> nodes) {
+    Derived derived;
+    derived.tape = expression::Tape(set_.graph, symbols_, nodes);
+    for (const Node switching : switchesOf(set_.graph, nodes)) {
+        Derived::Source source;
+        const auto same = std::lower_bound(switches_.begin(), switches_.end(), switching);
         const Op op = set_.graph.op(switching);
-        if (op == Op::floor || op == Op::ceil)
-            continue;
-        const Guard guard = guardOf(set_.graph, switching);
-        for (std::size_t s = 0; s < surfaces_.size(); ++s)
-            if (!surfaces_[s].whole && surfaces_[s].guard == guard.node) {
-                jacobian_->decisionFrom.back() = s;
-                jacobian_->orientation.back() = guard.orientation;
-            }
+        if (same != switches_.end() && *same == switching) {
+            source.decision = static_cast<std::size_t>(same - switches_.begin());
+        } else if (op != Op::floor && op != Op::ceil) {
+            const Guard guard = guardOf(set_.graph, switching);
+            source.orientation = guard.orientation;
+            for (std::size_t s = 0; s < surfaces_.size(); ++s)
+                if (!surfaces_[s].whole && surfaces_[s].guard == guard.node)
+                    source.surface = s;
+        }
+        derived.sources.push_back(source);
     }
+    derived.decisions.resize(derived.sources.size());
+    return derived;
+}
+
+void ComponentEquations::evaluate(Derived& derived, std::span<double> out) const {
+    for (std::size_t i = 0; i < derived.sources.size(); ++i) {
+        const Derived::Source& source = derived.sources[i];
+        derived.decisions[i] = source.decision  ? decisions_[*source.decision]
+                               : source.surface ? sides_[*source.surface] * source.orientation
+                                                : expression::noBranch;
+    }
+    derived.tape.evaluate(in_, out, derived.scratch, derived.decisions, {});
 }
 
 bool ComponentEquations::jacobian(double t, std::span<const double> y, std::span<double> entries) {
@@ -60,14 +79,7 @@ bool ComponentEquations::jacobian(double t, std::span<const double> y, std::span
     if (!sliding_.empty())
         return differences(t, y, entries);
     fill(t, y);
-    expression::Tape::Scratch scratch;
-    std::vector<Decision> decisions(jacobian_->decisionFrom.size());
-    for (std::size_t i = 0; i < decisions.size(); ++i) {
-        const auto surface = jacobian_->decisionFrom[i];
-        decisions[i] =
-            surface ? sides_[*surface] * jacobian_->orientation[i] : expression::noBranch;
-    }
-    jacobian_->tape.evaluate(in_, entries, scratch, decisions, {});
+    evaluate(jacobian_->entries, entries);
     return std::all_of(entries.begin(), entries.end(), [](double x) { return std::isfinite(x); });
 }
 

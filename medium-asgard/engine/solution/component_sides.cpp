@@ -30,7 +30,7 @@ void ComponentEquations::refreshWatches() {
     }
 }
 
-const ComponentEquations::Gradient& ComponentEquations::gradient(std::size_t surface) {
+ComponentEquations::Gradient& ComponentEquations::gradient(std::size_t surface) {
     std::unique_ptr<Gradient>& place = gradients_[surface];
     if (!place) {
         place = std::make_unique<Gradient>();
@@ -38,7 +38,7 @@ const ComponentEquations::Gradient& ComponentEquations::gradient(std::size_t sur
         for (const Node symbol : symbols_)
             derivatives.push_back(
                 expression::differentiate(set_.graph, surfaces_[surface].guard, symbol));
-        place->tape = expression::Tape(set_.graph, symbols_, derivatives);
+        place->derivatives = derive(derivatives);
         for (std::size_t i = 0; i < states_.size(); ++i)
             if (surfaces_[surface].guard == symbols_[1 + i])
                 place->state = i;
@@ -46,27 +46,22 @@ const ComponentEquations::Gradient& ComponentEquations::gradient(std::size_t sur
     return *place;
 }
 
-// d g / dt along given rates of the states, at the point given to fill(); and the size of what
-// rounding may have made of a zero.
+// d g / dt along given rates of the states, at the point given to fill().
 ComponentEquations::Slope ComponentEquations::guardRate(std::size_t surface,
                                                         std::span<const double> rates) {
-    const Gradient& g = gradient(surface);
-    std::vector<double> partial(symbols_.size()), inputRates(inputs_.unknowns().size());
-    expression::Tape::Scratch scratch;
-    g.tape.evaluate(in_, partial, scratch);
-    inputs_.rates(in_[0], inputRates);
-    Slope slope{partial[0], std::abs(partial[0])};
-    const auto add = [&slope](double term) {
-        slope.rate += term;
-        slope.noise += std::abs(term);
-    };
-    for (std::size_t i = 0; i < states_.size(); ++i)
-        if (partial[1 + i] != 0)
-            add(partial[1 + i] * rates[i]);
-    for (std::size_t i = 0; i < inputRates.size(); ++i)
-        if (partial[1 + states_.size() + i] != 0)
-            add(partial[1 + states_.size() + i] * inputRates[i]);
-    slope.noise *= 1e-12;
+    std::vector<double> partial(symbols_.size()), change(symbols_.size(), 1.0);
+    evaluate(gradient(surface).derivatives, partial);
+    std::copy_n(rates.begin(), states_.size(), change.begin() + 1);
+    inputs_.rates(in_[0], std::span(change).subspan(1 + states_.size()));
+    Slope slope{0, 0, 0};
+    for (std::size_t i = 0; i < symbols_.size(); ++i) {
+        if (partial[i] == 0)
+            continue;
+        slope.rate += partial[i] * change[i];
+        slope.noise += 1e-12 * std::abs(partial[i] * change[i]);
+        slope.near += 1e-11 * std::abs(partial[i] * in_[i]);
+    }
+    slope.near += 1e-12 * std::abs(slope.rate) * std::max(1.0, std::abs(in_[0]));
     return slope;
 }
 
@@ -115,8 +110,10 @@ void ComponentEquations::watch(double t, std::span<const double> y, std::span<do
     for (std::size_t k = 0; k < watches_.size(); ++k) {
         const auto [kind, s] = watches_[k];
         const Surface& surface = surfaces_[s];
-        const double g = guards_[surface.members[0].decision] * surface.members[0].orientation;
-        if (kind != Watch::Kind::side) {
+        const double g = guard(s);
+        if (decisions_[surface.members[0].decision] == expression::noBranch) {
+            values[k] = 1;
+        } else if (kind != Watch::Kind::side) {
             const auto place = std::find(sliding_.begin(), sliding_.end(), s) - sliding_.begin();
             const double w = weights_[static_cast<std::size_t>(place)];
             values[k] = kind == Watch::Kind::least ? w : 1 - w;
@@ -215,8 +212,7 @@ void ComponentEquations::project(double t, std::span<double> y) {
         }
         fill(t, y);
         tape_.evaluate(in_, other_, scratch_, decisions_, guards_);
-        const Surface::Member& member = surfaces_[s].members[0];
-        const double off = guards_[member.decision] * member.orientation;
+        const double off = guard(s);
         setSide(s, +1);
         evaluate(other_);
         setSide(s, -1);
@@ -231,44 +227,94 @@ void ComponentEquations::project(double t, std::span<double> y) {
     }
 }
 
+double ComponentEquations::guard(std::size_t surface) const {
+    const Surface::Member& member = surfaces_[surface].members[0];
+    return guards_[member.decision] * member.orientation;
+}
+
+void ComponentEquations::field() {
+    if (sliding_.empty() || !weigh())
+        evaluate(out_);
+}
+
+// On its side or, at its root, moving there: a guard that has switches of its own may have been put
+// right by theirs.
+bool ComponentEquations::isRight(std::size_t surface) {
+    field();
+    const std::vector<double> now = out_;
+    tape_.evaluate(in_, other_, scratch_, decisions_, guards_);
+    const Slope slope = guardRate(surface, now);
+    const double g = sides_[surface] * guard(surface);
+    return g > slope.near || (g >= -slope.near && slope.rate * sides_[surface] > slope.noise);
+}
+
+void ComponentEquations::pass(const Watch& watch, std::span<const Decision> implied, bool insist,
+                              std::vector<std::size_t>& passed) {
+    const std::size_t s = watch.surface;
+    const Surface::Member& member = surfaces_[s].members[0];
+    if (watch.kind != Watch::Kind::side) {
+        sliding_.erase(std::remove(sliding_.begin(), sliding_.end(), s), sliding_.end());
+        setSide(s, watch.kind == Watch::Kind::least ? -1 : +1);
+    } else if (surfaces_[s].whole) {
+        const Decision now = decisions_[member.decision];
+        const Decision next = implied[member.decision];
+        const Decision beside = surfaces_[s].ceiling ? now + 1 : now - 1;
+        decisions_[member.decision] = next != now ? next : beside;
+    } else if (insist) {
+        setSide(s, onSurface);
+    } else if (passed.empty() || !isRight(s)) {
+        const int g = static_cast<int>(implied[member.decision]) * member.orientation;
+        setSide(s, sides_[s] == onSurface ? g : -sides_[s]);
+        passed.push_back(s);
+    }
+}
+
+// Guards that jumped when other surfaces were passed: their sides follow their values.
+void ComponentEquations::follow(const std::vector<std::size_t>& passed) {
+    for (std::size_t round = 0; round < surfaces_.size(); ++round) {
+        bool changed = false;
+        field();
+        const std::vector<double> now = out_;
+        tape_.evaluate(in_, other_, scratch_, decisions_, guards_);
+        const std::vector<double> guards = guards_;
+        for (std::size_t s = 0; s < surfaces_.size() && !changed; ++s) {
+            const auto in = [s](const std::vector<std::size_t>& list) {
+                return std::find(list.begin(), list.end(), s) != list.end();
+            };
+            if (surfaces_[s].whole || in(passed) || in(sliding_) ||
+                decisions_[surfaces_[s].members[0].decision] == expression::noBranch)
+                continue;
+            const double g = guard(s);
+            if (g * sides_[s] < 0 && std::abs(g) > guardRate(s, now).near) {
+                setSide(s, g > 0 ? 1 : -1);
+                changed = true;
+            }
+        }
+        if (!changed)
+            return;
+    }
+}
+
 ComponentEquations::Crossing ComponentEquations::cross(const Violation& violation, double t,
                                                        std::span<double> y, bool insist) {
     fill(t, y);
-    std::vector<double> before(out_.size());
     std::vector<Decision> implied(decisions_.size());
     tape_.decide(in_, implied, guards_, scratch_);
     std::vector<std::size_t> passed;
-    for (const std::size_t k : violation.watches) {
-        const auto [kind, s] = watches_[k];
-        const Surface::Member& member = surfaces_[s].members[0];
-        if (kind != Watch::Kind::side) {
-            sliding_.erase(std::remove(sliding_.begin(), sliding_.end(), s), sliding_.end());
-            setSide(s, kind == Watch::Kind::least ? -1 : +1);
-        } else if (surfaces_[s].whole) {
-            const Decision now = decisions_[member.decision];
-            const Decision next = implied[member.decision];
-            decisions_[member.decision] = next != now            ? next
-                                          : surfaces_[s].ceiling ? now + 1
-                                                                 : now - 1;
-        } else if (insist) {
-            setSide(s, onSurface);
-        } else {
-            const auto g = static_cast<int>(implied[member.decision]) * member.orientation;
-            setSide(s, sides_[s] == onSurface ? g : -sides_[s]);
-            passed.push_back(s);
-        }
-    }
-    // Behind each passed surface: does the field lead away?
-    if (!sliding_.empty() && !weigh())
-        return Crossing::impossible;
-    if (sliding_.empty())
-        evaluate(out_);
-    before = out_;
+    for (const std::size_t k : violation.watches)
+        pass(watches_[k], implied, insist, passed);
+    follow(passed);
+    // Does the field behind each passed surface lead away from it?
+    field();
+    const std::vector<double> behind = out_;
+    tape_.evaluate(in_, other_, scratch_, decisions_, guards_);
+    std::vector<std::size_t> back;
     for (const std::size_t s : passed) {
-        const Slope slope = guardRate(s, before);
-        if (slope.rate * sides_[s] < -slope.noise)
-            sliding_.push_back(s);
+        const Slope slope = guardRate(s, behind);
+        if (slope.rate * sides_[s] < -slope.noise && std::abs(guard(s)) <= slope.near)
+            back.push_back(s);
     }
+    sliding_.insert(sliding_.end(), back.begin(), back.end());
     if (!settleWeights(t, y))
         return Crossing::impossible;
     project(t, y);

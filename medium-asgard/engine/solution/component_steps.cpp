@@ -149,8 +149,7 @@ void Component::stepClosedForm() {
     for (std::size_t i = 0; i < form->columns.size(); ++i)
         for (const double c : form->columns[i])
             if (!std::isfinite(c)) {
-                const auto culprits = equations_->notFinite(time_, stateValues());
-                end(Stop::Reason::notFinite, culprits, names(culprits) + " has no finite rate");
+                endWithoutRate(time_, stateValues());
                 return;
             }
     double until = std::min(form->until, limit_);
@@ -251,8 +250,7 @@ bool Component::beginMethod() {
                                             : "not stiff";
     const std::vector<double> y = stateValues();
     if (!method_->begin(time_, y)) {
-        const auto culprits = equations_->notFinite(time_, y);
-        end(Stop::Reason::notFinite, culprits, names(culprits) + " has no finite rate");
+        endWithoutRate(time_, y);
         return false;
     }
     if (options_.fixedStep)
@@ -300,10 +298,7 @@ void Component::stopAtUnderflow(Attempt::Outcome outcome, double h) {
     if (outcome == Attempt::Outcome::notFinite) {
         for (std::size_t i = 0; here && i < y.size(); ++i)
             y[i] += h * slopes[i];
-        auto culprits = equations_->notFinite(time_ + h, y);
-        if (culprits.empty())
-            culprits = equations_->states();
-        end(Stop::Reason::notFinite, culprits, names(culprits) + " has no finite rate");
+        endWithoutRate(time_ + h, y);
         return;
     }
     std::size_t fastest = 0;
@@ -316,6 +311,22 @@ void Component::stopAtUnderflow(Attempt::Outcome outcome, double h) {
         outcome == Attempt::Outcome::notConverged
             ? "the implicit equations of a step cannot be solved for " + names(culprit)
             : "error control needs steps too short to resolve for " + names(culprit));
+}
+
+// The right-hand side has no value at t, y: which, or is it that nothing slides?
+void Component::endWithoutRate(double t, std::span<const double> y) {
+    std::vector<double> slopes(y.size());
+    const bool finite = equations_->rates(t, y, slopes);
+    if (!finite && equations_->slidingFailed()) {
+        end(Stop::Reason::decisions, equations_->states(),
+            "no motion keeps between the branches of the expressions that switch with " +
+                names(equations_->states()));
+        return;
+    }
+    auto culprits = equations_->notFinite(t, y);
+    if (culprits.empty())
+        culprits = equations_->states();
+    end(Stop::Reason::notFinite, culprits, names(culprits) + " has no finite rate");
 }
 
 void Component::finish(double to) {
@@ -356,8 +367,7 @@ void Component::finish(double to) {
         return;
     }
     if (!method_->proceed(y)) {
-        const auto culprits = equations_->notFinite(time_, y);
-        end(Stop::Reason::notFinite, culprits, names(culprits) + " has no finite rate");
+        endWithoutRate(time_, y);
         return;
     }
     reconsider(h);
