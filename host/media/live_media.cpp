@@ -4,6 +4,18 @@
 
 namespace media {
 
+namespace {
+
+// Who goes first of those that are equally near.
+int rank(const LiveSubdocument& one) {
+    const bool plays = one.time() && one.time()->playing;
+    if (one.hasProcess())
+        return plays || !one.hasPicture() ? 0 : 2;
+    return one.hasPicture() ? 3 : 1;
+}
+
+} // namespace
+
 LiveMedia::LiveMedia(Registry registry, QString executableFolder, PipeThread& pipes,
                      TimeLimits limits, QObject* parent)
     : QObject(parent), registry_(std::move(registry)),
@@ -34,6 +46,7 @@ std::unique_ptr<LiveSubdocument> LiveMedia::create(const QString& documentClass)
         distances_.remove(made);
         scheduleChoice();
     });
+    connect(made, &LiveSubdocument::firstPicture, this, &LiveMedia::scheduleChoice);
     connect(made, &LiveSubdocument::processGone, this, &LiveMedia::scheduleChoice);
     return subdocument;
 }
@@ -53,9 +66,7 @@ std::vector<LiveSubdocument*> LiveMedia::byDistance() const {
         if (!of->isEmpty())
             order.emplace_back(*std::min_element(of->begin(), of->end()), of.key());
     std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
-        if (a.first != b.first)
-            return a.first < b.first;
-        return a.second->hasProcess() && !b.second->hasProcess();
+        return std::pair(a.first, rank(*a.second)) < std::pair(b.first, rank(*b.second));
     });
     std::vector<LiveSubdocument*> result;
     for (const auto& [distance, subdocument] : order)

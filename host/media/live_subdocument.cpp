@@ -39,6 +39,11 @@ void LiveSubdocument::setCondition(Condition condition) {
     Q_EMIT conditionChanged();
 }
 
+bool LiveSubdocument::hasPicture() const {
+    return std::any_of(renditions_.begin(), renditions_.end(),
+                       [](const Rendition* one) { return !one->picture().isNull(); });
+}
+
 // --- text --------------------------------------------------------------------------------------
 
 void LiveSubdocument::setText(const QByteArray& text) {
@@ -278,11 +283,14 @@ void LiveSubdocument::told(const ipc::ToHost& report) {
 }
 
 void LiveSubdocument::takeFrame(const ipc::RenditionFrame& frame) {
+    const bool isFirst = !hasPicture();
     for (Rendition* rendition : renditions_)
         if (rendition->id() == frame.rendition) {
             if (!rendition->take(frame))
                 process_->end(
                     QStringLiteral("sent a picture that has no place, or more than may wait"));
+            else if (isFirst && !rendition->picture().isNull())
+                Q_EMIT firstPicture();
             return;
         }
     // One that was on its way when its rendition was destroyed is no fault.

@@ -41,6 +41,8 @@ public:
     [[nodiscard]] Condition condition() const { return condition_; }
     [[nodiscard]] const QString& reason() const { return reason_; } // of the last failure
     [[nodiscard]] bool hasProcess() const { return process_ || next_; }
+    // Something of it is seen already, so that it may be a still.
+    [[nodiscard]] bool hasPicture() const;
     [[nodiscard]] QString name() const; // what the medium calls itself, else the manifest's
 
     // --- its text
@@ -95,7 +97,8 @@ Q_SIGNALS:
     void undoRequested();
     void redoRequested();
     void message(const QString& text); // for the status line
-    void processGone();                // there is room for another one
+    void firstPicture();
+    void processGone(); // there is room for another one
 
 private:
     friend class Rendition;

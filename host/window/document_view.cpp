@@ -255,8 +255,9 @@ void DocumentView::updateNearness() {
         const bool isSeen = canBeSeen && distance == 0 && place.bottom() > 0;
         if (shown.rendition)
             shown.rendition->setShown(isSeen);
+        const double wanted = id == chosen_ ? -0.5 : distance; // what is in use lives
         document_.media().setDistance(*live, this,
-                                      near && canBeSeen ? distance : media::LiveMedia::notNeeded);
+                                      near && canBeSeen ? wanted : media::LiveMedia::notNeeded);
         if (isSeen)
             seen.push_back(id);
     }
@@ -308,6 +309,7 @@ void DocumentView::choose(document::SubdocumentId id) {
     chosen_ = id;
     tell(chosen_, ipc::InputType::focusIn);
     const document::Subdocument* subdocument = document_.document().subdocument(id);
+    updateNearness();
     setAccessibleDescription(subdocument ? QString::fromStdString(subdocument->alternative)
                                          : QString());
     Q_EMIT chosenChanged();

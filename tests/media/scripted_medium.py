@@ -157,6 +157,7 @@ class Medium:
                                "endColumn": 1 + len(words[0]), "message": 'unknown word "%s"' % words[0]})
         notify("diagnostics", revision=self.revision, items=faults)
         self.tell_time()
+        notify("menu/changed", menus=self.menus())
         for words in pending:
             self.behave(words)
         return changes

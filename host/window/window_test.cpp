@@ -1,0 +1,447 @@
+#include "window/application.h"
+#include "window/document_window.h"
+#include "window/faults_pane.h"
+#include "window/icons.h"
+#include "window/medium_commands.h"
+#include "window/play_bar.h"
+
+#include <gmock/gmock.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QScrollBar>
+#include <QTemporaryDir>
+#include <QTest>
+#include <csignal>
+#include <random>
+
+namespace window {
+namespace {
+
+using ::testing::HasSubstr;
+
+bool waitFor(const std::function<bool()>& done, int ms = 30'000) {
+    return QTest::qWaitFor(done, ms);
+}
+
+QByteArray scripted(const QByteArray& text, const QByteArray& attributes = {}) {
+    return "<PARAGRAPH><DOCUMENT>\nDOCUMENT SCRIPTED\n<SCRIPTED WIDTH=\"300\" HEIGHT=\"200\" " +
+           attributes + "><SCRIPT>{" + text + "}</SCRIPT></SCRIPTED>\n</DOCUMENT></PARAGRAPH>\n";
+}
+
+QByteArray memo(const QByteArray& paragraphs) {
+    return "DOCUMENT CMEMO\n<CMEMO>\n<SUBJECT>{Test}</SUBJECT>\n<BODY>\n" + paragraphs +
+           "</BODY>\n</CMEMO>\n";
+}
+
+// The processes that this one has started.
+std::vector<pid_t> children() {
+    std::vector<pid_t> result;
+    for (const QString& task :
+         QDir("/proc/self/task").entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+        QFile file("/proc/self/task/" + task + "/children");
+        if (file.open(QIODevice::ReadOnly))
+            for (const QByteArray& pid : file.readAll().split(' '))
+                if (!pid.trimmed().isEmpty())
+                    result.push_back(pid.toInt());
+    }
+    return result;
+}
+
+class WindowTest : public ::testing::Test {
+protected:
+    DocumentWindow* open(const QByteArray& bytes, QSize size = {900, 1000}) {
+        const QString name = folder_.filePath(QStringLiteral("%1.ens").arg(++files_));
+        QFile file(name);
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+        file.close();
+        DocumentWindow* window = application_.open(name);
+        EXPECT_TRUE(window);
+        window->resize(size);
+        return window;
+    }
+    static document::SubdocumentId nth(const DocumentWindow& window, std::size_t n) {
+        return window.document().document().subdocuments().at(n);
+    }
+    static media::LiveSubdocument& live(const DocumentWindow& window, std::size_t n) {
+        return *window.document().live(nth(window, n));
+    }
+    static QImage picture(const DocumentWindow& window, std::size_t n) {
+        const media::Rendition* rendition = window.view().rendition(nth(window, n));
+        return rendition ? rendition->picture() : QImage();
+    }
+    static bool hasPicture(const DocumentWindow& window, std::size_t n) {
+        return !picture(window, n).isNull();
+    }
+    static QColor colourShown(DocumentWindow& window, std::size_t n) {
+        const QRectF place = window.view().placeOf(nth(window, n));
+        return window.view().viewport()->grab().toImage().pixelColor(
+            (place.topLeft() + QPointF(60, 60)).toPoint());
+    }
+    static void click(DocumentWindow& window, std::size_t n) {
+        const QRectF place = window.view().placeOf(nth(window, n));
+        QTest::mouseClick(window.view().viewport(), Qt::LeftButton, {},
+                          (place.topLeft() + QPointF(60, 60)).toPoint());
+    }
+
+    QTemporaryDir folder_;
+    int files_ = 0;
+    Application application_{{.initialize = 8000,
+                              .quiet = 300,
+                              .hung = 1500,
+                              .shutdown = 500,
+                              .pingEvery = 50,
+                              .restartsPerMinute = 0}};
+};
+
+TEST_F(WindowTest, TextIsThereAtOnceAndPicturesFollow) {
+    DocumentWindow* window = open(memo(scripted("colour 20A040")));
+    EXPECT_FALSE(window->view().pages().outline.empty() && window->view().pages().pages.empty());
+    EXPECT_FALSE(hasPicture(*window, 0));
+    ASSERT_TRUE(waitFor([&] { return hasPicture(*window, 0); }));
+    EXPECT_EQ(colourShown(*window, 0), QColor(0x20, 0xA0, 0x40));
+    const QSizeF place = window->view().placeOf(nth(*window, 0)).size();
+    EXPECT_EQ(picture(*window, 0).size(), (place * window->devicePixelRatioF()).toSize());
+}
+
+TEST_F(WindowTest, ASizeThatNobodyGivesIsTheMediums) {
+    DocumentWindow* window =
+        open(memo("<PARAGRAPH><DOCUMENT>\nDOCUMENT SCRIPTED\n<SCRIPTED><SCRIPT>{size "
+                  "200 90}</SCRIPT></SCRIPTED>\n</DOCUMENT></PARAGRAPH>\n"));
+    EXPECT_TRUE(
+        waitFor([&] { return window->view().placeOf(nth(*window, 0)).size() == QSizeF(200, 90); }));
+}
+
+TEST_F(WindowTest, WindowsOfOneDocumentShareItsProcesses) {
+    DocumentWindow* one = open(memo(scripted("colour 802020")));
+    DocumentWindow* two = application_.addWindow(one->shared());
+    two->view().setZoom(2);
+    ASSERT_TRUE(waitFor([&] { return hasPicture(*one, 0) && picture(*two, 0).width() == 600; }));
+    EXPECT_EQ(picture(*one, 0).width(), 300);
+    EXPECT_EQ(application_.pipes().alive(), 1);
+    two->close();
+    EXPECT_TRUE(waitFor([&] { return application_.windowsOf(one->document()).size() == 1; }));
+    EXPECT_EQ(application_.pipes().alive(), 1);
+}
+
+TEST_F(WindowTest, PresentationsDifferFromWindowToWindow) {
+    DocumentWindow* one = open(memo(scripted("colour 802020")));
+    DocumentWindow* two = application_.addWindow(one->shared());
+    const QSizeF before = two->view().pages().size;
+    two->view().setPresentation("slides");
+    EXPECT_NE(two->view().pages().size, before);
+    EXPECT_EQ(one->view().pages().size, before);
+}
+
+// --- choosing and commands ---------------------------------------------------------------------
+
+TEST_F(WindowTest, AClickChoosesAndKeysMoveTheChoice) {
+    DocumentWindow* window = open(memo(scripted("colour 111111") + scripted("colour 222222")));
+    ASSERT_TRUE(waitFor([&] { return hasPicture(*window, 0) && hasPicture(*window, 1); }));
+    click(*window, 1);
+    EXPECT_EQ(window->view().chosen(), nth(*window, 1));
+    QTest::keyClick(&window->view(), Qt::Key_Escape);
+    EXPECT_EQ(window->view().chosen(), document::noSubdocument);
+    window->view().setFocus();
+    QTest::keyClick(&window->view(), Qt::Key_Tab);
+    EXPECT_EQ(window->view().chosen(), nth(*window, 0));
+    QTest::keyClick(&window->view(), Qt::Key_Tab);
+    EXPECT_EQ(window->view().chosen(), nth(*window, 1));
+    QTest::keyClick(&window->view(), Qt::Key_Backtab);
+    EXPECT_EQ(window->view().chosen(), nth(*window, 0));
+}
+
+TEST_F(WindowTest, AMenuActsOnTheChosenRenditionElseOnAllVisible) {
+    DocumentWindow* window = open(memo(scripted("duration 50") + scripted("duration 60")));
+    ASSERT_TRUE(waitFor([&] {
+        return live(*window, 0).time() && live(*window, 1).time() && hasPicture(*window, 1);
+    }));
+    window->commands().refresh();
+    QMenu* menu = window->commands().menuOf(nth(*window, 0));
+    ASSERT_TRUE(menu);
+    EXPECT_EQ(menu->title(), "Scripted");
+    QStringList labels;
+    for (const QAction* action : menu->actions())
+        labels << action->text();
+    EXPECT_EQ(labels, QStringList({"Play", "Show Handles", "Crash", "Open Editor"}));
+
+    click(*window, 1);
+    menu->actions().first()->trigger();
+    ASSERT_TRUE(waitFor([&] { return live(*window, 1).time()->playing; }));
+    EXPECT_FALSE(live(*window, 0).time()->playing);
+    window->view().choose(document::noSubdocument);
+    menu->actions().first()->trigger();
+    EXPECT_TRUE(waitFor([&] { return live(*window, 0).time()->playing; }));
+}
+
+TEST_F(WindowTest, TheToolAreaBelongsToTheMediumInUse) {
+    DocumentWindow* window = open(memo(scripted("duration 50")));
+    EXPECT_TRUE(waitFor([&] { return window->commands().toolOwner() == "SCRIPTED"; }));
+    ASSERT_TRUE(waitFor([&] { return live(*window, 0).time().has_value(); }));
+    auto* bar = window->findChild<QToolBar*>("tools");
+    EXPECT_TRUE(waitFor([&] {
+        for (const QAction* action : bar->actions())
+            if (action->text() == "Play")
+                return true;
+        return false;
+    }));
+}
+
+TEST_F(WindowTest, ThePlayBarIsOnlyUnderThePointer) {
+    DocumentWindow* window = open(memo(scripted("duration 50") + scripted("colour 123456")));
+    ASSERT_TRUE(waitFor([&] { return live(*window, 0).time() && hasPicture(*window, 1); }));
+    auto* bar = window->view().viewport()->findChild<PlayBar*>();
+    EXPECT_FALSE(bar->isVisible());
+    const auto over = [&](std::size_t n) {
+        QTest::mouseMove(window->view().viewport(),
+                         window->view().placeOf(nth(*window, n)).center().toPoint());
+        QCoreApplication::processEvents();
+    };
+    over(0);
+    EXPECT_TRUE(bar->isVisible());
+    over(1); // a medium without time has none
+    EXPECT_FALSE(bar->isVisible());
+}
+
+TEST_F(WindowTest, KeysThatAMediumDoesNotUseAreTheHosts) {
+    QByteArray text;
+    for (int i = 0; i < 100; ++i)
+        text += "<PARAGRAPH><TEXT>{line}</TEXT></PARAGRAPH>\n";
+    DocumentWindow* window = open(memo(scripted("colour 010101") + text), {900, 500});
+    ASSERT_TRUE(waitFor([&] { return hasPicture(*window, 0); }));
+    click(*window, 0);
+    QTest::keyClick(&window->view(), Qt::Key_End);
+    EXPECT_TRUE(waitFor([&] { return window->view().verticalScrollBar()->value() > 500; }));
+}
+
+// --- what is seen ------------------------------------------------------------------------------
+
+TEST_F(WindowTest, ARenditionOutOfSightIsHidden) {
+    QByteArray text;
+    for (int i = 0; i < 200; ++i)
+        text += "<PARAGRAPH><TEXT>{line}</TEXT></PARAGRAPH>\n";
+    DocumentWindow* window = open(memo(scripted("duration 100") + text), {900, 500});
+    ASSERT_TRUE(waitFor([&] { return hasPicture(*window, 0) && live(*window, 0).time(); }));
+    live(*window, 0).play();
+    const auto pictures = [&] { return picture(*window, 0).cacheKey(); };
+    const auto first = pictures();
+    ASSERT_TRUE(waitFor([&] { return pictures() != first; }));
+    window->view().verticalScrollBar()->setValue(600);
+    QTest::qWait(300); // what was on its way
+    const auto hidden = pictures();
+    QTest::qWait(300);
+    EXPECT_EQ(pictures(), hidden);
+    window->view().verticalScrollBar()->setValue(0);
+    EXPECT_TRUE(waitFor([&] { return pictures() != hidden; }));
+}
+
+TEST_F(WindowTest, AThousandSubdocumentsOpenAtOnceWithEightProcesses) {
+    QByteArray many;
+    for (int i = 0; i < 1000; ++i)
+        many += scripted("colour " + QByteArray::number(0x100000 + i, 16));
+    QElapsedTimer elapsed;
+    elapsed.start();
+    DocumentWindow* window = open(memo(many), {900, 3000});
+    RecordProperty("open_ms", static_cast<int>(elapsed.elapsed()));
+    // More are seen than may live: each has its turn, and keeps its picture.
+    ASSERT_GT(window->view().visibleSubdocuments().size(), 8u);
+    const auto allSeenHavePictures = [&] {
+        for (const document::SubdocumentId id : window->view().visibleSubdocuments())
+            if (window->view().rendition(id)->picture().isNull())
+                return false;
+        return true;
+    };
+    ASSERT_TRUE(waitFor(allSeenHavePictures));
+    EXPECT_TRUE(waitFor([&] { return children().size() <= 8u; }));
+    window->view().verticalScrollBar()->setValue(window->view().verticalScrollBar()->maximum());
+    ASSERT_TRUE(waitFor([&] { return hasPicture(*window, 999) && allSeenHavePictures(); }));
+    EXPECT_TRUE(waitFor([&] { return children().size() <= 8u; }));
+}
+
+// --- what goes wrong ---------------------------------------------------------------------------
+
+TEST_F(WindowTest, ACrashedMediumKeepsItsPictureAndStartsOnAClick) {
+    DocumentWindow* window = open(memo(scripted("colour 3060A0") + scripted("colour A06030")));
+    ASSERT_TRUE(waitFor([&] { return hasPicture(*window, 0) && hasPicture(*window, 1); }));
+    const std::string before = window->document().document().bytes();
+    live(*window, 0).invoke("crash", nullptr);
+    ASSERT_TRUE(waitFor([&] { return live(*window, 0).condition() == media::Condition::failed; }));
+    EXPECT_TRUE(hasPicture(*window, 0));
+    Shown shown;
+    shown.id = nth(*window, 0);
+    EXPECT_THAT(noticeOf(window->document(), shown).title.toStdString(),
+                HasSubstr("was ended by signal 11"));
+    EXPECT_EQ(live(*window, 1).condition(), media::Condition::live);
+    EXPECT_EQ(window->document().document().bytes(), before);
+    click(*window, 0);
+    EXPECT_TRUE(waitFor([&] { return live(*window, 0).condition() == media::Condition::live; }));
+}
+
+TEST_F(WindowTest, AFaultyTextSaysSoWithItsLineInTheFile) {
+    DocumentWindow* window = open(memo(scripted("colour 0000FF\ncolur 1")));
+    ASSERT_TRUE(waitFor([&] { return !live(*window, 0).diagnostics().items.empty(); }));
+    const auto faults = window->document().faultsOf(nth(*window, 0));
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].position.line, 8);
+    EXPECT_EQ(faults[0].position.column, 1);
+    auto* pane = window->findChild<FaultsPane*>();
+    EXPECT_TRUE(waitFor([&] { return pane->count() == 1; }));
+}
+
+TEST_F(WindowTest, ABrokenFileIsShownWithItsFaults) {
+    DocumentWindow* window = open("DOCUMENT CMEMO\n<CMEMO>\n<SUBJECT>{Half");
+    auto* pane = window->findChild<FaultsPane*>();
+    EXPECT_TRUE(waitFor([&] { return pane->count() > 0 && pane->isVisible(); }));
+}
+
+TEST_F(WindowTest, AnUnknownMediumIsABoxWithItsText) {
+    DocumentWindow* window = open(
+        memo("<PARAGRAPH><DOCUMENT>\nDOCUMENT FILM\n<FILM ALT=\"The sea\"><REEL>{x}</REEL></FILM>\n"
+             "</DOCUMENT></PARAGRAPH>\n"));
+    Shown shown;
+    shown.id = nth(*window, 0);
+    const Notice notice = noticeOf(window->document(), shown);
+    EXPECT_EQ(notice.title, "No medium for FILM is installed.");
+    EXPECT_EQ(notice.text, "The sea");
+}
+
+// The window answers while a medium starts, hangs and is ended.
+TEST_F(WindowTest, NothingHoldsTheWindow) {
+    DocumentWindow* window = open(memo(scripted("behave hang") + scripted("behave busy") +
+                                       scripted("behave flood") + scripted("colour 00FF00")));
+    QElapsedTimer beat, all;
+    qint64 longest = 0;
+    beat.start();
+    all.start();
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout,
+                     [&] { longest = std::max(longest, beat.restart()); });
+    timer.start(1);
+    ASSERT_TRUE(waitFor([&] {
+        return live(*window, 0).condition() == media::Condition::failed &&
+               live(*window, 1).condition() == media::Condition::failed &&
+               live(*window, 2).condition() == media::Condition::failed;
+    }));
+    EXPECT_EQ(live(*window, 3).condition(), media::Condition::live);
+    RecordProperty("longest_ms", static_cast<int>(longest));
+    std::printf("longest wait for the event loop: %lld ms\n", static_cast<long long>(longest));
+    // Fifty are promised on a machine of one's own; a test shares its machine.
+    EXPECT_LT(longest, 1000);
+}
+
+// --- edits -------------------------------------------------------------------------------------
+
+TEST_F(WindowTest, AChangeByAMediumIsAStepOfUndoInAllWindows) {
+    DocumentWindow* window = open(memo(scripted("colour 102030\nchange Z")));
+    const std::string before = window->document().document().bytes();
+    ASSERT_TRUE(waitFor([&] { return window->document().document().canUndo(); }));
+    EXPECT_NE(window->document().document().bytes(), before);
+    window->document().document().undo();
+    EXPECT_EQ(window->document().document().bytes(), before);
+}
+
+TEST_F(WindowTest, UndoReachesTheMedium) {
+    DocumentWindow* window = open(memo(scripted("colour 102030")));
+    ASSERT_TRUE(waitFor([&] { return hasPicture(*window, 0); }));
+    document::Document& of = window->document().document();
+    const int revision = of.subdocument(nth(*window, 0))->revision;
+    of.editText(nth(*window, 0), revision, {{{7, 13}, "FF8000"}}, "Colour");
+    EXPECT_TRUE(waitFor([&] { return colourShown(*window, 0) == QColor(0xFF, 0x80, 0); }));
+    EXPECT_TRUE(window->isWindowModified());
+    of.undo();
+    EXPECT_TRUE(waitFor([&] { return colourShown(*window, 0) == QColor(0x10, 0x20, 0x30); }));
+    EXPECT_FALSE(window->isWindowModified());
+}
+
+TEST_F(WindowTest, APdfHasThePictures) {
+    DocumentWindow* window = open(memo(scripted("colour 20A040")));
+    const QString pdf = folder_.filePath("out.pdf");
+    window->exportPdfTo(pdf);
+    ASSERT_TRUE(waitFor([&] { return QFile::exists(pdf); }));
+    QFile file(pdf);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_THAT(file.readAll().toStdString(), HasSubstr("/Subtype /Image"));
+}
+
+// --- kills -------------------------------------------------------------------------------------
+
+// Media are killed at random moments of a session that plays, scrolls, edits and undoes. KILLS sets
+// how many; a thousand are run before a release.
+TEST_F(WindowTest, SurvivesKillsAtRandomMoments) {
+    const int kills =
+        qEnvironmentVariableIsSet("KILLS") ? qEnvironmentVariableIntValue("KILLS") : 10;
+    std::mt19937 random(20260);
+    DocumentWindow* window =
+        open(memo(scripted("duration 30\ncolour 203040") + scripted("duration 20\ncolour 405060") +
+                  scripted("colour 607080")));
+    document::Document& of = window->document().document();
+    const std::string original = of.bytes();
+    std::vector<double> restartMs;
+    for (int done = 0; done < kills;) {
+        const auto n = static_cast<std::size_t>(random() % 3);
+        const document::SubdocumentId id = nth(*window, n);
+        switch (random() % 6) {
+        case 0:
+            live(*window, n).play();
+            break;
+        case 1:
+            live(*window, n).seek(random() % 20);
+            break;
+        case 2:
+            of.editText(id, of.subdocument(id)->revision, {{{0, 0}, "\n"}}, "Line");
+            break;
+        case 3:
+            of.undo();
+            break;
+        case 4:
+            window->view().setZoom(0.5 + (random() % 20) / 10.0);
+            break;
+        case 5:
+            click(*window, n);
+            break;
+        }
+        QTest::qWait(static_cast<int>(random() % 40));
+        const std::vector<pid_t> alive = children();
+        if (alive.empty() || random() % 2)
+            continue;
+        kill(alive[random() % alive.size()], SIGKILL);
+        ++done;
+        QElapsedTimer restart;
+        for (std::size_t i = 0; i < 3; ++i)
+            if (live(*window, i).condition() == media::Condition::failed) {
+                EXPECT_THAT(live(*window, i).reason().toStdString(), HasSubstr("signal 9"));
+                restart.start();
+                live(*window, i).start();
+                ASSERT_TRUE(waitFor(
+                    [&] { return live(*window, i).condition() == media::Condition::live; }));
+                restartMs.push_back(static_cast<double>(restart.elapsed()));
+            }
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_EQ(live(*window, i).text().toStdString(), of.text(nth(*window, i)));
+    }
+    while (of.canUndo())
+        of.undo();
+    EXPECT_EQ(of.bytes(), original);
+    std::sort(restartMs.begin(), restartMs.end());
+    if (!restartMs.empty())
+        std::printf("%d kills, %zu restarts, median %.0f ms, 95 %% below %.0f ms\n", kills,
+                    restartMs.size(), restartMs[restartMs.size() / 2],
+                    restartMs[restartMs.size() * 95 / 100]);
+}
+
+} // namespace
+} // namespace window
+
+int main(int argc, char** argv) {
+    QTemporaryDir settings;
+    qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
+    qputenv("ENSEMBLE_MEDIA", SOURCE_DIR "/tests/media");
+    QApplication application(argc, argv);
+    QApplication::setOrganizationName("ensemble-test");
+    QApplication::setApplicationName("ensemble-test");
+    window::dress();
+    ::testing::InitGoogleTest(&argc, argv);
+    return RUN_ALL_TESTS();
+}
