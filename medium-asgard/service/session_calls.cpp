@@ -360,7 +360,9 @@ auto Session::serve(const ipc::MenuInvoke& call) -> Reply<ipc::Done> {
 
 auto Session::serve(const ipc::ParameterList&) -> Reply<ipc::Parameters> {
     ipc::Parameters list;
-    for (const scene::Parameter& parameter : drawnScene().parameters) {
+    if (!subdocument_.newestScene())
+        return list;
+    for (const scene::Parameter& parameter : subdocument_.newestScene()->parameters) {
         const auto set = subdocument_.parameters().find(parameter.name);
         const double value = set == subdocument_.parameters().end() ? parameter.value : set->second;
         list.items.push_back({parameter.name, value, parameter.minimum, parameter.maximum,

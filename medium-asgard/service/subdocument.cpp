@@ -86,7 +86,7 @@ std::optional<std::string> Subdocument::edit(const std::vector<ipc::TextEdit>& e
 }
 
 bool Subdocument::setParameter(const std::string& name, double value, Instant now) {
-    const ScenePointer& scene = awaited_.scene ? awaited_.scene : shown_.scene;
+    const ScenePointer& scene = newestScene();
     if (!scene)
         return false;
     const auto found = std::ranges::find(scene->parameters, name, &scene::Parameter::name);

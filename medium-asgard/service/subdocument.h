@@ -45,6 +45,10 @@ public:
     // What is shown: the motion belongs to the scene. Null before the first good text.
     [[nodiscard]] const ScenePointer& scene() const { return shown_.scene; }
     [[nodiscard]] const simulation::MotionPointer& motion() const { return shown_.motion; }
+    // Of the newest text that makes a scene, shown or not yet.
+    [[nodiscard]] const ScenePointer& newestScene() const {
+        return awaited_.scene ? awaited_.scene : shown_.scene;
+    }
     // A number that grows whenever pictures of the same time may differ.
     [[nodiscard]] unsigned generation() const { return generation_; }
     // One that grows whenever the scene should be framed anew: for a new scene and a whole motion.
