@@ -17,6 +17,12 @@ import time
 
 import compare
 
+# Impacts by the last sample, where the reference's own count says something else.
+COUNTS = {
+    "d04_galperin_n2": 313,      # its 314th impact is at t = 12.3, after the last sample
+    "d14_elastic_gas_27": None,  # chaotic after t = 2: no two computations agree on the count
+}
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 
@@ -30,6 +36,11 @@ def simulate(asgard, base, accuracy, folder):
     begin = time.time()
     run = subprocess.run(command, capture_output=True, text=True, timeout=120)
     return run, out, stats, time.time() - begin
+
+
+def counted(out):
+    with open(out, encoding="utf-8") as f:
+        return int(float(f.read().split()[-1].split(",")[-1]))
 
 
 def main():
@@ -55,7 +66,9 @@ def main():
                     if run.returncode != 0:
                         ok, lines = False, [f"exit {run.returncode}: {run.stderr.strip()[-300:]}"]
                     else:
-                        ok, error, _ = compare.compare(base, out, accuracy, True, lines.append)
+                        ok, error, _ = compare.compare(base, out, accuracy, name not in COUNTS, lines.append)
+                        if COUNTS.get(name) is not None and counted(out) != COUNTS[name]:
+                            ok, lines = False, [f"{counted(out)} impacts instead of {COUNTS[name]}"]
                         stats = json.load(open(statsFile))
                         if options.repeat:
                             first = open(out, "rb").read()

@@ -1,7 +1,10 @@
 #include "simulation/collision_source.h"
 
+#include "solution/partition.h"
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace simulation {
 namespace {
@@ -31,6 +34,7 @@ CollisionSource::CollisionSource(const scene::Scene& scene,
     boxUntil_.assign(n, -infinity);
     boxes_.resize(n);
     partners_.resize(n);
+    version_.assign(n, 1);
     const auto indexOf = [&](const std::string& name) {
         const auto body = std::ranges::find(scene.bodies, name, &scene::Body::name);
         return static_cast<std::size_t>(body - scene.bodies.begin());
@@ -38,6 +42,7 @@ CollisionSource::CollisionSource(const scene::Scene& scene,
     for (const scene::Link& link : scene.links)
         if (const auto* second = std::get_if<scene::BodyEnd>(&link.second))
             linked_.insert(std::minmax(indexOf(link.first.body), indexOf(second->body)));
+    findDependents();
 }
 
 CollisionSource::~CollisionSource() = default;
@@ -53,8 +58,7 @@ bool CollisionSource::mayMeet(std::size_t a, std::size_t b) const {
 bool CollisionSource::canGiveWay(std::size_t body, double time) const {
     if (records_[body].isFixed)
         return false;
-    const physics::Held& held = equations_.bodies[body].heldAt(time);
-    return std::ranges::count(held.position, true) == 0 || !held.attitude;
+    return std::ranges::count(equations_.bodies[body].heldAt(time).position, true) == 0;
 }
 
 // --- the search -----------------------------------------------------------------------------
@@ -62,9 +66,6 @@ bool CollisionSource::canGiveWay(std::size_t body, double time) const {
 std::optional<Event> CollisionSource::next(const Histories& histories, double known) {
     for (MovingBody& body : bodies_)
         body.read(histories);
-    if (eventPending_)
-        forgetInvalid(histories);
-    eventPending_ = false;
     const double until = std::min(known, finish_);
     while (true) {
         while (!hits_.empty() && std::get<0>(*hits_.begin()) <= front_) {
@@ -73,7 +74,7 @@ std::optional<Event> CollisionSource::next(const Histories& histories, double kn
             dropHit({a, b});
             found_[{a, b}].testedUntil = time;
             if (auto event = handle(histories, {a, b}, hit)) {
-                eventPending_ = true;
+                forgetAfterEvent(*event);
                 return event;
             }
         }
@@ -85,21 +86,46 @@ std::optional<Event> CollisionSource::next(const Histories& histories, double kn
     }
 }
 
-// After an event, bodies that it cut are known for less than was looked at.
-void CollisionSource::forgetInvalid(const Histories& histories) {
-    for (std::size_t b = 0; b < records_.size(); ++b) {
-        const double reached = knownUntil(records_[b], histories);
-        if (reached >= boxUntil_[b])
-            continue;
+// An event cuts the bodies that it touches and all that read them: what was found beyond it for
+// them no longer holds.
+void CollisionSource::forgetAfterEvent(const Event& event) {
+    std::set<std::size_t> cut;
+    for (const std::size_t unknown : event.touched) {
+        const std::size_t body = bodyOf_[unknown];
+        cut.insert(body);
+        cut.insert(dependents_[body].begin(), dependents_[body].end());
+    }
+    for (const std::size_t b : cut) {
         boxUntil_[b] = -infinity;
+        ++version_[b];
         for (const std::size_t other : partners_[b]) {
             const Pair pair = std::minmax(b, other);
             const auto found = found_.find(pair);
-            if (found == found_.end())
-                continue;
-            found->second.testedUntil = std::min(found->second.testedUntil, reached);
-            if (found->second.hit && found->second.hit->time > reached)
+            if (found != found_.end() && found->second.hit && found->second.hit->time > event.time)
                 dropHit(pair);
+        }
+    }
+}
+
+void CollisionSource::findDependents() {
+    bodyOf_.resize(equations_.set.unknowns.size());
+    for (std::size_t b = 0; b < records_.size(); ++b)
+        for (std::size_t i = 0; !records_[b].isFixed && i < physics::bodyUnknowns; ++i)
+            bodyOf_[records_[b].firstUnknown + i] = b;
+    const auto reads = solution::readsOf(equations_.set, front_);
+    std::vector<std::set<std::size_t>> readers(records_.size());
+    for (std::size_t i = 0; i < reads.size(); ++i)
+        for (const std::size_t read : reads[i])
+            readers[bodyOf_[read]].insert(bodyOf_[i]);
+    dependents_.resize(records_.size());
+    for (std::size_t b = 0; b < records_.size(); ++b) {
+        std::vector<std::size_t> open{b};
+        while (!open.empty()) {
+            const std::size_t next = open.back();
+            open.pop_back();
+            for (const std::size_t reader : readers[next])
+                if (dependents_[b].insert(reader).second)
+                    open.push_back(reader);
         }
     }
 }
@@ -156,8 +182,11 @@ void CollisionSource::testPair(const Pair& pair, double until) {
     const auto passing = passingUntil_.find(pair);
     if (passing != passingUntil_.end() && passing->second > front_)
         return;
-    const auto [place, isNew] = found_.try_emplace(pair, Found{.testedUntil = front_, .hit = {}});
-    Found& found = place->second;
+    Found& found = found_[pair];
+    const std::pair versions{version_[pair.first], version_[pair.second]};
+    const bool isNew = std::exchange(found.versions, versions) != versions;
+    if (isNew)
+        found.testedUntil = front_;
     if (found.hit)
         return;
     const double from = std::max(found.testedUntil, front_);
@@ -227,9 +256,11 @@ ImpactBody CollisionSource::impactBody(const Histories& histories, std::size_t b
         return impact;
     const physics::BodyMotion& motion = equations_.bodies[body];
     const physics::Held& held = motion.heldAt(time);
-    // LIMIT: a body that is held along one axis counts as held along all of them in a collision.
-    if (std::ranges::count(held.position, true) == 0)
-        impact.inverseMass = 1 / motion.mass.mass;
+    // A held place leaves nothing to give way, not even by turning about it. LIMIT: a body that is
+    // held along one axis counts as held along all of them in a collision.
+    if (!canGiveWay(body, time))
+        return impact;
+    impact.inverseMass = 1 / motion.mass.mass;
     if (!held.attitude) {
         const geometry::Matrix r = state.attitude.toRotationMatrix();
         impact.inverseInertia = r * motion.mass.inertia.inverse() * r.transpose();

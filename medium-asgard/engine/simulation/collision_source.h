@@ -4,7 +4,6 @@
 // a body takes to cross its own size are searched as the motion becomes known:
 //
 //     next(known):
-//         forget what an event has made invalid (bodies known for less than was looked at)
 //         while front < known:
 //             window = [front, min(known, front + window length)]
 //             pairs whose boxes overlap in the window  ->  time of impact of each, kept per pair
@@ -56,6 +55,7 @@ private:
     using Pair = collision::Pair;
     struct Found { // of one pair
         double testedUntil = 0;
+        std::pair<std::size_t, std::size_t> versions; // of the two motions that were tested
         std::optional<collision::Hit> hit;
     };
     struct Cluster { // all that touches at one instant, through bodies that can give way
@@ -65,7 +65,8 @@ private:
 
     [[nodiscard]] bool mayMeet(std::size_t a, std::size_t b) const;
     [[nodiscard]] bool canGiveWay(std::size_t body, double time) const;
-    void forgetInvalid(const solution::Histories& histories);
+    void forgetAfterEvent(const solution::Event& event);
+    void findDependents();
     void lookAtWindow(const solution::Histories& histories, double until);
     void updateCandidates(double until);
     void testPair(const Pair& pair, double until);
@@ -103,7 +104,9 @@ private:
     std::map<Pair, double> passingUntil_; // pairs that cannot give way, let through each other
     std::set<Pair> linked_;
     std::set<Pair> noted_;
-    bool eventPending_ = false;
+    std::vector<std::set<std::size_t>> dependents_; // bodies that read a body, also through others
+    std::vector<std::size_t> bodyOf_;               // by unknown
+    std::vector<std::size_t> version_; // of each body's motion: one more after each cut
 
     std::vector<solution::Changes::Jump> jumps_; // of the event that next() answered last
     std::vector<solution::Changes::End> ends_;
