@@ -52,8 +52,37 @@ Attempt ExplicitRungeKutta::attempt(double h) {
     }
     if (fixed_)
         return {Attempt::Outcome::accepted, h};
+    if (tableau_.error.empty() && !halve()) {
+        afterRejection_ = true;
+        return {Attempt::Outcome::notFinite, 0.25 * h};
+    }
     control_.prepare(end_, h);
     return judge(errorNorm());
+}
+
+// Without an estimate of its own a method takes the step again in halves (step doubling); their
+// result is kept, and the difference estimates its error.
+bool ExplicitRungeKutta::halve() {
+    const std::vector<double> whole = end_, start = start_, slope = slope_;
+    const double t = t_, h = h_;
+    bool finite = true;
+    h_ = 0.5 * h;
+    for (int half = 0; half < 2 && finite; ++half) {
+        k_[0] = slope_;
+        for (std::size_t i = 1; i <= tableau_.stages && finite; ++i)
+            finite = stage(i, i == tableau_.stages ? end_ : at_);
+        start_ = end_;
+        slope_ = k_[tableau_.stages];
+        t_ += h_;
+    }
+    start_ = start;
+    slope_ = slope;
+    t_ = t;
+    h_ = h;
+    const double gain = std::pow(2, static_cast<double>(tableau_.order)) - 1;
+    for (std::size_t n = 0; n < error_.size(); ++n)
+        error_[n] = (end_[n] - whole[n]) / gain;
+    return finite;
 }
 
 double ExplicitRungeKutta::errorNorm() {
@@ -64,7 +93,8 @@ double ExplicitRungeKutta::errorNorm() {
                 for (std::size_t n = 0; n < out.size(); ++n)
                     out[n] += h_ * weights[i] * k_[i][n];
     };
-    sum(tableau_.error, error_);
+    if (!tableau_.error.empty())
+        sum(tableau_.error, error_);
     if (!tableau_.secondError.empty()) {
         sum(tableau_.secondError, secondError_);
         for (std::size_t n = 0; n < error_.size(); ++n)

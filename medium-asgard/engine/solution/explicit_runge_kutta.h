@@ -46,6 +46,7 @@ public:
 
 private:
     [[nodiscard]] bool stage(std::size_t i, std::span<double> at);
+    [[nodiscard]] bool halve();
     [[nodiscard]] double errorNorm();
     [[nodiscard]] Attempt judge(double error);
     void estimateStiffness();

@@ -103,7 +103,7 @@ TEST(Methods, AreAsAccurateBetweenStepsAsAtTheirEnds) {
 }
 
 TEST(Methods, FollowADrivenDecayToTheToleranceAsked) {
-    for (const char* name : {"dop853", "dopri5", "radau5"})
+    for (const char* name : {"dop853", "dopri5", "radau5", "rk4"})
         for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12}) {
             FunctionSystem system = drivenDecay();
             const auto result = run(name, system, {1}, 10, tolerance);

@@ -4,6 +4,8 @@
 #include "solution/partition.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -19,6 +21,8 @@ class Solver::Implementation {
 public:
     Implementation(expression::EquationSet equations, Options options, EventSource* source)
         : set_(std::move(equations)), options_(std::move(options)), source_(source) {
+        assert(options_.method == "auto" || std::find(methodNames().begin(), methodNames().end(),
+                                                      options_.method) != methodNames().end());
         histories_.start_ = histories_.known_ = options_.start;
         histories_.tracks_.resize(set_.unknowns.size());
         std::vector<double> initial;

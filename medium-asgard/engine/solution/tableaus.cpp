@@ -241,7 +241,7 @@ Tableau makeDopri5() {
     return t;
 }
 
-// For fixed steps only; dense output is the cubic through both ends.
+// Without an error estimate; dense output is the cubic through both ends.
 Tableau makeRk4() {
     Tableau t{.name = "rk4", .order = 4, .stages = 4, .c = {0, 0.5, 0.5, 1, 1}};
     t.a = {{}, {0.5}, {0, 0.5}, {0, 0, 1}, {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}};

@@ -1,0 +1,145 @@
+// Random equation sets that switch, nest switches, read each other and are struck by events: work
+// is bounded, bits do not depend on how far things were solved, and the tolerance is met.
+#include "solution/solver_testing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <random>
+
+using namespace solution;
+using namespace solution::testing;
+
+namespace {
+
+class Generator {
+public:
+    explicit Generator(unsigned seed) : random_(seed) {}
+
+    double real(double low, double high) {
+        return low + (high - low) * static_cast<double>(random_() % 100000) / 1e5;
+    }
+    std::size_t below(std::size_t count) { return random_() % count; }
+
+    std::string expression(std::size_t unknowns, int depth) {
+        const auto part = [&] { return expression(unknowns, depth - 1); };
+        switch (below(depth > 0 ? 13 : 4)) {
+        case 0:
+            return number(real(-3, 3));
+        case 1:
+            return variable(unknowns);
+        case 2:
+            return "sin(" + number(real(0.3, 9)) + "*t+" + number(real(0, 6)) + ")";
+        case 3:
+            return "(" + number(real(-2, 2)) + "*" + variable(unknowns) + ")";
+        case 4:
+            return "(" + part() + "+" + part() + ")";
+        case 5:
+            return "(" + part() + "-" + part() + ")";
+        case 6:
+            return "sign(" + part() + ")";
+        case 7:
+            return "abs(" + part() + ")";
+        case 8:
+            return "(" + part() + "<" + part() + "?" + part() + ":" + part() + ")";
+        case 9:
+            return "min(" + part() + "," + part() + ")";
+        case 10:
+            return "floor(" + part() + ")";
+        case 11:
+            return "sin(" + part() + ")";
+        default:
+            return "(-sign(" + variable(unknowns) + "))";
+        }
+    }
+
+    std::vector<Line> lines() {
+        const std::size_t count = 2 + below(5);
+        std::vector<Line> result;
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::string name = "u" + std::to_string(i);
+            const std::string damping = "-" + number(real(0.1, 1)) + "*" + name;
+            result.push_back({name, expression(count, 3) + damping, real(-2, 2)});
+        }
+        return result;
+    }
+
+private:
+    static std::string number(double value) { return "(" + std::to_string(value) + ")"; }
+    std::string variable(std::size_t unknowns) { return "u" + std::to_string(below(unknowns)); }
+    std::mt19937 random_;
+};
+
+// Reverses given unknowns at given times.
+class Strikes final : public EventSource {
+public:
+    struct Strike {
+        double time;
+        std::size_t unknown;
+    };
+    explicit Strikes(std::vector<Strike> strikes) : strikes_(std::move(strikes)) {
+        std::sort(strikes_.begin(), strikes_.end(),
+                  [](const Strike& a, const Strike& b) { return a.time < b.time; });
+    }
+    std::optional<Event> next(const Histories& h, double known) override {
+        for (; next_ < strikes_.size(); ++next_) {
+            const auto& [time, unknown] = strikes_[next_];
+            if (h.stop(unknown) && h.stop(unknown)->time <= time)
+                continue;
+            if (time > known)
+                return std::nullopt;
+            ++next_;
+            return Event{time, {unknown}, 0};
+        }
+        return std::nullopt;
+    }
+    void apply(const Histories& h, const Event& event, expression::EquationSet&,
+               Changes& changes) override {
+        const std::size_t u = event.touched[0];
+        changes.jumps.push_back({u, -h.pieceBefore(u, event.time).value(event.time)});
+    }
+
+private:
+    std::vector<Strike> strikes_;
+    std::size_t next_ = 0;
+};
+
+unsigned rounds() {
+    const char* factor = std::getenv("ASGARD_LONG");
+    return 60 * static_cast<unsigned>(std::max(1, factor ? std::atoi(factor) : 1));
+}
+
+} // namespace
+
+TEST(RandomSystems, AreBoundedReproducibleAndIndependentOfTheSchedule) {
+    for (unsigned seed = 0; seed < rounds(); ++seed) {
+        Generator generator(seed);
+        const std::vector<Line> lines = generator.lines();
+        std::vector<Strikes::Strike> strikes;
+        for (int k = 0; k < 3; ++k)
+            strikes.push_back({generator.real(0, 8), generator.below(lines.size())});
+        Options options = tolerance(1e-7);
+        options.maximumSteps = 100'000;
+        Options toTheEnd = options;
+        toTheEnd.eventDriven = false;
+        Strikes first(strikes), second(strikes), third(strikes);
+        Solver a(equationsOf(lines), options, &first);
+        Solver b(equationsOf(lines), toTheEnd, &second);
+        Solver c(equationsOf(lines), options, &third);
+        ASSERT_EQ(a.advanceTo(8).reached, 8);
+        ASSERT_EQ(b.advanceTo(8).reached, 8);
+        for (int k = 1; k <= 13; ++k)
+            ASSERT_FALSE(c.advanceTo(8.0 * k / 13).cancelled);
+        EXPECT_LT(a.statistics().evaluations, 5'000'000u) << seed;
+        for (std::size_t u = 0; u < lines.size(); ++u) {
+            ASSERT_EQ(a.histories().stop(u) == nullptr, b.histories().stop(u) == nullptr) << seed;
+            const double end = std::min(8.0, a.histories().reached(u));
+            for (double t = 0; t <= end; t += 0.1) {
+                ASSERT_EQ(a.histories().value(u, t), b.histories().value(u, t)) << seed << " " << t;
+                ASSERT_EQ(a.histories().value(u, t), c.histories().value(u, t)) << seed << " " << t;
+            }
+        }
+    }
+}
