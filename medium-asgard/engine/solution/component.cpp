@@ -5,11 +5,12 @@
 
 namespace solution {
 
-Component::Component(expression::EquationSet& set, const Histories& histories,
-                     const Options& options, std::vector<std::size_t> unknowns)
-    : set_(set), histories_(histories), options_(options), unknowns_(std::move(unknowns)),
-      history_(std::make_shared<History>(unknowns_.size())), tolerance_(options.tolerance),
-      values_(unknowns_.size()) {
+Component::Component(expression::EquationSet& set, const UnknownIndex& index,
+                     const Histories& histories, const Options& options,
+                     std::vector<std::size_t> unknowns)
+    : set_(set), index_(index), histories_(histories), options_(options),
+      unknowns_(std::move(unknowns)), history_(std::make_shared<History>(unknowns_.size())),
+      tolerance_(options.tolerance), values_(unknowns_.size()) {
     if (!options.tolerances.empty()) {
         tolerance_ = infinity;
         for (const std::size_t u : unknowns_)
@@ -75,7 +76,7 @@ void Component::openRegime(bool withJumps) {
     }
     if (withJumps)
         applyJumps();
-    equations_ = std::make_unique<ComponentEquations>(set_, histories_, unknowns_, phases_);
+    equations_ = std::make_unique<ComponentEquations>(set_, index_, histories_, unknowns_, phases_);
     if (!equations_->loop().empty())
         end(Stop::Reason::algebraicLoop, equations_->loop(),
             names(equations_->loop()) + " are held by values that are defined by each other");
@@ -100,13 +101,13 @@ void Component::applyJumps() {
     for (std::size_t k = 0; k < symbols.size(); ++k) {
         if (symbols[k] == set_.time)
             in[k] = time_;
-        for (std::size_t u = 0; u < set_.unknowns.size(); ++u)
-            if (set_.unknowns[u].symbol == symbols[k]) {
-                const auto own = std::lower_bound(unknowns_.begin(), unknowns_.end(), u);
-                const bool isOwn = own != unknowns_.end() && *own == u;
-                in[k] = isOwn ? values_[static_cast<std::size_t>(own - unknowns_.begin())]
-                              : histories_.value(u, time_);
-            }
+        const auto unknown = index_.of(symbols[k]);
+        if (!unknown)
+            continue;
+        const auto own = std::lower_bound(unknowns_.begin(), unknowns_.end(), *unknown);
+        const bool isOwn = own != unknowns_.end() && *own == *unknown;
+        in[k] = isOwn ? values_[static_cast<std::size_t>(own - unknowns_.begin())]
+                      : histories_.value(*unknown, time_);
     }
     expression::Tape::Scratch scratch;
     expression::Tape(set_.graph, symbols, nodes).evaluate(in, out, scratch);

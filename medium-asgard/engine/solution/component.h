@@ -23,8 +23,8 @@ namespace solution {
 
 class Component {
 public:
-    Component(expression::EquationSet& set, const Histories& histories, const Options& options,
-              std::vector<std::size_t> unknowns);
+    Component(expression::EquationSet& set, const UnknownIndex& index, const Histories& histories,
+              const Options& options, std::vector<std::size_t> unknowns);
 
     [[nodiscard]] const std::vector<std::size_t>& unknowns() const { return unknowns_; }
     [[nodiscard]] const std::shared_ptr<History>& history() const { return history_; }
@@ -101,6 +101,7 @@ private:
     [[nodiscard]] std::string names(const std::vector<std::size_t>& places) const;
 
     expression::EquationSet& set_;
+    const UnknownIndex& index_;
     const Histories& histories_;
     const Options& options_;
     std::vector<std::size_t> unknowns_;

@@ -15,16 +15,14 @@ using expression::Op;
 namespace {
 
 std::vector<std::size_t> inputUnknowns(const expression::EquationSet& set,
+                                       const UnknownIndex& index,
                                        const std::vector<std::size_t>& own,
                                        std::span<const Node> nodes) {
-    std::unordered_map<std::uint32_t, std::size_t> unknownOf;
-    for (std::size_t i = 0; i < set.unknowns.size(); ++i)
-        unknownOf.emplace(set.unknowns[i].symbol.index, i);
     std::vector<std::size_t> found;
     for (const Node symbol : expression::symbolsOf(set.graph, nodes))
-        if (const auto at = unknownOf.find(symbol.index);
-            at != unknownOf.end() && !std::binary_search(own.begin(), own.end(), at->second))
-            found.push_back(at->second);
+        if (const auto unknown = index.of(symbol);
+            unknown && !std::binary_search(own.begin(), own.end(), *unknown))
+            found.push_back(*unknown);
     std::sort(found.begin(), found.end());
     return found;
 }
@@ -42,11 +40,12 @@ std::vector<Node> rawNodes(const expression::EquationSet& set,
 
 } // namespace
 
-ComponentEquations::ComponentEquations(expression::EquationSet& set, const Histories& histories,
+ComponentEquations::ComponentEquations(expression::EquationSet& set, const UnknownIndex& index,
+                                       const Histories& histories,
                                        std::vector<std::size_t> unknowns,
                                        std::span<const std::size_t> phases)
     : set_(set), unknowns_(std::move(unknowns)),
-      inputs_(histories, inputUnknowns(set, unknowns_, rawNodes(set, unknowns_, phases))) {
+      inputs_(histories, inputUnknowns(set, index, unknowns_, rawNodes(set, unknowns_, phases))) {
     orderHeld(phases);
     if (!loop_.empty())
         return;

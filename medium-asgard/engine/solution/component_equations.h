@@ -22,6 +22,7 @@
 #include "expression/equations.h"
 #include "expression/tape.h"
 #include "solution/inputs.h"
+#include "solution/partition.h"
 #include "solution/switching.h"
 #include "solution/system.h"
 
@@ -35,8 +36,9 @@ namespace solution {
 class ComponentEquations final : public System {
 public:
     // `phases[i]` is the phase of unknowns[i] that is in force.
-    ComponentEquations(expression::EquationSet& set, const Histories& histories,
-                       std::vector<std::size_t> unknowns, std::span<const std::size_t> phases);
+    ComponentEquations(expression::EquationSet& set, const UnknownIndex& index,
+                       const Histories& histories, std::vector<std::size_t> unknowns,
+                       std::span<const std::size_t> phases);
 
     // Places in `unknowns` of the differential ones and of the held ones, in order of evaluation.
     [[nodiscard]] const std::vector<std::size_t>& states() const { return states_; }

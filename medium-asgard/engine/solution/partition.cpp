@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <unordered_map>
 
 namespace solution {
 
@@ -29,16 +28,26 @@ std::vector<Node> nodesAfter(const expression::Unknown& unknown, double from) {
 
 } // namespace
 
+UnknownIndex::UnknownIndex(const expression::EquationSet& set) {
+    for (std::size_t i = 0; i < set.unknowns.size(); ++i)
+        bySymbol_.emplace(set.unknowns[i].symbol.index, i);
+}
+
+std::optional<std::size_t> UnknownIndex::of(Node symbol) const {
+    const auto found = bySymbol_.find(symbol.index);
+    if (found == bySymbol_.end())
+        return std::nullopt;
+    return found->second;
+}
+
 Reads readsOf(const expression::EquationSet& equations, double from) {
-    std::unordered_map<std::uint32_t, std::size_t> unknownOf;
-    for (std::size_t i = 0; i < equations.unknowns.size(); ++i)
-        unknownOf.emplace(equations.unknowns[i].symbol.index, i);
+    const UnknownIndex index(equations);
     Reads reads(equations.unknowns.size());
     for (std::size_t i = 0; i < equations.unknowns.size(); ++i) {
         const std::vector<Node> nodes = nodesAfter(equations.unknowns[i], from);
         for (const Node symbol : expression::symbolsOf(equations.graph, nodes))
-            if (const auto found = unknownOf.find(symbol.index); found != unknownOf.end())
-                reads[i].push_back(found->second);
+            if (const auto unknown = index.of(symbol))
+                reads[i].push_back(*unknown);
     }
     for (const auto& four : equations.quaternions)
         for (const std::size_t i : four)

@@ -8,9 +8,21 @@
 #include "expression/equations.h"
 
 #include <cstddef>
+#include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace solution {
+
+// Which unknown a symbol stands for.
+class UnknownIndex {
+public:
+    explicit UnknownIndex(const expression::EquationSet& set);
+    [[nodiscard]] std::optional<std::size_t> of(expression::Node symbol) const;
+
+private:
+    std::unordered_map<std::uint32_t, std::size_t> bySymbol_;
+};
 
 // reads[i]: the unknowns that equation i reads, in order, each once; i itself may be among them.
 using Reads = std::vector<std::vector<std::size_t>>;

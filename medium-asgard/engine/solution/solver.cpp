@@ -20,7 +20,7 @@ const std::vector<std::string>& methodNames() {
 class Solver::Implementation {
 public:
     Implementation(expression::EquationSet equations, Options options, EventSource* source)
-        : set_(std::move(equations)), options_(std::move(options)), source_(source) {
+        : set_(std::move(equations)), options_(std::move(options)), source_(source), index_(set_) {
         assert(options_.method == "auto" || std::find(methodNames().begin(), methodNames().end(),
                                                       options_.method) != methodNames().end());
         histories_.start_ = histories_.known_ = options_.start;
@@ -67,6 +67,7 @@ private:
 
     Options options_;
     EventSource* source_;
+    UnknownIndex index_;
     std::vector<std::unique_ptr<Component>> components_; // inputs before readers
     std::vector<std::vector<std::size_t>> readers_;
     std::vector<std::size_t> componentOf_;
@@ -85,7 +86,8 @@ void Solver::Implementation::place(double t, const std::vector<double>& values) 
     const Reads reads = readsOf(set_, t);
     const Partition partition = options_.whole ? wholePartition(reads) : partitionOf(reads);
     for (const auto& unknowns : partition.components) {
-        components_.push_back(std::make_unique<Component>(set_, histories_, options_, unknowns));
+        components_.push_back(
+            std::make_unique<Component>(set_, index_, histories_, options_, unknowns));
         addTracks(*components_.back(), t);
     }
     connect(partition);
@@ -315,6 +317,9 @@ void Solver::Implementation::stopFor(const Event& event, Stop::Reason reason,
 }
 
 void Solver::Implementation::noteStops() {
+    if (histories_.stops_.empty() && std::none_of(components_.begin(), components_.end(),
+                                                  [](const auto& c) { return c->ended(); }))
+        return;
     histories_.stops_.clear();
     for (auto& track : histories_.tracks_)
         track.stop.reset();
@@ -383,7 +388,8 @@ std::vector<std::size_t> Solver::Implementation::replace(const Event& event,
             const auto column = std::lower_bound(own.begin(), own.end(), u) - own.begin();
             values[c].push_back(was.values()[static_cast<std::size_t>(column)]);
         }
-        components_.push_back(std::make_unique<Component>(set_, histories_, options_, unknowns));
+        components_.push_back(
+            std::make_unique<Component>(set_, index_, histories_, options_, unknowns));
     }
     for (std::size_t c = 0; c < components_.size(); ++c)
         if (!components_[c])

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <mutex>
 #include <numbers>
+#include <thread>
 
 using namespace solution;
 using namespace solution::testing;
@@ -187,6 +190,40 @@ TEST(Solver, SnapshotsNeverChange) {
     EXPECT_EQ(early->value(0, 2.5), value);
     EXPECT_EQ(solver.histories().value(0, 2.5), value);
     EXPECT_GT(solver.snapshot()->reached(0), 299);
+}
+
+// A renderer reads what was published while the solver goes on.
+TEST(Solver, SnapshotsAreReadByAnotherThreadWhileComputing) {
+    std::mutex mutex;
+    std::shared_ptr<const Histories> published;
+    std::atomic<bool> done = false;
+    Options options;
+    Solver* running = nullptr;
+    options.progress = [&](double) {
+        const std::lock_guard lock(mutex);
+        published = running->snapshot();
+    };
+    Solver solver(equationsOf({{"x", "dx", 1, 1}, {"dx", "-x", 0}}), options);
+    running = &solver;
+    double worstEnergy = 0;
+    std::thread reader([&] {
+        while (!done) {
+            std::shared_ptr<const Histories> mine;
+            {
+                const std::lock_guard lock(mutex);
+                mine = published;
+            }
+            for (int k = 0; mine && k <= 20; ++k) {
+                const double t = mine->known() * k / 20;
+                worstEnergy = std::max(
+                    worstEnergy, std::abs(std::hypot(mine->value(0, t), mine->value(1, t)) - 1));
+            }
+        }
+    });
+    EXPECT_EQ(solver.advanceTo(300).reached, 300);
+    done = true;
+    reader.join();
+    EXPECT_LT(worstEnergy, 1e-3);
 }
 
 // ---------------------------------------------------------------------------------------------
