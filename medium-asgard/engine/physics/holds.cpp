@@ -131,6 +131,7 @@ std::vector<HoldInterval> intervalsOf(const scene::Constraint& constraint,
             intervals.push_back(whole);
         return intervals;
     }
+    intervals.reserve(trajectory.curves.size());
     for (const scene::BezierCurve& curve : trajectory.curves)
         intervals.push_back({curve.from, curve.to});
     return intervals;
@@ -144,6 +145,7 @@ std::vector<HoldSegment> segmentsOf(const scene::Scene& scene, const Scope& scop
     std::set<double> times = cutsOf(holds);
     times.insert(cuts.begin(), cuts.end());
     std::vector<HoldSegment> segments;
+    segments.reserve(times.size());
     for (const double time : times)
         segments.push_back(maker.make(time, holds));
     return segments;
