@@ -59,21 +59,28 @@ void LiveSubdocument::edit(const std::vector<ipc::TextEdit>& edits, const QStrin
     ++revision_;
     if (applyingOwnChange_ || !process_ || process_->state() != MediumProcess::State::ready)
         return; // it knows already, or is told by load()
-    const QPointer<MediumProcess> to = process_.get();
+    const auto isCurrent = currentProcess();
     process_->request(ipc::SubdocumentEdit{revision_, edits, label.toStdString()},
-                      [this, to](const Outcome<ipc::Done>& outcome) {
-                          if (to && to == process_.get() &&
-                              to->state() == MediumProcess::State::ready &&
+                      [this, isCurrent](const Outcome<ipc::Done>& outcome) {
+                          if (isCurrent() && process_->state() == MediumProcess::State::ready &&
                               std::holds_alternative<ipc::Error>(outcome))
                               load();
                       });
 }
 
+// An answer may come when the subdocument is gone, or has another process.
+std::function<bool()> LiveSubdocument::currentProcess() const {
+    return [self = QPointer<const LiveSubdocument>(this),
+            process = QPointer<const MediumProcess>(process_.get())] {
+        return self && process && process == self->process_.get();
+    };
+}
+
 void LiveSubdocument::load() {
-    const QPointer<MediumProcess> to = process_.get();
+    const auto isCurrent = currentProcess();
     process_->request(ipc::SubdocumentLoad{text_.toStdString(), revision_},
-                      [this, to](const Outcome<ipc::Done>&) {
-                          if (!to || to != process_.get())
+                      [this, isCurrent](const Outcome<ipc::Done>&) {
+                          if (!isCurrent())
                               return;
                           loaded_ = true;
                           Q_EMIT loaded();
@@ -151,17 +158,18 @@ void LiveSubdocument::adopt(std::unique_ptr<MediumProcess> process) {
     reason_.clear();
     loaded_ = false;
     load();
-    const QPointer<MediumProcess> to = process_.get();
-    process_->request(ipc::PresentationList{}, [this, to](Outcome<ipc::Presentations> outcome) {
-        if (!to || to != process_.get())
-            return;
-        if (auto* list = std::get_if<ipc::Presentations>(&outcome))
-            presentations_ = std::move(list->items);
-        for (Rendition* rendition : renditions_)
-            rendition->attach(process_.get());
-        restoreTime();
-        askForSize();
-    });
+    const auto isCurrent = currentProcess();
+    process_->request(ipc::PresentationList{},
+                      [this, isCurrent](Outcome<ipc::Presentations> outcome) {
+                          if (!isCurrent())
+                              return;
+                          if (auto* list = std::get_if<ipc::Presentations>(&outcome))
+                              presentations_ = std::move(list->items);
+                          for (Rendition* rendition : renditions_)
+                              rendition->attach(process_.get());
+                          restoreTime();
+                          askForSize();
+                      });
     setCondition(Condition::live);
     Q_EMIT menusChanged();
 }
@@ -344,9 +352,10 @@ void LiveSubdocument::askForSize() {
     call.availableWidth = std::clamp(available_.width(), 1.0, 1e6);
     if (available_.height() >= 1)
         call.availableHeight = available_.height();
-    process_->request(call, [this](const Outcome<ipc::PreferredSize>& outcome) {
+    const auto isCurrent = currentProcess();
+    process_->request(call, [this, isCurrent](const Outcome<ipc::PreferredSize>& outcome) {
         const auto* size = std::get_if<ipc::PreferredSize>(&outcome);
-        if (!size || preferredSize_ == QSizeF(size->width, size->height))
+        if (!isCurrent() || !size || preferredSize_ == QSizeF(size->width, size->height))
             return;
         preferredSize_ = QSizeF(size->width, size->height);
         Q_EMIT preferredSizeChanged();
@@ -403,8 +412,10 @@ void LiveSubdocument::invoke(const QString& id, const Rendition* rendition) {
     if (rendition && entry->scope == ipc::Scope::rendition)
         call.rendition = rendition->id();
     const auto tell = [this, call] {
-        process_->request(call, [this](const Outcome<ipc::Done>& outcome) {
-            if (const auto* error = std::get_if<ipc::Error>(&outcome))
+        const auto isCurrent = currentProcess();
+        process_->request(call, [this, isCurrent](const Outcome<ipc::Done>& outcome) {
+            const auto* error = std::get_if<ipc::Error>(&outcome);
+            if (isCurrent() && error)
                 Q_EMIT message(QString::fromStdString(error->message));
         });
     };

@@ -107,6 +107,7 @@ private:
     [[nodiscard]] std::unique_ptr<MediumProcess> createProcess(Mode mode);
     void begin(Mode mode);
     void adopt(std::unique_ptr<MediumProcess> process);
+    [[nodiscard]] std::function<bool()> currentProcess() const;
     void load();
     void restoreTime();
     void askForSize();
