@@ -10,7 +10,7 @@ shape_set ball -desc {-sub {-sphere 0.35}} -color crimson -shininess 0.6
 shape_set ground -desc {-sub {-box {24 0.5 6}}} -color darkseagreen
 shape_set mark -desc {-sub {-sphere 0.07}} -color gray
 
-body ground1 ground -fixed 1 -restitution 0.75 -init_pos {6 -0.25 0}
+body ground1 ground -fixed 1 -restitution 0.85 -init_pos {6 -0.25 0}
 
 # Points on an arc about the shoulder, gathering speed: {t x y z} for each.
 set points {}
@@ -24,6 +24,6 @@ for {set i 0} {$i <= 8} {incr i} {
 }
 
 trajectory hand -points $points
-body ball1 ball -restitution 0.75 -ct 1 -init_pos [lrange [lindex $points 0] 1 3]
+body ball1 ball -restitution 0.85 -ct 1 -init_pos [lrange [lindex $points 0] 1 3]
 constrain ball1 -pos hand
 force -body ball1 -gravitational [list 0 -$gravity 0]
