@@ -2,6 +2,7 @@
 
 #include "script/reader.h"
 #include "views/control_panel.h"
+#include "views/icons.h"
 
 #include <QApplication>
 #include <QMessageBox>
@@ -130,6 +131,7 @@ int runEditor(int argc, char** argv, const std::string& file, script::Reader& re
     QApplication::setApplicationName(QStringLiteral("asgard"));
     QApplication::setApplicationDisplayName(QStringLiteral("Asgard"));
     QApplication::setQuitOnLastWindowClosed(true);
+    QApplication::setWindowIcon(applicationIcon());
     Editor editor(workshopOf(reader));
     ControlPanel* panel = editor.openControlPanel();
     if (!file.empty())

@@ -109,6 +109,29 @@ private:
 
 } // namespace
 
+QIcon applicationIcon() {
+    QIcon all;
+    for (int size : {16, 24, 32, 48, 64, 128}) {
+        QPixmap pixmap(size, size);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.scale(size / 32.0, size / 32.0);
+        painter.setPen(QPen(QColor(0x3C, 0x46, 0x54), 2.6, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(QPointF(4, 4), QPointF(28, 4));
+        painter.drawLine(QPointF(16, 4), QPointF(22, 20));
+        QRadialGradient light(QPointF(20.4, 19.2), 11);
+        light.setColorAt(0, QColor(0xF2, 0x8C, 0x80));
+        light.setColorAt(0.35, QColor(0xD0, 0x3A, 0x2E));
+        light.setColorAt(1, QColor(0x7A, 0x14, 0x10));
+        painter.setBrush(light);
+        painter.setPen(QPen(QColor(0x5A, 0x10, 0x0C), 0.8));
+        painter.drawEllipse(QPointF(23, 22.6), 7.4, 7.4);
+        all.addPixmap(pixmap);
+    }
+    return all;
+}
+
 QIcon icon(Icon which, const QPalette& palette) { return QIcon(new IconEngine(which, palette)); }
 
 } // namespace views

@@ -10,4 +10,7 @@ enum class Icon { first, stepBack, play, pause, stop, stepForward, last, loop, f
 
 [[nodiscard]] QIcon icon(Icon which, const QPalette& palette);
 
+// A ball on a rod, for windows and task bars.
+[[nodiscard]] QIcon applicationIcon();
+
 } // namespace views

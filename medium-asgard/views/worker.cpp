@@ -54,7 +54,9 @@ void WorkThread::process(const std::string& text, unsigned serial) {
         return;
     const auto scene = std::make_shared<const scene::Scene>(read.scene);
     using Clock = std::chrono::steady_clock;
-    Clock::time_point last{};
+    // Short computations are shown whole: what was shown before stays until then.
+    const Clock::time_point began = Clock::now();
+    Clock::time_point last = began + std::chrono::milliseconds(350);
     simulation::Observer observer;
     observer.cancelled = [&] { return overtaken(serial); };
     observer.progress = [&](const simulation::MotionPointer& motion) {

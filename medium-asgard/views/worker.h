@@ -27,7 +27,7 @@ public:
 
     // Set before the first start.
     std::function<void(unsigned, const script::ReadResult&)> onRead;
-    // At most some twenty times a second.
+    // Of long computations, at most some twenty times a second.
     std::function<void(unsigned, const ScenePointer&, const simulation::MotionPointer&)> onProgress;
     std::function<void(unsigned, const ScenePointer&, const simulation::Result&)> onFinished;
 
