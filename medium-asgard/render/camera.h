@@ -48,9 +48,10 @@ inline constexpr double virtualSphere = 0.85;
 // axis, the picture's plane is a coordinate plane.
 [[nodiscard]] Quaternion facing(const Vector& toward, const Vector& up);
 
-// The camera that shows all of the motion well: everything that moves, over the whole motion, and
-// what is fixed near it, with a margin; from slightly above and to the side when the motion is not
-// planar, straight on when it is. Without a motion: the bodies where they start.
+// The camera that shows all of the motion well: everything that moves, over the whole motion (what
+// flies far off from all the rest only while it is near), and what is fixed near it, with a margin;
+// from slightly above and to the side when the motion is not planar, straight on when it is.
+// Without a motion: the bodies where they start.
 [[nodiscard]] Camera framed(const scene::Scene& scene, const simulation::MotionPointer& motion,
                             Size size);
 

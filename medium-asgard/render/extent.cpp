@@ -110,14 +110,51 @@ void keep(Extent& extent, const Ball& ball) {
     extent.box.extend(around(ball));
 }
 
-void keepPath(Extent& extent, const Path& path, const std::vector<Ball>& outline) {
-    // What does not move was sampled just as often, and is the same each time.
-    for (const Pose& pose : path.poses) {
+// Of what wanders off only what happens near the others; where it starts always.
+void keepPath(Extent& extent, const Path& path, const std::vector<Ball>& outline,
+              const std::optional<Box>& near) {
+    for (std::size_t i = 0; i < path.poses.size(); ++i) {
+        const Pose& pose = path.poses[i];
+        if (i > 0 && near && !near->contains(pose.position))
+            continue;
         for (const Ball& ball : outline)
             keep(extent, {pose.toWorld(ball.center), ball.radius});
+        // What does not move was sampled just as often, and is the same each time.
         if (!path.travels() && !path.turns())
             return;
     }
+}
+
+// Bodies that fly far from where all the others stay would make these too small to see. Bodies are
+// taken by how far they get, least first; as soon as the next one gets further than `far` times the
+// size of what there is so far, and at least half are in, it and the rest are wanderers. Returns
+// the room near the others, or nothing when nobody wanders.
+std::optional<Box> roomOfTheOthers(const Survey& survey, const std::vector<bool>& belongs,
+                                   std::vector<bool>& wanders) {
+    constexpr double far = 1.6;
+    Box room;
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < survey.paths.size(); ++i) {
+        if (!belongs[i] || survey.paths[i].poses.empty())
+            continue;
+        order.push_back(i);
+        for (const Ball& ball : survey.outlines[i])
+            room.extend(around({survey.paths[i].poses.front().toWorld(ball.center), ball.radius}));
+    }
+    const auto reach = [&](std::size_t i) { return survey.paths[i].centers.sizes().maxCoeff(); };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return reach(a) < reach(b); });
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const double size = room.sizes().maxCoeff();
+        if (k > 0 && 2 * k >= order.size() && reach(order[k]) > far * size) {
+            for (std::size_t rest = k; rest < order.size(); ++rest)
+                wanders[order[rest]] = true;
+            const Vector margin = Vector::Constant(0.15 * size);
+            return Box(room.min() - margin, room.max() + margin);
+        }
+        room.extend(survey.paths[order[k]].centers);
+    }
+    return std::nullopt;
 }
 
 // A fixed body near the motion belongs to the picture; of a wide floor only what lies near it.
@@ -275,15 +312,16 @@ Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion) {
         extent.moves.push_back(path.travels() || path.turns());
         anyMoves = anyMoves || extent.moves.back();
     }
-    const auto belongs = [&](std::size_t i) {
-        return !anyMoves || extent.moves[i] || !scene.bodies[i].fixed;
-    };
+    std::vector<bool> belongs, wanders(survey.paths.size());
     for (std::size_t i = 0; i < survey.paths.size(); ++i)
-        if (belongs(i))
-            keepPath(extent, survey.paths[i], survey.outlines[i]);
+        belongs.push_back(!anyMoves || extent.moves[i] || !scene.bodies[i].fixed);
+    const std::optional<Box> room = roomOfTheOthers(survey, belongs, wanders);
+    for (std::size_t i = 0; i < survey.paths.size(); ++i)
+        if (belongs[i])
+            keepPath(extent, survey.paths[i], survey.outlines[i], wanders[i] ? room : std::nullopt);
     const Box moving = extent.box;
     for (std::size_t i = 0; i < survey.paths.size(); ++i)
-        if (!belongs(i) && !survey.paths[i].poses.empty())
+        if (!belongs[i] && !survey.paths[i].poses.empty())
             keepNear(extent, moving, survey.paths[i].poses.front(), survey.outlines[i]);
     if (extent.box.isEmpty())
         keep(extent, {Vector::Zero(), 1});

@@ -114,6 +114,29 @@ TEST(Framed, AWideFloorIsShownOnlyNearTheMotion) {
     EXPECT_NEAR(extent.lowest, -1, 0.41);
 }
 
+TEST(Framed, WhatFliesOffDoesNotMakeTheRestTooSmallToSee) {
+    scene::Scene scene;
+    for (int i = 0; i < 3; ++i)
+        addBody(scene, sphere(1), Vector(5 * i, 0, 0), {});
+    const auto stays = [](double x) {
+        return [x](double t) { return placed({x + std::sin(t), std::cos(t), 0}); };
+    };
+    const auto motion = std::make_shared<GivenMotion>(
+        10, std::vector<GivenMotion::Law>{stays(0), stays(5), [](double t) {
+                                              return placed({10 + 50 * t, 0, 0});
+                                          }});
+    const Extent extent = extentOf(scene, motion.get());
+    EXPECT_LT(extent.size, 20);
+    EXPECT_GE(extent.box.max().x(), 11); // where it starts is shown
+    // A body alone is followed all the way.
+    scene.bodies.erase(scene.bodies.begin(), scene.bodies.begin() + 2);
+    const auto alone =
+        std::make_shared<GivenMotion>(10, std::vector<GivenMotion::Law>{[](double t) {
+                                          return placed({50 * t, 0, 0});
+                                      }});
+    EXPECT_NEAR(extentOf(scene, alone.get()).size, 502, 1);
+}
+
 TEST(Framed, ASceneWithoutMotionOrBodiesIsFramedToo) {
     scene::Scene scene;
     const Camera nothing = framed(scene, nullptr, {640, 480});
