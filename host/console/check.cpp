@@ -29,18 +29,19 @@ private:
         QEventLoop loop;
         bool answered = false;
         const auto look = [&] {
-            if (answered || live.condition() == media::Condition::failed)
+            if ((answered && live.hasLoaded()) || live.condition() == media::Condition::failed)
                 loop.quit();
         };
         QObject::connect(&live, &media::LiveSubdocument::diagnosticsChanged, &loop, [&] {
             answered = true;
             look();
         });
+        QObject::connect(&live, &media::LiveSubdocument::loaded, &loop, look);
         QObject::connect(&live, &media::LiveSubdocument::conditionChanged, &loop, look);
         QTimer::singleShot(mostMsForDiagnostics, &loop, &QEventLoop::quit);
         live.start();
         loop.exec();
-        if (!answered)
+        if (!answered || live.condition() == media::Condition::failed)
             failures_.push_back(
                 {placeOf(id), true,
                  live.condition() == media::Condition::failed
