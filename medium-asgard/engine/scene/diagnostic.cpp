@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t widest = 100; // characters of a source line that are shown
 constexpr std::size_t tabStop = 8;
+constexpr std::size_t longestShown = 20'000; // bytes of a line
 
 // One character of the line as shown: what the reader sees, and the character of the text it is of.
 struct Cell {
@@ -111,8 +112,12 @@ std::string formatted(const Diagnostic& diagnostic, const std::string& file,
         const std::string sentence = file + ": " + kind + diagnostic.message;
         return diagnostic.suggestion.empty() ? sentence : sentence + " " + diagnostic.suggestion;
     }
-    return file + ":" + std::to_string(diagnostic.line) + ":" + std::to_string(diagnostic.column) +
-           ": " + kind + diagnostic.message + "\n" + excerpt(diagnostic, text);
+    std::string sentence = file + ":" + std::to_string(diagnostic.line) + ":" +
+                           std::to_string(diagnostic.column) + ": " + kind + diagnostic.message;
+    // LIMIT: a line that no person wrote is not shown; a thousand faults in one would take minutes.
+    if (lineOf(text, diagnostic.line).size() > longestShown)
+        return diagnostic.suggestion.empty() ? sentence : sentence + " " + diagnostic.suggestion;
+    return sentence + "\n" + excerpt(diagnostic, text);
 }
 
 } // namespace scene
