@@ -79,8 +79,8 @@ std::function<bool()> LiveSubdocument::currentProcess() const {
 void LiveSubdocument::load() {
     const auto isCurrent = currentProcess();
     process_->request(ipc::SubdocumentLoad{text_.toStdString(), revision_},
-                      [this, isCurrent](const Outcome<ipc::Done>&) {
-                          if (!isCurrent())
+                      [this, isCurrent](const Outcome<ipc::Done>& outcome) {
+                          if (!isCurrent() || !std::holds_alternative<ipc::Done>(outcome))
                               return;
                           loaded_ = true;
                           Q_EMIT loaded();
