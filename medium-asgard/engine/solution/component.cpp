@@ -40,7 +40,7 @@ std::string Component::names(const std::vector<std::size_t>& places) const {
     return text;
 }
 
-void Component::end(Stop::Reason reason, std::vector<std::size_t> culprits,
+void Component::end(Stop::Reason reason, const std::vector<std::size_t>& culprits,
                     const std::string& sentence) {
     Stop stop;
     stop.time = time_;

@@ -44,7 +44,8 @@ public:
         double value;
     };
     void restart(std::span<const Jump> jumps);
-    void end(Stop::Reason reason, std::vector<std::size_t> culprits, const std::string& sentence);
+    void end(Stop::Reason reason, const std::vector<std::size_t>& culprits,
+             const std::string& sentence);
 
     [[nodiscard]] ComponentStatistics statistics() const;
     [[nodiscard]] std::size_t evaluations() const;

@@ -118,9 +118,8 @@ void ComponentEquations::makeTape() {
 void ComponentEquations::findIntegrals() {
     for (std::size_t x = 0; x < states_.size(); ++x)
         for (std::size_t v = 0; v < states_.size(); ++v)
-            if (outputs_[x] == symbols_[1 + v]) {
+            if (outputs_[x] == symbols_[1 + v])
                 integrals_.emplace_back(x, v);
-            }
     const std::vector<Node> read = expression::symbolsOf(set_.graph, outputs_);
     readsStates_ = std::any_of(read.begin(), read.end(), [&](Node n) {
         return std::find(symbols_.begin() + 1,

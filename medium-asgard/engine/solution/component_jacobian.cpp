@@ -66,9 +66,10 @@ ComponentEquations::Derived ComponentEquations::derive(std::span<const Node> nod
 void ComponentEquations::evaluate(Derived& derived, std::span<double> out) const {
     for (std::size_t i = 0; i < derived.sources.size(); ++i) {
         const Derived::Source& source = derived.sources[i];
-        derived.decisions[i] = source.decision  ? decisions_[*source.decision]
-                               : source.surface ? sides_[*source.surface] * source.orientation
-                                                : expression::noBranch;
+        derived.decisions[i] = source.decision ? decisions_[*source.decision]
+                               : source.surface
+                                   ? Decision{sides_[*source.surface]} * source.orientation
+                                   : expression::noBranch;
     }
     derived.tape.evaluate(in_, out, derived.scratch, derived.decisions, {});
 }

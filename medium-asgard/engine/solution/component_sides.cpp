@@ -14,7 +14,7 @@ using expression::Node;
 void ComponentEquations::setSide(std::size_t surface, int side) {
     sides_[surface] = side;
     for (const Surface::Member& member : surfaces_[surface].members)
-        decisions_[member.decision] = side * member.orientation;
+        decisions_[member.decision] = Decision{side} * member.orientation;
 }
 
 void ComponentEquations::refreshWatches() {
@@ -324,6 +324,7 @@ ComponentEquations::Crossing ComponentEquations::cross(const Violation& violatio
 
 std::vector<std::size_t> ComponentEquations::unknownsOf(const std::vector<std::size_t>& watches) {
     std::vector<Node> guards;
+    guards.reserve(watches.size());
     for (const std::size_t k : watches)
         guards.push_back(surfaces_[watches_[k].surface].guard);
     std::vector<std::size_t> found;

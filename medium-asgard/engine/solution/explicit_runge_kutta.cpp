@@ -9,7 +9,8 @@ ExplicitRungeKutta::ExplicitRungeKutta(const Tableau& tableau, System& system,
                                        ErrorControl& control, bool fixed)
     : Method(system, control, fixed), tableau_(tableau),
       k_(tableau.a.size(), std::vector<double>(system.size())), at_(system.size()),
-      stiffAt_(system.size()), error_(system.size()), secondError_(system.size()) {
+      stiffAt_(system.size()), lost_(system.size()), lostNext_(system.size()),
+      error_(system.size()), secondError_(system.size()) {
     start_.resize(system.size());
     end_.resize(system.size());
     slope_.resize(system.size());
@@ -22,11 +23,14 @@ bool ExplicitRungeKutta::begin(double t, std::span<const double> y) {
     previousError_ = 1e-4;
     afterRejection_ = false;
     stabilityUsed_ = 0;
+    std::fill(lost_.begin(), lost_.end(), 0.0);
     return rates(t, y, slope_);
 }
 
+// The increment is summed before it is added, and what that addition rounds away at the end of a
+// step is added to the next increment (Kahan): far from the origin a position keeps its last bits.
 bool ExplicitRungeKutta::stage(std::size_t i, std::span<double> at) {
-    std::copy(start_.begin(), start_.end(), at.begin());
+    std::fill(at.begin(), at.end(), 0.0);
     for (std::size_t j = 0; j < tableau_.a[i].size(); ++j) {
         const double weight = h_ * tableau_.a[i][j];
         if (weight == 0)
@@ -34,6 +38,13 @@ bool ExplicitRungeKutta::stage(std::size_t i, std::span<double> at) {
         const std::vector<double>& k = k_[j];
         for (std::size_t n = 0; n < at.size(); ++n)
             at[n] += weight * k[n];
+    }
+    const bool last = i == tableau_.stages;
+    for (std::size_t n = 0; n < at.size(); ++n) {
+        const double increment = last ? at[n] + lost_[n] : at[n];
+        at[n] = start_[n] + increment;
+        if (last)
+            lostNext_[n] = increment - (at[n] - start_[n]);
     }
     return rates(t_ + tableau_.c[i] * h_, at, k_[i]);
 }
@@ -178,6 +189,8 @@ void ExplicitRungeKutta::dense(std::span<Coefficients> columns) {
 bool ExplicitRungeKutta::proceed(std::span<const double> y) {
     t_ += h_;
     const bool same = std::equal(y.begin(), y.end(), end_.begin());
+    for (std::size_t n = 0; n < y.size(); ++n)
+        lost_[n] = y[n] == end_[n] ? lostNext_[n] : 0;
     start_.assign(y.begin(), y.end());
     if (same) {
         slope_ = k_[tableau_.stages];

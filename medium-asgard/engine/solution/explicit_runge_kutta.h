@@ -53,7 +53,9 @@ private:
 
     const Tableau& tableau_;
     std::vector<std::vector<double>> k_;
-    std::vector<double> at_, stiffAt_, error_, secondError_;
+    std::vector<double> at_, stiffAt_;
+    std::vector<double> lost_, lostNext_; // to rounding, by the state at the start and at the end
+    std::vector<double> error_, secondError_;
     double previousError_ = 1e-4;
     bool afterRejection_ = false, endIsSlope_ = false;
     double stabilityUsed_ = 0;

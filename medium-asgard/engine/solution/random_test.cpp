@@ -117,9 +117,9 @@ TEST(RandomSystems, AreBoundedReproducibleAndIndependentOfTheSchedule) {
     for (unsigned seed = 0; seed < rounds(); ++seed) {
         Generator generator(seed);
         const std::vector<Line> lines = generator.lines();
-        std::vector<Strikes::Strike> strikes;
-        for (int k = 0; k < 3; ++k)
-            strikes.push_back({generator.real(0, 8), generator.below(lines.size())});
+        std::vector<Strikes::Strike> strikes(3);
+        for (Strikes::Strike& strike : strikes)
+            strike = {generator.real(0, 8), generator.below(lines.size())};
         Options options = tolerance(1e-7);
         options.maximumSteps = 100'000;
         Options toTheEnd = options;
@@ -136,7 +136,8 @@ TEST(RandomSystems, AreBoundedReproducibleAndIndependentOfTheSchedule) {
         for (std::size_t u = 0; u < lines.size(); ++u) {
             ASSERT_EQ(a.histories().stop(u) == nullptr, b.histories().stop(u) == nullptr) << seed;
             const double end = std::min(8.0, a.histories().reached(u));
-            for (double t = 0; t <= end; t += 0.1) {
+            for (int k = 0; 0.1 * k <= end; ++k) {
+                const double t = 0.1 * k;
                 ASSERT_EQ(a.histories().value(u, t), b.histories().value(u, t)) << seed << " " << t;
                 ASSERT_EQ(a.histories().value(u, t), c.histories().value(u, t)) << seed << " " << t;
             }
