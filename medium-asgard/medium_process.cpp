@@ -17,13 +17,36 @@ namespace {
 constexpr std::size_t mostMemory = std::size_t{4} << 30;
 constexpr std::size_t mostDescriptors = 64;
 
-// The driver opens files and starts threads with the first picture, which it cannot later on.
-void drawOnce(render::Renderer& renderer) {
-    const scene::Scene nothing;
-    std::array<std::byte, 4 * 16 * 16> pixels;
+// A ball and a box that fall past each other.
+scene::Scene smallScene() {
+    scene::Scene scene;
+    scene.simulator.finish = 1;
+    scene.shapeSets.push_back({"ball", {scene::Part{}}, {}, {}});
+    scene.shapeSets.push_back({"box", {scene::Part{scene::BoxShape{}, {}, {}, {}}}, {}, {}});
+    for (const char* shape : {"ball", "box"}) {
+        scene::Body& body = scene.bodies.emplace_back();
+        body.name = body.shape = shape;
+        body.initialPosition.x() = 4 * static_cast<double>(scene.bodies.size());
+        scene::Force& force = scene.forces.emplace_back();
+        force.body = shape;
+        force.kind = scene::GravitationalForce{{0, -1, 0}};
+    }
+    return scene;
+}
+
+// With the first picture the driver opens files and starts threads, which it cannot later on, and
+// compiles what it draws with, which takes longer than a ping may wait on a busy machine.
+void warmUp(render::Renderer& renderer, int samples) {
+    const scene::Scene scene = smallScene();
     render::Drawing drawing;
-    drawing.scene = &nothing;
-    if (!renderer.draw(drawing, {pixels, 4 * 16, {16, 16}}))
+    drawing.scene = &scene;
+    drawing.motion = simulation::simulate(scene).motion;
+    drawing.time = scene.simulator.finish;
+    drawing.display.samples = samples;
+    constexpr render::Size size{64, 48};
+    drawing.camera = render::framed(scene, drawing.motion, size);
+    std::array<std::byte, 4 * size.width * size.height> pixels;
+    if (!renderer.draw(drawing, {pixels, 4 * size.width, size}))
         std::fprintf(stderr, "asgard: the graphics driver could not draw\n");
 }
 
@@ -71,7 +94,8 @@ int serveAsMedium(script::Reader& reader) {
         std::fprintf(stderr, "asgard: %s\n", sentence->c_str());
     } else {
         auto& renderer = *std::get<std::unique_ptr<render::Renderer>>(created);
-        drawOnce(renderer);
+        warmUp(renderer, service::stillSamples);
+        platform.inSpareTime = [&renderer] { warmUp(renderer, service::movingSamples); };
         platform.maximumSize = renderer.maximumSize();
         platform.draw = [&renderer](const render::Drawing& drawing, const render::Image& into) {
             return renderer.draw(drawing, into);

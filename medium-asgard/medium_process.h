@@ -3,7 +3,7 @@
 //
 //   1. tie its death to the host's          4. read `initialize`: it says the mode
 //   2. fork the evaluator server            5. modes play and batch: confine, for good
-//   3. open EGL and draw a frame            6. only then look at the document
+//   3. open EGL and draw                    6. only then look at the document
 #pragma once
 
 #include "script/reader.h"

@@ -11,6 +11,8 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds shortestFrame{16};
+constexpr milliseconds longestPause{100}; // between two frames, however long one took
+constexpr milliseconds untilSpareTime{1000};
 constexpr milliseconds betweenTimes{33};        // told to a host that shows a rendition
 constexpr milliseconds betweenHiddenTimes{500}; // to one that shows none
 constexpr milliseconds beforeProgress{400};
@@ -71,6 +73,7 @@ void Session::attend(Instant now) {
     tellValues();
     tellMenu();
     drawOwed();
+    useSpareTime();
     if (const auto deadline = subdocument_.deadline())
         dueAt(*deadline);
     if (subdocument_.playback.playing())
@@ -251,8 +254,7 @@ Look Session::lookOf(Rendition& rendition) const {
     look.display = rendition.display;
     if (!subdocument_.scene())
         look.display.grid = false;
-    // Smooth edges cost time that a moving picture needs for the next one.
-    look.display.samples = moving(rendition) ? 1 : 4;
+    look.display.samples = moving(rendition) ? movingSamples : stillSamples;
     look.camera = rendition.camera(shownTime_);
     return look;
 }
@@ -280,9 +282,20 @@ void Session::drawOwed() {
         drawn = draw(rendition, look) || drawn;
     }
     if (drawn) {
+        if (!firstFrame_)
+            firstFrame_ = now_;
         frameCost_ = Clock::now() - begin;
-        nextFrame_ = now_ + std::max<Clock::duration>(shortestFrame, 2 * frameCost_);
+        nextFrame_ =
+            now_ + std::clamp<Clock::duration>(2 * frameCost_, shortestFrame, longestPause);
     }
+}
+
+void Session::useSpareTime() {
+    if (!platform_.inSpareTime || !firstFrame_ || subdocument_.playback.playing())
+        return;
+    if (now_ < *firstFrame_ + untilSpareTime)
+        return dueAt(*firstFrame_ + untilSpareTime);
+    std::exchange(platform_.inSpareTime, nullptr)();
 }
 
 bool Session::draw(Rendition& rendition, const Look& look) {

@@ -18,12 +18,16 @@
 
 namespace service {
 
+// Smooth edges cost time that a moving picture needs for the next one.
+inline constexpr int movingSamples = 1, stillSamples = 4, printedSamples = 8;
+
 // What a session needs of the process around it.
 struct Platform {
     Tools tools;
     std::function<bool(const render::Drawing&, const render::Image&)> draw;
     std::string noPictures;                 // why `draw` is empty
     int maximumSize = 4096;                 // of a picture
+    std::function<void()> inSpareTime;      // done once, a while after the first picture
     std::function<void(ipc::Mode)> confine; // called before anything of a document is looked at
     // Opens the window that a menu entry names, in mode edit; else the sentence why not.
     std::function<std::optional<std::string>(const std::string& id)> openViewer;
@@ -121,6 +125,7 @@ private:
     [[nodiscard]] bool anyVisible() const;
     [[nodiscard]] bool moving(const Rendition& rendition) const;
     void drawOwed();
+    void useSpareTime();
     [[nodiscard]] Look lookOf(Rendition& rendition) const;
     bool draw(Rendition& rendition, const Look& look);
     [[nodiscard]] const scene::Scene& drawnScene() const;
@@ -148,7 +153,8 @@ private:
     Instant now_{};        // of the call that is being served
     double shownTime_ = 0; // of the pictures and values that are made now
     std::optional<Instant> due_;
-    Instant calmAt_{};    // until then the user is moving through time
+    Instant calmAt_{}; // until then the user is moving through time
+    std::optional<Instant> firstFrame_;
     Instant nextFrame_{}; // no picture is drawn before
     Clock::duration frameCost_{};
     std::optional<ipc::TimeChanged> toldTime_;

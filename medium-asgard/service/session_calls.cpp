@@ -196,7 +196,7 @@ auto Session::take(const ipc::RenditionSnapshot& call) -> Reply<ipc::Taken> {
             render::cameraOf(*scene, subdocument_.motion(), "", drawing.time, image.size);
         drawing.display = display_;
     }
-    drawing.display.samples = 8;
+    drawing.display.samples = printedSamples;
     ipc::Taken taken{drawing.time, std::nullopt};
     std::shared_ptr<const MappedSlot> slot;
     std::vector<std::byte> own;

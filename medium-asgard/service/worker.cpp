@@ -1,6 +1,7 @@
 #include "service/worker.h"
 
 #include <algorithm>
+#include <new>
 
 #include <sys/eventfd.h>
 #include <unistd.h>
@@ -138,7 +139,12 @@ void Worker::perform(const Job& job, unsigned number) {
     observer.progress = [this, number](simulation::MotionPointer motion) {
         publish(number, [&](News& news) { news.motion = std::move(motion); });
     };
-    simulation::Result result = tools_.simulate(*scene, options, observer);
+    simulation::Result result;
+    try {
+        result = tools_.simulate(*scene, options, observer);
+    } catch (const std::bad_alloc&) {
+        result.refusal.emplace_back("the motion needs more memory than its process may have");
+    }
     publish(number, [&](News& news) {
         if (result.motion)
             news.motion = std::move(result.motion);

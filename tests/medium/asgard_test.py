@@ -20,6 +20,18 @@ body b ball -init_pos {-2 0 0} -init_dpos {1 0 0}
 """
 BRAKED = "parameter speed -value 1 -min 0 -max 2 -label Speed -unit m/s\n" + FLYING.replace("{1 0 0}", "[list $speed 0 0]")
 ENDLESS = "while 1 {}"
+# A gas in a closed box, for so long that no machine computes it while a test waits.
+GAS = """simulator -finish 1e7 -accuracy 1e-8
+shape_set ball -desc {-sub {-sphere 0.3}}
+shape_set wall -desc {-sub {-box {12 0.5 12}} -sub {-pos {0 10 0} -box {12 0.5 12}} -sub {-pos {-5 5 0} -box {0.5 9.5 12}}
+    -sub {-pos {5 5 0} -box {0.5 9.5 12}} -sub {-pos {0 5 -5} -box {9.5 9.5 0.5}} -sub {-pos {0 5 5} -box {9.5 9.5 0.5}}}
+body box wall -fixed 1
+for {set i 0} {$i < 27} {incr i} {
+    body b$i ball -init_pos [list [expr {2*($i%3)-2}] [expr {2*($i/3%3)+3}] [expr {2*($i/9)-2}]] \\
+        -init_dpos [list [expr {1+0.1*$i}] [expr {2-0.13*$i}] [expr {0.3*$i-1}]]
+    force -body b$i -gravitational {0 -1 0}
+}
+"""
 
 
 def host(**options):
@@ -193,6 +205,30 @@ class Text(unittest.TestCase):
             h.call("subdocument/load", text=FLYING, revision=3)
             self.assertEqual(h.heard("diagnostics", 2.0)["revision"], 3)
 
+    def test_pings_are_answered_and_pictures_drawn_while_a_heavy_motion_is_computed(self):
+        with host() as h:
+            self.assertEqual(h.start(GAS), [])
+            h.create(1)
+            h.call("time/play")
+            answered = 0
+            for _ in range(30):
+                begin = time.monotonic()
+                h.call("ping", 2.0)
+                self.assertLess(time.monotonic() - begin, 1)
+                answered += 1
+                h.receive(0.05)
+            self.assertEqual(answered, 30)
+            times = [h.frame(seconds=20)[0]["time"] for _ in range(4)]
+            self.assertGreater(times[-1], times[0])
+            self.assertEqual(h.call("script/evaluate", script="state")["result"], "computing")
+            # Cancelled, it keeps what it has; a new text does not wait for it.
+            h.notify("progress/cancel", token=h.heard("progress/begin")["token"])
+            kept = h.heard("time/changed", where=lambda p: p["state"] == "failed")
+            self.assertGreater(kept["computed"], 0)
+            h.call("menu/invoke", id="recompute", rendition=None)
+            h.call("subdocument/load", text=FLYING, revision=2)
+            h.heard("time/changed", where=lambda p: p["state"] == "current" and p["finish"] == 4)
+
     def test_parameters_are_set_without_editing_the_text(self):
         with host() as h:
             h.start(BRAKED)
@@ -296,14 +332,19 @@ class Endings(unittest.TestCase):
             self.assertEqual(h.refused("fly")["code"], -32601)
             self.assertEqual(h.refused("initialize", protocol="1")["code"], -32602)
 
-    def test_it_does_not_outlive_its_host_even_while_a_script_runs(self):
+    def test_it_does_not_outlive_its_host_even_while_it_reads_or_computes(self):
+        for text in (ENDLESS, GAS):
+            with self.subTest(text=text):
+                self.outlived(text)
+
+    def outlived(self, text):
         starter = (
             "import sys, time; sys.path.insert(0, sys.argv[1])\n"
             "from small_host import SmallHost\n"
             "h = SmallHost([sys.argv[2], '--medium']); h.initialize()\n"
-            "h.call('subdocument/load', text='while 1 {}', revision=1); time.sleep(0.2)\n"
+            "h.call('subdocument/load', text=sys.argv[3], revision=1); time.sleep(0.3)\n"
             "print(h.process.pid, flush=True); time.sleep(60)\n")
-        parent = subprocess.Popen([sys.executable, "-c", starter, os.path.dirname(os.path.abspath(__file__)), ASGARD],
+        parent = subprocess.Popen([sys.executable, "-c", starter, os.path.dirname(os.path.abspath(__file__)), ASGARD, text],
                                   stdout=subprocess.PIPE)
         try:
             medium = int(parent.stdout.readline())
