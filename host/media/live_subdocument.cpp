@@ -426,8 +426,12 @@ void LiveSubdocument::invoke(const QString& id, const Rendition* rendition) {
 }
 
 void LiveSubdocument::play() {
-    if (process_)
-        process_->request(ipc::TimePlay{});
+    if (!process_)
+        return;
+    // The poster is what stands there before it is played; playing begins at the start.
+    if (std::exchange(poster_, std::nullopt) && time_)
+        process_->request(ipc::TimeSeek{time_->start});
+    process_->request(ipc::TimePlay{});
 }
 
 void LiveSubdocument::pause() {

@@ -239,6 +239,24 @@ TEST_F(MediumProcessTest, InheritsNothingButWhatIsNamed) {
     qunsetenv("SECRET_OF_THE_USER");
 }
 
+TEST_F(MediumProcessTest, StartsAndEndsLeaveNoDescriptorsBehind) {
+    const auto descriptors = [] {
+        return QDir("/proc/self/fd")
+            .entryList(QDir::NoDotAndDotDot | QDir::AllEntries | QDir::System)
+            .size();
+    };
+    const auto before = descriptors();
+    for (int i = 0; i < 10; ++i) {
+        auto it = subdocument(i % 2 ? "colour 102030" : "behave crash");
+        auto rendition = it->createRendition();
+        it->start();
+        ASSERT_TRUE(
+            waitFor([&] { return it->hasLoaded() || it->condition() == Condition::failed; }));
+    }
+    EXPECT_TRUE(waitFor([&] { return pipes_.alive() == 0 && descriptors() == before; }))
+        << descriptors() << " instead of " << before;
+}
+
 TEST_F(MediumProcessTest, OnlyTheNearestLive) {
     Registry registry;
     registry.add(scriptedManifest());

@@ -189,6 +189,11 @@ void DocumentView::setZoom(double zoom) {
     Q_EMIT zoomChanged();
 }
 
+double DocumentView::widthZoom() const {
+    const double page = layout::toPixels(pages_.size).width();
+    return std::max(leastZoom, (viewport()->width() - 2 * margin) / page);
+}
+
 void DocumentView::zoomBy(int steps) {
     constexpr double step = 1.1;
     const double next = zoom_ * std::pow(step, steps);
@@ -393,6 +398,8 @@ void DocumentView::scrollContentsBy(int, int) {
 
 void DocumentView::showEvent(QShowEvent* event) {
     QAbstractScrollArea::showEvent(event);
+    if (!std::exchange(wasShown_, true))
+        setZoom(std::min(model_.page.zoom, widthZoom()));
     updateGeometries();
     updateNearness();
 }

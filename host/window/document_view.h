@@ -28,6 +28,7 @@ public:
     [[nodiscard]] double zoom() const { return zoom_; }
     void setZoom(double zoom); // the middle of the view stays where it is
     void zoomBy(int steps);
+    [[nodiscard]] double widthZoom() const; // at which a page is as wide as the view
 
     [[nodiscard]] document::SubdocumentId chosen() const { return chosen_; }
     void choose(document::SubdocumentId id);
@@ -102,6 +103,7 @@ private:
     document::SubdocumentId hovered_ = document::noSubdocument;
     QPointF pressedAt_;
     bool wasDragged_ = false;
+    bool wasShown_ = false;
     PlayBar* playBar_;
     QTimer layoutTimer_;
     QTimer geometryTimer_;

@@ -57,6 +57,8 @@ DocumentWindow::DocumentWindow(Application& application,
     column->addWidget(view_, 1);
     setCentralWidget(middle);
     addDockWidget(Qt::BottomDockWidgetArea, faults_);
+    constexpr int faultsHeight = 130;
+    resizeDocks({faults_}, {faultsHeight}, Qt::Vertical);
     faults_->hide();
     buildFileMenu();
     buildEditMenu();
@@ -180,6 +182,8 @@ void DocumentWindow::buildViewMenu() {
         ->setShortcuts({QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")});
     add(
         menu, tr("Zoom &Out"), QKeySequence("Ctrl+-"), [this] { view_->zoomBy(-1); }, "zoom-out");
+    add(menu, tr("Fit &Width"), QKeySequence("Ctrl+9"),
+        [this] { view_->setZoom(view_->widthZoom()); });
     add(menu, tr("&Actual Size"), QKeySequence("Ctrl+0"), [this] { view_->setZoom(1); });
     menu->addSeparator();
     menu->addAction(tools_->toggleViewAction());
@@ -220,6 +224,8 @@ void DocumentWindow::buildTools() {
     tools_->setObjectName("tools");
     tools_->setMovable(false);
     tools_->setIconSize({18, 18});
+    constexpr int leastHeight = 40; // it stays when there is nothing in it
+    tools_->setMinimumHeight(leastHeight);
     tools_->toggleViewAction()->setText(tr("&Tool Area"));
     addToolBar(tools_);
 }
@@ -244,9 +250,12 @@ void DocumentWindow::updateUndo() {
 }
 
 void DocumentWindow::updateFaults(int errors, int warnings) {
-    faults_->setWindowTitle(errors + warnings == 0
-                                ? tr("Faults")
-                                : tr("Faults: %1 errors, %2 warnings").arg(errors).arg(warnings));
+    const auto counted = [](int count, const QString& one, const QString& many) {
+        return QStringLiteral("%1 %2").arg(count).arg(count == 1 ? one : many);
+    };
+    faults_->setWindowTitle(tr("Faults: %1, %2")
+                                .arg(counted(errors, tr("error"), tr("errors")),
+                                     counted(warnings, tr("warning"), tr("warnings"))));
     const bool broken = document_->document().isBroken();
     if (broken && banner_->isHidden())
         faults_->show();

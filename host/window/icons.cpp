@@ -40,6 +40,13 @@ void loop(QPainter& painter) {
     fillPolygon(painter, {{8.6, 0.4}, {12.8, 3.2}, {8.6, 5.6}});
 }
 
+void repeat(QPainter& painter) {
+    painter.drawPolyline(QPolygonF{{2.2, 8.6}, {2.2, 4.4}, {11, 4.4}});
+    painter.drawPolyline(QPolygonF{{13.8, 7.4}, {13.8, 11.6}, {5, 11.6}});
+    fillPolygon(painter, {{10.6, 1.8}, {14, 4.4}, {10.6, 7}});
+    fillPolygon(painter, {{5.4, 9}, {2, 11.6}, {5.4, 14.2}});
+}
+
 void eye(QPainter& painter) {
     QPainterPath path(QPointF(1.2, 8));
     path.quadTo(8, 0.8, 14.8, 8);
@@ -83,7 +90,7 @@ const QHash<QString, Drawing>& drawings() {
              fillPolygon(p, {{14, 3}, {8, 8}, {14, 13}});
              fillPolygon(p, {{7.6, 3}, {1.6, 8}, {7.6, 13}});
          }},
-        {"media-playlist-repeat", loop},
+        {"media-playlist-repeat", repeat},
         {"view-refresh", loop},
         {"document-open",
          [](QPainter& p) {

@@ -60,6 +60,7 @@ protected:
         DocumentWindow* window = application_.open(name);
         EXPECT_TRUE(window);
         window->resize(size);
+        window->view().setZoom(1); // it begins as wide as fits
         return window;
     }
     static document::SubdocumentId nth(const DocumentWindow& window, std::size_t n) {
