@@ -104,7 +104,9 @@ TEST_F(WindowTest, TextIsThereAtOnceAndPicturesFollow) {
     ASSERT_TRUE(waitFor([&] { return hasPicture(*window, 0); }));
     EXPECT_EQ(colourShown(*window, 0), QColor(0x20, 0xA0, 0x40));
     const QSizeF place = window->view().placeOf(nth(*window, 0)).size();
-    EXPECT_EQ(picture(*window, 0).size(), (place * window->devicePixelRatioF()).toSize());
+    EXPECT_TRUE(waitFor([&] {
+        return picture(*window, 0).size() == (place * window->devicePixelRatioF()).toSize();
+    }));
 }
 
 TEST_F(WindowTest, ASizeThatNobodyGivesIsTheMediums) {
