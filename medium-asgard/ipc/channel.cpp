@@ -3,7 +3,7 @@
 namespace ipc {
 namespace {
 
-template <class Received> auto decodeFor(std::string_view body, const AwaitedCall &awaited) {
+template <class Received> auto decodeFor(std::string_view body, const AwaitedCall& awaited) {
     if constexpr (std::is_same_v<Received, ToHost>)
         return decodeForHost(body, awaited);
     else
@@ -26,7 +26,7 @@ Integer Channel<R, S>::start(S call, std::function<void(AnyOutcome)> done) {
     return id;
 }
 
-template <class R, class S> void Channel<R, S>::put(const std::string &body) {
+template <class R, class S> void Channel<R, S>::put(const std::string& body) {
     if (!fault_.empty())
         return;
     if (outgoing().size() > floodBytes || outEnds_.size() > floodMessages)
@@ -35,7 +35,7 @@ template <class R, class S> void Channel<R, S>::put(const std::string &body) {
         return fail("a message to send is longer than 64 MiB");
     if (outFrom_ > 0 && outFrom_ >= out_.size() / 2) {
         out_.erase(0, outFrom_);
-        for (std::size_t &end : outEnds_)
+        for (std::size_t& end : outEnds_)
             end -= outFrom_;
         outFrom_ = 0;
     }
@@ -87,15 +87,15 @@ template <class R, class S> auto Channel<R, S>::next() -> std::optional<Call> {
         bodies_.pop_front();
         unreadBytes_ -= body.size();
         Decoded<R> decoded = decodeFor<R>(body, awaited);
-        if (auto *asked = std::get_if<Asked<R>>(&decoded))
+        if (auto* asked = std::get_if<Asked<R>>(&decoded))
             return std::move(*asked);
-        if (auto *told = std::get_if<Told<R>>(&decoded))
+        if (auto* told = std::get_if<Told<R>>(&decoded))
             return std::move(*told);
-        if (auto *answered = std::get_if<Answered>(&decoded))
+        if (auto* answered = std::get_if<Answered>(&decoded))
             deliver(std::move(*answered));
-        else if (auto *unanswerable = std::get_if<Unanswerable>(&decoded))
+        else if (auto* unanswerable = std::get_if<Unanswerable>(&decoded))
             refuse(unanswerable->id, unanswerable->error);
-        else if (auto *violation = std::get_if<Violation>(&decoded))
+        else if (auto* violation = std::get_if<Violation>(&decoded))
             fail(violation->sentence);
     }
     return std::nullopt;
@@ -108,7 +108,7 @@ template <class R, class S> void Channel<R, S>::deliver(Answered answered) {
     done(std::move(answered.outcome));
 }
 
-template <class R, class S> void Channel<R, S>::close(const std::string &sentence) {
+template <class R, class S> void Channel<R, S>::close(const std::string& sentence) {
     if (fault_.empty())
         fail(sentence);
     while (!awaited_.empty()) {

@@ -37,7 +37,7 @@ public:
     Integer request(R call, std::function<void(Outcome<typename R::Result>)> done) {
         using Result = typename R::Result;
         return start(Sent(std::move(call)), [done = std::move(done)](auto outcome) {
-            if (auto *error = std::get_if<Error>(&outcome))
+            if (auto* error = std::get_if<Error>(&outcome))
                 done(std::move(*error));
             else
                 done(std::get<Result>(std::get<AnyResult>(std::move(outcome))));
@@ -45,8 +45,8 @@ public:
     }
     template <class N>
     requires(!IsRequest<N>) void notify(N call) { put(encodeNotification(Sent(std::move(call)))); }
-    void answer(const Id &id, const AnyResult &result) { put(encodeAnswer(id, result)); }
-    void refuse(const Id &id, const Error &error) { put(encodeError(id, error)); }
+    void answer(const Id& id, const AnyResult& result) { put(encodeAnswer(id, result)); }
+    void refuse(const Id& id, const Error& error) { put(encodeError(id, error)); }
 
     // --- bytes
     void feed(std::string_view bytes);
@@ -61,9 +61,9 @@ public:
     [[nodiscard]] bool unread() const { return !bodies_.empty(); }
 
     // The sentence that says what was wrong with what came; empty while all is well.
-    [[nodiscard]] const std::string &fault() const { return fault_; }
+    [[nodiscard]] const std::string& fault() const { return fault_; }
     // Ends the channel: requests without answer get Error{closed, sentence}, in order.
-    void close(const std::string &sentence);
+    void close(const std::string& sentence);
 
     [[nodiscard]] std::size_t unanswered() const { return awaited_.size(); }
 
@@ -75,7 +75,7 @@ private:
     };
 
     Integer start(Sent call, std::function<void(AnyOutcome)> done);
-    void put(const std::string &body);
+    void put(const std::string& body);
     void deliver(Answered answered);
     void fail(std::string sentence);
     void checkFlood();

@@ -9,17 +9,17 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 // Moves what one end has to say to the other.
-template <class From, class To> void carry(From &from, To &to) {
+template <class From, class To> void carry(From& from, To& to) {
     const std::string bytes(from.outgoing());
     from.sent(bytes.size());
     to.feed(bytes);
 }
 
-std::vector<std::string> callsTaken(MediumChannel &medium) {
+std::vector<std::string> callsTaken(MediumChannel& medium) {
     std::vector<std::string> names;
     while (const auto call = medium.next()) {
-        const auto name = [](const auto &received) {
-            return std::visit([](const auto &c) { return std::string(c.method); }, received.call);
+        const auto name = [](const auto& received) {
+            return std::visit([](const auto& c) { return std::string(c.method); }, received.call);
         };
         names.push_back(std::visit(name, *call));
     }

@@ -21,15 +21,15 @@ inline constexpr Range natural{0, 9007199254740991.0}; // 2^53 - 1: whole in eve
 inline constexpr Range pixelCount{1, 16384};
 inline constexpr Range positiveScale{1.0 / 64, 64};
 
-template <class V> void describe(V &v, SharedMemory &m) {
+template <class V> void describe(V& v, SharedMemory& m) {
     v.field("fd", m.fd, {0, 1 << 20});
     v.field("bytes", m.bytes, natural);
 }
-template <class V> void describe(V &v, Slot &m) {
+template <class V> void describe(V& v, Slot& m) {
     v.field("offset", m.offset, natural);
     v.field("stride", m.stride, {4, 16384 * 16});
 }
-template <class V> void describe(V &v, MenuEntry &m) {
+template <class V> void describe(V& v, MenuEntry& m) {
     v.field("id", m.id);
     v.field("label", m.label);
     v.option("shortcut", m.shortcut);
@@ -41,16 +41,16 @@ template <class V> void describe(V &v, MenuEntry &m) {
     v.option("group", m.group);
     v.option("icon", m.icon);
 }
-template <class V> void describe(V &v, TextEdit &m) {
+template <class V> void describe(V& v, TextEdit& m) {
     v.field("from", m.from, natural);
     v.field("to", m.to, natural);
     v.field("text", m.text);
 }
-template <class V> void describe(V &v, Presentation &m) {
+template <class V> void describe(V& v, Presentation& m) {
     v.field("id", m.id);
     v.field("label", m.label);
 }
-template <class V> void describe(V &v, ParameterValue &m) {
+template <class V> void describe(V& v, ParameterValue& m) {
     v.field("name", m.name);
     v.field("value", m.value, anyNumber);
     v.field("min", m.min, anyNumber);
@@ -58,7 +58,7 @@ template <class V> void describe(V &v, ParameterValue &m) {
     v.option("label", m.label);
     v.option("unit", m.unit);
 }
-template <class V> void describe(V &v, DiagnosticItem &m) {
+template <class V> void describe(V& v, DiagnosticItem& m) {
     v.field("severity", m.severity);
     v.field("line", m.line, natural);
     v.field("column", m.column, natural);
@@ -67,60 +67,60 @@ template <class V> void describe(V &v, DiagnosticItem &m) {
     v.field("message", m.message);
 }
 
-template <class V> void describe(V &, Done &) {}
-template <class V> void describe(V &v, Initialized &m) {
+template <class V> void describe(V&, Done&) {}
+template <class V> void describe(V& v, Initialized& m) {
     v.field("protocol", m.protocol, natural);
     v.field("name", m.name);
     v.field("version", m.version);
     v.field("capabilities", m.capabilities);
     v.field("menus", m.menus);
 }
-template <class V> void describe(V &v, PreferredSize &m) {
+template <class V> void describe(V& v, PreferredSize& m) {
     v.field("width", m.width, {1, 16384});
     v.field("height", m.height, {1, 16384});
 }
-template <class V> void describe(V &v, Exported &m) {
+template <class V> void describe(V& v, Exported& m) {
     v.field("mimeType", m.mimeType);
     v.field("text", m.text);
 }
-template <class V> void describe(V &v, Taken &m) {
+template <class V> void describe(V& v, Taken& m) {
     v.field("time", m.time, anyNumber);
     v.option("pixels", m.pixels);
 }
-template <class V> void describe(V &v, Values &m) { v.numbersOrNull("values", m.values); }
-template <class V> void describe(V &v, Evaluated &m) { v.field("result", m.result); }
-template <class V> void describe(V &v, Revised &m) { v.field("revision", m.revision, natural); }
+template <class V> void describe(V& v, Values& m) { v.numbersOrNull("values", m.values); }
+template <class V> void describe(V& v, Evaluated& m) { v.field("result", m.result); }
+template <class V> void describe(V& v, Revised& m) { v.field("revision", m.revision, natural); }
 
-template <class V> void describe(V &v, Initialize &m) {
+template <class V> void describe(V& v, Initialize& m) {
     v.pair("protocol", m.oldest, m.newest, natural);
     v.field("class", m.documentClass);
     v.field("mode", m.mode);
     v.field("frames", m.frames);
     v.option("locale", m.locale);
 }
-template <class V> void describe(V &, Ping &) {}
-template <class V> void describe(V &v, SubdocumentLoad &m) {
+template <class V> void describe(V&, Ping&) {}
+template <class V> void describe(V& v, SubdocumentLoad& m) {
     v.field("text", m.text);
     v.field("revision", m.revision, natural);
 }
-template <class V> void describe(V &v, SubdocumentEdit &m) {
+template <class V> void describe(V& v, SubdocumentEdit& m) {
     v.field("revision", m.revision, natural);
     v.field("edits", m.edits);
     v.option("label", m.label);
 }
-template <class V> void describe(V &, PresentationList &) {}
-template <class V> void describe(V &v, PresentationSize &m) {
+template <class V> void describe(V&, PresentationList&) {}
+template <class V> void describe(V& v, PresentationSize& m) {
     v.field("presentation", m.presentation);
-    v.inside("available", [&](auto &inner) {
+    v.inside("available", [&](auto& inner) {
         inner.field("width", m.availableWidth, {1, 1e6});
         inner.field("height", m.availableHeight, {1, 1e6});
     });
 }
-template <class V> void describe(V &v, PresentationExport &m) {
+template <class V> void describe(V& v, PresentationExport& m) {
     v.field("format", m.format);
     v.option("accuracy", m.accuracy, {0, 1});
 }
-template <class V> void describe(V &v, RenditionGeometry &m) {
+template <class V> void describe(V& v, RenditionGeometry& m) {
     v.field("rendition", m.rendition, natural);
     v.field("presentation", m.presentation);
     v.field("width", m.width, pixelCount);
@@ -128,20 +128,20 @@ template <class V> void describe(V &v, RenditionGeometry &m) {
     v.option("scale", m.scale, positiveScale);
     v.option("slots", m.slots);
 }
-template <class V> void describe(V &v, RenditionDestroy &m) {
+template <class V> void describe(V& v, RenditionDestroy& m) {
     v.field("rendition", m.rendition, natural);
 }
-template <class V> void describe(V &v, RenditionShow &m) {
+template <class V> void describe(V& v, RenditionShow& m) {
     v.field("rendition", m.rendition, natural);
 }
-template <class V> void describe(V &v, RenditionHide &m) {
+template <class V> void describe(V& v, RenditionHide& m) {
     v.field("rendition", m.rendition, natural);
 }
-template <class V> void describe(V &v, RenditionAck &m) {
+template <class V> void describe(V& v, RenditionAck& m) {
     v.field("rendition", m.rendition, natural);
     v.field("serial", m.serial, natural);
 }
-template <class V> void describe(V &v, Input &m) {
+template <class V> void describe(V& v, Input& m) {
     v.field("rendition", m.rendition, natural);
     v.field("type", m.type);
     v.option("x", m.x, {-1e6, 1e6});
@@ -154,7 +154,7 @@ template <class V> void describe(V &v, Input &m) {
     v.option("key", m.key);
     v.option("text", m.text);
 }
-template <class V> void describe(V &v, RenditionSnapshot &m) {
+template <class V> void describe(V& v, RenditionSnapshot& m) {
     v.field("presentation", m.presentation);
     v.field("width", m.width, pixelCount);
     v.field("height", m.height, pixelCount);
@@ -164,37 +164,37 @@ template <class V> void describe(V &v, RenditionSnapshot &m) {
     v.option("stride", m.stride, {4, 16384 * 16});
     v.option("rendition", m.rendition, natural);
 }
-template <class V> void describe(V &v, MenuInvoke &m) {
+template <class V> void describe(V& v, MenuInvoke& m) {
     v.field("id", m.id);
     v.field("rendition", m.rendition, natural);
 }
-template <class V> void describe(V &, TimePlay &) {}
-template <class V> void describe(V &, TimePause &) {}
-template <class V> void describe(V &v, TimeSeek &m) { v.field("time", m.time, anyNumber); }
-template <class V> void describe(V &v, TimeRate &m) {
+template <class V> void describe(V&, TimePlay&) {}
+template <class V> void describe(V&, TimePause&) {}
+template <class V> void describe(V& v, TimeSeek& m) { v.field("time", m.time, anyNumber); }
+template <class V> void describe(V& v, TimeRate& m) {
     v.field("rate", m.rate, {1e-6, 1e6});
     v.option("loop", m.loop);
 }
-template <class V> void describe(V &, ParameterList &) {}
-template <class V> void describe(V &v, ParameterSet &m) {
+template <class V> void describe(V&, ParameterList&) {}
+template <class V> void describe(V& v, ParameterSet& m) {
     v.field("name", m.name);
     v.field("value", m.value, anyNumber);
 }
-template <class V> void describe(V &v, ValueRead &m) {
+template <class V> void describe(V& v, ValueRead& m) {
     v.field("expressions", m.expressions);
     v.field("time", m.time, anyNumber);
 }
-template <class V> void describe(V &v, ValueSubscribe &m) {
+template <class V> void describe(V& v, ValueSubscribe& m) {
     v.field("id", m.id, natural);
     v.field("expressions", m.expressions);
 }
-template <class V> void describe(V &v, ValueUnsubscribe &m) { v.field("id", m.id, natural); }
-template <class V> void describe(V &v, ScriptEvaluate &m) { v.field("script", m.script); }
-template <class V> void describe(V &v, ProgressCancel &m) { v.field("token", m.token, natural); }
-template <class V> void describe(V &, Shutdown &) {}
-template <class V> void describe(V &, Exit &) {}
+template <class V> void describe(V& v, ValueUnsubscribe& m) { v.field("id", m.id, natural); }
+template <class V> void describe(V& v, ScriptEvaluate& m) { v.field("script", m.script); }
+template <class V> void describe(V& v, ProgressCancel& m) { v.field("token", m.token, natural); }
+template <class V> void describe(V&, Shutdown&) {}
+template <class V> void describe(V&, Exit&) {}
 
-template <class V> void describe(V &v, RenditionFrame &m) {
+template <class V> void describe(V& v, RenditionFrame& m) {
     v.field("rendition", m.rendition, natural);
     v.field("slot", m.slot, {0, 1});
     v.field("serial", m.serial, natural);
@@ -203,28 +203,28 @@ template <class V> void describe(V &v, RenditionFrame &m) {
     v.option("time", m.time, anyNumber);
     v.option("pixels", m.pixels);
 }
-template <class V> void describe(V &v, SubdocumentChanged &m) {
+template <class V> void describe(V& v, SubdocumentChanged& m) {
     v.field("base", m.base, natural);
     v.field("edits", m.edits);
     v.option("label", m.label);
     v.option("group", m.group);
 }
-template <class V> void describe(V &, EditUndo &) {}
-template <class V> void describe(V &, EditRedo &) {}
-template <class V> void describe(V &v, RenditionCursor &m) {
+template <class V> void describe(V&, EditUndo&) {}
+template <class V> void describe(V&, EditRedo&) {}
+template <class V> void describe(V& v, RenditionCursor& m) {
     v.field("rendition", m.rendition, natural);
     v.field("shape", m.shape);
 }
-template <class V> void describe(V &v, PresentationResized &m) {
+template <class V> void describe(V& v, PresentationResized& m) {
     v.option("presentation", m.presentation);
 }
-template <class V> void describe(V &v, MenuChanged &m) { v.field("menus", m.menus); }
-template <class V> void describe(V &v, ValueChanged &m) {
+template <class V> void describe(V& v, MenuChanged& m) { v.field("menus", m.menus); }
+template <class V> void describe(V& v, ValueChanged& m) {
     v.field("id", m.id, natural);
     v.option("time", m.time, anyNumber);
     v.numbersOrNull("values", m.values);
 }
-template <class V> void describe(V &v, TimeChanged &m) {
+template <class V> void describe(V& v, TimeChanged& m) {
     v.field("time", m.time, anyNumber);
     v.field("playing", m.playing);
     v.option("rate", m.rate, {1e-6, 1e6});
@@ -235,21 +235,21 @@ template <class V> void describe(V &v, TimeChanged &m) {
     v.field("predictable", m.predictable, anyNumber);
     v.option("state", m.state);
 }
-template <class V> void describe(V &v, ProgressBegin &m) {
+template <class V> void describe(V& v, ProgressBegin& m) {
     v.field("token", m.token, natural);
     v.option("title", m.title);
     v.option("cancellable", m.cancellable);
 }
-template <class V> void describe(V &v, ProgressReport &m) {
+template <class V> void describe(V& v, ProgressReport& m) {
     v.field("token", m.token, natural);
     v.option("fraction", m.fraction, {0, 1});
     v.option("message", m.message);
 }
-template <class V> void describe(V &v, ProgressEnd &m) {
+template <class V> void describe(V& v, ProgressEnd& m) {
     v.field("token", m.token, natural);
     v.option("message", m.message);
 }
-template <class V> void describe(V &v, Diagnostics &m) {
+template <class V> void describe(V& v, Diagnostics& m) {
     v.field("revision", m.revision, natural);
     v.field("items", m.items);
 }

@@ -48,7 +48,7 @@ std::string framed(std::string_view body) {
     return message;
 }
 
-void FrameDecoder::feed(std::string_view bytes, std::deque<std::string> &bodies) {
+void FrameDecoder::feed(std::string_view bytes, std::deque<std::string>& bodies) {
     while (!bytes.empty() && fault_.empty())
         bytes.remove_prefix(inBody_ ? takeBody(bytes, bodies) : takeHeader(bytes));
 }
@@ -100,7 +100,7 @@ void FrameDecoder::readHeader() {
     inBody_ = true;
 }
 
-std::size_t FrameDecoder::takeBody(std::string_view bytes, std::deque<std::string> &bodies) {
+std::size_t FrameDecoder::takeBody(std::string_view bytes, std::deque<std::string>& bodies) {
     const std::size_t taken = std::min(bytes.size(), expected_ - body_.size());
     body_.append(bytes.substr(0, taken));
     if (body_.size() == expected_) {

@@ -21,17 +21,17 @@ inline constexpr std::size_t longestBody = std::size_t{64} << 20;
 class FrameDecoder {
 public:
     // Appends the bodies that these bytes complete. Does nothing after a fault.
-    void feed(std::string_view bytes, std::deque<std::string> &bodies);
+    void feed(std::string_view bytes, std::deque<std::string>& bodies);
 
     // The sentence that says what was wrong with the bytes; empty while all is well.
-    [[nodiscard]] const std::string &fault() const { return fault_; }
+    [[nodiscard]] const std::string& fault() const { return fault_; }
     // True between two messages: here an end of the stream loses nothing.
     [[nodiscard]] bool atBoundary() const { return !inBody_ && header_.empty(); }
 
 private:
     // Both return how many of the bytes they took.
     std::size_t takeHeader(std::string_view bytes);
-    std::size_t takeBody(std::string_view bytes, std::deque<std::string> &bodies);
+    std::size_t takeBody(std::string_view bytes, std::deque<std::string>& bodies);
     void readHeader();
     void fail(std::string sentence);
 

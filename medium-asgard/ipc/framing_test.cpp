@@ -58,7 +58,7 @@ TEST(Framing, WhatIsNotAHeaderGetsOneSentence) {
         {"Content-Length: 18446744073709551615\r\n\r\n", "more than 64 MiB"},
         {"Content-Length: 2" + std::string(1024, ' '), "more than 1 KiB"},
     };
-    for (const auto &[bytes, sentence] : cases)
+    for (const auto& [bytes, sentence] : cases)
         for (const std::size_t length : {std::size_t{1}, bytes.size()}) {
             const Decoding result = decodedInPieces(bytes, length);
             EXPECT_THAT(result.fault, HasSubstr(sentence)) << bytes;
@@ -95,7 +95,7 @@ TEST(Framing, FlippedBitsNeverYieldMoreBytesThanCame) {
             damaged[random() % damaged.size()] ^= static_cast<char>(1u << random() % 8);
         const Decoding result = decodedInPieces(damaged, 1 + random() % 40);
         std::size_t total = 0;
-        for (const std::string &body : result.bodies)
+        for (const std::string& body : result.bodies)
             total += body.size();
         ASSERT_LE(total, damaged.size());
     }
@@ -105,13 +105,13 @@ TEST(Base64, RoundTripsEveryLengthAndRefusesTheRest) {
     std::mt19937 random(1);
     for (std::size_t length = 0; length < 50; ++length) {
         std::vector<std::byte> bytes(length);
-        for (std::byte &b : bytes)
+        for (std::byte& b : bytes)
             b = static_cast<std::byte>(random());
         EXPECT_EQ(fromBase64(toBase64(bytes)), bytes);
     }
     const std::byte man[] = {std::byte{'M'}, std::byte{'a'}};
     EXPECT_EQ(toBase64(man), "TWE=");
-    for (const char *wrong : {"A", "AA", "AAA", "A===", "AA=A", "AA*A",
+    for (const char* wrong : {"A", "AA", "AAA", "A===", "AA=A", "AA*A",
                               "\xff"
                               "AAA"})
         EXPECT_FALSE(fromBase64(wrong)) << wrong;

@@ -27,14 +27,14 @@ inline constexpr std::array cursorNames{"arrow", "hand", "grab", "grabbing",
 inline constexpr std::array stateNames{"current", "draft", "computing", "stale", "failed"};
 inline constexpr std::array severityNames{"error", "warning"};
 
-constexpr const auto &namesOf(Mode) { return modeNames; }
-constexpr const auto &namesOf(Scope) { return scopeNames; }
-constexpr const auto &namesOf(InputType) { return inputNames; }
-constexpr const auto &namesOf(Button) { return buttonNames; }
-constexpr const auto &namesOf(Modifier) { return modifierNames; }
-constexpr const auto &namesOf(CursorShape) { return cursorNames; }
-constexpr const auto &namesOf(MotionState) { return stateNames; }
-constexpr const auto &namesOf(Severity) { return severityNames; }
+constexpr const auto& namesOf(Mode) { return modeNames; }
+constexpr const auto& namesOf(Scope) { return scopeNames; }
+constexpr const auto& namesOf(InputType) { return inputNames; }
+constexpr const auto& namesOf(Button) { return buttonNames; }
+constexpr const auto& namesOf(Modifier) { return modifierNames; }
+constexpr const auto& namesOf(CursorShape) { return cursorNames; }
+constexpr const auto& namesOf(MotionState) { return stateNames; }
+constexpr const auto& namesOf(Severity) { return severityNames; }
 
 template <class T> struct IsOptional : std::false_type {};
 template <class T> struct IsOptional<std::optional<T>> : std::true_type {};
@@ -43,21 +43,21 @@ template <class T> struct IsVector<std::vector<T>> : std::true_type {};
 
 class Writer {
 public:
-    template <class T> static Json object(const T &message) {
+    template <class T> static Json object(const T& message) {
         Writer writer;
         // describe() serves reader and writer; a writer changes nothing.
-        describe(writer, const_cast<T &>(message));
+        describe(writer, const_cast<T&>(message));
         return std::move(writer.json_);
     }
 
-    template <class T> void field(const char *name, const T &value, Range = {}) {
+    template <class T> void field(const char* name, const T& value, Range = {}) {
         if constexpr (IsOptional<T>::value) {
             json_[name] = value ? encoded(*value) : Json(nullptr);
         } else {
             json_[name] = encoded(value);
         }
     }
-    template <class T> void option(const char *name, const T &value, Range = {}) {
+    template <class T> void option(const char* name, const T& value, Range = {}) {
         if constexpr (IsOptional<T>::value) {
             if (value)
                 json_[name] = encoded(*value);
@@ -65,36 +65,36 @@ public:
             json_[name] = encoded(value);
         }
     }
-    template <class T> void option(const char *name, const std::vector<T> &value, Range = {}) {
+    template <class T> void option(const char* name, const std::vector<T>& value, Range = {}) {
         if (!value.empty())
             json_[name] = encoded(value);
     }
     template <class E>
     requires std::is_enum_v<E>
-    void option(const char *name, const E &value, Range = {}) { json_[name] = encoded(value); }
-    void pair(const char *name, Integer first, Integer second, Range) {
+    void option(const char* name, const E& value, Range = {}) { json_[name] = encoded(value); }
+    void pair(const char* name, Integer first, Integer second, Range) {
         json_[name] = Json::array({first, second});
     }
-    void numbersOrNull(const char *name, const std::vector<double> &values) {
+    void numbersOrNull(const char* name, const std::vector<double>& values) {
         Json list = Json::array();
         for (const double value : values)
             list.push_back(std::isfinite(value) ? Json(value) : Json(nullptr));
         json_[name] = std::move(list);
     }
-    template <class F> void inside(const char *name, F describeInner) {
+    template <class F> void inside(const char* name, F describeInner) {
         Writer inner;
         describeInner(inner);
         json_[name] = std::move(inner.json_);
     }
 
-    template <class T> static Json encoded(const T &value) {
+    template <class T> static Json encoded(const T& value) {
         if constexpr (std::is_same_v<T, std::string>) {
             return asUtf8(value);
         } else if constexpr (std::is_enum_v<T>) {
             return namesOf(value)[static_cast<std::size_t>(value)];
         } else if constexpr (IsVector<T>::value) {
             Json list = Json::array();
-            for (const auto &item : value)
+            for (const auto& item : value)
                 list.push_back(encoded(item));
             return list;
         } else if constexpr (std::is_arithmetic_v<T>) {
@@ -111,15 +111,15 @@ private:
 // Stops at the first fault; what was read is then not used.
 class FieldReader {
 public:
-    FieldReader(const Json &json, std::string place) : json_(json), place_(std::move(place)) {
+    FieldReader(const Json& json, std::string place) : json_(json), place_(std::move(place)) {
         if (!json_.is_object())
             fail(place_ + " must be an object");
     }
 
-    [[nodiscard]] const std::string &fault() const { return fault_; }
+    [[nodiscard]] const std::string& fault() const { return fault_; }
 
-    template <class T> void field(const char *name, T &value, Range range = {}) {
-        const Json *found = find(name);
+    template <class T> void field(const char* name, T& value, Range range = {}) {
+        const Json* found = find(name);
         if constexpr (IsOptional<T>::value) {
             if (!found || found->is_null())
                 return;
@@ -131,13 +131,13 @@ public:
             fail(named(name) + " is missing");
         }
     }
-    template <class T> void option(const char *name, T &value, Range range = {}) {
+    template <class T> void option(const char* name, T& value, Range range = {}) {
         if constexpr (IsOptional<T>::value)
             field(name, value, range);
-        else if (const Json *found = find(name); found && !found->is_null())
+        else if (const Json* found = find(name); found && !found->is_null())
             read(*found, value, named(name), range);
     }
-    void pair(const char *name, Integer &first, Integer &second, Range range) {
+    void pair(const char* name, Integer& first, Integer& second, Range range) {
         std::vector<Integer> both;
         field(name, both, range);
         if (!fault_.empty())
@@ -147,19 +147,19 @@ public:
         first = both[0];
         second = both[1];
     }
-    void numbersOrNull(const char *name, std::vector<double> &values) {
-        const Json *found = find(name);
+    void numbersOrNull(const char* name, std::vector<double>& values) {
+        const Json* found = find(name);
         if (!found || !found->is_array())
             return fail(named(name) + " must be a list of numbers");
-        for (const Json &item : *found) {
+        for (const Json& item : *found) {
             double value = std::nan("");
             if (!item.is_null())
                 read(item, value, named(name), anyNumber);
             values.push_back(value);
         }
     }
-    template <class F> void inside(const char *name, F describeInner) {
-        const Json *found = find(name);
+    template <class F> void inside(const char* name, F describeInner) {
+        const Json* found = find(name);
         if (!found)
             return fail(named(name) + " is missing");
         FieldReader inner(*found, named(name));
@@ -168,23 +168,23 @@ public:
         fail(inner.fault());
     }
 
-    void read(const Json &json, std::string &value, const std::string &place, Range) {
+    void read(const Json& json, std::string& value, const std::string& place, Range) {
         if (!json.is_string())
             return fail(place + " must be a string");
-        value = json.get_ref<const std::string &>();
+        value = json.get_ref<const std::string&>();
     }
-    void read(const Json &json, bool &value, const std::string &place, Range) {
+    void read(const Json& json, bool& value, const std::string& place, Range) {
         if (!json.is_boolean())
             return fail(place + " must be true or false");
         value = json.get<bool>();
     }
-    void read(const Json &json, double &value, const std::string &place, Range range) {
+    void read(const Json& json, double& value, const std::string& place, Range range) {
         if (!json.is_number())
             return fail(place + " must be a number");
         value = json.get<double>();
         checkRange(value, place, range);
     }
-    void read(const Json &json, Integer &value, const std::string &place, Range range) {
+    void read(const Json& json, Integer& value, const std::string& place, Range range) {
         double number = 0;
         read(json, number, place, range);
         if (!fault_.empty())
@@ -195,11 +195,11 @@ public:
     }
     template <class E>
     requires std::is_enum_v<E>
-    void read(const Json &json, E &value, const std::string &place, Range) {
+    void read(const Json& json, E& value, const std::string& place, Range) {
         const std::string text = json.is_string() ? json.get<std::string>() : std::string();
         std::string expected;
         std::size_t index = 0;
-        for (const char *name : namesOf(value)) {
+        for (const char* name : namesOf(value)) {
             if (text == name) {
                 value = static_cast<E>(index);
                 return;
@@ -209,7 +209,7 @@ public:
         fail(place + " must be one of " + expected);
     }
     template <class T>
-    void read(const Json &json, std::vector<T> &values, const std::string &place, Range range) {
+    void read(const Json& json, std::vector<T>& values, const std::string& place, Range range) {
         if (!json.is_array())
             return fail(place + " must be a list");
         for (std::size_t i = 0; i < json.size() && fault_.empty(); ++i)
@@ -217,7 +217,7 @@ public:
     }
     template <class T>
     requires std::is_class_v<T>
-    void read(const Json &json, T &value, const std::string &place, Range) {
+    void read(const Json& json, T& value, const std::string& place, Range) {
         FieldReader inner(json, place);
         if (inner.fault().empty())
             describe(inner, value);
@@ -225,14 +225,14 @@ public:
     }
 
 private:
-    const Json *find(const char *name) {
+    const Json* find(const char* name) {
         if (!fault_.empty())
             return nullptr;
         const auto found = json_.find(name);
         return found == json_.end() ? nullptr : &*found;
     }
-    std::string named(const char *name) const { return place_ + "." + name; }
-    void checkRange(double value, const std::string &place, Range range) {
+    std::string named(const char* name) const { return place_ + "." + name; }
+    void checkRange(double value, const std::string& place, Range range) {
         if (std::isfinite(value) && value >= range.from && value <= range.to)
             return;
         if (range.to >= natural.to)
@@ -241,12 +241,12 @@ private:
             fail(place + " must lie in " + Json(range.from).dump() + " to " +
                  Json(range.to).dump());
     }
-    void fail(const std::string &sentence) {
+    void fail(const std::string& sentence) {
         if (fault_.empty())
             fault_ = sentence;
     }
 
-    const Json &json_;
+    const Json& json_;
     std::string place_;
     std::string fault_;
 };

@@ -58,7 +58,7 @@ struct MenuEntry {
 struct TextEdit {
     Integer from = 0, to = 0;
     std::string text;
-    bool operator==(const TextEdit &) const = default;
+    bool operator==(const TextEdit&) const = default;
 };
 
 struct Presentation {

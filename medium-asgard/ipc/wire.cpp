@@ -11,7 +11,7 @@ constexpr std::size_t mostValues = 1'000'000;
 
 // Why the text must not be given to the parser, or nullptr. Counts brackets and commas outside
 // strings; that they are well placed is the parser's to find.
-const char *tooLarge(std::string_view text) {
+const char* tooLarge(std::string_view text) {
     std::size_t depth = 0, values = 0;
     bool inString = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -38,21 +38,21 @@ const char *tooLarge(std::string_view text) {
     return nullptr;
 }
 
-Json encodedId(const Id &id) {
-    return std::visit([](const auto &value) { return Json(value); }, id);
+Json encodedId(const Id& id) {
+    return std::visit([](const auto& value) { return Json(value); }, id);
 }
 
-std::optional<Id> idOf(const Json &json) {
+std::optional<Id> idOf(const Json& json) {
     if (json.is_number_integer())
         return json.get<Integer>();
-    if (json.is_string() && json.get_ref<const std::string &>().size() <= 100)
+    if (json.is_string() && json.get_ref<const std::string&>().size() <= 100)
         return json.get<std::string>();
     return std::nullopt;
 }
 
-template <class Call> Json callObject(const Call &call) {
+template <class Call> Json callObject(const Call& call) {
     return std::visit(
-        [](const auto &message) {
+        [](const auto& message) {
             return Json{{"jsonrpc", "2.0"},
                         {"method", message.method},
                         {"params", Writer::object(message)}};
@@ -60,18 +60,18 @@ template <class Call> Json callObject(const Call &call) {
         call);
 }
 
-std::string text(const Json &json) {
+std::string text(const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-template <class Call> std::string request(Integer id, const Call &call) {
+template <class Call> std::string request(Integer id, const Call& call) {
     Json json = callObject(call);
     json["id"] = id;
     return text(json);
 }
 
 template <class T>
-std::optional<std::string> readInto(T &message, const Json &json, const char *place) {
+std::optional<std::string> readInto(T& message, const Json& json, const char* place) {
     FieldReader reader(json, place);
     if (reader.fault().empty())
         describe(reader, message);
@@ -80,16 +80,16 @@ std::optional<std::string> readInto(T &message, const Json &json, const char *pl
 
 // Two answers are bare lists.
 template <class T>
-std::optional<std::string> readListInto(T &message, const Json &json, const char *place) {
+std::optional<std::string> readListInto(T& message, const Json& json, const char* place) {
     static const Json nothing = Json::object();
     FieldReader reader(nothing, place);
     reader.read(json, message.items, place, {});
     return reader.fault().empty() ? std::nullopt : std::optional(reader.fault());
 }
-std::optional<std::string> readInto(Presentations &m, const Json &json, const char *place) {
+std::optional<std::string> readInto(Presentations& m, const Json& json, const char* place) {
     return readListInto(m, json, place);
 }
-std::optional<std::string> readInto(Parameters &m, const Json &json, const char *place) {
+std::optional<std::string> readInto(Parameters& m, const Json& json, const char* place) {
     return readListInto(m, json, place);
 }
 
@@ -103,7 +103,7 @@ template <class Variant, class F> void withAlternative(std::size_t index, F use)
 }
 
 template <class Received>
-Decoded<Received> decodeCall(const Json &json, const std::string &method) {
+Decoded<Received> decodeCall(const Json& json, const std::string& method) {
     static const Json noParameters = Json::object();
     const auto params = json.find("params");
     std::optional<Id> id;
@@ -139,7 +139,7 @@ Decoded<Received> decodeCall(const Json &json, const std::string &method) {
     return decoded;
 }
 
-std::variant<Error, Violation> decodeError(const Json &json) {
+std::variant<Error, Violation> decodeError(const Json& json) {
     if (!json.is_object() || !json.contains("code") || !json["code"].is_number_integer() ||
         !json.contains("message") || !json["message"].is_string())
         return Violation{"an error that has no code and message"};
@@ -147,12 +147,12 @@ std::variant<Error, Violation> decodeError(const Json &json) {
 }
 
 template <class Sent, class Received>
-Decoded<Received> decodeAnswer(const Json &json, const AwaitedCall &awaited) {
+Decoded<Received> decodeAnswer(const Json& json, const AwaitedCall& awaited) {
     const auto error = json.find("error");
     std::optional<Error> refusal;
     if (error != json.end() && (!error->is_null() || !json.contains("result"))) {
         auto read = decodeError(*error);
-        if (auto *violation = std::get_if<Violation>(&read))
+        if (auto* violation = std::get_if<Violation>(&read))
             return *violation;
         refusal = std::get<Error>(read);
     }
@@ -181,8 +181,8 @@ Decoded<Received> decodeAnswer(const Json &json, const AwaitedCall &awaited) {
 }
 
 template <class Received, class Sent>
-Decoded<Received> decode(std::string_view body, const AwaitedCall &awaited) {
-    if (const char *sentence = tooLarge(body))
+Decoded<Received> decode(std::string_view body, const AwaitedCall& awaited) {
+    if (const char* sentence = tooLarge(body))
         return Violation{sentence};
     const Json json = Json::parse(body, nullptr, false);
     if (json.is_discarded())
@@ -191,7 +191,7 @@ Decoded<Received> decode(std::string_view body, const AwaitedCall &awaited) {
         return Violation{"a message that is not a JSON-RPC 2.0 object"};
     const auto method = json.find("method");
     if (method != json.end()) {
-        if (!method->is_string() || method->get_ref<const std::string &>().size() > 200)
+        if (!method->is_string() || method->get_ref<const std::string&>().size() > 200)
             return Violation{"a message whose method is not a short string"};
         return decodeCall<Received>(json, method->get<std::string>());
     }
@@ -202,13 +202,13 @@ Decoded<Received> decode(std::string_view body, const AwaitedCall &awaited) {
 
 } // namespace
 
-std::string encodeRequest(Integer id, const ToMedium &call) { return request(id, call); }
-std::string encodeRequest(Integer id, const ToHost &call) { return request(id, call); }
-std::string encodeNotification(const ToMedium &call) { return text(callObject(call)); }
-std::string encodeNotification(const ToHost &call) { return text(callObject(call)); }
+std::string encodeRequest(Integer id, const ToMedium& call) { return request(id, call); }
+std::string encodeRequest(Integer id, const ToHost& call) { return request(id, call); }
+std::string encodeNotification(const ToMedium& call) { return text(callObject(call)); }
+std::string encodeNotification(const ToHost& call) { return text(callObject(call)); }
 
-std::string encodeAnswer(const Id &id, const AnyResult &result) {
-    const auto encoded = [](const auto &value) {
+std::string encodeAnswer(const Id& id, const AnyResult& result) {
+    const auto encoded = [](const auto& value) {
         if constexpr (requires { value.items; })
             return Writer::encoded(value.items);
         else
@@ -218,16 +218,16 @@ std::string encodeAnswer(const Id &id, const AnyResult &result) {
         {{"jsonrpc", "2.0"}, {"id", encodedId(id)}, {"result", std::visit(encoded, result)}});
 }
 
-std::string encodeError(const Id &id, const Error &error) {
+std::string encodeError(const Id& id, const Error& error) {
     return text({{"jsonrpc", "2.0"},
                  {"id", encodedId(id)},
                  {"error", {{"code", error.code}, {"message", asUtf8(error.message)}}}});
 }
 
-Decoded<ToMedium> decodeForMedium(std::string_view body, const AwaitedCall &awaited) {
+Decoded<ToMedium> decodeForMedium(std::string_view body, const AwaitedCall& awaited) {
     return decode<ToMedium, ToHost>(body, awaited);
 }
-Decoded<ToHost> decodeForHost(std::string_view body, const AwaitedCall &awaited) {
+Decoded<ToHost> decodeForHost(std::string_view body, const AwaitedCall& awaited) {
     return decode<ToHost, ToMedium>(body, awaited);
 }
 

@@ -45,17 +45,17 @@ using Decoded = std::variant<Asked<Call>, Told<Call>, Answered, Unanswerable, Ig
 // Which request an identifier of ours belongs to: its place in the variant of calls that we send.
 using AwaitedCall = std::function<std::optional<std::size_t>(Integer id)>;
 
-[[nodiscard]] std::string encodeRequest(Integer id, const ToMedium &call);
-[[nodiscard]] std::string encodeRequest(Integer id, const ToHost &call);
-[[nodiscard]] std::string encodeNotification(const ToMedium &call);
-[[nodiscard]] std::string encodeNotification(const ToHost &call);
-[[nodiscard]] std::string encodeAnswer(const Id &id, const AnyResult &result);
-[[nodiscard]] std::string encodeError(const Id &id, const Error &error);
+[[nodiscard]] std::string encodeRequest(Integer id, const ToMedium& call);
+[[nodiscard]] std::string encodeRequest(Integer id, const ToHost& call);
+[[nodiscard]] std::string encodeNotification(const ToMedium& call);
+[[nodiscard]] std::string encodeNotification(const ToHost& call);
+[[nodiscard]] std::string encodeAnswer(const Id& id, const AnyResult& result);
+[[nodiscard]] std::string encodeError(const Id& id, const Error& error);
 
 // What a medium reads: calls of the host, and answers to its own.
-[[nodiscard]] Decoded<ToMedium> decodeForMedium(std::string_view body, const AwaitedCall &awaited);
+[[nodiscard]] Decoded<ToMedium> decodeForMedium(std::string_view body, const AwaitedCall& awaited);
 // What a host reads.
-[[nodiscard]] Decoded<ToHost> decodeForHost(std::string_view body, const AwaitedCall &awaited);
+[[nodiscard]] Decoded<ToHost> decodeForHost(std::string_view body, const AwaitedCall& awaited);
 
 // The same text with '?' for each byte that is not part of valid UTF-8.
 [[nodiscard]] std::string asUtf8(std::string_view text);

@@ -12,32 +12,32 @@ using testing::HasSubstr;
 
 const AwaitedCall nothingAwaited = [](Integer) { return std::nullopt; };
 
-std::string bodyOf(const std::string &method, const std::string &params, bool request = true) {
+std::string bodyOf(const std::string& method, const std::string& params, bool request = true) {
     return R"({"jsonrpc":"2.0",)" + std::string(request ? R"("id":7,)" : "") + R"("method":")" +
            method + R"(","params":)" + params + "}";
 }
 
 // What came of reading it, in words.
-template <class Call> std::string described(const Decoded<Call> &decoded) {
-    if (auto *v = std::get_if<Violation>(&decoded))
+template <class Call> std::string described(const Decoded<Call>& decoded) {
+    if (auto* v = std::get_if<Violation>(&decoded))
         return "violation: " + v->sentence;
-    if (auto *u = std::get_if<Unanswerable>(&decoded))
+    if (auto* u = std::get_if<Unanswerable>(&decoded))
         return "refused " + std::to_string(u->error.code) + ": " + u->error.message;
     if (std::holds_alternative<Ignored>(decoded))
         return "ignored";
-    const auto name = [](const auto &call) { return std::string(call.method); };
-    if (auto *asked = std::get_if<Asked<Call>>(&decoded))
+    const auto name = [](const auto& call) { return std::string(call.method); };
+    if (auto* asked = std::get_if<Asked<Call>>(&decoded))
         return "asked " + std::visit(name, asked->call);
-    if (auto *told = std::get_if<Told<Call>>(&decoded))
+    if (auto* told = std::get_if<Told<Call>>(&decoded))
         return "told " + std::visit(name, told->call);
     return "answered";
 }
 
-std::string forMedium(const std::string &body) {
+std::string forMedium(const std::string& body) {
     return described(decodeForMedium(body, nothingAwaited));
 }
 
-template <class T> T sentToMedium(const T &call) {
+template <class T> T sentToMedium(const T& call) {
     if constexpr (IsRequest<T>) {
         auto decoded = decodeForMedium(encodeRequest(5, ToMedium(call)), nothingAwaited);
         EXPECT_EQ(std::get<Asked<ToMedium>>(decoded).id, Id(Integer{5}));
@@ -137,7 +137,7 @@ TEST(Wire, BytesThatAreNotUtf8BecomeQuestionMarksOfTheSameLength) {
         {"\xe0\x80\x80x", "???x"},
         {"\xf4\x90\x80\x80", "????"},
     };
-    for (const auto &[given, expected] : cases) {
+    for (const auto& [given, expected] : cases) {
         EXPECT_EQ(asUtf8(given), expected);
         EXPECT_EQ(sentToMedium(SubdocumentLoad{given, 1}).text, expected);
     }
@@ -191,7 +191,7 @@ TEST(Wire, WhatIsWrongIsNamed) {
          "violation: a message of more than a million values"},
         {R"({"jsonrpc":"2.0","id":"abc","method":"ping"})", "asked ping"},
     };
-    for (const auto &[body, expected] : cases)
+    for (const auto& [body, expected] : cases)
         EXPECT_THAT(forMedium(body), HasSubstr(expected)) << body.substr(0, 200);
 }
 
@@ -200,7 +200,7 @@ TEST(Wire, AnswersAreReadByTheRequestThatTheyAnswer) {
     const std::string body = encodeAnswer(Id(Integer{9}), Presentations{{{"picture", "Picture"}}});
     EXPECT_THAT(body, HasSubstr(R"("result":[{)"));
     const auto decoded = decodeForHost(body, asPresentationList);
-    const auto &answered = std::get<Answered>(decoded);
+    const auto& answered = std::get<Answered>(decoded);
     EXPECT_EQ(answered.id, 9);
     EXPECT_EQ(std::get<Presentations>(std::get<AnyResult>(answered.outcome)).items[0].label,
               "Picture");
@@ -234,7 +234,7 @@ TEST(Wire, FlippedBitsAndCutsNeverDoMoreThanRefuse) {
         encodeRequest(1, ToMedium(create)),
         encodeRequest(2, ToMedium(SubdocumentEdit{2, {{0, 4, "x"}}, "l"})),
         encodeAnswer(Id(Integer{1}), Initialized{})};
-    for (const std::string &body : bodies)
+    for (const std::string& body : bodies)
         for (std::size_t cut = 0; cut < body.size(); ++cut)
             EXPECT_THAT(forMedium(body.substr(0, cut)), HasSubstr("violation")) << cut;
     std::mt19937 random(3);

@@ -12,12 +12,12 @@ enum class Severity { error, warning };
 
 struct Diagnostic {
     Severity severity = Severity::error;
-    Range range;         // what to underline; may be empty
-    int line = 0;        // from 1; 0: no place is known
-    int column = 0;      // from 1, in characters
-    int endLine = 0;     // end of the range, exclusive
+    Range range;     // what to underline; may be empty
+    int line = 0;    // from 1; 0: no place is known
+    int column = 0;  // from 1, in characters
+    int endLine = 0; // end of the range, exclusive
     int endColumn = 0;
-    std::string message; // one sentence, the caret and suggestion not included
+    std::string message;    // one sentence, the caret and suggestion not included
     std::string suggestion; // "did you mean ...", or ""
 };
 

@@ -34,16 +34,16 @@ struct Range {
 
 // Where one value of an element comes from.
 struct Argument {
-    std::string option;    // "-init_pos", "-x"; "" for the name and for a shape given by position
-    Range word;            // the whole word, braces and quotes included
-    bool literal = false;  // the word's bytes are the value's own: safe to rewrite
+    std::string option;   // "-init_pos", "-x"; "" for the name and for a shape given by position
+    Range word;           // the whole word, braces and quotes included
+    bool literal = false; // the word's bytes are the value's own: safe to rewrite
 };
 
 // Where an element comes from: one command of the text, which may have run several times.
 struct Source {
     Range command;
-    int runs = 0;  // how often that command ran in the evaluation; > 1: made by a loop or procedure
-    int line = 0;  // from 1; of the command's first character (or the nearest mapped caller)
+    int runs = 0; // how often that command ran in the evaluation; > 1: made by a loop or procedure
+    int line = 0; // from 1; of the command's first character (or the nearest mapped caller)
     int column = 0; // from 1, in characters
     std::vector<Argument> arguments;
 };
@@ -97,8 +97,8 @@ struct ShapeSet {
 
 struct Body {
     std::string name;
-    std::string shape;                                   // a shape set's name
-    Vector initialPosition = Vector::Zero();             // of the reference point (the shape's origin)
+    std::string shape;                       // a shape set's name
+    Vector initialPosition = Vector::Zero(); // of the reference point (the shape's origin)
     Quaternion initialAttitude = Quaternion::Identity(); // normalised
     Vector initialVelocity = Vector::Zero();             // of the centre of mass
     Vector initialAngularVelocity = Vector::Zero();      // world axes
@@ -179,8 +179,12 @@ enum class Held {
     attitude,        // a curve of rotation vectors
     velocity,        // of the centre of mass
     angularVelocity, // world axes
-    x, y, z,         // one component, from the trajectory's first
-    dx, dy, dz,
+    x,
+    y,
+    z, // one component, from the trajectory's first
+    dx,
+    dy,
+    dz,
 };
 
 struct Constraint {
@@ -201,7 +205,8 @@ struct LightSource {
     Source source;
 };
 
-using VectorValue = std::variant<Vector, std::array<Expression, 3>, std::string>; // string: a trajectory
+using VectorValue =
+    std::variant<Vector, std::array<Expression, 3>, std::string>; // string: a trajectory
 using ScalarValue = std::variant<double, Expression>;
 
 // A point p of the world is seen at scale * R(rotation) * (p - center) + position: the screen's x
