@@ -105,6 +105,10 @@ void ComponentEquations::makeTape() {
     surfaces_ = surfacesOf(set_.graph, outputs_);
     switches_ = switchesOf(set_.graph, outputs_);
     gradients_.resize(surfaces_.size());
+    for (std::size_t s = 0; s < surfaces_.size(); ++s)
+        for (std::size_t i = 0; i < states_.size(); ++i)
+            if (!surfaces_[s].whole && surfaces_[s].guard == symbols_[1 + i])
+                ownGuards_.emplace_back(s, i);
     sides_.assign(surfaces_.size(), onSurface);
     tape_ = expression::Tape(set_.graph, symbols_, outputs_);
     in_.resize(symbols_.size());
@@ -134,11 +138,21 @@ void ComponentEquations::fill(double t, std::span<const double> y) {
     inputs_.values(t, std::span(in_).subspan(1 + states_.size()));
 }
 
+// A state that lies on a surface of its own is moved off it, to its side, by next to nothing: what
+// is written v/abs(v) is then the sign that it means.
 void ComponentEquations::evaluate(std::span<double> out) {
-    if (decisions_.empty())
+    constexpr double nextToNothing = 1e-150; // its square is still a number
+    if (decisions_.empty()) {
         tape_.evaluate(in_, out, scratch_);
-    else
-        tape_.evaluate(in_, out, scratch_, decisions_, {});
+        return;
+    }
+    for (const auto& [surface, state] : ownGuards_)
+        if (in_[1 + state] == 0)
+            in_[1 + state] = sides_[surface] * nextToNothing;
+    tape_.evaluate(in_, out, scratch_, decisions_, {});
+    for (const auto& [surface, state] : ownGuards_)
+        if (std::abs(in_[1 + state]) == nextToNothing)
+            in_[1 + state] = 0;
 }
 
 bool ComponentEquations::rates(double t, std::span<const double> y, std::span<double> out) {

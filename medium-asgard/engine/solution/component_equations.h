@@ -146,7 +146,8 @@ private:
 
     std::vector<expression::Node> switches_;
     std::vector<Surface> surfaces_;
-    std::vector<int> sides_; // -1, 0, 1; of sliding surfaces -1
+    std::vector<std::pair<std::size_t, std::size_t>> ownGuards_; // surface, the state that it is
+    std::vector<int> sides_;                                     // -1, 0, 1; of sliding surfaces -1
     std::vector<expression::Decision> decisions_;
     std::vector<std::size_t> sliding_; // surfaces
     std::vector<double> weights_;

@@ -264,7 +264,7 @@ void Component::integrate() {
     if (!method_ && !beginMethod())
         return;
     for (;;) { // every refusal shortens the step, until it cannot be
-        const double wanted = proposed_;
+        const double wanted = std::max(proposed_, shortestStep(time_));
         const bool lands = time_ + 1.01 * wanted >= limit_;
         const double to = lands ? limit_ : time_ + wanted;
         const double h = to - time_;

@@ -41,6 +41,8 @@ double Method::firstStep(double limit) {
             break;
         h *= 0.25;
     }
+    for (std::size_t i = 0; i < y.size(); ++i)
+        y[i] = start_[i] + 0.5 * h * (slope_[i] + f[i]);
     control_.prepare(y, h);
     double change = 0;
     for (std::size_t i = 0; i < y.size(); ++i) {

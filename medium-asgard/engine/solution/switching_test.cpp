@@ -140,6 +140,20 @@ TEST(Friction, WrittenAsComparisonsIsTheSame) {
     EXPECT_NEAR(solver.histories().value(0, 5), 2.25, 1e-12);
 }
 
+// v/|v| has no value at rest, and means the sign.
+TEST(Friction, WrittenAsAQuotientIsTheSame) {
+    for (const double speed : {3.0, 0.0}) {
+        const Solver solver =
+            solved(equationsOf({{"x", "dx", 0, 1}, {"dx", "-2*dx/abs(dx)+max(0,t-5)", speed}}), 9,
+                   tolerance(1e-9));
+        const Histories& h = solver.histories();
+        ASSERT_EQ(h.stop(1), nullptr);
+        EXPECT_EQ(h.value(1, 5), 0);
+        EXPECT_NEAR(h.value(1, 9), 2, 1e-7);
+        EXPECT_LT(solver.statistics().steps, 100u);
+    }
+}
+
 TEST(Friction, ABlockAtRestThatIsNotPushedHardStays) {
     const Solver solver =
         solved(equationsOf({{"x", "dx", 0, 1}, {"dx", "1.9*sin(3*t)-2*sign(dx)", 0}}), 20);
