@@ -99,7 +99,7 @@ private:
         expression::Tape::Scratch scratch;
     };
     struct Gradient {
-        Derived derivatives;              // dg/dt, dg/dy, dg/dinputs
+        Derived derivatives;              // dg/dt, dg/dy, dg/dinputs; then g
         std::optional<std::size_t> state; // g is this state itself
     };
     static constexpr int onSurface = 0;
@@ -117,6 +117,7 @@ private:
         double rate;
         double noise; // what rounding may make of a rate of 0
         double near;  // and of a guard of 0, where its root was located
+        double value; // the guard
     };
     [[nodiscard]] Derived derive(std::span<const expression::Node> nodes);
     void evaluate(Derived& derived, std::span<double> out) const;
@@ -126,9 +127,10 @@ private:
     void field(); // rates into out_, whether sliding or not
     [[nodiscard]] double guard(std::size_t surface) const; // after evaluating guards_
     [[nodiscard]] bool isRight(std::size_t surface);
+    [[nodiscard]] expression::Decision wholeBranch(std::size_t surface,
+                                                   std::span<const double> rates);
     void follow(const std::vector<std::size_t>& passed);
-    void pass(const Watch& watch, std::span<const expression::Decision> implied, bool insist,
-              std::vector<std::size_t>& passed);
+    void pass(const Watch& watch, bool insist, std::vector<std::size_t>& passed);
     [[nodiscard]] bool settleWeights(double t, std::span<const double> y);
     void project(double t, std::span<double> y);
     void makeJacobian();

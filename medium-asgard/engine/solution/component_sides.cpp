@@ -38,6 +38,7 @@ ComponentEquations::Gradient& ComponentEquations::gradient(std::size_t surface) 
         for (const Node symbol : symbols_)
             derivatives.push_back(
                 expression::differentiate(set_.graph, surfaces_[surface].guard, symbol));
+        derivatives.push_back(surfaces_[surface].guard);
         place->derivatives = derive(derivatives);
         for (std::size_t i = 0; i < states_.size(); ++i)
             if (surfaces_[surface].guard == symbols_[1 + i])
@@ -49,11 +50,11 @@ ComponentEquations::Gradient& ComponentEquations::gradient(std::size_t surface) 
 // d g / dt along given rates of the states, at the point given to fill().
 ComponentEquations::Slope ComponentEquations::guardRate(std::size_t surface,
                                                         std::span<const double> rates) {
-    std::vector<double> partial(symbols_.size()), change(symbols_.size(), 1.0);
+    std::vector<double> partial(symbols_.size() + 1), change(symbols_.size(), 1.0);
     evaluate(gradient(surface).derivatives, partial);
     std::copy_n(rates.begin(), states_.size(), change.begin() + 1);
     inputs_.rates(in_[0], std::span(change).subspan(1 + states_.size()));
-    Slope slope{0, 0, 0};
+    Slope slope{0, 0, 0, partial.back()};
     for (std::size_t i = 0; i < symbols_.size(); ++i) {
         if (partial[i] == 0)
             continue;
@@ -248,23 +249,38 @@ bool ComponentEquations::isRight(std::size_t surface) {
     return g > slope.near || (g >= -slope.near && slope.rate * sides_[surface] > slope.noise);
 }
 
-void ComponentEquations::pass(const Watch& watch, std::span<const Decision> implied, bool insist,
-                              std::vector<std::size_t>& passed) {
+// The integer that floor or ceil takes next, on the branches of what its argument reads.
+Decision ComponentEquations::wholeBranch(std::size_t surface, std::span<const double> rates) {
+    const Slope slope = guardRate(surface, rates);
+    const double nearest = std::round(slope.value);
+    const bool ceiling = surfaces_[surface].ceiling;
+    double whole = ceiling ? std::ceil(slope.value) : std::floor(slope.value);
+    if (std::abs(slope.value - nearest) <= slope.near) {
+        const bool leaves = ceiling ? slope.rate > slope.noise : slope.rate < -slope.noise;
+        whole = leaves ? nearest + (ceiling ? 1 : -1) : nearest;
+    }
+    constexpr double largest = 9e18;
+    return std::abs(whole) < largest ? static_cast<Decision>(whole) : expression::noBranch;
+}
+
+void ComponentEquations::pass(const Watch& watch, bool insist, std::vector<std::size_t>& passed) {
     const std::size_t s = watch.surface;
     const Surface::Member& member = surfaces_[s].members[0];
     if (watch.kind != Watch::Kind::side) {
         sliding_.erase(std::remove(sliding_.begin(), sliding_.end(), s), sliding_.end());
         setSide(s, watch.kind == Watch::Kind::least ? -1 : +1);
     } else if (surfaces_[s].whole) {
-        const Decision now = decisions_[member.decision];
-        const Decision next = implied[member.decision];
-        const Decision beside = surfaces_[s].ceiling ? now + 1 : now - 1;
-        decisions_[member.decision] = next != now ? next : beside;
+        field();
+        const std::vector<double> now = out_;
+        const Decision next = wholeBranch(s, now);
+        const Decision beside = decisions_[member.decision] + (surfaces_[s].ceiling ? 1 : -1);
+        decisions_[member.decision] = next != decisions_[member.decision] ? next : beside;
     } else if (insist) {
         setSide(s, onSurface);
     } else if (passed.empty() || !isRight(s)) {
-        const int g = static_cast<int>(implied[member.decision]) * member.orientation;
-        setSide(s, sides_[s] == onSurface ? g : -sides_[s]);
+        tape_.evaluate(in_, other_, scratch_, decisions_, guards_);
+        const double g = guard(s);
+        setSide(s, sides_[s] == onSurface ? (g > 0) - (g < 0) : -sides_[s]);
         passed.push_back(s);
     }
 }
@@ -281,9 +297,15 @@ void ComponentEquations::follow(const std::vector<std::size_t>& passed) {
             const auto in = [s](const std::vector<std::size_t>& list) {
                 return std::find(list.begin(), list.end(), s) != list.end();
             };
-            if (surfaces_[s].whole || in(passed) || in(sliding_) ||
-                decisions_[surfaces_[s].members[0].decision] == expression::noBranch)
+            Decision& decision = decisions_[surfaces_[s].members[0].decision];
+            if (in(passed) || in(sliding_) || decision == expression::noBranch)
                 continue;
+            if (surfaces_[s].whole) {
+                const Decision next = wholeBranch(s, now);
+                changed = next != decision;
+                decision = next;
+                continue;
+            }
             const double g = guard(s);
             if (g * sides_[s] < 0 && std::abs(g) > guardRate(s, now).near) {
                 setSide(s, g > 0 ? 1 : -1);
@@ -298,11 +320,9 @@ void ComponentEquations::follow(const std::vector<std::size_t>& passed) {
 ComponentEquations::Crossing ComponentEquations::cross(const Violation& violation, double t,
                                                        std::span<double> y, bool insist) {
     fill(t, y);
-    std::vector<Decision> implied(decisions_.size());
-    tape_.decide(in_, implied, guards_, scratch_);
     std::vector<std::size_t> passed;
     for (const std::size_t k : violation.watches)
-        pass(watches_[k], implied, insist, passed);
+        pass(watches_[k], insist, passed);
     follow(passed);
     // Does the field behind each passed surface lead away from it?
     field();
