@@ -21,14 +21,15 @@ void Playback::anchor(double time, Instant now) {
 }
 
 void Playback::setSpan(const Span& span, Instant now) {
-    const bool first = span_ == Span{} && !playing_;
-    anchor(wanted(now), now);
+    anchor(known_ ? wanted(now) : span.start, now);
+    known_ = true;
     span_ = span;
-    time_ = first ? span.start : std::clamp(time_, span.start, std::max(span.start, span.finish));
+    time_ = std::clamp(time_, span.start, std::max(span.start, span.finish));
+    playing_ = playing_ && span.finish > span.start;
 }
 
 void Playback::play(Instant now) {
-    if (playing_ || span_.finish <= span_.start)
+    if (playing_ || (known_ && span_.finish <= span_.start))
         return;
     anchor(time_ >= span_.finish ? span_.start : time_, now);
     playing_ = true;
@@ -50,7 +51,7 @@ void Playback::setRate(double rate, bool loops, Instant now) {
 }
 
 bool Playback::advance(Instant now) {
-    if (!playing_)
+    if (!playing_ || !known_)
         return false;
     const double at = wanted(now);
     if (at < span_.computed)

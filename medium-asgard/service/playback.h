@@ -30,7 +30,9 @@ public:
     [[nodiscard]] double rate() const { return rate_; }
     [[nodiscard]] bool loops() const { return loops_; }
 
-    void play(Instant now); // from the start again when it stands at the finish
+    // From the start again when it stands at the finish; as soon as there is a motion when there is
+    // none yet.
+    void play(Instant now);
     void pause(Instant now);
     void seek(double time, Instant now); // clamped to start..finish; waits there for the motion
     void setRate(double rate, bool loops, Instant now);
@@ -43,6 +45,7 @@ private:
     void anchor(double time, Instant now);
 
     Span span_;
+    bool known_ = false; // the span has been set
     bool playing_ = false, loops_ = false;
     double rate_ = 1;
     double time_ = 0;

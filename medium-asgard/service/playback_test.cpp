@@ -63,6 +63,15 @@ TEST(Playback, ASoughtTimeIsKeptWhileItIsNotComputedYet) {
     EXPECT_EQ(playback.time(zero), 4);
 }
 
+TEST(Playback, PlaysAMotionThatComesLaterFromItsStart) {
+    Playback playback;
+    playback.play(zero);
+    EXPECT_FALSE(playback.advance(zero + milliseconds(100)));
+    EXPECT_TRUE(playback.playing());
+    playback.setSpan({3, 9, 9}, zero + milliseconds(700));
+    EXPECT_DOUBLE_EQ(playback.time(zero + milliseconds(1700)), 4);
+}
+
 TEST(Playback, AnEditThatShortensTheMotionMovesTimeIntoIt) {
     Playback playback = playbackOf({0, 10, 10});
     playback.seek(8, zero);

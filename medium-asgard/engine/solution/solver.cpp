@@ -170,10 +170,10 @@ void Solver::Implementation::run(double finish, Advance& advance) {
             while (ask && handleEvents(finish))
                 event = true;
             told = histories_.known_;
-            if (event)
-                continue;
             if (options_.progress)
                 options_.progress(told);
+            if (event)
+                continue;
         }
         if (complete)
             return;
