@@ -448,9 +448,12 @@ void Component::pass(const Violation& violation, bool immediate) {
 void Component::reconsider(double h) {
     if (options_.method != "auto" || counts_.model == "quadrature")
         return;
+    const MethodChoice before = choice_.restarted();
     if (choice_.changesAfter(*method_, h) ||
         (choice_.wantsSpectralRadius() && choice_.changesFor(spectralRadius(), h)))
         changeMethod();
+    else if (!(choice_.restarted() == before)) // a trial was won
+        remember();
 }
 
 // Power iteration on the Jacobian, from a fixed vector; the mean growth of the last rounds, since

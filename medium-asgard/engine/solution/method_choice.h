@@ -22,6 +22,7 @@ public:
     [[nodiscard]] bool implicit() const { return implicit_; }
     // What holds after an event: a trial that was not decided counts for nothing.
     [[nodiscard]] MethodChoice restarted() const;
+    [[nodiscard]] bool operator==(const MethodChoice&) const = default;
 
     // After each accepted step of length h; true: go on with the other method.
     [[nodiscard]] bool changesAfter(const Method& method, double h);
