@@ -168,9 +168,8 @@ bool ControlPanel::mayLeave() {
 }
 
 void ControlPanel::closeEvent(QCloseEvent* event) {
-    event->setAccepted(mayLeave());
-    if (event->isAccepted())
-        Q_EMIT leaving();
+    // Drafts first: one may become part of what is then saved.
+    event->setAccepted(windows_.closeViewers() && mayLeave());
 }
 
 } // namespace views

@@ -25,9 +25,6 @@ public:
     // Nothing would be lost, or the user agreed to what is.
     bool mayLeave();
 
-Q_SIGNALS:
-    void leaving(); // all windows are to close
-
 protected:
     void closeEvent(QCloseEvent* event) override;
 

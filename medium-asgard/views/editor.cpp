@@ -63,6 +63,7 @@ Windows Editor::windows() {
     Windows windows;
     windows.openGraphicalViewer = [this] { openGraphicalViewer(); };
     windows.openLanguageViewer = [this] { openLanguageViewer(); };
+    windows.closeViewers = [this] { return closeViewers(); };
     if (!document_.hasHost())
         windows.save = [this] {
             if (controlPanel_)
@@ -101,13 +102,8 @@ LanguageViewer* Editor::openLanguageViewer() {
 }
 
 ControlPanel* Editor::openControlPanel() {
-    if (!controlPanel_) {
+    if (!controlPanel_)
         controlPanel_ = new ControlPanel(document_, windows());
-        connect(controlPanel_, &ControlPanel::leaving, this, [this] {
-            if (closeViewers())
-                QCoreApplication::quit();
-        });
-    }
     controlPanel_->show();
     return controlPanel_;
 }

@@ -20,7 +20,8 @@ namespace views {
 // What a window can ask for beyond its own document.
 struct Windows {
     std::function<void()> openGraphicalViewer, openLanguageViewer;
-    std::function<void()> save; // none: under a host, which saves
+    std::function<void()> save;         // none: under a host, which saves
+    std::function<bool()> closeViewers; // false: the user wants to stay
 };
 
 class GraphicalViewer : public QMainWindow {

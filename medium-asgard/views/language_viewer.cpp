@@ -57,6 +57,7 @@ LanguageViewer::LanguageViewer(SceneDocument& document, Windows windows, int num
     notice_->setBackgroundRole(QPalette::ToolTipBase);
     notice_->setForegroundRole(QPalette::ToolTipText);
     notice_->setMargin(8);
+    connect(notice_, &QLabel::linkActivated, this, &LanguageViewer::dropDraft);
     auto* splitter = new QSplitter(Qt::Vertical);
     splitter->addWidget(editor_);
     splitter->addWidget(messages_);
@@ -283,6 +284,10 @@ void LanguageViewer::revert() {
     edited_ = false;
     if (!document_.hasHost())
         document_.setText(document_.savedText(), tr("Revert"));
+    dropDraft();
+}
+
+void LanguageViewer::dropDraft() {
     setEditorText(document_.text());
     draftRevision_ = document_.revision();
     showDiagnostics();
@@ -419,8 +424,8 @@ void LanguageViewer::updateTitle() {
 void LanguageViewer::updateNotice() {
     const bool overtaken = edited_ && draftRevision_ != document_.revision();
     notice_->setText(
-        tr("The scene was changed in another view. This draft is kept; Update makes it "
-           "the scene's text, Revert drops it."));
+        tr("The scene was changed in another view. This draft is kept: Update makes it "
+           "the scene's text, or <a href=\"drop\">drop the draft</a>."));
     notice_->setVisible(overtaken);
 }
 

@@ -32,6 +32,7 @@ public:
 
     void updateDocument(); // the Update button: makes the draft everyone's text
     void revert();         // back to the last saved text, or under a host to the document's
+    void dropDraft();      // back to the document's text, which stays as it is
     // Marks and shows the text's bytes [from, to).
     void select(std::size_t from, std::size_t to);
     // Finds the next occurrence after the cursor, from the top when there is none; false: nowhere.

@@ -229,6 +229,9 @@ TEST_F(ViewersTest, ADraftIsKeptWhenAnotherViewUpdates) {
     EXPECT_TRUE(two->hasDraft());
     two->updateDocument();
     EXPECT_EQ(one->draft(), mine);
+    type(*one, "# dropped\n");
+    one->dropDraft();
+    EXPECT_EQ(one->draft(), mine);
     editor.document().undo();
     EXPECT_EQ(one->draft(), ballScene + "# theirs\n");
     EXPECT_EQ(two->draft(), ballScene + "# theirs\n");
