@@ -70,8 +70,8 @@ Maybe wholePower(const Polynomial& a, double exponent) {
 // Evaluates nodes as polynomials of r = (t - t0) / scale.
 class Evaluation {
 public:
-    Evaluation(const expression::EquationSet& set, ComponentEquations& equations, double t)
-        : set_(set), equations_(equations), t_(t) {
+    Evaluation(ComponentEquations& equations, double t)
+        : graph_(equations.graph()), equations_(equations), t_(t) {
         Inputs& inputs = equations.inputs();
         for (std::size_t i = 0; i < inputs.unknowns().size(); ++i) {
             const Piece& piece = inputs.at(i, t);
@@ -108,8 +108,8 @@ public:
 private:
     // Branches that are not taken, and guards of what is decided, are not looked at.
     std::vector<Node> needed(Node n) {
-        const auto arguments = set_.graph.arguments(n);
-        const Op op = set_.graph.op(n);
+        const auto arguments = graph_.arguments(n);
+        const Op op = graph_.op(n);
         const auto decision = equations_.decisionOf(n);
         if (decision && *decision != expression::noBranch) {
             if (op == Op::abs)
@@ -132,9 +132,9 @@ private:
     }
 
     Maybe compute(Node n) {
-        const Op op = set_.graph.op(n);
+        const Op op = graph_.op(n);
         if (op == Op::constant)
-            return Polynomial::constant(set_.graph.value(n));
+            return Polynomial::constant(graph_.value(n));
         if (op == Op::symbol)
             return symbol(n);
         const auto decision = equations_.decisionOf(n);
@@ -146,7 +146,7 @@ private:
     }
 
     Maybe symbol(Node n) {
-        if (n == set_.time) {
+        if (n == equations_.time()) {
             Polynomial p = Polynomial::constant(t_);
             p.c[1] = scale_;
             p.degree = 1;
@@ -165,7 +165,7 @@ private:
     }
 
     Maybe decided(Node n, Op op, Decision decision) {
-        const auto arguments = set_.graph.arguments(n);
+        const auto arguments = graph_.arguments(n);
         switch (op) {
         case Op::abs: {
             const Polynomial& p = done_.at(arguments[0].index);
@@ -191,7 +191,7 @@ private:
     }
 
     Maybe select(Node n) {
-        const auto arguments = set_.graph.arguments(n);
+        const auto arguments = graph_.arguments(n);
         const Polynomial& condition = done_.at(arguments[0].index);
         if (condition.degree > 0)
             return std::nullopt;
@@ -200,7 +200,7 @@ private:
     }
 
     Maybe arithmetic(Node n, Op op) {
-        const auto arguments = set_.graph.arguments(n);
+        const auto arguments = graph_.arguments(n);
         const Polynomial a = done_.at(arguments[0].index);
         const Polynomial b = arguments.size() > 1 ? done_.at(arguments[1].index) : Polynomial{};
         if (a.degree == 0 && b.degree == 0)
@@ -223,7 +223,7 @@ private:
         }
     }
 
-    const expression::EquationSet& set_;
+    const expression::Graph& graph_;
     ComponentEquations& equations_;
     double t_, until_ = infinity, scale_ = 1;
     std::unordered_map<std::uint32_t, Polynomial> done_;
@@ -231,10 +231,9 @@ private:
 
 } // namespace
 
-std::optional<ClosedForm> closedForm(const expression::EquationSet& set,
-                                     ComponentEquations& equations, double t,
+std::optional<ClosedForm> closedForm(ComponentEquations& equations, double t,
                                      std::span<const double> y) {
-    Evaluation evaluation(set, equations, t);
+    Evaluation evaluation(equations, t);
     ClosedForm result{evaluation.scale(), evaluation.until(), {}};
     const auto outputs = equations.outputs();
     for (std::size_t i = 0; i < outputs.size(); ++i) {

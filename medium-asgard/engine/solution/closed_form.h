@@ -16,8 +16,7 @@ struct ClosedForm {
 
 // From t on, with the states' values there; until the end of the inputs' pieces at t. None: some
 // right-hand side is no polynomial, reads a state, or has too high a degree.
-[[nodiscard]] std::optional<ClosedForm> closedForm(const expression::EquationSet& set,
-                                                   ComponentEquations& equations, double t,
+[[nodiscard]] std::optional<ClosedForm> closedForm(ComponentEquations& equations, double t,
                                                    std::span<const double> y);
 
 } // namespace solution

@@ -5,7 +5,7 @@
 
 namespace solution {
 
-Component::Component(expression::EquationSet& set, const UnknownIndex& index,
+Component::Component(const expression::EquationSet& set, const UnknownIndex& index,
                      const Histories& histories, const Options& options,
                      std::vector<std::size_t> unknowns)
     : set_(set), index_(index), histories_(histories), options_(options),

@@ -23,8 +23,9 @@ namespace solution {
 
 class Component {
 public:
-    Component(expression::EquationSet& set, const UnknownIndex& index, const Histories& histories,
-              const Options& options, std::vector<std::size_t> unknowns);
+    Component(const expression::EquationSet& set, const UnknownIndex& index,
+              const Histories& histories, const Options& options,
+              std::vector<std::size_t> unknowns);
 
     [[nodiscard]] const std::vector<std::size_t>& unknowns() const { return unknowns_; }
     [[nodiscard]] const std::shared_ptr<History>& history() const { return history_; }
@@ -101,7 +102,7 @@ private:
     void remember(); // a checkpoint at time_
     [[nodiscard]] std::string names(const std::vector<std::size_t>& places) const;
 
-    expression::EquationSet& set_;
+    const expression::EquationSet& set_;
     const UnknownIndex& index_;
     const Histories& histories_;
     const Options& options_;

@@ -27,6 +27,33 @@ std::vector<std::size_t> inputUnknowns(const expression::EquationSet& set,
     return found;
 }
 
+// The same expression in another graph; arguments first, on an own stack.
+Node transplant(expression::Graph& to, const expression::Graph& from, Node root,
+                std::unordered_map<std::uint32_t, Node>& done) {
+    std::vector<Node> stack{root};
+    while (!stack.empty()) {
+        const Node n = stack.back();
+        const auto arguments = from.arguments(n);
+        const std::size_t size = stack.size();
+        for (const Node argument : arguments)
+            if (!done.contains(argument.index))
+                stack.push_back(argument);
+        if (stack.size() > size)
+            continue;
+        stack.pop_back();
+        if (done.contains(n.index))
+            continue;
+        const auto a = [&](std::size_t k) { return done.at(arguments[k].index); };
+        const Op op = from.op(n);
+        done[n.index] = op == Op::constant      ? to.constant(from.value(n))
+                        : op == Op::symbol      ? to.symbol(from.name(n))
+                        : arguments.size() == 1 ? to.apply(op, a(0))
+                        : arguments.size() == 2 ? to.apply(op, a(0), a(1))
+                                                : to.apply(op, a(0), a(1), a(2));
+    }
+    return done.at(root.index);
+}
+
 std::vector<Node> rawNodes(const expression::EquationSet& set,
                            const std::vector<std::size_t>& unknowns,
                            std::span<const std::size_t> phases) {
@@ -40,8 +67,8 @@ std::vector<Node> rawNodes(const expression::EquationSet& set,
 
 } // namespace
 
-ComponentEquations::ComponentEquations(expression::EquationSet& set, const UnknownIndex& index,
-                                       const Histories& histories,
+ComponentEquations::ComponentEquations(const expression::EquationSet& set,
+                                       const UnknownIndex& index, const Histories& histories,
                                        std::vector<std::size_t> unknowns,
                                        std::span<const std::size_t> phases)
     : set_(set), unknowns_(std::move(unknowns)),
@@ -85,32 +112,37 @@ void ComponentEquations::makeOutputs(std::span<const std::size_t> phases) {
     const auto phaseOf = [&](std::size_t i) -> const expression::Phase& {
         return set_.unknowns[unknowns_[i]].phases[phases[i]];
     };
-    std::unordered_map<std::uint32_t, Node> values;
+    std::unordered_map<std::uint32_t, Node> values, done;
     std::vector<Node> heldNodes;
     for (const std::size_t i : held_) {
-        heldNodes.push_back(expression::substitute(set_.graph, *phaseOf(i).given, values));
-        values.emplace(set_.unknowns[unknowns_[i]].symbol.index, heldNodes.back());
+        const Node given = transplant(graph_, set_.graph, *phaseOf(i).given, done);
+        heldNodes.push_back(expression::substitute(graph_, given, values));
+        values.emplace(graph_.symbol(set_.graph.name(set_.unknowns[unknowns_[i]].symbol)).index,
+                       heldNodes.back());
     }
-    for (const std::size_t i : states_)
-        outputs_.push_back(expression::substitute(set_.graph, phaseOf(i).derivative, values));
+    for (const std::size_t i : states_) {
+        const Node derivative = transplant(graph_, set_.graph, phaseOf(i).derivative, done);
+        outputs_.push_back(expression::substitute(graph_, derivative, values));
+    }
     outputs_.insert(outputs_.end(), heldNodes.begin(), heldNodes.end());
 }
 
 void ComponentEquations::makeTape() {
-    symbols_.push_back(set_.time);
+    const auto own = [this](Node symbol) { return graph_.symbol(set_.graph.name(symbol)); };
+    symbols_.push_back(own(set_.time));
     for (const std::size_t i : states_)
-        symbols_.push_back(set_.unknowns[unknowns_[i]].symbol);
+        symbols_.push_back(own(set_.unknowns[unknowns_[i]].symbol));
     for (const std::size_t u : inputs_.unknowns())
-        symbols_.push_back(set_.unknowns[u].symbol);
-    surfaces_ = surfacesOf(set_.graph, outputs_);
-    switches_ = switchesOf(set_.graph, outputs_);
+        symbols_.push_back(own(set_.unknowns[u].symbol));
+    surfaces_ = surfacesOf(graph_, outputs_);
+    switches_ = switchesOf(graph_, outputs_);
     gradients_.resize(surfaces_.size());
     for (std::size_t s = 0; s < surfaces_.size(); ++s)
         for (std::size_t i = 0; i < states_.size(); ++i)
             if (!surfaces_[s].whole && surfaces_[s].guard == symbols_[1 + i])
                 ownGuards_.emplace_back(s, i);
     sides_.assign(surfaces_.size(), onSurface);
-    tape_ = expression::Tape(set_.graph, symbols_, outputs_);
+    tape_ = expression::Tape(graph_, symbols_, outputs_);
     in_.resize(symbols_.size());
     out_.resize(outputs_.size());
     base_.resize(outputs_.size());
@@ -124,7 +156,7 @@ void ComponentEquations::findIntegrals() {
         for (std::size_t v = 0; v < states_.size(); ++v)
             if (outputs_[x] == symbols_[1 + v])
                 integrals_.emplace_back(x, v);
-    const std::vector<Node> read = expression::symbolsOf(set_.graph, outputs_);
+    const std::vector<Node> read = expression::symbolsOf(graph_, outputs_);
     readsStates_ = std::any_of(read.begin(), read.end(), [&](Node n) {
         return std::find(symbols_.begin() + 1,
                          symbols_.begin() + 1 + static_cast<std::ptrdiff_t>(states_.size()),

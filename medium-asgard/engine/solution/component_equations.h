@@ -36,7 +36,7 @@ namespace solution {
 class ComponentEquations final : public System {
 public:
     // `phases[i]` is the phase of unknowns[i] that is in force.
-    ComponentEquations(expression::EquationSet& set, const UnknownIndex& index,
+    ComponentEquations(const expression::EquationSet& set, const UnknownIndex& index,
                        const Histories& histories, std::vector<std::size_t> unknowns,
                        std::span<const std::size_t> phases);
 
@@ -64,7 +64,10 @@ public:
     // Places in `unknowns` of those whose rate or value is not finite.
     [[nodiscard]] std::vector<std::size_t> notFinite(double t, std::span<const double> y);
 
-    // What the outputs are, for models in closed form: rates of states, then held values.
+    // What the outputs are, for models in closed form: rates of states, then held values. All nodes
+    // are of this graph, which holds nothing else: its bits depend on the component alone.
+    [[nodiscard]] const expression::Graph& graph() const { return graph_; }
+    [[nodiscard]] expression::Node time() const { return symbols_[0]; }
     [[nodiscard]] std::span<const expression::Node> outputs() const { return outputs_; }
     [[nodiscard]] std::optional<expression::Decision> decisionOf(expression::Node switching) const;
     [[nodiscard]] std::optional<std::size_t> inputOf(expression::Node symbol) const;
@@ -119,7 +122,7 @@ private:
         double near;  // and of a guard of 0, where its root was located
         double value; // the guard
     };
-    [[nodiscard]] Derived derive(std::span<const expression::Node> nodes);
+    [[nodiscard]] Derived derive(expression::Graph& graph, std::span<const expression::Node> nodes);
     void evaluate(Derived& derived, std::span<double> out) const;
     [[nodiscard]] Slope guardRate(std::size_t surface, std::span<const double> rates);
     [[nodiscard]] bool weigh(); // weights_ and rates of sliding at what fill() was given
@@ -136,7 +139,8 @@ private:
     void makeJacobian();
     [[nodiscard]] bool differences(double t, std::span<const double> y, std::span<double> entries);
 
-    expression::EquationSet& set_;
+    const expression::EquationSet& set_;
+    expression::Graph graph_; // of the outputs and guards alone; derivatives go into copies
     std::vector<std::size_t> unknowns_, states_, held_, loop_;
     std::vector<expression::Node> outputs_, symbols_; // symbols: time, states, inputs
     std::vector<std::pair<std::size_t, std::size_t>> integrals_;

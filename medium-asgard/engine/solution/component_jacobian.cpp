@@ -18,13 +18,14 @@ const Pattern& ComponentEquations::jacobianPattern() {
 
 void ComponentEquations::makeJacobian() {
     jacobian_ = std::make_unique<Jacobian>();
+    expression::Graph graph = graph_;
     std::vector<std::vector<std::pair<int, Node>>> columns(states_.size());
     for (std::size_t row = 0; row < states_.size(); ++row)
-        for (const Node symbol : expression::symbolsOf(set_.graph, {&outputs_[row], 1}))
+        for (const Node symbol : expression::symbolsOf(graph, {&outputs_[row], 1}))
             for (std::size_t column = 0; column < states_.size(); ++column)
                 if (symbols_[1 + column] == symbol) {
-                    const Node d = expression::differentiate(set_.graph, outputs_[row], symbol);
-                    if (!set_.graph.isConstant(d, 0))
+                    const Node d = expression::differentiate(graph, outputs_[row], symbol);
+                    if (!graph.isConstant(d, 0))
                         columns[column].emplace_back(static_cast<int>(row), d);
                 }
     Pattern& pattern = jacobian_->pattern;
@@ -37,21 +38,22 @@ void ComponentEquations::makeJacobian() {
         }
         pattern.columnStarts.push_back(static_cast<int>(pattern.rows.size()));
     }
-    jacobian_->entries = derive(entries);
+    jacobian_->entries = derive(graph, entries);
 }
 
 // Its own switches are ours, or stand on the same surfaces as ours.
-ComponentEquations::Derived ComponentEquations::derive(std::span<const Node> nodes) {
+ComponentEquations::Derived ComponentEquations::derive(expression::Graph& graph,
+                                                       std::span<const Node> nodes) {
     Derived derived;
-    derived.tape = expression::Tape(set_.graph, symbols_, nodes);
-    for (const Node switching : switchesOf(set_.graph, nodes)) {
+    derived.tape = expression::Tape(graph, symbols_, nodes);
+    for (const Node switching : switchesOf(graph, nodes)) {
         Derived::Source source;
         const auto same = std::lower_bound(switches_.begin(), switches_.end(), switching);
-        const Op op = set_.graph.op(switching);
+        const Op op = graph.op(switching);
         if (same != switches_.end() && *same == switching) {
             source.decision = static_cast<std::size_t>(same - switches_.begin());
         } else if (op != Op::floor && op != Op::ceil) {
-            const Guard guard = guardOf(set_.graph, switching);
+            const Guard guard = guardOf(graph, switching);
             source.orientation = guard.orientation;
             for (std::size_t s = 0; s < surfaces_.size(); ++s)
                 if (!surfaces_[s].whole && surfaces_[s].guard == guard.node)

@@ -34,12 +34,13 @@ ComponentEquations::Gradient& ComponentEquations::gradient(std::size_t surface) 
     std::unique_ptr<Gradient>& place = gradients_[surface];
     if (!place) {
         place = std::make_unique<Gradient>();
+        expression::Graph graph = graph_;
         std::vector<Node> derivatives;
         for (const Node symbol : symbols_)
             derivatives.push_back(
-                expression::differentiate(set_.graph, surfaces_[surface].guard, symbol));
+                expression::differentiate(graph, surfaces_[surface].guard, symbol));
         derivatives.push_back(surfaces_[surface].guard);
-        place->derivatives = derive(derivatives);
+        place->derivatives = derive(graph, derivatives);
         for (std::size_t i = 0; i < states_.size(); ++i)
             if (surfaces_[surface].guard == symbols_[1 + i])
                 place->state = i;
@@ -348,10 +349,10 @@ std::vector<std::size_t> ComponentEquations::unknownsOf(const std::vector<std::s
     for (const std::size_t k : watches)
         guards.push_back(surfaces_[watches_[k].surface].guard);
     std::vector<std::size_t> found;
-    for (const Node symbol : expression::symbolsOf(set_.graph, guards))
-        for (std::size_t i = 0; i < unknowns_.size(); ++i)
-            if (set_.unknowns[unknowns_[i]].symbol == symbol)
-                found.push_back(i);
+    for (const Node symbol : expression::symbolsOf(graph_, guards))
+        for (std::size_t i = 0; i < states_.size(); ++i)
+            if (symbols_[1 + i] == symbol)
+                found.push_back(states_[i]);
     return found;
 }
 

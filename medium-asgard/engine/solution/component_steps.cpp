@@ -134,12 +134,11 @@ void Component::decideModel() {
 }
 
 bool Component::tryClosedForm() {
-    return !equations_->sliding() &&
-           closedForm(set_, *equations_, time_, stateValues()).has_value();
+    return !equations_->sliding() && closedForm(*equations_, time_, stateValues()).has_value();
 }
 
 void Component::stepClosedForm() {
-    auto form = closedForm(set_, *equations_, time_, stateValues());
+    auto form = closedForm(*equations_, time_, stateValues());
     if (!form || equations_->sliding()) { // an input's next pieces have too high a degree
         model_ = equations_->states().empty() ? Model::held : Model::integrated;
         proposed_ = 0;
