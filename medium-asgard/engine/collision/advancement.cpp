@@ -10,7 +10,7 @@ namespace collision {
 
 namespace {
 
-constexpr double unnoticed = 1e-10; // of the size: a depth that a step may pass over
+constexpr double unnoticed = 1e-10; // of the smaller part's size: a depth that a step may pass over
 constexpr double deep = 1e-9;       // of the size: deeper than this is an overlap, not a touch
 constexpr std::size_t mostEvaluations = 100'000;
 
@@ -20,10 +20,18 @@ struct Growth {
     double rate = 0, curvature = 0, room = 0;
 };
 
+double smallerSize(const PartPair& pair) {
+    const auto sizeOf = [](const Part& part) {
+        return geometry::radiusAbout(part, part.core.vertices[0]) + part.radius;
+    };
+    return std::min(sizeOf(*pair.first.part), sizeOf(*pair.second.part));
+}
+
 class Advance {
 public:
     Advance(const PartPair& pair, Interval during)
-        : pair_(pair), during_(during), t_(during.from), size_(pair.size()) {}
+        : pair_(pair), during_(during), t_(during.from), size_(pair.size()),
+          unnoticed_(std::max(unnoticed * smallerSize(pair), 8 * pair.roundOff(during.from))) {}
 
     Encounter run() {
         while (result_.evaluations < mostEvaluations && !finished_) {
@@ -82,10 +90,10 @@ private:
         }
         // A step too short to matter is made as long as sinking in unnoticed allows.
         const double away = nextContact(now, 0, true);
-        if (away * pair_.relativeSpeed(t_) > unnoticed * size_)
+        if (away * pair_.relativeSpeed(t_) > unnoticed_)
             moveBy(away);
         else
-            moveBy(std::max(away, nextContact(now, unnoticed * size_, false)));
+            moveBy(std::max(away, nextContact(now, unnoticed_, false)));
     }
 
     void stepTowards(const Separation& now) {
@@ -203,7 +211,7 @@ private:
     const PartPair& pair_;
     Interval during_;
     double t_;
-    double size_;
+    double size_, unnoticed_;
     double window_ = HUGE_VAL;
     WarmStart warm_;
     bool stalled_ = false, finished_ = false;

@@ -71,12 +71,15 @@ void note(Encounter& all, const Encounter& one, std::size_t i, std::size_t j, bo
 
 } // namespace
 
-Encounter timeOfImpact(const MovingShape& first, const MovingShape& second, Interval during) {
+Encounter timeOfImpact(const MovingShape& first, const MovingShape& second, Interval during,
+                       const PartFilter& leaveOut) {
     Encounter all;
     for (double t = during.from; !all.hit;) {
         const double end = endOfPieces(first, second, t, during.to);
         for (std::size_t i = 0; i < first.shape().parts.size(); ++i)
             for (std::size_t j = 0; j < second.shape().parts.size(); ++j) {
+                if (leaveOut && leaveOut(i, j))
+                    continue;
                 const double until = all.hit ? all.hit->time : end;
                 note(all, meetInPiece(partPair(first, i, second, j, t), {t, until}), i, j,
                      t == during.from);

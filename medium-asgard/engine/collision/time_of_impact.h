@@ -22,6 +22,7 @@
 #include "collision/moving_shape.h"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 
 namespace collision {
@@ -43,7 +44,9 @@ struct Encounter {
     std::size_t evaluations = 0; // gaps computed
 };
 
+// Pairs of parts for which `leaveOut` is true are not looked at.
+using PartFilter = std::function<bool(std::size_t firstPart, std::size_t secondPart)>;
 [[nodiscard]] Encounter timeOfImpact(const MovingShape& first, const MovingShape& second,
-                                     Interval during);
+                                     Interval during, const PartFilter& leaveOut = nullptr);
 
 } // namespace collision

@@ -10,12 +10,9 @@ namespace simulation {
 namespace {
 
 using collision::Hit;
-using physics::ImpactBody;
 using solution::Event;
 using solution::Histories;
 using solution::infinity;
-
-constexpr double touchingGap = 1e-10; // of the two bodies' radii: in contact at an impact
 
 std::string quoted(const std::string& name) { return "\"" + name + "\""; }
 
@@ -24,9 +21,10 @@ std::string quoted(const std::string& name) { return "\"" + name + "\""; }
 CollisionSource::CollisionSource(const scene::Scene& scene,
                                  const physics::EquationsOfMotion& equations,
                                  std::vector<geometry::Shape> shapes, double start, double finish,
-                                 double restHeight)
-    : scene_(scene), equations_(equations), records_(recordsOf(equations)), finish_(finish),
-      restHeight_(restHeight), front_(start) {
+                                 const RestLimits& limits)
+    : scene_(scene), equations_(equations), records_(recordsOf(equations)), start_(start),
+      finish_(finish), limits_(limits), front_(start),
+      resting_(equations, records_, bodies_, start, finish, limits) {
     for (std::size_t i = 0; i < records_.size(); ++i)
         bodies_.emplace_back(records_[i], std::move(shapes[i]));
     const std::size_t n = records_.size();
@@ -55,12 +53,6 @@ bool CollisionSource::mayMeet(std::size_t a, std::size_t b) const {
     return !(groupA && groupB && *groupA == *groupB) && !linked_.contains(std::minmax(a, b));
 }
 
-bool CollisionSource::canGiveWay(std::size_t body, double time) const {
-    if (records_[body].isFixed)
-        return false;
-    return std::ranges::count(equations_.bodies[body].heldAt(time).position, true) == 0;
-}
-
 // --- the search -----------------------------------------------------------------------------
 
 std::optional<Event> CollisionSource::next(const Histories& histories, double known) {
@@ -73,17 +65,26 @@ std::optional<Event> CollisionSource::next(const Histories& histories, double kn
             const Hit hit = *found_[{a, b}].hit;
             dropHit({a, b});
             found_[{a, b}].testedUntil = time;
-            if (auto event = handle(histories, {a, b}, hit)) {
-                forgetAfterEvent(*event);
-                return event;
-            }
+            if (auto event = handle(histories, {a, b}, hit))
+                return announced(std::move(*event));
         }
+        const auto change = resting_.firstChange(histories, front_, partners_);
+        if (change)
+            return announced(stir(histories, change->body, change->time));
         if (front_ >= until)
             return std::nullopt;
         const double window = std::min(until, front_ + windowLength(histories));
         lookAtWindow(histories, window);
+        const auto next = resting_.firstChange(histories, window, partners_);
         front_ = hits_.empty() ? window : std::min(window, std::get<0>(*hits_.begin()));
+        if (next)
+            front_ = std::min(front_, next->time);
     }
+}
+
+std::optional<Event> CollisionSource::announced(Event event) {
+    forgetAfterEvent(event);
+    return event;
 }
 
 // An event cuts the bodies that it touches and all that read them: what was found beyond it for
@@ -95,6 +96,7 @@ void CollisionSource::forgetAfterEvent(const Event& event) {
         cut.insert(body);
         cut.insert(dependents_[body].begin(), dependents_[body].end());
     }
+    resting_.lookAgain(cut, event.time);
     for (const std::size_t b : cut) {
         boxUntil_[b] = -infinity;
         ++version_[b];
@@ -137,6 +139,8 @@ void CollisionSource::lookAtWindow(const Histories& histories, double until) {
             if (const auto* stop = histories.stop(records_[b].firstUnknown + i))
                 stopped = stopped || stop->time <= until;
         ended_[b] = stopped;
+        if (stopped)
+            resting_.forget(b);
     }
     updateCandidates(until);
     for (std::size_t a = 0; a < partners_.size(); ++a)
@@ -193,8 +197,13 @@ void CollisionSource::testPair(const Pair& pair, double until) {
     if (from >= until && !isNew)
         return;
     ++pairTests_;
+    collision::PartFilter footing;
+    if (resting_.hasFooting(pair.first, pair.second))
+        footing = [&](std::size_t i, std::size_t j) {
+            return resting_.isFooting(pair.first, i, pair.second, j);
+        };
     const collision::Encounter encounter =
-        collision::timeOfImpact(bodies_[pair.first], bodies_[pair.second], {from, until});
+        collision::timeOfImpact(bodies_[pair.first], bodies_[pair.second], {from, until}, footing);
     found.testedUntil = until;
     if (encounter.overlap > 0)
         noteOnce(pair, "Bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
@@ -226,185 +235,6 @@ double CollisionSource::windowLength(const Histories& histories) const {
     }
     const double span = finish_ - front_;
     return speed > 0 ? std::clamp(4 * size / speed, span / 1000, span) : span;
-}
-
-// --- what happens ---------------------------------------------------------------------------
-
-std::optional<Event> CollisionSource::handle(const Histories& histories, const Pair& pair,
-                                             const Hit& hit) {
-    if (!canGiveWay(pair.first, hit.time) && !canGiveWay(pair.second, hit.time)) {
-        noteOnce(pair, "Bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
-                           quoted(scene_.bodies[pair.second].name) +
-                           " are both held where they meet, so they pass through each other.");
-        double until = infinity;
-        for (const double time : equations_.breakpoints)
-            if (time > hit.time)
-                until = std::min(until, time);
-        passingUntil_[pair] = until;
-        return std::nullopt;
-    }
-    return hit.pressing ? press(histories, pair, hit) : meet(histories, pair, hit.time);
-}
-
-ImpactBody CollisionSource::impactBody(const Histories& histories, std::size_t body,
-                                       double time) const {
-    const BodyState state = stateOf(records_[body], histories, time);
-    ImpactBody impact{.centre = state.position,
-                      .velocity = state.velocity,
-                      .angularVelocity = state.angularVelocity};
-    if (records_[body].isFixed)
-        return impact;
-    const physics::BodyMotion& motion = equations_.bodies[body];
-    const physics::Held& held = motion.heldAt(time);
-    // A held place leaves nothing to give way, not even by turning about it. LIMIT: a body that is
-    // held along one axis counts as held along all of them in a collision.
-    if (!canGiveWay(body, time))
-        return impact;
-    impact.inverseMass = 1 / motion.mass.mass;
-    if (!held.attitude) {
-        const geometry::Matrix r = state.attitude.toRotationMatrix();
-        impact.inverseInertia = r * motion.mass.inertia.inverse() * r.transpose();
-    }
-    return impact;
-}
-
-void CollisionSource::addContacts(Cluster& cluster, std::size_t a, std::size_t b, double time) {
-    const double tolerance = touchingGap * (records_[a].radius + records_[b].radius);
-    const auto indexIn = [&](std::size_t body) {
-        const auto place = std::ranges::find(cluster.bodies, body);
-        const auto index = static_cast<std::size_t>(place - cluster.bodies.begin());
-        if (place == cluster.bodies.end())
-            cluster.bodies.push_back(body);
-        return index;
-    };
-    for (const collision::Contact& contact :
-         collision::contactsAt(bodies_[a], bodies_[b], time, tolerance))
-        cluster.contacts.push_back(
-            {.first = indexIn(a),
-             .second = indexIn(b),
-             .point = contact.point,
-             .normal = contact.normal,
-             .restitution = std::min(scene_.bodies[a].restitution, scene_.bodies[b].restitution)});
-}
-
-CollisionSource::Cluster CollisionSource::clusterAt(const Pair& pair, double time) {
-    Cluster cluster{.bodies = {pair.first, pair.second}, .contacts = {}};
-    std::set<Pair> seen;
-    for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
-        const std::size_t body = cluster.bodies[i];
-        if (!canGiveWay(body, time))
-            continue;
-        for (const std::size_t other : partners_[body])
-            if (!ended_[other] && seen.insert(std::minmax(body, other)).second) {
-                const Pair ordered = std::minmax(body, other);
-                addContacts(cluster, ordered.first, ordered.second, time);
-            }
-    }
-    return cluster;
-}
-
-// A hop lower than restHeight_ radii is the last: its contact gets a plastic impact.
-void CollisionSource::softenLastHops(const Histories& histories, Cluster& cluster,
-                                     std::span<const ImpactBody> bodies, double time) const {
-    for (physics::ImpactContact& contact : cluster.contacts) {
-        if (contact.restitution >= 1)
-            continue;
-        double approach = 0, push = 0, radius = infinity;
-        for (const auto& [index, sign] :
-             {std::pair{contact.first, 1.0}, std::pair{contact.second, -1.0}}) {
-            const std::size_t body = cluster.bodies[index];
-            const Vector arm = contact.point - bodies[index].centre;
-            const Vector& w = bodies[index].angularVelocity;
-            const Acceleration a = accelerationOf(records_[body], histories, time);
-            approach += sign * contact.normal.dot(bodies[index].velocity + w.cross(arm));
-            push +=
-                sign * contact.normal.dot(a.linear + a.angular.cross(arm) + w.cross(w.cross(arm)));
-            if (!records_[body].isFixed)
-                radius = std::min(radius, records_[body].radius);
-        }
-        const double speed = contact.restitution * approach;
-        if (approach < 0 && push < 0 && speed * speed / (-2 * push) < restHeight_ * radius)
-            contact.restitution = 0;
-    }
-}
-
-std::optional<Event> CollisionSource::meet(const Histories& histories, const Pair& pair,
-                                           double time) {
-    Cluster cluster = clusterAt(pair, time);
-    std::vector<ImpactBody> before;
-    for (const std::size_t body : cluster.bodies)
-        before.push_back(impactBody(histories, body, time));
-    softenLastHops(histories, cluster, before, time);
-    const physics::ImpactResult result = physics::resolveImpact(before, cluster.contacts);
-    record(cluster, result, time);
-    Event event{.time = time, .touched = {}, .tag = 0};
-    jumps_.clear();
-    ends_.clear();
-    const auto jump = [&](std::size_t body, physics::BodyUnknown first, const Vector& from,
-                          const Vector& to) {
-        for (int i = 0; i < 3; ++i)
-            if (from[i] != to[i]) {
-                const std::size_t unknown =
-                    equations_.bodies[body].unknown(first) + static_cast<std::size_t>(i);
-                jumps_.push_back({unknown, to[i]});
-                event.touched.push_back(unknown);
-            }
-    };
-    for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
-        const std::size_t body = cluster.bodies[i];
-        if (records_[body].isFixed)
-            continue;
-        jump(body, physics::dx, before[i].velocity, result.bodies[i].velocity);
-        Vector from = before[i].angularVelocity, to = result.bodies[i].angularVelocity;
-        if (from == to)
-            continue;
-        if (!records_[body].isSpinInWorldAxes) {
-            const Quaternion q = stateOf(records_[body], histories, time).attitude.conjugate();
-            from = q * from;
-            to = q * to;
-        }
-        jump(body, physics::w1, from, to);
-    }
-    return event.touched.empty() ? std::nullopt : std::optional(event);
-}
-
-std::optional<Event> CollisionSource::press(const Histories& /*histories*/, const Pair& pair,
-                                            const Hit& hit) {
-    Event event{.time = hit.time, .touched = {}, .tag = 0};
-    jumps_.clear();
-    ends_.clear();
-    for (const std::size_t body : {pair.first, pair.second})
-        if (!records_[body].isFixed)
-            for (std::size_t i = 0; i < physics::bodyUnknowns; ++i)
-                event.touched.push_back(records_[body].firstUnknown + i);
-    ends_.push_back({event.touched, "bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
-                                        quoted(scene_.bodies[pair.second].name) +
-                                        " come to rest on each other"});
-    return event;
-}
-
-void CollisionSource::record(const Cluster& cluster, const physics::ImpactResult& result,
-                             double time) {
-    for (const physics::ImpulseGiven& given : result.impulses) {
-        const physics::ImpactContact& contact = cluster.contacts[given.contact];
-        impacts_.push_back({.time = time,
-                            .first = cluster.bodies[contact.first],
-                            .second = cluster.bodies[contact.second],
-                            .point = contact.point,
-                            .normal = contact.normal,
-                            .impulse = given.impulse});
-    }
-}
-
-void CollisionSource::noteOnce(const Pair& pair, const std::string& sentence) {
-    if (noted_.insert(pair).second)
-        notes_.push_back(sentence);
-}
-
-void CollisionSource::apply(const Histories& /*histories*/, const Event& /*event*/,
-                            expression::EquationSet& /*equations*/, solution::Changes& changes) {
-    changes.jumps = jumps_;
-    changes.ends = ends_;
 }
 
 } // namespace simulation

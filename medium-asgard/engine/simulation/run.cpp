@@ -185,11 +185,12 @@ MotionPointer Run::motion(const Problem& problem, bool draft, std::optional<doub
 
 Run runAt(const Problem& problem, const std::vector<double>& tolerances, const Observer& observer) {
     // A hop that is lower than this moves nothing by more than the accuracy allows.
-    const double restHeight = 1e-3 * problem.accuracy();
+    const RestLimits limits{.gap = std::clamp(1e-2 * problem.accuracy(), 1e-8, 1e-6),
+                            .hopHeight = 1e-3 * problem.accuracy()};
     std::optional<CollisionSource> collisions;
     if (problem.collides())
         collisions.emplace(problem.scene, problem.equations, problem.shapes, problem.start(),
-                           problem.finish(), restHeight);
+                           problem.finish(), limits);
     solution::Options options = solverOptions(problem, tolerances, observer);
     const solution::Solver* current = nullptr;
     double published = problem.start();

@@ -1,0 +1,317 @@
+// What happens where bodies meet: the second half of collision_source.h.
+#include "simulation/collision_source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace simulation {
+namespace {
+
+using collision::Hit;
+using physics::ImpactBody;
+using solution::Event;
+using solution::Histories;
+using solution::infinity;
+
+constexpr double touchingGap = 1e-10; // of the two bodies' radii: in contact at an impact
+
+// Meetings of one body without end: so many of them within so little of the motion's length.
+constexpr std::size_t manyMeetings = 1000;
+constexpr double shortWhile = 1e-5;
+constexpr std::size_t manyAtOnce = 200; // at one instant
+
+std::string quoted(const std::string& name) { return "\"" + name + "\""; }
+
+} // namespace
+
+std::optional<Event> CollisionSource::handle(const Histories& histories, const Pair& pair,
+                                             const Hit& hit) {
+    if (!resting_.canGiveWay(pair.first, hit.time) && !resting_.canGiveWay(pair.second, hit.time)) {
+        noteOnce(pair, "Bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
+                           quoted(scene_.bodies[pair.second].name) +
+                           " are both held where they meet, so they pass through each other.");
+        double until = infinity;
+        for (const double time : equations_.breakpoints)
+            if (time > hit.time)
+                until = std::min(until, time);
+        passingUntil_[pair] = until;
+        return std::nullopt;
+    }
+    if (isWithoutEnd(pair.first, hit.time) || isWithoutEnd(pair.second, hit.time))
+        return end(pair, hit.time,
+                   "bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
+                       quoted(scene_.bodies[pair.second].name) +
+                       " meet again and again in ever shorter time; a restitution below 1, or more "
+                       "room between them, would end that");
+    if (!hit.pressing)
+        if (auto event = meet(histories, pair, hit.time))
+            return event;
+    return press(histories, pair, hit.time);
+}
+
+bool CollisionSource::isWithoutEnd(std::size_t body, double time) {
+    if (!resting_.canGiveWay(body, time))
+        return false;
+    Meetings& met = meetings_[body];
+    met.atOnce = time == met.last ? met.atOnce + 1 : 1;
+    met.last = time;
+    if (++met.count % manyMeetings == 0) {
+        const double since = std::exchange(met.markedAt, time);
+        if (time - since < shortWhile * (finish_ - start_))
+            return true;
+    }
+    return met.atOnce > manyAtOnce;
+}
+
+Event CollisionSource::end(const Pair& pair, double time, const std::string& sentence) {
+    outcome_ = {};
+    outcome_.ends.push_back({unknownsOf(pair, time), sentence});
+    return {.time = time, .touched = outcome_.ends[0].unknowns, .tag = 0};
+}
+
+// Of those of the two that can give way.
+std::vector<std::size_t> CollisionSource::unknownsOf(const Pair& pair, double time) const {
+    std::vector<std::size_t> unknowns;
+    for (const std::size_t body : std::set<std::size_t>{pair.first, pair.second})
+        if (resting_.canGiveWay(body, time))
+            for (std::size_t i = 0; i < physics::bodyUnknowns; ++i)
+                unknowns.push_back(records_[body].firstUnknown + i);
+    return unknowns;
+}
+
+ImpactBody CollisionSource::impactBody(const Histories& histories, std::size_t body,
+                                       double time) const {
+    return resting_.impactBody(body, time, stateOf(records_[body], histories, time));
+}
+
+void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, std::size_t a,
+                                  std::size_t b, double time) {
+    const auto indexIn = [&](std::size_t body) {
+        const auto place = std::ranges::find(cluster.bodies, body);
+        const auto index = static_cast<std::size_t>(place - cluster.bodies.begin());
+        if (place == cluster.bodies.end())
+            cluster.bodies.push_back(body);
+        return index;
+    };
+    const auto add = [&](const Vector& point, const Vector& normal) {
+        cluster.contacts.push_back(
+            {.first = indexIn(a),
+             .second = indexIn(b),
+             .point = point,
+             .normal = normal,
+             .restitution = std::min(scene_.bodies[a].restitution, scene_.bodies[b].restitution)});
+    };
+    // A body that rests turns about what it rests on: each corner counts.
+    if (resting_.hasFooting(a, b)) {
+        for (const Touch& touch : touchesOf(resting_.placed(histories, a, time),
+                                            resting_.placed(histories, b, time), limits_.gap))
+            for (const Corner& corner : touch.corners)
+                add(corner.point, touch.normal);
+        return;
+    }
+    const double tolerance = touchingGap * (records_[a].radius + records_[b].radius);
+    for (const collision::Contact& contact :
+         collision::contactsAt(bodies_[a], bodies_[b], time, tolerance)) {
+        add(contact.point, contact.normal);
+        for (const Vector& corner : contact.patch)
+            if (contact.patch.size() > 1) {
+                cluster.corners.push_back(cluster.contacts.back());
+                cluster.corners.back().point = corner;
+            }
+    }
+}
+
+CollisionSource::Cluster CollisionSource::clusterAt(const Histories& histories, const Pair& pair,
+                                                    double time) {
+    Cluster cluster{.bodies = {pair.first, pair.second}, .contacts = {}, .corners = {}};
+    std::set<Pair> seen;
+    for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
+        const std::size_t body = cluster.bodies[i];
+        if (!resting_.canGiveWay(body, time))
+            continue;
+        for (const std::size_t other : partners_[body])
+            if (!ended_[other] && seen.insert(std::minmax(body, other)).second) {
+                const Pair ordered = std::minmax(body, other);
+                addContacts(histories, cluster, ordered.first, ordered.second, time);
+            }
+    }
+    return cluster;
+}
+
+// A hop lower than the rest height is the last: its contact gets a plastic impact, and all the hops
+// that would have followed are over after 2 u / a (1 - e), where u is the first one's speed and a
+// what pushes the bodies together.
+double CollisionSource::softenLastHops(const Histories& histories, Cluster& cluster,
+                                       std::span<const ImpactBody> bodies, double time) const {
+    double longest = -1;
+    for (physics::ImpactContact& contact : cluster.contacts) {
+        if (contact.restitution >= 1)
+            continue;
+        double approach = 0, push = 0, radius = infinity, reach = 0;
+        for (const auto& [index, sign] :
+             {std::pair{contact.first, 1.0}, std::pair{contact.second, -1.0}}) {
+            const std::size_t body = cluster.bodies[index];
+            const Vector arm = contact.point - bodies[index].centre;
+            const Vector& w = bodies[index].angularVelocity;
+            const Acceleration a = accelerationOf(records_[body], histories, time);
+            approach += sign * contact.normal.dot(bodies[index].velocity + w.cross(arm));
+            push +=
+                sign * contact.normal.dot(a.linear + a.angular.cross(arm) + w.cross(w.cross(arm)));
+            radius = std::min(radius, records_[body].radius);
+            reach += records_[body].radius + bodies[index].centre.norm();
+        }
+        // Hops that the search may pass over (time_of_impact.h) are lower still.
+        const double lowest = std::max({limits_.hopHeight * radius, 2e-9 * radius, 1e-13 * reach});
+        const double speed = -contact.restitution * approach;
+        if (approach < 0 && push < 0 && speed * speed / (-2 * push) < lowest) {
+            longest = std::max(longest, 2 * speed / (-push * (1 - contact.restitution)));
+            contact.restitution = 0;
+        }
+    }
+    return longest;
+}
+
+// A patch that got one impulse at its centre may still sink in at a corner: then corners take part.
+void CollisionSource::resolveCorners(const Cluster& cluster, physics::ImpactResult& result) const {
+    for (const physics::ImpactContact& corner : cluster.corners) {
+        const ImpactBody &a = result.bodies[corner.first], &b = result.bodies[corner.second];
+        const Vector va = a.velocity + a.angularVelocity.cross(corner.point - a.centre);
+        const Vector vb = b.velocity + b.angularVelocity.cross(corner.point - b.centre);
+        if (corner.normal.dot(va - vb) < -1e-9 * (va.norm() + vb.norm())) {
+            result.bodies = physics::resolveImpact(result.bodies, cluster.corners).bodies;
+            return;
+        }
+    }
+}
+
+std::optional<Event> CollisionSource::meet(const Histories& histories, const Pair& pair,
+                                           double time) {
+    Cluster cluster = clusterAt(histories, pair, time);
+    std::vector<ImpactBody> before;
+    for (const std::size_t body : cluster.bodies)
+        before.push_back(impactBody(histories, body, time));
+    const double settling = softenLastHops(histories, cluster, before, time);
+    physics::ImpactResult result = physics::resolveImpact(before, cluster.contacts);
+    record(cluster, result, time, settling);
+    resolveCorners(cluster, result);
+    Event event{.time = time, .touched = {}, .tag = 0};
+    outcome_ = {};
+    RestingBodies::States after;
+    for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
+        const std::size_t body = cluster.bodies[i];
+        if (records_[body].isFixed)
+            continue;
+        BodyState state = stateOf(records_[body], histories, time);
+        const auto first = equations_.bodies[body].unknownsOf(
+            {state.position, state.velocity, state.attitude, state.angularVelocity});
+        state.velocity = result.bodies[i].velocity;
+        state.angularVelocity = result.bodies[i].angularVelocity;
+        after[body] = state;
+        const auto then = equations_.bodies[body].unknownsOf(
+            {state.position, state.velocity, state.attitude, state.angularVelocity});
+        const bool linear = before[i].velocity != result.bodies[i].velocity;
+        const bool angular = before[i].angularVelocity != result.bodies[i].angularVelocity;
+        for (std::size_t k = physics::dx; k < physics::bodyUnknowns; ++k)
+            if ((k < physics::qw ? linear : k >= physics::w1 && angular) && first[k] != then[k]) {
+                outcome_.jumps.push_back({records_[body].firstUnknown + k, then[k]});
+                event.touched.push_back(records_[body].firstUnknown + k);
+            }
+    }
+    if (event.touched.empty())
+        return std::nullopt;
+    const bool isPlastic = std::ranges::any_of(
+        cluster.contacts, [](const auto& contact) { return contact.restitution == 0; });
+    for (const auto& [body, state] : after)
+        if (resting_.canGiveWay(body, time) && (isPlastic || resting_.isResting(body)))
+            settle(histories, body, time, after, event);
+    return event;
+}
+
+// Whatever the body touches now and does not part from, it rests on.
+void CollisionSource::settle(const Histories& histories, std::size_t body, double time,
+                             const RestingBodies::States& states, Event& event) {
+    const Rest rest = resting_.restAt(histories, body, time, partners_[body], states);
+    if (rest.state == Rest::State::unmodelled) {
+        for (const std::size_t unknown : unknownsOf({body, rest.partner}, time))
+            event.touched.push_back(unknown);
+        outcome_.ends.push_back({unknownsOf({body, rest.partner}, time), rest.sentence});
+        return;
+    }
+    if (rest.footings.empty() && !resting_.isResting(body))
+        return;
+    resting_.set(body, time, rest);
+    const auto state = states.find(body);
+    outcome_.rests.push_back(
+        {body, state != states.end() ? state->second : stateOf(records_[body], histories, time),
+         rest});
+    for (std::size_t i = 0; i < physics::bodyUnknowns; ++i)
+        event.touched.push_back(records_[body].firstUnknown + i);
+}
+
+// Pushed together without approaching.
+std::optional<Event> CollisionSource::press(const Histories& histories, const Pair& pair,
+                                            double time) {
+    Event event{.time = time, .touched = {}, .tag = 0};
+    outcome_ = {};
+    for (const std::size_t body : {pair.first, pair.second})
+        if (resting_.canGiveWay(body, time) && outcome_.ends.empty())
+            settle(histories, body, time, {}, event);
+    return event.touched.empty() ? std::nullopt : std::optional(event);
+}
+
+// What a body rests on is no longer what it was.
+Event CollisionSource::stir(const Histories& histories, std::size_t body, double time) {
+    Event event{.time = time, .touched = {}, .tag = 0};
+    outcome_ = {};
+    const Rest rest = resting_.restAt(histories, body, time, partners_[body]);
+    if (isWithoutEnd(body, time))
+        return end({body, body}, time,
+                   "body " + quoted(scene_.bodies[body].name) +
+                       " comes to rest and opens again and again in ever shorter time");
+    if (rest.state == Rest::State::approaching)
+        if (auto met = meet(histories, std::minmax(body, rest.partner), time))
+            return *met;
+    settle(histories, body, time, {}, event);
+    return event;
+}
+
+void CollisionSource::record(const Cluster& cluster, const physics::ImpactResult& result,
+                             double time, double settling) {
+    for (const physics::ImpulseGiven& given : result.impulses) {
+        const physics::ImpactContact& contact = cluster.contacts[given.contact];
+        const std::size_t first = cluster.bodies[contact.first];
+        const std::size_t second = cluster.bodies[contact.second];
+        Impact impact{.time = time,
+                      .first = first,
+                      .second = second,
+                      .point = contact.point,
+                      .normal = contact.normal,
+                      .impulse = given.impulse};
+        // The last of the hops stands for all that would have followed, at the time of their end.
+        if (settling > 0 && contact.restitution == 0) {
+            const double e =
+                std::min(scene_.bodies[first].restitution, scene_.bodies[second].restitution);
+            impact.time = std::min(time + settling, finish_);
+            impact.impulse *= (1 + e) / (1 - e);
+        }
+        const auto place = std::ranges::upper_bound(impacts_, impact.time, {}, &Impact::time);
+        impacts_.insert(place, impact);
+    }
+}
+
+void CollisionSource::noteOnce(const Pair& pair, const std::string& sentence) {
+    if (noted_.insert(pair).second)
+        notes_.push_back(sentence);
+}
+
+void CollisionSource::apply(const Histories& histories, const Event& event,
+                            expression::EquationSet& equations, solution::Changes& changes) {
+    changes.jumps = outcome_.jumps;
+    changes.ends = outcome_.ends;
+    for (const Outcome::Resting& resting : outcome_.rests)
+        resting_.write(histories, resting.body, event.time, resting.state, resting.rest, equations,
+                       changes);
+}
+
+} // namespace simulation

@@ -1,0 +1,185 @@
+#include "simulation/rest.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace simulation {
+namespace {
+
+using physics::GapConstraint;
+
+constexpr double stillBearing = 1e-7; // of the accelerations that enter: a gap stays closed
+constexpr double samePlace = 1e-4;    // of the parts' size
+constexpr double sameNormal = 1e-4;
+
+bool isParallel(const Vector& a, const Vector& b) { return (a - b).norm() <= sameNormal; }
+
+// In the frame of whichever owns the point or line that bears.
+const Vector& placeOf(const GapConstraint& c) {
+    return c.kind == GapConstraint::Kind::onSupportPlane ? c.bodyPoint : c.supportPoint;
+}
+
+double distanceTo(const std::vector<GapConstraint>& feature, const Vector& place) {
+    const Vector start = placeOf(feature[0]);
+    if (feature.size() < 2)
+        return (place - start).norm();
+    const Vector along = (placeOf(feature[1]) - start).normalized();
+    return along.cross(place - start).norm();
+}
+
+bool isLike(const Footing& a, const Footing& b) {
+    if (a.support != b.support || a.bodyPart != b.bodyPart || a.supportPart != b.supportPart ||
+        a.isFlat != b.isFlat || a.constraints.size() != b.constraints.size())
+        return false;
+    for (std::size_t i = 0; i < a.constraints.size(); ++i) {
+        const GapConstraint &p = a.constraints[i], &q = b.constraints[i];
+        if (p.kind != q.kind || !isParallel(p.normal, q.normal))
+            return false;
+        const bool isFixedPlace = !a.isFlat && p.kind != GapConstraint::Kind::roundOnLine &&
+                                  p.kind != GapConstraint::Kind::edgeOnEdge;
+        if (isFixedPlace && distanceTo(a.constraints, placeOf(q)) > samePlace * a.size)
+            return false;
+    }
+    return true;
+}
+
+class Answer {
+public:
+    Answer(const RestQuestion& question, const RestLimits& limits,
+           const std::vector<std::string>& names)
+        : q_(question), limits_(limits), names_(names) {
+        accelerations_ = q_.free.linear.norm() + q_.free.angular.norm() * q_.body.record->radius;
+    }
+
+    Rest find() {
+        for (std::size_t s = 0; s < q_.supports.size(); ++s)
+            for (Touch& touch : touchesOf(q_.body, q_.supports[s], limits_.gap))
+                touches_.push_back({std::move(touch), s, {}});
+        if (touches_.empty())
+            return rest_;
+        gather();
+        if (rest_.state != Rest::State::approaching && !corners_.empty())
+            bear();
+        if (rest_.state == Rest::State::free) // goes on from where it does not overlap
+            for (const Candidate& candidate : touches_)
+                correct(candidate.touch, 0);
+        return rest_;
+    }
+
+private:
+    struct Candidate {
+        Touch touch;
+        std::size_t support; // in the question
+        std::vector<std::size_t> bearing;
+    };
+    struct Place {
+        std::size_t touch, corner;
+    };
+
+    [[nodiscard]] double slow() const {
+        return std::sqrt(2 * accelerations_ * limits_.hopHeight * q_.body.record->radius);
+    }
+
+    // Corners that neither part nor approach.
+    void gather() {
+        for (std::size_t t = 0; t < touches_.size(); ++t) {
+            const Touch& touch = touches_[t].touch;
+            const double most =
+                slow() + 1e-9 * (q_.body.state.velocity.norm() +
+                                 q_.body.state.angularVelocity.norm() * q_.body.record->radius);
+            for (std::size_t i = 0; i < touch.corners.size(); ++i) {
+                const double rate = touch.corners[i].rate;
+                if (rate < -most || (touch.gap < -limits_.gap * touch.size && rate < 0)) {
+                    rest_.state = Rest::State::approaching;
+                    rest_.partner = touch.support;
+                } else if (rate <= most) {
+                    corners_.push_back({t, i});
+                }
+            }
+        }
+    }
+
+    void bear() {
+        std::vector<physics::RestingContact> contacts;
+        for (const Place& place : corners_) {
+            const Touch& touch = touches_[place.touch].touch;
+            const Corner& corner = touch.corners[place.corner];
+            contacts.push_back(
+                {.point = corner.point, .normal = touch.normal, .extraAcceleration = corner.extra});
+            accelerations_ = std::max(accelerations_, std::abs(corner.extra));
+        }
+        const physics::RestingForces forces =
+            physics::restingForces(q_.mobility, q_.free.linear, q_.free.angular, contacts);
+        std::vector<double> pushes(touches_.size(), 0);
+        for (std::size_t i = 0; i < corners_.size(); ++i) {
+            pushes[corners_[i].touch] += forces.normalForces[i];
+            if (forces.gapAccelerations[i] <= stillBearing * accelerations_)
+                touches_[corners_[i].touch].bearing.push_back(corners_[i].corner);
+        }
+        const double least = 1e-12 * accelerations_ / q_.mobility.inverseMass;
+        for (std::size_t t = 0; t < touches_.size(); ++t)
+            if (pushes[t] > least && !touches_[t].bearing.empty())
+                addFooting(touches_[t]);
+    }
+
+    void addFooting(const Candidate& candidate) {
+        const Touch& touch = candidate.touch;
+        const Placed& support = q_.supports[candidate.support];
+        if (q_.givesWay[candidate.support])
+            return refuse(touch, "come to rest on each other, which is modelled only where one of "
+                                 "them is fixed or held");
+        if (!touch.isModelled)
+            return refuse(touch, "rest on each other with edges or vertices only, which is not "
+                                 "modelled");
+        Footing footing{.support = touch.support,
+                        .bodyPart = touch.bodyPart,
+                        .supportPart = touch.supportPart,
+                        .isFlat = touch.isFlat && candidate.bearing.size() > 2,
+                        .size = touch.size,
+                        .constraints = constraintsOf(touch, candidate.bearing, q_.body, support)};
+        rest_.footings.push_back(std::move(footing));
+        correct(touch, HUGE_VAL);
+        if (rest_.state == Rest::State::unmodelled)
+            return;
+        if (std::abs(touch.gap) > 0.5 * limits_.gap * touch.size)
+            rest_.state = Rest::State::drifted;
+        else if (rest_.state == Rest::State::free)
+            rest_.state = Rest::State::bearing;
+    }
+
+    // Moves the body so that the gap is 0, if it is less than `most` then.
+    void correct(const Touch& touch, double most) {
+        const double gap = touch.gap + touch.normal.dot(rest_.correction);
+        if (gap < most)
+            rest_.correction -= touch.normal * gap;
+    }
+
+    void refuse(const Touch& touch, const std::string& why) {
+        rest_.state = Rest::State::unmodelled;
+        rest_.partner = touch.support;
+        rest_.sentence =
+            "bodies \"" + names_[q_.body.index] + "\" and \"" + names_[touch.support] + "\" " + why;
+    }
+
+    const RestQuestion& q_;
+    const RestLimits& limits_;
+    const std::vector<std::string>& names_;
+    double accelerations_ = 0; // that enter
+    std::vector<Candidate> touches_;
+    std::vector<Place> corners_;
+    Rest rest_;
+};
+
+} // namespace
+
+bool Rest::bearsLike(const Rest& other) const {
+    return footings.size() == other.footings.size() &&
+           std::equal(footings.begin(), footings.end(), other.footings.begin(), isLike);
+}
+
+Rest restOf(const RestQuestion& question, const RestLimits& limits,
+            const std::vector<std::string>& names) {
+    return Answer(question, limits, names).find();
+}
+
+} // namespace simulation

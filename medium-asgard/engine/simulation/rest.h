@@ -1,0 +1,57 @@
+// Does a body rest, slide or tip on what it touches, or is it free?
+//
+// The corners that touch without approaching are given the smallest forces that keep them from
+// sinking in (physics::restingForces). Those that stay in touch under these forces bear: the body
+// goes on with their gaps as constraints. The others open. The answer is looked at again along the
+// motion; where another comes out, the constraints are wrong from there on.
+#pragma once
+
+#include "simulation/touching.h"
+
+#include <string>
+#include <vector>
+
+namespace simulation {
+
+struct Footing { // what bears of one pair of parts
+    std::size_t support = 0, bodyPart = 0, supportPart = 0;
+    bool isFlat = false;
+    double size = 0;
+    std::vector<physics::GapConstraint> constraints;
+};
+
+struct Rest {
+    enum class State {
+        free,        // nothing bears
+        bearing,     // on `footings`
+        approaching, // a corner sinks in: it is an impact
+        drifted,     // bears, and its gap is no longer 0 to the tolerance: to be put back
+        unmodelled   // `sentence` says why it cannot be followed
+    };
+    State state = State::free;
+    std::vector<Footing> footings;
+    std::size_t partner = 0; // approaching: whom
+    std::string sentence;
+    Vector correction = Vector::Zero(); // of the place, that makes the bearing gaps 0
+
+    // The same corners and edges bear. They may have moved along their features.
+    [[nodiscard]] bool bearsLike(const Rest& other) const;
+};
+
+struct RestLimits {
+    double gap = 1e-7;       // of the parts' size: touching
+    double hopHeight = 1e-9; // of the body's radius: parting slower than for that is not parting
+};
+
+struct RestQuestion {
+    Placed body;
+    physics::ImpactBody mobility;
+    Acceleration free; // without contacts, world axes
+    std::vector<Placed> supports;
+    std::vector<bool> givesWay; // by support: its motion would answer to this one's
+};
+
+[[nodiscard]] Rest restOf(const RestQuestion& question, const RestLimits& limits,
+                          const std::vector<std::string>& names);
+
+} // namespace simulation

@@ -1,0 +1,332 @@
+#include "simulation/resting_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace simulation {
+namespace {
+
+using solution::Histories;
+using solution::infinity;
+
+constexpr double looks = 4096;         // at the forces, over the motion
+constexpr double notableChange = 0.02; // of a force, since it was looked at
+
+std::array<double, physics::bodyUnknowns> unknownsOf(const physics::BodyMotion& body,
+                                                     const BodyState& state) {
+    return body.unknownsOf({state.position, state.velocity, state.attitude, state.angularVelocity});
+}
+
+} // namespace
+
+RestingBodies::RestingBodies(const physics::EquationsOfMotion& equations,
+                             const std::vector<BodyRecord>& records,
+                             const std::vector<MovingBody>& bodies, double start, double finish,
+                             const RestLimits& limits)
+    : equations_(equations), records_(records), bodies_(bodies), start_(start), finish_(finish),
+      limits_(limits) {
+    for (const physics::BodyMotion& body : equations.bodies)
+        names_.push_back(body.name);
+}
+
+// --- what is there --------------------------------------------------------------------------
+
+bool RestingBodies::canGiveWay(std::size_t body, double time) const {
+    if (records_[body].isFixed)
+        return false;
+    return std::ranges::count(equations_.bodies[body].heldAt(time).position, true) == 0;
+}
+
+physics::ImpactBody RestingBodies::impactBody(std::size_t body, double time,
+                                              const BodyState& state) const {
+    physics::ImpactBody impact{.centre = state.position,
+                               .velocity = state.velocity,
+                               .angularVelocity = state.angularVelocity};
+    // A held place leaves nothing to give way, not even by turning about it. LIMIT: a body that is
+    // held along one axis counts as held along all of them in a collision.
+    if (!canGiveWay(body, time))
+        return impact;
+    const physics::BodyMotion& motion = equations_.bodies[body];
+    impact.inverseMass = 1 / motion.mass.mass;
+    if (!motion.heldAt(time).attitude) {
+        const geometry::Matrix r = state.attitude.toRotationMatrix();
+        impact.inverseInertia = r * motion.mass.inertia.inverse() * r.transpose();
+    }
+    return impact;
+}
+
+Acceleration RestingBodies::freeAcceleration(const Histories& histories, std::size_t body,
+                                             double time, const BodyState& state) const {
+    const physics::BodyMotion& motion = equations_.bodies[body];
+    if (!free_.contains(body)) {
+        std::vector<expression::Node> outputs(motion.acceleration.begin(),
+                                              motion.acceleration.end());
+        outputs.insert(outputs.end(), motion.spinRate.begin(), motion.spinRate.end());
+        const auto symbols = expression::symbolsOf(equations_.set.graph, outputs);
+        Free made;
+        std::vector<expression::Node> inputs;
+        for (std::size_t i = 0; i < equations_.set.unknowns.size(); ++i)
+            if (std::ranges::find(symbols, equations_.set.unknowns[i].symbol) != symbols.end()) {
+                made.reads.push_back(i);
+                inputs.push_back(equations_.set.unknowns[i].symbol);
+            }
+        made.isConstant = symbols.empty();
+        inputs.push_back(equations_.set.time);
+        made.tape = expression::Tape(equations_.set.graph, inputs, outputs);
+        free_.emplace(body, std::move(made));
+    }
+    const Free& free = free_.at(body);
+    const auto own = unknownsOf(motion, state);
+    std::vector<double> inputs;
+    for (const std::size_t unknown : free.reads) {
+        const std::size_t index = unknown - motion.firstUnknown;
+        inputs.push_back(unknown >= motion.firstUnknown && index < physics::bodyUnknowns
+                             ? own[index]
+                             : histories.value(unknown, time));
+    }
+    inputs.push_back(time);
+    std::array<double, 6> rates{};
+    expression::Tape::Scratch scratch;
+    free.tape.evaluate(inputs, rates, scratch);
+    const Vector spinRate(rates[3], rates[4], rates[5]);
+    return {Vector(rates[0], rates[1], rates[2]),
+            records_[body].isSpinInWorldAxes ? spinRate : Vector(state.attitude * spinRate)};
+}
+
+bool RestingBodies::turns(std::size_t body, double time, const BodyState& state,
+                          const Acceleration& acceleration) const {
+    if (records_[body].isFixed)
+        return false;
+    // LIMIT: a rotation trajectory that starts without speed and without acceleration counts as
+    // turning all the same; a free attitude without torque does not.
+    return equations_.bodies[body].heldAt(time).attitude || !state.angularVelocity.isZero(0) ||
+           !acceleration.angular.isZero(0);
+}
+
+Placed RestingBodies::placed(const Histories& histories, std::size_t body, double time,
+                             const States& changed) const {
+    const auto given = changed.find(body);
+    Placed placed;
+    placed.index = body;
+    placed.record = &records_[body];
+    placed.shape = &bodies_[body].shape();
+    placed.state =
+        given != changed.end() ? given->second : stateOf(records_[body], histories, time);
+    placed.acceleration = accelerationOf(records_[body], histories, time);
+    placed.turns = turns(body, time, placed.state, placed.acceleration);
+    return placed;
+}
+
+Rest RestingBodies::restAt(const Histories& histories, std::size_t body, double time,
+                           const std::set<std::size_t>& partners, const States& changed) const {
+    RestQuestion question{.body = placed(histories, body, time, changed),
+                          .mobility = {},
+                          .free = {},
+                          .supports = {},
+                          .givesWay = {}};
+    question.mobility = impactBody(body, time, question.body.state);
+    question.free = freeAcceleration(histories, body, time, question.body.state);
+    if (equations_.bodies[body].heldAt(time).attitude)
+        question.free.angular = question.body.acceleration.angular;
+    for (const std::size_t other : partners) {
+        question.supports.push_back(placed(histories, other, time, changed));
+        question.givesWay.push_back(canGiveWay(other, time));
+    }
+    return restOf(question, limits_, names_);
+}
+
+// --- what rests -----------------------------------------------------------------------------
+
+bool RestingBodies::isFooting(std::size_t a, std::size_t partA, std::size_t b,
+                              std::size_t partB) const {
+    const auto holds = [this](std::size_t body, std::size_t part, std::size_t support,
+                              std::size_t supportPart) {
+        const auto found = resting_.find(body);
+        return found != resting_.end() &&
+               std::ranges::any_of(found->second.rest.footings, [&](const Footing& footing) {
+                   return footing.support == support && footing.bodyPart == part &&
+                          footing.supportPart == supportPart;
+               });
+    };
+    return holds(a, partA, b, partB) || holds(b, partB, a, partA);
+}
+
+bool RestingBodies::hasFooting(std::size_t a, std::size_t b) const {
+    const auto holds = [this](std::size_t body, std::size_t support) {
+        const auto found = resting_.find(body);
+        return found != resting_.end() &&
+               std::ranges::any_of(found->second.rest.footings, [&](const Footing& footing) {
+                   return footing.support == support;
+               });
+    };
+    return holds(a, b) || holds(b, a);
+}
+
+void RestingBodies::set(std::size_t body, double time, const Rest& rest) {
+    if (rest.footings.empty()) {
+        forget(body);
+        return;
+    }
+    Watch watch{.rest = rest, .from = time, .seenUntil = time, .ends = infinity, .change = {}};
+    std::set<std::size_t> concerned{body};
+    for (const Footing& footing : rest.footings)
+        if (!records_[footing.support].isFixed)
+            concerned.insert(footing.support);
+    for (const std::size_t b : concerned)
+        for (std::size_t i = 0; i < physics::bodyUnknowns; ++i)
+            for (const auto& phase : equations_.set.unknowns[records_[b].firstUnknown + i].phases)
+                if (phase.from > time)
+                    watch.ends = std::min(watch.ends, phase.from);
+    resting_.insert_or_assign(body, std::move(watch));
+}
+
+void RestingBodies::lookAgain(const std::set<std::size_t>& bodies, double time) {
+    for (auto& [body, watch] : resting_) {
+        const bool concerned =
+            bodies.contains(body) ||
+            std::ranges::any_of(watch.rest.footings, [&](const Footing& footing) {
+                return bodies.contains(footing.support);
+            });
+        if (!concerned)
+            continue;
+        watch.seenUntil = std::min(watch.seenUntil, std::max(time, watch.from));
+        watch.change.reset();
+    }
+}
+
+// --- until when -----------------------------------------------------------------------------
+
+bool RestingBodies::agrees(const Histories& histories, std::size_t body, double time,
+                           const std::set<std::size_t>& partners, const Watch& watch) const {
+    const Rest now = restAt(histories, body, time, partners);
+    return now.state == Rest::State::bearing && now.bearsLike(watch.rest);
+}
+
+// Ends of the solver's steps, each cut in four, and the times of the looks at the forces.
+std::vector<double> RestingBodies::timesOf(const Histories& histories, std::size_t body,
+                                           double from, double until) const {
+    std::vector<double> times;
+    const std::size_t first = records_[body].firstUnknown;
+    const bool isConstant = free_.contains(body) && free_.at(body).isConstant;
+    const double stride = (finish_ - start_) / (isConstant ? looks / 64 : looks);
+    for (double t = from + stride; t < until; t += stride)
+        times.push_back(t);
+    for (const std::size_t unknown : {physics::dx, physics::dy, physics::dz, physics::w1}) {
+        for (double t = from; t < until;) {
+            const double end = std::min(histories.piece(first + unknown, t).until, until);
+            if (!(end > t))
+                break;
+            for (const double part : {0.25, 0.5, 0.75, 1.0})
+                times.push_back(part < 1 ? t + part * (end - t) : end);
+            t = end;
+        }
+    }
+    times.push_back(until);
+    std::ranges::sort(times);
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    return times;
+}
+
+void RestingBodies::look(const Histories& histories, std::size_t body, double until,
+                         const std::set<std::size_t>& partners, Watch& watch) const {
+    const double end = std::min(until, watch.ends);
+    double good = watch.seenUntil;
+    Acceleration last =
+        freeAcceleration(histories, body, good, stateOf(records_[body], histories, good));
+    const double radius = records_[body].radius;
+    std::size_t skipped = 0;
+    for (const double t : timesOf(histories, body, watch.seenUntil, end)) {
+        const BodyState state = stateOf(records_[body], histories, t);
+        const Acceleration now = freeAcceleration(histories, body, t, state);
+        const double change =
+            (now.linear - last.linear).norm() + (now.angular - last.angular).norm() * radius;
+        const double scale = last.linear.norm() + last.angular.norm() * radius;
+        if (change <= notableChange * scale && t < end && ++skipped % 16 != 0)
+            continue;
+        last = now;
+        if (agrees(histories, body, t, partners, watch)) {
+            good = t;
+            continue;
+        }
+        double bad = t;
+        while (true) {
+            const double middle = good + (bad - good) / 2;
+            if (!(middle > good && middle < bad))
+                break;
+            (agrees(histories, body, middle, partners, watch) ? good : bad) = middle;
+        }
+        watch.change = bad;
+        return;
+    }
+    watch.seenUntil = end;
+    if (end >= watch.ends)
+        watch.change = watch.ends;
+}
+
+std::optional<RestingBodies::Change>
+RestingBodies::firstChange(const Histories& histories, double until,
+                           const std::vector<std::set<std::size_t>>& partners) {
+    std::optional<Change> first;
+    for (auto& [body, watch] : resting_) {
+        if (!watch.change && watch.seenUntil < until)
+            look(histories, body, until, partners[body], watch);
+        if (watch.change && *watch.change <= until && (!first || *watch.change < first->time))
+            first = Change{.time = *watch.change, .body = body};
+    }
+    return first;
+}
+
+// --- by which equations ---------------------------------------------------------------------
+
+void RestingBodies::write(const Histories& histories, std::size_t body, double time,
+                          const BodyState& state, const Rest& rest,
+                          expression::EquationSet& equations, solution::Changes& changes) const {
+    const physics::BodyMotion& motion = equations_.bodies[body];
+    std::vector<double> values;
+    for (std::size_t i = 0; i < equations.unknowns.size(); ++i)
+        values.push_back(histories.value(i, time));
+    auto own = unknownsOf(motion, state);
+    std::ranges::copy(own, values.begin() + static_cast<std::ptrdiff_t>(motion.firstUnknown));
+
+    physics::GapExpressions gaps(equations, equations_, body, time);
+    std::vector<physics::GapConstraint> constraints;
+    for (const Footing& footing : rest.footings)
+        constraints.insert(constraints.end(), footing.constraints.begin(),
+                           footing.constraints.end());
+    const auto rows = gaps.rowsAt(constraints, values);
+    const bool isHeld = motion.heldAt(time).attitude;
+    std::vector<physics::GapConstraint> kept;
+    std::vector<physics::GapRow> keptRows;
+    for (const std::size_t i : physics::independentOf(motion, isHeld, rows)) {
+        kept.push_back(constraints[i]);
+        keptRows.push_back(rows[i]);
+    }
+    const physics::VelocityChange change = physics::changeToRates(motion, isHeld, keptRows);
+    const physics::ConstrainedRates rates = gaps.constrained(kept);
+    const bool isMoved = rest.correction.norm() > 1e-13 * records_[body].radius;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto axis = static_cast<Eigen::Index>(i);
+        own[physics::dx + i] += change.linear[axis];
+        own[physics::w1 + i] += change.angular[axis];
+        if (isMoved)
+            changes.jumps.push_back(
+                {motion.unknown(physics::x) + i, own[physics::x + i] + rest.correction[axis]});
+    }
+    const auto give = [&](physics::BodyUnknown first, const physics::NodeVector& derivative) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t unknown = motion.unknown(first) + i;
+            expression::Phase phase;
+            phase.from = time;
+            phase.derivative = derivative[i];
+            std::vector<expression::Phase> later = equations_.set.unknowns[unknown].phases;
+            std::erase_if(later, [time](const expression::Phase& p) { return p.from <= time; });
+            changes.equations.push_back({unknown, phase, later});
+            changes.jumps.push_back({unknown, own[first + i]});
+        }
+    };
+    give(physics::dx, rates.acceleration);
+    if (!isHeld)
+        give(physics::w1, rates.spinRate);
+}
+
+} // namespace simulation

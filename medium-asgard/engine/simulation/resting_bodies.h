@@ -1,0 +1,99 @@
+// Which bodies rest or slide now, on what, until when, and by which equations?
+//
+// A body comes to rest where an impact leaves a contact that does not part, or where it is pressed
+// onto what it touches (collision_source.h sees both). From then on its equations have the contacts
+// as constraints. Along the motion the question of rest.h is asked again: at the ends of the
+// solver's steps, and wherever the forces have changed by more than a little since it was asked
+// last; between an answer that agrees and one that does not, the instant is found by bisection.
+//
+// LIMIT: forces are looked at 4096 times over the motion: what lifts a body for less than that and
+// puts it down again between two looks is passed over.
+#pragma once
+
+#include "expression/tape.h"
+#include "simulation/rest.h"
+#include "solution/event_source.h"
+
+#include <map>
+#include <set>
+
+namespace simulation {
+
+class RestingBodies {
+public:
+    // All must outlive this.
+    RestingBodies(const physics::EquationsOfMotion& equations,
+                  const std::vector<BodyRecord>& records, const std::vector<MovingBody>& bodies,
+                  double start, double finish, const RestLimits& limits);
+
+    [[nodiscard]] bool isResting(std::size_t body) const { return resting_.contains(body); }
+    // These parts are in touch for as long as the body rests.
+    [[nodiscard]] bool isFooting(std::size_t a, std::size_t partA, std::size_t b,
+                                 std::size_t partB) const;
+    [[nodiscard]] bool hasFooting(std::size_t a, std::size_t b) const;
+
+    using States = std::map<std::size_t, BodyState>; // of bodies that an impact just changed
+    [[nodiscard]] Rest restAt(const solution::Histories& histories, std::size_t body, double time,
+                              const std::set<std::size_t>& partners,
+                              const States& changed = {}) const;
+    [[nodiscard]] Placed placed(const solution::Histories& histories, std::size_t body, double time,
+                                const States& changed = {}) const;
+    [[nodiscard]] physics::ImpactBody impactBody(std::size_t body, double time,
+                                                 const BodyState& state) const;
+    [[nodiscard]] bool canGiveWay(std::size_t body, double time) const;
+
+    // From `time` on the body rests like this, or is free.
+    void set(std::size_t body, double time, const Rest& rest);
+    void forget(std::size_t body) { resting_.erase(body); }
+    // Looks along the motion of all that rest; the first instant at which an answer changes.
+    struct Change {
+        double time = 0;
+        std::size_t body = 0;
+    };
+    [[nodiscard]] std::optional<Change>
+    firstChange(const solution::Histories& histories, double until,
+                const std::vector<std::set<std::size_t>>& partners);
+    // An event cut the motion of these bodies: what was seen beyond it no longer holds.
+    void lookAgain(const std::set<std::size_t>& bodies, double time);
+
+    // Equations and velocities of a body from `time` on, as set() said.
+    void write(const solution::Histories& histories, std::size_t body, double time,
+               const BodyState& state, const Rest& rest, expression::EquationSet& equations,
+               solution::Changes& changes) const;
+
+private:
+    struct Watch {
+        Rest rest;
+        double from = 0, seenUntil = 0;
+        double ends = 0; // a trajectory takes hold, lets go or bends: all is asked anew
+        std::optional<double> change;
+    };
+    [[nodiscard]] Acceleration freeAcceleration(const solution::Histories& histories,
+                                                std::size_t body, double time,
+                                                const BodyState& state) const;
+    [[nodiscard]] bool agrees(const solution::Histories& histories, std::size_t body, double time,
+                              const std::set<std::size_t>& partners, const Watch& watch) const;
+    void look(const solution::Histories& histories, std::size_t body, double until,
+              const std::set<std::size_t>& partners, Watch& watch) const;
+    [[nodiscard]] std::vector<double> timesOf(const solution::Histories& histories,
+                                              std::size_t body, double from, double until) const;
+    [[nodiscard]] bool turns(std::size_t body, double time, const BodyState& state,
+                             const Acceleration& acceleration) const;
+
+    struct Free { // acceleration without contacts, as numbers
+        expression::Tape tape;
+        std::vector<std::size_t> reads; // unknowns; then time
+        bool isConstant = false;
+    };
+
+    const physics::EquationsOfMotion& equations_;
+    const std::vector<BodyRecord>& records_;
+    const std::vector<MovingBody>& bodies_;
+    double start_, finish_;
+    RestLimits limits_;
+    std::vector<std::string> names_;
+    std::map<std::size_t, Watch> resting_;
+    mutable std::map<std::size_t, Free> free_;
+};
+
+} // namespace simulation
