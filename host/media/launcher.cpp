@@ -67,6 +67,15 @@ bool placeDescriptors(int in, int out, int log, int frames) {
     _exit(127);
 }
 
+// By itself, so that no variable of the parent lives in registers across vfork.
+[[gnu::noinline]] pid_t forkInto(const Launch& request, const Ends& ends, pid_t parent,
+                                 char** arguments, char** environment) {
+    const pid_t process = vfork();
+    if (process == 0)
+        become(request, ends, parent, arguments, environment);
+    return process;
+}
+
 } // namespace
 
 Launched launch(const Launch& request) {
@@ -81,9 +90,8 @@ Launched launch(const Launch& request) {
     arguments.insert(arguments.begin(), const_cast<char*>(request.program.c_str()));
     const std::vector<char*> environment = pointers(request.environment);
     const pid_t parent = getpid();
-    const pid_t process = vfork();
-    if (process == 0)
-        become(request, ends, parent, arguments.data(), const_cast<char**>(environment.data()));
+    const pid_t process =
+        forkInto(request, ends, parent, arguments.data(), const_cast<char**>(environment.data()));
     if (process < 0) {
         result.error = std::string("no process could be made: ") + std::strerror(errno);
         ends.closeAll();

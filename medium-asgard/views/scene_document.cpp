@@ -73,13 +73,13 @@ void SceneDocument::setText(const std::string& text, const QString& label) {
     if (text == text_)
         return;
     const TextEdit edit = editBetween(text_, text);
-    if (host_.changed) {
-        host_.changed(edit, label);
-    } else {
+    if (!host_.changed) {
         done_.push_back({edit, text_.substr(edit.from, edit.to - edit.from), label});
         undone_.clear();
     }
     replaceText(text);
+    if (host_.changed) // last: who is told looks at the text
+        host_.changed(edit, label);
 }
 
 void SceneDocument::setTextFromHost(const std::string& text) {
