@@ -112,7 +112,9 @@ TEST_F(MediumProcessTest, SaysWhatHappened) {
     EXPECT_THAT(failure("behave oversize"), HasSubstr("sent what is not the protocol"));
     EXPECT_THAT(failure("behave bad-reply"), HasSubstr("sent what is not the protocol"));
     EXPECT_THAT(failure("behave truncated"), HasSubstr("ended with exit code 0"));
-    EXPECT_THAT(failure("behave flood"), HasSubstr("flood"));
+    // A host that reads as fast as it sends ends it because it answers no pings.
+    EXPECT_THAT(failure("behave flood"),
+                ::testing::AnyOf(HasSubstr("flood"), HasSubstr("did not respond")));
     EXPECT_THAT(failure("", {"wrong-version"}), HasSubstr("only version 99 is spoken here"));
 }
 
