@@ -90,7 +90,7 @@ void Component::step() {
             names({0}) + " reads " + set_.unknowns[*ends_].name + ", whose motion ended");
         return;
     }
-    if (counts_.steps >= options_.maximumSteps) {
+    if (history_->size() > options_.maximumSteps) { // what events threw away does not count
         end(Stop::Reason::tooManySteps, {},
             "more than " + std::to_string(options_.maximumSteps) + " steps for " + names({0}));
         return;
