@@ -142,9 +142,9 @@ class Medium:
             raise Refusal(FAULTY, "edits must be a list")
         end = len(data)
         for change in reversed(edits):
-            first, last = number(change, "from", 0, end), number(change, "to", 0, end)
-            if last < first:
-                raise Refusal(NOT_POSSIBLE, "an edit ends before it begins")
+            first, last = number(change, "from", 0, 1 << 53), number(change, "to", 0, 1 << 53)
+            if not first <= last <= end:
+                raise Refusal(NOT_POSSIBLE, "an edit lies outside of the text, or overlaps the next")
             data, end = data[:first] + text(change, "text").encode() + data[last:], first
         self.text, self.revision = data.decode("utf-8", "replace"), number(p, "revision", 0, 1 << 53)
         self.read_text()
