@@ -3,6 +3,7 @@
 #include "document/builtin_schemas.h"
 #include "document/file.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -29,6 +30,10 @@ QStringList Schemas::standardFolders() {
     for (const QString& place :
          QStandardPaths::standardLocations(QStandardPaths::GenericDataLocation))
         folders << place + QStringLiteral("/ensemble/schemas");
+    // What is installed with this program, under whatever prefix.
+    if (QCoreApplication::instance())
+        folders << QDir::cleanPath(QCoreApplication::applicationDirPath() +
+                                   QStringLiteral("/../share/ensemble/schemas"));
     return folders;
 }
 
