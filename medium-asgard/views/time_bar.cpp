@@ -103,16 +103,22 @@ void TimeBar::mouseMoveEvent(QMouseEvent* event) {
 
 void TimeBar::mouseReleaseEvent(QMouseEvent*) { setSliderDown(false); }
 
+QColor TimeBar::faint(int alpha) const {
+    QColor color = palette().color(QPalette::WindowText);
+    color.setAlpha(alpha);
+    return color;
+}
+
 void TimeBar::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
+    paintTrough(painter);
+    paintScale(painter);
+    paintSlider(painter);
+}
+
+void TimeBar::paintTrough(QPainter& painter) const {
     const QPalette& p = palette();
-    const QColor text = p.color(QPalette::WindowText);
-    const auto faint = [&](int alpha) {
-        QColor c = text;
-        c.setAlpha(alpha);
-        return c;
-    };
     const QRectF area = trough();
     painter.setPen(QPen(faint(70), 1));
     painter.setBrush(p.color(QPalette::Base));
@@ -137,7 +143,11 @@ void TimeBar::paintEvent(QPaintEvent*) {
             painter.drawLine(QPointF(x, area.top() + 2), QPointF(x, area.top() + 6));
             lastMark = x;
         }
-    // Seconds, or what is round, below.
+}
+
+// Seconds, or what is round, below.
+void TimeBar::paintScale(QPainter& painter) const {
+    const QRectF area = trough();
     const double length = std::max(finish_ - start_, 1e-12);
     const double step = roundStep(length * 64 / std::max(area.width(), 64.0));
     painter.setPen(faint(170));
@@ -149,6 +159,11 @@ void TimeBar::paintEvent(QPaintEvent*) {
         const double left = std::clamp(x - half, 0.0, width() - 2 * half);
         painter.drawText(QPointF(left, area.bottom() + 5 + fontMetrics().ascent()), label);
     }
+}
+
+void TimeBar::paintSlider(QPainter& painter) const {
+    const QPalette& p = palette();
+    const QRectF area = trough();
     const QRectF grip = slider();
     QColor fill = p.color(QPalette::Highlight);
     fill.setAlpha(isSliderDown() ? 230 : 170);

@@ -40,6 +40,10 @@ private:
     [[nodiscard]] double timeAt(double position) const;
     [[nodiscard]] QRectF trough() const;
     [[nodiscard]] QRectF slider() const;
+    [[nodiscard]] QColor faint(int alpha) const;
+    void paintTrough(QPainter& painter) const;
+    void paintScale(QPainter& painter) const;
+    void paintSlider(QPainter& painter) const;
 
     double start_ = 0, finish_ = 1, computed_ = 0, time_ = 0;
     std::optional<double> predictableUntil_;
