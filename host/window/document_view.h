@@ -41,6 +41,7 @@ public:
     [[nodiscard]] const document::Model& model() const { return model_; }
     void layOut();
 
+    static constexpr double margin = 28; // around the pages
     static constexpr double leastZoom = 0.25, mostZoom = 5;
 
 Q_SIGNALS:

@@ -1,0 +1,262 @@
+// What the user does in a DocumentView: pointer, wheel, keys, links, the play bar.
+#include "window/document_view.h"
+
+#include "window/key_names.h"
+#include "window/play_bar.h"
+
+#include <QApplication>
+#include <QScrollBar>
+#include <algorithm>
+
+namespace window {
+
+// --- events ------------------------------------------------------------------------------------
+
+void DocumentView::resizeEvent(QResizeEvent*) {
+    setScrollBars();
+    updateNearness();
+    updatePlayBar();
+}
+
+void DocumentView::scrollContentsBy(int, int) {
+    updateNearness();
+    updatePlayBar();
+    viewport()->update();
+}
+
+void DocumentView::showEvent(QShowEvent* event) {
+    QAbstractScrollArea::showEvent(event);
+    if (!std::exchange(wasShown_, true))
+        setZoom(std::min(model_.page.zoom, widthZoom()));
+    updateGeometries();
+    updateNearness();
+}
+
+void DocumentView::hideEvent(QHideEvent* event) {
+    QAbstractScrollArea::hideEvent(event);
+    updateNearness();
+}
+
+bool DocumentView::event(QEvent* event) {
+    // Plain keys belong to the chosen rendition before they are shortcuts of a menu.
+    if (event->type() == QEvent::ShortcutOverride && chosen_) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        constexpr auto commands = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
+        if (!(key->modifiers() & commands) && key->key() != Qt::Key_Tab &&
+            key->key() != Qt::Key_Backtab) {
+            event->accept();
+            return true;
+        }
+    }
+    if (event->type() == QEvent::WindowStateChange)
+        updateNearness();
+    return QAbstractScrollArea::event(event);
+}
+
+bool DocumentView::viewportEvent(QEvent* event) {
+    if (event->type() == QEvent::Leave) {
+        hovered_ = document::noSubdocument;
+        updatePlayBar();
+    }
+    return QAbstractScrollArea::viewportEvent(event);
+}
+
+void DocumentView::mousePressEvent(QMouseEvent* event) {
+    pressedAt_ = event->position();
+    wasDragged_ = false;
+    Shown* shown = shownAt(event->position());
+    choose(shown ? shown->id : document::noSubdocument);
+    if (!shown)
+        return;
+    media::LiveSubdocument* live = document_.live(shown->id);
+    if (!live || !shown->rendition)
+        return;
+    if (live->condition() == media::Condition::failed) {
+        live->start();
+        return;
+    }
+    grabbed_ = shown->id;
+    shown->rendition->input(inputOf(*event, pixelsIn(*shown, event->position())));
+}
+
+void DocumentView::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(event); }
+
+void DocumentView::mouseMoveEvent(QMouseEvent* event) {
+    constexpr double dragLength = 4;
+    wasDragged_ |= (event->position() - pressedAt_).manhattanLength() > dragLength;
+    Shown* shown = shownAt(event->position());
+    const document::SubdocumentId hovered =
+        shown && document_.live(shown->id) ? shown->id : document::noSubdocument;
+    if (hovered != hovered_ && !grabbed_) {
+        hovered_ = hovered;
+        updatePlayBar();
+    }
+    const document::SubdocumentId to = grabbed_ ? grabbed_ : hovered == chosen_ ? chosen_ : 0;
+    if (media::Rendition* of = rendition(to))
+        of->input(inputOf(*event, pixelsIn(shown_.at(to), event->position())));
+    updateCursor(event->position());
+}
+
+void DocumentView::mouseReleaseEvent(QMouseEvent* event) {
+    const auto held = shown_.find(grabbed_);
+    if (held != shown_.end() && held->second.rendition) {
+        held->second.rendition->input(inputOf(*event, pixelsIn(held->second, event->position())));
+        if (event->button() == Qt::RightButton && !wasDragged_)
+            Q_EMIT contextMenuWanted(grabbed_, event->globalPosition().toPoint());
+    } else if (event->button() == Qt::LeftButton && !wasDragged_) {
+        if (const document::Run* link = linkAt(event->position()))
+            follow(QString::fromStdString(link->target));
+    }
+    if (!event->buttons())
+        grabbed_ = document::noSubdocument;
+}
+
+// By key only: by mouse it comes with the release, since the right button drags in some media.
+void DocumentView::contextMenuEvent(QContextMenuEvent* event) {
+    if (event->reason() == QContextMenuEvent::Keyboard && chosen_)
+        Q_EMIT contextMenuWanted(chosen_,
+                                 viewport()->mapToGlobal(placeOf(chosen_).center().toPoint()));
+}
+
+void DocumentView::wheelEvent(QWheelEvent* event) {
+    if (event->modifiers() & Qt::ControlModifier) {
+        const int delta = event->angleDelta().y();
+        zoomBy(delta > 0 ? 1 : delta < 0 ? -1 : 0);
+        event->accept();
+        return;
+    }
+    const Shown* shown = shownAt(event->position());
+    if (shown && shown->id == chosen_ && shown->rendition) {
+        shown->rendition->input(inputOf(*event, pixelsIn(*shown, event->position())));
+        event->accept();
+        return;
+    }
+    QAbstractScrollArea::wheelEvent(event);
+}
+
+void DocumentView::keyPressEvent(QKeyEvent* event) {
+    if (chosen_ && event->key() == Qt::Key_Escape)
+        choose(document::noSubdocument);
+    else if (media::Rendition* of = rendition(chosen_))
+        of->input(inputOf(*event));
+    else
+        useKey(event->key(), event->modifiers());
+}
+
+void DocumentView::keyReleaseEvent(QKeyEvent* event) {
+    if (media::Rendition* of = rendition(chosen_))
+        of->input(inputOf(*event));
+}
+
+// A key that is the host's: because nothing is chosen, or because the medium did not use it.
+void DocumentView::useKey(int key, Qt::KeyboardModifiers modifiers) {
+    QScrollBar* bar = verticalScrollBar();
+    switch (key) {
+    case Qt::Key_Up:
+        bar->triggerAction(QAbstractSlider::SliderSingleStepSub);
+        break;
+    case Qt::Key_Down:
+        bar->triggerAction(QAbstractSlider::SliderSingleStepAdd);
+        break;
+    case Qt::Key_Left:
+        horizontalScrollBar()->triggerAction(QAbstractSlider::SliderSingleStepSub);
+        break;
+    case Qt::Key_Right:
+        horizontalScrollBar()->triggerAction(QAbstractSlider::SliderSingleStepAdd);
+        break;
+    case Qt::Key_PageUp:
+        bar->triggerAction(QAbstractSlider::SliderPageStepSub);
+        break;
+    case Qt::Key_PageDown:
+        bar->triggerAction(QAbstractSlider::SliderPageStepAdd);
+        break;
+    case Qt::Key_Home:
+        bar->setValue(0);
+        break;
+    case Qt::Key_End:
+        bar->setValue(bar->maximum());
+        break;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        if (!chosen_ && !visible_.empty())
+            choose(visible_.front());
+        break;
+    default:
+        Q_EMIT unhandledKey(key, modifiers);
+    }
+}
+
+// Tab goes from rendition to rendition, then on to the other widgets.
+bool DocumentView::focusNextPrevChild(bool next) {
+    std::vector<document::SubdocumentId> order;
+    for (const layout::PlacedSubdocument& placed : pages_.subdocuments)
+        order.push_back(placed.subdocument);
+    const auto at = std::find(order.begin(), order.end(), chosen_);
+    std::size_t index = at == order.end() ? (next ? 0 : order.size() - 1)
+                                          : static_cast<std::size_t>(at - order.begin()) +
+                                                (next ? 1 : static_cast<std::size_t>(-1));
+    if (index >= order.size()) {
+        choose(document::noSubdocument);
+        return QAbstractScrollArea::focusNextPrevChild(next);
+    }
+    choose(order[index]);
+    scrollTo(order[index]);
+    return true;
+}
+
+// --- links, bar, cursor ------------------------------------------------------------------------
+
+const document::Run* DocumentView::linkAt(QPointF point) const {
+    for (std::size_t i = 0; i < pages_.pages.size(); ++i) {
+        const QRectF page(pageTopLeft(i), pageSize());
+        if (!page.contains(point))
+            continue;
+        const document::Run* run =
+            layout::runAt(pages_.pages[i], (point - page.topLeft()) / scale());
+        return run && !run->target.empty() ? run : nullptr;
+    }
+    return nullptr;
+}
+
+void DocumentView::follow(const QString& target) {
+    if (!target.startsWith('#')) {
+        Q_EMIT linkActivated(target);
+        return;
+    }
+    const auto anchor = pages_.anchors.find(target.mid(1).toStdString());
+    if (anchor == pages_.anchors.end())
+        return;
+    const double y = pageTopLeft(anchor->second.first).y() + anchor->second.second * scale();
+    verticalScrollBar()->setValue(verticalScrollBar()->value() + static_cast<int>(y - margin));
+}
+
+void DocumentView::updatePlayBar() {
+    const auto found = shown_.find(hovered_);
+    const media::LiveSubdocument* live = document_.live(hovered_);
+    const bool hasTime = live && live->time() && live->time()->finish > live->time()->start &&
+                         live->condition() == media::Condition::live;
+    constexpr double leastWidth = 160;
+    if (found == shown_.end() || !hasTime || placeOf(found->second).width() < leastWidth) {
+        playBar_->hide();
+        return;
+    }
+    constexpr int inset = 8;
+    const QRectF place = placeOf(found->second);
+    playBar_->setTime(*live->time());
+    playBar_->setGeometry(QRectF(place.left() + inset, place.bottom() - PlayBar::barHeight - inset,
+                                 place.width() - 2 * inset, PlayBar::barHeight)
+                              .toRect());
+    playBar_->show();
+}
+
+void DocumentView::updateCursor(QPointF point) {
+    Shown* shown = shownAt(point);
+    if (shown && shown->rendition && (shown->id == chosen_ || shown->id == grabbed_))
+        viewport()->setCursor(cursorOf(shown->rendition->cursor()));
+    else if (!shown && linkAt(point))
+        viewport()->setCursor(Qt::PointingHandCursor);
+    else
+        viewport()->setCursor(Qt::ArrowCursor);
+}
+
+} // namespace window
