@@ -153,6 +153,7 @@ TEST_F(MediumProcessTest, ShowsThatItDoesNotRespondAndThenEndsIt) {
 TEST_F(MediumProcessTest, KeepsThePictureAndStartsAgainThreeTimes) {
     TimeLimits limits = shortLimits();
     limits.restartsPerMinute = 3;
+    limits.quiet = limits.hung = 20'000; // a slow machine is not what is tested here
     const Manifest manifest = scriptedManifest();
     auto it = std::make_unique<LiveSubdocument>(manifest, programOf(manifest, {}), pipes_, limits);
     it->setText("colour 804020");
