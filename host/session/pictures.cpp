@@ -70,6 +70,11 @@ void Pictures::take(document::SubdocumentId wanted) {
     connect(live, &media::LiveSubdocument::loaded, watch, look);
     connect(live, &media::LiveSubdocument::preferredSizeChanged, watch, look);
     connect(live, &media::LiveSubdocument::conditionChanged, watch, look);
+    QTimer::singleShot(mostMs, watch, [this, wanted, live, watch] {
+        watch->deleteLater();
+        live->disconnect(watch);
+        done(wanted, {{}, tr("%1 was not ready in time.").arg(live->name())});
+    });
     // Nearer than anything that is seen: it is needed for the paper now.
     document_.media().setDistance(*live, this, -1);
     look();
