@@ -11,8 +11,8 @@ namespace collision {
 namespace {
 
 constexpr double unnoticed = 1e-10; // of the smaller part's size: a depth that a step may pass over
-constexpr double deep = 1e-9;       // of the size: deeper than this is an overlap, not a touch
-constexpr std::size_t mostEvaluations = 100'000;
+constexpr double deep = 1e-7;       // of the size: deeper than this is an overlap, not a touch
+constexpr std::size_t mostEvaluations = 20'000;
 
 // What turning can add to the part's extent along `direction` within `window`: the extent grows
 // at most by rate s + curvature s^2 / 2, and never beyond `room`.
@@ -39,11 +39,15 @@ public:
             ++result_.evaluations;
             const double roundOff = pair_.roundOff(t_);
             if (now.gap < -std::max(deep * size_, roundOff))
-                stepOutOf(-now.gap);
+                stepOutOf(now);
             else if (now.gap <= roundOff || stalled_)
                 touch(now);
             else
                 stepTowards(now);
+        }
+        if (!finished_) {
+            hit(contactOf(pair_, t_, pair_.separationAt(t_, warm_)), t_, false);
+            result_.hit->isLost = true;
         }
         return result_;
     }
@@ -64,7 +68,7 @@ private:
     }
 
     void hit(const Contact& contact, double time, bool pressing) {
-        result_.hit = Hit{time, contact, pressing};
+        result_.hit = Hit{.time = time, .contact = contact, .pressing = pressing};
         finished_ = true;
     }
 
@@ -85,7 +89,7 @@ private:
             pressed_ = {t_, contact};
         else if (now.gap < -100 * pair_.roundOff(t_)) {
             // They part from an overlap that counts: out of it first, or the way back is that long.
-            stepOutOf(-now.gap);
+            stepOutOf(now);
             return;
         }
         // A step too short to matter is made as long as sinking in unnoticed allows.
@@ -101,8 +105,11 @@ private:
         moveBy(nextContact(now, now.gap, false));
     }
 
-    // No faster than the fastest point: the depth cannot vanish before that.
-    void stepOutOf(double depth) {
+    // No faster than the fastest point: the depth cannot vanish before that. Nor does it vanish,
+    // for all that can be told here, before half the time that it takes at the speed at which they
+    // part.
+    void stepOutOf(const Separation& now) {
+        const double depth = -now.gap;
         if (result_.evaluations == 1 && depth > deep * size_)
             result_.overlap = depth;
         pressed_.reset();
@@ -118,9 +125,11 @@ private:
         }
         if (!std::isfinite(speed)) // too long a window for the bounds: a small step
             moveBy(std::max(left() / 1024, 1e-12));
-        else if (speed > 0)
-            moveBy(std::max(depth, pair_.roundOff(t_)) / speed);
-        else
+        else if (speed > 0) {
+            const double parting = -contactOf(pair_, t_, now).closingSpeed;
+            const double least = std::max(depth, pair_.roundOff(t_));
+            moveBy(parting > 0 ? std::max(least / speed, 0.5 * depth / parting) : least / speed);
+        } else
             finished_ = true;
     }
 
@@ -132,7 +141,9 @@ private:
         if (!pair_.first.turns() && !pair_.second.turns())
             return root(withGap(along, gap), left(), leaving);
         double best = 0;
-        double window = std::min(left(), window_);
+        // A root close to 0 that is divided out says nothing about the next one's window.
+        double& lastWindow = leaving ? windowAway_ : window_;
+        double window = std::min(left(), lastWindow);
         for (int i = 0; i < 4; ++i) {
             const double s = rootWithin(along, n, gap, window, leaving);
             best = std::max(best, std::min(s, window));
@@ -140,7 +151,7 @@ private:
                 break;
             window = std::max(4 * s, window / 4096);
         }
-        window_ = std::max(16 * best, 1e-12 * left());
+        lastWindow = std::max(16 * best, 1e-12 * left());
         // Nothing within the window: only that much is known.
         return best >= left() ? 2 * left() : best;
     }
@@ -212,7 +223,7 @@ private:
     Interval during_;
     double t_;
     double size_, unnoticed_;
-    double window_ = HUGE_VAL;
+    double window_ = HUGE_VAL, windowAway_ = HUGE_VAL;
     WarmStart warm_;
     bool stalled_ = false, finished_ = false;
     std::optional<std::pair<double, Contact>> pressed_;

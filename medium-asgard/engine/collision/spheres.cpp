@@ -93,7 +93,7 @@ std::optional<SphereHit> meetAfterParting(RelativePath path, Polynomial g, doubl
     return hit;
 }
 
-constexpr double deepOverlap = 1e-9; // of the radius: more than round-off of any scene's numbers
+constexpr double deepOverlap = 1e-7; // of the radius: more than round-off of any scene's numbers
 
 } // namespace
 

@@ -12,10 +12,10 @@
 // are not reported, however close the last impact was; shapes that touch and approach are a hit at
 // once.
 //
-// No encounter deeper than 1e-10 of the shapes' own size is missed, at any speed. Shapes that
-// overlap by more than 1e-9 of it at the start are said to overlap, and can hit only after they
-// separated. LIMIT: contacts shallower than that which begin and end within one step may be passed
-// over.
+// No encounter deeper than 1e-10 of the smaller part's size is missed, at any speed. Shapes that
+// overlap by more than 1e-7 of their size at the start are said to overlap, and can hit only after
+// they separated. LIMIT: contacts shallower than that which begin and end within one step may be
+// passed over.
 #pragma once
 
 #include "collision/contact.h"
@@ -36,6 +36,8 @@ struct Hit {
     Contact contact; // of the parts that hit first; contactsAt() gives all
     // They touch without approaching and are pushed together: no impulse parts them, only a force.
     bool pressing = false;
+    // They stay so close while they turn that the search ended here without an answer.
+    bool isLost = false;
 };
 
 struct Encounter {

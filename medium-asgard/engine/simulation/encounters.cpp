@@ -38,15 +38,23 @@ std::optional<Event> CollisionSource::handle(const Histories& histories, const P
         passingUntil_[pair] = until;
         return std::nullopt;
     }
+    if (hit.isLost)
+        return end(pair, hit.time,
+                   "bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
+                       quoted(scene_.bodies[pair.second].name) +
+                       " go on touching while they turn, which is modelled only where one of them "
+                       "is fixed or held and the other is pushed onto it");
     if (isWithoutEnd(pair.first, hit.time) || isWithoutEnd(pair.second, hit.time))
         return end(pair, hit.time,
                    "bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
                        quoted(scene_.bodies[pair.second].name) +
-                       " meet again and again in ever shorter time; a restitution below 1, or more "
-                       "room between them, would end that");
-    if (!hit.pressing)
-        if (auto event = meet(histories, pair, hit.time))
+                       " meet again and again in ever shorter time; more room between them would "
+                       "end that");
+    if (hit.pressing)
+        if (auto event = press(histories, pair, hit.time))
             return event;
+    if (auto event = meet(histories, pair, hit.time))
+        return event;
     return press(histories, pair, hit.time);
 }
 
@@ -102,17 +110,21 @@ void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, 
              .normal = normal,
              .restitution = std::min(scene_.bodies[a].restitution, scene_.bodies[b].restitution)});
     };
-    // A body that rests turns about what it rests on: each corner counts.
-    if (resting_.hasFooting(a, b)) {
-        for (const Touch& touch : touchesOf(resting_.placed(histories, a, time),
-                                            resting_.placed(histories, b, time), limits_.gap))
+    const double tolerance = touchingGap * (records_[a].radius + records_[b].radius);
+    const auto contacts = collision::contactsAt(bodies_[a], bodies_[b], time, tolerance);
+    // A body that rests turns about what it rests on: each corner counts. So it does where gaps
+    // have the integration's errors, not rounding's.
+    const bool isSure = !contacts.empty() && !resting_.hasFooting(a, b);
+    if (!isSure && (resting_.canGiveWay(a, time) != resting_.canGiveWay(b, time))) {
+        const bool isFirst = resting_.canGiveWay(a, time);
+        for (const Touch& touch :
+             touchesOf(resting_.placed(histories, isFirst ? a : b, time),
+                       resting_.placed(histories, isFirst ? b : a, time), limits_.gap))
             for (const Corner& corner : touch.corners)
-                add(corner.point, touch.normal);
+                add(corner.point, isFirst ? touch.normal : Vector(-touch.normal));
         return;
     }
-    const double tolerance = touchingGap * (records_[a].radius + records_[b].radius);
-    for (const collision::Contact& contact :
-         collision::contactsAt(bodies_[a], bodies_[b], time, tolerance)) {
+    for (const collision::Contact& contact : contacts) {
         add(contact.point, contact.normal);
         for (const Vector& corner : contact.patch)
             if (contact.patch.size() > 1) {
@@ -236,9 +248,12 @@ void CollisionSource::settle(const Histories& histories, std::size_t body, doubl
         for (const std::size_t unknown : unknownsOf({body, rest.partner}, time))
             event.touched.push_back(unknown);
         outcome_.ends.push_back({unknownsOf({body, rest.partner}, time), rest.sentence});
+        resting_.forget(body);
+        resting_.forget(rest.partner);
         return;
     }
-    if (rest.footings.empty() && !resting_.isResting(body))
+    const bool isNothingNew = rest.footings.empty() && !resting_.isResting(body);
+    if (isNothingNew || rest.state == Rest::State::approaching)
         return;
     resting_.set(body, time, rest);
     const auto state = states.find(body);

@@ -9,6 +9,7 @@ namespace {
 using physics::GapConstraint;
 
 constexpr double stillBearing = 1e-7; // of the accelerations that enter: a gap stays closed
+constexpr double landed = 1e-10;      // of the parts' size: a gap that approaches is closed
 constexpr double samePlace = 1e-4;    // of the parts' size
 constexpr double sameNormal = 1e-4;
 
@@ -80,6 +81,11 @@ private:
         return std::sqrt(2 * accelerations_ * limits_.hopHeight * q_.body.record->radius);
     }
 
+    [[nodiscard]] bool isFooting(const Touch& touch) const {
+        const PartsInTouch parts{touch.support, touch.bodyPart, touch.supportPart};
+        return std::ranges::find(q_.footings, parts) != q_.footings.end();
+    }
+
     // Corners that neither part nor approach.
     void gather() {
         for (std::size_t t = 0; t < touches_.size(); ++t) {
@@ -88,8 +94,12 @@ private:
                 slow() + 1e-9 * (q_.body.state.velocity.norm() +
                                  q_.body.state.angularVelocity.norm() * q_.body.record->radius);
             for (std::size_t i = 0; i < touch.corners.size(); ++i) {
-                const double rate = touch.corners[i].rate;
-                if (rate < -most || (touch.gap < -limits_.gap * touch.size && rate < 0)) {
+                const double rate = touch.corners[i].rate, gap = touch.corners[i].gap;
+                if (rate < -most && gap > landed * touch.size)
+                    continue;
+                if (rate < -most || (gap < -limits_.gap * touch.size && rate < 0)) {
+                    if (!isFooting(touch))
+                        continue;
                     rest_.state = Rest::State::approaching;
                     rest_.partner = touch.support;
                 } else if (rate <= most) {

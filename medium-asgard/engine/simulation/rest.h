@@ -43,12 +43,20 @@ struct RestLimits {
     double hopHeight = 1e-9; // of the body's radius: parting slower than for that is not parting
 };
 
+struct PartsInTouch {
+    std::size_t support = 0, bodyPart = 0, supportPart = 0;
+    auto operator<=>(const PartsInTouch&) const = default;
+};
+
 struct RestQuestion {
     Placed body;
     physics::ImpactBody mobility;
     Acceleration free; // without contacts, world axes
     std::vector<Placed> supports;
     std::vector<bool> givesWay; // by support: its motion would answer to this one's
+    // On which it rests already. Only there an approach is told: the search for hits leaves these
+    // out, and finds all others.
+    std::vector<PartsInTouch> footings;
 };
 
 [[nodiscard]] Rest restOf(const RestQuestion& question, const RestLimits& limits,

@@ -34,7 +34,9 @@ RestingBodies::RestingBodies(const physics::EquationsOfMotion& equations,
 bool RestingBodies::canGiveWay(std::size_t body, double time) const {
     if (records_[body].isFixed)
         return false;
-    return std::ranges::count(equations_.bodies[body].heldAt(time).position, true) == 0;
+    // What holds to the finish holds at the finish.
+    const double t = std::min(time, std::nextafter(finish_, start_));
+    return std::ranges::count(equations_.bodies[body].heldAt(t).position, true) == 0;
 }
 
 physics::ImpactBody RestingBodies::impactBody(std::size_t body, double time,
@@ -123,7 +125,11 @@ Rest RestingBodies::restAt(const Histories& histories, std::size_t body, double 
                           .mobility = {},
                           .free = {},
                           .supports = {},
-                          .givesWay = {}};
+                          .givesWay = {},
+                          .footings = {}};
+    if (const auto now = resting_.find(body); now != resting_.end())
+        for (const Footing& f : now->second.rest.footings)
+            question.footings.push_back({f.support, f.bodyPart, f.supportPart});
     question.mobility = impactBody(body, time, question.body.state);
     question.free = freeAcceleration(histories, body, time, question.body.state);
     if (equations_.bodies[body].heldAt(time).attitude)
@@ -175,7 +181,7 @@ void RestingBodies::set(std::size_t body, double time, const Rest& rest) {
     for (const std::size_t b : concerned)
         for (std::size_t i = 0; i < physics::bodyUnknowns; ++i)
             for (const auto& phase : equations_.set.unknowns[records_[b].firstUnknown + i].phases)
-                if (phase.from > time)
+                if (phase.from > time && phase.from < finish_)
                     watch.ends = std::min(watch.ends, phase.from);
     resting_.insert_or_assign(body, std::move(watch));
 }

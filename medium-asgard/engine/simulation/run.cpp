@@ -207,11 +207,10 @@ Run runAt(const Problem& problem, const std::vector<double>& tolerances, const O
     };
     if (observer.progress)
         options.progress = [&](double known) {
-            // A little soon, so that something moves at once; then a tenth more each time, as what is
-            // collected grows.
+            // A little soon, so that something moves at once; then a tenth more each time, as what
+            // is collected grows.
             const double span = problem.finish() - problem.start();
-            const double more =
-                std::clamp((known - problem.start()) / 10, span / 2000, span / 50);
+            const double more = std::clamp((known - problem.start()) / 10, span / 2000, span / 50);
             if (current && known >= published + more) {
                 published = known;
                 observer.progress(collect(*current).motion(problem, true, {}, {}));

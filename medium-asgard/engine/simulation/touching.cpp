@@ -101,6 +101,7 @@ public:
         touch.normal = separation.normal;
         if (std::abs(touch.gap) > 10 * tolerance_ || touch.gap > tolerance_)
             return false;
+        preferFaces();
         ofBody_ = collision::furthestFeature(first_, -touch.normal, tolerance_);
         ofSupport_ = collision::furthestFeature(second_, touch.normal, tolerance_);
         if (first_.part->isSphere())
@@ -115,6 +116,22 @@ public:
     Touch touch;
 
 private:
+    // The gap is along one normal; where a face has all but that gap, its own normal is the
+    // contact's. The support's comes first: it is the larger one, mostly.
+    void preferFaces() {
+        const auto gapAlong = [this](const Vector& n) {
+            return n.dot(first_.world(first_.support(-n)) - second_.world(second_.support(n))) -
+                   first_.part->radius - second_.part->radius;
+        };
+        for (const Vector& normal :
+             {faceNormal(second_, touch.normal), Vector(-faceNormal(first_, -touch.normal))})
+            if (const double gap = gapAlong(normal); gap >= touch.gap - tolerance_) {
+                touch.normal = normal;
+                touch.gap = gap;
+                return;
+            }
+    }
+
     // Places here are relative to the origin, near both.
     void add(Kind kind, const Vector& point, const Vector& bodyPoint, const Vector& supportPoint,
              double radius) {
@@ -172,6 +189,10 @@ private:
         const Vector speed = velocityAt(body_.state, p) - velocityAt(support_.state, q);
         const Vector turning = normalRate(c);
         corner.rate = n.dot(speed);
+        // The corner of a patch lies halfway between the surfaces.
+        corner.gap = touch.gap;
+        if (onPlane && c.radius == 0)
+            corner.gap = 2 * n.dot(bodyPoint - supportPoint);
         corner.extra = n.dot(centripetal(body_.state, p) - accelerationAt(support_, q)) +
                        2 * turning.dot(speed);
         if (onPlane) {
@@ -194,7 +215,6 @@ private:
         if (second_.part->isSphere()) {
             add(Kind::roundOnPoint, place, centre, second_.world(0), radius + second_.part->radius);
         } else if (ofSupport_.size() > 2) {
-            touch.normal = faceNormal(second_, touch.normal);
             add(Kind::onSupportPlane, place, centre, ofSupport_[0], radius);
         } else if (ofSupport_.size() == 2) {
             touch.isModelled = !support_.turns;
@@ -210,7 +230,6 @@ private:
         const double radius = second_.part->radius;
         const Vector place = centre + radius * touch.normal;
         if (ofBody_.size() > 2) {
-            touch.normal = -faceNormal(first_, -touch.normal);
             add(Kind::onBodyPlane, place, ofBody_[0], centre, radius);
         } else {
             touch.isModelled = ofBody_.size() == 1;
@@ -220,10 +239,6 @@ private:
 
     void addPatch() {
         const bool onFace = ofSupport_.size() > 2, byFace = ofBody_.size() > 2;
-        if (onFace)
-            touch.normal = faceNormal(second_, touch.normal);
-        else if (byFace)
-            touch.normal = -faceNormal(first_, -touch.normal);
         const auto corners = collision::patchOf(first_, second_, touch.normal, tolerance_).corners;
         touch.isFlat = onFace && byFace && corners.size() > 2;
         if (touch.isFlat)

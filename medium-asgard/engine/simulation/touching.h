@@ -33,8 +33,9 @@ struct Placed {
 
 struct Corner {
     Vector point = Vector::Zero(); // world
-    double rate = 0;               // of the gap; negative: they approach
-    double extra = 0;              // of the gap's acceleration
+    double gap = 0;
+    double rate = 0;  // of the gap; negative: they approach
+    double extra = 0; // of the gap's acceleration
     physics::GapConstraint constraint;
 };
 
