@@ -11,6 +11,7 @@
 #include <QPrinter>
 
 namespace paper {
+namespace {
 
 QImage imageOf(const document::Document& document, const std::string& source) {
     const QDir folder = QFileInfo(document.fileName()).absoluteDir();
@@ -22,6 +23,25 @@ QImage imageOf(const document::Document& document, const std::string& source) {
     constexpr int mostMegabytes = 256;
     QImageReader::setAllocationLimit(mostMegabytes);
     return reader.read();
+}
+
+} // namespace
+
+document::Model modelOf(const session::OpenDocument& document, const QString& presentation) {
+    const document::Document& read = document.document();
+    return document::buildModel(
+        read, document.schemas().presentation(read.className(), presentation), document.schemas());
+}
+
+layout::Objects objectsOf(const session::OpenDocument& document) {
+    layout::Objects objects;
+    objects.subdocumentSize = [&document](document::SubdocumentId id) {
+        return layout::fromPixels(document.sizeOf(id));
+    };
+    objects.image = [&document](const std::string& source) {
+        return imageOf(document.document(), source);
+    };
+    return objects;
 }
 
 Paper::Paper(session::OpenDocument& document, const QString& presentation, double dpi, bool posters,
@@ -38,16 +58,8 @@ Paper::Paper(session::OpenDocument& document, const QString& presentation, doubl
 void Paper::prepare() { pictures_.start(); }
 
 void Paper::layOut() {
-    const document::Document& document = document_.document();
-    model_ = document::buildModel(
-        document, document_.schemas().presentation(document.className(), presentation_),
-        document_.schemas());
-    layout::Objects objects;
-    objects.subdocumentSize = [this](document::SubdocumentId id) {
-        return layout::fromPixels(document_.sizeOf(id));
-    };
-    objects.image = [&document](const std::string& source) { return imageOf(document, source); };
-    pages_ = layout::layOut(model_, objects);
+    model_ = modelOf(document_, presentation_);
+    pages_ = layout::layOut(model_, objectsOf(document_));
     title_ = QString::fromStdString(model_.title);
     for (const layout::PlacedSubdocument& placed : pages_.subdocuments) {
         const auto found = pictures_.pictures().find(placed.subdocument);

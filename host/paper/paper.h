@@ -12,8 +12,12 @@ class QIODevice;
 
 namespace paper {
 
-// The images of a document: files in its own folder or below, nothing else.
-[[nodiscard]] QImage imageOf(const document::Document& document, const std::string& source);
+// What a document shows by a presentation, on paper as in a window.
+[[nodiscard]] document::Model modelOf(const session::OpenDocument& document,
+                                      const QString& presentation);
+// The sizes of its subdocuments and its images, which come from files in its own folder or below
+// and from nowhere else. It reads the document as long as it is used.
+[[nodiscard]] layout::Objects objectsOf(const session::OpenDocument& document);
 
 class Paper : public QObject {
     Q_OBJECT

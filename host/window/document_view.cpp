@@ -77,18 +77,8 @@ DocumentView::~DocumentView() {
 // --- layout ------------------------------------------------------------------------------------
 
 void DocumentView::layOut() {
-    const document::Document& document = document_.document();
-    model_ = document::buildModel(
-        document, document_.schemas().presentation(document.className(), presentation_),
-        document_.schemas());
-    layout::Objects objects;
-    objects.subdocumentSize = [this](document::SubdocumentId id) {
-        return layout::fromPixels(document_.sizeOf(id));
-    };
-    objects.image = [&document](const std::string& source) {
-        return paper::imageOf(document, source);
-    };
-    pages_ = layout::layOut(model_, objects);
+    model_ = paper::modelOf(document_, presentation_);
+    pages_ = layout::layOut(model_, paper::objectsOf(document_));
     placeSubdocuments();
     setScrollBars();
     updateNearness();

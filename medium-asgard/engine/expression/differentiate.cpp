@@ -6,14 +6,10 @@
 #include <unordered_set>
 
 namespace expression {
-namespace {
 
-using Replacements = std::unordered_map<std::uint32_t, Node>;
-
-// What the roots are made of, arguments first; nothing below nodes of `end`. An own stack:
-// expressions may be very deep.
+// An own stack: expressions may be very deep.
 std::vector<Node> reachable(const Graph& graph, std::span<const Node> roots,
-                            const Replacements& end = {}) {
+                            const std::unordered_map<std::uint32_t, Node>& end) {
     std::unordered_set<std::uint32_t> seen;
     std::vector<Node> pending(roots.begin(), roots.end()), found;
     while (!pending.empty()) {
@@ -30,6 +26,8 @@ std::vector<Node> reachable(const Graph& graph, std::span<const Node> roots,
     std::ranges::sort(found);
     return found;
 }
+
+namespace {
 
 // The chain rule at one node, given the derivatives of its arguments.
 class ChainRule {
@@ -153,7 +151,8 @@ Node differentiate(Graph& graph, Node node, Node symbol) {
     return found == derivatives.end() ? zero : found->second;
 }
 
-Node substitute(Graph& graph, Node node, const Replacements& replacements) {
+Node substitute(Graph& graph, Node node,
+                const std::unordered_map<std::uint32_t, Node>& replacements) {
     std::unordered_map<std::uint32_t, Node> made;
     for (const Node n : reachable(graph, std::span(&node, 1), replacements)) {
         const auto replacement = replacements.find(n.index);

@@ -123,6 +123,11 @@ private:
 [[nodiscard]] Node substitute(Graph& graph, Node node,
                               const std::unordered_map<std::uint32_t, Node>& replacements);
 
+// All nodes that the given ones are made of, themselves included, in order of index: arguments
+// before what reads them. Nothing below the nodes of `end`.
+[[nodiscard]] std::vector<Node> reachable(const Graph& graph, std::span<const Node> roots,
+                                          const std::unordered_map<std::uint32_t, Node>& end = {});
+
 // The symbols that a node reads, in order of index.
 [[nodiscard]] std::vector<Node> symbolsOf(const Graph& graph, std::span<const Node> nodes);
 

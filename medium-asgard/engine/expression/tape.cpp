@@ -11,24 +11,6 @@
 namespace expression {
 namespace {
 
-// Arguments before what reads them, in order of index; an own stack, since graphs may be deep.
-std::vector<Node> inOrder(const Graph& graph, std::span<const Node> outputs) {
-    std::vector<bool> seen(graph.size());
-    std::vector<Node> pending(outputs.begin(), outputs.end()), found;
-    while (!pending.empty()) {
-        const Node n = pending.back();
-        pending.pop_back();
-        if (seen[n.index])
-            continue;
-        seen[n.index] = true;
-        found.push_back(n);
-        const auto arguments = graph.arguments(n);
-        pending.insert(pending.end(), arguments.begin(), arguments.end());
-    }
-    std::ranges::sort(found);
-    return found;
-}
-
 double guardOf(Op op, double a, double b, Decision taken) {
     if (taken == noBranch)
         return 1; // never reaches 0
@@ -95,7 +77,7 @@ Tape::Tape(const Graph& graph, std::span<const Node> inputs, std::span<const Nod
     std::unordered_map<std::uint32_t, std::uint32_t> slotOf;
     for (std::size_t i = 0; i < inputs.size(); ++i)
         slotOf.emplace(inputs[i].index, static_cast<std::uint32_t>(i));
-    const std::vector<Node> nodes = inOrder(graph, outputs);
+    const std::vector<Node> nodes = reachable(graph, outputs);
     constants_.push_back(1); // of short powers
     for (const Node n : nodes)
         if (graph.op(n) == Op::constant) {

@@ -14,20 +14,8 @@ using expression::Node;
 using expression::Op;
 
 std::vector<Node> switchesOf(const Graph& graph, std::span<const Node> outputs) {
-    std::vector<bool> seen(graph.size());
-    std::vector<Node> pending(outputs.begin(), outputs.end()), found;
-    while (!pending.empty()) {
-        const Node n = pending.back();
-        pending.pop_back();
-        if (seen[n.index])
-            continue;
-        seen[n.index] = true;
-        if (expression::isSwitch(graph.op(n)))
-            found.push_back(n);
-        const auto arguments = graph.arguments(n);
-        pending.insert(pending.end(), arguments.begin(), arguments.end());
-    }
-    std::sort(found.begin(), found.end());
+    std::vector<Node> found = expression::reachable(graph, outputs);
+    std::erase_if(found, [&graph](Node n) { return !expression::isSwitch(graph.op(n)); });
     return found;
 }
 
