@@ -12,7 +12,7 @@ namespace media::testing {
 
 // Runs events until `done` or `ms` have passed. Tests wait for states, never for times; the limit
 // only ends a test that would hang.
-inline bool waitFor(const std::function<bool()>& done, int ms = 20'000) {
+inline bool waitFor(const std::function<bool()>& done, int ms = 120'000) {
     QElapsedTimer elapsed;
     elapsed.start();
     while (!done()) {

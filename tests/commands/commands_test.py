@@ -39,7 +39,7 @@ class Commands(unittest.TestCase):
         return path
 
     def run_asgard(self, *arguments, text=None):
-        return subprocess.run([ASGARD, *arguments], input=text, capture_output=True, text=True, timeout=60, cwd=self.folder,
+        return subprocess.run([ASGARD, *arguments], input=text, capture_output=True, text=True, timeout=300, cwd=self.folder,
                               env={"PATH": os.environ.get("PATH", "")})
 
     def simulate(self, *arguments, code=0, text=None):

@@ -65,11 +65,11 @@ class SmallHost:
         self._send(id=self.last_id, method=method, params=params)
         return self.last_id
 
-    def answer(self, number, seconds=10.0):
+    def answer(self, number, seconds=60.0):
         """The whole answer to a request."""
         return self.until(lambda m: m.get("id") == number and "method" not in m, seconds, f"the answer to request {number}")
 
-    def call(self, method, seconds=10.0, **params):
+    def call(self, method, seconds=60.0, **params):
         """The result of a request; an error fails the test."""
         answer = self.answer(self.ask(method, **params), seconds)
         assert "result" in answer, f"{method} was refused: {answer['error']}"
@@ -81,7 +81,7 @@ class SmallHost:
         assert "error" in answer, f"{method} was not refused"
         return answer["error"]
 
-    def heard(self, method, seconds=10.0, where=lambda params: True):
+    def heard(self, method, seconds=60.0, where=lambda params: True):
         """The parameters of the next notification of that name for which `where` holds."""
         found = self.until(lambda m: m.get("method") == method and where(m.get("params", {})), seconds, method)
         return found["params"]
@@ -146,7 +146,7 @@ class SmallHost:
         if show:
             self.notify("rendition/show", rendition=rendition)
 
-    def frame(self, rendition=1, seconds=10.0, acknowledge=True):
+    def frame(self, rendition=1, seconds=60.0, acknowledge=True):
         """The next frame's message and its pixels."""
         frame = self.heard("rendition/frame", seconds, lambda p: p["rendition"] == rendition)
         slot = self.slots[rendition][frame["slot"]]
@@ -158,7 +158,7 @@ class SmallHost:
     def acknowledge(self, frame):
         self.notify("rendition/ack", rendition=frame["rendition"], serial=frame["serial"])
 
-    def still(self, rendition=1, seconds=20.0):
+    def still(self, rendition=1, seconds=60.0):
         """The last frame, once none follows though the medium had every occasion."""
         frame, pixels = self.frame(rendition, seconds)
         while True:
