@@ -16,6 +16,9 @@ Component::Component(const expression::EquationSet& set, const UnknownIndex& ind
         for (const std::size_t u : unknowns_)
             tolerance_ = std::min(tolerance_, options.tolerances[u]);
     }
+    // At fixed steps no error is controlled, and Newton's iteration must not add one.
+    if (options.fixedStep)
+        tolerance_ = std::min(tolerance_, 1e-11);
     for (const auto& four : set.quaternions) {
         std::array<std::size_t, 4> places{};
         bool whole = true;

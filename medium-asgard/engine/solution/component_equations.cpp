@@ -156,12 +156,20 @@ void ComponentEquations::findIntegrals() {
         for (std::size_t v = 0; v < states_.size(); ++v)
             if (outputs_[x] == symbols_[1 + v])
                 integrals_.emplace_back(x, v);
+    findConfiguration();
     const std::vector<Node> read = expression::symbolsOf(graph_, outputs_);
     readsStates_ = std::any_of(read.begin(), read.end(), [&](Node n) {
         return std::find(symbols_.begin() + 1,
                          symbols_.begin() + 1 + static_cast<std::ptrdiff_t>(states_.size()),
                          n) != symbols_.begin() + 1 + static_cast<std::ptrdiff_t>(states_.size());
     });
+}
+
+// Known by what they are, since a velocity may be solved in another component.
+void ComponentEquations::findConfiguration() {
+    for (std::size_t i = 0; i < states_.size(); ++i)
+        if (set_.unknowns[unknowns_[states_[i]]].lengthPerUnit > 0)
+            configuration_.push_back(i);
 }
 
 void ComponentEquations::fill(double t, std::span<const double> y) {

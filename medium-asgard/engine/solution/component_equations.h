@@ -56,6 +56,9 @@ public:
     [[nodiscard]] std::span<const std::pair<std::size_t, std::size_t>> integrals() const override {
         return integrals_;
     }
+    [[nodiscard]] std::span<const std::size_t> configuration() const override {
+        return configuration_;
+    }
 
     // Values of the held unknowns. False: not finite.
     [[nodiscard]] bool heldValues(double t, std::span<const double> y, std::span<double> out);
@@ -111,6 +114,7 @@ private:
     void makeOutputs(std::span<const std::size_t> phases);
     void makeTape();
     void findIntegrals();
+    void findConfiguration();
     void fill(double t, std::span<const double> y);
     void evaluate(std::span<double> out);
     void setSide(std::size_t surface, int side);
@@ -144,6 +148,7 @@ private:
     std::vector<std::size_t> unknowns_, states_, held_, loop_;
     std::vector<expression::Node> outputs_, symbols_; // symbols: time, states, inputs
     std::vector<std::pair<std::size_t, std::size_t>> integrals_;
+    std::vector<std::size_t> configuration_;
     bool readsStates_ = false;
     Inputs inputs_;
     expression::Tape tape_;

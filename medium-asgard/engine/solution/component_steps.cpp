@@ -13,8 +13,9 @@ constexpr double largestValue = 1e100;
 // A step crosses at most so many joints of an input: dense output is only as smooth as its joints
 // allow, and upstream components need not be solved far beyond what anyone asked for.
 constexpr std::size_t mostJoints = 8;
-// A step that would end within a hundredth of its length before its limit is stretched to it.
-constexpr double landing = 1.01;
+// A step that would end within a hundredth of its length before its limit is stretched to it; one
+// of fixed length only over rounding.
+double landingOf(const Options& options) { return options.fixedStep ? 1 + 1e-9 : 1.01; }
 
 // Below this a step does not move time by more than rounding.
 double shortestStep(double t) {
@@ -33,7 +34,7 @@ std::optional<std::size_t> Component::waitsFor() {
     ends_.reset();
     // A model in closed form, and the choice of a first step, look at one piece of each input.
     const bool single = model_ != Model::integrated || !method_;
-    const double target = single ? infinity : time_ + landing * proposed_;
+    const double target = single ? infinity : time_ + landingOf(options_) * proposed_;
     for (const std::size_t unknown : equations_->inputs().unknowns())
         if (const auto waiting = look(unknown, target, single ? 1 : mostJoints))
             return waiting;
@@ -192,7 +193,7 @@ void Component::stepClosedForm() {
 void Component::stepHeld() {
     double h = proposed_ > 0 ? proposed_ : 1;
     for (;;) {
-        const double to = time_ + landing * h >= limit_ ? limit_ : time_ + h;
+        const double to = time_ + landingOf(options_) * h >= limit_ ? limit_ : time_ + h;
         if (to - time_ <= shortestStep(time_)) {
             const auto culprits = equations_->notFinite(time_ + h, {});
             end(culprits.empty() ? Stop::Reason::stepUnderflow : Stop::Reason::notFinite, culprits,
@@ -266,7 +267,7 @@ void Component::integrate() {
         return;
     for (;;) { // every refusal shortens the step, until it cannot be
         const double wanted = std::max(proposed_, shortestStep(time_));
-        const bool lands = time_ + landing * wanted >= limit_;
+        const bool lands = time_ + landingOf(options_) * wanted >= limit_;
         const double to = lands ? limit_ : time_ + wanted;
         const double h = to - time_;
         const Attempt attempt = method_->attempt(h);

@@ -16,6 +16,12 @@ ErrorControl::ErrorControl(std::vector<UnknownScale> scales, double tolerance)
     }
 }
 
+// Hairer and Wanner, Solving ODEs II, IV.8.
+double ErrorControl::newtonTolerance() const {
+    const double rounding = 10 * std::numeric_limits<double>::epsilon() / tolerance_;
+    return std::min(0.03, std::max(rounding, std::sqrt(tolerance_)));
+}
+
 void ErrorControl::observe(std::span<const double> y) {
     for (std::size_t i = 0; i < y.size(); ++i) {
         seen_[i].low = any_ ? std::min(seen_[i].low, y[i]) : y[i];

@@ -35,6 +35,8 @@ public:
     ErrorControl(std::vector<UnknownScale> scales, double tolerance);
 
     [[nodiscard]] double tolerance() const { return tolerance_; }
+    // What a Newton iteration may leave, in units of the tolerance; never below rounding.
+    [[nodiscard]] double newtonTolerance() const;
     // Accepted values widen ranges and largest values.
     void observe(std::span<const double> y);
     // Scales for a step of length h to `y`, the values seen so far and these.

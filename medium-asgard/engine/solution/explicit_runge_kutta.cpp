@@ -1,5 +1,7 @@
 #include "solution/explicit_runge_kutta.h"
 
+#include "solution/dense_output.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -63,37 +65,8 @@ Attempt ExplicitRungeKutta::attempt(double h) {
     }
     if (fixed_)
         return {Attempt::Outcome::accepted, h};
-    if (tableau_.error.empty() && !halve()) {
-        afterRejection_ = true;
-        return {Attempt::Outcome::notFinite, 0.25 * h};
-    }
     control_.prepare(end_, h);
     return judge(errorNorm());
-}
-
-// Without an estimate of its own a method takes the step again in halves (step doubling); their
-// result is kept, and the difference estimates its error.
-bool ExplicitRungeKutta::halve() {
-    const std::vector<double> whole = end_, start = start_, slope = slope_;
-    const double t = t_, h = h_;
-    bool finite = true;
-    h_ = 0.5 * h;
-    for (int half = 0; half < 2 && finite; ++half) {
-        k_[0] = slope_;
-        for (std::size_t i = 1; i <= tableau_.stages && finite; ++i)
-            finite = stage(i, i == tableau_.stages ? end_ : at_);
-        start_ = end_;
-        slope_ = k_[tableau_.stages];
-        t_ += h_;
-    }
-    start_ = start;
-    slope_ = slope;
-    t_ = t;
-    h_ = h;
-    const double gain = std::pow(2, static_cast<double>(tableau_.order)) - 1;
-    for (std::size_t n = 0; n < error_.size(); ++n)
-        error_[n] = (end_[n] - whole[n]) / gain;
-    return finite;
 }
 
 double ExplicitRungeKutta::errorNorm() {
@@ -104,8 +77,7 @@ double ExplicitRungeKutta::errorNorm() {
                 for (std::size_t n = 0; n < out.size(); ++n)
                     out[n] += h_ * weights[i] * k_[i][n];
     };
-    if (!tableau_.error.empty())
-        sum(tableau_.error, error_);
+    sum(tableau_.error, error_);
     if (!tableau_.secondError.empty()) {
         sum(tableau_.secondError, secondError_);
         for (std::size_t n = 0; n < error_.size(); ++n)
@@ -161,29 +133,16 @@ void ExplicitRungeKutta::dense(std::span<Coefficients> columns) {
             for (std::size_t i = 0; i < tableau_.dense.size(); ++i)
                 for (std::size_t power = 0; power < tableau_.dense[i].size(); ++power)
                     column[power + 1] += h_ * tableau_.dense[i][power] * k_[i][n];
-        } else {
-            const double rise = end_[n] - start_[n];
-            const double first = h_ * slope_[n], last = h_ * k_[tableau_.stages][n];
-            column[1] = first;
-            column[2] = 3 * rise - 2 * first - last;
-            column[3] = first + last - 2 * rise;
         }
     }
-    // A velocity's polynomial, integrated, is a degree better than the position's own; what its end
-    // lacks to the step's own end goes on a cubic that is flat at both ends.
-    for (const auto& [x, v] : system_.integrals()) {
-        Coefficients integral{};
-        integral[0] = start_[x];
-        double sum = start_[x];
-        for (std::size_t power = 0; power < maximumDegree; ++power) {
-            integral[power + 1] = h_ * columns[v][power] / static_cast<double>(power + 1);
-            sum += integral[power + 1];
-        }
-        const double lack = end_[x] - sum;
-        integral[2] += 3 * lack;
-        integral[3] -= 2 * lack;
-        columns[x] = integral;
-    }
+    const StepEnds ends{.h = h_,
+                        .start = start_,
+                        .end = end_,
+                        .startSlope = slope_,
+                        .endSlope = k_[tableau_.stages]};
+    if (!complete || tableau_.dense.empty())
+        cubics(columns, ends);
+    integratePositions(columns, system_.integrals(), ends);
 }
 
 bool ExplicitRungeKutta::proceed(std::span<const double> y) {

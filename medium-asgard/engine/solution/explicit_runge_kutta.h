@@ -7,9 +7,10 @@
 // sums of k_i; with two of them (Hairer's 853) the estimate is e1^2 / sqrt(e1^2 + 0.01 e2^2).
 // Dense output: y(s) = y + h sum_i B_i(s) k_i.
 //
-// Step control: PI (exponents 0.7/p and 0.4/p), factors 1/5 to 6.
-// Stiffness: |lambda| = |k_a - k_b| / |Y_a - Y_b| of the last two stages at t + h.
-// Sources: Dormand and Prince 1980; Hairer, Norsett, Wanner, Solving ODEs I, II.5, II.6, IV.2.
+// Without an estimate of its own a method needs StepDoubling. Step control: PI (exponents 0.7/p and
+// 0.4/p), factors 1/5 to 6. Stiffness: |lambda| = |k_a - k_b| / |Y_a - Y_b| of the last two stages
+// at t + h. Sources: Dormand and Prince 1980; Hairer, Norsett, Wanner, Solving ODEs I, II.5, II.6,
+// IV.2.
 #pragma once
 
 #include "solution/method.h"
@@ -28,7 +29,7 @@ struct Tableau {
     double stabilityLimit = 0;                        // on the negative real axis
 };
 
-// Null for a name that is not in the tables: dop853, dopri5, rk4, forward-euler.
+// Null for a name that is not in the tables: dop853, dopri5, tsit5, gbs, rk4, forward-euler.
 [[nodiscard]] const Tableau* tableauNamed(const std::string& name);
 
 class ExplicitRungeKutta final : public Method {
@@ -46,7 +47,6 @@ public:
 
 private:
     [[nodiscard]] bool stage(std::size_t i, std::span<double> at);
-    [[nodiscard]] bool halve();
     [[nodiscard]] double errorNorm();
     [[nodiscard]] Attempt judge(double error);
     void estimateStiffness();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace solution {
@@ -19,24 +20,10 @@ class LinearSolver::Dense {
 public:
     explicit Dense(const Pattern& pattern) : pattern_(pattern) {}
 
-    bool factor(std::span<const double> jacobian, double shift, std::complex<double> complexShift) {
-        const auto n = static_cast<Eigen::Index>(pattern_.size());
-        Eigen::MatrixXd real = Eigen::MatrixXd::Identity(n, n) * shift;
-        Eigen::MatrixXcd complex = Eigen::MatrixXcd::Identity(n, n) * complexShift;
-        for (std::size_t column = 0; column < pattern_.size(); ++column)
-            for (int k = pattern_.columnStarts[column]; k < pattern_.columnStarts[column + 1];
-                 ++k) {
-                const auto j = static_cast<Eigen::Index>(column);
-                const double entry = jacobian[static_cast<std::size_t>(k)];
-                real(pattern_.rows[static_cast<std::size_t>(k)], j) -= entry;
-                complex(pattern_.rows[static_cast<std::size_t>(k)], j) -= entry;
-            }
-        if (!real.allFinite())
-            return false;
-        real_.compute(real);
-        complex_.compute(complex);
-        return real_.matrixLU().diagonal().cwiseAbs().minCoeff() > 0 &&
-               complex_.matrixLU().diagonal().cwiseAbs().minCoeff() > 0;
+    bool factor(std::span<const double> jacobian, double shift,
+                std::optional<std::complex<double>> complexShift) {
+        return compute(real_, jacobian, shift) &&
+               (!complexShift || compute(complex_, jacobian, *complexShift));
     }
 
     template <class Number, class Factors>
@@ -50,6 +37,21 @@ public:
     Eigen::PartialPivLU<Eigen::MatrixXcd> complex_;
 
 private:
+    template <class Matrix, class Number>
+    bool compute(Eigen::PartialPivLU<Matrix>& factors, std::span<const double> jacobian,
+                 Number shift) const {
+        const auto n = static_cast<Eigen::Index>(pattern_.size());
+        Matrix matrix = Matrix::Identity(n, n) * shift;
+        for (std::size_t column = 0; column < pattern_.size(); ++column)
+            for (int k = pattern_.columnStarts[column]; k < pattern_.columnStarts[column + 1]; ++k)
+                matrix(pattern_.rows[static_cast<std::size_t>(k)],
+                       static_cast<Eigen::Index>(column)) -= jacobian[static_cast<std::size_t>(k)];
+        if (!matrix.allFinite())
+            return false;
+        factors.compute(matrix);
+        return factors.matrixLU().diagonal().cwiseAbs().minCoeff() > 0;
+    }
+
     const Pattern& pattern_;
 };
 
@@ -70,7 +72,8 @@ public:
     Sparse(const Sparse&) = delete;
     Sparse& operator=(const Sparse&) = delete;
 
-    bool factor(std::span<const double> jacobian, double shift, std::complex<double> complexShift) {
+    bool factor(std::span<const double> jacobian, double shift,
+                std::optional<std::complex<double>> complexShift) {
         if (!symbolic_)
             return false;
         std::fill(realValues_.begin(), realValues_.end(), 0.0);
@@ -83,10 +86,12 @@ public:
         }
         for (const std::size_t place : diagonal_) {
             realValues_[place] += shift;
-            complexValues_[2 * place] += complexShift.real();
-            complexValues_[2 * place + 1] += complexShift.imag();
+            if (complexShift) {
+                complexValues_[2 * place] += complexShift->real();
+                complexValues_[2 * place + 1] += complexShift->imag();
+            }
         }
-        return factorReal() && factorComplex();
+        return factorReal() && (!complexShift || factorComplex());
     }
 
     void solve(std::span<double> x) { klu_solve(symbolic_, real_, size_, 1, x.data(), &common_); }
@@ -167,6 +172,11 @@ bool LinearSolver::factor(std::span<const double> jacobian, double shift,
                           std::complex<double> complexShift) {
     return dense_ ? dense_->factor(jacobian, shift, complexShift)
                   : sparse_->factor(jacobian, shift, complexShift);
+}
+
+bool LinearSolver::factor(std::span<const double> jacobian, double shift) {
+    return dense_ ? dense_->factor(jacobian, shift, std::nullopt)
+                  : sparse_->factor(jacobian, shift, std::nullopt);
 }
 
 void LinearSolver::solve(std::span<double> x) const {

@@ -23,6 +23,8 @@ public:
     // False: singular to rounding, or not finite.
     [[nodiscard]] bool factor(std::span<const double> jacobian, double shift,
                               std::complex<double> complexShift);
+    // The real one alone.
+    [[nodiscard]] bool factor(std::span<const double> jacobian, double shift);
     void solve(std::span<double> x) const;
     void solve(std::span<std::complex<double>> x) const;
 

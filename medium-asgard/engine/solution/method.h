@@ -61,6 +61,8 @@ public:
     [[nodiscard]] double firstStep(double limit);
     [[nodiscard]] virtual Attempt attempt(double h) = 0;
     [[nodiscard]] std::span<const double> state() const { return end_; }
+    // The derivative at the start of the next step.
+    [[nodiscard]] std::span<const double> slope() const { return slope_; }
     virtual void dense(std::span<Coefficients> columns) = 0;
     [[nodiscard]] virtual bool proceed(std::span<const double> y) = 0;
 
@@ -84,7 +86,10 @@ protected:
     std::vector<double> slope_;       // derivative at the start
 };
 
-// The method of that name (methodNames() of solver.h, in lower case); null for an unknown one.
+// Every name that there is a method for.
+[[nodiscard]] const std::vector<std::string>& methodNames();
+
+// The method of that name; null for an unknown one.
 [[nodiscard]] std::unique_ptr<Method> makeMethod(const std::string& name, System& system,
                                                  ErrorControl& control, bool fixed);
 

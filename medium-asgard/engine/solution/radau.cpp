@@ -165,7 +165,7 @@ bool Radau::correction(double& size) {
 Radau::Newton Radau::iterate() {
     constexpr std::size_t mostIterations = 12, mayGrow = 5;
     constexpr double mostGrowth = 5, slow = 0.1;
-    const double kappa = std::min(0.03, std::sqrt(control_.tolerance()));
+    const double kappa = control_.newtonTolerance();
     double last = 0;
     rate_ = std::max(rate_, 1e-16);
     double rate = rate_ < 1 && jacobianFresh_ == false ? std::pow(rate_, 0.8) : 1;

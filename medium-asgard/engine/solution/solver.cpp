@@ -11,12 +11,6 @@
 
 namespace solution {
 
-const std::vector<std::string>& methodNames() {
-    static const std::vector<std::string> names = {"dop853", "dopri5", "radau5", "rk4",
-                                                   "forward-euler"};
-    return names;
-}
-
 class Solver::Implementation {
 public:
     Implementation(expression::EquationSet equations, Options options, EventSource* source)

@@ -29,6 +29,8 @@ public:
     [[nodiscard]] virtual std::span<const std::pair<std::size_t, std::size_t>> integrals() const {
         return {};
     }
+    // Positions and attitudes, as against velocities: in order of place.
+    [[nodiscard]] virtual std::span<const std::size_t> configuration() const { return {}; }
 };
 
 } // namespace solution

@@ -49,11 +49,18 @@ public:
     std::span<const std::pair<std::size_t, std::size_t>> integrals() const override {
         return positions;
     }
+    std::span<const std::size_t> configuration() const override {
+        configuration_.clear();
+        for (const auto& [x, v] : positions)
+            configuration_.push_back(x);
+        return configuration_;
+    }
 
 private:
     std::size_t size_;
     Function function_;
     Pattern pattern_;
+    mutable std::vector<std::size_t> configuration_;
 };
 
 struct Run {
