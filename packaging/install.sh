@@ -9,6 +9,14 @@ for package in $(sed 's/#.*//' packages.txt); do
 done
 [ ${#missing[@]} -eq 0 ] && exit 0
 echo "Installing: ${missing[*]}"
-as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
-as_root apt-get update -qq
+if [ "$(id -u)" = 0 ]; then
+    as_root() { "$@"; }
+elif command -v sudo >/dev/null; then
+    as_root() { sudo "$@"; }
+else
+    echo "Only root can, and there is no sudo. As root: apt-get install ${missing[*]}" >&2
+    exit 1
+fi
+# A list that cannot be renewed, of this or of another source of packages, need not keep one from installing.
+as_root apt-get update -qq || echo "The lists of packages could not all be renewed." >&2
 as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null

@@ -28,6 +28,10 @@ QFont fontOf(const document::TextStyle& style) {
     font.setUnderline(style.underline);
     font.setHintingPreference(QFont::PreferNoHinting);
     font.setKerning(true);
+    // Letters a 64th of a pixel apart are not joined into ligatures: the serif face's "Th" and "tt"
+    // are glyphs without a character, which would make the words of a PDF impossible to find and to
+    // copy.
+    font.setLetterSpacing(QFont::AbsoluteSpacing, 1.0 / 64);
     return font;
 }
 

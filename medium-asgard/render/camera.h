@@ -62,7 +62,7 @@ class CameraControl {
 public:
     enum class Button : std::uint8_t { left, middle, right };
 
-    explicit CameraControl(Camera camera = {}) : camera_(camera) {}
+    explicit CameraControl(const Camera& camera = {}) : camera_(camera) {}
     [[nodiscard]] const Camera& camera() const { return camera_; }
     void set(const Camera& camera) { camera_ = camera; }
 
