@@ -153,7 +153,7 @@ void CollisionSource::lookAtWindow(const Histories& histories, double until) {
 void CollisionSource::updateCandidates(double until) {
     std::vector<std::size_t> moved;
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        if (boxUntil_[b] >= until)
+        if (boxUntil_[b] >= until || ended_[b]) // what comes after an end is no motion
             continue;
         boxes_[b] = collision::boundsDuring(bodies_[b], front_, until);
         boxUntil_[b] = records_[b].isFixed ? infinity : until;
@@ -227,13 +227,13 @@ void CollisionSource::dropHit(const Pair& pair) {
 // About the time in which the bodies that move cross their own size.
 double CollisionSource::windowLength(const Histories& histories) const {
     double size = 0, speed = 0;
-    for (const BodyRecord& body : records_) {
-        if (body.isFixed)
+    for (std::size_t b = 0; b < records_.size(); ++b) {
+        if (records_[b].isFixed || ended_[b])
             continue;
-        size += body.radius;
-        speed += stateOf(body, histories, front_).velocity.norm();
+        size += records_[b].radius;
+        speed += stateOf(records_[b], histories, front_).velocity.norm();
     }
-    const double span = finish_ - front_;
+    const double span = finish_ - start_;
     return speed > 0 ? std::clamp(4 * size / speed, span / 1000, span) : span;
 }
 

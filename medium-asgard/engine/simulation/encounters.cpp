@@ -44,18 +44,31 @@ std::optional<Event> CollisionSource::handle(const Histories& histories, const P
                        quoted(scene_.bodies[pair.second].name) +
                        " go on touching while they turn, which is modelled only where one of them "
                        "is fixed or held and the other is pushed onto it");
-    if (isWithoutEnd(pair.first, hit.time) || isWithoutEnd(pair.second, hit.time))
+    if (isWithoutEnd(pair.first, hit.time) || isWithoutEnd(pair.second, hit.time)) {
+        for (const std::size_t body : {pair.first, pair.second})
+            for (const std::size_t other : partners_[body])
+                if (resting_.canGiveWay(body, hit.time) && resting_.canGiveWay(other, hit.time) &&
+                    !touchesOf(resting_.placed(histories, body, hit.time),
+                               resting_.placed(histories, other, hit.time), limits_.gap)
+                         .empty())
+                    return end(std::minmax(body, other), hit.time, leaning(body, other));
         return end(pair, hit.time,
                    "bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
                        quoted(scene_.bodies[pair.second].name) +
                        " meet again and again in ever shorter time; more room between them would "
                        "end that");
+    }
     if (hit.pressing)
         if (auto event = press(histories, pair, hit.time))
             return event;
     if (auto event = meet(histories, pair, hit.time))
         return event;
     return press(histories, pair, hit.time);
+}
+
+std::string CollisionSource::leaning(std::size_t a, std::size_t b) const {
+    return "bodies " + quoted(scene_.bodies[a].name) + " and " + quoted(scene_.bodies[b].name) +
+           " come to rest on each other, which is modelled only where one of them is fixed or held";
 }
 
 bool CollisionSource::isWithoutEnd(std::size_t body, double time) {
@@ -158,8 +171,6 @@ double CollisionSource::softenLastHops(const Histories& histories, Cluster& clus
                                        std::span<const ImpactBody> bodies, double time) const {
     double longest = -1;
     for (physics::ImpactContact& contact : cluster.contacts) {
-        if (contact.restitution >= 1)
-            continue;
         double approach = 0, push = 0, radius = infinity, reach = 0;
         for (const auto& [index, sign] :
              {std::pair{contact.first, 1.0}, std::pair{contact.second, -1.0}}) {
@@ -177,7 +188,8 @@ double CollisionSource::softenLastHops(const Histories& histories, Cluster& clus
         const double lowest = std::max({limits_.hopHeight * radius, 2e-9 * radius, 1e-13 * reach});
         const double speed = -contact.restitution * approach;
         if (approach < 0 && push < 0 && speed * speed / (-2 * push) < lowest) {
-            longest = std::max(longest, 2 * speed / (-push * (1 - contact.restitution)));
+            const double sum = 2 * speed / (-push * (1 - contact.restitution));
+            longest = std::max(longest, contact.restitution < 1 ? sum : 0);
             contact.restitution = 0;
         }
     }

@@ -37,10 +37,15 @@ std::string sentenceOf(const Problem& problem, const solution::Histories& histor
         std::vector<double> state;
         for (std::size_t i = 0; i < histories.unknowns(); ++i)
             state.push_back(histories.value(i, stop.time));
-        const std::string named =
-            problem.equations.whatIsNotFinite(problem.scene, state, stop.time);
-        if (!named.empty())
-            reason = named;
+        // The motion ends at the last time that is finite: what is not, is so just after.
+        for (const double after : {0.0, 1e-12, 1e-9, 1e-6}) {
+            const std::string named = problem.equations.whatIsNotFinite(
+                problem.scene, state, stop.time + after * std::max(1.0, std::abs(stop.time)));
+            if (!named.empty()) {
+                reason = named;
+                break;
+            }
+        }
     }
     return "Stopped at t = " + timeText(stop.time) + " s: " + reason + ".";
 }

@@ -1,0 +1,221 @@
+// Rest and sliding: bouncing that would never end, bodies laid down, tables and what falls off
+// them, platforms that move, and what is refused.
+#include "simulation/testing.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace simulation::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+// A ball let fall from h bounces for sqrt(2 h / g) (1 + e) / (1 - e) and then rests.
+class Zeno : public ::testing::TestWithParam<std::pair<double, double>> {};
+
+TEST_P(Zeno, BouncingEndsWhenItsTimesSumUp) {
+    const auto [e, restTime] = GetParam();
+    SceneBuilder b(100);
+    b.floor(8);
+    b.ball("ball", {0, 1.1, 0}).restitution = e;
+    b.weight("ball");
+    const Result result = simulate(b.scene);
+    EXPECT_FALSE(result.motion->stop(1));
+    EXPECT_NEAR(result.motion->impacts().back().time, restTime, 1e-6 * restTime);
+    EXPECT_LT(result.motion->impacts().size(), 1500u);
+    for (int i = 0; i <= 4000; ++i)
+        ASSERT_GE(result.motion->at(1, 0.025 * i).position.y(), 0.1 - 1e-9) << 0.025 * i;
+    EXPECT_EQ(result.motion->at(1, 100).velocity.y(), 0);
+    // All impulses together turned the momentum of the whole fall.
+    double sum = 0;
+    for (const Impact& impact : result.motion->impacts())
+        sum += impact.impulse;
+    EXPECT_NEAR(sum, g * restTime, 1e-5 * g * restTime);
+}
+
+INSTANTIATE_TEST_SUITE_P(Restitutions, Zeno,
+                         ::testing::Values(std::pair(0.3, 0.838543905), std::pair(0.5, 1.354570923),
+                                           std::pair(0.7, 2.558633966), std::pair(0.9, 8.578949179),
+                                           std::pair(0.99, 89.853204556)));
+
+TEST(Rest, ABodyLaidOnTheFloorStaysWhateverItsRestitution) {
+    for (const double e : {0.0, 0.5, 1.0}) {
+        SceneBuilder b(5);
+        b.floor();
+        b.ball("ball", {0, 0.1, 0}).restitution = e;
+        b.box("box", {3, 0.2, 0}, {0.4, 0.4, 0.4}).restitution = e;
+        b.weight("ball");
+        b.weight("box");
+        const Result result = simulate(b.scene);
+        EXPECT_NEAR(result.motion->at(1, 5).position.y(), 0.1, 1e-12);
+        EXPECT_NEAR(result.motion->at(2, 5).position.y(), 0.2, 1e-12);
+        EXPECT_EQ(result.motion->at(2, 5).angularVelocity.norm(), 0);
+        EXPECT_FALSE(result.motion->stop(1) || result.motion->stop(2));
+    }
+}
+
+// Without friction a body slides down a slope by g sin(a) t^2 / 2, and a ball does not roll.
+TEST(Rest, ABallSlidesDownASlope) {
+    const double a = 0.3;
+    SceneBuilder b(1.2);
+    scene::Body& ramp = b.box("ramp", {0, 0, 0}, {8, 0.2, 2});
+    ramp.fixed = true;
+    ramp.initialAttitude = Quaternion(Eigen::AngleAxisd(a, Vector::UnitZ()));
+    const Vector normal(-std::sin(a), std::cos(a), 0), down(-std::cos(a), -std::sin(a), 0);
+    b.ball("ball", 0.2 * normal);
+    b.weight("ball");
+    const Result result = simulate(b.scene);
+    const Vector expected = 0.2 * normal + 0.5 * g * std::sin(a) * 1.2 * 1.2 * down;
+    EXPECT_LT(distance(result.motion->at(1, 1.2).position, expected), 1e-12);
+    EXPECT_EQ(result.motion->at(1, 1.2).angularVelocity.norm(), 0);
+}
+
+TEST(Rest, ABoxDroppedFlatWithoutBounceSlidesOnAndTurnsOn) {
+    SceneBuilder b(3);
+    b.floor();
+    scene::Body& box = b.box("box", {0, 1, 0}, {0.3, 0.2, 0.4});
+    box.restitution = 0;
+    box.initialVelocity = {0.3, 0, 0};
+    box.initialAngularVelocity = {0, 0.7, 0};
+    b.weight("box");
+    const Result result = simulate(b.scene);
+    const BodyState end = result.motion->at(1, 3);
+    EXPECT_LT(distance(end.position, {0.9, 0.1, 0}), 1e-9);
+    EXPECT_LT(distance(end.velocity, {0.3, 0, 0}), 1e-12);
+    EXPECT_NEAR(end.attitude.angularDistance(Quaternion(Eigen::AngleAxisd(2.1, Vector::UnitY()))),
+                0, 1e-6);
+    EXPECT_EQ(result.motion->impacts().size(), 1u);
+}
+
+TEST(Rest, ABallEndsInTheCornerOfARoom) {
+    SceneBuilder b(4);
+    b.floor(8);
+    scene::Body& left = b.box("left", {-0.1, 0, 0}, {0.2, 8, 8});
+    left.fixed = true;
+    scene::Body& back = b.box("back", {0, 0, -0.1}, {8, 8, 0.2});
+    back.fixed = true;
+    b.ball("ball", {0.5, 0.7, 0.6}).restitution = 0.3;
+    b.weight("ball", {-2, -9.81, -1});
+    const Result result = simulate(b.scene);
+    EXPECT_LT(distance(result.motion->at(3, 4).position, {0.1, 0.1, 0.1}), 1e-9);
+    EXPECT_LT(result.motion->at(3, 4).velocity.norm(), 1e-9);
+    EXPECT_FALSE(result.motion->stop(3));
+}
+
+// Once its centre is past the edge, a box tips about it; energy is kept, as nothing rubs.
+TEST(Rest, ABoxThatSlidesOffATableTips) {
+    SceneBuilder b(0.72, 1e-8);
+    b.box("table", {0, -0.1, 0}, {2, 0.2, 2}).fixed = true;
+    scene::Body& box = b.box("box", {0.5, 0.1, 0}, {0.4, 0.2, 0.4});
+    box.restitution = 0.3;
+    box.initialVelocity = {1, 0, 0};
+    b.weight("box");
+    std::vector<std::string> faults;
+    const Result result = simulate(b.scene);
+    EXPECT_LT(distance(result.motion->at(1, 0.5).position, {1, 0.1, 0}), 1e-9);
+    EXPECT_LT(result.motion->at(1, 0.49).angularVelocity.norm(), 1e-9);
+    EXPECT_LT(result.motion->at(1, 0.7).angularVelocity.z(), -0.5);
+    const Quantities energy(b.scene, {}, result.motion,
+                            {"0.5*(box.dx^2+box.dy^2+box.dz^2)+9.81*box.y+0.5*(box.izz*box.wz^2)"},
+                            faults);
+    EXPECT_NEAR(energy.at(0.72)[0], energy.at(0.1)[0], 1e-6);
+    // The table's edge stays under the box's lower face.
+    const BodyState tipped = result.motion->at(1, 0.65);
+    const Vector edge = tipped.attitude.conjugate() * Vector(Vector(1, 0, 0) - tipped.position);
+    EXPECT_NEAR(edge.y(), -0.1, 1e-7);
+}
+
+TEST(Rest, BodiesOnAPlatformGoUpAndDownWithItAndSlideOtherwise) {
+    SceneBuilder b(4);
+    b.box("lift", {0, 0, 0}, {2, 0.2, 2});
+    // y = 0.4 t (4 - t) / 4 at most; sideways too, which frictionless bodies do not follow.
+    b.hold("lift", 0, 4, {{0, -0.1, 0}, {0.1, 0.7, 0}, {0.2, -0.1, 0}});
+    b.box("box", {0.5, 0.1, 0}, {0.4, 0.2, 0.4}).restitution = 0.3;
+    b.ball("ball", {-0.5, 0.1, 0}).restitution = 0;
+    b.weight("box");
+    b.weight("ball");
+    const Result result = simulate(b.scene);
+    for (const double t : {1.0, 2.0, 3.0, 4.0}) {
+        const double top = result.motion->at(0, t).position.y() + 0.1;
+        EXPECT_NEAR(result.motion->at(1, t).position.y(), top + 0.1, 1e-6) << t;
+        EXPECT_NEAR(result.motion->at(2, t).position.y(), top + 0.1, 1e-6) << t;
+        EXPECT_NEAR(result.motion->at(2, t).position.x(), -0.5, 1e-9) << t;
+    }
+    EXPECT_FALSE(result.motion->stop(1) || result.motion->stop(2));
+}
+
+// Wind of 5 t N lifts 1 kg at t = g / 5; from then on y'' = 5 (t - g / 5).
+TEST(Rest, WindThatGrowsOpensTheContactWhenItPulls) {
+    SceneBuilder b(4);
+    b.floor();
+    b.ball("ball", {0, 0.1, 0}).restitution = 0.5;
+    b.weight("ball");
+    b.force("ball", "0", "5*t", "0");
+    const Result result = simulate(b.scene);
+    const double flight = 4 - g / 5;
+    EXPECT_NEAR(result.motion->at(1, g / 5).position.y(), 0.1, 1e-9);
+    EXPECT_NEAR(result.motion->at(1, 4).position.y(), 0.1 + 5.0 / 6 * std::pow(flight, 3), 1e-6);
+}
+
+// Equal spheres exchange their velocities; the one that is hit goes on sliding on the floor.
+TEST(Rest, ARestingBallThatIsHitSlidesAway) {
+    SceneBuilder b(1);
+    b.floor();
+    b.ball("hit", {0, 0.1, 0});
+    b.ball("hitting", {-1, 0.1, 0}).initialVelocity = {2, 0, 0};
+    b.weight("hit");
+    b.weight("hitting");
+    const Result result = simulate(b.scene);
+    EXPECT_LT(distance(result.motion->at(1, 1).position, {1.2, 0.1, 0}), 1e-9);
+    EXPECT_LT(distance(result.motion->at(2, 1).position, {-0.2, 0.1, 0}), 1e-9);
+}
+
+TEST(Rest, ATumblingBoxComesToRestOnAFace) {
+    SceneBuilder b(4, 1e-4);
+    b.floor();
+    scene::Body& box = b.box("box", {0, 1, 0}, {0.3, 0.2, 0.4});
+    box.restitution = 0.4;
+    box.initialAttitude = Quaternion(Eigen::AngleAxisd(1, Vector(0.3, 0.4, 0.9).normalized()));
+    b.weight("box");
+    const Result result = simulate(b.scene);
+    ASSERT_FALSE(result.motion->stop(1)) << result.motion->stop(1)->sentence;
+    const BodyState end = result.motion->at(1, 4);
+    const Vector up = end.attitude.conjugate() * Vector::UnitY();
+    EXPECT_NEAR(up.cwiseAbs().maxCoeff(), 1, 1e-9);
+    EXPECT_LT(end.velocity.cwiseProduct(Vector(0, 1, 0)).norm(), 1e-9);
+}
+
+TEST(Rest, FreeBodiesThatRestOnEachOtherStopWithASentence) {
+    SceneBuilder b(3);
+    b.floor();
+    b.ball("lower", {0, 0.1, 0}).restitution = 0.4;
+    b.ball("upper", {0, 1, 0}).restitution = 0.4;
+    b.ball("far", {5, 1, 0}).initialVelocity = {0, 0, 1};
+    b.weight("lower");
+    b.weight("upper");
+    const Result result = simulate(b.scene);
+    ASSERT_TRUE(result.motion->stop(2));
+    EXPECT_THAT(result.motion->stop(2)->sentence, HasSubstr("\"lower\""));
+    EXPECT_THAT(result.motion->stop(2)->sentence, HasSubstr("come to rest on each other"));
+    EXPECT_LT(distance(result.motion->at(3, 3).position, {5, 1, 3}), 1e-12);
+}
+
+TEST(Rest, ABallBetweenClosingWallsEndsWithASentenceInBoundedWork) {
+    for (const double e : {1.0, 0.5}) {
+        SceneBuilder b(3);
+        b.box("left", {0, 0, 0}, {0.2, 2, 2});
+        b.box("right", {0, 0, 0}, {0.2, 2, 2});
+        b.hold("left", 0, 3, {{-1, 0, 0}, {1, 0, 0}});
+        b.hold("right", 0, 3, {{1, 0, 0}, {-1, 0, 0}});
+        scene::Body& ball = b.ball("ball", {0, 0, 0});
+        ball.restitution = e;
+        ball.initialVelocity = {0.3, 0, 0};
+        const Result result = simulate(b.scene);
+        ASSERT_TRUE(result.motion->stop(2)) << e;
+        EXPECT_NEAR(result.motion->stop(2)->time, 1.2, 1e-3); // when 0.2 is left between them
+        EXPECT_LT(result.statistics.collisions, 50'000u);
+    }
+}
+
+} // namespace
+} // namespace simulation::testing

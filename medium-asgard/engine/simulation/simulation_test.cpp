@@ -1,0 +1,236 @@
+// The engine as its callers see it: motion against closed form, work that is counted, bits that
+// repeat, and faults that are told.
+#include "simulation/testing.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace simulation::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+TEST(Simulation, AThrownBodyFollowsItsParabola) {
+    SceneBuilder b(2);
+    scene::Body& ball = b.ball("ball", {1, 2, 3});
+    ball.initialVelocity = {4, 5, 6};
+    b.weight("ball");
+    const Result result = simulate(b.scene);
+    EXPECT_LT(
+        distance(result.motion->at(0, 2).position, {1 + 4 * 2, 2 + 5 * 2 - 0.5 * g * 4, 3 + 6 * 2}),
+        1e-12);
+    EXPECT_EQ(result.statistics.errorEstimate, 0);
+}
+
+// A compound pendulum released from rest at angle a swings back after 4 sqrt(I/(m g d))
+// K(sin(a/2)).
+TEST(Simulation, APendulumReturnsAfterOneExactPeriod) {
+    const double a = 1.2, k = 3.0;
+    for (const double accuracy : {1e-4, 1e-7, 1e-10}) {
+        SceneBuilder b(10, accuracy);
+        scene::Body& rod = b.box("rod", {0, 0, 0}, {1, 0.1, 0.1});
+        rod.initialAttitude = Quaternion(Eigen::AngleAxisd(a, Vector::UnitZ()));
+        b.force("rod", "0", "0", "-3*sin(2*atan2(rod.qz,rod.qw))").couple = true;
+        const double inertia = (1.0 + 0.01) / 12;
+        const double period = 4 * std::sqrt(inertia / k) * std::comp_ellint_1(std::sin(a / 2));
+        const Result result = simulate(b.scene);
+        const auto angle = [&](double t) {
+            const Quaternion q = result.motion->at(0, t).attitude;
+            return 2 * std::atan2(q.z(), q.w());
+        };
+        EXPECT_NEAR(angle(period), a, 2 * accuracy) << accuracy;
+        EXPECT_NEAR(angle(5 * period), a, 2 * accuracy) << accuracy;
+        ASSERT_TRUE(result.statistics.errorEstimate);
+        EXPECT_LE(*result.statistics.errorEstimate, accuracy);
+    }
+}
+
+// Along the line of centres v1' = (m1 - e m2) v / (m1 + m2), v2' = (1 + e) m1 v / (m1 + m2).
+TEST(Simulation, AnObliqueImpactGivesTheExactVelocities) {
+    SceneBuilder b(0.5);
+    scene::Body& striker = b.ball("striker", {-1.5, 0, 0}, 0.25);
+    striker.mass = 2;
+    striker.restitution = 0.8;
+    striker.initialVelocity = {3, 0, 0};
+    b.ball("ball", {0, 0.25, 0}, 0.25).restitution = 0.8;
+    const Result result = simulate(b.scene);
+    ASSERT_EQ(result.motion->impacts().size(), 1u);
+    EXPECT_NEAR(result.motion->impacts()[0].time, (1.5 - 0.25 * std::sqrt(3.0)) / 3, 1e-14);
+    const double along = 3 * std::cos(std::numbers::pi / 6);
+    const Vector line(std::cos(std::numbers::pi / 6), std::sin(std::numbers::pi / 6), 0);
+    EXPECT_LT(distance(result.motion->at(1, 0.5).velocity, 1.2 * along * line), 1e-13);
+    EXPECT_LT(distance(result.motion->at(0, 0.5).velocity, Vector(3, 0, 0) - 0.6 * along * line),
+              1e-13);
+}
+
+TEST(Simulation, ABallBouncesWithItsRestitution) {
+    SceneBuilder b(1);
+    b.floor();
+    b.ball("ball", {0, 1.1, 0}).restitution = 0.8;
+    b.weight("ball");
+    const Result result = simulate(b.scene);
+    const double fall = std::sqrt(2 / g);
+    ASSERT_FALSE(result.motion->impacts().empty());
+    EXPECT_NEAR(result.motion->impacts()[0].time, fall, 1e-13);
+    EXPECT_NEAR(result.motion->impacts()[0].impulse, 1.8 * g * fall, 1e-12);
+    const double t = 1 - fall;
+    EXPECT_NEAR(result.motion->at(1, 1).position.y(), 0.1 + 0.8 * g * fall * t - g * t * t / 2,
+                1e-12);
+}
+
+// --- islands ----------------------------------------------------------------------------------
+
+void addSwinging(SceneBuilder& b, const std::string& name, double x) {
+    b.ball(name, {x, 1, 0}).collisionGroup = 1;
+    b.force(name, "-4*(" + name + ".x-" + std::to_string(x - 0.5) + ")^3", "-" + name + ".y", "0");
+}
+
+TEST(Simulation, ABodyThatMeetsNobodyMovesTheSameWithAndWithoutOthers) {
+    SceneBuilder alone(5), among(5);
+    addSwinging(alone, "one", 0);
+    addSwinging(among, "one", 0);
+    among.floor().collisionGroup = 1;
+    among.ball("falling", {50, 3, 0}).restitution = 0.5;
+    among.weight("falling");
+    const Result a = simulate(alone.scene), b = simulate(among.scene);
+    EXPECT_EQ(rows(*a.motion, 0), rows(*b.motion, 0));
+}
+
+TEST(Simulation, AnUnrelatedBodyCostsOnlyItself) {
+    SceneBuilder one(5), two(5);
+    addSwinging(one, "one", 0);
+    addSwinging(two, "one", 0);
+    addSwinging(two, "two", 0);
+    const Result a = simulate(one.scene), b = simulate(two.scene);
+    EXPECT_GT(a.statistics.equationEvaluations, 100u);
+    EXPECT_EQ(b.statistics.equationEvaluations, 2 * a.statistics.equationEvaluations);
+    EXPECT_EQ(b.statistics.steps, 2 * a.statistics.steps);
+}
+
+TEST(Simulation, TheSameSceneGivesTheSameBits) {
+    SceneBuilder b(3, 1e-4);
+    b.floor();
+    scene::Body& box = b.box("box", {0, 1, 0}, {0.3, 0.2, 0.4});
+    box.restitution = 0.5;
+    box.initialAngularVelocity = {1, 2, 3};
+    b.weight("box");
+    const Result first = simulate(b.scene), second = simulate(b.scene);
+    EXPECT_EQ(rows(*first.motion, 1), rows(*second.motion, 1));
+    EXPECT_EQ(first.statistics.evaluations, second.statistics.evaluations);
+}
+
+// --- faults -----------------------------------------------------------------------------------
+
+TEST(Simulation, AForceThatIsNotFiniteIsNamedAndTheOthersGoOn) {
+    SceneBuilder b(3);
+    b.ball("bad", {0, 0, 0});
+    b.ball("good", {5, 0, 0}).initialVelocity = {1, 0, 0};
+    b.force("bad", "sqrt(1-t)", "0", "0").source.line = 12;
+    const Result result = simulate(b.scene);
+    ASSERT_TRUE(result.motion->stop(0));
+    EXPECT_NEAR(result.motion->stop(0)->time, 1, 1e-6);
+    EXPECT_THAT(result.motion->stop(0)->sentence, HasSubstr("body \"bad\" (line 12)"));
+    EXPECT_THAT(result.motion->stop(0)->sentence, HasSubstr("not a number"));
+    EXPECT_FALSE(result.motion->stop(1));
+    EXPECT_LT(distance(result.motion->at(1, 3).position, {8, 0, 0}), 1e-12);
+    EXPECT_TRUE(result.motion->at(0, 3).position.allFinite());
+}
+
+TEST(Simulation, WhatCannotBeComputedIsRefusedWithSentences) {
+    SceneBuilder b(3);
+    b.ball("ball", {0, 0, 0});
+    Options options;
+    options.method = "magic";
+    const Result method = simulate(b.scene, options);
+    EXPECT_EQ(method.motion, nullptr);
+    EXPECT_THAT(method.refusal, ElementsAre(HasSubstr("no method \"magic\" (methods here: auto")));
+    options = {};
+    options.parameters = {{"k", 1.0}};
+    EXPECT_THAT(simulate(b.scene, options).refusal,
+                ElementsAre("The scene has no parameter \"k\"."));
+    options = {};
+    options.finish = -1;
+    EXPECT_THAT(simulate(b.scene, options).refusal,
+                ElementsAre("The motion would finish before it starts."));
+    b.scene.bodies[0].shape = "nothing";
+    EXPECT_THAT(simulate(b.scene).refusal, ElementsAre(HasSubstr("Body \"ball\" has no shape")));
+}
+
+TEST(Simulation, HeldBodiesThatMeetPassAndTheLogSaysSoOnce) {
+    SceneBuilder b(3);
+    b.ball("left", {0, 0, 0});
+    b.ball("right", {0, 0, 0});
+    b.hold("left", 0, 3, {{-1, 0, 0}, {1, 0, 0}});
+    b.hold("right", 0, 3, {{1, 0, 0}, {-1, 0, 0}});
+    const Result result = simulate(b.scene);
+    EXPECT_THAT(result.motion->notes(), ElementsAre(HasSubstr("are both held where they meet")));
+    EXPECT_THAT(result.motion->impacts(), IsEmpty());
+}
+
+// --- observers --------------------------------------------------------------------------------
+
+TEST(Simulation, CancellingKeepsWhatThereIs) {
+    SceneBuilder b(1000);
+    addSwinging(b, "one", 0);
+    int asked = 0;
+    const Result result =
+        simulate(b.scene, {}, {.cancelled = [&] { return ++asked > 200; }, .progress = {}});
+    EXPECT_TRUE(result.cancelled);
+    ASSERT_NE(result.motion, nullptr);
+    EXPECT_TRUE(result.motion->draft());
+    EXPECT_GT(result.motion->computed(), 0);
+    EXPECT_LT(result.motion->computed(), 1000);
+    EXPECT_LT(asked, 210);
+}
+
+TEST(Simulation, ProgressPublishesDraftsThatGrowAndChangeNothing) {
+    SceneBuilder b(20);
+    addSwinging(b, "one", 0);
+    std::vector<double> reached;
+    const Result watched =
+        simulate(b.scene, {}, {.cancelled = {}, .progress = [&](const MotionPointer& motion) {
+                                   EXPECT_TRUE(motion->draft());
+                                   reached.push_back(motion->computed());
+                               }});
+    EXPECT_GT(reached.size(), 10u);
+    EXPECT_TRUE(std::is_sorted(reached.begin(), reached.end()));
+    EXPECT_EQ(rows(*watched.motion, 0), rows(*simulate(b.scene).motion, 0));
+    EXPECT_FALSE(watched.motion->draft());
+}
+
+// --- quantities -------------------------------------------------------------------------------
+
+TEST(Quantities, ReadTheMotionAndTheCollisions) {
+    SceneBuilder b(1);
+    b.floor();
+    b.ball("ball", {0, 1.1, 0});
+    b.weight("ball");
+    const Result result = simulate(b.scene);
+    std::vector<std::string> faults;
+    const Quantities q(b.scene, {}, result.motion,
+                       {"ball.y", "events.collisions", "scene.py", "2*t"}, faults);
+    EXPECT_THAT(faults, IsEmpty());
+    const std::vector<double> before = q.at(0.4), after = q.at(0.5);
+    EXPECT_NEAR(before[0], 1.1 - g * 0.08, 1e-12);
+    EXPECT_EQ(before[1], 0);
+    EXPECT_EQ(after[1], 1);
+    EXPECT_NEAR(before[2], -g * 0.4, 1e-12);
+    EXPECT_EQ(before[3], 0.8);
+}
+
+TEST(Quantities, TellWhatTheyCannotRead) {
+    SceneBuilder b(1);
+    b.ball("ball", {0, 0, 0});
+    const Result result = simulate(b.scene);
+    std::vector<std::string> faults;
+    const Quantities q(b.scene, {}, result.motion, {"bell.y"}, faults);
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_THAT(faults[0], HasSubstr("\"bell.y\""));
+    EXPECT_THAT(faults[0], HasSubstr("ball"));
+    EXPECT_TRUE(std::isnan(q.at(0)[0]));
+}
+
+} // namespace
+} // namespace simulation::testing
