@@ -95,6 +95,10 @@ int run(int argc, char** argv, script::Reader& reader) {
         return batch::renderCommand(reader, render);
     if (medium)
         return asgard::serveAsMedium(reader);
+    if (const std::string fault = asgard::noDisplay(); !fault.empty()) {
+        std::cerr << "asgard: " << fault << "; simulate, check and render need none\n";
+        return batch::failure;
+    }
     return views::runEditor(argc, argv, scene, reader);
 }
 

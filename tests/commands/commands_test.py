@@ -47,6 +47,11 @@ class Commands(unittest.TestCase):
         self.assertEqual(ran.returncode, code, ran.stderr)
         return list(csv.reader(io.StringIO(ran.stdout, newline=""))), ran.stderr
 
+    def test_windows_without_a_display_are_refused_in_words(self):
+        ran = self.run_asgard(self.scene)
+        self.assertEqual(ran.returncode, 1)
+        self.assertRegex(ran.stderr, r"^asgard: there is no display to open a window on; .*\n$")
+
     # --- simulate --------------------------------------------------------------------------------
 
     def test_the_table_has_thirteen_columns_for_each_body_and_101_rows(self):
