@@ -34,7 +34,9 @@ bool isLike(const Footing& a, const Footing& b) {
         return false;
     for (std::size_t i = 0; i < a.constraints.size(); ++i) {
         const GapConstraint &p = a.constraints[i], &q = b.constraints[i];
-        if (p.kind != q.kind || !isParallel(p.normal, q.normal))
+        const bool onPlane = p.kind == GapConstraint::Kind::onSupportPlane ||
+                             p.kind == GapConstraint::Kind::onBodyPlane;
+        if (p.kind != q.kind || (onPlane && !isParallel(p.normal, q.normal)))
             return false;
         const bool isFixedPlace = !a.isFlat && p.kind != GapConstraint::Kind::roundOnLine &&
                                   p.kind != GapConstraint::Kind::edgeOnEdge;

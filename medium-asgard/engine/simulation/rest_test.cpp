@@ -125,6 +125,23 @@ TEST(Rest, ABoxThatSlidesOffATableTips) {
     EXPECT_NEAR(edge.y(), -0.1, 1e-7);
 }
 
+// Over the edge its centre goes round it, until the edge would have to pull; nothing rubs.
+TEST(Rest, ABallThatSlidesOffATableGoesRoundItsEdgeAndFalls) {
+    SceneBuilder b(1);
+    b.box("table", {0, -0.1, 0}, {2, 0.2, 2}).fixed = true;
+    b.ball("ball", {0.9, 0.1, 0}).initialVelocity = {0.3, 0, 0};
+    b.weight("ball");
+    const Result result = simulate(b.scene);
+    const auto fromEdge = [&](double t) {
+        return distance(result.motion->at(1, t).position, {1, 0, 0});
+    };
+    EXPECT_NEAR(fromEdge(0.4), 0.1, 1e-7);
+    EXPECT_NEAR(fromEdge(0.45), 0.1, 1e-7);
+    EXPECT_GT(fromEdge(0.7), 0.2);
+    const BodyState end = result.motion->at(1, 1);
+    EXPECT_NEAR(0.5 * end.velocity.squaredNorm() + g * end.position.y(), 0.045 + 0.1 * g, 1e-5);
+}
+
 TEST(Rest, BodiesOnAPlatformGoUpAndDownWithItAndSlideOtherwise) {
     SceneBuilder b(4);
     b.box("lift", {0, 0, 0}, {2, 0.2, 2});
