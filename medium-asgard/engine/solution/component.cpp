@@ -6,9 +6,9 @@
 namespace solution {
 
 Component::Component(const expression::EquationSet& set, const UnknownIndex& index,
-                     const Histories& histories, const Options& options,
+                     const Histories& histories, const Options& options, const ZeroStates& zero,
                      std::vector<std::size_t> unknowns)
-    : set_(set), index_(index), histories_(histories), options_(options),
+    : set_(set), index_(index), histories_(histories), options_(options), zero_(zero),
       unknowns_(std::move(unknowns)), history_(std::make_shared<History>(unknowns_.size())),
       tolerance_(options.tolerance), values_(unknowns_.size()) {
     if (!options.tolerances.empty()) {
@@ -20,14 +20,16 @@ Component::Component(const expression::EquationSet& set, const UnknownIndex& ind
     if (options.fixedStep)
         tolerance_ = std::min(tolerance_, 1e-11);
     for (const auto& four : set.quaternions) {
-        std::array<std::size_t, 4> places{};
+        std::vector<std::size_t> places;
         bool whole = true;
-        for (std::size_t k = 0; k < 4; ++k) {
-            const auto at = std::lower_bound(unknowns_.begin(), unknowns_.end(), four[k]);
-            whole = whole && at != unknowns_.end() && *at == four[k];
-            places[k] = static_cast<std::size_t>(at - unknowns_.begin());
+        for (const std::size_t entry : four) {
+            if (zero.contains(entry))
+                continue;
+            const auto at = std::lower_bound(unknowns_.begin(), unknowns_.end(), entry);
+            whole = whole && at != unknowns_.end() && *at == entry;
+            places.push_back(static_cast<std::size_t>(at - unknowns_.begin()));
         }
-        if (whole)
+        if (whole && !places.empty())
             quaternions_.push_back(places);
     }
     counts_.unknowns = unknowns_;
@@ -79,7 +81,8 @@ void Component::openRegime(bool withJumps) {
     }
     if (withJumps)
         applyJumps();
-    equations_ = std::make_unique<ComponentEquations>(set_, index_, histories_, unknowns_, phases_);
+    equations_ =
+        std::make_unique<ComponentEquations>(set_, index_, histories_, zero_, unknowns_, phases_);
     if (!equations_->loop().empty())
         end(Stop::Reason::algebraicLoop, equations_->loop(),
             names(equations_->loop()) + " are held by values that are defined by each other");

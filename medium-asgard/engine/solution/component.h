@@ -24,7 +24,7 @@ namespace solution {
 class Component {
 public:
     Component(const expression::EquationSet& set, const UnknownIndex& index,
-              const Histories& histories, const Options& options,
+              const Histories& histories, const Options& options, const ZeroStates& zero,
               std::vector<std::size_t> unknowns);
 
     [[nodiscard]] const std::vector<std::size_t>& unknowns() const { return unknowns_; }
@@ -106,6 +106,7 @@ private:
     const UnknownIndex& index_;
     const Histories& histories_;
     const Options& options_;
+    const ZeroStates& zero_;
     std::vector<std::size_t> unknowns_;
     std::shared_ptr<History> history_;
     double tolerance_;
@@ -118,7 +119,7 @@ private:
     double nextPhase_ = infinity;
     std::unique_ptr<ComponentEquations> equations_;
     ErrorControl control_;
-    std::vector<std::array<std::size_t, 4>> quaternions_; // places
+    std::vector<std::vector<std::size_t>> quaternions_; // places; without entries that stay 0
 
     Model model_ = Model::undecided;
     std::unique_ptr<Method> method_;

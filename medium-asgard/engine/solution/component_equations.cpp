@@ -15,11 +15,11 @@ using expression::Op;
 namespace {
 
 std::vector<std::size_t> inputUnknowns(const expression::EquationSet& set,
-                                       const UnknownIndex& index,
+                                       const UnknownIndex& index, const ZeroStates& zero,
                                        const std::vector<std::size_t>& own,
                                        std::span<const Node> nodes) {
     std::vector<std::size_t> found;
-    for (const Node symbol : expression::symbolsOf(set.graph, nodes))
+    for (const Node symbol : zero.symbolsLeft(set.graph, nodes))
         if (const auto unknown = index.of(symbol);
             unknown && !std::binary_search(own.begin(), own.end(), *unknown))
             found.push_back(*unknown);
@@ -69,20 +69,21 @@ std::vector<Node> rawNodes(const expression::EquationSet& set,
 
 ComponentEquations::ComponentEquations(const expression::EquationSet& set,
                                        const UnknownIndex& index, const Histories& histories,
-                                       std::vector<std::size_t> unknowns,
+                                       const ZeroStates& zero, std::vector<std::size_t> unknowns,
                                        std::span<const std::size_t> phases)
     : set_(set), unknowns_(std::move(unknowns)),
-      inputs_(histories, inputUnknowns(set, index, unknowns_, rawNodes(set, unknowns_, phases))) {
-    orderHeld(phases);
+      inputs_(histories,
+              inputUnknowns(set, index, zero, unknowns_, rawNodes(set, unknowns_, phases))) {
+    orderHeld(zero, phases);
     if (!loop_.empty())
         return;
-    makeOutputs(phases);
+    makeOutputs(zero, phases);
     makeTape();
     findIntegrals();
 }
 
 // Held unknowns after those that they read.
-void ComponentEquations::orderHeld(std::span<const std::size_t> phases) {
+void ComponentEquations::orderHeld(const ZeroStates& zero, std::span<const std::size_t> phases) {
     std::vector<std::size_t> waiting;
     for (std::size_t i = 0; i < unknowns_.size(); ++i)
         if (set_.unknowns[unknowns_[i]].phases[phases[i]].given)
@@ -92,7 +93,7 @@ void ComponentEquations::orderHeld(std::span<const std::size_t> phases) {
     while (!waiting.empty()) {
         const auto readsWaiting = [&](std::size_t i) {
             const Node given = *set_.unknowns[unknowns_[i]].phases[phases[i]].given;
-            const std::vector<Node> symbols = expression::symbolsOf(set_.graph, {&given, 1});
+            const std::vector<Node> symbols = zero.symbolsLeft(set_.graph, {&given, 1});
             return std::any_of(waiting.begin(), waiting.end(), [&](std::size_t j) {
                 return std::find(symbols.begin(), symbols.end(),
                                  set_.unknowns[unknowns_[j]].symbol) != symbols.end();
@@ -108,11 +109,13 @@ void ComponentEquations::orderHeld(std::span<const std::size_t> phases) {
     }
 }
 
-void ComponentEquations::makeOutputs(std::span<const std::size_t> phases) {
+void ComponentEquations::makeOutputs(const ZeroStates& zero, std::span<const std::size_t> phases) {
     const auto phaseOf = [&](std::size_t i) -> const expression::Phase& {
         return set_.unknowns[unknowns_[i]].phases[phases[i]];
     };
     std::unordered_map<std::uint32_t, Node> values, done;
+    for (const std::size_t u : zero.unknowns())
+        done.emplace(set_.unknowns[u].symbol.index, graph_.constant(0));
     std::vector<Node> heldNodes;
     for (const std::size_t i : held_) {
         const Node given = transplant(graph_, set_.graph, *phaseOf(i).given, done);

@@ -35,10 +35,10 @@ namespace solution {
 
 class ComponentEquations final : public System {
 public:
-    // `phases[i]` is the phase of unknowns[i] that is in force.
+    // `phases[i]` is the phase of unknowns[i] that is in force. What stays 0 is put in as a 0.
     ComponentEquations(const expression::EquationSet& set, const UnknownIndex& index,
-                       const Histories& histories, std::vector<std::size_t> unknowns,
-                       std::span<const std::size_t> phases);
+                       const Histories& histories, const ZeroStates& zero,
+                       std::vector<std::size_t> unknowns, std::span<const std::size_t> phases);
 
     // Places in `unknowns` of the differential ones and of the held ones, in order of evaluation.
     [[nodiscard]] const std::vector<std::size_t>& states() const { return states_; }
@@ -110,8 +110,8 @@ private:
     };
     static constexpr int onSurface = 0;
 
-    void orderHeld(std::span<const std::size_t> phases);
-    void makeOutputs(std::span<const std::size_t> phases);
+    void orderHeld(const ZeroStates& zero, std::span<const std::size_t> phases);
+    void makeOutputs(const ZeroStates& zero, std::span<const std::size_t> phases);
     void makeTape();
     void findIntegrals();
     void findConfiguration();

@@ -40,18 +40,24 @@ std::optional<std::size_t> UnknownIndex::of(Node symbol) const {
     return found->second;
 }
 
-Reads readsOf(const expression::EquationSet& equations, double from) {
+Reads readsOf(const expression::EquationSet& equations, double from, const ZeroStates& zero) {
     const UnknownIndex index(equations);
     Reads reads(equations.unknowns.size());
     for (std::size_t i = 0; i < equations.unknowns.size(); ++i) {
+        if (zero.contains(i))
+            continue;
         const std::vector<Node> nodes = nodesAfter(equations.unknowns[i], from);
-        for (const Node symbol : expression::symbolsOf(equations.graph, nodes))
+        for (const Node symbol : zero.symbolsLeft(equations.graph, nodes))
             if (const auto unknown = index.of(symbol))
                 reads[i].push_back(*unknown);
     }
-    for (const auto& four : equations.quaternions)
-        for (const std::size_t i : four)
-            reads[i].insert(reads[i].end(), four.begin(), four.end());
+    for (const auto& four : equations.quaternions) {
+        std::vector<std::size_t> turning;
+        std::ranges::copy_if(four, std::back_inserter(turning),
+                             [&](std::size_t i) { return !zero.contains(i); });
+        for (const std::size_t i : turning)
+            reads[i].insert(reads[i].end(), turning.begin(), turning.end());
+    }
     for (auto& list : reads) {
         std::sort(list.begin(), list.end());
         list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -62,7 +68,7 @@ Reads readsOf(const expression::EquationSet& equations, double from) {
 namespace {
 
 void connect(Partition& partition, const Reads& reads) {
-    partition.componentOf.resize(reads.size());
+    partition.componentOf.assign(reads.size(), noComponent);
     for (std::size_t c = 0; c < partition.components.size(); ++c)
         for (const std::size_t i : partition.components[c])
             partition.componentOf[i] = c;
@@ -80,7 +86,7 @@ void connect(Partition& partition, const Reads& reads) {
 
 } // namespace
 
-Partition partitionOf(const Reads& reads) {
+Partition partitionOf(const Reads& reads, const ZeroStates& zero) {
     constexpr std::size_t unseen = std::numeric_limits<std::size_t>::max();
     const std::size_t n = reads.size();
     std::vector<std::size_t> number(n, unseen), low(n, 0), stack;
@@ -113,7 +119,7 @@ Partition partitionOf(const Reads& reads) {
 
     // Arcs are followed from an equation to what it reads, so a component closes after its inputs.
     for (std::size_t start = 0; start < n; ++start) {
-        if (number[start] != unseen)
+        if (number[start] != unseen || zero.contains(start))
             continue;
         enter(start);
         while (!visits.empty()) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "expression/equations.h"
+#include "solution/zero_states.h"
 
 #include <cstddef>
 #include <optional>
@@ -28,18 +29,21 @@ private:
 using Reads = std::vector<std::vector<std::size_t>>;
 
 // From all phases after `from` and the one in force then. The four of a quaternion read each other,
-// since they are renormalised together.
-[[nodiscard]] Reads readsOf(const expression::EquationSet& equations, double from);
+// since they are renormalised together. What stays 0 reads nothing, and nothing reads it.
+[[nodiscard]] Reads readsOf(const expression::EquationSet& equations, double from,
+                            const ZeroStates& zero = {});
 
 struct Partition {
     // Unknowns of each component in order of index; components after those that they read.
     std::vector<std::vector<std::size_t>> components;
     std::vector<std::vector<std::size_t>>
         reads;                            // components that each reads directly, without itself
-    std::vector<std::size_t> componentOf; // by unknown
+    std::vector<std::size_t> componentOf; // by unknown; noComponent: it stays 0
 };
+inline constexpr std::size_t noComponent = static_cast<std::size_t>(-1);
 
-[[nodiscard]] Partition partitionOf(const Reads& reads);
+// Without those that stay 0, which the reads must leave out too.
+[[nodiscard]] Partition partitionOf(const Reads& reads, const ZeroStates& zero = {});
 // Everything in one component (the comparison of 5.2.4).
 [[nodiscard]] Partition wholePartition(const Reads& reads);
 

@@ -24,6 +24,9 @@ public:
             initial.push_back(set_.unknowns[u].initial);
             histories_.tracks_[u].initial = initial.back();
         }
+        // A method that was asked for is given every state.
+        if (options_.method == "auto" && !options_.fixedStep && !options_.whole)
+            zero_ = ZeroStates(set_, options_.start, initial);
         place(options_.start, initial);
         noteStops();
     }
@@ -38,7 +41,11 @@ public:
 private:
     using Identity = std::size_t; // of a component, in order of making: inputs before readers
 
+    [[nodiscard]] Partition partition(double t) const;
     void place(double t, const std::vector<double>& values);
+    void addZeroTracks();
+    [[nodiscard]] std::vector<std::size_t> woken(const Event& event, const Changes& changes);
+    void change(const Event& event, const Changes& changes);
     void addTracks(const Component& component, double t);
     void connect(const Partition& partition);
     void run(double finish, Advance& advance);
@@ -54,7 +61,8 @@ private:
     void goBack(const std::vector<std::size_t>& components, double t);
     void restart(const std::vector<std::size_t>& components, const Changes& changes);
     void endThose(const Changes& changes);
-    [[nodiscard]] std::vector<std::size_t> replace(const Event& event, const Changes& changes);
+    [[nodiscard]] std::vector<std::size_t> replace(const Event& event, const Changes& changes,
+                                                   const std::vector<std::size_t>& woken);
     void retire(Component& component);
     void stopFor(const Event& event, Stop::Reason reason, const std::string& sentence);
     void noteStops();
@@ -62,6 +70,7 @@ private:
     Options options_;
     EventSource* source_;
     UnknownIndex index_;
+    ZeroStates zero_;
     std::vector<std::unique_ptr<Component>> components_; // inputs before readers
     std::vector<std::vector<std::size_t>> readers_;
     std::vector<std::size_t> componentOf_;
@@ -76,15 +85,20 @@ private:
 // ---------------------------------------------------------------------------------------------
 // Making components
 
+Partition Solver::Implementation::partition(double t) const {
+    const Reads reads = readsOf(set_, t, zero_);
+    return options_.whole ? wholePartition(reads) : partitionOf(reads, zero_);
+}
+
 void Solver::Implementation::place(double t, const std::vector<double>& values) {
-    const Reads reads = readsOf(set_, t);
-    const Partition partition = options_.whole ? wholePartition(reads) : partitionOf(reads);
-    for (const auto& unknowns : partition.components) {
+    const Partition parts = partition(t);
+    for (const auto& unknowns : parts.components) {
         components_.push_back(
-            std::make_unique<Component>(set_, index_, histories_, options_, unknowns));
+            std::make_unique<Component>(set_, index_, histories_, options_, zero_, unknowns));
         addTracks(*components_.back(), t);
     }
-    connect(partition);
+    addZeroTracks();
+    connect(parts);
     for (std::size_t c = 0; c < components_.size(); ++c) {
         std::vector<double> own;
         for (const std::size_t u : components_[c]->unknowns())
@@ -103,6 +117,15 @@ void Solver::Implementation::addTracks(const Component& component, double t) {
             spans.pop_back();
         spans.push_back({t, component.history(), column});
     }
+}
+
+// One piece for all of them, from the start to the end of time.
+void Solver::Implementation::addZeroTracks() {
+    const auto history = std::make_shared<History>(1);
+    const double zero = 0;
+    history->append({options_.start, infinity, 1, true, 1, 0}, {&zero, 1});
+    for (const std::size_t u : zero_.unknowns())
+        histories_.tracks_[u].spans.push_back({options_.start, history, 0});
 }
 
 void Solver::Implementation::connect(const Partition& partition) {
@@ -219,8 +242,10 @@ void Solver::Implementation::apply(const Event& event) {
     source_->apply(histories_, event, set_, changes);
     std::vector<std::size_t> touched = touchedBy(event, changes);
     goBack(touched, event.time);
-    if (!changes.equations.empty())
-        touched = replace(event, changes);
+    change(event, changes);
+    const std::vector<std::size_t> awake = woken(event, changes);
+    if (!changes.equations.empty() || !awake.empty())
+        touched = replace(event, changes, awake);
     restart(touched, changes);
     endThose(changes);
     noteStops();
@@ -232,7 +257,7 @@ std::vector<std::size_t> Solver::Implementation::touchedBy(const Event& event,
     std::vector<bool> seen(components_.size(), false);
     std::vector<std::size_t> open;
     const auto touch = [&](std::size_t component) {
-        if (!seen[component]) {
+        if (component != noComponent && !seen[component]) {
             seen[component] = true;
             open.push_back(component);
         }
@@ -274,6 +299,8 @@ void Solver::Implementation::restart(const std::vector<std::size_t>& components,
     std::map<std::size_t, std::vector<Component::Jump>> jumps;
     for (const auto& jump : changes.jumps) {
         const std::size_t c = componentOf_[jump.unknown];
+        if (c == noComponent) // it stays 0
+            continue;
         const auto& own = components_[c]->unknowns();
         const auto column = std::lower_bound(own.begin(), own.end(), jump.unknown) - own.begin();
         jumps[c].push_back({static_cast<std::size_t>(column), jump.value});
@@ -289,7 +316,7 @@ void Solver::Implementation::endThose(const Changes& changes) {
     for (const auto& end : changes.ends)
         for (const std::size_t u : end.unknowns) {
             const std::size_t c = componentOf_[u];
-            if (components_[c]->ended())
+            if (c == noComponent || components_[c]->ended())
                 continue;
             live_.erase({components_[c]->time(), c});
             components_[c]->end(Stop::Reason::source, {}, end.sentence);
@@ -302,7 +329,7 @@ void Solver::Implementation::stopFor(const Event& event, Stop::Reason reason,
     changes.ends.push_back({event.touched, sentence});
     for (const std::size_t u : event.touched) {
         const std::size_t c = componentOf_[u];
-        if (components_[c]->ended())
+        if (c == noComponent || components_[c]->ended())
             continue;
         live_.erase({components_[c]->time(), c});
         components_[c]->end(reason, {}, sentence);
@@ -339,28 +366,51 @@ void Solver::Implementation::retire(Component& component) {
     past_.switches += s.switches;
 }
 
-// Equations from the event on. Components that keep their unknowns and equations stay as they are;
-// others are made anew from the values at the event. Answers with what must restart.
-std::vector<std::size_t> Solver::Implementation::replace(const Event& event,
-                                                         const Changes& changes) {
-    std::set<std::size_t> changed;
+// Equations from the event on.
+void Solver::Implementation::change(const Event& event, const Changes& changes) {
     for (const auto& change : changes.equations) {
         auto& phases = set_.unknowns[change.unknown].phases;
         std::erase_if(phases, [&](const expression::Phase& p) { return p.from >= event.time; });
         phases.push_back(change.phase);
         phases.back().from = event.time;
         phases.insert(phases.end(), change.later.begin(), change.later.end());
-        changed.insert(change.unknown);
     }
-    const Reads reads = readsOf(set_, event.time);
-    const Partition partition = options_.whole ? wholePartition(reads) : partitionOf(reads);
+}
+
+// What no longer stays 0, since the event moves it or its new equations do.
+std::vector<std::size_t> Solver::Implementation::woken(const Event& event, const Changes& changes) {
+    std::vector<std::size_t> roused;
+    for (const auto& jump : changes.jumps)
+        if (jump.value != 0 && zero_.contains(jump.unknown))
+            roused.push_back(jump.unknown);
+    if (roused.empty() && changes.equations.empty())
+        return {};
+    return zero_.wake(set_, event.time, roused);
+}
+
+// Components that keep their unknowns and equations stay as they are; others are made anew from the
+// values at the event. Answers with what must restart.
+std::vector<std::size_t> Solver::Implementation::replace(const Event& event, const Changes& changes,
+                                                         const std::vector<std::size_t>& woken) {
+    std::set<std::size_t> changed;
+    for (const auto& change : changes.equations)
+        changed.insert(change.unknown);
+    if (!woken.empty()) { // who reads them had a 0 in their place
+        const Reads all = readsOf(set_, event.time);
+        for (std::size_t u = 0; u < all.size(); ++u)
+            if (std::ranges::any_of(
+                    woken, [&](std::size_t w) { return std::ranges::binary_search(all[u], w); }))
+                changed.insert(u);
+    }
+    const Partition partition = this->partition(event.time);
     std::vector<std::unique_ptr<Component>> old = std::move(components_);
     const std::vector<std::size_t> oldOf = componentOf_;
     components_.clear();
     connect(partition);
 
     const auto stays = [&](const std::vector<std::size_t>& unknowns) {
-        const Component* was = old[oldOf[unknowns[0]]].get();
+        const std::size_t c = oldOf[unknowns[0]];
+        const Component* was = c == noComponent ? nullptr : old[c].get();
         return was && was->unknowns() == unknowns &&
                std::none_of(unknowns.begin(), unknowns.end(),
                             [&](std::size_t u) { return changed.contains(u); });
@@ -376,6 +426,10 @@ std::vector<std::size_t> Solver::Implementation::replace(const Event& event,
         }
         isNew.push_back(c);
         for (const std::size_t u : unknowns) {
+            if (oldOf[u] == noComponent) {
+                values[c].push_back(0);
+                continue;
+            }
             Component& was = *old[oldOf[u]];
             was.backTo(event.time);
             const auto& own = was.unknowns();
@@ -383,7 +437,7 @@ std::vector<std::size_t> Solver::Implementation::replace(const Event& event,
             values[c].push_back(was.values()[static_cast<std::size_t>(column)]);
         }
         components_.push_back(
-            std::make_unique<Component>(set_, index_, histories_, options_, unknowns));
+            std::make_unique<Component>(set_, index_, histories_, options_, zero_, unknowns));
     }
     for (std::size_t c = 0; c < components_.size(); ++c)
         if (!components_[c])
@@ -393,6 +447,8 @@ std::vector<std::size_t> Solver::Implementation::replace(const Event& event,
             retire(*component);
     for (const auto& jump : changes.jumps) {
         const std::size_t c = componentOf_[jump.unknown];
+        if (c == noComponent)
+            continue;
         const auto& own = partition.components[c];
         const auto column = std::lower_bound(own.begin(), own.end(), jump.unknown) - own.begin();
         if (!values[c].empty())
@@ -450,6 +506,7 @@ Statistics Solver::Implementation::statistics() const {
     }
     total.components = components_.size();
     total.historyBytes = histories_.bytes();
+    total.zeroStates = zero_.unknowns();
     return total;
 }
 

@@ -88,6 +88,7 @@ struct Statistics {
     std::size_t events = 0, switches = 0;
     std::size_t components = 0, largestComponent = 0, historyBytes = 0;
     std::vector<ComponentStatistics> componentList; // those in force; ended ones are in the sums
+    std::vector<std::size_t> zeroStates;            // unknowns that stayed 0 all the time
 };
 
 struct Advance {

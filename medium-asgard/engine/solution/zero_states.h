@@ -1,0 +1,50 @@
+// Which unknowns are 0 and stay 0? A planar scene has many: out of its plane nothing is, and
+// nothing acts. They are not integrated, and other equations read a 0 in their place.
+//
+//     the greatest set of unknowns that are 0, have no phase ahead that holds or resets them, and
+//     whose rates are 0 when all of the set are
+//
+// What a rate is follows from its expression alone (a product with a 0, a sum of zeros, ...). So
+// the answer is exact, and the set changes at events only: a jump or new equations wake some of it.
+// None that is awake falls asleep again, so that an event elsewhere changes nobody's numbers.
+#pragma once
+
+#include "expression/equations.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace solution {
+
+class ZeroStates {
+public:
+    ZeroStates() = default; // none
+    ZeroStates(const expression::EquationSet& set, double from, std::span<const double> values);
+
+    [[nodiscard]] bool contains(std::size_t unknown) const {
+        return unknown < zero_.size() && zero_[unknown];
+    }
+    [[nodiscard]] bool empty() const { return count_ == 0; }
+    // In order.
+    [[nodiscard]] std::vector<std::size_t> unknowns() const;
+
+    // `roused` are no longer 0, or the equations are others from this time on. Answers with all
+    // that wake, in order.
+    [[nodiscard]] std::vector<std::size_t> wake(const expression::EquationSet& set, double from,
+                                                std::span<const std::size_t> roused);
+
+    // The symbols that are left of these nodes; the same number means the same node. Complete for
+    // nodes that the graph had at the last construction or wake().
+    [[nodiscard]] std::vector<expression::Node>
+    symbolsLeft(const expression::Graph& graph, std::span<const expression::Node> nodes) const;
+
+private:
+    void settle(const expression::EquationSet& set, double from);
+
+    std::vector<bool> zero_;     // by unknown
+    std::vector<bool> nodeZero_; // by node
+    std::size_t count_ = 0;
+};
+
+} // namespace solution

@@ -1,0 +1,134 @@
+// What stays 0 is not integrated, until an event wakes it.
+#include "solution/solver_testing.h"
+#include "solution/zero_states.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+using namespace solution;
+using namespace solution::testing;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+namespace {
+
+ZeroStates zerosOf(const expression::EquationSet& set) {
+    std::vector<double> values;
+    for (const expression::Unknown& unknown : set.unknowns)
+        values.push_back(unknown.initial);
+    return ZeroStates(set, 0, values);
+}
+
+// A spring pendulum in the plane z = 0: unknowns x dx y dy z dz.
+std::vector<Line> springPendulum(double dz) {
+    const std::string pull = "(1-1/sqrt(x^2+y^2+z^2))*50";
+    return {{"x", "dx", 1, 1}, {"dx", "-x*" + pull, 0},
+            {"y", "dy", 0, 1}, {"dy", "-9.81-y*" + pull, 0},
+            {"z", "dz", 0, 1}, {"dz", "-z*" + pull, dz}};
+}
+
+// Once, at its time, it sets dz.
+class Kick final : public EventSource {
+public:
+    Kick(double time, double speed) : time_(time), speed_(speed) {}
+    std::optional<Event> next(const Histories&, double known) override {
+        if (done_ || known < time_)
+            return std::nullopt;
+        return Event{time_, {0, 1, 2, 3, 4, 5}, 0};
+    }
+    void apply(const Histories&, const Event&, expression::EquationSet&,
+               Changes& changes) override {
+        done_ = true;
+        changes.jumps.push_back({5, speed_});
+    }
+
+private:
+    double time_, speed_;
+    bool done_ = false;
+};
+
+} // namespace
+
+TEST(ZeroStates, AreTheGreatestSetThatStaysZero) {
+    EXPECT_THAT(zerosOf(equationsOf(springPendulum(0))).unknowns(), ElementsAre(4, 5));
+    EXPECT_THAT(zerosOf(equationsOf(springPendulum(1e-300))).unknowns(), IsEmpty());
+    // Each of them is 0 if the other is.
+    EXPECT_THAT(zerosOf(equationsOf({{"a", "b", 0}, {"b", "a*t", 0}})).unknowns(),
+                ElementsAre(0, 1));
+    EXPECT_THAT(zerosOf(equationsOf({{"a", "b", 0}, {"b", "cos(a)", 0}})).unknowns(), IsEmpty());
+    EXPECT_THAT(
+        zerosOf(equationsOf({{"a", "sin(a)*b+hypot(a,c)/b", 0}, {"b", "1", 2}, {"c", "a*b", 0}}))
+            .unknowns(),
+        ElementsAre(0, 2));
+}
+
+TEST(ZeroStates, EndWhereAPhaseHoldsOrResetsThem) {
+    auto held = equationsOf({{"a", "0", 0}, {"b", "a", 0}});
+    addPhase(held, 0, 3, "1", "t-3");
+    EXPECT_THAT(zerosOf(held).unknowns(), IsEmpty());
+    auto jumps = equationsOf({{"a", "0", 0}, {"b", "t*0", 0}});
+    addPhase(jumps, 0, 3, "0", "", "2");
+    EXPECT_THAT(zerosOf(jumps).unknowns(), ElementsAre(1));
+    auto pushed = equationsOf({{"a", "0", 0}});
+    addPhase(pushed, 0, 3, "1");
+    EXPECT_THAT(zerosOf(pushed).unknowns(), IsEmpty());
+}
+
+TEST(ZeroStates, AreNotIntegratedAndChangeNothing) {
+    const Solver flat = solved(equationsOf(springPendulum(0)), 5, tolerance(1e-9));
+    auto asked = tolerance(1e-9);
+    asked.method = "dop853";
+    const Solver full = solved(equationsOf(springPendulum(0)), 5, asked);
+    EXPECT_EQ(flat.statistics().largestComponent, 4u);
+    EXPECT_EQ(full.statistics().largestComponent, 6u);
+    EXPECT_THAT(flat.statistics().zeroStates, ElementsAre(4, 5));
+    EXPECT_THAT(full.statistics().zeroStates, IsEmpty());
+    EXPECT_LT(flat.statistics().equationEvaluations, 0.7 * full.statistics().equationEvaluations);
+    for (int k = 0; k <= 50; ++k) {
+        EXPECT_NEAR(flat.histories().value(0, 0.1 * k), full.histories().value(0, 0.1 * k), 1e-7);
+        EXPECT_EQ(flat.histories().value(4, 0.1 * k), 0);
+    }
+}
+
+TEST(ZeroStates, WakeWhenAnEventMovesThem) {
+    Kick kick(1, 0.5);
+    const Solver solver = solved(equationsOf(springPendulum(0)), 3, tolerance(1e-10), &kick);
+    EXPECT_THAT(solver.statistics().zeroStates, IsEmpty());
+    EXPECT_EQ(solver.statistics().largestComponent, 6u);
+    EXPECT_EQ(solver.histories().value(4, 1), 0);
+    EXPECT_EQ(solver.histories().pieceBefore(5, 1).value(1), 0);
+    EXPECT_EQ(solver.histories().value(5, 1), 0.5);
+
+    // The same as if it had been integrated from that instant on.
+    std::vector<Line> after = springPendulum(0.5);
+    for (std::size_t i = 0; i < 4; ++i)
+        after[i].initial = solver.histories().value(i, 1);
+    const Solver again = solved(equationsOf(after), 2, tolerance(1e-10));
+    for (std::size_t u = 0; u < 6; ++u)
+        EXPECT_NEAR(solver.histories().value(u, 3), again.histories().value(u, 2), 1e-7) << u;
+}
+
+TEST(ZeroStates, StayWhenAnEventLeavesThemZero) {
+    Kick kick(1, 0);
+    const Solver solver = solved(equationsOf(springPendulum(0)), 3, tolerance(1e-10), &kick);
+    EXPECT_THAT(solver.statistics().zeroStates, ElementsAre(4, 5));
+}
+
+// A turn about one axis has two of four entries, and they keep their length.
+TEST(ZeroStates, ATurnAboutOneAxisNeedsTwoEntries) {
+    auto set = equationsOf({{"qw", "-0.5*(qx*wx+qy*wy+qz*wz)", 1},
+                            {"qx", "0.5*(qw*wx+qy*wz-qz*wy)", 0},
+                            {"qy", "0.5*(qw*wy+qz*wx-qx*wz)", 0},
+                            {"qz", "0.5*(qw*wz+qx*wy-qy*wx)", 0},
+                            {"wx", "(qx*qz+qy*qw)*wx", 0},
+                            {"wy", "wx*wz", 0},
+                            {"wz", "-wz*abs(wz)", 3}});
+    set.quaternions.push_back({0, 1, 2, 3});
+    const Solver solver = solved(set, 4, tolerance(1e-8));
+    EXPECT_THAT(solver.statistics().zeroStates, ElementsAre(1, 2, 4, 5));
+    EXPECT_EQ(solver.statistics().largestComponent, 2u);
+    const double angle = std::log(13.0); // wz = 3/(1+3t)
+    EXPECT_NEAR(solver.histories().value(0, 4), std::cos(angle / 2), 1e-6);
+    EXPECT_NEAR(solver.histories().value(3, 4), std::sin(angle / 2), 1e-6);
+}
