@@ -11,6 +11,13 @@
 
 namespace solution {
 
+namespace {
+
+// Of a velocity that jumps beside larger ones: as good as none.
+constexpr double rounding = 1e-14;
+
+} // namespace
+
 class Solver::Implementation {
 public:
     Implementation(expression::EquationSet equations, Options options, EventSource* source)
@@ -44,6 +51,7 @@ private:
     [[nodiscard]] Partition partition(double t) const;
     void place(double t, const std::vector<double>& values);
     void addZeroTracks();
+    [[nodiscard]] double magnitude(std::size_t unknown, double value) const;
     [[nodiscard]] std::vector<std::size_t> woken(const Event& event, const Changes& changes);
     void change(const Event& event, const Changes& changes);
     void addTracks(const Component& component, double t);
@@ -377,11 +385,28 @@ void Solver::Implementation::change(const Event& event, const Changes& changes) 
     }
 }
 
-// What no longer stays 0, since the event moves it or its new equations do.
+// How fast a jump moves points: comparable between velocities and spins. Infinite: a position.
+double Solver::Implementation::magnitude(std::size_t unknown, double value) const {
+    const expression::Unknown& u = set_.unknowns[unknown];
+    if (u.lengthPerUnit > 0)
+        return value == 0 ? 0 : infinity;
+    const bool turns = !u.integralOf && !options_.extents.empty();
+    return std::abs(value) * (turns ? options_.extents[unknown] : 1);
+}
+
+// What no longer stays 0, since the event moves it or its new equations do. An impact is computed
+// in three dimensions; what its rounding leaves out of the plane moves nothing.
 std::vector<std::size_t> Solver::Implementation::woken(const Event& event, const Changes& changes) {
     std::vector<std::size_t> roused;
+    double largest = 0;
     for (const auto& jump : changes.jumps)
-        if (jump.value != 0 && zero_.contains(jump.unknown))
+        if (set_.unknowns[jump.unknown].lengthPerUnit == 0)
+            largest =
+                std::max({largest, magnitude(jump.unknown, jump.value),
+                          magnitude(jump.unknown, histories_.value(jump.unknown, event.time))});
+    for (const auto& jump : changes.jumps)
+        if (zero_.contains(jump.unknown) && jump.value != 0 &&
+            !(magnitude(jump.unknown, jump.value) <= rounding * largest))
             roused.push_back(jump.unknown);
     if (roused.empty() && changes.equations.empty())
         return {};

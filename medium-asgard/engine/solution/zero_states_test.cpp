@@ -31,7 +31,7 @@ std::vector<Line> springPendulum(double dz) {
 // Once, at its time, it sets dz.
 class Kick final : public EventSource {
 public:
-    Kick(double time, double speed) : time_(time), speed_(speed) {}
+    Kick(double time, double speed, double other = 0) : time_(time), speed_(speed), other_(other) {}
     std::optional<Event> next(const Histories&, double known) override {
         if (done_ || known < time_)
             return std::nullopt;
@@ -41,10 +41,12 @@ public:
                Changes& changes) override {
         done_ = true;
         changes.jumps.push_back({5, speed_});
+        if (other_ != 0)
+            changes.jumps.push_back({1, other_});
     }
 
 private:
-    double time_, speed_;
+    double time_, speed_, other_;
     bool done_ = false;
 };
 
@@ -113,6 +115,19 @@ TEST(ZeroStates, StayWhenAnEventLeavesThemZero) {
     Kick kick(1, 0);
     const Solver solver = solved(equationsOf(springPendulum(0)), 3, tolerance(1e-10), &kick);
     EXPECT_THAT(solver.statistics().zeroStates, ElementsAre(4, 5));
+}
+
+// An impact in the plane is computed in three dimensions, and leaves its rounding in the third.
+TEST(ZeroStates, StayWhenAnEventLeavesNextToNothingBesideLargerJumps) {
+    Kick kick(1, 3e-17, -2);
+    const Solver solver = solved(equationsOf(springPendulum(0)), 3, tolerance(1e-10), &kick);
+    EXPECT_THAT(solver.statistics().zeroStates, ElementsAre(4, 5));
+    EXPECT_EQ(solver.histories().value(5, 1), 0);
+    EXPECT_EQ(solver.histories().value(1, 1), -2);
+    Kick alone(1, 3e-17);
+    EXPECT_THAT(
+        solved(equationsOf(springPendulum(0)), 3, tolerance(1e-10), &alone).statistics().zeroStates,
+        IsEmpty());
 }
 
 // A turn about one axis has two of four entries, and they keep their length.
