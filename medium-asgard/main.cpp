@@ -40,6 +40,13 @@ void addSimulate(CLI::App& app, batch::SimulateArguments& a) {
     c.add_option("--stats", a.stats, "file for the work done, as JSON");
 }
 
+void addExplain(CLI::App& app, batch::ExplainArguments& a) {
+    CLI::App& c = *app.add_subcommand("explain", "Tell what of a scene is modelled, how, and why");
+    c.add_option("SCENE", a.scene, "the scene's file, - for standard input")->required();
+    c.add_option("--json", a.json, "file for the same as JSON, - for standard output");
+    c.add_option("--set", a.set, "NAME=VALUE of a parameter")->take_all()->allow_extra_args(false);
+}
+
 void addRender(CLI::App& app, batch::RenderArguments& a) {
     CLI::App& c = *app.add_subcommand("render", "Draw a scene into picture files");
     c.add_option("SCENE", a.scene, "the scene's file, - for standard input")->required();
@@ -69,6 +76,7 @@ int run(int argc, char** argv, script::Reader& reader) {
     app.add_flag("--medium", medium, "serve a document host over standard input and output");
     app.add_option("SCENE", scene, "open this scene in the stand-alone editor");
     batch::SimulateArguments simulate;
+    batch::ExplainArguments explain;
     batch::CheckArguments check;
     batch::RenderArguments render;
     addSimulate(app, simulate);
@@ -76,8 +84,8 @@ int run(int argc, char** argv, script::Reader& reader) {
         ->add_option("SCENE", check.scene, "the scene's file, - for standard input")
         ->required();
     addRender(app, render);
-    const CLI::App* later[] = {addLater(app, "explain", "Tell what is modelled and why"),
-                               addLater(app, "study", "Compare methods and accuracies"),
+    addExplain(app, explain);
+    const CLI::App* later[] = {addLater(app, "study", "Compare methods and accuracies"),
                                addLater(app, "export", "Write a scene for other programs")};
     try {
         app.parse(argc, argv);
@@ -89,6 +97,8 @@ int run(int argc, char** argv, script::Reader& reader) {
             return notInThisVersion("\"asgard " + command->get_name() + "\"");
     if (app.got_subcommand("simulate"))
         return batch::simulateCommand(reader, simulate);
+    if (app.got_subcommand("explain"))
+        return batch::explainCommand(reader, explain);
     if (app.got_subcommand("check"))
         return batch::checkCommand(reader, check);
     if (app.got_subcommand("render"))

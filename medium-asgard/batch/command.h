@@ -1,4 +1,4 @@
-// The commands of `asgard` that open no window: simulate, check, render (docs/command-line.md).
+// The commands of `asgard` that open no window: simulate, explain, check, render (docs/command-line.md).
 //
 // Each takes its arguments as they were written and returns the exit code: 0, 1 when the work
 // failed, 2 when it was asked for wrongly. Sentences go to standard error, results to standard
@@ -29,6 +29,12 @@ struct SimulateArguments {
     std::optional<std::string> stats;
 };
 
+struct ExplainArguments {
+    std::string scene;
+    std::optional<std::string> json;
+    std::vector<std::string> set;
+};
+
 struct CheckArguments {
     std::string scene;
 };
@@ -43,6 +49,7 @@ struct RenderArguments {
 };
 
 [[nodiscard]] int simulateCommand(script::Reader& reader, const SimulateArguments& arguments);
+[[nodiscard]] int explainCommand(script::Reader& reader, const ExplainArguments& arguments);
 [[nodiscard]] int checkCommand(script::Reader& reader, const CheckArguments& arguments);
 [[nodiscard]] int renderCommand(script::Reader& reader, const RenderArguments& arguments);
 

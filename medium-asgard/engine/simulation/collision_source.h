@@ -54,6 +54,13 @@ public:
     [[nodiscard]] const std::vector<Impact>& impacts() const { return impacts_; }
     [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
     [[nodiscard]] std::size_t pairTests() const { return pairTests_; }
+    // Pairs of bodies, the lesser first, that came near each other.
+    [[nodiscard]] std::set<collision::Pair> candidates() const {
+        std::set<collision::Pair> pairs;
+        for (const auto& [pair, found] : found_)
+            pairs.insert(pair);
+        return pairs;
+    }
 
 private:
     using Pair = collision::Pair;

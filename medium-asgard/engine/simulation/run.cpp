@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 #include <numeric>
-#include <set>
 
 namespace simulation {
 namespace {
@@ -228,6 +227,11 @@ Run runAt(const Problem& problem, const std::vector<double>& tolerances, const O
     run.statistics = solver.statistics();
     run.reached = advance.reached;
     run.cancelled = advance.cancelled;
+    if (problem.options.explain) {
+        run.equations = std::make_shared<const expression::EquationSet>(solver.equations());
+        if (collisions)
+            run.candidates = collisions->candidates();
+    }
     run.island = islandsOf(problem, run.impacts);
     return run;
 }

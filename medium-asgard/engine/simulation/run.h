@@ -7,6 +7,8 @@
 #include "solution/solver.h"
 
 #include <memory>
+#include <set>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -37,6 +39,8 @@ struct Run {
     std::vector<std::string> notes;
     solution::Statistics statistics;
     std::size_t pairTests = 0;
+    std::set<std::pair<std::size_t, std::size_t>> candidates; // pairs of bodies that were tested
+    std::shared_ptr<const expression::EquationSet> equations; // at the end; when to be explained
     double reached = 0;
     bool cancelled = false;
 

@@ -29,7 +29,10 @@ void addWork(const Run& run, Statistics& sum) {
     sum.pairTests += run.pairTests;
 }
 
-void describe(const Run& run, Statistics& sum) {
+void describe(const Problem& problem, const Run& run, Result& result) {
+    Statistics& sum = result.statistics;
+    if (problem.options.explain)
+        result.explanation = explanationOf(problem, run);
     sum.collisions = run.impacts.size();
     sum.components = run.statistics.components;
     sum.largestComponent = run.statistics.largestComponent;
@@ -96,7 +99,7 @@ Result simulatePlainly(const Problem& problem, const Observer& observer) {
     const Run run = runAt(problem, tolerances, observer);
     Result result;
     addWork(run, result.statistics);
-    describe(run, result.statistics);
+    describe(problem, run, result);
     result.cancelled = run.cancelled;
     result.motion = run.motion(problem, run.cancelled, {}, {});
     return result;
@@ -111,7 +114,7 @@ Result simulateToAccuracy(const Problem& problem, const Observer& observer) {
     Run before = runAt(problem, loose, observer);
     addWork(before, result.statistics);
     if (before.cancelled || isExact(before)) {
-        describe(before, result.statistics);
+        describe(problem, before, result);
         result.cancelled = before.cancelled;
         if (!before.cancelled)
             result.statistics.errorEstimate = 0;
@@ -126,7 +129,7 @@ Result simulateToAccuracy(const Problem& problem, const Observer& observer) {
         Run run = runAt(problem, tight, silent);
         addWork(run, result.statistics);
         if (run.cancelled) {
-            describe(before, result.statistics);
+            describe(problem, before, result);
             result.cancelled = true;
             result.motion = before.motion(problem, true, {}, {});
             return result;
@@ -134,7 +137,7 @@ Result simulateToAccuracy(const Problem& problem, const Observer& observer) {
         const auto errors = compareRuns(problem, before, run, accuracy);
         Verdict verdict = judge(problem, errors, errorsBefore, loose, tight);
         if (!verdict.again) {
-            describe(run, result.statistics);
+            describe(problem, run, result);
             result.statistics.errorEstimate = verdict.estimate;
             if (std::isfinite(verdict.predictableUntil))
                 result.statistics.predictableUntil = verdict.predictableUntil;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "scene/scene.h"
+#include "simulation/explanation.h"
 #include "simulation/motion.h"
 
 #include <functional>
@@ -25,6 +26,7 @@ struct Options {
     bool whole = false;      // one component for the whole scene (dissertation 5.2.1, 5.2.4)
     bool eventDriven = true; // false: finish each component before the next (5.2.4, case 5)
     int threads = 1;
+    bool explain = false;                     // fill Result::explanation
     std::map<std::string, double> parameters; // override the scene's values
 };
 
@@ -57,6 +59,7 @@ struct Result {
     Statistics statistics;
     std::vector<std::string> refusal; // faults that make the scene unusable; then motion is null
     bool cancelled = false;
+    std::optional<Explanation> explanation; // when asked for, and not cancelled
 };
 
 [[nodiscard]] Result simulate(const scene::Scene& scene, const Options& options = {},

@@ -1,0 +1,74 @@
+#include "batch/command.h"
+#include "batch/explanation_text.h"
+#include "batch/input.h"
+#include "batch/output.h"
+#include "simulation/simulation.h"
+
+#include <cstdio>
+#include <map>
+#include <set>
+
+namespace batch {
+namespace {
+
+int refuse(const Refusal& refusal) {
+    const bool line = refusal.message.ends_with('\n');
+    std::fprintf(stderr, line ? "%s" : "asgard: %s\n", refusal.message.c_str());
+    return refusal.exitCode;
+}
+
+bool write(const std::string& file, const std::string& text) {
+    Output output(file);
+    return output.good() &&
+           output.finish(std::fwrite(text.data(), 1, text.size(), output.stream()) == text.size());
+}
+
+// Each reason why a motion ended, once. True when there is one.
+bool tellStops(const SceneText& scene, const simulation::Motion& motion) {
+    std::set<std::string> said;
+    for (std::size_t body = 0; body < motion.bodies(); ++body)
+        if (const auto stop = motion.stop(body); stop && said.insert(stop->sentence).second)
+            std::fprintf(stderr, "%s: error: %s\n", scene.file.c_str(), stop->sentence.c_str());
+    return !said.empty();
+}
+
+int explain(const SceneText& scene, const ExplainArguments& arguments,
+            const std::map<std::string, double>& parameters) {
+    simulation::Options options;
+    options.explain = true;
+    options.parameters = parameters;
+    const simulation::Result result = simulation::simulate(scene.reading.scene, options);
+    if (!result.motion || !result.explanation) {
+        std::string all;
+        for (const std::string& sentence : result.refusal)
+            all += scene.file + ": error: " + sentence + "\n";
+        return refuse({failure, all});
+    }
+    const bool stopped = tellStops(scene, *result.motion);
+    const bool jsonOnly = arguments.json && *arguments.json == "-";
+    if (!jsonOnly && !write("-", explanationText(*result.explanation)))
+        return failure;
+    if (arguments.json && !write(*arguments.json, explanationJson(*result.explanation)))
+        return failure;
+    return stopped ? failure : success;
+}
+
+} // namespace
+
+int explainCommand(script::Reader& reader, const ExplainArguments& arguments) {
+    const auto parameters = settings(arguments.set);
+    if (const auto* refusal = std::get_if<Refusal>(&parameters))
+        return refuse(*refusal);
+    const auto& values = std::get<std::map<std::string, double>>(parameters);
+    const auto read = readScene(reader, arguments.scene, values);
+    if (const auto* refusal = std::get_if<Refusal>(&read))
+        return refuse(*refusal);
+    const auto& scene = std::get<SceneText>(read);
+    if (const auto refusal = unusable(scene))
+        return refuse(*refusal);
+    if (const auto refusal = outOfBounds(scene.reading.scene, values))
+        return refuse(*refusal);
+    return explain(scene, arguments, values);
+}
+
+} // namespace batch

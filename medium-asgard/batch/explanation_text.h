@@ -1,0 +1,15 @@
+// An explanation as people read it and as programs do.
+#pragma once
+
+#include "simulation/explanation.h"
+
+#include <string>
+
+namespace batch {
+
+// A paragraph for each kind of component: those with the same model, method, reason and kinds of
+// unknowns; then what is not modelled, then the pairs.
+[[nodiscard]] std::string explanationText(const simulation::Explanation& explanation);
+[[nodiscard]] std::string explanationJson(const simulation::Explanation& explanation);
+
+} // namespace batch

@@ -1,0 +1,188 @@
+#include "simulation/explanation.h"
+
+#include "simulation/run.h"
+#include "solution/partition.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <unordered_map>
+
+namespace simulation {
+namespace {
+
+using expression::Node;
+
+// LIMIT: a longer list of pairs helps nobody; what is beyond it is left out.
+constexpr std::size_t mostPairs = 10'000;
+// LIMIT: an equation of more operations than this, each shared one counted where it is used, is
+// told by their number.
+constexpr double mostOperations = 2000;
+
+// Texts of the equations in force at a time, with a 0 in place of what stays 0.
+class Equations {
+public:
+    Equations(const expression::EquationSet& set, const std::vector<std::size_t>& zero, double time)
+        : set_(set), index_(set_), time_(time) {
+        for (const std::size_t u : zero)
+            zeros_.emplace(set_.unknowns[u].symbol.index, set_.graph.constant(0));
+    }
+
+    std::string textOf(std::size_t unknown) {
+        const expression::Phase& phase = inForce(unknown);
+        const Node right = rightOf(phase);
+        std::string text = set_.unknowns[unknown].name + (phase.given ? " = " : "' = ");
+        const double operations = operationsOf(right);
+        if (operations > mostOperations)
+            return text + "an expression of " + std::to_string(static_cast<long>(operations)) +
+                   " operations";
+        // What cancels may leave a -0.
+        return text +
+               (set_.graph.isConstant(right, 0) ? "0" : expression::print(set_.graph, right));
+    }
+    void addReads(std::size_t unknown, std::set<std::size_t>& reads) {
+        const Node right = rightOf(inForce(unknown));
+        for (const Node symbol : expression::symbolsOf(set_.graph, {&right, 1}))
+            if (const auto read = index_.of(symbol))
+                reads.insert(*read);
+    }
+    [[nodiscard]] const std::string& name(std::size_t unknown) const {
+        return set_.unknowns[unknown].name;
+    }
+
+private:
+    const expression::Phase& inForce(std::size_t unknown) const {
+        const auto& phases = set_.unknowns[unknown].phases;
+        std::size_t i = 0;
+        while (i + 1 < phases.size() && phases[i + 1].from <= time_)
+            ++i;
+        return phases[i];
+    }
+    Node rightOf(const expression::Phase& phase) {
+        return expression::substitute(set_.graph, phase.given ? *phase.given : phase.derivative,
+                                      zeros_);
+    }
+    double operationsOf(Node root) {
+        std::vector<Node> open{root};
+        while (!open.empty()) {
+            const Node n = open.back();
+            double sum = 1;
+            bool ready = true;
+            for (const Node argument : set_.graph.arguments(n)) {
+                const auto known = sizes_.find(argument.index);
+                if (known == sizes_.end()) {
+                    open.push_back(argument);
+                    ready = false;
+                } else {
+                    sum += known->second;
+                }
+            }
+            if (ready) {
+                sizes_[n.index] = sum;
+                open.pop_back();
+            }
+        }
+        return sizes_.at(root.index);
+    }
+
+    expression::EquationSet set_;
+    solution::UnknownIndex index_;
+    double time_;
+    std::unordered_map<std::uint32_t, Node> zeros_;
+    std::unordered_map<std::uint32_t, double> sizes_;
+};
+
+Explanation::Component componentOf(Equations& equations, const solution::ComponentStatistics& c) {
+    Explanation::Component component{.unknowns = {},
+                                     .reads = {},
+                                     .equations = {},
+                                     .model = c.model,
+                                     .method = c.method,
+                                     .order = c.order,
+                                     .steps = c.steps,
+                                     .evaluations = c.evaluations,
+                                     .why = c.why};
+    std::set<std::size_t> reads;
+    for (const std::size_t u : c.unknowns) {
+        component.unknowns.push_back(equations.name(u));
+        component.equations.push_back(equations.textOf(u));
+        equations.addReads(u, reads);
+    }
+    for (const std::size_t u : reads)
+        if (!std::ranges::binary_search(c.unknowns, u))
+            component.reads.push_back(equations.name(u));
+    return component;
+}
+
+void addZeroStates(const Problem& problem, const Run& run, Explanation& explanation) {
+    const auto& zero = run.statistics.zeroStates;
+    for (const physics::BodyMotion& body : problem.equations.bodies) {
+        if (body.isFixed)
+            continue;
+        std::string names;
+        for (std::size_t i = 0; i < physics::bodyUnknowns; ++i)
+            if (std::ranges::binary_search(zero, body.firstUnknown + i))
+                names += (names.empty() ? "" : ", ") +
+                         problem.equations.set.unknowns[body.firstUnknown + i].name;
+        if (!names.empty())
+            explanation.notModelled.push_back(
+                {names, "0 at the start, and nothing moves them from 0"});
+    }
+}
+
+// Why a pair need not be looked at; "" when it must be.
+std::string whyNever(const Problem& problem, std::size_t a, std::size_t b) {
+    const scene::Body& first = problem.scene.bodies[a];
+    const scene::Body& second = problem.scene.bodies[b];
+    for (const scene::Link& link : problem.scene.links)
+        if (const auto* end = std::get_if<scene::BodyEnd>(&link.second))
+            if ((link.first.body == first.name && end->body == second.name) ||
+                (link.first.body == second.name && end->body == first.name))
+                return "linked";
+    if (first.collisionGroup && second.collisionGroup &&
+        *first.collisionGroup == *second.collisionGroup)
+        return "same -ct";
+    return "";
+}
+
+void addPairs(const Problem& problem, const Run& run, Explanation& explanation) {
+    const auto& bodies = problem.equations.bodies;
+    std::size_t fixed = 0;
+    for (const auto& body : bodies)
+        fixed += body.isFixed ? 1 : 0;
+    if (fixed > 0)
+        explanation.notModelled.push_back(
+            fixed == 1 ? Explanation::NotModelled{"1 fixed body", "it does not move"}
+                       : Explanation::NotModelled{std::to_string(fixed) + " fixed bodies",
+                                                  "they do not move, and never meet each other"});
+    if (!problem.scene.simulator.collisions) {
+        explanation.notModelled.push_back({"collisions", "the scene says -collisions 0"});
+        return;
+    }
+    explanation.tested = run.pairTests;
+    explanation.candidates = run.candidates.size();
+    for (std::size_t a = 0; a < bodies.size(); ++a)
+        for (std::size_t b = a + 1; b < bodies.size(); ++b) {
+            if (run.candidates.contains({a, b}) || explanation.never.size() == mostPairs ||
+                (bodies[a].isFixed && bodies[b].isFixed))
+                continue;
+            std::string why = whyNever(problem, a, b);
+            if (why.empty())
+                why = "their boxes never overlap";
+            explanation.never.push_back({bodies[a].name, bodies[b].name, std::move(why)});
+        }
+}
+
+} // namespace
+
+Explanation explanationOf(const Problem& problem, const Run& run) {
+    Explanation explanation;
+    Equations equations(*run.equations, run.statistics.zeroStates, run.reached);
+    for (const solution::ComponentStatistics& c : run.statistics.componentList)
+        explanation.components.push_back(componentOf(equations, c));
+    addZeroStates(problem, run, explanation);
+    addPairs(problem, run, explanation);
+    return explanation;
+}
+
+} // namespace simulation

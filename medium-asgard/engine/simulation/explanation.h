@@ -1,0 +1,38 @@
+// What of a scene is modelled, how, and why the rest is not (command-line contract, "explain").
+//
+// Components and equations are those in force at the end of the motion.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace simulation {
+
+struct Explanation {
+    struct Component {
+        std::vector<std::string> unknowns, reads;
+        std::vector<std::string> equations; // of first order: rod1.x' = rod1.dx
+        std::string model;                  // as in ComponentStatistics
+        std::string method;
+        std::size_t order = 0, steps = 0, evaluations = 0;
+        std::string why; // a clause
+    };
+    struct NotModelled {
+        std::string what, why;
+    };
+    struct Never { // a pair of bodies
+        std::string a, b, why;
+    };
+    std::vector<Component> components;
+    std::vector<NotModelled> notModelled;
+    std::size_t candidates = 0; // pairs that came near each other
+    std::size_t tested = 0;     // tests of pairs, each over a stretch of the motion
+    std::vector<Never> never;   // pairs of which one can move, that were never tested
+};
+
+struct Problem;
+struct Run;
+[[nodiscard]] Explanation explanationOf(const Problem& problem, const Run& run);
+
+} // namespace simulation
