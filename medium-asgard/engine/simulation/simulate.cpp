@@ -8,14 +8,21 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <utility>
 
 namespace simulation {
 namespace {
 
-constexpr double firstTolerance = 1e-2; // of the accuracy: what one step may err in the first run
-constexpr double tightening = 1.0 / 32; // between two runs that are compared
+// Constants of the search, measured on all reference scenes (docs/numerics.md, "Work per
+// accuracy").
+constexpr double firstTolerance = 0.06; // of the accuracy: what one step may err in the first run
+constexpr double loosest = 1e-3;        // and at most this
+constexpr double tightening = 1.0 / 8;  // between two runs that are compared
 constexpr double tightest = 1e-15;
 constexpr double enough = 0.5; // of the accuracy: the looser run's error that is accepted
+constexpr double aim = 0.15;   // and what is aimed at when it is not
+constexpr double caution = 2;  // errors fall a little less than tolerances do
+constexpr int patience = 2;    // pairs of runs that come no closer, before tightening is given up
 
 double cpuSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -59,32 +66,50 @@ struct Verdict {
     double predictableUntil = solution::infinity;
 };
 
-Verdict judge(const Problem& problem, const std::vector<IslandError>& errors,
-              const std::vector<IslandError>& errorsBefore, const std::vector<double>& loose,
-              const std::vector<double>& tight) {
-    Verdict verdict{.next = tight};
+// What was compared so far.
+struct Comparison {
+    std::vector<IslandError> errors, before;  // of the last two pairs of runs
+    std::vector<double> looser, loose, tight; // tolerances of the last three runs
+    std::vector<int> failures;                // to come closer, by body
+};
+
+// How the error follows the tolerance: as measured by two pairs of runs, or proportionally.
+double orderOf(std::size_t b, const Comparison& c) {
+    if (c.before.empty())
+        return 1;
+    const double error = c.errors[b].largest, before = c.before[b].largest;
+    if (!(error > 0 && error < before && before < 0.1) || c.loose[b] == c.looser[b])
+        return 1;
+    return std::clamp(std::log(error / before) / std::log(c.loose[b] / c.looser[b]), 0.5, 1.5);
+}
+
+Verdict judge(const Problem& problem, Comparison& c) {
+    Verdict verdict{.next = c.tight};
     const double accuracy = problem.accuracy();
-    for (std::size_t b = 0; b < errors.size(); ++b) {
-        const double error = errors[b].largest;
-        const double gain = std::max(tight[b] / loose[b], 1e-3);
-        verdict.estimate = std::max(verdict.estimate, std::isfinite(error) ? error * gain : 1);
+    for (std::size_t b = 0; b < c.errors.size(); ++b) {
+        const double error = c.errors[b].largest;
+        const double gain = std::max(std::pow(c.tight[b] / c.loose[b], orderOf(b, c)), 1e-3);
+        verdict.estimate =
+            std::max(verdict.estimate, std::isfinite(error) ? caution * gain * error : 1);
         if (error <= enough * accuracy)
             continue;
-        // Tightening that does not help any more: rounding, or motion that amplifies it.
-        const bool helps = errorsBefore.empty() || error < 0.5 * errorsBefore[b].largest;
-        if (helps && tight[b] > tightest) {
+        // Tightening that does not help any more: rounding, or motion that amplifies it. Two wrong
+        // runs may differ as much as a wrong and a right one do.
+        if (!c.before.empty() && !(error < 0.5 * c.before[b].largest))
+            ++c.failures[b];
+        if (c.failures[b] < patience && c.tight[b] > tightest) {
             verdict.again = true;
-            const double wanted = tight[b] * std::clamp(0.1 * accuracy / error, 1e-3, 1.0);
-            verdict.next[b] = std::max(tightest, std::min(wanted, tight[b] * tightening));
+            const double wanted = c.tight[b] * std::clamp(aim * accuracy / error, 1e-3, 1.0);
+            verdict.next[b] = std::max(tightest, std::min(wanted, c.tight[b] * tightening));
         } else {
             verdict.estimate = std::max(verdict.estimate, error);
-            verdict.predictableUntil = std::min(verdict.predictableUntil, errors[b].beyondFrom);
+            verdict.predictableUntil = std::min(verdict.predictableUntil, c.errors[b].beyondFrom);
         }
     }
-    // Bodies of one island go by the tightest of them.
     return verdict;
 }
 
+// Bodies of one island go by the tightest of them.
 void shareWithinIslands(const std::vector<std::size_t>& island, std::vector<double>& tolerances) {
     std::vector<double> least(tolerances.size(), solution::infinity);
     for (std::size_t b = 0; b < island.size(); ++b)
@@ -108,10 +133,13 @@ Result simulatePlainly(const Problem& problem, const Observer& observer) {
 Result simulateToAccuracy(const Problem& problem, const Observer& observer) {
     Result result;
     const double accuracy = problem.accuracy();
-    std::vector<double> loose(problem.bodies->size(), firstTolerance * accuracy);
-    std::vector<double> tight(loose.size(), firstTolerance * accuracy * tightening);
+    const double first = std::min(firstTolerance * accuracy, loosest);
+    Comparison compared;
+    compared.loose.assign(problem.bodies->size(), first);
+    compared.tight.assign(problem.bodies->size(), first * tightening);
+    compared.failures.assign(problem.bodies->size(), 0);
     Observer silent{.cancelled = observer.cancelled, .progress = {}};
-    Run before = runAt(problem, loose, observer);
+    Run before = runAt(problem, compared.loose, observer);
     addWork(before, result.statistics);
     if (before.cancelled || isExact(before)) {
         describe(problem, before, result);
@@ -124,9 +152,8 @@ Result simulateToAccuracy(const Problem& problem, const Observer& observer) {
     }
     if (observer.progress)
         observer.progress(before.motion(problem, true, {}, {}));
-    std::vector<IslandError> errorsBefore;
     while (true) {
-        Run run = runAt(problem, tight, silent);
+        Run run = runAt(problem, compared.tight, silent);
         addWork(run, result.statistics);
         if (run.cancelled) {
             describe(problem, before, result);
@@ -134,8 +161,8 @@ Result simulateToAccuracy(const Problem& problem, const Observer& observer) {
             result.motion = before.motion(problem, true, {}, {});
             return result;
         }
-        const auto errors = compareRuns(problem, before, run, accuracy);
-        Verdict verdict = judge(problem, errors, errorsBefore, loose, tight);
+        compared.errors = compareRuns(problem, before, run, accuracy);
+        const Verdict verdict = judge(problem, compared);
         if (!verdict.again) {
             describe(problem, run, result);
             result.statistics.errorEstimate = verdict.estimate;
@@ -145,10 +172,10 @@ Result simulateToAccuracy(const Problem& problem, const Observer& observer) {
                                        result.statistics.predictableUntil);
             return result;
         }
-        shareWithinIslands(run.island, verdict.next);
-        loose = tight;
-        tight = verdict.next;
-        errorsBefore = errors;
+        compared.looser = std::exchange(compared.loose, compared.tight);
+        compared.tight = verdict.next;
+        shareWithinIslands(run.island, compared.tight);
+        compared.before = std::move(compared.errors);
         before = std::move(run);
     }
 }
