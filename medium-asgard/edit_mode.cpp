@@ -27,16 +27,23 @@ template <class Viewer> void raise(Viewer* viewer) {
 
 class EditMode final : public Windows {
 public:
-    EditMode(Connection& connection, views::Workshop workshop)
-        : connection_(connection), editor_(std::move(workshop)),
+    explicit EditMode(Connection& connection)
+        : connection_(connection), editor_(views::Workshop{}),
           input_(connection.input(), QSocketNotifier::Read),
           news_(connection.session().descriptor(), QSocketNotifier::Read),
           output_(connection.output(), QSocketNotifier::Write) {
         views::HostLink link;
-        link.changed = [this](const views::TextEdit&, const QString& label) { propose(label); };
+        link.changed = [this](const views::TextEdit&, const QString& label) {
+            label_ = label;
+            propose();
+        };
         link.undo = [this] { ask(ipc::EditUndo{}); };
         link.redo = [this] { ask(ipc::EditRedo{}); };
-        editor_.document().setHostLink(std::move(link));
+        link.recompute = [this] {
+            subdocument().recompute(Clock::now());
+            attend();
+        };
+        document().setHostLink(std::move(link));
         due_.setSingleShot(true);
         due_.setTimerType(Qt::PreciseTimer);
         QObject::connect(&input_, &QSocketNotifier::activated, &input_, [this] {
@@ -78,44 +85,72 @@ private:
         }
     }
 
+    service::Subdocument& subdocument() { return connection_.session().subdocument(); }
+    views::SceneDocument& document() { return editor_.document(); }
+
     void followHost() {
-        const service::Subdocument& subdocument = connection_.session().subdocument();
-        if (proposed_ || subdocument.revision() == followed_)
+        const QString title = QString::fromStdString(connection_.session().title());
+        if (!title.isEmpty() && title != document().name())
+            document().setName(title);
+        if (!proposed_ && subdocument().revision() != followed_) {
+            followed_ = subdocument().revision();
+            document().setTextFromHost(subdocument().text());
+        }
+        followSession();
+    }
+
+    // What the session has read and computed; looked at closely only when it is something else.
+    void followSession() {
+        const service::Subdocument& from = subdocument();
+        const Followed now{from.scene(), from.motion(), from.revision(), document().revision(),
+                           workOf(from)};
+        if (now == shown_)
             return;
-        followed_ = subdocument.revision();
-        if (editor_.document().text() != subdocument.text())
-            editor_.document().setTextFromHost(subdocument.text());
+        shown_ = now;
+        views::Computed computed;
+        if (from.scene())
+            computed.shown.scene = from.scene();
+        else
+            computed.shown.scene = document().shown().scene;
+        computed.shown.motion = from.motion();
+        computed.diagnostics = from.faults();
+        computed.statistics = from.statistics();
+        computed.work = now.work;
+        computed.current = from.upToDate() && document().text() == from.text();
+        document().setComputed(std::move(computed));
+    }
+
+    static views::Work workOf(const service::Subdocument& from) {
+        if (!from.computing())
+            return views::Work::none;
+        return from.readAt() ? views::Work::simulating : views::Work::reading;
     }
 
     // One change at a time is on its way; what was typed meanwhile follows with the next.
-    void propose(const QString& label) {
+    void propose() {
         if (proposed_)
             return;
-        service::Session& session = connection_.session();
-        const std::string& before = session.subdocument().text();
-        const views::TextEdit edit = views::editBetween(before, editor_.document().text());
+        const views::TextEdit edit = views::editBetween(subdocument().text(), document().text());
+        if (edit.from == edit.to && edit.text.empty())
+            return document().didAccept(); // it was taken back meanwhile
         proposed_ = true;
-        session.propose(
+        connection_.session().propose(
             {static_cast<ipc::Integer>(edit.from), static_cast<ipc::Integer>(edit.to), edit.text},
-            label.toStdString(), [this, label](const std::optional<std::string>& refusal) {
+            label_.toStdString(), [this](const std::optional<std::string>& refusal) {
                 proposed_ = false;
-                answered(refusal, label);
+                answered(refusal);
             });
         connection_.flush();
         output_.setEnabled(connection_.sending());
     }
 
-    void answered(const std::optional<std::string>& refusal, const QString& label) {
-        const service::Subdocument& subdocument = connection_.session().subdocument();
-        if (refusal) {
-            std::fprintf(stderr, "asgard: the host refused \"%s\": %s\n", qPrintable(label),
-                         refusal->c_str());
-            followed_ = -1; // the windows go back to the host's text
-        } else {
-            followed_ = subdocument.revision();
-            if (editor_.document().text() != subdocument.text())
-                propose(label);
-        }
+    void answered(const std::optional<std::string>& refusal) {
+        followed_ = subdocument().revision();
+        if (!refusal)
+            return propose();
+        std::fprintf(stderr, "asgard: the host refused \"%s\": %s\n", qPrintable(label_),
+                     refusal->c_str());
+        document().didRefuse(subdocument().text(), QString::fromStdString(*refusal));
     }
 
     template <class Request> void ask(Request request) {
@@ -128,8 +163,18 @@ private:
     views::Editor editor_;
     QSocketNotifier input_, news_, output_;
     QTimer due_;
-    ipc::Integer followed_ = -1; // the revision that the windows show
+    ipc::Integer followed_ = -1; // the revision whose text the windows show
     bool proposed_ = false;
+    QString label_; // of the last change
+    struct Followed {
+        service::ScenePointer scene;
+        simulation::MotionPointer motion;
+        ipc::Integer revision = -1;
+        int documentRevision = -1;
+        views::Work work = views::Work::none;
+        bool operator==(const Followed&) const = default;
+    };
+    Followed shown_; // of the session, by the windows
 };
 
 } // namespace
@@ -140,26 +185,7 @@ std::string noDisplay() {
     return "there is no display to open a window on";
 }
 
-script::ReadResult SharedReader::read(int user, std::string_view text,
-                                      const std::map<std::string, double>& parameters) {
-    const std::lock_guard turn(turn_);
-    {
-        const std::lock_guard lock(mutex_);
-        reads_ = user;
-    }
-    script::ReadResult result = reader_.read(text, parameters);
-    const std::lock_guard lock(mutex_);
-    reads_ = 0;
-    return result;
-}
-
-void SharedReader::cancel(int user) {
-    const std::lock_guard lock(mutex_);
-    if (reads_ == user)
-        reader_.cancel();
-}
-
-void serveWithWindows(Connection& connection, SharedReader& reader, int user, Windows*& windows) {
+void serveWithWindows(Connection& connection, Windows*& windows) {
     int argc = 1;
     char name[] = "asgard";
     char* argv[] = {name, nullptr};
@@ -167,11 +193,7 @@ void serveWithWindows(Connection& connection, SharedReader& reader, int user, Wi
     std::setlocale(LC_NUMERIC, "C"); // Qt takes the user's; numbers of scenes have points
     QApplication::setApplicationDisplayName(QStringLiteral("Asgard"));
     QApplication::setQuitOnLastWindowClosed(false); // the renditions in the document go on
-    views::Workshop workshop;
-    workshop.read = [&reader, user](std::string_view text) { return reader.read(user, text); };
-    workshop.cancelReading = [&reader, user] { reader.cancel(user); };
-    workshop.simulate = simulation::simulate;
-    EditMode mode(connection, std::move(workshop));
+    EditMode mode(connection);
     windows = &mode;
     if (!connection.closed())
         QApplication::exec();

@@ -59,15 +59,12 @@ void confine(ipc::Mode mode) {
         std::fprintf(stderr, "asgard: not confined by every fence: %s\n", report.missing.c_str());
 }
 
-// Who reads scenes in this process.
-constexpr int session = 1, windowsOfTheAuthor = 2;
-
-service::Tools toolsOf(SharedReader& reader) {
+service::Tools toolsOf(script::Reader& reader) {
     service::Tools tools;
     tools.read = [&reader](const std::string& text, const service::ParameterValues& parameters) {
-        return reader.read(session, text, parameters);
+        return reader.read(text, parameters);
     };
-    tools.cancelReading = [&reader] { reader.cancel(session); };
+    tools.cancelReading = [&reader] { reader.cancel(); };
     tools.simulate = simulation::simulate;
     return tools;
 }
@@ -82,10 +79,9 @@ void dieWithTheHost(int argc, char** argv) {
 
 int serveAsMedium(script::Reader& reader) {
     std::signal(SIGPIPE, SIG_IGN);
-    SharedReader shared(reader);
     Windows* windows = nullptr;
     service::Platform platform;
-    platform.tools = toolsOf(shared);
+    platform.tools = toolsOf(reader);
     platform.version = ASGARD_VERSION;
     platform.confine = confine;
     auto created = render::Renderer::create();
@@ -113,7 +109,7 @@ int serveAsMedium(script::Reader& reader) {
         return connection.session().mode() == ipc::Mode::edit && noDisplay().empty();
     });
     if (!connection.closed())
-        serveWithWindows(connection, shared, windowsOfTheAuthor, windows);
+        serveWithWindows(connection, windows);
     return connection.exitCode();
 }
 

@@ -87,7 +87,7 @@ void LiveMedia::choose() {
     for (auto of = distances_.begin(); of != distances_.end(); ++of)
         if (of.key()->hasProcess()) {
             ++live;
-            if (!isWanted(of.key()))
+            if (!isWanted(of.key()) && !of.key()->hasWindows())
                 idle.push_back(of.key());
         }
     for (LiveSubdocument* subdocument : wanted) {

@@ -8,6 +8,7 @@ namespace {
 
 constexpr int minuteMs = 60'000;
 constexpr int restartDelayMs = 100;
+constexpr std::size_t longestState = 4096; // of a rendition, as the protocol says
 
 // Failures that another start cannot cure.
 bool isHopeless(const QString& reason) {
@@ -78,7 +79,7 @@ std::function<bool()> LiveSubdocument::currentProcess() const {
 
 void LiveSubdocument::load() {
     const auto isCurrent = currentProcess();
-    process_->request(ipc::SubdocumentLoad{text_.toStdString(), revision_},
+    process_->request(ipc::SubdocumentLoad{text_.toStdString(), revision_, title_.toStdString()},
                       [this, isCurrent](const Outcome<ipc::Done>& outcome) {
                           if (!isCurrent() || !std::holds_alternative<ipc::Done>(outcome))
                               return;
@@ -157,7 +158,10 @@ void LiveSubdocument::adopt(std::unique_ptr<MediumProcess> process) {
     menus_ = process_->introduction().menus;
     reason_.clear();
     loaded_ = false;
+    // Before it has told where it is itself.
+    const std::optional<ipc::TimeChanged> last = time_;
     load();
+    restoreTime(last);
     const auto isCurrent = currentProcess();
     process_->request(ipc::PresentationList{},
                       [this, isCurrent](Outcome<ipc::Presentations> outcome) {
@@ -167,18 +171,17 @@ void LiveSubdocument::adopt(std::unique_ptr<MediumProcess> process) {
                               presentations_ = std::move(list->items);
                           for (Rendition* rendition : renditions_)
                               rendition->attach(process_.get());
-                          restoreTime();
                           askForSize();
                       });
     setCondition(Condition::live);
     Q_EMIT menusChanged();
 }
 
-void LiveSubdocument::restoreTime() {
-    if (time_) {
-        process_->request(ipc::TimeRate{time_->rate, time_->loop});
-        process_->request(ipc::TimeSeek{time_->time});
-        if (time_->playing)
+void LiveSubdocument::restoreTime(const std::optional<ipc::TimeChanged>& last) {
+    if (last) {
+        process_->request(ipc::TimeRate{last->rate, last->loop});
+        process_->request(ipc::TimeSeek{last->time});
+        if (last->playing)
             process_->request(ipc::TimePlay{});
     } else if (poster_) {
         process_->request(ipc::TimeSeek{*poster_});
@@ -201,6 +204,10 @@ void LiveSubdocument::discard(std::unique_ptr<MediumProcess>& process) {
     leaving->setParent(&pipes_.departing());
     connect(leaving, &MediumProcess::ended, leaving, &QObject::deleteLater);
     leaving->shutdown();
+}
+
+bool LiveSubdocument::hasWindows() const {
+    return next_ || (process_ && process_->mode() == Mode::edit);
 }
 
 void LiveSubdocument::makeStill() {
@@ -277,6 +284,10 @@ void LiveSubdocument::told(const ipc::ToHost& report) {
         for (Rendition* rendition : renditions_)
             if (rendition->id() == unhandled->rendition)
                 Q_EMIT rendition->unhandledInput(*unhandled);
+    } else if (const auto* state = std::get_if<ipc::RenditionState>(&report)) {
+        for (Rendition* rendition : renditions_)
+            if (rendition->id() == state->rendition && state->state.size() <= longestState)
+                rendition->state_ = state->state;
     } else if (const auto* cursor = std::get_if<ipc::RenditionCursor>(&report)) {
         for (Rendition* rendition : renditions_)
             if (rendition->id() == cursor->rendition) {

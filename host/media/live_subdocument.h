@@ -49,11 +49,13 @@ public:
     void setText(const QByteArray& text); // whole: at first, and after a reload of the document
     void edit(const std::vector<ipc::TextEdit>& edits, const QString& label);
     [[nodiscard]] const QByteArray& text() const { return text_; }
+    void setTitle(const QString& title) { title_ = title; } // for the medium's own windows
     void onChange(ChangeHandler handler) { changeHandler_ = std::move(handler); }
 
     // --- its process
     void setMode(Mode mode) { mode_ = mode; } // of the next process
     void start();                             // if there is none; forgets past failures
+    [[nodiscard]] bool hasWindows() const;    // perhaps: its process may open some
     void makeStill();                         // ends the process; pictures and menus stay
     void setPoster(std::optional<double> time) { poster_ = time; } // the time it is first shown at
 
@@ -109,7 +111,7 @@ private:
     void adopt(std::unique_ptr<MediumProcess> process);
     [[nodiscard]] std::function<bool()> currentProcess() const;
     void load();
-    void restoreTime();
+    void restoreTime(const std::optional<ipc::TimeChanged>& last);
     void askForSize();
     void told(const ipc::ToHost& report);
     void asked(MediumProcess& by, const ipc::Id& id, const ipc::ToHost& request);
@@ -127,6 +129,7 @@ private:
     PipeThread& pipes_;
     TimeLimits limits_;
     QByteArray text_;
+    QString title_;
     ipc::Integer revision_ = 1;
     bool applyingOwnChange_ = false;
     ChangeHandler changeHandler_;

@@ -217,6 +217,41 @@ TEST_F(MediumProcessTest, AnEntryOfTheEditModeMovesTheRenditions) {
     EXPECT_TRUE(waitFor([&] { return pipes_.alive() == 1; })); // the other one has ended
 }
 
+TEST_F(MediumProcessTest, TimeAndViewComeBackInAnotherProcess) {
+    TimeLimits limits = shortLimits();
+    limits.restartsPerMinute = 1;
+    const Manifest manifest = scriptedManifest();
+    LiveSubdocument it(manifest, programOf(manifest, {}), pipes_, limits);
+    it.setText("colour 102030\nduration 100");
+    auto turned = it.createRendition(), other = it.createRendition();
+    for (auto* rendition : {turned.get(), other.get()})
+        rendition->setShown(true);
+    it.start();
+    ASSERT_TRUE(waitFor([&] { return it.time() && !turned->picture().isNull(); }));
+    turned->painted();
+    it.seek(40);
+    it.setRate(2, true);
+    ipc::Input press;
+    press.type = ipc::InputType::press;
+    turned->input(press);
+    const QColor magenta(255, 0, 255);
+    ASSERT_TRUE(waitFor([&] {
+        turned->painted();
+        return middle(turned->picture()) == magenta && it.time()->rate == 2;
+    }));
+    int pictures = 0, others = 0;
+    it.invoke("crash", nullptr);
+    ASSERT_TRUE(waitFor([&] { return it.condition() != Condition::live; }));
+    QObject::connect(turned.get(), &Rendition::pictureChanged, [&] { ++pictures; });
+    QObject::connect(other.get(), &Rendition::pictureChanged, [&] { ++others; });
+    ASSERT_TRUE(waitFor(
+        [&] { return pictures > 0 && others > 0 && it.time()->time == 40 && it.time()->loop; }));
+    EXPECT_EQ(middle(turned->picture()), magenta);
+    EXPECT_EQ(middle(other->picture()), QColor(0x10, 0x20, 0x30));
+    EXPECT_FALSE(it.time()->playing);
+    EXPECT_EQ(it.time()->rate, 2);
+}
+
 TEST_F(MediumProcessTest, NothingIsLeftOfAMediumThatDoesNotWantToGo) {
     {
         auto it = subdocument("behave stay\nbehave child");

@@ -76,8 +76,9 @@ void Rendition::attach(MediumProcess* process) {
 }
 
 void Rendition::sendGeometry(bool create) {
-    ipc::RenditionGeometry geometry;
+    ipc::RenditionCreate geometry;
     geometry.rendition = id_;
+    geometry.state = state_;
     geometry.presentation =
         (presentation_.isEmpty() ? subdocument_->defaultPresentation() : presentation_)
             .toStdString();
@@ -104,7 +105,7 @@ void Rendition::sendGeometry(bool create) {
     };
     slots_ = std::move(slots);
     if (create)
-        process_->request(ipc::RenditionCreate{geometry}, done);
+        process_->request(geometry, done);
     else
         process_->request(ipc::RenditionResize{geometry}, done);
 }

@@ -57,6 +57,7 @@ private:
     QPointer<LiveSubdocument> subdocument_;
     ipc::Integer id_;
     QString presentation_; // "": the first that the medium has
+    std::string state_;    // what the medium last said of how it is seen, for the next process
     QSize pixels_{320, 240};
     double scale_ = 1;
     bool shown_ = false;

@@ -1,5 +1,6 @@
 #include "session/open_document.h"
 
+#include <QFileInfo>
 #include <algorithm>
 
 namespace session {
@@ -42,6 +43,7 @@ OpenDocument::OpenDocument(std::unique_ptr<document::Document> document,
         readSubdocuments();
     });
     connect(watched, &document::Document::changed, this, &OpenDocument::documentChanged);
+    connect(watched, &document::Document::fileNameChanged, this, &OpenDocument::nameSubdocuments);
 }
 
 OpenDocument::~OpenDocument() = default;
@@ -71,6 +73,29 @@ void OpenDocument::readSubdocuments() {
         connect(made.get(), &media::LiveSubdocument::redoRequested, document_.get(),
                 &document::Document::redo);
         live_[id] = std::move(made);
+    }
+    nameSubdocuments();
+}
+
+// The file, and which of several it is: by the author's name for it, else counted.
+void OpenDocument::nameSubdocuments() {
+    const QString file = document_->fileName().isEmpty()
+                             ? tr("untitled")
+                             : QFileInfo(document_->fileName()).fileName();
+    int number = 0;
+    for (const document::SubdocumentId id : document_->subdocuments()) {
+        const auto found = live_.find(id);
+        if (found == live_.end())
+            continue;
+        ++number;
+        const document::Subdocument* subdocument = document_->subdocument(id);
+        if (!subdocument->name.empty())
+            found->second->setTitle(
+                tr("%1, %2").arg(file, QString::fromStdString(subdocument->name)));
+        else if (live_.size() > 1)
+            found->second->setTitle(tr("%1, figure %2").arg(file).arg(number));
+        else
+            found->second->setTitle(file);
     }
 }
 

@@ -56,6 +56,7 @@ Q_SIGNALS:
 
 private:
     void readSubdocuments();
+    void nameSubdocuments(); // for the windows of media
     void documentChanged();
     void textChanged(document::SubdocumentId id, const sgml::Edits& edits, const QString& label);
     [[nodiscard]] std::optional<QString> applyChange(document::SubdocumentId id,

@@ -216,7 +216,11 @@ void DocumentView::connectShown(Shown& shown) {
                     key = QChar::toUpper(static_cast<uint>(input.key[0]));
                 useKey(key, modifiers);
             });
-    connect(live, &media::LiveSubdocument::conditionChanged, context, update);
+    connect(live, &media::LiveSubdocument::conditionChanged, context, [this, id] {
+        updateOne(id);
+        if (hovered_ == id)
+            updatePlayBar();
+    });
     connect(live, &media::LiveSubdocument::diagnosticsChanged, context, update);
     connect(live, &media::LiveSubdocument::preferredSizeChanged, context,
             [this] { layoutTimer_.start(0); });

@@ -207,6 +207,11 @@ TEST_F(WindowTest, ThePlayBarIsOnlyUnderThePointer) {
     EXPECT_TRUE(bar->isVisible());
     over(1); // a medium without time has none
     EXPECT_FALSE(bar->isVisible());
+    over(0); // nor one that has ended: what happened is said there
+    EXPECT_TRUE(bar->isVisible());
+    live(*window, 0).invoke("crash", nullptr);
+    ASSERT_TRUE(waitFor([&] { return live(*window, 0).condition() == media::Condition::failed; }));
+    EXPECT_FALSE(bar->isVisible());
 }
 
 TEST_F(WindowTest, KeysThatAMediumDoesNotUseAreTheHosts) {

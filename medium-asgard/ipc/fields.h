@@ -102,6 +102,7 @@ template <class V> void describe(V&, Ping&) {}
 template <class V> void describe(V& v, SubdocumentLoad& m) {
     v.field("text", m.text);
     v.field("revision", m.revision, natural);
+    v.option("title", m.title);
 }
 template <class V> void describe(V& v, SubdocumentEdit& m) {
     v.field("revision", m.revision, natural);
@@ -127,6 +128,10 @@ template <class V> void describe(V& v, RenditionGeometry& m) {
     v.field("height", m.height, pixelCount);
     v.option("scale", m.scale, positiveScale);
     v.option("slots", m.slots);
+}
+template <class V> void describe(V& v, RenditionCreate& m) {
+    describe(v, static_cast<RenditionGeometry&>(m));
+    v.option("state", m.state);
 }
 template <class V> void describe(V& v, RenditionDestroy& m) {
     v.field("rendition", m.rendition, natural);
@@ -211,6 +216,10 @@ template <class V> void describe(V& v, SubdocumentChanged& m) {
 }
 template <class V> void describe(V&, EditUndo&) {}
 template <class V> void describe(V&, EditRedo&) {}
+template <class V> void describe(V& v, RenditionState& m) {
+    v.field("rendition", m.rendition, natural);
+    v.field("state", m.state);
+}
 template <class V> void describe(V& v, RenditionCursor& m) {
     v.field("rendition", m.rendition, natural);
     v.field("shape", m.shape);

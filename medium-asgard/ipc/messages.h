@@ -159,6 +159,7 @@ struct SubdocumentLoad {
     using Result = Done;
     std::string text;
     Integer revision = 0;
+    std::string title = {}; // what users call the subdocument, for the titles of windows
 };
 struct SubdocumentEdit {
     static constexpr auto method = "subdocument/edit";
@@ -194,6 +195,7 @@ struct RenditionGeometry {
 struct RenditionCreate : RenditionGeometry {
     static constexpr auto method = "rendition/create";
     using Result = Done;
+    std::string state = {}; // what rendition/state last said of it, perhaps in another process
 };
 struct RenditionResize : RenditionGeometry {
     static constexpr auto method = "rendition/resize";
@@ -344,6 +346,11 @@ struct RenditionCursor {
     Integer rendition = 0;
     CursorShape shape = CursorShape::arrow;
 };
+struct RenditionState { // how its user sees it, in the medium's own words
+    static constexpr auto method = "rendition/state";
+    Integer rendition = 0;
+    std::string state;
+};
 struct PresentationResized { // ask again for the size that it would like
     static constexpr auto method = "presentation/resized";
     std::string presentation; // "": any of them
@@ -405,8 +412,9 @@ using ToMedium =
 
 using ToHost =
     std::variant<RenditionFrame, SubdocumentChanged, EditUndo, EditRedo, RenditionUnhandled,
-                 RenditionCursor, PresentationResized, MenuChanged, ValueChanged, TimeChanged,
-                 ProgressBegin, ProgressReport, ProgressEnd, Diagnostics, ScriptEvaluate>;
+                 RenditionCursor, RenditionState, PresentationResized, MenuChanged, ValueChanged,
+                 TimeChanged, ProgressBegin, ProgressReport, ProgressEnd, Diagnostics,
+                 ScriptEvaluate>;
 
 template <class Call>
 concept IsRequest = requires {

@@ -89,7 +89,7 @@ TEST(Wire, EveryCallOfBothDirectionsSurvivesTheWire) {
         EXPECT_EQ(described(decodeForHost(body, nothingAwaited)), kind + T::method) << body;
         ++calls;
     });
-    EXPECT_EQ(calls, 29 + 15);
+    EXPECT_EQ(calls, 29 + 16);
 }
 
 TEST(Wire, FieldsArriveAsTheyWereSent) {
@@ -108,6 +108,13 @@ TEST(Wire, FieldsArriveAsTheyWereSent) {
     EXPECT_EQ(sentToMedium(SubdocumentLoad{text, 4}).text, text);
     EXPECT_EQ(sentToMedium(SubdocumentEdit{5, {{1, 2, "a"}, {4, 4, ""}}, "Typing"}).edits,
               (std::vector<TextEdit>{{1, 2, "a"}, {4, 4, ""}}));
+
+    EXPECT_EQ(sentToMedium(SubdocumentLoad{text, 4, "memo.ens"}).title, "memo.ens");
+    RenditionCreate create;
+    create.width = create.height = 7;
+    create.state = "as it was";
+    EXPECT_EQ(sentToMedium(create).state, "as it was");
+    EXPECT_EQ(sentToMedium(create).height, 7);
 
     RenditionInput input;
     input.type = InputType::wheel;

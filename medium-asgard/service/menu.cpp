@@ -41,8 +41,9 @@ ipc::MenuEntry checkable(std::string id, std::string label, bool checked, ipc::S
     return e;
 }
 
-ipc::MenuEntry window(std::string id, std::string label) {
+ipc::MenuEntry window(std::string id, std::string label, std::string shortcut) {
     ipc::MenuEntry e = entry(std::move(id), std::move(label));
+    e.shortcut = std::move(shortcut);
     e.mode = ipc::Mode::edit;
     return e;
 }
@@ -79,8 +80,8 @@ std::vector<ipc::MenuEntry> menuOf(const MenuState& state) {
     menu.push_back(entry("reset-view", "Reset View"));
     menu.back().scope = ipc::Scope::rendition;
     menu.push_back(entry("recompute", "Recompute Motion", "view-refresh"));
-    menu.push_back(window("open-graphical-viewer", "Open Graphical Viewer"));
-    menu.push_back(window("open-language-viewer", "Open Language Viewer"));
+    menu.push_back(window("open-graphical-viewer", "Open Graphical Viewer", "Ctrl+G"));
+    menu.push_back(window("open-language-viewer", "Open Language Viewer", "Ctrl+L"));
     return menu;
 }
 

@@ -21,7 +21,9 @@ void Playback::anchor(double time, Instant now) {
 }
 
 void Playback::setSpan(const Span& span, Instant now) {
-    anchor(known_ ? wanted(now) : span.start, now);
+    anchor(known_ ? wanted(now) : sought_.value_or(span.start), now);
+    if (sought_ && (span.computed >= *sought_ || span.computed >= span.finish))
+        sought_.reset();
     known_ = true;
     span_ = span;
     time_ = std::clamp(time_, span.start, std::max(span.start, span.finish));
@@ -31,16 +33,30 @@ void Playback::setSpan(const Span& span, Instant now) {
 void Playback::play(Instant now) {
     if (playing_ || (known_ && span_.finish <= span_.start))
         return;
+    if (!known_) {
+        playing_ = true;
+        return;
+    }
     anchor(time_ >= span_.finish ? span_.start : time_, now);
     playing_ = true;
 }
 
 void Playback::pause(Instant now) {
+    if (!known_) {
+        playing_ = false;
+        return;
+    }
+    sought_.reset();
     anchor(time(now), now);
     playing_ = false;
 }
 
 void Playback::seek(double time, Instant now) {
+    sought_.reset();
+    if (!known_) {
+        sought_ = time;
+        return;
+    }
     anchor(std::clamp(time, span_.start, std::max(span_.start, span_.finish)), now);
 }
 
@@ -57,7 +73,7 @@ bool Playback::advance(Instant now) {
     if (at < span_.computed)
         return false;
     if (span_.computed < span_.finish) { // wait for the motion
-        anchor(span_.computed, now);
+        anchor(std::max(span_.computed, sought_.value_or(span_.computed)), now);
         return false;
     }
     if (loops_) {

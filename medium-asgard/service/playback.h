@@ -34,7 +34,8 @@ public:
     // none yet.
     void play(Instant now);
     void pause(Instant now);
-    void seek(double time, Instant now); // clamped to start..finish; waits there for the motion
+    // Clamped to start..finish as soon as these are known; waits there for the motion.
+    void seek(double time, Instant now);
     void setRate(double rate, bool loops, Instant now);
 
     // Waits, stops or starts again where that is due. True when `playing` changed.
@@ -45,7 +46,8 @@ private:
     void anchor(double time, Instant now);
 
     Span span_;
-    bool known_ = false; // the span has been set
+    bool known_ = false;           // the span has been set
+    std::optional<double> sought_; // before that, until the motion has got there
     bool playing_ = false, loops_ = false;
     double rate_ = 1;
     double time_ = 0;

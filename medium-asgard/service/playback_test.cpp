@@ -55,6 +55,25 @@ TEST(Playback, WaitsForTheMotionAndGoesOnFromThere) {
     EXPECT_TRUE(playback.playing());
 }
 
+TEST(Playback, ASeekBeforeAnythingIsKnownIsCarriedOutWhenItIs) {
+    Playback playback;
+    playback.seek(4, zero);
+    playback.play(zero);
+    playback.setSpan({0, 10, 0}, zero + milliseconds(200)); // the scene, nothing of its motion
+    EXPECT_EQ(playback.time(zero + milliseconds(200)), 0);
+    playback.advance(zero + milliseconds(200));
+    playback.setSpan({0, 10, 3}, zero + milliseconds(200));
+    playback.advance(zero + milliseconds(200));
+    EXPECT_EQ(playback.time(zero + milliseconds(200)), 3);
+    playback.setSpan({0, 10, 10}, zero + milliseconds(200));
+    EXPECT_DOUBLE_EQ(playback.time(zero + milliseconds(700)), 4.5);
+    EXPECT_TRUE(playback.playing());
+    Playback beyond;
+    beyond.seek(99, zero);
+    beyond.setSpan({0, 10, 10}, zero);
+    EXPECT_EQ(beyond.time(zero), 10);
+}
+
 TEST(Playback, ASoughtTimeIsKeptWhileItIsNotComputedYet) {
     Playback playback = playbackOf({0, 10, 1});
     playback.seek(4, zero);

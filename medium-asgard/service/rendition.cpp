@@ -1,6 +1,8 @@
 #include "service/rendition.h"
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 namespace service {
 namespace {
@@ -27,6 +29,19 @@ bool same(const render::Display& a, const render::Display& b) {
     return a.wireframe == b.wireframe && a.axes == b.axes && a.grid == b.grid &&
            a.trails == b.trails && a.positionHandles == b.positionHandles &&
            a.velocityHandles == b.velocityHandles && a.background == b.background;
+}
+
+constexpr const char* stateFormat = "asgard-1";
+constexpr bool render::Display::*switches[] = {&render::Display::wireframe,
+                                               &render::Display::axes,
+                                               &render::Display::grid,
+                                               &render::Display::trails,
+                                               &render::Display::positionHandles,
+                                               &render::Display::velocityHandles};
+
+bool sound(const render::Camera& camera) {
+    return camera.center.allFinite() && camera.position.allFinite() && camera.scale > 0 &&
+           std::isfinite(camera.scale) && std::abs(camera.rotation.norm() - 1) < 1e-6;
 }
 
 } // namespace
@@ -69,6 +84,51 @@ render::Camera Rendition::camera(double time) const {
     if (turned_ || !view_)
         return control_.camera();
     return view_->at(time);
+}
+
+std::string Rendition::state() const {
+    std::ostringstream words;
+    words.precision(17);
+    words << stateFormat;
+    for (const auto which : switches)
+        words << ' ' << (display.*which ? 1 : 0);
+    words << ' ' << (turned_ ? 1 : 0);
+    if (turned_) {
+        const render::Camera camera = control_.camera();
+        for (const auto& vector : {camera.center, camera.position})
+            words << ' ' << vector.x() << ' ' << vector.y() << ' ' << vector.z();
+        const auto& q = camera.rotation;
+        words << ' ' << q.w() << ' ' << q.x() << ' ' << q.y() << ' ' << q.z() << ' '
+              << camera.scale;
+    }
+    words << ' ' << viewName_;
+    return words.str();
+}
+
+void Rendition::restore(const std::string& state) {
+    std::istringstream words(state);
+    std::string format, view;
+    render::Display shown = display;
+    render::Camera camera;
+    bool turned = false;
+    words >> format;
+    for (const auto which : switches)
+        words >> shown.*which;
+    words >> turned;
+    if (turned) {
+        for (auto* vector : {&camera.center, &camera.position})
+            words >> vector->x() >> vector->y() >> vector->z();
+        auto& q = camera.rotation;
+        words >> q.w() >> q.x() >> q.y() >> q.z() >> camera.scale;
+    }
+    if (!words || format != stateFormat || !sound(camera))
+        return;
+    words.ignore(1);
+    std::getline(words, view);
+    follow(view);
+    display = shown;
+    turned_ = turned;
+    control_.set(camera);
 }
 
 bool Rendition::input(const ipc::Input& input, double time) {

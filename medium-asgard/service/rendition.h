@@ -43,6 +43,11 @@ public:
     // True when the picture changed.
     bool input(const ipc::Input& input, double time);
     [[nodiscard]] bool beingTurned() const { return control_.active(); }
+    // All of that in words that another process understands: the host hands them back to it. What
+    // are not such words changes nothing.
+    [[nodiscard]] std::string state() const;
+    void restore(const std::string& state);
+    std::string toldState;
 
     // --- frames
     struct Frame {

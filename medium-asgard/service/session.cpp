@@ -72,6 +72,7 @@ void Session::attend(Instant now) {
     tellTime();
     tellValues();
     tellMenu();
+    tellStates();
     drawOwed();
     useSpareTime();
     if (const auto deadline = subdocument_.deadline())
@@ -229,6 +230,23 @@ void Session::tellMenu() {
     if (toldMenu_)
         channel_.notify(ipc::MenuChanged{menuOf(state)});
     toldMenu_ = state;
+}
+
+// How each rendition is seen, once its user lets go.
+void Session::tellStates() {
+    for (auto& [id, rendition] : renditions_) {
+        if (rendition.beingTurned())
+            continue;
+        if (now_ < rendition.calmAt) {
+            dueAt(rendition.calmAt);
+            continue;
+        }
+        std::string state = rendition.state();
+        if (state == rendition.toldState)
+            continue;
+        channel_.notify(ipc::RenditionState{id, state});
+        rendition.toldState = std::move(state);
+    }
 }
 
 // --- pictures ---------------------------------------------------------------------------------

@@ -45,6 +45,7 @@ public:
     [[nodiscard]] bool over() const { return over_; }
 
     [[nodiscard]] Subdocument& subdocument() { return subdocument_; }
+    [[nodiscard]] const std::string& title() const { return title_; } // for windows; may be ""
     // One change of the text, made in one of the medium's windows: it is the host's to accept. Then
     // it is the text here too, and `done` hears nothing; else why not.
     void propose(const ipc::TextEdit& edit, const std::string& label,
@@ -120,6 +121,7 @@ private:
     void tellTime();
     void tellValues();
     void tellMenu();
+    void tellStates();
     [[nodiscard]] ipc::TimeChanged timeNow() const;
     [[nodiscard]] MenuState menuNow() const;
     [[nodiscard]] bool anyVisible() const;
@@ -142,6 +144,7 @@ private:
     Platform platform_;
     ipc::MediumChannel& channel_;
     Subdocument subdocument_;
+    std::string title_; // what the host calls it
     std::optional<ipc::Mode> mode_;
     std::optional<FrameMemory> memory_;
     std::map<ipc::Integer, Rendition> renditions_;

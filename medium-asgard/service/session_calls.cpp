@@ -56,6 +56,7 @@ auto Session::serve(const ipc::Initialize& call) -> Reply<ipc::Initialized> {
 }
 
 auto Session::serve(const ipc::SubdocumentLoad& call) -> Reply<ipc::Done> {
+    title_ = call.title;
     subdocument_.load(call.text, call.revision, now_);
     return ipc::Done{};
 }
@@ -66,6 +67,7 @@ auto Session::serve(const ipc::SubdocumentEdit& call) -> Reply<ipc::Done> {
     return ipc::Done{};
 }
 
+// An edit that leaves the text as it is makes no revision: it is not for the host.
 void Session::propose(const ipc::TextEdit& edit, const std::string& label,
                       std::function<void(std::optional<std::string>)> done) {
     ipc::SubdocumentChanged change{subdocument_.revision(), {edit}, label, ""};
@@ -137,6 +139,8 @@ auto Session::serve(const ipc::RenditionCreate& call) -> Reply<ipc::Done> {
         return notPossible("there are " + std::to_string(mostRenditions) + " renditions already");
     Rendition rendition;
     rendition.display = display_;
+    rendition.restore(call.state);
+    rendition.toldState = rendition.state();
     if (const auto sentence = shape(rendition, call))
         return faulty(*sentence);
     renditions_.emplace(call.rendition, std::move(rendition));

@@ -135,6 +135,8 @@ protected:
             while (auto call = host.next())
                 if (auto* heard = std::get_if<ipc::Told<ipc::ToHost>>(&*call))
                     take(std::move(heard->call));
+                else
+                    asked.push_back(std::get<ipc::Asked<ipc::ToHost>>(*call));
         }
         ASSERT_EQ(host.fault(), "");
         ASSERT_EQ(medium.fault(), "");
@@ -147,6 +149,8 @@ protected:
             diagnostics = *d;
         else if (auto* frame = std::get_if<ipc::RenditionFrame>(&call))
             frames.push_back(*frame);
+        else if (auto* state = std::get_if<ipc::RenditionState>(&call))
+            states.push_back(state->state);
         else if (std::holds_alternative<ipc::ProgressBegin>(call))
             progress.push_back("begin");
         else if (std::holds_alternative<ipc::ProgressEnd>(call))
@@ -202,7 +206,8 @@ protected:
     std::optional<ipc::TimeChanged> told;
     std::optional<ipc::Diagnostics> diagnostics;
     std::vector<ipc::RenditionFrame> frames;
-    std::vector<std::string> answers, progress;
+    std::vector<std::string> answers, progress, states;
+    std::vector<ipc::Asked<ipc::ToHost>> asked;
 };
 
 TEST_F(SessionTest, MotionIsShownAsFarAsItIsKnown) {
@@ -303,6 +308,87 @@ TEST_F(SessionTest, AMotionThatStoppedIsSaidAtItsBody) {
     ASSERT_THAT(diagnostics->items, testing::SizeIs(1));
     EXPECT_EQ(diagnostics->items[0].line, 3);
     EXPECT_THAT(diagnostics->items[0].message, HasSubstr("not finite"));
+}
+
+// --- changes made here -----------------------------------------------------------------------
+
+TEST_F(SessionTest, AChangeIsTheHostsToAcceptAndThenTheTextHere) {
+    load("one two", 7);
+    std::optional<std::optional<std::string>> refusal;
+    const auto keep = [&](std::optional<std::string> why) { refusal = std::move(why); };
+    session->propose({4, 7, "three"}, "Edit text", keep);
+    exchange();
+    ASSERT_EQ(asked.size(), 1u);
+    const auto& change = std::get<ipc::SubdocumentChanged>(asked[0].call);
+    EXPECT_EQ(change.base, 7);
+    EXPECT_EQ(change.label, "Edit text");
+    ASSERT_EQ(change.edits.size(), 1u);
+    EXPECT_EQ(change.edits[0].text, "three");
+    EXPECT_EQ(session->subdocument().text(), "one two");
+    EXPECT_FALSE(refusal);
+    host.answer(asked[0].id, ipc::Revised{8});
+    exchange();
+    ASSERT_TRUE(refusal);
+    EXPECT_EQ(*refusal, std::nullopt);
+    EXPECT_EQ(session->subdocument().text(), "one three");
+    EXPECT_EQ(session->subdocument().revision(), 8);
+}
+
+TEST_F(SessionTest, AChangeOfATextThatTheHostHasChangedMeanwhileIsRefused) {
+    load("one two", 7);
+    std::optional<std::string> why;
+    session->propose({4, 7, "three"}, "Edit text", [&](auto refusal) { why = refusal; });
+    exchange();
+    ask(ipc::SubdocumentEdit{8, {{0, 3, "1"}}, "Undo"});
+    ASSERT_EQ(asked.size(), 1u);
+    host.refuse(asked[0].id, {ipc::ErrorCode::staleBase, "the text is at revision 8"});
+    exchange();
+    EXPECT_EQ(why, "the text is at revision 8");
+    EXPECT_EQ(session->subdocument().text(), "1 two");
+}
+
+TEST_F(SessionTest, HowARenditionIsSeenComesBackInAnotherProcess) {
+    load("a scene");
+    show();
+    exchange();
+    EXPECT_THAT(states, IsEmpty());
+    ipc::RenditionInput input;
+    input.rendition = 1;
+    input.x = input.y = 10;
+    const auto drag = [&](ipc::InputType type, double x) {
+        input.type = type;
+        input.button = type == ipc::InputType::move ? ipc::Button::none : ipc::Button::left;
+        input.x = x;
+        host.notify(input);
+        exchange();
+    };
+    drag(ipc::InputType::press, 10);
+    drag(ipc::InputType::move, 15);
+    EXPECT_THAT(states, IsEmpty()); // still being turned
+    drag(ipc::InputType::release, 15);
+    now += std::chrono::seconds(1);
+    exchange();
+    ASSERT_EQ(states.size(), 1u);
+    ipc::RenditionCreate create;
+    create.rendition = 2;
+    create.width = create.height = 20;
+    create.state = states[0];
+    ask(create);
+    drag(ipc::InputType::press, 10); // told again only when it is another
+    drag(ipc::InputType::release, 10);
+    now += std::chrono::seconds(1);
+    exchange();
+    EXPECT_EQ(states.size(), 1u);
+
+    Rendition same, other;
+    const std::string plain = other.state();
+    same.restore(states[0]);
+    EXPECT_EQ(same.state(), states[0]);
+    for (const char* nonsense : {"", "x", "asgard-1", "asgard-1 1 1 1 1 1 1 1 nan",
+                                 "asgard-1 0 0 0 0 0 0 1 0 0 0 0 0 0 0 0 0 0 1"}) {
+        other.restore(nonsense);
+        EXPECT_EQ(other.state(), plain) << nonsense;
+    }
 }
 
 TEST_F(SessionTest, PicturesAreDrawnOnceForEachLookAndNeverWhileHidden) {

@@ -22,30 +22,31 @@ ipc::DiagnosticItem itemOf(const scene::Diagnostic& diagnostic) {
     return item;
 }
 
-ipc::DiagnosticItem sentenceAt(const scene::Source* source, ipc::Severity severity,
-                               std::string sentence) {
-    ipc::DiagnosticItem item;
-    item.severity = severity;
-    item.message = std::move(sentence);
+scene::Diagnostic sentenceAt(const scene::Source* source, scene::Severity severity,
+                             std::string sentence) {
+    scene::Diagnostic fault;
+    fault.severity = severity;
+    fault.message = std::move(sentence);
     if (source && source->line > 0) {
-        item.line = item.endLine = source->line;
-        item.column = source->column;
-        item.endColumn = source->column + 1;
+        fault.range = source->command;
+        fault.line = fault.endLine = source->line;
+        fault.column = source->column;
+        fault.endColumn = source->column + 1;
     }
-    return item;
+    return fault;
 }
 
 // Bodies stop together: one sentence for each reason, at the first of them.
 void addStops(const scene::Scene& scene, const simulation::Motion& motion,
-              std::vector<ipc::DiagnosticItem>& items) {
+              std::vector<scene::Diagnostic>& faults) {
     std::vector<std::string> said;
     for (std::size_t body = 0; body < std::min(motion.bodies(), scene.bodies.size()); ++body) {
         const auto stop = motion.stop(body);
         if (!stop || std::ranges::find(said, stop->sentence) != said.end())
             continue;
         said.push_back(stop->sentence);
-        items.push_back(
-            sentenceAt(&scene.bodies[body].source, ipc::Severity::error, stop->sentence));
+        faults.push_back(
+            sentenceAt(&scene.bodies[body].source, scene::Severity::error, stop->sentence));
     }
 }
 
@@ -131,6 +132,8 @@ Changes Subdocument::update(Instant now) {
         (awaited_.scene ? awaited_ : shown_).motion = std::move(news.motion);
         changes.motion = true;
     }
+    if (news.statistics)
+        statistics_ = news.statistics;
     if (news.refusal) {
         refusal_ = std::move(*news.refusal);
         cancelled_ = news.cancelled;
@@ -188,17 +191,21 @@ ipc::MotionState Subdocument::state() const {
     return shown_.motion->draft() ? ipc::MotionState::draft : ipc::MotionState::current;
 }
 
+std::vector<scene::Diagnostic> Subdocument::faults() const {
+    std::vector<scene::Diagnostic> faults = faults_;
+    for (const std::string& sentence : refusal_)
+        faults.push_back(sentenceAt(nullptr, scene::Severity::error, sentence));
+    if (faulty_ || !shown_.motion || worker_.busy())
+        return faults;
+    addStops(*shown_.scene, *shown_.motion, faults);
+    for (const std::string& note : shown_.motion->notes())
+        faults.push_back(sentenceAt(nullptr, scene::Severity::warning, note));
+    return faults;
+}
+
 std::vector<ipc::DiagnosticItem> Subdocument::diagnostics() const {
     std::vector<ipc::DiagnosticItem> items;
-    for (const scene::Diagnostic& fault : faults_)
-        items.push_back(itemOf(fault));
-    for (const std::string& sentence : refusal_)
-        items.push_back(sentenceAt(nullptr, ipc::Severity::error, sentence));
-    if (faulty_ || !shown_.motion || worker_.busy())
-        return items;
-    addStops(*shown_.scene, *shown_.motion, items);
-    for (const std::string& note : shown_.motion->notes())
-        items.push_back(sentenceAt(nullptr, ipc::Severity::warning, note));
+    std::ranges::transform(faults(), std::back_inserter(items), itemOf);
     return items;
 }
 

@@ -63,8 +63,12 @@ public:
     [[nodiscard]] std::optional<Instant> readAt() const { return read_; }
     [[nodiscard]] Instant startedAt() const { return started_; }
     [[nodiscard]] ipc::MotionState state() const;
-    // Faults of the text and of its motion.
+    // Faults of the text and of its motion, for windows of this process and for the host.
+    [[nodiscard]] std::vector<scene::Diagnostic> faults() const;
     [[nodiscard]] std::vector<ipc::DiagnosticItem> diagnostics() const;
+    [[nodiscard]] const std::optional<simulation::Statistics>& statistics() const {
+        return statistics_;
+    }
 
     Playback playback;
 
@@ -84,7 +88,8 @@ private:
     Version shown_, awaited_; // awaited: of the newest text, not shown yet
     std::vector<scene::Diagnostic> faults_;
     std::vector<std::string> refusal_;
-    bool faulty_ = false;    // the newest text makes no scene
+    std::optional<simulation::Statistics> statistics_; // of the last motion that ended
+    bool faulty_ = false;                              // the newest text makes no scene
     bool cancelled_ = false; // its motion was not finished because someone said so
     Instant started_{};
     std::optional<Instant> read_;

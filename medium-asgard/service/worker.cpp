@@ -150,6 +150,7 @@ void Worker::perform(const Job& job, unsigned number) {
             news.motion = std::move(result.motion);
         news.refusal = std::move(result.refusal);
         news.cancelled = result.cancelled;
+        news.statistics = result.statistics;
     });
 }
 

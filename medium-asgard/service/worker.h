@@ -33,6 +33,7 @@ struct News {
     simulation::MotionPointer motion;                          // its newest motion
     std::optional<std::vector<std::string>> refusal; // the job ended; why there is no motion, if so
     bool cancelled = false;
+    std::optional<simulation::Statistics> statistics; // of a motion that ended
 };
 
 class Worker {

@@ -119,6 +119,56 @@ TEST_F(DocumentTest, UnderAHostChangesGoThereAndUndoIsAskedForThere) {
     EXPECT_EQ(edits.size(), 1U);
 }
 
+TEST_F(DocumentTest, WhoIsToldOfAChangeSeesItInTheText) {
+    document.setTextFromHost("# a\n");
+    std::string seen;
+    document.setHostLink(
+        {[&](const TextEdit&, const QString&) { seen = document.text(); }, [] {}, [] {}});
+    document.setText("# b\n", "Edit");
+    EXPECT_EQ(seen, "# b\n");
+}
+
+TEST_F(DocumentTest, ARefusedChangeLeavesTheTextOfTheHost) {
+    document.setTextFromHost("# a\n");
+    document.setHostLink({[](const TextEdit&, const QString&) {}, [] {}, [] {}});
+    QString why;
+    QObject::connect(&document, &SceneDocument::changeRefused,
+                     [&](const QString& sentence) { why = sentence; });
+    document.setText("# mine\n", "Edit");
+    document.didRefuse("# theirs\n", "too late");
+    EXPECT_EQ(document.text(), "# theirs\n");
+    EXPECT_EQ(why, "too late");
+}
+
+TEST_F(DocumentTest, WhatAnotherComputedIsShownAndNothingIsComputedHere) {
+    SceneDocument shown{Workshop{}};
+    int scenes = 0, motions = 0, faults = 0, asked = 0;
+    QObject::connect(&shown, &SceneDocument::sceneChanged, [&] { ++scenes; });
+    QObject::connect(&shown, &SceneDocument::motionChanged, [&] { ++motions; });
+    QObject::connect(&shown, &SceneDocument::diagnosticsChanged, [&] { ++faults; });
+    shown.setHostLink({[](const TextEdit&, const QString&) {}, [] {}, [] {}, [&] { ++asked; }});
+    shown.setTextFromHost(ballScene);
+    shown.recompute();
+    EXPECT_EQ(asked, 1);
+    EXPECT_EQ(made.reads, 0);
+    Computed computed;
+    const auto scene = std::make_shared<const scene::Scene>(theReader().read(ballScene).scene);
+    computed.shown = {scene, flight(*scene)};
+    computed.current = true;
+    shown.setComputed(computed);
+    EXPECT_TRUE(shown.sceneIsCurrent());
+    EXPECT_EQ(shown.shown().motion, computed.shown.motion);
+    shown.setComputed(computed); // the same again is no news
+    EXPECT_EQ(scenes, 1);
+    EXPECT_EQ(motions, 1);
+    computed.diagnostics.push_back({scene::Severity::error, {}, 1, 1, 1, 2, "faulty", ""});
+    computed.current = false;
+    shown.setComputed(computed);
+    EXPECT_EQ(scenes, 1);
+    EXPECT_EQ(faults, 2);
+    EXPECT_TRUE(shown.hasErrors());
+}
+
 TEST_F(DocumentTest, FilesAreReadAndWrittenByteForByte) {
     const QTemporaryDir folder;
     const QString path = folder.filePath("scene.al");

@@ -81,6 +81,8 @@ LanguageViewer::LanguageViewer(SceneDocument& document, Windows windows, int num
     connect(&document_, &SceneDocument::diagnosticsChanged, this, &LanguageViewer::showDiagnostics);
     connect(&document_, &SceneDocument::sceneChanged, this, &LanguageViewer::showDiagnostics);
     connect(&document_, &SceneDocument::nameChanged, this, &LanguageViewer::updateTitle);
+    connect(&document_, &SceneDocument::changeAccepted, this, [this] { submitted_.reset(); });
+    connect(&document_, &SceneDocument::changeRefused, this, &LanguageViewer::becomeDraftAgain);
     setEditorText(document_.text());
     draftRevision_ = document_.revision();
     showDiagnostics();
@@ -274,8 +276,25 @@ void LanguageViewer::followDocument() {
 void LanguageViewer::updateDocument() {
     draftRevision_ = document_.revision() + 1;
     edited_ = false;
-    document_.setText(draft(), tr("Edit text"));
+    refusal_.clear();
+    const std::string text = draft();
+    if (document_.hasHost() && text != document_.text())
+        submitted_ = text;
+    document_.setText(text, tr("Edit text"));
     draftRevision_ = document_.revision();
+    updateTitle();
+    updateNotice();
+}
+
+void LanguageViewer::becomeDraftAgain(const QString& why) {
+    const auto mine = std::exchange(submitted_, std::nullopt);
+    if (!mine || (!edited_ && *mine == document_.text()))
+        return;
+    if (!edited_)
+        setEditorText(*mine);
+    edited_ = true;
+    refusal_ = why;
+    clearMarks();
     updateTitle();
     updateNotice();
 }
@@ -288,6 +307,7 @@ void LanguageViewer::revert() {
 }
 
 void LanguageViewer::dropDraft() {
+    refusal_.clear();
     setEditorText(document_.text());
     draftRevision_ = document_.revision();
     showDiagnostics();
@@ -422,11 +442,15 @@ void LanguageViewer::updateTitle() {
 }
 
 void LanguageViewer::updateNotice() {
+    const bool refused = edited_ && !refusal_.isEmpty();
     const bool overtaken = edited_ && draftRevision_ != document_.revision();
-    notice_->setText(
-        tr("The scene was changed in another view. This draft is kept: Update makes it "
-           "the scene's text, or <a href=\"drop\">drop the draft</a>."));
-    notice_->setVisible(overtaken);
+    const QString what =
+        refused ? tr("The document did not take this change: %1.").arg(refusal_.toHtmlEscaped())
+                : tr("The scene was changed in another view.");
+    notice_->setText(what + QLatin1Char(' ') +
+                     tr("This draft is kept: Update makes it the scene's text, or "
+                        "<a href=\"drop\">drop the draft</a>."));
+    notice_->setVisible(refused || overtaken);
 }
 
 bool LanguageViewer::eventFilter(QObject* watched, QEvent* event) {

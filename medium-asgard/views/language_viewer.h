@@ -1,9 +1,9 @@
 // The language viewer's window (dissertation 4.2): the scene's text, edited as plain text.
 //
 // Each viewer holds a draft. Update makes it the document's text, and with that everyone's; what
-// another view changes meanwhile replaces a draft only while nobody has typed in it. Faults are
-// marked at their words, told in full under their lines, and listed below; those without a place
-// are only listed.
+// another view changes meanwhile replaces a draft only while nobody has typed in it. What a host
+// refuses is a draft again, with the reason above it. Faults are marked at their words, told in
+// full under their lines, and listed below; those without a place are only listed.
 #pragma once
 
 #include "views/graphical_viewer.h"
@@ -52,6 +52,7 @@ private:
     void setEditorText(const std::string& text);
     void textTyped();
     void followDocument();
+    void becomeDraftAgain(const QString& why);
     void showDiagnostics();
     void markDiagnostic(const scene::Diagnostic& diagnostic);
     void markArguments();
@@ -66,6 +67,8 @@ private:
     bool edited_ = false;
     bool setting_ = false;   // the text changes because the document's did
     int draftRevision_ = -1; // of the document, when draft and document were last the same
+    std::optional<std::string> submitted_; // this viewer's update, until the host has accepted it
+    QString refusal_;                      // why the host did not
     QsciScintilla* editor_;
     QListWidget* messages_;
     QLabel* notice_;

@@ -19,6 +19,12 @@ std::string applied(const std::string& text, std::size_t from, std::size_t to,
     return text.substr(0, from) + replacement + text.substr(to);
 }
 
+bool same(const scene::Diagnostic& a, const scene::Diagnostic& b) {
+    return a.severity == b.severity && a.range.from == b.range.from && a.range.to == b.range.to &&
+           a.line == b.line && a.column == b.column && a.message == b.message &&
+           a.suggestion == b.suggestion;
+}
+
 } // namespace
 
 TextEdit editBetween(const std::string& before, const std::string& after) {
@@ -43,8 +49,10 @@ struct SceneDocument::Worker {
     WorkThread thread;
 };
 
-SceneDocument::SceneDocument(Workshop workshop, QObject* parent)
-    : QObject(parent), worker_(std::make_unique<Worker>(std::move(workshop))) {
+SceneDocument::SceneDocument(Workshop workshop, QObject* parent) : QObject(parent) {
+    if (!workshop.read)
+        return;
+    worker_ = std::make_unique<Worker>(std::move(workshop));
     // Results cross to this thread; what a newer start overtook is dropped on arrival.
     const auto post = [this](auto call) {
         QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
@@ -87,6 +95,31 @@ void SceneDocument::setTextFromHost(const std::string& text) {
         replaceText(text);
 }
 
+void SceneDocument::didAccept() { Q_EMIT changeAccepted(); }
+
+void SceneDocument::didRefuse(const std::string& hostText, const QString& why) {
+    setTextFromHost(hostText);
+    Q_EMIT changeRefused(why);
+}
+
+void SceneDocument::setComputed(Computed computed) {
+    const bool otherScene = computed.shown.scene != shown_.scene;
+    const bool otherMotion = otherScene || computed.shown.motion != shown_.motion;
+    const bool otherFaults = computed.current != sceneIsCurrent() ||
+                             !std::ranges::equal(computed.diagnostics, diagnostics_, same);
+    shown_ = std::move(computed.shown);
+    diagnostics_ = std::move(computed.diagnostics);
+    statistics_ = computed.statistics;
+    sceneRevision_ = computed.current ? revision_ : -1;
+    if (otherScene)
+        Q_EMIT sceneChanged();
+    if (otherMotion)
+        Q_EMIT motionChanged();
+    if (otherFaults)
+        Q_EMIT diagnosticsChanged();
+    setWork(computed.work);
+}
+
 bool SceneDocument::canUndo() const { return host_.undo || !done_.empty(); }
 
 bool SceneDocument::canRedo() const { return host_.redo || !undone_.empty(); }
@@ -122,9 +155,15 @@ void SceneDocument::replaceText(const std::string& text) {
     start();
 }
 
-void SceneDocument::recompute() { start(); }
+void SceneDocument::recompute() {
+    if (host_.recompute)
+        return host_.recompute();
+    start();
+}
 
 void SceneDocument::start() {
+    if (!worker_)
+        return;
     worker_->thread.start(text_);
     setWork(Work::reading);
 }

@@ -5,8 +5,10 @@
 // errors the last good scene and its motion stay (scene language, "Errors").
 //
 // Stand-alone the document is a file with an undo stack of its own. Under a host the text belongs
-// to the host: changes are reported through `HostLink`, undo is asked for there, and what the host
-// changes arrives by setTextFromHost().
+// to the host: a view's change is shown at once and reported through `HostLink`, which ends in
+// didAccept() or didRefuse(); undo is asked for there, and what the host changes arrives by
+// setTextFromHost(). Who has made a scene and its motion of the host's text already gives it by
+// setComputed(); then the workshop is empty and nothing is computed twice.
 #pragma once
 
 #include "scene/diagnostic.h"
@@ -25,7 +27,7 @@
 namespace views {
 
 // How texts become scenes and scenes motion. Called on the worker thread, one call at a time;
-// cancelReading on any.
+// cancelReading on any. An empty one computes nothing: setComputed() is called instead.
 struct Workshop {
     std::function<script::ReadResult(std::string_view text)> read;
     std::function<void()> cancelReading;
@@ -45,6 +47,7 @@ struct TextEdit {
 struct HostLink {
     std::function<void(const TextEdit& edit, const QString& label)> changed;
     std::function<void()> undo, redo;
+    std::function<void()> recompute = nullptr; // where the motion is computed by another
 };
 
 // A good scene and the motion that belongs to it; no motion while the first bit is computed, or
@@ -55,6 +58,15 @@ struct Shown {
 };
 
 enum class Work { none, reading, simulating };
+
+// What another has made of the text.
+struct Computed {
+    Shown shown;
+    std::vector<scene::Diagnostic> diagnostics;
+    std::optional<simulation::Statistics> statistics;
+    Work work = Work::none;
+    bool current = false; // the scene was read from the text as it is now
+};
 
 class SceneDocument : public QObject {
     Q_OBJECT
@@ -89,6 +101,10 @@ public:
     void setHostLink(HostLink link) { host_ = std::move(link); }
     [[nodiscard]] bool hasHost() const { return static_cast<bool>(host_.changed); }
     void setTextFromHost(const std::string& text);
+    // What became of the changes of views: the host's text is the document's, or is so again.
+    void didAccept();
+    void didRefuse(const std::string& hostText, const QString& why);
+    void setComputed(Computed computed);
 
     // --- stand-alone: "" or the sentence that says what went wrong
     [[nodiscard]] QString open(const QString& path);
@@ -107,6 +123,8 @@ Q_SIGNALS:
     void motionChanged(); // more or other motion of it
     void workChanged();
     void nameChanged(); // or whether it is modified
+    void changeAccepted();
+    void changeRefused(const QString& why); // the text is the host's again
 
 private:
     struct Change { // one step of undo

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QTest>
@@ -300,6 +301,39 @@ TEST_F(ViewersTest, UnderAHostRevertDropsTheDraftOnly) {
     EXPECT_FALSE(button(*viewer, "Save")->isVisible());
     editor.document().setTextFromHost("# from the host\n");
     EXPECT_EQ(viewer->draft(), "# from the host\n");
+}
+
+TEST_F(ViewersTest, WhatTheHostRefusesIsADraftAgain) {
+    editor.document().setHostLink({[](const TextEdit&, const QString&) {}, [] {}, [] {}});
+    LanguageViewer* one = editor.openLanguageViewer();
+    LanguageViewer* two = editor.openLanguageViewer();
+    const std::string mine = ballScene + "# mine\n", theirs = ballScene + "# theirs\n";
+    type(*one, mine);
+    one->updateDocument();
+    EXPECT_EQ(two->draft(), mine); // shown at once
+    editor.document().didRefuse(theirs, "the text is at revision 3");
+    EXPECT_EQ(one->draft(), mine);
+    EXPECT_TRUE(one->hasDraft());
+    EXPECT_EQ(two->draft(), theirs);
+    EXPECT_FALSE(two->hasDraft());
+    const auto notice = [](LanguageViewer& viewer) {
+        for (QLabel* label : viewer.findChildren<QLabel*>())
+            if (label->accessibleName() == "Notice" && !label->isHidden())
+                return label->text();
+        return QString();
+    };
+    EXPECT_TRUE(notice(*one).contains("the text is at revision 3"));
+    EXPECT_EQ(notice(*two), QString());
+    one->updateDocument();
+    editor.document().didAccept();
+    EXPECT_EQ(notice(*one), QString());
+    EXPECT_EQ(two->draft(), mine);
+    // What was accepted is no draft any more, whatever is refused later.
+    type(*two, ballScene);
+    two->updateDocument();
+    editor.document().didRefuse(mine, "no");
+    EXPECT_FALSE(one->hasDraft());
+    EXPECT_EQ(two->draft(), ballScene);
 }
 
 TEST_F(ViewersTest, FindGoesFromPlaceToPlaceAndRoundAgain) {

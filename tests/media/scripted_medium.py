@@ -11,6 +11,8 @@ The text of its subdocument is lines of `WORD VALUES`:
   behave BEHAVIOUR     as the argument, from the moment that the text is loaded
   change TEXT          asks the host to append TEXT to the subdocument, once
 
+A press of a button turns the rendition magenta; that is its state, which the next process is given.
+
 Behaviours: normal, exit (at once), crash (a signal), crash-after S, hang (stops answering), stop (stops itself
 by SIGSTOP), busy (computes, never reads), flood, garbage, truncated, slow MS (per answer), oversize,
 wrong-version, silent (no answer to initialize), stay (ignores shutdown and the end of its input),
@@ -169,16 +171,16 @@ class Medium:
 
     # --- pictures ------------------------------------------------------------------------------
 
-    def pixels(self, width, height, at):
-        r, g, b = self.colour
+    def pixels(self, width, height, at, state=""):
+        r, g, b = (255, 0, 255) if state == "magenta" else self.colour
         row = bytearray(bytes((b, g, r, 255)) * width)
         if self.duration > 0:
             x = int((width - 8) * min(1.0, at / self.duration))
             row[4 * x:4 * (x + 8)] = b"\xff\xff\xff\xff" * 8
         return bytes(row)
 
-    def write(self, offset, stride, width, height, at):
-        row = self.pixels(width, height, at)
+    def write(self, offset, stride, width, height, at, state=""):
+        row = self.pixels(width, height, at, state)
         for y in range(height):
             self.frames[offset + y * stride:offset + y * stride + 4 * width] = row
 
@@ -194,9 +196,9 @@ class Medium:
         message = dict(rendition=rendition, slot=slot, serial=self.serial, width=width, height=height, time=self.time)
         if self.frames is not None and r.get("slots"):
             place = r["slots"][slot]
-            self.write(place["offset"], place["stride"], width, height, self.time)
+            self.write(place["offset"], place["stride"], width, height, self.time, r["state"])
         else:
-            message["pixels"] = base64.b64encode(self.pixels(width, height, self.time) * height).decode()
+            message["pixels"] = base64.b64encode(self.pixels(width, height, self.time, r["state"]) * height).decode()
         notify("rendition/frame", **message)
 
     def draw_all(self):
@@ -258,9 +260,9 @@ class Medium:
         if method == "presentation/size":
             return {"width": self.size[0], "height": self.size[1]}
         if method in ("rendition/create", "rendition/resize"):
-            old = self.renditions.get(p["rendition"], {"shown": False})
+            old = self.renditions.get(p["rendition"], {"shown": False, "state": p.get("state", "")})
             self.renditions[p["rendition"]] = {"width": p["width"], "height": p["height"], "slots": p.get("slots"), "next": 0,
-                                               "unacked": [], "shown": old["shown"]}
+                                               "unacked": [], "shown": old["shown"], "state": old["state"]}
             self.after = lambda: self.draw(p["rendition"])
             return {}
         if method == "rendition/destroy":
@@ -319,6 +321,10 @@ class Medium:
         elif method == "rendition/input":
             if p["type"] == "key-press" and p.get("key") != " ":
                 notify("rendition/unhandled", **p)
+            if p["type"] == "press" and p["rendition"] in self.renditions:
+                self.renditions[p["rendition"]]["state"] = "magenta"
+                notify("rendition/state", rendition=p["rendition"], state="magenta")
+                self.draw(p["rendition"])
         elif method == "exit":
             if not self.stay:
                 os._exit(0)

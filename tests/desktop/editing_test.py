@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+"""A document is edited in the medium's own windows, as users do it: host, medium and viewers on a display.
+
+usage: editing_test.py PATH-TO-ENSEMBLE PATH-TO-MEMO [unittest arguments]
+"""
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+from screen import Screen, until
+
+ENSEMBLE, MEMO = os.path.abspath(sys.argv[1]), sys.argv[2]
+
+
+def children(pid):
+    found = []
+    for task in os.listdir(f"/proc/{pid}/task"):
+        with open(f"/proc/{pid}/task/{task}/children") as file:
+            found += map(int, file.read().split())
+    return found
+
+
+class Editing(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.file = os.path.join(self.folder.name, "memo.ens")
+        shutil.copy(MEMO, self.file)
+        self.original = self.bytes()
+        self.screen = Screen(self.folder.name)
+        self.addCleanup(self.screen.close)
+        self.ensemble = subprocess.Popen([ENSEMBLE, self.file], env=self.screen.environment, stdin=subprocess.DEVNULL)
+        self.addCleanup(self.ensemble.wait)
+        self.addCleanup(self.ensemble.kill)
+        self.host = until("the document's window is there", lambda: self.screen.windows("memo.ens.*Ensemble"))[0]
+
+    def bytes(self):
+        with open(self.file, "rb") as file:
+            return file.read()
+
+    def title(self, window):
+        return self.screen.output("xdotool", "getwindowname", window).decode()
+
+    def press(self, window, *keys):
+        def active():
+            self.screen.output("xdotool", "windowactivate", window)
+            return self.screen.output("xdotool", "getactivewindow").decode().strip() == window
+
+        until(f"{self.title(window)} is active", active)
+        self.screen.do("key", "--clearmodifiers", *keys)
+
+    def typed(self, window, text):
+        """At the beginning of the text."""
+        self.press(window, "ctrl+Home")
+        self.screen.do("type", "--clearmodifiers", "--delay", 10, text)
+
+    def viewer(self):
+        """The first language viewer, opened by the host's command as soon as there is such a command."""
+        def opened():
+            self.press(self.host, "ctrl+l")
+            end = time.monotonic() + 5
+            while time.monotonic() < end:
+                if found := self.screen.windows("Language Viewer"):
+                    return found
+                time.sleep(0.1)
+            return None
+
+        return until("there is a language viewer", opened)[0]
+
+    def is_modified(self):
+        return "*" in self.title(self.host)
+
+    def saved(self):
+        """The file's bytes once the document is modified and the host has written what it has."""
+        until("the document is modified", self.is_modified)
+        self.press(self.host, "ctrl+s")
+        until("the document is saved", lambda: not self.is_modified())
+        return self.bytes()
+
+    def test_an_update_is_a_step_of_the_documents_undo_and_changes_only_its_bytes(self):
+        viewer = self.viewer()
+        self.assertIn("memo.ens", self.title(viewer))
+        # The text begins with an empty line; body b2 stands in its third.
+        self.press(viewer, "ctrl+Home", "Down", "Down", "End")
+        self.screen.do("type", "--clearmodifiers", "--delay", 10, " -color red")
+        self.assertFalse(self.is_modified())  # a draft is nobody's but the viewer's
+        self.press(viewer, "ctrl+Return")
+        end = self.original.index(b"\nbody b3")
+        changed = self.original[:end] + b" -color red" + self.original[end:]
+        self.assertEqual(self.saved(), changed)
+
+        self.press(self.host, "ctrl+z")
+        self.assertEqual(self.saved(), self.original)
+        self.press(viewer, "ctrl+shift+z")  # asked for in the medium's window, done by the host
+        self.assertEqual(self.saved(), changed)
+        self.press(viewer, "ctrl+z")
+        self.assertEqual(self.saved(), self.original)
+
+        # The viewer's text followed all of that: what is typed now is the only change.
+        self.typed(viewer, "# {1} ")
+        self.press(viewer, "ctrl+Return")
+        begin = self.original.index(b"\nshape_set")
+        self.assertEqual(self.saved(), self.original[:begin] + b"# \\{1\\} " + self.original[begin:])
+
+    def test_viewers_stay_in_step_and_a_faulty_text_is_undone_like_any(self):
+        one = self.viewer()
+        self.press(one, "ctrl+l")
+        two = until("there is a second viewer", lambda: self.screen.windows("Language Viewer 2"))[0]
+        for viewer, text in ((two, "# two"), (one, "# one ")):
+            self.typed(viewer, text)
+            self.press(viewer, "ctrl+Return")
+            changed = self.saved()
+        begin = self.original.index(b"\nshape_set")
+        self.assertEqual(changed, self.original[:begin] + b"# one # two" + self.original[begin:])
+
+        self.typed(two, "nonsense ")
+        self.press(two, "ctrl+Return")
+        self.assertIn(b"{nonsense # one", self.saved())
+        self.press(one, "ctrl+z")
+        self.assertEqual(self.saved(), changed)
+
+    def test_a_dead_medium_takes_no_text_with_it(self):
+        viewer = self.viewer()
+        self.typed(viewer, "# kept")
+        self.press(viewer, "ctrl+Return")
+        until("the document is modified", self.is_modified)
+        for pid in children(self.ensemble.pid):
+            os.kill(pid, signal.SIGKILL)
+        until("its windows are gone", lambda: not self.screen.windows("Language Viewer"))
+        self.assertIn(b"{# kept\nshape_set", self.saved())
+        again = self.viewer()
+        self.typed(again, "# and on ")
+        self.press(again, "ctrl+Return")
+        self.assertIn(b"{# and on # kept\nshape_set", self.saved())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
