@@ -47,6 +47,19 @@ void addExplain(CLI::App& app, batch::ExplainArguments& a) {
     c.add_option("--set", a.set, "NAME=VALUE of a parameter")->take_all()->allow_extra_args(false);
 }
 
+void addStudy(CLI::App& app, batch::StudyArguments& a) {
+    CLI::App& c = *app.add_subcommand("study", "Compare methods and accuracies on a scene");
+    c.add_option("SCENE", a.scene, "the scene's file, - for standard input")->required();
+    c.add_option("--methods", a.methods, "methods, with commas between them, instead of all");
+    c.add_option("--accuracies", a.accuracies, "accuracies to ask for, with commas between them");
+    c.add_option("--steps", a.steps, "fixed steps in seconds, with commas between them");
+    c.add_option("--reference", a.reference, "table of true places, instead of a run at 1e-12");
+    c.add_option("--limit", a.limit, "processor seconds after which a run is stopped (2)");
+    c.add_option("--csv", a.csv, "file of the table, - for standard output");
+    c.add_option("--output", a.output, "chart, CHART.svg, CHART.png or CHART.pdf");
+    c.add_option("--set", a.set, "NAME=VALUE of a parameter")->take_all()->allow_extra_args(false);
+}
+
 void addRender(CLI::App& app, batch::RenderArguments& a) {
     CLI::App& c = *app.add_subcommand("render", "Draw a scene into picture files");
     c.add_option("SCENE", a.scene, "the scene's file, - for standard input")->required();
@@ -77,16 +90,17 @@ int run(int argc, char** argv, script::Reader& reader) {
     app.add_option("SCENE", scene, "open this scene in the stand-alone editor");
     batch::SimulateArguments simulate;
     batch::ExplainArguments explain;
+    batch::StudyArguments study;
     batch::CheckArguments check;
     batch::RenderArguments render;
     addSimulate(app, simulate);
+    addStudy(app, study);
     app.add_subcommand("check", "Tell every fault of a scene")
         ->add_option("SCENE", check.scene, "the scene's file, - for standard input")
         ->required();
     addRender(app, render);
     addExplain(app, explain);
-    const CLI::App* later[] = {addLater(app, "study", "Compare methods and accuracies"),
-                               addLater(app, "export", "Write a scene for other programs")};
+    const CLI::App* later[] = {addLater(app, "export", "Write a scene for other programs")};
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -99,6 +113,8 @@ int run(int argc, char** argv, script::Reader& reader) {
         return batch::simulateCommand(reader, simulate);
     if (app.got_subcommand("explain"))
         return batch::explainCommand(reader, explain);
+    if (app.got_subcommand("study"))
+        return batch::studyCommand(reader, study);
     if (app.got_subcommand("check"))
         return batch::checkCommand(reader, check);
     if (app.got_subcommand("render"))

@@ -1,4 +1,5 @@
-// The commands of `asgard` that open no window: simulate, explain, check, render (docs/command-line.md).
+// The commands of `asgard` that open no window: simulate, explain, study, check, render
+// (docs/command-line.md).
 //
 // Each takes its arguments as they were written and returns the exit code: 0, 1 when the work
 // failed, 2 when it was asked for wrongly. Sentences go to standard error, results to standard
@@ -35,6 +36,14 @@ struct ExplainArguments {
     std::vector<std::string> set;
 };
 
+struct StudyArguments {
+    std::string scene;
+    std::string csv = "-";
+    std::optional<std::string> methods, accuracies, steps, reference, output;
+    double limit = 2; // CPU seconds for each run
+    std::vector<std::string> set;
+};
+
 struct CheckArguments {
     std::string scene;
 };
@@ -48,6 +57,7 @@ struct RenderArguments {
     std::string output;
 };
 
+[[nodiscard]] int studyCommand(script::Reader& reader, const StudyArguments& arguments);
 [[nodiscard]] int simulateCommand(script::Reader& reader, const SimulateArguments& arguments);
 [[nodiscard]] int explainCommand(script::Reader& reader, const ExplainArguments& arguments);
 [[nodiscard]] int checkCommand(script::Reader& reader, const CheckArguments& arguments);

@@ -177,7 +177,7 @@ class Commands(unittest.TestCase):
         for word in ("simulate", "explain", "check", "render", "--medium"):
             self.assertIn(word, ran.stdout)
         self.assertEqual(self.run_asgard("--version").stdout.split()[0], "asgard")
-        for command in (("study", self.scene), ("export", self.scene, "--output", "a.glb")):
+        for command in (("export", self.scene, "--output", "a.glb"),):
             ran = self.run_asgard(*command)
             self.assertEqual(ran.returncode, 2)
             self.assertEqual(len(ran.stderr.strip().split("\n")), 1)

@@ -34,9 +34,14 @@ std::vector<double> timesOf(const Problem& problem, const BodyRecord& body,
     return times;
 }
 
-double positionError(const BodyState& a, const BodyState& b, double radius) {
-    const double angle = a.attitude.angularDistance(b.attitude);
-    return std::max((a.position - b.position).norm(), angle * radius);
+double positionError(const BodyState& state, const Trace::Place& truth, double radius) {
+    const double angle = truth.attitude ? state.attitude.angularDistance(*truth.attitude) : 0;
+    return std::max((state.position - truth.position).norm(), angle * radius);
+}
+
+void extend(Eigen::AlignedBox3d& box, const Vector& position, double radius) {
+    box.extend(Vector(position - Vector::Constant(radius)));
+    box.extend(Vector(position + Vector::Constant(radius)));
 }
 
 } // namespace
@@ -58,10 +63,9 @@ std::vector<IslandError> compareRuns(const Problem& problem, const Run& first, c
         for (const double t : timesOf(problem, bodies[b], *second.histories, until)) {
             const BodyState state = stateOf(bodies[b], *second.histories, t);
             const BodyState other = stateOf(bodies[b], *first.histories, t);
-            samples[island].push_back({t, positionError(state, other, bodies[b].radius)});
-            const Vector radius = Vector::Constant(bodies[b].radius);
-            boxes[island].extend(Vector(state.position - radius));
-            boxes[island].extend(Vector(state.position + radius));
+            const Trace::Place place{.position = state.position, .attitude = state.attitude};
+            samples[island].push_back({t, positionError(other, place, bodies[b].radius)});
+            extend(boxes[island], state.position, bodies[b].radius);
         }
     }
     std::map<std::size_t, IslandError> errors;
@@ -84,6 +88,46 @@ std::vector<IslandError> compareRuns(const Problem& problem, const Run& first, c
         if (!bodies[b].isFixed)
             byBody[b] = errors[second.island[b]];
     return byBody;
+}
+
+Trace traceOf(const Motion& motion, std::size_t times) {
+    Trace trace;
+    for (std::size_t i = 0; i <= times; ++i) {
+        const double part = static_cast<double>(i) / static_cast<double>(times);
+        trace.times.push_back(motion.start() + part * (motion.computed() - motion.start()));
+        auto& places = trace.places.emplace_back();
+        for (std::size_t b = 0; b < motion.bodies(); ++b) {
+            const BodyState state = motion.at(b, trace.times.back());
+            places.push_back(Trace::Place{.position = state.position, .attitude = state.attitude});
+        }
+    }
+    return trace;
+}
+
+double scaledError(const Problem& problem, const std::vector<std::size_t>& island,
+                   const Trace& truth, const Motion& motion) {
+    const auto& bodies = *problem.bodies;
+    std::map<std::size_t, double> errors;
+    std::map<std::size_t, Eigen::AlignedBox3d> boxes;
+    for (std::size_t i = 0; i < truth.times.size(); ++i)
+        for (std::size_t b = 0; b < bodies.size(); ++b) {
+            const auto& place = truth.places[i][b];
+            if (bodies[b].isFixed || !place)
+                continue;
+            const double t = truth.times[i], radius = bodies[b].radius;
+            const auto stop = motion.stop(b);
+            const bool known =
+                t <= (stop ? std::min(stop->time, motion.finish()) : motion.computed());
+            const double error =
+                known ? positionError(motion.at(b, t), *place, radius) : solution::infinity;
+            if (!(error <= errors[island[b]]))
+                errors[island[b]] = std::isnan(error) ? solution::infinity : error;
+            extend(boxes[island[b]], place->position, radius);
+        }
+    double largest = 0;
+    for (const auto& [group, error] : errors)
+        largest = std::max(largest, error / boxes[group].sizes().maxCoeff());
+    return largest;
 }
 
 } // namespace simulation

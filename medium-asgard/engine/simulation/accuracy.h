@@ -24,4 +24,21 @@ struct IslandError {
 [[nodiscard]] std::vector<IslandError> compareRuns(const Problem& problem, const Run& first,
                                                    const Run& second, double limit);
 
+// A motion at some times, sampled from another one or read from a table: what any motion can be
+// compared with. Where a table says nothing of a body or of its attitude, neither is compared.
+struct Trace {
+    struct Place {
+        Vector position = Vector::Zero();
+        std::optional<Quaternion> attitude;
+    };
+    std::vector<double> times;
+    std::vector<std::vector<std::optional<Place>>> places; // by time, then by body
+};
+[[nodiscard]] Trace traceOf(const Motion& motion, std::size_t times);
+
+// The scaled error of a motion against a trace, as the accuracy is: the largest over islands, each
+// by its own size in the trace. Infinity where the motion is not known.
+[[nodiscard]] double scaledError(const Problem& problem, const std::vector<std::size_t>& island,
+                                 const Trace& truth, const Motion& motion);
+
 } // namespace simulation

@@ -76,24 +76,6 @@ struct Groups { // union-find
     }
 };
 
-std::vector<std::size_t> islandsOf(const Problem& problem, const std::vector<Impact>& impacts) {
-    Groups groups(problem.bodies->size());
-    const auto reads = solution::readsOf(problem.equations.set, problem.start());
-    std::vector<std::size_t> owner(reads.size());
-    for (std::size_t i = 0; i < reads.size(); ++i)
-        owner[i] = bodyOf(problem, i);
-    for (std::size_t i = 0; i < reads.size(); ++i)
-        for (const std::size_t read : reads[i])
-            groups.join(owner[i], owner[read]);
-    for (const Impact& impact : impacts)
-        if (!(*problem.bodies)[impact.first].isFixed && !(*problem.bodies)[impact.second].isFixed)
-            groups.join(impact.first, impact.second);
-    std::vector<std::size_t> island(problem.bodies->size());
-    for (std::size_t b = 0; b < island.size(); ++b)
-        island[b] = groups.root(b);
-    return island;
-}
-
 solution::Options solverOptions(const Problem& problem, const std::vector<double>& tolerances,
                                 const Observer& observer) {
     solution::Options options;
@@ -141,6 +123,24 @@ void applyOptions(scene::Scene& scene, const Options& options, std::vector<std::
 }
 
 } // namespace
+
+std::vector<std::size_t> islandsOf(const Problem& problem, const std::vector<Impact>& impacts) {
+    Groups groups(problem.bodies->size());
+    const auto reads = solution::readsOf(problem.equations.set, problem.start());
+    std::vector<std::size_t> owner(reads.size());
+    for (std::size_t i = 0; i < reads.size(); ++i)
+        owner[i] = bodyOf(problem, i);
+    for (std::size_t i = 0; i < reads.size(); ++i)
+        for (const std::size_t read : reads[i])
+            groups.join(owner[i], owner[read]);
+    for (const Impact& impact : impacts)
+        if (!(*problem.bodies)[impact.first].isFixed && !(*problem.bodies)[impact.second].isFixed)
+            groups.join(impact.first, impact.second);
+    std::vector<std::size_t> island(problem.bodies->size());
+    for (std::size_t b = 0; b < island.size(); ++b)
+        island[b] = groups.root(b);
+    return island;
+}
 
 bool Problem::collides() const { return scene.simulator.collisions && bodies->size() > 1; }
 

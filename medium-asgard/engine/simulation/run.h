@@ -53,6 +53,10 @@ struct Run {
                                        std::optional<double> predictableUntil) const;
 };
 
+// Which bodies belong together when these impacts happen.
+[[nodiscard]] std::vector<std::size_t> islandsOf(const Problem& problem,
+                                                 const std::vector<Impact>& impacts);
+
 // tolerances: of one step, relative, by body. Progress is published as a draft.
 [[nodiscard]] Run runAt(const Problem& problem, const std::vector<double>& tolerances,
                         const Observer& observer);

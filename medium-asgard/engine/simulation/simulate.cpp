@@ -29,6 +29,7 @@ double cpuSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 void addWork(const Run& run, Statistics& sum) {
     sum.steps += run.statistics.steps;
     sum.rejectedSteps += run.statistics.rejectedSteps;
+    sum.unconvergedSteps += run.statistics.unconvergedSteps;
     sum.discardedSteps += run.statistics.discardedSteps;
     sum.evaluations += run.statistics.evaluations;
     sum.equationEvaluations += run.statistics.equationEvaluations;
@@ -190,12 +191,14 @@ Result simulate(const scene::Scene& scene, const Options& options, const Observe
         result.refusal = std::move(*refusal);
         return result;
     }
+    const double posing = cpuSeconds() - begin;
     const auto& posed = *std::get<std::shared_ptr<const Problem>>(problem);
     Result result = posed.scene.simulator.method == "auto" && !options.fixedStep
                         ? simulateToAccuracy(posed, observer)
                         : simulatePlainly(posed, observer);
     result.statistics.predictableUntil = result.motion->predictableUntil();
     result.statistics.seconds = cpuSeconds() - begin;
+    result.statistics.secondsSolving = result.statistics.seconds - posing;
     return result;
 }
 

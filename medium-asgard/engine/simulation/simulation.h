@@ -45,7 +45,9 @@ struct ComponentStatistics {
 
 struct Statistics {
     double seconds = 0; // CPU of the motion
+    double secondsSolving = 0; // of these, without making the equations
     std::size_t steps = 0, rejectedSteps = 0, discardedSteps = 0;
+    std::size_t unconvergedSteps = 0; // of the rejected: the implicit equations were not solved
     std::size_t evaluations = 0, equationEvaluations = 0, factorisations = 0;
     std::size_t pairTests = 0, collisions = 0;
     std::size_t components = 0, largestComponent = 0, historyBytes = 0;

@@ -18,7 +18,7 @@ Component::Component(const expression::EquationSet& set, const UnknownIndex& ind
     }
     // At fixed steps no error is controlled, and Newton's iteration must not add one.
     if (options.fixedStep)
-        tolerance_ = std::min(tolerance_, 1e-11);
+        tolerance_ = std::min(tolerance_, 1e-13);
     for (const auto& four : set.quaternions) {
         std::vector<std::size_t> places;
         bool whole = true;

@@ -287,6 +287,8 @@ void Component::integrate() {
 
 void Component::refuse(const Attempt& attempt, double h) {
     ++counts_.rejectedSteps;
+    if (attempt.outcome == Attempt::Outcome::notConverged)
+        ++counts_.unconvergedSteps;
     if (!options_.fixedStep && attempt.next > shortestStep(time_) && attempt.next < h) {
         proposed_ = attempt.next;
         return;
@@ -309,10 +311,10 @@ void Component::stopAtUnderflow(Attempt::Outcome outcome, double h) {
             std::abs(slopes[fastest]) / control_.scale(fastest))
             fastest = i;
     const std::vector<std::size_t> culprit = {equations_->states()[fastest]};
-    end(Stop::Reason::stepUnderflow, culprit,
-        outcome == Attempt::Outcome::notConverged
-            ? "the implicit equations of a step cannot be solved for " + names(culprit)
-            : "error control needs steps too short to resolve for " + names(culprit));
+    const bool unsolved = outcome == Attempt::Outcome::notConverged;
+    end(unsolved ? Stop::Reason::notConverged : Stop::Reason::stepUnderflow, culprit,
+        unsolved ? "the implicit equations of a step cannot be solved for " + names(culprit)
+                 : "error control needs steps too short to resolve for " + names(culprit));
 }
 
 // The right-hand side has no value at t, y: which, or is it that nothing slides?

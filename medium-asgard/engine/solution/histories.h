@@ -23,6 +23,7 @@ struct Stop {
     enum class Reason {
         notFinite,     // a right-hand side has no finite value from here on
         overflow,      // a value went over 1e100
+        notConverged,  // the implicit equations of a step cannot be solved
         stepUnderflow, // error control needs steps below what doubles can resolve
         tooManySteps,  // more steps than Options::maximumSteps
         decisions,     // switching expressions flip without time advancing

@@ -367,6 +367,7 @@ void Solver::Implementation::retire(Component& component) {
     const ComponentStatistics s = component.statistics();
     past_.steps += s.steps;
     past_.rejectedSteps += s.rejectedSteps;
+    past_.unconvergedSteps += s.unconvergedSteps;
     past_.discardedSteps += s.discardedSteps;
     past_.evaluations += s.evaluations;
     past_.equationEvaluations += s.evaluations * s.unknowns.size();
@@ -521,6 +522,7 @@ Statistics Solver::Implementation::statistics() const {
         const ComponentStatistics s = component->statistics();
         total.steps += s.steps;
         total.rejectedSteps += s.rejectedSteps;
+        total.unconvergedSteps += s.unconvergedSteps;
         total.discardedSteps += s.discardedSteps;
         total.evaluations += s.evaluations;
         total.equationEvaluations += s.evaluations * s.unknowns.size();

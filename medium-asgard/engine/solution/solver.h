@@ -76,7 +76,8 @@ struct ComponentStatistics {
     std::string method; // "exact", "dop853", "radau5", ...: the one that it used last
     std::size_t order = 0;
     std::size_t steps = 0, rejectedSteps = 0, discardedSteps = 0;
-    std::size_t evaluations = 0; // of the component's right-hand side
+    std::size_t unconvergedSteps = 0; // of the rejected: the implicit equations were not solved
+    std::size_t evaluations = 0;      // of the component's right-hand side
     std::size_t factorisations = 0;
     std::size_t switches = 0; // switching events located
     std::string why;          // why this model and method, one clause
@@ -84,6 +85,7 @@ struct ComponentStatistics {
 
 struct Statistics {
     std::size_t steps = 0, rejectedSteps = 0, discardedSteps = 0;
+    std::size_t unconvergedSteps = 0; // of the rejected: the implicit equations were not solved
     std::size_t evaluations = 0, equationEvaluations = 0, factorisations = 0;
     std::size_t events = 0, switches = 0;
     std::size_t components = 0, largestComponent = 0, historyBytes = 0;

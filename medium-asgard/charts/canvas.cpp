@@ -1,0 +1,88 @@
+#include "charts/canvas.h"
+
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace charts {
+
+namespace {
+
+constexpr double pixelsPerPoint = 2;
+
+} // namespace
+
+bool Canvas::knows(const std::string& file) {
+    return file.ends_with(".svg") || file.ends_with(".pdf") || file.ends_with(".png");
+}
+
+Canvas::Canvas(const std::string& file, double width, double height) : file_(file) {
+    if (file.ends_with(".svg")) {
+        surface_ = cairo_svg_surface_create(file.c_str(), width, height);
+    } else if (file.ends_with(".pdf")) {
+        surface_ = cairo_pdf_surface_create(file.c_str(), width, height);
+    } else {
+        surface_ = cairo_image_surface_create(CAIRO_FORMAT_RGB24,
+                                              static_cast<int>(std::ceil(width * pixelsPerPoint)),
+                                              static_cast<int>(std::ceil(height * pixelsPerPoint)));
+        cairo_surface_set_device_scale(surface_, pixelsPerPoint, pixelsPerPoint);
+    }
+    cairo_ = cairo_create(surface_);
+    ink({1, 1, 1});
+    cairo_paint(cairo_);
+}
+
+Canvas::~Canvas() {
+    cairo_destroy(cairo_);
+    cairo_surface_destroy(surface_);
+}
+
+std::string Canvas::finish() {
+    cairo_status_t status = cairo_status(cairo_);
+    if (status == CAIRO_STATUS_SUCCESS && file_.ends_with(".png"))
+        status = cairo_surface_write_to_png(surface_, file_.c_str());
+    cairo_surface_finish(surface_);
+    if (status == CAIRO_STATUS_SUCCESS)
+        status = cairo_surface_status(surface_);
+    return status == CAIRO_STATUS_SUCCESS ? "" : cairo_status_to_string(status);
+}
+
+void Canvas::ink(const Color& color, double opacity) {
+    cairo_set_source_rgba(cairo_, color.red, color.green, color.blue, opacity);
+}
+
+void Canvas::line(double x0, double y0, double x1, double y1, double width) {
+    cairo_set_line_width(cairo_, width);
+    cairo_move_to(cairo_, x0, y0);
+    cairo_line_to(cairo_, x1, y1);
+    cairo_stroke(cairo_);
+}
+
+double Canvas::widthOf(const std::string& text, double size, bool bold) {
+    cairo_select_font_face(cairo_, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+                           bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(cairo_, size);
+    cairo_text_extents_t extents;
+    cairo_text_extents(cairo_, text.c_str(), &extents);
+    return extents.x_advance;
+}
+
+void Canvas::text(double x, double y, const std::string& text, double size, Anchor anchor,
+                  bool bold) {
+    const double width = widthOf(text, size, bold);
+    const double left = anchor == Anchor::start ? 0 : anchor == Anchor::middle ? width / 2 : width;
+    cairo_move_to(cairo_, x - left, y);
+    cairo_show_text(cairo_, text.c_str());
+}
+
+void Canvas::textUpwards(double x, double y, const std::string& text, double size) {
+    cairo_save(cairo_);
+    cairo_translate(cairo_, x, y);
+    cairo_rotate(cairo_, -std::numbers::pi / 2);
+    this->text(0, 0, text, size, Anchor::middle);
+    cairo_restore(cairo_);
+}
+
+} // namespace charts

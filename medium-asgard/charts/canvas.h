@@ -1,0 +1,41 @@
+// A page to draw on with cairo, in points, kept as SVG, PDF or PNG by the name of its file.
+#pragma once
+
+#include <cairo.h>
+
+#include <string>
+
+namespace charts {
+
+struct Color {
+    double red = 0, green = 0, blue = 0;
+};
+
+class Canvas {
+public:
+    // PNG has `pixelsPerPoint` pixels to a point.
+    Canvas(const std::string& file, double width, double height);
+    ~Canvas();
+    Canvas(const Canvas&) = delete;
+    Canvas& operator=(const Canvas&) = delete;
+
+    [[nodiscard]] static bool knows(const std::string& file); // by its ending
+    [[nodiscard]] cairo_t* cairo() const { return cairo_; }
+    // Writes the file; empty, or why it could not be written.
+    [[nodiscard]] std::string finish();
+
+    void ink(const Color& color, double opacity = 1);
+    void line(double x0, double y0, double x1, double y1, double width);
+    enum class Anchor { start, middle, end };
+    void text(double x, double y, const std::string& text, double size, Anchor anchor,
+              bool bold = false);
+    void textUpwards(double x, double y, const std::string& text, double size);
+    [[nodiscard]] double widthOf(const std::string& text, double size, bool bold = false);
+
+private:
+    std::string file_;
+    cairo_surface_t* surface_ = nullptr;
+    cairo_t* cairo_ = nullptr;
+};
+
+} // namespace charts

@@ -1,0 +1,36 @@
+// Error against time, both logarithmic: a line and a marker for each method.
+//
+// Points that failed are hollow, in a lighter line, and carry a letter that the key under the chart
+// explains; those that have no error, or one larger than the scene, stand in a band of their own
+// above it. Points at fixed steps are joined by dashes. What is chosen is ringed.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace charts {
+
+struct WorkPoint {
+    double seconds = 0;
+    std::optional<double> error;
+    std::string failure; // empty: none; else one word or two, the same for the same failure
+    bool minor = false;  // a failure without a letter: the marker is hollow
+    bool fixedStep = false;
+    bool chosen = false;
+};
+
+struct WorkSeries {
+    std::string name;
+    std::vector<WorkPoint> points; // in the order in which they are joined
+};
+
+struct WorkPrecision {
+    std::string title, subtitle;
+    std::vector<WorkSeries> series;
+};
+
+// Into `file`, whose name ends with .svg, .png or .pdf. Empty, or why it could not be written.
+[[nodiscard]] std::string draw(const WorkPrecision& chart, const std::string& file);
+
+} // namespace charts

@@ -1,0 +1,210 @@
+#include "simulation/study.h"
+
+#include "simulation/failures.h"
+#include "solution/method.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+namespace simulation {
+namespace {
+
+constexpr std::size_t referenceTimes = 400;
+constexpr double referenceAccuracies[] = {1e-12, 1e-10, 1e-8};
+constexpr double referencePatience = 10; // times the limit of a run
+constexpr double constantEnergy = 1e-6, drifted = 1e-2;
+constexpr double promise = 10; // times the accuracy asked
+
+double cpuSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+Result runFor(double seconds, const scene::Scene& scene, const Options& options) {
+    const double end = cpuSeconds() + seconds;
+    return simulate(scene, options,
+                    Observer{.cancelled = [end] { return cpuSeconds() > end; }, .progress = {}});
+}
+
+class Study {
+public:
+    Study(const scene::Scene& scene, const Options& options, const StudyPlan& plan)
+        : scene_(scene), options_(options), plan_(plan) {}
+
+    StudyResult result();
+
+private:
+    [[nodiscard]] bool prepare(StudyResult& result);
+    [[nodiscard]] StudyRow row(const std::string& method, std::optional<double> accuracy,
+                               std::optional<double> step) const;
+    void judge(const Options& options, const Result& run, StudyRow& row) const;
+    void markAuto(std::vector<StudyRow>& rows) const;
+
+    const scene::Scene& scene_;
+    const Options& options_;
+    const StudyPlan& plan_;
+    std::shared_ptr<const Problem> problem_;
+    MotionPointer reference_;
+    Trace truth_;
+    std::vector<std::size_t> island_;
+    bool energyIsKept_ = false;
+};
+
+bool Study::prepare(StudyResult& result) {
+    Options options = options_;
+    options.method = "auto";
+    auto problem = problemOf(scene_, options);
+    if (auto* refusal = std::get_if<std::vector<std::string>>(&problem)) {
+        result.refusal = std::move(*refusal);
+        return false;
+    }
+    problem_ = std::get<std::shared_ptr<const Problem>>(problem);
+    for (const double accuracy : referenceAccuracies) {
+        options.accuracy = accuracy;
+        Result run = runFor(referencePatience * plan_.limit, scene_, options);
+        if (!run.motion || (run.cancelled && accuracy != std::end(referenceAccuracies)[-1]))
+            continue;
+        if (run.cancelled || run.motion->computed() < run.motion->finish()) {
+            result.refusal.push_back("The reference motion was not finished in " +
+                                     std::to_string(referencePatience * plan_.limit) +
+                                     " s; a longer --limit or a shorter motion may help.");
+            return false;
+        }
+        result.referenceAccuracy = accuracy;
+        reference_ = run.motion;
+        break;
+    }
+    truth_ = plan_.reference ? *plan_.reference : traceOf(*reference_, referenceTimes);
+    island_ = islandsOf(*problem_, reference_->impacts());
+    const auto energy = energyCourse(scene_, options, reference_, *problem_->bodies);
+    energyIsKept_ = energy && energy->range < constantEnergy;
+    return true;
+}
+
+// Short runs are made three times: the first has to fetch everything from memory.
+StudyRow Study::row(const std::string& method, std::optional<double> accuracy,
+                    std::optional<double> step) const {
+    constexpr double isShort = 0.05;
+    Options options = options_;
+    options.method = method;
+    options.fixedStep = step;
+    if (accuracy)
+        options.accuracy = accuracy;
+    StudyRow row{.method = method, .accuracy = accuracy, .step = step};
+    const Result run = runFor(plan_.limit, scene_, options);
+    row.seconds = run.statistics.secondsSolving;
+    for (int again = 0; again < 2 && row.seconds < isShort; ++again)
+        row.seconds =
+            std::min(row.seconds, runFor(plan_.limit, scene_, options).statistics.secondsSolving);
+    row.steps = run.statistics.steps;
+    row.evaluations = run.statistics.evaluations;
+    judge(options, run, row);
+    return row;
+}
+
+void Study::judge(const Options& options, const Result& run, StudyRow& row) const {
+    using Reason = solution::Stop::Reason;
+    if (run.cancelled || !run.motion) {
+        row.status = run.cancelled ? Status::tooSlow : Status::notReached;
+        return;
+    }
+    const auto motion = std::dynamic_pointer_cast<const ComputedMotion>(run.motion);
+    const auto stops = motion->histories().stops();
+    const auto stoppedBy = [&](Reason reason) {
+        return std::ranges::any_of(stops, [&](const auto& s) { return s.reason == reason; });
+    };
+    const double error = scaledError(*problem_, island_, truth_, *motion);
+    if (std::isfinite(error))
+        row.error = error;
+    const bool refused = run.statistics.unconvergedSteps > run.statistics.steps;
+    if (stoppedBy(Reason::overflow) || stoppedBy(Reason::notFinite))
+        row.status = Status::unstable;
+    else if (stoppedBy(Reason::notConverged) || refused)
+        row.status = Status::newton;
+    else if (!stops.empty() || !row.error)
+        row.status = Status::notReached;
+    else if (error > 1)
+        row.status = Status::unstable;
+    else if (rings(*motion, *reference_, *problem_->bodies))
+        row.status = Status::ringing;
+    else if (const auto energy = energyCourse(scene_, options, run.motion, *problem_->bodies);
+             energyIsKept_ && energy && std::abs(energy->drift) > drifted)
+        row.status = Status::drift;
+    else if (row.accuracy && error > promise * *row.accuracy)
+        row.status = Status::notReached;
+}
+
+// The method that most steps of `auto` are made with, at the accuracy in the study that is nearest
+// to the scene's; where it is not among the methods, the row of `auto` itself.
+void Study::markAuto(std::vector<StudyRow>& rows) const {
+    Options options = options_;
+    options.method = "auto";
+    const Result run = runFor(plan_.limit, scene_, options);
+    std::map<std::string, std::size_t> steps;
+    for (const ComponentStatistics& component : run.statistics.componentList)
+        steps[component.method] += component.steps;
+    const auto most = std::ranges::max_element(steps, {}, [](const auto& s) { return s.second; });
+    for (const std::string& method :
+         {most == steps.end() ? "auto" : most->first, std::string("auto")}) {
+        StudyRow* nearest = nullptr;
+        const auto distance = [&](const StudyRow& row) {
+            return std::abs(std::log(*row.accuracy / problem_->accuracy()));
+        };
+        for (StudyRow& row : rows)
+            if (row.method == method && row.accuracy &&
+                (!nearest || distance(row) < distance(*nearest)))
+                nearest = &row;
+        if (nearest) {
+            nearest->isAuto = true;
+            return;
+        }
+    }
+}
+
+StudyResult Study::result() {
+    StudyResult result;
+    if (!prepare(result))
+        return result;
+    for (const std::string& method : plan_.methods) {
+        for (const double accuracy : plan_.accuracies)
+            result.rows.push_back(row(method, accuracy, std::nullopt));
+        for (const double step : plan_.steps)
+            if (method != "auto")
+                result.rows.push_back(row(method, std::nullopt, step));
+    }
+    markAuto(result.rows);
+    return result;
+}
+
+} // namespace
+
+const char* nameOf(Status status) {
+    switch (status) {
+    case Status::ok:
+        return "ok";
+    case Status::unstable:
+        return "unstable";
+    case Status::ringing:
+        return "ringing";
+    case Status::drift:
+        return "drift";
+    case Status::newton:
+        return "newton";
+    case Status::tooSlow:
+        return "too_slow";
+    case Status::notReached:
+        break;
+    }
+    return "not_reached";
+}
+
+std::vector<std::string> studyMethods() {
+    std::vector<std::string> names = {"auto"};
+    for (const std::string& method : solution::methodNames())
+        names.push_back(method);
+    return names;
+}
+
+StudyResult study(const scene::Scene& scene, const Options& options, const StudyPlan& plan) {
+    return Study(scene, options, plan).result();
+}
+
+} // namespace simulation

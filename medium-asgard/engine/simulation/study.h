@@ -1,0 +1,58 @@
+// How do the methods do on this scene? Each runs over accuracies (adaptive) and over fixed steps;
+// its error is measured against a reference, and where it fails the study says how.
+//
+//     unstable     it left all bounds, or its error is larger than what moves
+//     newton       the implicit equations were not solved: it stopped there, or more steps were
+//                  refused for that than were made
+//     ringing      increments of a velocity alternate over twelve steps without halving, by more
+//                  than 1e-6 of the velocity's largest, where the reference's are smaller
+//     drift        energy that the reference keeps has moved by more than a hundredth of the
+//                  largest kinetic energy, between the first quarter of the motion and the last
+//     not_reached  it ended early, or, with an accuracy, its error is over ten times that
+//     too_slow     it was stopped at the limit
+//
+// The first that holds counts, too_slow before all.
+#pragma once
+
+#include "simulation/accuracy.h"
+#include "simulation/simulation.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace simulation {
+
+enum class Status { ok, unstable, ringing, drift, newton, tooSlow, notReached };
+[[nodiscard]] const char* nameOf(Status status);
+
+struct StudyRow {
+    std::string method;
+    std::optional<double> accuracy, step; // one of them
+    std::optional<double> error = {};     // scaled as the accuracy; none: it did not arrive
+    double seconds = 0;                   // CPU, the least of up to three runs
+    std::size_t steps = 0, evaluations = 0;
+    Status status = Status::ok;
+    bool isAuto = false; // what `auto` would take for the scene's accuracy
+};
+
+struct StudyPlan {
+    std::vector<std::string> methods;
+    std::vector<double> accuracies, steps;
+    std::optional<Trace> reference; // instead of the engine's own
+    double limit = 2;               // CPU seconds for one run
+};
+
+// Every method that a study can compare, `auto` first.
+[[nodiscard]] std::vector<std::string> studyMethods();
+
+struct StudyResult {
+    std::vector<StudyRow> rows;
+    double referenceAccuracy = 0;     // of the engine's own reference run
+    std::vector<std::string> refusal; // why there are no rows
+};
+
+[[nodiscard]] StudyResult study(const scene::Scene& scene, const Options& options,
+                                const StudyPlan& plan);
+
+} // namespace simulation
