@@ -77,7 +77,7 @@ function(asgard_module name)
         endif()
         target_compile_definitions(${name}_test PRIVATE SOURCE_DIR="${CMAKE_SOURCE_DIR}" BINARY_DIR="${CMAKE_BINARY_DIR}")
         add_test(NAME ${name} COMMAND ${name}_test)
-        set_tests_properties(${name} PROPERTIES LABELS unit TIMEOUT 300
+        set_tests_properties(${name} PROPERTIES LABELS unit TIMEOUT 900
             ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LC_NUMERIC=C")
     endif()
 endfunction()

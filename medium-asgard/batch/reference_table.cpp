@@ -74,8 +74,7 @@ std::variant<simulation::Trace, Refusal> referenceIn(const std::string& file,
         const std::vector<std::string> cells = cellsOf(line);
         const auto time = numberOf(cells[0]);
         if (!time)
-            return Refusal{1,
-                           file + ":" + std::to_string(number) + ":1: error: this is no time"};
+            return Refusal{1, file + ":" + std::to_string(number) + ":1: error: this is no time"};
         if (*time < scene.simulator.start || *time > scene.simulator.finish)
             continue;
         trace.times.push_back(*time);
@@ -85,8 +84,7 @@ std::variant<simulation::Trace, Refusal> referenceIn(const std::string& file,
         any = any || std::ranges::any_of(places, [](const auto& p) { return p.has_value(); });
     }
     if (!any)
-        return Refusal{1,
-                       file + ": error: no places of the scene's bodies within its motion"};
+        return Refusal{1, file + ": error: no places of the scene's bodies within its motion"};
     return trace;
 }
 

@@ -44,7 +44,7 @@ struct ComponentStatistics {
 };
 
 struct Statistics {
-    double seconds = 0; // CPU of the motion
+    double seconds = 0;        // CPU of the motion
     double secondsSolving = 0; // of these, without making the equations
     std::size_t steps = 0, rejectedSteps = 0, discardedSteps = 0;
     std::size_t unconvergedSteps = 0; // of the rejected: the implicit equations were not solved
