@@ -25,7 +25,8 @@ inline QApplication& theApplication() {
     static char name[] = "views_test";
     static char* argv[] = {name, nullptr};
     theReader();
-    static QApplication application(argc, argv);
+    // Never destroyed: when the process ends, what Qt has made since may be gone before it.
+    static QApplication& application = *new QApplication(argc, argv);
     return application;
 }
 
