@@ -66,12 +66,12 @@ bool DiagonallyImplicit::correct(std::size_t i, double& size) {
     return std::isfinite(size);
 }
 
-DiagonallyImplicit::Newton DiagonallyImplicit::iterate(std::size_t i) {
+DiagonallyImplicit::Newton DiagonallyImplicit::iterate(std::size_t i, bool full) {
     const double kappa = control_.newtonTolerance();
     constexpr double negligible = 1e-3; // whatever the rate: rounding has none
     double last = 0;
     for (iterations_ = 1; iterations_ <= mostIterations; ++iterations_) {
-        if (tableau_.stepByNewton && !linearizeAt(i))
+        if (full && !linearizeAt(i))
             return Newton::notFinite;
         double size = 0;
         if (!correct(i, size))
@@ -86,7 +86,7 @@ DiagonallyImplicit::Newton DiagonallyImplicit::iterate(std::size_t i) {
         last = size;
         if (size <= negligible || (rate < 1 && rate / (1 - rate) * size < kappa))
             return Newton::converged;
-        if (!tableau_.stepByNewton && iterations_ > 1 && rate > slow && !linearizeAt(i))
+        if (!full && iterations_ > 1 && rate > slow && !linearizeAt(i))
             return Newton::notFinite;
     }
     return Newton::failed;
@@ -107,7 +107,12 @@ DiagonallyImplicit::Newton DiagonallyImplicit::solveStage(std::size_t i) {
         if (!linearizeAt(i))
             return Newton::notFinite;
     }
-    const Newton result = iterate(i);
+    Newton result = iterate(i, tableau_.stepByNewton);
+    if (result == Newton::failed && !tableau_.stepByNewton) {
+        for (std::size_t n = 0; n < z_.size(); ++n)
+            z_[n] = start_[n] - base_[n];
+        result = iterate(i, true);
+    }
     for (std::size_t n = 0; n < z_.size(); ++n)
         k_[i][n] = z_[n] / g;
     mostIterations_ = std::max(mostIterations_, iterations_);

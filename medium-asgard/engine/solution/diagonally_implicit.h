@@ -7,7 +7,8 @@
 // too: an evaluation there would multiply what Newton left by the stiffness.
 //
 // Newton policy as Radau's (radau.h): J at the predicted stage, simplified iterations while they
-// contract by 0.1 or better, else a new J at the current value; corrections may grow at first.
+// contract by 0.1 or better, else a new J at the current value; corrections may grow at first. When
+// that fails, once more from the start's value with a new J for each iteration.
 // With `stepByNewton` there is no error control: the step follows the number of iterations, as
 // dissertation 5.2 has it (halved when Newton fails or takes many, doubled when it takes few),
 // with a new J for each iteration and the start's value as the first guess.
@@ -58,7 +59,7 @@ private:
 
     [[nodiscard]] Newton stages();
     [[nodiscard]] Newton solveStage(std::size_t i);
-    [[nodiscard]] Newton iterate(std::size_t i);
+    [[nodiscard]] Newton iterate(std::size_t i, bool full);
     [[nodiscard]] bool correct(std::size_t i, double& size);
     [[nodiscard]] bool linearizeAt(std::size_t i);
     [[nodiscard]] Attempt judge();

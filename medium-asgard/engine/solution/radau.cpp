@@ -168,7 +168,8 @@ Radau::Newton Radau::iterate() {
     const double kappa = control_.newtonTolerance();
     double last = 0;
     rate_ = std::max(rate_, 1e-16);
-    double rate = rate_ < 1 && jacobianFresh_ == false ? std::pow(rate_, 0.8) : 1;
+    // At fixed steps nothing checks what an old rate promises.
+    double rate = rate_ < 1 && !jacobianFresh_ && !fixed_ ? std::pow(rate_, 0.8) : 1;
     for (iterations_ = 1; iterations_ <= mostIterations; ++iterations_) {
         double size = 0;
         if (!correction(size))
