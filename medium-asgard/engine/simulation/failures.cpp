@@ -8,8 +8,7 @@ namespace simulation {
 namespace {
 
 constexpr std::size_t alternations = 12;
-constexpr double kept = 0.5;     // of the first increment that the last one has at least
-constexpr double visible = 1e-6; // of the largest velocity
+constexpr double kept = 0.5; // of the first increment that the last one has at least
 constexpr std::size_t mostSteps = 200'000;
 
 std::vector<double> stepEnds(const ComputedMotion& motion, std::size_t unknown) {
@@ -43,7 +42,7 @@ bool movesSo(const Motion& reference, std::size_t body, std::size_t axis,
 }
 
 bool ringsAlong(const ComputedMotion& motion, const Motion& reference, std::size_t body,
-                std::size_t axis, std::size_t unknown) {
+                std::size_t axis, std::size_t unknown, double visible) {
     const std::vector<double> times = stepEnds(motion, unknown);
     if (times.size() <= alternations)
         return false;
@@ -86,12 +85,13 @@ double kineticEnergy(const Motion& motion, const std::vector<BodyRecord>& bodies
 } // namespace
 
 bool rings(const ComputedMotion& motion, const Motion& reference,
-           const std::vector<BodyRecord>& bodies) {
+           const std::vector<BodyRecord>& bodies, double visible) {
     constexpr std::array<std::size_t, 6> velocities = {physics::dx, physics::dy, physics::dz,
                                                        physics::w1, physics::w2, physics::w3};
     for (std::size_t b = 0; b < bodies.size(); ++b)
         for (std::size_t axis = 0; axis < velocities.size() && !bodies[b].isFixed; ++axis)
-            if (ringsAlong(motion, reference, b, axis, bodies[b].firstUnknown + velocities[axis]))
+            if (ringsAlong(motion, reference, b, axis, bodies[b].firstUnknown + velocities[axis],
+                           visible))
                 return true;
     return false;
 }

@@ -6,8 +6,9 @@
 
 namespace simulation {
 
+// `visible`: what of the largest velocity an increment is at least.
 [[nodiscard]] bool rings(const ComputedMotion& motion, const Motion& reference,
-                         const std::vector<BodyRecord>& bodies);
+                         const std::vector<BodyRecord>& bodies, double visible);
 
 // Energy over a motion, in units of its largest kinetic energy.
 struct EnergyCourse {

@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t referenceTimes = 400;
 constexpr double referenceAccuracies[] = {1e-12, 1e-10, 1e-8};
 constexpr double referencePatience = 10; // times the limit of a run
+constexpr double visible = 1e-6;         // of the largest velocity
 constexpr double constantEnergy = 1e-6, drifted = 1e-2;
 constexpr double promise = 10; // times the accuracy asked
 
@@ -123,7 +124,8 @@ void Study::judge(const Options& options, const Result& run, StudyRow& row) cons
         row.status = Status::notReached;
     else if (error > 1)
         row.status = Status::unstable;
-    else if (rings(*motion, *reference_, *problem_->bodies))
+    else if (rings(*motion, *reference_, *problem_->bodies,
+                   std::max(visible, row.accuracy.value_or(0))))
         row.status = Status::ringing;
     else if (const auto energy = energyCourse(scene_, options, run.motion, *problem_->bodies);
              energyIsKept_ && energy && std::abs(energy->drift) > drifted)

@@ -5,7 +5,8 @@
 //     newton       the implicit equations were not solved: it stopped there, or more steps were
 //                  refused for that than were made
 //     ringing      increments of a velocity alternate over twelve steps without halving, by more
-//                  than 1e-6 of the velocity's largest, where the reference's are smaller
+//                  than 1e-6 of the velocity's largest and than the accuracy asked, where the
+//                  reference's are smaller
 //     drift        energy that the reference keeps has moved by more than a hundredth of the
 //                  largest kinetic energy, between the first quarter of the motion and the last
 //     not_reached  it ended early, or, with an accuracy, its error is over ten times that
