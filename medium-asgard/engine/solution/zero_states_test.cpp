@@ -111,6 +111,39 @@ TEST(ZeroStates, WakeWhenAnEventMovesThem) {
         EXPECT_NEAR(solver.histories().value(u, 3), again.histories().value(u, 2), 1e-7) << u;
 }
 
+// A second pendulum, which no event touches, keeps its steps; and the order of stepping is no
+// matter.
+TEST(ZeroStates, WakeWithTheSameBitsForAnyScheduleAndAlone) {
+    std::vector<Line> lines = springPendulum(0);
+    for (Line line : springPendulum(0)) {
+        line.name += "2";
+        for (const char* name : {"dx", "dy", "dz"}) // a rate that is a velocity
+            if (line.derivative == name)
+                line.derivative += "2";
+        if (line.name[0] == 'd')
+            line.derivative = line.name == "dx2"   ? "-x2*(1-1/hypot(x2,hypot(y2,z2)))*40"
+                              : line.name == "dy2" ? "-9-y2*(1-1/hypot(x2,hypot(y2,z2)))*40"
+                                                   : "-z2*(1-1/hypot(x2,hypot(y2,z2)))*40";
+        lines.push_back(line);
+    }
+    const auto run = [](const std::vector<Line>& scene, bool eventDriven) {
+        Kick kick(1, 0.5);
+        Options options = tolerance(1e-8);
+        options.eventDriven = eventDriven;
+        return solved(equationsOf(scene), 3, options, &kick);
+    };
+    const Solver both = run(lines, true), other = run(lines, false);
+    const Solver alone = run(springPendulum(0), true);
+    EXPECT_THAT(both.statistics().zeroStates, ElementsAre(10, 11));
+    for (std::size_t u = 0; u < 12; ++u)
+        for (const double t : {0.3, 1.0, 1.7, 3.0}) {
+            EXPECT_EQ(both.histories().value(u, t), other.histories().value(u, t)) << u << " " << t;
+            if (u < 6) {
+                EXPECT_EQ(both.histories().value(u, t), alone.histories().value(u, t)) << u;
+            }
+        }
+}
+
 TEST(ZeroStates, StayWhenAnEventLeavesThemZero) {
     Kick kick(1, 0);
     const Solver solver = solved(equationsOf(springPendulum(0)), 3, tolerance(1e-10), &kick);
