@@ -343,6 +343,7 @@ void Component::finish(double to) {
         return;
     }
     ++counts_.steps;
+    ++counts_.integratedSteps;
     std::vector<double> y(method_->state().begin(), method_->state().end());
     const double until = found ? found->time : to;
     if (found)

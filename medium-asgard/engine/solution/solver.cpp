@@ -366,6 +366,7 @@ void Solver::Implementation::noteStops() {
 void Solver::Implementation::retire(Component& component) {
     const ComponentStatistics s = component.statistics();
     past_.steps += s.steps;
+    past_.integratedSteps += s.integratedSteps;
     past_.rejectedSteps += s.rejectedSteps;
     past_.unconvergedSteps += s.unconvergedSteps;
     past_.discardedSteps += s.discardedSteps;
@@ -521,6 +522,7 @@ Statistics Solver::Implementation::statistics() const {
     for (const auto& component : components_) {
         const ComponentStatistics s = component->statistics();
         total.steps += s.steps;
+        total.integratedSteps += s.integratedSteps;
         total.rejectedSteps += s.rejectedSteps;
         total.unconvergedSteps += s.unconvergedSteps;
         total.discardedSteps += s.discardedSteps;

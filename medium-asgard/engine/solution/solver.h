@@ -76,6 +76,7 @@ struct ComponentStatistics {
     std::string method; // "exact", "dop853", "radau5", ...: the one that it used last
     std::size_t order = 0;
     std::size_t steps = 0, rejectedSteps = 0, discardedSteps = 0;
+    std::size_t integratedSteps = 0;  // of the steps those that a method made
     std::size_t unconvergedSteps = 0; // of the rejected: the implicit equations were not solved
     std::size_t evaluations = 0;      // of the component's right-hand side
     std::size_t factorisations = 0;
@@ -88,6 +89,7 @@ struct Statistics {
     std::size_t unconvergedSteps = 0; // of the rejected: the implicit equations were not solved
     std::size_t evaluations = 0, equationEvaluations = 0, factorisations = 0;
     std::size_t events = 0, switches = 0;
+    std::size_t integratedSteps = 0; // 0: all is exact but for rounding
     std::size_t components = 0, largestComponent = 0, historyBytes = 0;
     std::vector<ComponentStatistics> componentList; // those in force; ended ones are in the sums
     std::vector<std::size_t> zeroStates;            // unknowns that stayed 0 all the time
