@@ -6,6 +6,7 @@
 #include <QSocketNotifier>
 #include <QTimer>
 
+#include <algorithm>
 #include <clocale>
 #include <cstdlib>
 
@@ -44,6 +45,8 @@ public:
             attend();
         };
         document().setHostLink(std::move(link));
+        QObject::connect(&editor_, &views::Editor::viewersChanged, &due_,
+                         [this] { tellWindows(); });
         due_.setSingleShot(true);
         due_.setTimerType(Qt::PreciseTimer);
         QObject::connect(&input_, &QSocketNotifier::activated, &input_, [this] {
@@ -126,6 +129,20 @@ private:
         return from.readAt() ? views::Work::simulating : views::Work::reading;
     }
 
+    void tellWindows() {
+        const auto texts = editor_.languageViewers();
+        const bool drafts = std::any_of(texts.begin(), texts.end(),
+                                        [](const auto* one) { return one->hasDraft(); });
+        const ipc::WindowsChanged now{
+            static_cast<ipc::Integer>(texts.size() + editor_.graphicalViewers().size()), drafts};
+        if (now == told_)
+            return;
+        told_ = now;
+        connection_.session().tellWindows(now);
+        connection_.flush();
+        output_.setEnabled(connection_.sending());
+    }
+
     // One change at a time is on its way; what was typed meanwhile follows with the next.
     void propose() {
         if (proposed_)
@@ -174,7 +191,8 @@ private:
         views::Work work = views::Work::none;
         bool operator==(const Followed&) const = default;
     };
-    Followed shown_; // of the session, by the windows
+    Followed shown_;           // of the session, by the windows
+    ipc::WindowsChanged told_; // what the host knows
 };
 
 } // namespace

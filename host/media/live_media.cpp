@@ -87,7 +87,7 @@ void LiveMedia::choose() {
     for (auto of = distances_.begin(); of != distances_.end(); ++of)
         if (of.key()->hasProcess()) {
             ++live;
-            if (!isWanted(of.key()) && !of.key()->hasWindows())
+            if (!isWanted(of.key()) && !of.key()->hasWindows() && of.key()->windows().open == 0)
                 idle.push_back(of.key());
         }
     for (LiveSubdocument* subdocument : wanted) {

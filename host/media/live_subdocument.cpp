@@ -191,6 +191,8 @@ void LiveSubdocument::restoreTime(const std::optional<ipc::TimeChanged>& last) {
 void LiveSubdocument::discard(std::unique_ptr<MediumProcess>& process) {
     if (!process)
         return;
+    if (&process == &process_)
+        windows_ = {};
     process->disconnect(this);
     for (Rendition* rendition : renditions_)
         if (rendition->process_ == process.get())
@@ -278,6 +280,8 @@ void LiveSubdocument::told(const ipc::ToHost& report) {
     } else if (const auto* diagnostics = std::get_if<ipc::Diagnostics>(&report)) {
         diagnostics_ = *diagnostics;
         Q_EMIT diagnosticsChanged();
+    } else if (const auto* windows = std::get_if<ipc::WindowsChanged>(&report)) {
+        windows_ = *windows;
     } else if (std::holds_alternative<ipc::PresentationResized>(report)) {
         askForSize();
     } else if (const auto* unhandled = std::get_if<ipc::RenditionUnhandled>(&report)) {

@@ -85,6 +85,8 @@ public:
     void seek(double time);
     void setRate(double rate, bool loop);
 
+    // Of its own: while they are open its process is not for others to end.
+    [[nodiscard]] const ipc::WindowsChanged& windows() const { return windows_; }
     [[nodiscard]] const ipc::Diagnostics& diagnostics() const { return diagnostics_; }
     // The text is loaded and the medium has said what is wrong with it.
     [[nodiscard]] bool hasLoaded() const { return loaded_; }
@@ -148,6 +150,7 @@ private:
     std::optional<ipc::TimeChanged> time_;
     std::optional<double> poster_;
     ipc::Diagnostics diagnostics_;
+    ipc::WindowsChanged windows_;
     bool loaded_ = false;
     QString ownName_;
     std::vector<qint64> restarts_; // ms since the epoch of a monotonic clock

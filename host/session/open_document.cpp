@@ -99,6 +99,14 @@ void OpenDocument::nameSubdocuments() {
     }
 }
 
+QStringList OpenDocument::drafts() const {
+    QStringList names;
+    for (const auto& [id, subdocument] : live_)
+        if (subdocument->windows().drafts && !names.contains(subdocument->name()))
+            names << subdocument->name();
+    return names;
+}
+
 media::LiveSubdocument* OpenDocument::live(document::SubdocumentId id) const {
     const auto found = live_.find(id);
     return found == live_.end() ? nullptr : found->second.get();

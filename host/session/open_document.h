@@ -43,6 +43,8 @@ public:
 
     // How large it is shown, in 1/96 inch: by its WIDTH and HEIGHT, else as its medium would like.
     [[nodiscard]] QSizeF sizeOf(document::SubdocumentId id) const;
+    // The media in whose windows something was typed that is not in the document yet.
+    [[nodiscard]] QStringList drafts() const;
 
     // Of the format, of the schemas, of subdocuments as their media say, in order of place.
     [[nodiscard]] std::vector<ListedFault> faults() const;

@@ -325,7 +325,24 @@ bool DocumentWindow::isLastOfDocument() const {
     return application_.windowsOf(*document_).size() <= 1;
 }
 
+// What was typed in a window of a medium and is no change of the document yet goes with its
+// process.
+bool DocumentWindow::mayLoseDrafts() {
+    const QStringList where = document_->drafts();
+    return where.isEmpty() ||
+           QMessageBox::warning(this, tr("Close"),
+                                tr("What you typed in a window of %1 is not yet in the document. "
+                                   "Close it all the same?")
+                                    .arg(where.join(tr(" and "))),
+                                QMessageBox::Discard | QMessageBox::Cancel,
+                                QMessageBox::Cancel) == QMessageBox::Discard;
+}
+
 void DocumentWindow::closeEvent(QCloseEvent* event) {
+    if (isLastOfDocument() && !mayLoseDrafts()) {
+        event->ignore();
+        return;
+    }
     if (document_->document().isModified() && isLastOfDocument()) {
         const auto answer = QMessageBox::question(
             this, tr("Close"), tr("The document has changes that are not saved."),

@@ -49,6 +49,7 @@ private:
     void exportPdf();
     bool saveBy(const std::function<document::SaveResult(document::SaveOptions)>& saving);
     [[nodiscard]] bool isLastOfDocument() const;
+    [[nodiscard]] bool mayLoseDrafts(); // asks when there are any
     void useShortcut(int key, Qt::KeyboardModifiers modifiers);
     QAction* add(QMenu* menu, const QString& text, const QKeySequence& keys,
                  const std::function<void()>& done, const QString& icon = {});

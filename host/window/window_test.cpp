@@ -7,12 +7,15 @@
 
 #include <gmock/gmock.h>
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QMessageBox>
 #include <QScrollBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <csignal>
 #include <random>
 #include <utility>
@@ -352,6 +355,39 @@ TEST_F(WindowTest, AChangeByAMediumIsAStepOfUndoInAllWindows) {
     EXPECT_NE(window->document().document().bytes(), before);
     window->document().document().undo();
     EXPECT_EQ(window->document().document().bytes(), before);
+}
+
+// Presses a button of the message that a call opens, and tells the message's text.
+QString answered(QMessageBox::StandardButton button, const std::function<void()>& call) {
+    QString said;
+    QTimer::singleShot(0, qApp, [&] {
+        if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+            said = box->text();
+            box->button(button)->click();
+        }
+    });
+    call();
+    return said;
+}
+
+TEST_F(WindowTest, WhatIsTypedInAMediumsWindowIsNotLostUnasked) {
+    DocumentWindow* window = open(memo(scripted("colour 102030\nwindows 1 1")));
+    ASSERT_TRUE(waitFor([&] { return live(*window, 0).windows().drafts; }));
+    const QString said = answered(QMessageBox::Cancel, [&] { EXPECT_FALSE(window->close()); });
+    EXPECT_THAT(said.toStdString(), HasSubstr("not yet in the document"));
+    answered(QMessageBox::Discard, [&] { EXPECT_TRUE(window->close()); });
+}
+
+TEST_F(WindowTest, AMediumWithWindowsOfItsOwnIsNotEndedToMakeRoom) {
+    QByteArray many = scripted("colour 102030\nwindows 1 0");
+    for (int i = 0; i < 40; ++i)
+        many += scripted("colour 302010");
+    DocumentWindow* window = open(memo(many), {900, 3000});
+    ASSERT_TRUE(waitFor([&] { return live(*window, 0).windows().open == 1; }));
+    window->view().verticalScrollBar()->setValue(window->view().verticalScrollBar()->maximum());
+    ASSERT_TRUE(waitFor([&] { return hasPicture(*window, 40); }));
+    EXPECT_TRUE(live(*window, 0).hasProcess());
+    EXPECT_EQ(live(*window, 0).windows().open, 1);
 }
 
 TEST_F(WindowTest, UndoReachesTheMedium) {

@@ -227,6 +227,10 @@ template <class V> void describe(V& v, RenditionCursor& m) {
 template <class V> void describe(V& v, PresentationResized& m) {
     v.option("presentation", m.presentation);
 }
+template <class V> void describe(V& v, WindowsChanged& m) {
+    v.field("open", m.open, natural);
+    v.option("drafts", m.drafts);
+}
 template <class V> void describe(V& v, MenuChanged& m) { v.field("menus", m.menus); }
 template <class V> void describe(V& v, ValueChanged& m) {
     v.field("id", m.id, natural);

@@ -355,6 +355,12 @@ struct PresentationResized { // ask again for the size that it would like
     static constexpr auto method = "presentation/resized";
     std::string presentation; // "": any of them
 };
+struct WindowsChanged { // of the medium's own windows; at first there are none
+    static constexpr auto method = "windows/changed";
+    Integer open = 0;
+    bool drafts = false; // something typed there is no proposed change yet
+    bool operator==(const WindowsChanged&) const = default;
+};
 struct MenuChanged { // the whole set
     static constexpr auto method = "menu/changed";
     std::vector<MenuEntry> menus;
@@ -414,7 +420,7 @@ using ToHost =
     std::variant<RenditionFrame, SubdocumentChanged, EditUndo, EditRedo, RenditionUnhandled,
                  RenditionCursor, RenditionState, PresentationResized, MenuChanged, ValueChanged,
                  TimeChanged, ProgressBegin, ProgressReport, ProgressEnd, Diagnostics,
-                 ScriptEvaluate>;
+                 WindowsChanged, ScriptEvaluate>;
 
 template <class Call>
 concept IsRequest = requires {

@@ -50,6 +50,7 @@ public:
     // it is the text here too, and `done` hears nothing; else why not.
     void propose(const ipc::TextEdit& edit, const std::string& label,
                  std::function<void(std::optional<std::string> refusal)> done);
+    void tellWindows(const ipc::WindowsChanged& windows) { channel_.notify(windows); }
     [[nodiscard]] const std::optional<ipc::Mode>& mode() const { return mode_; } // none: not yet
 
 private:

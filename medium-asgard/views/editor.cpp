@@ -96,6 +96,7 @@ LanguageViewer* Editor::openLanguageViewer() {
     auto* viewer = new LanguageViewer(document_, windows(), ++languageCount_);
     language_.push_back(viewer);
     connect(viewer, &QObject::destroyed, this, &Editor::viewersChanged);
+    connect(viewer, &LanguageViewer::draftChanged, this, &Editor::viewersChanged);
     viewer->show();
     Q_EMIT viewersChanged();
     return viewer;

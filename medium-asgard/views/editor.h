@@ -40,7 +40,7 @@ public:
     bool closeViewers();
 
 Q_SIGNALS:
-    void viewersChanged(); // one was opened or closed
+    void viewersChanged(); // one was opened or closed, or has a draft or none
 
 private:
     [[nodiscard]] Windows windows();

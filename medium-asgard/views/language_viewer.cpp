@@ -439,6 +439,7 @@ void LanguageViewer::updateTitle() {
     updateButton_->setDefault(edited_);
     saveButton_->setEnabled(edited_ || document_.isModified());
     revertButton_->setEnabled(edited_ || (!document_.hasHost() && document_.isModified()));
+    Q_EMIT draftChanged();
 }
 
 void LanguageViewer::updateNotice() {

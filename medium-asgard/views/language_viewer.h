@@ -38,6 +38,9 @@ public:
     // Finds the next occurrence after the cursor, from the top when there is none; false: nowhere.
     bool find(const QString& what, bool forward = true);
 
+Q_SIGNALS:
+    void draftChanged(); // hasDraft() may be another
+
 protected:
     void closeEvent(QCloseEvent* event) override;
     void changeEvent(QEvent* event) override;

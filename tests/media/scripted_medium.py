@@ -9,6 +9,7 @@ The text of its subdocument is lines of `WORD VALUES`:
   duration S           it has time, from 0 to S
   fault LINE COLUMN SENTENCE
   behave BEHAVIOUR     as the argument, from the moment that the text is loaded
+  windows N DRAFTS     says that it has N windows of its own, with drafts (1) or none (0)
   change TEXT          asks the host to append TEXT to the subdocument, once
 
 A press of a button turns the rendition magenta; that is its state, which the next process is given.
@@ -152,6 +153,8 @@ class Medium:
                                "endColumn": int(words[2]) + 1, "message": " ".join(words[3:])})
             elif words[0] == "behave":
                 pending.append(words[1:])
+            elif words[0] == "windows":
+                notify("windows/changed", open=int(words[1]), drafts=words[2] == "1")
             elif words[0] == "change":
                 changes.append(" ".join(words[1:]))
             else:
