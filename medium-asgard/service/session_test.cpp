@@ -93,7 +93,7 @@ private:
         while (reached < 10) {
             if (observer.cancelled()) {
                 ++cancelledRuns;
-                return {std::make_shared<StillMotion>(10, reached), {}, {}, true};
+                return {std::make_shared<StillMotion>(10, reached), {}, {}, true, {}};
             }
             if (allowed_ > reached) {
                 reached = std::min(allowed_, 10.0);
@@ -102,7 +102,7 @@ private:
                 changed_.wait_for(lock, milliseconds(1));
             }
         }
-        return {std::make_shared<StillMotion>(10, 10, stops), {}, {}, false};
+        return {std::make_shared<StillMotion>(10, 10, stops), {}, {}, false, {}};
     }
 
     std::mutex mutex_;
