@@ -6,6 +6,7 @@
 #include "window/icons.h"
 #include "window/medium_commands.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDesktopServices>
 #include <QFileDialog>
