@@ -114,15 +114,16 @@ std::optional<EnergyCourse> energyCourse(const scene::Scene& scene, const Option
     }
     if (!(kinetic > 0) || !std::isfinite(kinetic))
         return std::nullopt;
+    constexpr std::size_t quarter = samples / 4;
     const auto mean = [&](std::size_t from) {
         double sum = 0;
-        for (std::size_t i = from; i < from + samples / 4; ++i)
-            sum += energies[i] / (samples / 4);
+        for (std::size_t i = from; i < from + quarter; ++i)
+            sum += energies[i] / quarter;
         return sum;
     };
     const auto [low, high] = std::ranges::minmax(energies);
     return EnergyCourse{.range = (high - low) / kinetic,
-                        .drift = (mean(samples - samples / 4) - mean(0)) / kinetic};
+                        .drift = (mean(samples - quarter) - mean(0)) / kinetic};
 }
 
 } // namespace simulation
