@@ -38,7 +38,7 @@ inline Manifest scriptedManifest(const QStringList& behaviour = {}) {
 inline TimeLimits shortLimits() {
     return {.initialize = 8000,
             .quiet = 300,
-            .hung = 900,
+            .hung = 2500,
             .shutdown = 500,
             .pingEvery = 50,
             .restartsPerMinute = 0};

@@ -95,7 +95,7 @@ protected:
     int files_ = 0;
     Application application_{{.initialize = 8000,
                               .quiet = 300,
-                              .hung = 1500,
+                              .hung = 5000,
                               .shutdown = 500,
                               .pingEvery = 50,
                               .restartsPerMinute = 0}};
@@ -163,7 +163,8 @@ TEST_F(WindowTest, AClickChoosesAndKeysMoveTheChoice) {
 TEST_F(WindowTest, AMenuActsOnTheChosenRenditionElseOnAllVisible) {
     DocumentWindow* window = open(memo(scripted("duration 50") + scripted("duration 60")));
     ASSERT_TRUE(waitFor([&] {
-        return live(*window, 0).time() && live(*window, 1).time() && hasPicture(*window, 1);
+        return !live(*window, 0).menus().empty() && !live(*window, 1).menus().empty() &&
+               live(*window, 0).time() && live(*window, 1).time() && hasPicture(*window, 1);
     }));
     window->commands().refresh();
     QMenu* menu = window->commands().menuOf(nth(*window, 0));
