@@ -1,6 +1,7 @@
 #include "simulation/run.h"
 
 #include "scene/shape_of.h"
+#include "simulation/cpu_seconds.h"
 #include "solution/partition.h"
 
 #include <algorithm>
@@ -188,6 +189,7 @@ MotionPointer Run::motion(const Problem& problem, bool draft, std::optional<doub
 }
 
 Run runAt(const Problem& problem, const std::vector<double>& tolerances, const Observer& observer) {
+    const double begin = cpuSeconds();
     // A hop that is lower than this moves nothing by more than the accuracy allows.
     const RestLimits limits{.gap = std::clamp(1e-2 * problem.accuracy(), 1e-8, 1e-6),
                             .hopHeight = 1e-3 * problem.accuracy()};
@@ -222,8 +224,11 @@ Run runAt(const Problem& problem, const std::vector<double>& tolerances, const O
         };
     solution::Solver solver(problem.equations.set, options, collisions ? &*collisions : nullptr);
     current = &solver;
+    const double ready = cpuSeconds();
     const solution::Advance advance = solver.advanceTo(problem.finish());
     Run run = collect(solver);
+    run.secondsSettingUp = ready - begin;
+    run.secondsMoving = cpuSeconds() - ready;
     run.statistics = solver.statistics();
     run.reached = advance.reached;
     run.cancelled = advance.cancelled;

@@ -43,6 +43,7 @@ struct Run {
     std::shared_ptr<const expression::EquationSet> equations; // at the end; when to be explained
     double reached = 0;
     bool cancelled = false;
+    double secondsSettingUp = 0, secondsMoving = 0; // CPU: before the first step, and from it on
 
     // Which bodies belong together: bodies of one island read or hit each other, directly or
     // through others. island[b] is the least body of b's.

@@ -2,12 +2,12 @@
 // difference is the error of the looser run, and what differs by too much is solved again more
 // tightly, island by island, so that bodies that never meet do not change each other's numbers.
 #include "simulation/accuracy.h"
+#include "simulation/cpu_seconds.h"
 #include "simulation/run.h"
 #include "simulation/simulation.h"
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <utility>
 
 namespace simulation {
@@ -24,8 +24,6 @@ constexpr double aim = 0.15;   // and what is aimed at when it is not
 constexpr double caution = 2;  // errors fall a little less than tolerances do
 constexpr int patience = 2;    // pairs of runs that come no closer, before tightening is given up
 
-double cpuSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 void addWork(const Run& run, Statistics& sum) {
     sum.steps += run.statistics.steps;
     sum.rejectedSteps += run.statistics.rejectedSteps;
@@ -35,6 +33,7 @@ void addWork(const Run& run, Statistics& sum) {
     sum.equationEvaluations += run.statistics.equationEvaluations;
     sum.factorisations += run.statistics.factorisations;
     sum.pairTests += run.pairTests;
+    sum.secondsSettingUp += run.secondsSettingUp;
 }
 
 void describe(const Problem& problem, const Run& run, Result& result) {
@@ -46,6 +45,7 @@ void describe(const Problem& problem, const Run& run, Result& result) {
     sum.largestComponent = run.statistics.largestComponent;
     sum.historyBytes = run.statistics.historyBytes;
     sum.reached = run.reached;
+    sum.secondsMoving = run.secondsMoving;
     for (const auto& component : run.statistics.componentList)
         sum.componentList.push_back({.unknowns = component.unknowns.size(),
                                      .model = component.model,
@@ -197,6 +197,7 @@ Result simulate(const scene::Scene& scene, const Options& options, const Observe
     result.statistics.predictableUntil = result.motion->predictableUntil();
     result.statistics.seconds = cpuSeconds() - begin;
     result.statistics.secondsSolving = result.statistics.seconds - posing;
+    result.statistics.secondsSettingUp += posing;
     return result;
 }
 

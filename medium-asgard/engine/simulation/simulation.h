@@ -46,6 +46,9 @@ struct ComponentStatistics {
 struct Statistics {
     double seconds = 0;        // CPU of the motion
     double secondsSolving = 0; // of these, without making the equations
+    // Of the seconds: equations, partition and code of all runs; and the run that is delivered,
+    // alone. What is left is the estimate of its error: other runs, and comparing them.
+    double secondsSettingUp = 0, secondsMoving = 0;
     std::size_t steps = 0, rejectedSteps = 0, discardedSteps = 0;
     std::size_t unconvergedSteps = 0; // of the rejected: the implicit equations were not solved
     std::size_t evaluations = 0, equationEvaluations = 0, factorisations = 0;

@@ -1,11 +1,11 @@
 #include "simulation/study.h"
 
+#include "simulation/cpu_seconds.h"
 #include "simulation/failures.h"
 #include "solution/method.h"
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 namespace simulation {
 namespace {
@@ -16,8 +16,6 @@ constexpr double referencePatience = 10; // times the limit of a run
 constexpr double visible = 1e-6;         // of the largest velocity
 constexpr double constantEnergy = 1e-6, drifted = 1e-2;
 constexpr double promise = 10; // times the accuracy asked
-
-double cpuSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 Result runFor(double seconds, const scene::Scene& scene, const Options& options) {
     const double end = cpuSeconds() + seconds;
