@@ -33,6 +33,7 @@ CollisionSource::CollisionSource(const scene::Scene& scene,
     boxes_.resize(n);
     partners_.resize(n);
     version_.assign(n, 1);
+    cutAt_.assign(n, start);
     const auto indexOf = [&](const std::string& name) {
         const auto body = std::ranges::find(scene.bodies, name, &scene::Body::name);
         return static_cast<std::size_t>(body - scene.bodies.begin());
@@ -64,7 +65,7 @@ std::optional<Event> CollisionSource::next(const Histories& histories, double kn
             const auto [time, a, b] = *hits_.begin();
             const Hit hit = *found_[{a, b}].hit;
             dropHit({a, b});
-            found_[{a, b}].testedUntil = time;
+            found_[{a, b}].testedUntil = found_[{a, b}].since = time;
             if (auto event = handle(histories, {a, b}, hit))
                 return announced(std::move(*event));
         }
@@ -100,6 +101,7 @@ void CollisionSource::forgetAfterEvent(const Event& event) {
     for (const std::size_t b : cut) {
         boxUntil_[b] = -infinity;
         ++version_[b];
+        cutAt_[b] = event.time;
         for (const std::size_t other : partners_[b]) {
             const Pair pair = std::minmax(b, other);
             const auto found = found_.find(pair);
@@ -156,6 +158,8 @@ void CollisionSource::updateCandidates(double until) {
         if (boxUntil_[b] >= until || ended_[b]) // what comes after an end is no motion
             continue;
         boxes_[b] = collision::boundsDuring(bodies_[b], front_, until);
+        boxes_[b].min() -= Vector::Constant(slackOf(b));
+        boxes_[b].max() += Vector::Constant(slackOf(b));
         boxUntil_[b] = records_[b].isFixed ? infinity : until;
         moved.push_back(b);
     }
@@ -182,20 +186,51 @@ void CollisionSource::updateCandidates(double until) {
     }
 }
 
+// What touches at an instant is found among those whose boxes overlap, however short their windows.
+double CollisionSource::slackOf(std::size_t body) const {
+    return 4 * limits_.gap * records_[body].radius;
+}
+
+// The part of both bodies' present pieces that holds t, on a grid whose spacing is about the time
+// in which they cross their own size.
+collision::Interval CollisionSource::cellAt(const Pair& pair, double since, double t) const {
+    double from = std::max(start_, since), to = finish_, size = 0, speed = 0;
+    for (const std::size_t body : {pair.first, pair.second}) {
+        if (records_[body].isFixed)
+            continue;
+        const collision::MotionPiece& piece = bodies_[body].pieceAt(t);
+        from = std::max({from, cutAt_[body], piece.from});
+        to = std::min(to, piece.until);
+        size += records_[body].radius;
+        speed += collision::velocityAt(piece, piece.from).linear.norm();
+    }
+    const double span = finish_ - start_;
+    const double wanted = speed > 0 ? std::clamp(4 * size / speed, span / 1000, span) : span;
+    const double spacing = std::exp2(std::ceil(std::log2(wanted)));
+    double first = start_ + std::floor((t - start_) / spacing) * spacing;
+    if (first + spacing <= t)
+        first += spacing;
+    return {std::max(from, first), std::min(to, first + spacing)};
+}
+
 void CollisionSource::testPair(const Pair& pair, double until) {
-    const auto passing = passingUntil_.find(pair);
-    if (passing != passingUntil_.end() && passing->second > front_)
-        return;
     Found& found = found_[pair];
+    const auto passing = passingUntil_.find(pair);
+    if (passing != passingUntil_.end() && passing->second > front_) {
+        found.since = passing->second;
+        return;
+    }
     const std::pair versions{version_[pair.first], version_[pair.second]};
-    const bool isNew = std::exchange(found.versions, versions) != versions;
-    if (isNew)
+    if (std::exchange(found.versions, versions) != versions)
         found.testedUntil = front_;
-    if (found.hit)
-        return;
-    const double from = std::max(found.testedUntil, front_);
-    if (from >= until && !isNew)
-        return;
+    for (double from = std::max(found.testedUntil, front_); !found.hit && from < until;
+         from = found.testedUntil)
+        if (!testCell(pair, found, cellAt(pair, found.since, from)))
+            return;
+}
+
+// False: there is nothing after it.
+bool CollisionSource::testCell(const Pair& pair, Found& found, collision::Interval cell) {
     ++pairTests_;
     collision::PartFilter footing;
     if (resting_.hasFooting(pair.first, pair.second))
@@ -203,14 +238,16 @@ void CollisionSource::testPair(const Pair& pair, double until) {
             return resting_.isFooting(pair.first, i, pair.second, j);
         };
     const collision::Encounter encounter =
-        collision::timeOfImpact(bodies_[pair.first], bodies_[pair.second], {from, until}, footing);
-    found.testedUntil = until;
+        collision::timeOfImpact(bodies_[pair.first], bodies_[pair.second], cell, footing);
+    const bool advances = cell.to > found.testedUntil;
+    found.testedUntil = std::max(found.testedUntil, cell.to);
     if (encounter.overlap > 0)
         noteOnce(pair, "Bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
                            quoted(scene_.bodies[pair.second].name) +
                            " overlap without having met; they can collide once they are apart.");
     if (encounter.hit)
         keepHit(pair, found, encounter.hit);
+    return advances;
 }
 
 void CollisionSource::keepHit(const Pair& pair, Found& found, std::optional<Hit> hit) {

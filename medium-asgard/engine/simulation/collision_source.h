@@ -13,6 +13,10 @@
 //             what a body rests on changes before that: an event of its own (resting_bodies.h)
 //             neither: front = end of the window
 //
+// The windows say which pairs are looked at, and no more. A pair is searched in cells that follow
+// from the motion of its two bodies alone, so that what a body does far away moves no bit of a hit
+// here: that is what lets an edit keep what it does not concern (resimulation.h).
+//
 // Pairs keep what was found beyond an event that does not concern them (dissertation 5.2.3).
 // Bouncing under restitution < 1 whose next hop is lower than RestLimits::hopHeight ends in a
 // plastic impact, and then the body rests; so does one that is pressed onto what it touches. Where
@@ -66,6 +70,7 @@ private:
     using Pair = collision::Pair;
     struct Found { // of one pair
         double testedUntil = 0;
+        double since = -solution::infinity;           // the last hit that changed nothing
         std::pair<std::size_t, std::size_t> versions; // of the two motions that were tested
         std::optional<collision::Hit> hit;
     };
@@ -96,6 +101,9 @@ private:
     void lookAtWindow(const solution::Histories& histories, double until);
     void updateCandidates(double until);
     void testPair(const Pair& pair, double until);
+    [[nodiscard]] bool testCell(const Pair& pair, Found& found, collision::Interval cell);
+    [[nodiscard]] collision::Interval cellAt(const Pair& pair, double since, double t) const;
+    [[nodiscard]] double slackOf(std::size_t body) const;
     void keepHit(const Pair& pair, Found& found, std::optional<collision::Hit> hit);
     void dropHit(const Pair& pair);
     [[nodiscard]] std::optional<solution::Event>
@@ -148,6 +156,7 @@ private:
     std::vector<std::set<std::size_t>> dependents_; // bodies that read a body, also through others
     std::vector<std::size_t> bodyOf_;               // by unknown
     std::vector<std::size_t> version_; // of each body's motion: one more after each cut
+    std::vector<double> cutAt_;        // the last one
 
     RestingBodies resting_;
     std::map<std::size_t, Meetings> meetings_;
