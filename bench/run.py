@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""Charts us against hand-written loops and other engines, on shared scenes, in one run.
+
+usage: run.py [--build DIR] [--scenes S1,S2a,...] [--programs plain,asgard,...] [--budget SECONDS] [--rounds N] [--write]
+
+Configures and builds a release with every driver whose library is installed, runs all of them one after the other, and
+prints, for each scene and error, the cheapest run that came so near: the hand-written loop, us, the best other engine,
+and SUNDIALS. With --write the measurements, the charts and the tables of docs/performance.md are written anew.
+With --build nothing is built: the programs are taken from DIR/bin.
+"""
+import argparse
+import collections
+import csv
+import os
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+SOURCE = os.path.dirname(HERE)
+PROGRAMS = ("plain", "asgard", "sundials", "simbody", "mujoco", "dart", "bullet", "bullet_double", "ode")
+ENGINES = PROGRAMS[3:]
+SPANS = {"S1": 60, "S2a": 5, "S2b": 5, "S3": 10, "S4": 10, "S5": 1, "S6": 1}
+LEVELS = {"S1": (1e-2, 1e-4, 1e-6, 1e-9), "S2a": (1e-2, 1e-4, 1e-6, 1e-9), "S2b": (1e-2, 1e-4, 1e-6, 1e-9),
+          "S3": (1e-4,), "S4": (1e-2, 1e-4, 1e-9), "S5": (0,), "S6": (1e-6,)}
+
+Row = collections.namedtuple("Row", "program scene setting parameter error seconds least note")
+
+
+def build():
+    folder = os.path.join(SOURCE, "build", "bench")
+    subprocess.run(["cmake", "--preset", "release", "-B", folder, "-DBENCH_PEERS=ON"], cwd=SOURCE, check=True,
+                   stdout=subprocess.DEVNULL)
+    subprocess.run(["ninja", "-C", folder, "bench"], check=True, stdout=subprocess.DEVNULL)
+    return folder
+
+
+def measured(folder, arguments):
+    """The rows of all programs that there are; `rounds` times, each row with the least of its times."""
+    best = {}
+    for number in range(arguments.rounds):
+        for program in arguments.programs:
+            path = os.path.join(folder, "bin", "bench_" + program)
+            if not os.path.exists(path):
+                if number == 0:
+                    print(f"{program}: not built here", file=sys.stderr)
+                continue
+            command = [path, "--budget", str(arguments.budget)]
+            if arguments.scenes:
+                command += ["--scenes", arguments.scenes]
+            ran = subprocess.run(command, stdout=subprocess.PIPE, text=True)
+            if ran.returncode != 0:
+                print(f"{program}: ended with {ran.returncode}", file=sys.stderr)
+            for fields in csv.reader(ran.stdout.splitlines()):
+                row = Row(*fields[:3], *map(float, fields[3:7]), fields[7])
+                key = (row.program, row.scene, row.setting, row.parameter, row.note if row.program == "plain" else "")
+                old = best.get(key)
+                if old:
+                    row = row._replace(seconds=min(row.seconds, old.seconds), least=min(row.least, old.least))
+                best[key] = row
+    return list(best.values())
+
+
+def kind(scene):
+    return scene.split()[0]
+
+
+def cheapest(rows, scene, level, chosen):
+    found = [r for r in rows if r.scene == scene and r.error <= level and chosen(r)]
+    return min(found, key=lambda r: r.seconds) if found else None
+
+
+def time_text(seconds):
+    for factor, unit in ((1, "s"), (1e3, "ms"), (1e6, "us")):
+        if seconds * factor >= 0.9995:
+            return f"{seconds * factor:.3g} {unit}"
+    return f"{seconds * 1e9:.3g} ns"
+
+
+CHOICES = (("hand-written", lambda r: r.program == "plain"),
+           ("our motion", lambda r: r.program == "asgard" and r.setting == "motion"),
+           ("with its error", lambda r: r.program == "asgard" and r.setting == "with estimate"),
+           ("all", lambda r: r.program == "asgard" and r.setting == "all"),
+           ("best engine", lambda r: r.program in ENGINES),
+           ("SUNDIALS", lambda r: r.program == "sundials"))
+
+
+def comparison(rows):
+    """Per simulated second (S5: in all): (scene, level, {column: Row or None})."""
+    scenes = list(dict.fromkeys(r.scene for r in rows if kind(r.scene) in SPANS and r.scene != "S4 energy"))
+    for scene in sorted(scenes, key=lambda s: kind(s)):
+        for level in LEVELS[kind(scene)]:
+            yield scene, level, {name: cheapest(rows, scene, level, chosen) for name, chosen in CHOICES}
+
+
+def table(rows):
+    lines = ["| scene | error | hand-written | our motion | with its error | all | best engine | SUNDIALS | "
+             "motion / hand-written | with its error / hand-written | best other / motion |",
+             "|---|---|---|---|---|---|---|---|---|---|---|"]
+    for scene, level, found in comparison(rows):
+        span = SPANS[kind(scene)]
+        cells = []
+        for name, _ in CHOICES:
+            row = found[name]
+            who = ""
+            if row and name in ("hand-written", "best engine", "SUNDIALS"):
+                who = f" {row.program + ' ' if name == 'best engine' else ''}{row.setting}"
+                who += f" @{row.parameter:.3g}" if row.parameter else ""
+            cells.append(time_text(row.seconds / span) + who if row else "-")
+        plain, motion, estimate = (found[c] for c in ("hand-written", "our motion", "with its error"))
+        others = [found[c].seconds for c in ("best engine", "SUNDIALS") if found[c]]
+        ratio = lambda a, b: f"{a / b:.3g}" if a and b else "-"
+        cells.append(ratio(motion and motion.seconds, plain and plain.seconds))
+        cells.append(ratio(estimate and estimate.seconds, plain and plain.seconds))
+        cells.append(ratio(min(others, default=None), motion and motion.seconds))
+        lines.append(f"| {scene} | {'exact' if level == 0 else f'{level:g}'} | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build")
+    parser.add_argument("--scenes")
+    parser.add_argument("--programs", type=lambda text: text.split(","), default=PROGRAMS)
+    parser.add_argument("--budget", type=float, default=0.2)
+    parser.add_argument("--rounds", type=int, default=1)
+    parser.add_argument("--rows", help="file of measurements: read instead of measuring, or written")
+    parser.add_argument("--write", action="store_true")
+    arguments = parser.parse_args()
+    rows = measured(arguments.build or build(), arguments)
+    print(table(rows))
+
+
+if __name__ == "__main__":
+    main()
