@@ -14,14 +14,14 @@ namespace {
 
 using physics::bodyUnknowns;
 
-// Which body an unknown belongs to: bodies have their unknowns in a row.
-std::size_t bodyOf(const Problem& problem, std::size_t unknown) {
-    std::size_t found = 0;
+// Which body each unknown belongs to: bodies have their unknowns in a row.
+std::vector<std::size_t> ownersOf(const Problem& problem) {
+    std::vector<std::size_t> owners(problem.equations.set.unknowns.size());
     for (std::size_t b = 0; b < problem.bodies->size(); ++b)
-        if (!(*problem.bodies)[b].isFixed && (*problem.bodies)[b].firstUnknown <= unknown)
-            if (unknown < (*problem.bodies)[b].firstUnknown + bodyUnknowns)
-                found = b;
-    return found;
+        if (const BodyRecord& body = (*problem.bodies)[b]; !body.isFixed)
+            std::fill_n(owners.begin() + static_cast<std::ptrdiff_t>(body.firstUnknown),
+                        bodyUnknowns, b);
+    return owners;
 }
 
 std::string timeText(double time) {
@@ -52,9 +52,12 @@ std::string sentenceOf(const Problem& problem, const solution::Histories& histor
 
 std::map<std::size_t, Stop> stopsOf(const Problem& problem, const solution::Histories& histories) {
     std::map<std::size_t, Stop> stops;
+    if (histories.stops().empty())
+        return stops;
+    const std::vector<std::size_t> owners = ownersOf(problem);
     for (const solution::Stop& stop : histories.stops())
         for (const std::size_t unknown : stop.unknowns) {
-            const std::size_t body = bodyOf(problem, unknown);
+            const std::size_t body = owners[unknown];
             const auto place = stops.find(body);
             if (place == stops.end() || stop.time < place->second.time)
                 stops[body] = {.time = stop.time, .sentence = sentenceOf(problem, histories, stop)};
@@ -128,9 +131,7 @@ void applyOptions(scene::Scene& scene, const Options& options, std::vector<std::
 std::vector<std::size_t> islandsOf(const Problem& problem, const std::vector<Impact>& impacts) {
     Groups groups(problem.bodies->size());
     const auto reads = solution::readsOf(problem.equations.set, problem.start());
-    std::vector<std::size_t> owner(reads.size());
-    for (std::size_t i = 0; i < reads.size(); ++i)
-        owner[i] = bodyOf(problem, i);
+    const std::vector<std::size_t> owner = ownersOf(problem);
     for (std::size_t i = 0; i < reads.size(); ++i)
         for (const std::size_t read : reads[i])
             groups.join(owner[i], owner[read]);
@@ -232,12 +233,15 @@ Run runAt(const Problem& problem, const std::vector<double>& tolerances, const O
     run.statistics = solver.statistics();
     run.reached = advance.reached;
     run.cancelled = advance.cancelled;
-    if (problem.options.explain) {
+    if (problem.options.explain)
         run.equations = std::make_shared<const expression::EquationSet>(solver.equations());
-        if (collisions)
-            run.candidates = collisions->candidates();
-    }
     run.island = islandsOf(problem, run.impacts);
+    run.isIntegrated.assign(problem.bodies->size(), false);
+    const std::vector<std::size_t> owners = ownersOf(problem);
+    for (const std::size_t unknown : run.statistics.integrated)
+        run.isIntegrated[owners[unknown]] = true;
+    if (collisions)
+        run.candidates = collisions->candidates();
     return run;
 }
 

@@ -48,6 +48,7 @@ struct Run {
     // Which bodies belong together: bodies of one island read or hit each other, directly or
     // through others. island[b] is the least body of b's.
     std::vector<std::size_t> island;
+    std::vector<bool> isIntegrated; // by body: some of its motion is not exact
 
     [[nodiscard]] MotionPointer motion(const Problem& problem, bool draft,
                                        std::optional<double> errorEstimate,

@@ -3,8 +3,7 @@
 // tightly, island by island, so that bodies that never meet do not change each other's numbers.
 #include "simulation/accuracy.h"
 #include "simulation/cpu_seconds.h"
-#include "simulation/run.h"
-#include "simulation/simulation.h"
+#include "simulation/solved.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +23,9 @@ constexpr double aim = 0.15;   // and what is aimed at when it is not
 constexpr double caution = 2;  // errors fall a little less than tolerances do
 constexpr int patience = 2;    // pairs of runs that come no closer, before tightening is given up
 
-void addWork(const Run& run, Statistics& sum) {
+void addWork(const Run& run, Solved& solved) {
+    solved.near.insert(run.candidates.begin(), run.candidates.end());
+    Statistics& sum = solved.result.statistics;
     sum.steps += run.statistics.steps;
     sum.rejectedSteps += run.statistics.rejectedSteps;
     sum.unconvergedSteps += run.statistics.unconvergedSteps;
@@ -61,8 +62,6 @@ bool isExact(const Run& run) { return run.statistics.integratedSteps == 0; }
 struct Verdict {
     std::vector<double> next; // tolerances for another run
     bool again = false;       // something is worth another run
-    double estimate = 0;      // of the tighter run
-    double predictableUntil = solution::infinity;
 };
 
 // What was compared so far.
@@ -70,6 +69,7 @@ struct Comparison {
     std::vector<IslandError> errors, before;  // of the last two pairs of runs
     std::vector<double> looser, loose, tight; // tolerances of the last three runs
     std::vector<int> failures;                // to come closer, by body
+    std::vector<BodyError> known;             // of the tightest run, by body
 };
 
 // How the error follows the tolerance: as measured by two pairs of runs, or proportionally.
@@ -86,10 +86,12 @@ Verdict judge(const Problem& problem, Comparison& c) {
     Verdict verdict{.next = c.tight};
     const double accuracy = problem.accuracy();
     for (std::size_t b = 0; b < c.errors.size(); ++b) {
+        if (c.tight[b] == c.loose[b]) // the same run again, for others: nothing new
+            continue;
         const double error = c.errors[b].largest;
         const double gain = std::max(std::pow(c.tight[b] / c.loose[b], orderOf(b, c)), 1e-3);
-        verdict.estimate =
-            std::max(verdict.estimate, std::isfinite(error) ? caution * gain * error : 1);
+        c.known[b] = {.estimate = std::isfinite(error) ? caution * gain * error : 1,
+                      .predictableUntil = solution::infinity};
         if (error <= enough * accuracy)
             continue;
         // Tightening that does not help any more: rounding, or motion that amplifies it. Two wrong
@@ -101,8 +103,8 @@ Verdict judge(const Problem& problem, Comparison& c) {
             const double wanted = c.tight[b] * std::clamp(aim * accuracy / error, 1e-3, 1.0);
             verdict.next[b] = std::max(tightest, std::min(wanted, c.tight[b] * tightening));
         } else {
-            verdict.estimate = std::max(verdict.estimate, error);
-            verdict.predictableUntil = std::min(verdict.predictableUntil, c.errors[b].beyondFrom);
+            c.known[b].estimate = std::max(c.known[b].estimate, error);
+            c.known[b].predictableUntil = c.errors[b].beyondFrom;
         }
     }
     return verdict;
@@ -117,59 +119,80 @@ void shareWithinIslands(const std::vector<std::size_t>& island, std::vector<doub
         tolerances[b] = least[island[b]];
 }
 
-// Another method than the engine's choice is taken as it is: one run.
-Result simulatePlainly(const Problem& problem, const Observer& observer) {
-    const std::vector<double> tolerances(problem.bodies->size(), problem.accuracy());
-    const Run run = runAt(problem, tolerances, observer);
-    Result result;
-    addWork(run, result.statistics);
-    describe(problem, run, result);
-    result.cancelled = run.cancelled;
-    result.motion = run.motion(problem, run.cancelled, {}, {});
-    return result;
+// A body that was never integrated has the same motion at any tolerance, but for how expressions
+// that hold it are fitted: it keeps the first.
+void leaveExact(const Run& run, const std::vector<double>& loose, std::vector<double>& tight) {
+    for (std::size_t b = 0; b < tight.size(); ++b)
+        if (!run.isIntegrated[b])
+            tight[b] = loose[b];
 }
 
-Result simulateToAccuracy(const Problem& problem, const Observer& observer) {
-    Result result;
+// Takes the run as the answer.
+void deliver(const Problem& problem, Run run, Solved& solved) {
+    Result& result = solved.result;
+    describe(problem, run, result);
+    if (!solved.errors.empty()) {
+        double estimate = 0, until = solution::infinity;
+        for (const BodyError& error : solved.errors) {
+            estimate = std::max(estimate, error.estimate);
+            until = std::min(until, error.predictableUntil);
+        }
+        result.statistics.errorEstimate = estimate;
+        if (std::isfinite(until))
+            result.statistics.predictableUntil = until;
+    }
+    result.motion = run.motion(problem, result.cancelled || run.cancelled,
+                               result.statistics.errorEstimate, result.statistics.predictableUntil);
+    result.cancelled = result.cancelled || run.cancelled;
+    solved.run = std::move(run);
+}
+
+// Another method than the engine's choice is taken as it is: one run.
+Solved solvePlainly(const Problem& problem, const Observer& observer) {
+    const std::vector<double> tolerances(problem.bodies->size(), problem.accuracy());
+    Solved solved;
+    Run run = runAt(problem, tolerances, observer);
+    addWork(run, solved);
+    deliver(problem, std::move(run), solved);
+    return solved;
+}
+
+Solved solveToAccuracy(const Problem& problem, const Observer& observer) {
+    Solved solved;
     const double accuracy = problem.accuracy();
     const double first = std::min(firstTolerance * accuracy, loosest);
     Comparison compared;
     compared.loose.assign(problem.bodies->size(), first);
     compared.tight.assign(problem.bodies->size(), first * tightening);
     compared.failures.assign(problem.bodies->size(), 0);
+    compared.known.resize(problem.bodies->size());
     Observer silent{.cancelled = observer.cancelled, .progress = {}};
     Run before = runAt(problem, compared.loose, observer);
-    addWork(before, result.statistics);
+    addWork(before, solved);
     if (before.cancelled || isExact(before)) {
-        describe(problem, before, result);
-        result.cancelled = before.cancelled;
         if (!before.cancelled)
-            result.statistics.errorEstimate = 0;
-        result.motion =
-            before.motion(problem, before.cancelled, result.statistics.errorEstimate, {});
-        return result;
+            solved.errors = compared.known;
+        deliver(problem, std::move(before), solved);
+        return solved;
     }
     if (observer.progress)
         observer.progress(before.motion(problem, true, {}, {}));
+    leaveExact(before, compared.loose, compared.tight);
+    shareWithinIslands(before.island, compared.tight);
     while (true) {
         Run run = runAt(problem, compared.tight, silent);
-        addWork(run, result.statistics);
+        addWork(run, solved);
         if (run.cancelled) {
-            describe(problem, before, result);
-            result.cancelled = true;
-            result.motion = before.motion(problem, true, {}, {});
-            return result;
+            solved.result.cancelled = true;
+            deliver(problem, std::move(before), solved);
+            return solved;
         }
         compared.errors = compareRuns(problem, before, run, accuracy);
         const Verdict verdict = judge(problem, compared);
         if (!verdict.again) {
-            describe(problem, run, result);
-            result.statistics.errorEstimate = verdict.estimate;
-            if (std::isfinite(verdict.predictableUntil))
-                result.statistics.predictableUntil = verdict.predictableUntil;
-            result.motion = run.motion(problem, false, result.statistics.errorEstimate,
-                                       result.statistics.predictableUntil);
-            return result;
+            solved.errors = compared.known;
+            deliver(problem, std::move(run), solved);
+            return solved;
         }
         compared.looser = std::exchange(compared.loose, compared.tight);
         compared.tight = verdict.next;
@@ -181,6 +204,16 @@ Result simulateToAccuracy(const Problem& problem, const Observer& observer) {
 
 } // namespace
 
+Solved solve(const Problem& problem, const Observer& observer) {
+    const double begin = cpuSeconds();
+    Solved solved = problem.scene.simulator.method == "auto" && !problem.options.fixedStep
+                        ? solveToAccuracy(problem, observer)
+                        : solvePlainly(problem, observer);
+    solved.result.statistics.predictableUntil = solved.result.motion->predictableUntil();
+    solved.result.statistics.secondsSolving = cpuSeconds() - begin;
+    return solved;
+}
+
 Result simulate(const scene::Scene& scene, const Options& options, const Observer& observer) {
     const double begin = cpuSeconds();
     auto problem = problemOf(scene, options);
@@ -190,13 +223,8 @@ Result simulate(const scene::Scene& scene, const Options& options, const Observe
         return result;
     }
     const double posing = cpuSeconds() - begin;
-    const auto& posed = *std::get<std::shared_ptr<const Problem>>(problem);
-    Result result = posed.scene.simulator.method == "auto" && !options.fixedStep
-                        ? simulateToAccuracy(posed, observer)
-                        : simulatePlainly(posed, observer);
-    result.statistics.predictableUntil = result.motion->predictableUntil();
-    result.statistics.seconds = cpuSeconds() - begin;
-    result.statistics.secondsSolving = result.statistics.seconds - posing;
+    Result result = solve(*std::get<std::shared_ptr<const Problem>>(problem), observer).result;
+    result.statistics.seconds = posing + result.statistics.secondsSolving;
     result.statistics.secondsSettingUp += posing;
     return result;
 }

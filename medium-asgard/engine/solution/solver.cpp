@@ -301,6 +301,8 @@ Statistics Solver::Implementation::statistics() const {
         const ComponentStatistics s = component->statistics();
         total.steps += s.steps;
         total.integratedSteps += s.integratedSteps;
+        if (s.integratedSteps > 0)
+            total.integrated.insert(total.integrated.end(), s.unknowns.begin(), s.unknowns.end());
         total.rejectedSteps += s.rejectedSteps;
         total.unconvergedSteps += s.unconvergedSteps;
         total.discardedSteps += s.discardedSteps;

@@ -93,6 +93,7 @@ struct Statistics {
     std::size_t components = 0, largestComponent = 0, historyBytes = 0;
     std::vector<ComponentStatistics> componentList; // those in force; ended ones are in the sums
     std::vector<std::size_t> zeroStates;            // unknowns that stayed 0 all the time
+    std::vector<std::size_t> integrated;            // unknowns of components that a method stepped
 };
 
 struct Advance {

@@ -1,0 +1,29 @@
+// A scene solved to its accuracy, with what simulate() knows and does not tell: for who keeps parts
+// of it (resimulation.h).
+#pragma once
+
+#include "simulation/run.h"
+
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace simulation {
+
+struct BodyError {
+    double estimate = 0; // over the size of what it moves with
+    double predictableUntil = solution::infinity;
+};
+
+struct Solved {
+    Result result;
+    Run run;                       // that the result's motion shows
+    std::vector<BodyError> errors; // by body; empty: not estimated
+    // Pairs of bodies that came near each other in any of the runs. Who is not joined by these, and
+    // reads nothing of each other, did not change each other's numbers.
+    std::set<std::pair<std::size_t, std::size_t>> near;
+};
+
+[[nodiscard]] Solved solve(const Problem& problem, const Observer& observer);
+
+} // namespace simulation
