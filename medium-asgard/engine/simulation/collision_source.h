@@ -53,7 +53,7 @@ public:
     [[nodiscard]] std::optional<solution::Event> next(const solution::Histories& histories,
                                                       double known) override;
     void apply(const solution::Histories& histories, const solution::Event& event,
-               expression::EquationSet& equations, solution::Changes& changes) override;
+               solution::EquationsInForce& equations, solution::Changes& changes) override;
 
     [[nodiscard]] const std::vector<Impact>& impacts() const { return impacts_; }
     [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }

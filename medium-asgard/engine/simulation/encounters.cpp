@@ -333,12 +333,12 @@ void CollisionSource::noteOnce(const Pair& pair, const std::string& sentence) {
 }
 
 void CollisionSource::apply(const Histories& histories, const Event& event,
-                            expression::EquationSet& equations, solution::Changes& changes) {
+                            solution::EquationsInForce& equations, solution::Changes& changes) {
     changes.jumps = outcome_.jumps;
     changes.ends = outcome_.ends;
     for (const Outcome::Resting& resting : outcome_.rests)
-        resting_.write(histories, resting.body, event.time, resting.state, resting.rest, equations,
-                       changes);
+        resting_.write(histories, resting.body, event.time, resting.state, resting.rest,
+                       equations.changing(), changes);
 }
 
 } // namespace simulation

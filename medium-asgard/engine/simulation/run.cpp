@@ -90,7 +90,7 @@ solution::Options solverOptions(const Problem& problem, const std::vector<double
     options.whole = problem.options.whole;
     options.eventDriven = problem.options.eventDriven;
     options.cancelled = observer.cancelled;
-    for (std::size_t b = 0; b < problem.bodies->size(); ++b)
+    for (std::size_t b = 0; b < tolerances.size(); ++b)
         if (!(*problem.bodies)[b].isFixed) {
             options.tolerances.insert(options.tolerances.end(), bodyUnknowns, tolerances[b]);
             options.extents.insert(options.extents.end(), bodyUnknowns,
@@ -167,11 +167,18 @@ problemOf(const scene::Scene& original, const Options& options) {
     if (!equations.faults.empty())
         return equations.faults;
     auto bodies = std::make_shared<const std::vector<BodyRecord>>(recordsOf(equations));
-    return std::make_shared<const Problem>(Problem{.scene = std::move(scene),
-                                                   .equations = std::move(equations),
-                                                   .shapes = std::move(shapes),
-                                                   .bodies = std::move(bodies),
-                                                   .options = options});
+    auto problem = std::make_shared<Problem>(Problem{.scene = std::move(scene),
+                                                     .equations = std::move(equations),
+                                                     .shapes = std::move(shapes),
+                                                     .bodies = std::move(bodies),
+                                                     .options = options,
+                                                     .prepared = nullptr});
+    // The set is a part of the problem, which owns what was prepared of it.
+    const std::shared_ptr<const expression::EquationSet> set(std::shared_ptr<const void>(),
+                                                             &problem->equations.set);
+    problem->prepared = std::make_shared<const solution::PreparedEquations>(
+        set, solution::preparationFor(solverOptions(*problem, {}, {})));
+    return problem;
 }
 
 MotionPointer Run::motion(const Problem& problem, bool draft, std::optional<double> errorEstimate,
@@ -223,7 +230,7 @@ Run runAt(const Problem& problem, const std::vector<double>& tolerances, const O
                 observer.progress(collect(*current).motion(problem, true, {}, {}));
             }
         };
-    solution::Solver solver(problem.equations.set, options, collisions ? &*collisions : nullptr);
+    solution::Solver solver(problem.prepared, options, collisions ? &*collisions : nullptr);
     current = &solver;
     const double ready = cpuSeconds();
     const solution::Advance advance = solver.advanceTo(problem.finish());

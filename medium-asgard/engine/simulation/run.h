@@ -21,6 +21,8 @@ struct Problem {
     std::vector<geometry::Shape> shapes; // by body
     std::shared_ptr<const std::vector<BodyRecord>> bodies;
     Options options;
+    // Of `equations`, which stay with the problem: what all runs share.
+    std::shared_ptr<const solution::PreparedEquations> prepared;
 
     [[nodiscard]] double start() const { return scene.simulator.start; }
     [[nodiscard]] double finish() const { return scene.simulator.finish; }

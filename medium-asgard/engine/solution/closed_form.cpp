@@ -152,6 +152,8 @@ private:
             p.degree = 1;
             return p;
         }
+        if (const auto constant = equations_.constantOf(n))
+            return Polynomial::constant(*constant);
         const auto input = equations_.inputOf(n);
         if (!input)
             return std::nullopt; // a state

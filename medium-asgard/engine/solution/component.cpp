@@ -2,37 +2,51 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace solution {
 
-Component::Component(const expression::EquationSet& set, const UnknownIndex& index,
-                     const Histories& histories, const Options& options, const ZeroStates& zero,
-                     std::vector<std::size_t> unknowns)
-    : set_(set), index_(index), histories_(histories), options_(options), zero_(zero),
-      unknowns_(std::move(unknowns)), history_(std::make_shared<History>(unknowns_.size())),
-      tolerance_(options.tolerance), values_(unknowns_.size()) {
-    if (!options.tolerances.empty()) {
+Component::Component(const Surroundings& surroundings, std::vector<std::size_t> unknowns)
+    : around_(surroundings), set_(surroundings.set), histories_(surroundings.histories),
+      options_(surroundings.options), unknowns_(std::move(unknowns)),
+      history_(std::make_shared<History>(unknowns_.size())), tolerance_(options_.tolerance),
+      values_(unknowns_.size()) {
+    if (!options_.tolerances.empty()) {
         tolerance_ = infinity;
         for (const std::size_t u : unknowns_)
-            tolerance_ = std::min(tolerance_, options.tolerances[u]);
+            tolerance_ = std::min(tolerance_, options_.tolerances[u]);
     }
     // At fixed steps no error is controlled, and Newton's iteration must not add one.
-    if (options.fixedStep)
+    if (options_.fixedStep)
         tolerance_ = std::min(tolerance_, 1e-13);
-    for (const auto& four : set.quaternions) {
+    findQuaternions();
+    counts_.unknowns = unknowns_;
+}
+
+// All four of one are in one component, except for those that stay 0.
+void Component::findQuaternions() {
+    std::set<std::size_t> found;
+    for (const std::size_t u : unknowns_)
+        if (const auto quaternion = around_.index.quaternionOf(u); quaternion)
+            found.insert(*quaternion);
+    for (const std::size_t quaternion : found) {
         std::vector<std::size_t> places;
         bool whole = true;
-        for (const std::size_t entry : four) {
-            if (zero.contains(entry))
+        for (const std::size_t entry : set_->quaternions[quaternion]) {
+            if (around_.zero.contains(entry))
                 continue;
-            const auto at = std::lower_bound(unknowns_.begin(), unknowns_.end(), entry);
+            const auto at = std::ranges::lower_bound(unknowns_, entry);
             whole = whole && at != unknowns_.end() && *at == entry;
             places.push_back(static_cast<std::size_t>(at - unknowns_.begin()));
         }
         if (whole && !places.empty())
             quaternions_.push_back(places);
     }
-    counts_.unknowns = unknowns_;
+}
+
+void Component::use(const PreparedEquations::Component& prepared) {
+    phases_ = prepared.phases;
+    equations_ = std::make_unique<ComponentEquations>(prepared.bound, histories_);
 }
 
 std::string Component::names(const std::vector<std::size_t>& places) const {
@@ -40,7 +54,7 @@ std::string Component::names(const std::vector<std::size_t>& places) const {
     for (std::size_t k = 0; k < places.size(); ++k) {
         if (k == 4 && places.size() > 5)
             return text + " and " + std::to_string(places.size() - k) + " others";
-        text += (k == 0 ? "" : ", ") + set_.unknowns[unknowns_[places[k]]].name;
+        text += (k == 0 ? "" : ", ") + set_->unknowns[unknowns_[places[k]]].name;
     }
     return text;
 }
@@ -70,23 +84,32 @@ void Component::startAt(double t, std::span<const double> values) {
 }
 
 void Component::openRegime(bool withJumps) {
-    phases_.assign(unknowns_.size(), 0);
+    std::vector<std::size_t> phases(unknowns_.size());
     nextPhase_ = infinity;
     for (std::size_t i = 0; i < unknowns_.size(); ++i) {
-        const auto& phases = set_.unknowns[unknowns_[i]].phases;
-        while (phases_[i] + 1 < phases.size() && phases[phases_[i] + 1].from <= time_)
-            ++phases_[i];
-        if (phases_[i] + 1 < phases.size())
-            nextPhase_ = std::min(nextPhase_, phases[phases_[i] + 1].from);
+        const expression::Unknown& unknown = set_->unknowns[unknowns_[i]];
+        phases[i] = phaseAt(unknown, time_);
+        if (phases[i] + 1 < unknown.phases.size())
+            nextPhase_ = std::min(nextPhase_, unknown.phases[phases[i] + 1].from);
     }
+    takeEquations(std::move(phases));
     if (withJumps)
         applyJumps();
-    equations_ =
-        std::make_unique<ComponentEquations>(set_, index_, histories_, zero_, unknowns_, phases_);
     if (!equations_->loop().empty())
         end(Stop::Reason::algebraicLoop, equations_->loop(),
             names(equations_->loop()) + " are held by values that are defined by each other");
     makeControl();
+}
+
+// The equations of the same phases stay as they are.
+void Component::takeEquations(std::vector<std::size_t> phases) {
+    if (equations_ && phases == phases_)
+        return;
+    phases_ = std::move(phases);
+    equations_ = std::make_unique<ComponentEquations>(
+        std::make_shared<const BoundModel>(
+            boundModel(*set_, around_.index, around_.zero, unknowns_, phases_, around_.models)),
+        histories_);
 }
 
 // Jumps of phases that begin now; they read the values before.
@@ -94,7 +117,7 @@ void Component::applyJumps() {
     std::vector<expression::Node> nodes;
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < unknowns_.size(); ++i) {
-        const expression::Phase& phase = set_.unknowns[unknowns_[i]].phases[phases_[i]];
+        const expression::Phase& phase = set_->unknowns[unknowns_[i]].phases[phases_[i]];
         if (phase.jump && !phase.given && phase.from == time_) {
             nodes.push_back(*phase.jump);
             places.push_back(i);
@@ -102,12 +125,12 @@ void Component::applyJumps() {
     }
     if (nodes.empty())
         return;
-    std::vector<expression::Node> symbols = expression::symbolsOf(set_.graph, nodes);
+    std::vector<expression::Node> symbols = expression::symbolsOf(set_->graph, nodes);
     std::vector<double> in(symbols.size()), out(nodes.size());
     for (std::size_t k = 0; k < symbols.size(); ++k) {
-        if (symbols[k] == set_.time)
+        if (symbols[k] == set_->time)
             in[k] = time_;
-        const auto unknown = index_.of(symbols[k]);
+        const auto unknown = around_.index.of(symbols[k]);
         if (!unknown)
             continue;
         const auto own = std::lower_bound(unknowns_.begin(), unknowns_.end(), *unknown);
@@ -116,7 +139,7 @@ void Component::applyJumps() {
                       : histories_.value(*unknown, time_);
     }
     expression::Tape::Scratch scratch;
-    expression::Tape(set_.graph, symbols, nodes).evaluate(in, out, scratch);
+    expression::Tape(set_->graph, symbols, nodes).evaluate(in, out, scratch);
     for (std::size_t k = 0; k < places.size(); ++k)
         values_[places[k]] = out[k];
 }
@@ -128,15 +151,15 @@ void Component::makeControl() {
         for (const std::size_t u : unknowns_)
             extent = std::max(extent, options_.extents[u]);
     for (const std::size_t place : equations_->states()) {
-        const expression::Unknown& unknown = set_.unknowns[unknowns_[place]];
+        const expression::Unknown& unknown = set_->unknowns[unknowns_[place]];
         UnknownScale scale;
         scale.extent = extent;
         if (unknown.lengthPerUnit > 0) {
             scale.kind = UnknownScale::Kind::position;
             scale.lengthPerUnit = unknown.lengthPerUnit;
-        } else if (unknown.integralOf && set_.unknowns[*unknown.integralOf].lengthPerUnit > 0) {
+        } else if (unknown.integralOf && set_->unknowns[*unknown.integralOf].lengthPerUnit > 0) {
             scale.kind = UnknownScale::Kind::velocity;
-            scale.lengthPerUnit = set_.unknowns[*unknown.integralOf].lengthPerUnit;
+            scale.lengthPerUnit = set_->unknowns[*unknown.integralOf].lengthPerUnit;
         }
         scales.push_back(scale);
     }

@@ -13,7 +13,9 @@
 #pragma once
 
 #include "solution/component_equations.h"
+#include "solution/equations_in_force.h"
 #include "solution/method_choice.h"
+#include "solution/prepared_equations.h"
 #include "solution/solver.h"
 
 #include <deque>
@@ -23,9 +25,19 @@ namespace solution {
 
 class Component {
 public:
-    Component(const expression::EquationSet& set, const UnknownIndex& index,
-              const Histories& histories, const Options& options, const ZeroStates& zero,
-              std::vector<std::size_t> unknowns);
+    // What a component is told of its solver, all of which outlives it. `zero` may change with the
+    // equations; then the components that it concerns are made anew.
+    struct Surroundings {
+        const EquationsInForce& set;
+        const UnknownIndex& index;
+        const Histories& histories;
+        const Options& options;
+        const ZeroStates& zero;
+        ComponentModels& models;
+    };
+    Component(const Surroundings& surroundings, std::vector<std::size_t> unknowns);
+    // With equations that were prepared for the phases in force at the start.
+    void use(const PreparedEquations::Component& prepared);
 
     [[nodiscard]] const std::vector<std::size_t>& unknowns() const { return unknowns_; }
     [[nodiscard]] const std::shared_ptr<History>& history() const { return history_; }
@@ -56,11 +68,13 @@ private:
 
     // Phases and regimes.
     void openRegime(bool withJumps);
+    void takeEquations(std::vector<std::size_t> phases);
     void applyJumps();
     void makeControl();
     void begin(); // decides branches, drops the method, stands on an anchor
     void placeAnchor();
     void takeHeldValues();
+    void findQuaternions();
     [[nodiscard]] std::vector<double> stateValues() const;
     void setStates(std::span<const double> y);
     void normalize();
@@ -102,11 +116,10 @@ private:
     void remember(); // a checkpoint at time_
     [[nodiscard]] std::string names(const std::vector<std::size_t>& places) const;
 
-    const expression::EquationSet& set_;
-    const UnknownIndex& index_;
+    Surroundings around_;
+    const EquationsInForce& set_;
     const Histories& histories_;
     const Options& options_;
-    const ZeroStates& zero_;
     std::vector<std::size_t> unknowns_;
     std::shared_ptr<History> history_;
     double tolerance_;

@@ -19,10 +19,9 @@
 // slides. Such motion ends with a reason when it cannot go on.
 #pragma once
 
-#include "expression/equations.h"
 #include "expression/tape.h"
+#include "solution/bound_model.h"
 #include "solution/inputs.h"
-#include "solution/partition.h"
 #include "solution/switching.h"
 #include "solution/system.h"
 
@@ -35,29 +34,29 @@ namespace solution {
 
 class ComponentEquations final : public System {
 public:
-    // `phases[i]` is the phase of unknowns[i] that is in force. What stays 0 is put in as a 0.
-    ComponentEquations(const expression::EquationSet& set, const UnknownIndex& index,
-                       const Histories& histories, const ZeroStates& zero,
-                       std::vector<std::size_t> unknowns, std::span<const std::size_t> phases);
+    // `bound` is shared with other runs over the same equations; here is what a run changes.
+    ComponentEquations(std::shared_ptr<const BoundModel> bound, const Histories& histories);
 
-    // Places in `unknowns` of the differential ones and of the held ones, in order of evaluation.
-    [[nodiscard]] const std::vector<std::size_t>& states() const { return states_; }
-    [[nodiscard]] const std::vector<std::size_t>& held() const { return held_; }
+    // Places in the component's unknowns of the differential ones and of the held ones, in order of
+    // evaluation.
+    [[nodiscard]] const std::vector<std::size_t>& states() const { return bound_->states; }
+    [[nodiscard]] const std::vector<std::size_t>& held() const { return bound_->held; }
     // Held unknowns that are defined by each other; then nothing else may be asked.
-    [[nodiscard]] const std::vector<std::size_t>& loop() const { return loop_; }
+    [[nodiscard]] const std::vector<std::size_t>& loop() const { return bound_->loop; }
     [[nodiscard]] Inputs& inputs() { return inputs_; }
+    [[nodiscard]] const ComponentModel& model() const { return model_; }
 
     // System, for the integrators.
-    [[nodiscard]] std::size_t size() const override { return states_.size(); }
+    [[nodiscard]] std::size_t size() const override { return states().size(); }
     [[nodiscard]] bool rates(double t, std::span<const double> y, std::span<double> out) override;
     [[nodiscard]] const Pattern& jacobianPattern() override;
     [[nodiscard]] bool jacobian(double t, std::span<const double> y,
                                 std::span<double> entries) override;
     [[nodiscard]] std::span<const std::pair<std::size_t, std::size_t>> integrals() const override {
-        return integrals_;
+        return model_.integrals();
     }
     [[nodiscard]] std::span<const std::size_t> configuration() const override {
-        return configuration_;
+        return model_.configuration();
     }
 
     // Values of the held unknowns. False: not finite.
@@ -69,12 +68,14 @@ public:
 
     // What the outputs are, for models in closed form: rates of states, then held values. All nodes
     // are of this graph, which holds nothing else: its bits depend on the component alone.
-    [[nodiscard]] const expression::Graph& graph() const { return graph_; }
-    [[nodiscard]] expression::Node time() const { return symbols_[0]; }
-    [[nodiscard]] std::span<const expression::Node> outputs() const { return outputs_; }
+    [[nodiscard]] const expression::Graph& graph() const { return model_.graph(); }
+    [[nodiscard]] expression::Node time() const { return model_.symbols()[0]; }
+    [[nodiscard]] std::span<const expression::Node> outputs() const { return model_.outputs(); }
     [[nodiscard]] std::optional<expression::Decision> decisionOf(expression::Node switching) const;
+    // What a symbol is, other than time or a state: an input, or a constant of this component.
     [[nodiscard]] std::optional<std::size_t> inputOf(expression::Node symbol) const;
-    [[nodiscard]] bool readsStates() const { return readsStates_; } // other than in guards
+    [[nodiscard]] std::optional<double> constantOf(expression::Node symbol) const;
+    [[nodiscard]] bool readsStates() const { return model_.readsStates(); }
 
     // Branches. decide() is from the values alone, with what the fields say on a surface itself.
     void decide(double t, std::span<double> y);
@@ -93,41 +94,20 @@ private:
         enum class Kind { side, least, most } kind; // least, most: of a weight
         std::size_t surface;
     };
-    // A tape of derived expressions, on the branches that are in force for the equations.
-    struct Derived {
-        expression::Tape tape;
-        struct Source { // of each of its decisions
-            std::optional<std::size_t> decision, surface;
-            int orientation = 1;
-        };
-        std::vector<Source> sources;
-        std::vector<expression::Decision> decisions;
-        expression::Tape::Scratch scratch;
-    };
-    struct Gradient {
-        Derived derivatives;              // dg/dt, dg/dy, dg/dinputs; then g
-        std::optional<std::size_t> state; // g is this state itself
-    };
     static constexpr int onSurface = 0;
 
-    void orderHeld(const ZeroStates& zero, std::span<const std::size_t> phases);
-    void makeOutputs(const ZeroStates& zero, std::span<const std::size_t> phases);
-    void makeTape();
-    void findIntegrals();
-    void findConfiguration();
     void fill(double t, std::span<const double> y);
     void evaluate(std::span<double> out);
     void setSide(std::size_t surface, int side);
     void refreshWatches();
-    [[nodiscard]] Gradient& gradient(std::size_t surface);
     struct Slope {
         double rate;
         double noise; // what rounding may make of a rate of 0
         double near;  // and of a guard of 0, where its root was located
         double value; // the guard
     };
-    [[nodiscard]] Derived derive(expression::Graph& graph, std::span<const expression::Node> nodes);
-    void evaluate(Derived& derived, std::span<double> out) const;
+    // On the branches that are in force for the equations.
+    void evaluate(const ComponentModel::Derived& derived, std::span<double> out);
     [[nodiscard]] Slope guardRate(std::size_t surface, std::span<const double> rates);
     [[nodiscard]] bool weigh(); // weights_ and rates of sliding at what fill() was given
     void settleOn(std::size_t surface);
@@ -140,37 +120,22 @@ private:
     void pass(const Watch& watch, bool insist, std::vector<std::size_t>& passed);
     [[nodiscard]] bool settleWeights(double t, std::span<const double> y);
     void project(double t, std::span<double> y);
-    void makeJacobian();
     [[nodiscard]] bool differences(double t, std::span<const double> y, std::span<double> entries);
 
-    const expression::EquationSet& set_;
-    expression::Graph graph_; // of the outputs and guards alone; derivatives go into copies
-    std::vector<std::size_t> unknowns_, states_, held_, loop_;
-    std::vector<expression::Node> outputs_, symbols_; // symbols: time, states, inputs
-    std::vector<std::pair<std::size_t, std::size_t>> integrals_;
-    std::vector<std::size_t> configuration_;
-    bool readsStates_ = false;
+    std::shared_ptr<const BoundModel> bound_;
+    const ComponentModel& model_;
     Inputs inputs_;
-    expression::Tape tape_;
     expression::Tape::Scratch scratch_;
-    std::vector<double> in_, out_, base_, other_, guards_;
+    std::vector<double> in_; // values of the model's symbols; constants stand at the end
+    std::vector<double> out_, base_, other_, guards_;
 
-    std::vector<expression::Node> switches_;
-    std::vector<Surface> surfaces_;
-    std::vector<std::pair<std::size_t, std::size_t>> ownGuards_; // surface, the state that it is
-    std::vector<int> sides_;                                     // -1, 0, 1; of sliding surfaces -1
+    std::vector<int> sides_; // -1, 0, 1; of sliding surfaces -1
     std::vector<expression::Decision> decisions_;
     std::vector<std::size_t> sliding_; // surfaces
     std::vector<double> weights_;
     bool slidingFailed_ = false;
     std::vector<Watch> watches_;
-    std::vector<std::unique_ptr<Gradient>> gradients_;
-
-    struct Jacobian {
-        Pattern pattern;
-        Derived entries;
-    };
-    std::unique_ptr<Jacobian> jacobian_;
+    std::vector<expression::Decision> derivedDecisions_;
 };
 
 } // namespace solution

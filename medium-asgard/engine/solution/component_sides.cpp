@@ -13,13 +13,13 @@ using expression::Node;
 
 void ComponentEquations::setSide(std::size_t surface, int side) {
     sides_[surface] = side;
-    for (const Surface::Member& member : surfaces_[surface].members)
+    for (const Surface::Member& member : model_.surfaces()[surface].members)
         decisions_[member.decision] = Decision{side} * member.orientation;
 }
 
 void ComponentEquations::refreshWatches() {
     watches_.clear();
-    for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+    for (std::size_t s = 0; s < model_.surfaces().size(); ++s) {
         const bool slides = std::find(sliding_.begin(), sliding_.end(), s) != sliding_.end();
         if (!slides) {
             watches_.push_back({Watch::Kind::side, s});
@@ -30,33 +30,16 @@ void ComponentEquations::refreshWatches() {
     }
 }
 
-ComponentEquations::Gradient& ComponentEquations::gradient(std::size_t surface) {
-    std::unique_ptr<Gradient>& place = gradients_[surface];
-    if (!place) {
-        place = std::make_unique<Gradient>();
-        expression::Graph graph = graph_;
-        std::vector<Node> derivatives;
-        for (const Node symbol : symbols_)
-            derivatives.push_back(
-                expression::differentiate(graph, surfaces_[surface].guard, symbol));
-        derivatives.push_back(surfaces_[surface].guard);
-        place->derivatives = derive(graph, derivatives);
-        for (std::size_t i = 0; i < states_.size(); ++i)
-            if (surfaces_[surface].guard == symbols_[1 + i])
-                place->state = i;
-    }
-    return *place;
-}
-
 // d g / dt along given rates of the states, at the point given to fill().
 ComponentEquations::Slope ComponentEquations::guardRate(std::size_t surface,
                                                         std::span<const double> rates) {
-    std::vector<double> partial(symbols_.size() + 1), change(symbols_.size(), 1.0);
-    evaluate(gradient(surface).derivatives, partial);
-    std::copy_n(rates.begin(), states_.size(), change.begin() + 1);
-    inputs_.rates(in_[0], std::span(change).subspan(1 + states_.size()));
+    const std::size_t variables = model_.variables();
+    std::vector<double> partial(variables + 1), change(variables, 1.0);
+    evaluate(model_.gradient(surface).derivatives, partial);
+    std::copy_n(rates.begin(), states().size(), change.begin() + 1);
+    inputs_.rates(in_[0], std::span(change).subspan(1 + states().size()));
     Slope slope{0, 0, 0, partial.back()};
-    for (std::size_t i = 0; i < symbols_.size(); ++i) {
+    for (std::size_t i = 0; i < variables; ++i) {
         if (partial[i] == 0)
             continue;
         slope.rate += partial[i] * change[i];
@@ -98,7 +81,7 @@ bool ComponentEquations::weigh() {
         for (std::size_t n = 0; n < out_.size(); ++n)
             out_[n] += w(j) * (fields[static_cast<std::size_t>(j)][n] - base_[n]);
     for (const std::size_t s : sliding_)
-        if (const auto state = gradient(s).state)
+        if (const auto state = model_.gradient(s).state)
             out_[*state] = 0;
     weights_.assign(w.data(), w.data() + m);
     return true;
@@ -108,10 +91,10 @@ void ComponentEquations::watch(double t, std::span<const double> y, std::span<do
     fill(t, y);
     if (!sliding_.empty() && !weigh())
         std::fill(weights_.begin(), weights_.end(), -1.0); // no longer possible: leave
-    tape_.evaluate(in_, other_, scratch_, decisions_, guards_);
+    model_.tape().evaluate(in_, other_, scratch_, decisions_, guards_);
     for (std::size_t k = 0; k < watches_.size(); ++k) {
         const auto [kind, s] = watches_[k];
-        const Surface& surface = surfaces_[s];
+        const Surface& surface = model_.surfaces()[s];
         const double g = guard(s);
         if (decisions_[surface.members[0].decision] == expression::noBranch) {
             values[k] = 1;
@@ -159,15 +142,15 @@ void ComponentEquations::settleOn(std::size_t surface) {
 
 void ComponentEquations::decide(double t, std::span<double> y) {
     sliding_.clear();
-    if (surfaces_.empty())
+    if (model_.surfaces().empty())
         return;
     fill(t, y);
-    tape_.decide(in_, decisions_, guards_, scratch_);
+    model_.tape().decide(in_, decisions_, guards_, scratch_);
     std::vector<std::size_t> touching;
-    for (std::size_t s = 0; s < surfaces_.size(); ++s) {
-        const Surface::Member& member = surfaces_[s].members[0];
+    for (std::size_t s = 0; s < model_.surfaces().size(); ++s) {
+        const Surface::Member& member = model_.surfaces()[s].members[0];
         const Decision taken = decisions_[member.decision];
-        if (surfaces_[s].whole || taken == expression::noBranch)
+        if (model_.surfaces()[s].whole || taken == expression::noBranch)
             continue;
         sides_[s] = static_cast<int>(taken) * member.orientation;
         if (sides_[s] == onSurface)
@@ -207,19 +190,19 @@ bool ComponentEquations::settleWeights(double t, std::span<const double> y) {
 // state.
 void ComponentEquations::project(double t, std::span<double> y) {
     for (const std::size_t s : sliding_) {
-        const Gradient& g = gradient(s);
+        const ComponentModel::Gradient& g = model_.gradient(s);
         if (g.state) {
             y[*g.state] = 0;
             continue;
         }
         fill(t, y);
-        tape_.evaluate(in_, other_, scratch_, decisions_, guards_);
+        model_.tape().evaluate(in_, other_, scratch_, decisions_, guards_);
         const double off = guard(s);
         setSide(s, +1);
         evaluate(other_);
         setSide(s, -1);
         evaluate(base_);
-        std::vector<double> direction(states_.size());
+        std::vector<double> direction(states().size());
         for (std::size_t i = 0; i < direction.size(); ++i)
             direction[i] = other_[i] - base_[i];
         const double along = guardRate(s, other_).rate - guardRate(s, base_).rate;
@@ -230,7 +213,7 @@ void ComponentEquations::project(double t, std::span<double> y) {
 }
 
 double ComponentEquations::guard(std::size_t surface) const {
-    const Surface::Member& member = surfaces_[surface].members[0];
+    const Surface::Member& member = model_.surfaces()[surface].members[0];
     return guards_[member.decision] * member.orientation;
 }
 
@@ -244,7 +227,7 @@ void ComponentEquations::field() {
 bool ComponentEquations::isRight(std::size_t surface) {
     field();
     const std::vector<double> now = out_;
-    tape_.evaluate(in_, other_, scratch_, decisions_, guards_);
+    model_.tape().evaluate(in_, other_, scratch_, decisions_, guards_);
     const Slope slope = guardRate(surface, now);
     const double g = sides_[surface] * guard(surface);
     return g > slope.near || (g >= -slope.near && slope.rate * sides_[surface] > slope.noise);
@@ -254,7 +237,7 @@ bool ComponentEquations::isRight(std::size_t surface) {
 Decision ComponentEquations::wholeBranch(std::size_t surface, std::span<const double> rates) {
     const Slope slope = guardRate(surface, rates);
     const double nearest = std::round(slope.value);
-    const bool ceiling = surfaces_[surface].ceiling;
+    const bool ceiling = model_.surfaces()[surface].ceiling;
     double whole = ceiling ? std::ceil(slope.value) : std::floor(slope.value);
     if (std::abs(slope.value - nearest) <= slope.near) {
         const bool leaves = ceiling ? slope.rate > slope.noise : slope.rate < -slope.noise;
@@ -266,20 +249,21 @@ Decision ComponentEquations::wholeBranch(std::size_t surface, std::span<const do
 
 void ComponentEquations::pass(const Watch& watch, bool insist, std::vector<std::size_t>& passed) {
     const std::size_t s = watch.surface;
-    const Surface::Member& member = surfaces_[s].members[0];
+    const Surface::Member& member = model_.surfaces()[s].members[0];
     if (watch.kind != Watch::Kind::side) {
         sliding_.erase(std::remove(sliding_.begin(), sliding_.end(), s), sliding_.end());
         setSide(s, watch.kind == Watch::Kind::least ? -1 : +1);
-    } else if (surfaces_[s].whole) {
+    } else if (model_.surfaces()[s].whole) {
         field();
         const std::vector<double> now = out_;
         const Decision next = wholeBranch(s, now);
-        const Decision beside = decisions_[member.decision] + (surfaces_[s].ceiling ? 1 : -1);
+        const Decision beside =
+            decisions_[member.decision] + (model_.surfaces()[s].ceiling ? 1 : -1);
         decisions_[member.decision] = next != decisions_[member.decision] ? next : beside;
     } else if (insist) {
         setSide(s, onSurface);
     } else if (passed.empty() || !isRight(s)) {
-        tape_.evaluate(in_, other_, scratch_, decisions_, guards_);
+        model_.tape().evaluate(in_, other_, scratch_, decisions_, guards_);
         const double g = guard(s);
         setSide(s, sides_[s] == onSurface ? (g > 0) - (g < 0) : -sides_[s]);
         passed.push_back(s);
@@ -288,20 +272,20 @@ void ComponentEquations::pass(const Watch& watch, bool insist, std::vector<std::
 
 // Guards that jumped when other surfaces were passed: their sides follow their values.
 void ComponentEquations::follow(const std::vector<std::size_t>& passed) {
-    for (std::size_t round = 0; round < surfaces_.size(); ++round) {
+    for (std::size_t round = 0; round < model_.surfaces().size(); ++round) {
         bool changed = false;
         field();
         const std::vector<double> now = out_;
-        tape_.evaluate(in_, other_, scratch_, decisions_, guards_);
+        model_.tape().evaluate(in_, other_, scratch_, decisions_, guards_);
         const std::vector<double> guards = guards_;
-        for (std::size_t s = 0; s < surfaces_.size() && !changed; ++s) {
+        for (std::size_t s = 0; s < model_.surfaces().size() && !changed; ++s) {
             const auto in = [s](const std::vector<std::size_t>& list) {
                 return std::find(list.begin(), list.end(), s) != list.end();
             };
-            Decision& decision = decisions_[surfaces_[s].members[0].decision];
+            Decision& decision = decisions_[model_.surfaces()[s].members[0].decision];
             if (in(passed) || in(sliding_) || decision == expression::noBranch)
                 continue;
-            if (surfaces_[s].whole) {
+            if (model_.surfaces()[s].whole) {
                 const Decision next = wholeBranch(s, now);
                 changed = next != decision;
                 decision = next;
@@ -328,7 +312,7 @@ ComponentEquations::Crossing ComponentEquations::cross(const Violation& violatio
     // Does the field behind each passed surface lead away from it?
     field();
     const std::vector<double> behind = out_;
-    tape_.evaluate(in_, other_, scratch_, decisions_, guards_);
+    model_.tape().evaluate(in_, other_, scratch_, decisions_, guards_);
     std::vector<std::size_t> back;
     for (const std::size_t s : passed) {
         const Slope slope = guardRate(s, behind);
@@ -347,12 +331,11 @@ std::vector<std::size_t> ComponentEquations::unknownsOf(const std::vector<std::s
     std::vector<Node> guards;
     guards.reserve(watches.size());
     for (const std::size_t k : watches)
-        guards.push_back(surfaces_[watches_[k].surface].guard);
+        guards.push_back(model_.surfaces()[watches_[k].surface].guard);
     std::vector<std::size_t> found;
-    for (const Node symbol : expression::symbolsOf(graph_, guards))
-        for (std::size_t i = 0; i < states_.size(); ++i)
-            if (symbols_[1 + i] == symbol)
-                found.push_back(states_[i]);
+    for (const Node symbol : expression::symbolsOf(graph(), guards))
+        if (const auto place = model_.placeOf(symbol); place && *place >= 1 && *place <= size())
+            found.push_back(states()[*place - 1]);
     return found;
 }
 

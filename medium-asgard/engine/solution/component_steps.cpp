@@ -88,7 +88,7 @@ std::optional<std::size_t> Component::look(std::size_t unknown, double target, s
 void Component::step() {
     if (ends_ && limit_ <= time_) {
         end(Stop::Reason::inputEnded, {},
-            names({0}) + " reads " + set_.unknowns[*ends_].name + ", whose motion ended");
+            names({0}) + " reads " + set_->unknowns[*ends_].name + ", whose motion ended");
         return;
     }
     if (history_->size() > options_.maximumSteps) { // what events threw away does not count

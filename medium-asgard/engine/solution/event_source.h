@@ -20,7 +20,7 @@
 // an event does not touch, and that read nothing it touches, keep every step they made.
 #pragma once
 
-#include "expression/equations.h"
+#include "solution/equations_in_force.h"
 #include "solution/histories.h"
 
 #include <cstddef>
@@ -64,8 +64,8 @@ public:
     virtual ~EventSource() = default;
     [[nodiscard]] virtual std::optional<Event> next(const Histories& histories, double known) = 0;
     // New nodes go into the graph of `equations`; what is in force now is read there too.
-    virtual void apply(const Histories& histories, const Event& event,
-                       expression::EquationSet& equations, Changes& changes) = 0;
+    virtual void apply(const Histories& histories, const Event& event, EquationsInForce& equations,
+                       Changes& changes) = 0;
 };
 
 } // namespace solution

@@ -37,7 +37,7 @@ public:
         return std::nullopt;
     }
 
-    void apply(const Histories& h, const Event& event, expression::EquationSet& set,
+    void apply(const Histories& h, const Event& event, EquationsInForce& set,
                Changes& changes) override {
         EXPECT_EQ(event.tag, 7u);
         times.push_back(event.time);
@@ -48,7 +48,7 @@ public:
             return;
         // It comes to rest: from now on nothing moves it.
         expression::Phase rest;
-        rest.derivative = set.graph.constant(0);
+        rest.derivative = set.changing().graph.constant(0);
         changes.equations.push_back({v_, rest, {}});
         changes.jumps.back().value = 0;
         from_ = infinity;
@@ -83,7 +83,7 @@ public:
             return Event{times_[next_++], {u_}, 0};
         return std::nullopt;
     }
-    void apply(const Histories& h, const Event& event, expression::EquationSet&,
+    void apply(const Histories& h, const Event& event, EquationsInForce&,
                Changes& changes) override {
         changes.jumps.push_back({u_, -h.pieceBefore(u_, event.time).value(event.time)});
     }
@@ -178,15 +178,15 @@ public:
             return Event{1.0 + stage_++, {0}, 0};
         return std::nullopt;
     }
-    void apply(const Histories&, const Event& event, expression::EquationSet& set,
+    void apply(const Histories&, const Event& event, EquationsInForce& set,
                Changes& changes) override {
         if (event.time == 2) {
             changes.ends.push_back({{0}, "it was asked to end"});
             return;
         }
         expression::Phase a, b;
-        a.derivative = expression::testing::parsed(set.graph, "b");
-        b.derivative = expression::testing::parsed(set.graph, "-a");
+        a.derivative = expression::testing::parsed(set.changing().graph, "b");
+        b.derivative = expression::testing::parsed(set.changing().graph, "-a");
         changes.equations.push_back({0, a, {}});
         changes.equations.push_back({1, b, {}});
     }
@@ -221,7 +221,7 @@ TEST(Events, WithoutEndAtOneInstantEndTheMotion) {
                 return std::nullopt;
             return Event{1, {2}, 0};
         }
-        void apply(const Histories&, const Event&, expression::EquationSet&, Changes&) override {}
+        void apply(const Histories&, const Event&, EquationsInForce&, Changes&) override {}
     } source;
     Options options;
     options.maximumEventsAtOnce = 50;

@@ -29,19 +29,25 @@ std::vector<Node> nodesAfter(const expression::Unknown& unknown, double from) {
 } // namespace
 
 UnknownIndex::UnknownIndex(const expression::EquationSet& set) {
-    for (std::size_t i = 0; i < set.unknowns.size(); ++i)
-        bySymbol_.emplace(set.unknowns[i].symbol.index, i);
-}
-
-std::optional<std::size_t> UnknownIndex::of(Node symbol) const {
-    const auto found = bySymbol_.find(symbol.index);
-    if (found == bySymbol_.end())
-        return std::nullopt;
-    return found->second;
+    for (std::size_t i = 0; i < set.unknowns.size(); ++i) {
+        const std::uint32_t symbol = set.unknowns[i].symbol.index;
+        if (symbol >= bySymbol_.size())
+            bySymbol_.resize(symbol + 1, none);
+        if (bySymbol_[symbol] == none)
+            bySymbol_[symbol] = static_cast<std::uint32_t>(i);
+    }
+    quaternions_.resize(set.unknowns.size(), none);
+    for (std::size_t q = 0; q < set.quaternions.size(); ++q)
+        for (const std::size_t i : set.quaternions[q])
+            quaternions_[i] = static_cast<std::uint32_t>(q);
 }
 
 Reads readsOf(const expression::EquationSet& equations, double from, const ZeroStates& zero) {
-    const UnknownIndex index(equations);
+    return readsOf(equations, UnknownIndex(equations), from, zero);
+}
+
+Reads readsOf(const expression::EquationSet& equations, const UnknownIndex& index, double from,
+              const ZeroStates& zero) {
     Reads reads(equations.unknowns.size());
     for (std::size_t i = 0; i < equations.unknowns.size(); ++i) {
         if (zero.contains(i))

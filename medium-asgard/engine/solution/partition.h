@@ -9,20 +9,30 @@
 #include "solution/zero_states.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 namespace solution {
 
-// Which unknown a symbol stands for.
+// Which unknown a symbol stands for, and which quaternion an unknown belongs to.
 class UnknownIndex {
 public:
     explicit UnknownIndex(const expression::EquationSet& set);
-    [[nodiscard]] std::optional<std::size_t> of(expression::Node symbol) const;
+    [[nodiscard]] std::optional<std::size_t> of(expression::Node symbol) const {
+        if (symbol.index >= bySymbol_.size() || bySymbol_[symbol.index] == none)
+            return std::nullopt;
+        return bySymbol_[symbol.index];
+    }
+    [[nodiscard]] std::optional<std::size_t> quaternionOf(std::size_t unknown) const {
+        return quaternions_[unknown] == none ? std::nullopt
+                                             : std::optional<std::size_t>(quaternions_[unknown]);
+    }
 
 private:
-    std::unordered_map<std::uint32_t, std::size_t> bySymbol_;
+    static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
+    std::vector<std::uint32_t> bySymbol_;    // by node
+    std::vector<std::uint32_t> quaternions_; // by unknown
 };
 
 // reads[i]: the unknowns that equation i reads, in order, each once; i itself may be among them.
@@ -30,6 +40,8 @@ using Reads = std::vector<std::vector<std::size_t>>;
 
 // From all phases after `from` and the one in force then. The four of a quaternion read each other,
 // since they are renormalised together. What stays 0 reads nothing, and nothing reads it.
+[[nodiscard]] Reads readsOf(const expression::EquationSet& equations, const UnknownIndex& index,
+                            double from, const ZeroStates& zero = {});
 [[nodiscard]] Reads readsOf(const expression::EquationSet& equations, double from,
                             const ZeroStates& zero = {});
 

@@ -95,7 +95,7 @@ public:
         }
         return std::nullopt;
     }
-    void apply(const Histories& h, const Event& event, expression::EquationSet&,
+    void apply(const Histories& h, const Event& event, EquationsInForce&,
                Changes& changes) override {
         const std::size_t u = event.touched[0];
         changes.jumps.push_back({u, -h.pieceBefore(u, event.time).value(event.time)});

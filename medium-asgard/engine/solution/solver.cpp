@@ -12,16 +12,44 @@ namespace solution {
 // ---------------------------------------------------------------------------------------------
 // Making components
 
+Preparation preparationFor(const Options& options) {
+    // A method that was asked for is given every state.
+    const bool ladder = options.method == "auto" && !options.fixedStep && !options.whole;
+    return {.start = options.start, .whole = options.whole, .everyState = !ladder, .models = {}};
+}
+
+Solver::Implementation::Implementation(std::shared_ptr<const PreparedEquations> prepared,
+                                       Options options, EventSource* source)
+    : set_(prepared->set), prepared_(std::move(prepared)), options_(std::move(options)),
+      source_(source), zero_(prepared_->zero) {
+    assert(options_.method == "auto" ||
+           std::ranges::find(methodNames(), options_.method) != methodNames().end());
+    assert(prepared_->how.start == options_.start && prepared_->how.whole == options_.whole);
+    histories_.start_ = histories_.known_ = options_.start;
+    histories_.tracks_.resize(set_->unknowns.size());
+    for (std::size_t u = 0; u < set_->unknowns.size(); ++u)
+        histories_.tracks_[u].initial = set_->unknowns[u].initial;
+    place(options_.start);
+    noteStops();
+}
+
 Partition Solver::Implementation::partition(double t) const {
-    const Reads reads = readsOf(set_, t, zero_);
+    const Reads reads = readsOf(*set_, prepared_->index, t, zero_);
     return options_.whole ? wholePartition(reads) : partitionOf(reads, zero_);
 }
 
-void Solver::Implementation::place(double t, const std::vector<double>& values) {
-    const Partition parts = partition(t);
-    for (const auto& unknowns : parts.components) {
-        components_.push_back(
-            std::make_unique<Component>(set_, index_, histories_, options_, zero_, unknowns));
+std::unique_ptr<Component> Solver::Implementation::madeOf(std::vector<std::size_t> unknowns) {
+    return std::make_unique<Component>(Component::Surroundings{set_, prepared_->index, histories_,
+                                                               options_, zero_,
+                                                               *prepared_->how.models},
+                                       std::move(unknowns));
+}
+
+void Solver::Implementation::place(double t) {
+    const Partition& parts = prepared_->partition;
+    for (std::size_t c = 0; c < parts.components.size(); ++c) {
+        components_.push_back(madeOf(parts.components[c]));
+        components_.back()->use(prepared_->components[c]);
         addTracks(*components_.back(), t);
     }
     addZeroTracks();
@@ -29,7 +57,7 @@ void Solver::Implementation::place(double t, const std::vector<double>& values) 
     for (std::size_t c = 0; c < components_.size(); ++c) {
         std::vector<double> own;
         for (const std::size_t u : components_[c]->unknowns())
-            own.push_back(values[u]);
+            own.push_back(set_->unknowns[u].initial);
         components_[c]->startAt(t, own);
     }
     for (std::size_t c = 0; c < components_.size(); ++c)
@@ -319,9 +347,15 @@ Statistics Solver::Implementation::statistics() const {
     return total;
 }
 
-Solver::Solver(expression::EquationSet equations, Options options, EventSource* source)
+Solver::Solver(std::shared_ptr<const PreparedEquations> prepared, Options options,
+               EventSource* source)
     : implementation_(
-          std::make_unique<Implementation>(std::move(equations), std::move(options), source)) {}
+          std::make_unique<Implementation>(std::move(prepared), std::move(options), source)) {}
+Solver::Solver(expression::EquationSet equations, Options options, EventSource* source)
+    : Solver(std::make_shared<const PreparedEquations>(
+                 std::make_shared<const expression::EquationSet>(std::move(equations)),
+                 preparationFor(options)),
+             options, source) {}
 Solver::~Solver() = default;
 Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
@@ -329,7 +363,7 @@ Solver& Solver::operator=(Solver&&) noexcept = default;
 Advance Solver::advanceTo(double finish) { return implementation_->advanceTo(finish); }
 const Histories& Solver::histories() const { return implementation_->histories_; }
 std::shared_ptr<const Histories> Solver::snapshot() const { return implementation_->snapshot(); }
-const expression::EquationSet& Solver::equations() const { return implementation_->set_; }
+const expression::EquationSet& Solver::equations() const { return *implementation_->set_; }
 Statistics Solver::statistics() const { return implementation_->statistics(); }
 
 } // namespace solution

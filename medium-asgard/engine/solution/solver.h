@@ -37,6 +37,7 @@
 #include "expression/equations.h"
 #include "solution/event_source.h"
 #include "solution/histories.h"
+#include "solution/prepared_equations.h"
 
 #include <functional>
 #include <memory>
@@ -69,6 +70,9 @@ struct Options {
 
 // Every name that Options::method takes, without "auto".
 [[nodiscard]] const std::vector<std::string>& methodNames();
+
+// How the equations are prepared for a solver with these options.
+[[nodiscard]] Preparation preparationFor(const Options& options);
 
 struct ComponentStatistics {
     std::vector<std::size_t> unknowns;
@@ -105,6 +109,9 @@ class Solver {
 public:
     // `source` may be null; it must outlive the solver.
     Solver(expression::EquationSet equations, Options options, EventSource* source = nullptr);
+    // With what preparationFor(options) gave, which runs over the same equations share.
+    Solver(std::shared_ptr<const PreparedEquations> prepared, Options options,
+           EventSource* source = nullptr);
     ~Solver();
     Solver(Solver&&) noexcept;
     Solver& operator=(Solver&&) noexcept;

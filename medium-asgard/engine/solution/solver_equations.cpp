@@ -31,7 +31,7 @@ void Solver::Implementation::retire(Component& component) {
 // Equations from the event on.
 void Solver::Implementation::change(const Event& event, const Changes& changes) {
     for (const auto& change : changes.equations) {
-        auto& phases = set_.unknowns[change.unknown].phases;
+        auto& phases = set_.changing().unknowns[change.unknown].phases;
         std::erase_if(phases, [&](const expression::Phase& p) { return p.from >= event.time; });
         phases.push_back(change.phase);
         phases.back().from = event.time;
@@ -41,7 +41,7 @@ void Solver::Implementation::change(const Event& event, const Changes& changes) 
 
 // How fast a jump moves points: comparable between velocities and spins. Infinite: a position.
 double Solver::Implementation::magnitude(std::size_t unknown, double value) const {
-    const expression::Unknown& u = set_.unknowns[unknown];
+    const expression::Unknown& u = set_->unknowns[unknown];
     if (u.lengthPerUnit > 0)
         return value == 0 ? 0 : infinity;
     const bool turns = !u.integralOf && !options_.extents.empty();
@@ -54,7 +54,7 @@ std::vector<std::size_t> Solver::Implementation::woken(const Event& event, const
     std::vector<std::size_t> roused;
     double largest = 0;
     for (const auto& jump : changes.jumps)
-        if (set_.unknowns[jump.unknown].lengthPerUnit == 0)
+        if (set_->unknowns[jump.unknown].lengthPerUnit == 0)
             largest =
                 std::max({largest, magnitude(jump.unknown, jump.value),
                           magnitude(jump.unknown, histories_.value(jump.unknown, event.time))});
@@ -64,7 +64,7 @@ std::vector<std::size_t> Solver::Implementation::woken(const Event& event, const
             roused.push_back(jump.unknown);
     if (roused.empty() && changes.equations.empty())
         return {};
-    return zero_.wake(set_, event.time, roused);
+    return zero_.wake(*set_, event.time, roused);
 }
 
 // Components that keep their unknowns and equations stay as they are; others are made anew from the
@@ -75,7 +75,7 @@ std::vector<std::size_t> Solver::Implementation::replace(const Event& event, con
     for (const auto& change : changes.equations)
         changed.insert(change.unknown);
     if (!woken.empty()) { // who reads them had a 0 in their place
-        const Reads all = readsOf(set_, event.time);
+        const Reads all = readsOf(*set_, prepared_->index, event.time);
         for (std::size_t u = 0; u < all.size(); ++u)
             if (std::ranges::any_of(
                     woken, [&](std::size_t w) { return std::ranges::binary_search(all[u], w); }))
@@ -115,8 +115,7 @@ std::vector<std::size_t> Solver::Implementation::replace(const Event& event, con
             const auto column = std::lower_bound(own.begin(), own.end(), u) - own.begin();
             values[c].push_back(was.values()[static_cast<std::size_t>(column)]);
         }
-        components_.push_back(
-            std::make_unique<Component>(set_, index_, histories_, options_, zero_, unknowns));
+        components_.push_back(madeOf(unknowns));
     }
     for (std::size_t c = 0; c < components_.size(); ++c)
         if (!components_[c])

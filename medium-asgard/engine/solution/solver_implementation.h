@@ -4,6 +4,7 @@
 
 #include "solution/component.h"
 #include "solution/partition.h"
+#include "solution/prepared_equations.h"
 #include "solution/solver.h"
 
 #include <algorithm>
@@ -14,36 +15,22 @@ namespace solution {
 
 class Solver::Implementation {
 public:
-    Implementation(expression::EquationSet equations, Options options, EventSource* source)
-        : set_(std::move(equations)), options_(std::move(options)), source_(source), index_(set_) {
-        assert(options_.method == "auto" || std::find(methodNames().begin(), methodNames().end(),
-                                                      options_.method) != methodNames().end());
-        histories_.start_ = histories_.known_ = options_.start;
-        histories_.tracks_.resize(set_.unknowns.size());
-        std::vector<double> initial;
-        for (std::size_t u = 0; u < set_.unknowns.size(); ++u) {
-            initial.push_back(set_.unknowns[u].initial);
-            histories_.tracks_[u].initial = initial.back();
-        }
-        // A method that was asked for is given every state.
-        if (options_.method == "auto" && !options_.fixedStep && !options_.whole)
-            zero_ = ZeroStates(set_, options_.start, initial);
-        place(options_.start, initial);
-        noteStops();
-    }
+    Implementation(std::shared_ptr<const PreparedEquations> prepared, Options options,
+                   EventSource* source);
 
     Advance advanceTo(double finish);
     [[nodiscard]] std::shared_ptr<const Histories> snapshot() const;
     [[nodiscard]] Statistics statistics() const;
 
-    expression::EquationSet set_;
+    EquationsInForce set_;
     Histories histories_;
 
 private:
     using Identity = std::size_t; // of a component, in order of making: inputs before readers
 
     [[nodiscard]] Partition partition(double t) const;
-    void place(double t, const std::vector<double>& values);
+    [[nodiscard]] std::unique_ptr<Component> madeOf(std::vector<std::size_t> unknowns);
+    void place(double t);
     void addZeroTracks();
     [[nodiscard]] double magnitude(std::size_t unknown, double value) const;
     [[nodiscard]] std::vector<std::size_t> woken(const Event& event, const Changes& changes);
@@ -69,9 +56,9 @@ private:
     void stopFor(const Event& event, Stop::Reason reason, const std::string& sentence);
     void noteStops();
 
+    std::shared_ptr<const PreparedEquations> prepared_;
     Options options_;
     EventSource* source_;
-    UnknownIndex index_;
     ZeroStates zero_;
     std::vector<std::unique_ptr<Component>> components_; // inputs before readers
     std::vector<std::vector<std::size_t>> readers_;

@@ -174,8 +174,7 @@ std::vector<Node> ZeroStates::symbolsLeft(const Graph& graph, std::span<const No
     while (!open.empty()) {
         const Node n = open.back();
         open.pop_back();
-        const bool isZero = n.index < nodeZero_.size() && nodeZero_[n.index];
-        if (isZero || !seen.insert(n.index).second)
+        if (isZero(n) || !seen.insert(n.index).second)
             continue;
         if (graph.op(n) == Op::symbol)
             symbols.push_back(n);

@@ -26,6 +26,10 @@ public:
         return unknown < zero_.size() && zero_[unknown];
     }
     [[nodiscard]] bool empty() const { return count_ == 0; }
+    // What an expression is while these are 0, as far as its form tells; complete as symbolsLeft().
+    [[nodiscard]] bool isZero(expression::Node n) const {
+        return n.index < nodeZero_.size() && nodeZero_[n.index];
+    }
     // In order.
     [[nodiscard]] std::vector<std::size_t> unknowns() const;
 

@@ -37,8 +37,7 @@ public:
             return std::nullopt;
         return Event{time_, {0, 1, 2, 3, 4, 5}, 0};
     }
-    void apply(const Histories&, const Event&, expression::EquationSet&,
-               Changes& changes) override {
+    void apply(const Histories&, const Event&, EquationsInForce&, Changes& changes) override {
         done_ = true;
         changes.jumps.push_back({5, speed_});
         if (other_ != 0)

@@ -1,0 +1,216 @@
+#include "solution/component_model.h"
+
+#include "expression/operation.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+
+namespace solution {
+
+using expression::Graph;
+using expression::Node;
+using expression::Op;
+
+ComponentModel::ComponentModel(Key key) : key_(std::move(key)) {
+    readKey();
+    findStructure();
+    tape_ = expression::Tape(graph_, symbols_, outputs_);
+}
+
+void ComponentModel::readKey() {
+    std::size_t at = 0;
+    const auto next = [&] { return key_[at++]; };
+    states_ = next();
+    const std::size_t held = next();
+    for (std::size_t i = 0; i < states_; ++i)
+        if (next() != 0)
+            configuration_.push_back(i);
+    symbols_.push_back(graph_.symbol("t"));
+    for (std::size_t i = 0; i < states_; ++i)
+        symbols_.push_back(graph_.symbol("y" + std::to_string(i)));
+    std::vector<Node> constants, entries;
+    while (key_[at] != key::outputs) {
+        const std::uint32_t word = next();
+        if (word == key::time) {
+            entries.push_back(symbols_[0]);
+        } else if (word == key::state) {
+            entries.push_back(symbols_[1 + next()]);
+        } else if (word == key::input) {
+            symbols_.push_back(graph_.symbol("u" + std::to_string(inputs_++)));
+            entries.push_back(symbols_.back());
+        } else if (word == key::constant) {
+            constants.push_back(graph_.symbol("c" + std::to_string(constants.size())));
+            entries.push_back(constants.back());
+        } else if (static_cast<Op>(word) == Op::constant) {
+            const std::uint64_t low = next(), high = next();
+            entries.push_back(graph_.constant(std::bit_cast<double>(low | high << 32)));
+        } else {
+            const Op op = static_cast<Op>(word);
+            const int count = expression::argumentCount(op);
+            const Node a = entries[next()], b = count > 1 ? entries[next()] : Node{},
+                       c = count > 2 ? entries[next()] : Node{};
+            entries.push_back(count == 1   ? graph_.apply(op, a)
+                              : count == 2 ? graph_.apply(op, a, b)
+                                           : graph_.apply(op, a, b, c));
+        }
+    }
+    ++at;
+    for (std::size_t i = 0; i < states_ + held; ++i)
+        outputs_.push_back(entries[next()]);
+    symbols_.insert(symbols_.end(), constants.begin(), constants.end());
+    for (std::size_t i = 0; i < symbols_.size(); ++i)
+        places_.emplace(symbols_[i].index, i);
+}
+
+void ComponentModel::findStructure() {
+    const auto stateOf = [this](Node n) -> std::optional<std::size_t> {
+        const auto place = placeOf(n);
+        return place && *place >= 1 && *place <= states_ ? std::optional(*place - 1) : std::nullopt;
+    };
+    for (std::size_t x = 0; x < states_; ++x)
+        if (const auto v = stateOf(outputs_[x]))
+            integrals_.emplace_back(x, *v);
+    const std::vector<Node> read = expression::symbolsOf(graph_, outputs_);
+    readsStates_ = std::ranges::any_of(read, [&](Node n) { return stateOf(n).has_value(); });
+    surfaces_ = surfacesOf(graph_, outputs_);
+    switches_ = switchesOf(graph_, outputs_);
+    gradients_.resize(surfaces_.size());
+    for (std::size_t s = 0; s < surfaces_.size(); ++s)
+        if (const auto state = stateOf(surfaces_[s].guard); state && !surfaces_[s].whole)
+            ownGuards_.emplace_back(s, *state);
+}
+
+std::optional<std::size_t> ComponentModel::placeOf(Node symbol) const {
+    const auto found = places_.find(symbol.index);
+    return found == places_.end() ? std::nullopt : std::optional(found->second);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Derivatives
+
+const ComponentModel::Jacobian& ComponentModel::jacobian() const {
+    const std::scoped_lock lock(deriving_);
+    if (!jacobian_)
+        jacobian_ = derivedJacobian();
+    return *jacobian_;
+}
+
+std::unique_ptr<ComponentModel::Jacobian> ComponentModel::derivedJacobian() const {
+    auto jacobian = std::make_unique<Jacobian>();
+    Graph graph = graph_;
+    std::vector<std::vector<std::pair<int, Node>>> columns(states_);
+    for (std::size_t row = 0; row < states_; ++row)
+        for (const Node symbol : expression::symbolsOf(graph, {&outputs_[row], 1})) {
+            const std::size_t place = *placeOf(symbol);
+            if (place < 1 || place > states_)
+                continue;
+            const Node d = expression::differentiate(graph, outputs_[row], symbol);
+            if (!graph.isConstant(d, 0))
+                columns[place - 1].emplace_back(static_cast<int>(row), d);
+        }
+    Pattern& pattern = jacobian->pattern;
+    std::vector<Node> entries;
+    pattern.columnStarts.push_back(0);
+    for (const auto& column : columns) {
+        for (const auto& [row, node] : column) {
+            pattern.rows.push_back(row);
+            entries.push_back(node);
+        }
+        pattern.columnStarts.push_back(static_cast<int>(pattern.rows.size()));
+    }
+    jacobian->entries = derive(graph, entries);
+    return jacobian;
+}
+
+const ComponentModel::Gradient& ComponentModel::gradient(std::size_t surface) const {
+    const std::scoped_lock lock(deriving_);
+    std::unique_ptr<const Gradient>& place = gradients_[surface];
+    if (!place)
+        place = derivedGradient(surface);
+    return *place;
+}
+
+std::unique_ptr<ComponentModel::Gradient>
+ComponentModel::derivedGradient(std::size_t surface) const {
+    auto gradient = std::make_unique<Gradient>();
+    const Node guard = surfaces_[surface].guard;
+    Graph graph = graph_;
+    std::vector<Node> derivatives;
+    for (const Node symbol : std::span(symbols_).first(variables()))
+        derivatives.push_back(expression::differentiate(graph, guard, symbol));
+    derivatives.push_back(guard);
+    gradient->derivatives = derive(graph, derivatives);
+    const auto place = placeOf(guard);
+    if (place && *place >= 1 && *place <= states_)
+        gradient->state = *place - 1;
+    return gradient;
+}
+
+// Its own switches are ours, or stand on the same surfaces as ours.
+ComponentModel::Derived ComponentModel::derive(Graph& graph, std::span<const Node> nodes) const {
+    Derived derived;
+    derived.tape = expression::Tape(graph, symbols_, nodes);
+    for (const Node switching : switchesOf(graph, nodes)) {
+        Derived::Source source;
+        const auto same = std::ranges::lower_bound(switches_, switching);
+        const Op op = graph.op(switching);
+        if (same != switches_.end() && *same == switching) {
+            source.decision = static_cast<std::size_t>(same - switches_.begin());
+        } else if (op != Op::floor && op != Op::ceil) {
+            const Guard guard = guardOf(graph, switching);
+            source.orientation = guard.orientation;
+            for (std::size_t s = 0; s < surfaces_.size(); ++s)
+                if (!surfaces_[s].whole && surfaces_[s].guard == guard.node)
+                    source.surface = s;
+        }
+        derived.sources.push_back(source);
+    }
+    return derived;
+}
+
+std::string ComponentModel::print() const {
+    std::string text;
+    for (std::size_t i = 0; i < outputs_.size(); ++i)
+        text += (i < states_ ? "y" + std::to_string(i) + "' = "
+                             : "h" + std::to_string(i - states_) + " = ") +
+                expression::print(graph_, outputs_[i]) + "\n";
+    return text;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Models by content
+
+std::size_t ComponentModels::Hash::operator()(const ComponentModel::Key& key) const {
+    std::uint64_t hash = key.size();
+    for (const std::uint32_t word : key)
+        hash = (hash ^ word) * 0x9e3779b97f4a7c15u + (hash >> 29);
+    return hash;
+}
+
+std::shared_ptr<const ComponentModel> ComponentModels::of(const ComponentModel::Key& key) {
+    const std::scoped_lock lock(mutex_);
+    auto& model = models_[key];
+    if (!model) {
+        model = std::make_shared<const ComponentModel>(key);
+        ++made_;
+    }
+    return model;
+}
+
+std::size_t ComponentModels::size() const {
+    const std::scoped_lock lock(mutex_);
+    return models_.size();
+}
+
+std::size_t ComponentModels::made() const {
+    const std::scoped_lock lock(mutex_);
+    return made_;
+}
+
+void ComponentModels::forgetUnused() {
+    const std::scoped_lock lock(mutex_);
+    std::erase_if(models_, [](const auto& entry) { return entry.second.use_count() == 1; });
+}
+
+} // namespace solution

@@ -1,0 +1,139 @@
+// What the equations of a component are, apart from names and numbers: f of y' = f(t, y), h of held
+// values, their switches and derivatives.
+//
+// A thousand alike pendulums are one model with a thousand sets of constants. A model is made from
+// its key and nothing else: the code of its expressions over places,
+//
+//     time, states y0 y1 ..., inputs u0 u1 ... (unknowns of other components), constants c0 c1 ...
+//
+// so that models are found again by content, in other components, in another run, after an edit.
+// Constants that shape expressions (0, 1, -1 and exponents) are part of the key; equal constants of
+// a component are one place. What follows from constants alone is computed when they are bound.
+//
+// A model never changes once it is made; what is derived when first asked for is guarded, so that
+// any thread may ask.
+#pragma once
+
+#include "expression/tape.h"
+#include "solution/switching.h"
+#include "solution/system.h"
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace solution {
+
+class ComponentModel {
+public:
+    using Key = std::vector<std::uint32_t>;
+    explicit ComponentModel(Key key);
+
+    [[nodiscard]] const Key& key() const { return key_; }
+    [[nodiscard]] std::size_t states() const { return states_; }
+    [[nodiscard]] std::size_t held() const { return outputs_.size() - states_; }
+    [[nodiscard]] std::size_t inputs() const { return inputs_; }
+    [[nodiscard]] std::size_t constants() const { return symbols_.size() - variables(); }
+    // Time, states and inputs: the symbols that stand before the constants.
+    [[nodiscard]] std::size_t variables() const { return 1 + states_ + inputs_; }
+
+    [[nodiscard]] const expression::Graph& graph() const { return graph_; }
+    [[nodiscard]] const std::vector<expression::Node>& symbols() const { return symbols_; }
+    // Rates of states, then held values: what the tape evaluates from symbols().
+    [[nodiscard]] const std::vector<expression::Node>& outputs() const { return outputs_; }
+    [[nodiscard]] const expression::Tape& tape() const { return tape_; }
+    [[nodiscard]] std::optional<std::size_t> placeOf(expression::Node symbol) const;
+    [[nodiscard]] bool readsStates() const { return readsStates_; } // other than in guards
+
+    // Pairs of states (x, v) with x' = v, and the states that are positions or attitudes.
+    [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& integrals() const {
+        return integrals_;
+    }
+    [[nodiscard]] const std::vector<std::size_t>& configuration() const { return configuration_; }
+
+    [[nodiscard]] const std::vector<expression::Node>& switches() const { return switches_; }
+    [[nodiscard]] const std::vector<Surface>& surfaces() const { return surfaces_; }
+    // Pairs of a surface and the state that is its guard.
+    [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& ownGuards() const {
+        return ownGuards_;
+    }
+
+    // Derived expressions; their switches are those of the equations, or stand on their surfaces.
+    struct Derived {
+        expression::Tape tape;
+        struct Source { // of each of its decisions
+            std::optional<std::size_t> decision, surface;
+            int orientation = 1;
+        };
+        std::vector<Source> sources;
+    };
+    struct Jacobian {
+        Pattern pattern;
+        Derived entries;
+    };
+    [[nodiscard]] const Jacobian& jacobian() const;
+    struct Gradient {
+        Derived derivatives;              // dg/dt, dg/dy, dg/dinputs; then g
+        std::optional<std::size_t> state; // g is this state itself
+    };
+    [[nodiscard]] const Gradient& gradient(std::size_t surface) const;
+
+    // The equations as text, one per line: y0' = ..., then held values h0 = ...
+    [[nodiscard]] std::string print() const;
+
+private:
+    void readKey();
+    void findStructure();
+    [[nodiscard]] std::unique_ptr<Jacobian> derivedJacobian() const;
+    [[nodiscard]] std::unique_ptr<Gradient> derivedGradient(std::size_t surface) const;
+    [[nodiscard]] Derived derive(expression::Graph& graph,
+                                 std::span<const expression::Node> nodes) const;
+
+    Key key_;
+    expression::Graph graph_; // of the outputs and guards alone; derivatives go into copies
+    std::size_t states_ = 0, inputs_ = 0;
+    std::vector<expression::Node> symbols_, outputs_;
+    std::unordered_map<std::uint32_t, std::size_t> places_; // of symbols
+    expression::Tape tape_;
+    bool readsStates_ = false;
+    std::vector<std::pair<std::size_t, std::size_t>> integrals_, ownGuards_;
+    std::vector<std::size_t> configuration_;
+    std::vector<expression::Node> switches_;
+    std::vector<Surface> surfaces_;
+
+    mutable std::mutex deriving_;
+    mutable std::unique_ptr<const Jacobian> jacobian_;
+    mutable std::vector<std::unique_ptr<const Gradient>> gradients_;
+};
+
+// Models by content. Any thread may ask; two that ask for the same get the same.
+class ComponentModels {
+public:
+    [[nodiscard]] std::shared_ptr<const ComponentModel> of(const ComponentModel::Key& key);
+    [[nodiscard]] std::size_t size() const;
+    [[nodiscard]] std::size_t made() const; // since the start, those that were forgotten too
+    void forgetUnused();
+
+private:
+    struct Hash {
+        std::size_t operator()(const ComponentModel::Key& key) const;
+    };
+    mutable std::mutex mutex_;
+    std::unordered_map<ComponentModel::Key, std::shared_ptr<const ComponentModel>, Hash> models_;
+    std::size_t made_ = 0;
+};
+
+// Words of a key: counts of states and of held values, 1 or 0 for each state (configuration or
+// not), then entries, then the entries that are outputs. An entry is an operation with the entries
+// that are its arguments, a literal (Op::constant and the two halves of its bits), or a leaf.
+namespace key {
+inline constexpr std::uint32_t time = 0x100, state = 0x101, input = 0x102, constant = 0x103,
+                               outputs = 0x104;
+} // namespace key
+
+} // namespace solution

@@ -1,0 +1,41 @@
+// What is worked out of a set of equations before anything moves: once, for all runs over it.
+//
+// Linear in the size of the equations. Nothing here changes afterwards; solvers on any thread share
+// it. What an event changes, a solver keeps for itself.
+#pragma once
+
+#include "solution/bound_model.h"
+#include "solution/partition.h"
+#include "solution/zero_states.h"
+
+#include <memory>
+#include <vector>
+
+namespace solution {
+
+struct Preparation {
+    double start = 0;
+    bool whole = false;                      // one component of everything
+    bool everyState = false;                 // also those that are 0 and stay 0
+    std::shared_ptr<ComponentModels> models; // where models are found again; none: an own place
+};
+
+struct PreparedEquations {
+    PreparedEquations(std::shared_ptr<const expression::EquationSet> equations, Preparation how);
+
+    std::shared_ptr<const expression::EquationSet> set;
+    Preparation how;
+    UnknownIndex index;
+    ZeroStates zero;
+    Partition partition;
+    struct Component {
+        std::vector<std::size_t> phases; // in force at the start, by place in its unknowns
+        std::shared_ptr<const BoundModel> bound;
+    };
+    std::vector<Component> components; // as in the partition
+};
+
+// The phase of an unknown that is in force at a time.
+[[nodiscard]] std::size_t phaseAt(const expression::Unknown& unknown, double time);
+
+} // namespace solution
