@@ -4,11 +4,10 @@
 #include "batch/reference_table.h"
 
 #include "charts/canvas.h"
-#include "charts/work_precision.h"
+#include "charts/study_chart.h"
 #include "simulation/study.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace batch {
@@ -51,16 +50,12 @@ std::variant<std::vector<std::string>, Refusal> methodsOf(const StudyArguments& 
 
 std::variant<simulation::StudyPlan, Refusal> planOf(const StudyArguments& arguments,
                                                     const scene::Scene& scene) {
-    simulation::StudyPlan plan;
+    simulation::StudyPlan plan = simulation::usualPlan(scene);
     plan.limit = arguments.limit;
     auto methods = methodsOf(arguments);
     if (const auto* refusal = std::get_if<Refusal>(&methods))
         return *refusal;
     plan.methods = std::move(std::get<std::vector<std::string>>(methods));
-    plan.accuracies = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
-    const double span = scene.simulator.finish - scene.simulator.start;
-    for (const double parts : {1e2, 4e2, 1.6e3, 6.4e3, 2.56e4})
-        plan.steps.push_back(span / parts);
     for (const auto& [list, option, numbers] :
          {std::tuple(&arguments.accuracies, "--accuracies", &plan.accuracies),
           std::tuple(&arguments.steps, "--steps", &plan.steps)}) {
@@ -80,70 +75,6 @@ std::variant<simulation::StudyPlan, Refusal> planOf(const StudyArguments& argume
     return plan;
 }
 
-// The shortest text that reads back as the same number.
-std::string text(double value) {
-    char buffer[40];
-    return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
-}
-
-std::string textOf(const std::optional<double>& value) { return value ? text(*value) : ""; }
-
-bool writeRows(std::FILE* file, const std::vector<simulation::StudyRow>& rows) {
-    bool good =
-        std::fputs("method,accuracy,step,error,seconds,steps,evaluations,status,auto\n", file) >= 0;
-    for (const simulation::StudyRow& row : rows)
-        good = good && std::fprintf(file, "%s,%s,%s,%s,%s,%zu,%zu,%s,%d\n", row.method.c_str(),
-                                    textOf(row.accuracy).c_str(), textOf(row.step).c_str(),
-                                    textOf(row.error).c_str(), text(row.seconds).c_str(), row.steps,
-                                    row.evaluations, simulation::nameOf(row.status),
-                                    row.isAuto ? 1 : 0) >= 0;
-    return good;
-}
-
-std::string inWords(simulation::Status status) {
-    switch (status) {
-    case simulation::Status::ok:
-        return "";
-    case simulation::Status::unstable:
-        return "unstable";
-    case simulation::Status::ringing:
-        return "rings";
-    case simulation::Status::drift:
-        return "drifts";
-    case simulation::Status::newton:
-        return "Newton fails";
-    case simulation::Status::tooSlow:
-        return "too slow";
-    case simulation::Status::notReached:
-        break;
-    }
-    return "accuracy not reached";
-}
-
-charts::WorkPrecision chartOf(const std::string& scene, const simulation::StudyPlan& plan,
-                              const simulation::StudyResult& result) {
-    charts::WorkPrecision chart;
-    const std::size_t slash = scene.find_last_of('/');
-    chart.title = "Methods on " + (slash == std::string::npos ? scene : scene.substr(slash + 1));
-    chart.subtitle = plan.reference ? "error against the reference given"
-                                    : "error against a run at " + text(result.referenceAccuracy);
-    chart.subtitle += "; each run stopped after " + text(plan.limit) + " s";
-    for (const std::string& method : plan.methods) {
-        charts::WorkSeries& series = chart.series.emplace_back();
-        series.name = method;
-        for (const simulation::StudyRow& row : result.rows)
-            if (row.method == method)
-                series.points.push_back(
-                    {.seconds = row.seconds,
-                     .error = row.error,
-                     .failure = inWords(row.status),
-                     .minor = row.status == simulation::Status::notReached && row.error.has_value(),
-                     .fixedStep = row.step.has_value(),
-                     .chosen = row.isAuto});
-    }
-    return chart;
-}
-
 int compute(const SceneText& scene, const StudyArguments& arguments,
             const simulation::Options& options, const simulation::StudyPlan& plan) {
     const simulation::StudyResult result = simulation::study(scene.reading.scene, options, plan);
@@ -154,11 +85,13 @@ int compute(const SceneText& scene, const StudyArguments& arguments,
         return refuse({failure, all});
     }
     Output output(arguments.csv);
-    if (!output.good() || !output.finish(writeRows(output.stream(), result.rows)))
+    if (!output.good() ||
+        !output.finish(std::fputs(charts::tableOf(result).c_str(), output.stream()) >= 0))
         return failure;
     if (!arguments.output)
         return success;
-    const std::string why = charts::draw(chartOf(scene.file, plan, result), *arguments.output);
+    const std::string name = scene.file.substr(scene.file.find_last_of('/') + 1);
+    const std::string why = charts::draw(charts::chartOf(name, plan, result), *arguments.output);
     return why.empty() ? success : refuse({failure, *arguments.output + ": " + why});
 }
 

@@ -4,13 +4,14 @@
 #include <cairo-svg.h>
 
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 namespace charts {
 
 namespace {
 
-constexpr double pixelsPerPoint = 2;
+constexpr double pixelsPerPointOfPng = 2;
 
 } // namespace
 
@@ -24,14 +25,46 @@ Canvas::Canvas(const std::string& file, double width, double height) : file_(fil
     } else if (file.ends_with(".pdf")) {
         surface_ = cairo_pdf_surface_create(file.c_str(), width, height);
     } else {
-        surface_ = cairo_image_surface_create(CAIRO_FORMAT_RGB24,
-                                              static_cast<int>(std::ceil(width * pixelsPerPoint)),
-                                              static_cast<int>(std::ceil(height * pixelsPerPoint)));
-        cairo_surface_set_device_scale(surface_, pixelsPerPoint, pixelsPerPoint);
+        makeImage(width, height, pixelsPerPointOfPng);
     }
+    begin();
+}
+
+Canvas::Canvas(double width, double height, double pixelsPerPoint) {
+    makeImage(width, height, pixelsPerPoint);
+    begin();
+}
+
+void Canvas::makeImage(double width, double height, double pixelsPerPoint) {
+    surface_ = cairo_image_surface_create(CAIRO_FORMAT_RGB24,
+                                          static_cast<int>(std::ceil(width * pixelsPerPoint)),
+                                          static_cast<int>(std::ceil(height * pixelsPerPoint)));
+    cairo_surface_set_device_scale(surface_, pixelsPerPoint, pixelsPerPoint);
+}
+
+void Canvas::begin() {
     cairo_ = cairo_create(surface_);
     ink({1, 1, 1});
     cairo_paint(cairo_);
+}
+
+Pixels Canvas::pixels() const {
+    Pixels result;
+    if (!file_.empty() || cairo_surface_status(surface_) != CAIRO_STATUS_SUCCESS)
+        return result;
+    cairo_surface_flush(surface_);
+    result.width = cairo_image_surface_get_width(surface_);
+    result.height = cairo_image_surface_get_height(surface_);
+    const int stride = cairo_image_surface_get_stride(surface_);
+    const unsigned char* data = cairo_image_surface_get_data(surface_);
+    const auto width = static_cast<std::size_t>(result.width);
+    result.colors.resize(width * static_cast<std::size_t>(result.height));
+    for (int y = 0; y < result.height; ++y)
+        std::memcpy(&result.colors[static_cast<std::size_t>(y) * width],
+                    data + static_cast<std::ptrdiff_t>(y) * stride, 4 * width);
+    for (std::uint32_t& color : result.colors) // cairo leaves the first byte open
+        color |= 0xff000000;
+    return result;
 }
 
 Canvas::~Canvas() {

@@ -1,9 +1,12 @@
-// A page to draw on with cairo, in points, kept as SVG, PDF or PNG by the name of its file.
+// A page to draw on with cairo, in points, kept as SVG, PDF or PNG by the name of its file, or as
+// pixels in memory.
 #pragma once
 
 #include <cairo.h>
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace charts {
 
@@ -11,10 +14,18 @@ struct Color {
     double red = 0, green = 0, blue = 0;
 };
 
+// Rows from the top, each pixel 0xffRRGGBB.
+struct Pixels {
+    int width = 0, height = 0;
+    std::vector<std::uint32_t> colors;
+};
+
 class Canvas {
 public:
-    // PNG has `pixelsPerPoint` pixels to a point.
+    // PNG has two pixels to a point.
     Canvas(const std::string& file, double width, double height);
+    // In memory: take pixels().
+    Canvas(double width, double height, double pixelsPerPoint);
     ~Canvas();
     Canvas(const Canvas&) = delete;
     Canvas& operator=(const Canvas&) = delete;
@@ -23,6 +34,8 @@ public:
     [[nodiscard]] cairo_t* cairo() const { return cairo_; }
     // Writes the file; empty, or why it could not be written.
     [[nodiscard]] std::string finish();
+    // What was drawn so far; empty where there is a file, or no memory for a page so large.
+    [[nodiscard]] Pixels pixels() const;
 
     void ink(const Color& color, double opacity = 1);
     void line(double x0, double y0, double x1, double y1, double width);
@@ -33,7 +46,10 @@ public:
     [[nodiscard]] double widthOf(const std::string& text, double size, bool bold = false);
 
 private:
-    std::string file_;
+    void makeImage(double width, double height, double pixelsPerPoint);
+    void begin();
+
+    std::string file_; // empty: none
     cairo_surface_t* surface_ = nullptr;
     cairo_t* cairo_ = nullptr;
 };

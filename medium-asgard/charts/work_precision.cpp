@@ -12,7 +12,7 @@ namespace charts {
 
 namespace {
 
-constexpr double width = 900, height = 600;
+constexpr double width = chartWidth, height = chartHeight;
 constexpr double left = 74, right = 700, top = 84, bottom = 510; // of the frame
 constexpr double band = 26; // above the frame's lines: points without an error
 constexpr double markerSize = 4.2;
@@ -62,8 +62,10 @@ class Drawing {
 public:
     Drawing(const WorkPrecision& chart, const std::string& file)
         : chart_(chart), canvas_(file, width, height) {}
+    Drawing(const WorkPrecision& chart, double pixelsPerPoint)
+        : chart_(chart), canvas_(width, height, pixelsPerPoint) {}
 
-    std::string run();
+    Canvas& run();
 
 private:
     void choosePlaces();
@@ -292,7 +294,7 @@ void Drawing::key() {
                      Canvas::Anchor::start);
 }
 
-std::string Drawing::run() {
+Canvas& Drawing::run() {
     choosePlaces();
     grid();
     words();
@@ -300,7 +302,7 @@ std::string Drawing::run() {
         series(i);
     legend();
     key();
-    return canvas_.finish();
+    return canvas_;
 }
 
 } // namespace
@@ -308,7 +310,11 @@ std::string Drawing::run() {
 std::string draw(const WorkPrecision& chart, const std::string& file) {
     if (!Canvas::knows(file))
         return "its name ends with none of .svg, .png, .pdf";
-    return Drawing(chart, file).run();
+    return Drawing(chart, file).run().finish();
+}
+
+Pixels pixelsOf(const WorkPrecision& chart, double pixelsPerPoint) {
+    return Drawing(chart, pixelsPerPoint).run().pixels();
 }
 
 } // namespace charts

@@ -5,6 +5,8 @@
 // above it. Points at fixed steps are joined by dashes. What is chosen is ringed.
 #pragma once
 
+#include "charts/canvas.h"
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,5 +34,9 @@ struct WorkPrecision {
 
 // Into `file`, whose name ends with .svg, .png or .pdf. Empty, or why it could not be written.
 [[nodiscard]] std::string draw(const WorkPrecision& chart, const std::string& file);
+
+// For a window: a chart is 900 by 600 points.
+inline constexpr double chartWidth = 900, chartHeight = 600;
+[[nodiscard]] Pixels pixelsOf(const WorkPrecision& chart, double pixelsPerPoint);
 
 } // namespace charts

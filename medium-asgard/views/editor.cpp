@@ -3,6 +3,7 @@
 #include "script/reader.h"
 #include "views/control_panel.h"
 #include "views/icons.h"
+#include "views/study_window.h"
 
 #include <QApplication>
 #include <QMessageBox>
@@ -56,6 +57,8 @@ Editor::~Editor() {
         delete viewer;
     for (LanguageViewer* viewer : languageViewers())
         delete viewer;
+    for (StudyWindow* study : alive(studies_))
+        delete study;
     delete controlPanel_;
 }
 
@@ -63,6 +66,7 @@ Windows Editor::windows() {
     Windows windows;
     windows.openGraphicalViewer = [this] { openGraphicalViewer(); };
     windows.openLanguageViewer = [this] { openLanguageViewer(); };
+    windows.openStudy = [this] { openStudy(); };
     windows.closeViewers = [this] { return closeViewers(); };
     if (!document_.hasHost())
         windows.save = [this] {
@@ -109,6 +113,15 @@ ControlPanel* Editor::openControlPanel() {
     return controlPanel_;
 }
 
+StudyWindow* Editor::openStudy() {
+    const auto& scene = document_.shown().scene;
+    auto* study = new StudyWindow(scene, simulation::usualPlan(*scene), document_.name());
+    studies_.removeIf([](const QPointer<StudyWindow>& one) { return one.isNull(); });
+    studies_.push_back(study);
+    study->show();
+    return study;
+}
+
 QList<GraphicalViewer*> Editor::graphicalViewers() const { return alive(graphical_); }
 
 QList<LanguageViewer*> Editor::languageViewers() const { return alive(language_); }
@@ -119,6 +132,8 @@ bool Editor::closeViewers() {
             return false;
     for (GraphicalViewer* viewer : graphicalViewers())
         viewer->close();
+    for (StudyWindow* study : alive(studies_))
+        study->close();
     return true;
 }
 

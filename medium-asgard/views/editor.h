@@ -19,6 +19,7 @@ class Reader;
 namespace views {
 
 class ControlPanel;
+class StudyWindow;
 
 // The workshop of this program: texts read by `reader`, motion computed by simulation/.
 [[nodiscard]] Workshop workshopOf(script::Reader& reader);
@@ -34,6 +35,8 @@ public:
     GraphicalViewer* openGraphicalViewer();
     LanguageViewer* openLanguageViewer();
     ControlPanel* openControlPanel();
+    // How the methods do on the scene that is shown.
+    StudyWindow* openStudy();
     [[nodiscard]] QList<GraphicalViewer*> graphicalViewers() const;
     [[nodiscard]] QList<LanguageViewer*> languageViewers() const;
     // Asks about drafts; false when the user wants to stay.
@@ -51,6 +54,7 @@ private:
     QPointer<ControlPanel> controlPanel_;
     QList<QPointer<GraphicalViewer>> graphical_;
     QList<QPointer<LanguageViewer>> language_;
+    QList<QPointer<StudyWindow>> studies_;
     int graphicalCount_ = 0, languageCount_ = 0;
 };
 

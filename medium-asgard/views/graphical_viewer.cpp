@@ -162,6 +162,7 @@ void GraphicalViewer::buildMenus() {
     motion->addSeparator();
     motion->addAction(tr("&Recompute Motion"), QKeySequence(Qt::Key_F5), this,
                       [this] { document_.recompute(); });
+    motion->addAction(tr("Speed and &Accuracy…"), this, [this] { windows_.openStudy(); });
 }
 
 void GraphicalViewer::buildViewMenu() {

@@ -17,12 +17,6 @@ constexpr double visible = 1e-6;         // of the largest velocity
 constexpr double constantEnergy = 1e-6, drifted = 1e-2;
 constexpr double promise = 10; // times the accuracy asked
 
-Result runFor(double seconds, const scene::Scene& scene, const Options& options) {
-    const double end = cpuSeconds() + seconds;
-    return simulate(scene, options,
-                    Observer{.cancelled = [end] { return cpuSeconds() > end; }, .progress = {}});
-}
-
 class Study {
 public:
     Study(const scene::Scene& scene, const Options& options, const StudyPlan& plan)
@@ -32,6 +26,9 @@ public:
 
 private:
     [[nodiscard]] bool prepare(StudyResult& result);
+    [[nodiscard]] bool cancelled() const { return plan_.cancelled && plan_.cancelled(); }
+    [[nodiscard]] Result runFor(double seconds, const Options& options) const;
+    void add(StudyResult& result, const StudyRow& row) const;
     [[nodiscard]] StudyRow row(const std::string& method, std::optional<double> accuracy,
                                std::optional<double> step) const;
     void judge(const Options& options, const Result& run, StudyRow& row) const;
@@ -47,6 +44,20 @@ private:
     bool energyIsKept_ = false;
 };
 
+Result Study::runFor(double seconds, const Options& options) const {
+    const double end = cpuSeconds() + seconds;
+    const auto enough = [this, end] { return cpuSeconds() > end || cancelled(); };
+    return simulate(scene_, options, Observer{.cancelled = enough, .progress = {}});
+}
+
+void Study::add(StudyResult& result, const StudyRow& row) const {
+    if (cancelled()) // it was not measured to its end
+        return;
+    result.rows.push_back(row);
+    if (plan_.progress)
+        plan_.progress(result);
+}
+
 bool Study::prepare(StudyResult& result) {
     Options options = options_;
     options.method = "auto";
@@ -57,8 +68,10 @@ bool Study::prepare(StudyResult& result) {
     }
     problem_ = std::get<std::shared_ptr<const Problem>>(problem);
     for (const double accuracy : referenceAccuracies) {
+        if (cancelled())
+            return false;
         options.accuracy = accuracy;
-        Result run = runFor(referencePatience * plan_.limit, scene_, options);
+        Result run = runFor(referencePatience * plan_.limit, options);
         if (!run.motion || (run.cancelled && accuracy != std::end(referenceAccuracies)[-1]))
             continue;
         if (run.cancelled || run.motion->computed() < run.motion->finish()) {
@@ -88,11 +101,10 @@ StudyRow Study::row(const std::string& method, std::optional<double> accuracy,
     if (accuracy)
         options.accuracy = accuracy;
     StudyRow row{.method = method, .accuracy = accuracy, .step = step};
-    const Result run = runFor(plan_.limit, scene_, options);
+    const Result run = runFor(plan_.limit, options);
     row.seconds = run.statistics.secondsSolving;
     for (int again = 0; again < 2 && row.seconds < isShort; ++again)
-        row.seconds =
-            std::min(row.seconds, runFor(plan_.limit, scene_, options).statistics.secondsSolving);
+        row.seconds = std::min(row.seconds, runFor(plan_.limit, options).statistics.secondsSolving);
     row.steps = run.statistics.steps;
     row.evaluations = run.statistics.evaluations;
     judge(options, run, row);
@@ -137,7 +149,7 @@ void Study::judge(const Options& options, const Result& run, StudyRow& row) cons
 void Study::markAuto(std::vector<StudyRow>& rows) const {
     Options options = options_;
     options.method = "auto";
-    const Result run = runFor(plan_.limit, scene_, options);
+    const Result run = runFor(plan_.limit, options);
     std::map<std::string, std::size_t> steps;
     for (const ComponentStatistics& component : run.statistics.componentList)
         steps[component.method] += component.steps;
@@ -165,12 +177,14 @@ StudyResult Study::result() {
         return result;
     for (const std::string& method : plan_.methods) {
         for (const double accuracy : plan_.accuracies)
-            result.rows.push_back(row(method, accuracy, std::nullopt));
+            if (!cancelled())
+                add(result, row(method, accuracy, std::nullopt));
         for (const double step : plan_.steps)
-            if (method != "auto")
-                result.rows.push_back(row(method, std::nullopt, step));
+            if (method != "auto" && !cancelled())
+                add(result, row(method, std::nullopt, step));
     }
-    markAuto(result.rows);
+    if (!cancelled())
+        markAuto(result.rows);
     return result;
 }
 
@@ -201,6 +215,16 @@ std::vector<std::string> studyMethods() {
     for (const std::string& method : solution::methodNames())
         names.push_back(method);
     return names;
+}
+
+StudyPlan usualPlan(const scene::Scene& scene) {
+    StudyPlan plan;
+    plan.methods = studyMethods();
+    plan.accuracies = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
+    const double span = scene.simulator.finish - scene.simulator.start;
+    for (const double parts : {1e2, 4e2, 1.6e3, 6.4e3, 2.56e4})
+        plan.steps.push_back(span / parts);
+    return plan;
 }
 
 StudyResult study(const scene::Scene& scene, const Options& options, const StudyPlan& plan) {

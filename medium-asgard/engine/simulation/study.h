@@ -18,6 +18,7 @@
 #include "simulation/accuracy.h"
 #include "simulation/simulation.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,21 +38,27 @@ struct StudyRow {
     bool isAuto = false; // what `auto` would take for the scene's accuracy
 };
 
-struct StudyPlan {
-    std::vector<std::string> methods;
-    std::vector<double> accuracies, steps;
-    std::optional<Trace> reference; // instead of the engine's own
-    double limit = 2;               // CPU seconds for one run
-};
-
-// Every method that a study can compare, `auto` first.
-[[nodiscard]] std::vector<std::string> studyMethods();
-
 struct StudyResult {
     std::vector<StudyRow> rows;
     double referenceAccuracy = 0;     // of the engine's own reference run
     std::vector<std::string> refusal; // why there are no rows
 };
+
+struct StudyPlan {
+    std::vector<std::string> methods;
+    std::vector<double> accuracies, steps;
+    std::optional<Trace> reference; // instead of the engine's own
+    double limit = 2;               // CPU seconds for one run
+
+    std::function<bool()> cancelled = {}; // true: stop soon; the rows so far are the result
+    std::function<void(const StudyResult&)> progress = {}; // another row is known
+};
+
+// Every method that a study can compare, `auto` first.
+[[nodiscard]] std::vector<std::string> studyMethods();
+
+// All methods, accuracies from 1e-2 to 1e-8, and fixed steps of a hundredth of the motion and less.
+[[nodiscard]] StudyPlan usualPlan(const scene::Scene& scene);
 
 [[nodiscard]] StudyResult study(const scene::Scene& scene, const Options& options,
                                 const StudyPlan& plan);
