@@ -1,4 +1,4 @@
-// A Motion over solved histories.
+// A Motion over solved histories: of one solution of the scene, or of parts that were solved apart.
 #pragma once
 
 #include "simulation/body_motion.h"
@@ -11,11 +11,18 @@ namespace simulation {
 
 class ComputedMotion final : public Motion {
 public:
+    struct Part { // bodies solved together; not all of them need be shown
+        std::shared_ptr<const std::vector<BodyRecord>> bodies;
+        std::shared_ptr<const solution::Histories> histories;
+    };
+    struct Place { // of a body of the scene
+        std::size_t part = 0, body = 0;
+    };
     struct Contents {
         double start = 0, finish = 0;
         bool draft = false;
-        std::shared_ptr<const std::vector<BodyRecord>> bodies;
-        std::shared_ptr<const solution::Histories> histories;
+        std::vector<Part> parts;
+        std::vector<Place> places;         // by body
         std::map<std::size_t, Stop> stops; // by body
         std::vector<Impact> impacts;
         std::vector<std::string> notes;
@@ -23,13 +30,20 @@ public:
     };
     explicit ComputedMotion(Contents contents);
 
-    [[nodiscard]] const solution::Histories& histories() const { return *c_.histories; }
+    // Of a motion that was solved as one.
+    [[nodiscard]] const solution::Histories& histories() const;
+    // Where a body's unknowns are: from record.firstUnknown on in those histories.
+    struct Solution {
+        const BodyRecord& record;
+        const solution::Histories& histories;
+    };
+    [[nodiscard]] Solution of(std::size_t body) const;
 
     [[nodiscard]] double start() const override { return c_.start; }
     [[nodiscard]] double finish() const override { return c_.finish; }
     [[nodiscard]] double computed() const override { return computed_; }
     [[nodiscard]] bool draft() const override { return c_.draft; }
-    [[nodiscard]] std::size_t bodies() const override { return c_.bodies->size(); }
+    [[nodiscard]] std::size_t bodies() const override { return c_.places.size(); }
     [[nodiscard]] BodyState at(std::size_t body, double time) const override;
     [[nodiscard]] std::optional<Stop> stop(std::size_t body) const override;
     [[nodiscard]] Vector centroid(std::size_t body) const override;

@@ -10,7 +10,10 @@ namespace simulation {
 
 struct Quantities::Implementation {
     std::shared_ptr<const ComputedMotion> motion;
-    std::vector<std::size_t> unknowns; // that the expressions read, as inputs after time and count
+    struct Read {
+        std::size_t body, unknown; // one of its thirteen
+    };
+    std::vector<Read> reads; // of the expressions, as inputs after time and count
     expression::Tape tape;
     std::size_t count = 0;
     mutable expression::Tape::Scratch scratch;
@@ -64,10 +67,13 @@ Quantities::Quantities(const scene::Scene& original, const Options& options, Mot
         return;
     std::vector<Node> inputs{equations.set.time, nodes.collisions};
     const auto symbols = expression::symbolsOf(equations.set.graph, outputs);
-    for (std::size_t i = 0; i < equations.set.unknowns.size(); ++i)
-        if (std::ranges::find(symbols, equations.set.unknowns[i].symbol) != symbols.end()) {
-            inputs.push_back(equations.set.unknowns[i].symbol);
-            implementation_->unknowns.push_back(i);
+    for (std::size_t b = 0; b < equations.bodies.size(); ++b)
+        for (std::size_t i = 0; !equations.bodies[b].isFixed && i < physics::bodyUnknowns; ++i) {
+            const Node symbol = equations.set.unknowns[equations.bodies[b].firstUnknown + i].symbol;
+            if (!std::ranges::binary_search(symbols, symbol))
+                continue;
+            inputs.push_back(symbol);
+            implementation_->reads.push_back({b, i});
         }
     implementation_->tape = expression::Tape(equations.set.graph, inputs, outputs);
 }
@@ -84,11 +90,13 @@ std::vector<double> Quantities::Implementation::at(double time) const {
     const auto collisions = std::ranges::count_if(
         impacts, [time](const Impact& impact) { return impact.time <= time; });
     std::vector<double> inputs{time, static_cast<double>(collisions)};
-    for (const std::size_t unknown : unknowns) {
+    for (const Read& read : reads) {
+        const auto [record, histories] = motion->of(read.body);
+        const std::size_t unknown = record.firstUnknown + read.unknown;
         // Past the end of its motion an unknown has no value.
-        const solution::Stop* stop = motion->histories().stop(unknown);
+        const solution::Stop* stop = histories.stop(unknown);
         inputs.push_back(stop && time > stop->time ? std::numeric_limits<double>::quiet_NaN()
-                                                   : motion->histories().value(unknown, time));
+                                                   : histories.value(unknown, time));
     }
     tape.evaluate(inputs, values, scratch);
     return values;

@@ -183,12 +183,15 @@ problemOf(const scene::Scene& original, const Options& options) {
 
 MotionPointer Run::motion(const Problem& problem, bool draft, std::optional<double> errorEstimate,
                           std::optional<double> predictableUntil) const {
+    std::vector<ComputedMotion::Place> places(problem.bodies->size());
+    for (std::size_t b = 0; b < places.size(); ++b)
+        places[b] = {.part = 0, .body = b};
     return std::make_shared<ComputedMotion>(
         ComputedMotion::Contents{.start = problem.start(),
                                  .finish = problem.finish(),
                                  .draft = draft,
-                                 .bodies = problem.bodies,
-                                 .histories = histories,
+                                 .parts = {{problem.bodies, histories}},
+                                 .places = std::move(places),
                                  .stops = stops,
                                  .impacts = impacts,
                                  .notes = notes,

@@ -127,9 +127,22 @@ void leaveExact(const Run& run, const std::vector<double>& loose, std::vector<do
             tight[b] = loose[b];
 }
 
+// What happens at one instant in different islands, and who is noted first, is no matter of how
+// they were solved.
+void putInOrder(const Problem& problem, Run& run) {
+    const auto island = [&](const Impact& impact) {
+        return run.island[(*problem.bodies)[impact.first].isFixed ? impact.second : impact.first];
+    };
+    std::ranges::stable_sort(run.impacts, [&](const Impact& a, const Impact& b) {
+        return std::pair(a.time, island(a)) < std::pair(b.time, island(b));
+    });
+    std::ranges::sort(run.notes);
+}
+
 // Takes the run as the answer.
 void deliver(const Problem& problem, Run run, Solved& solved) {
     Result& result = solved.result;
+    putInOrder(problem, run);
     describe(problem, run, result);
     if (!solved.errors.empty()) {
         double estimate = 0, until = solution::infinity;
