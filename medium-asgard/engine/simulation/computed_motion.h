@@ -30,6 +30,7 @@ public:
     };
     explicit ComputedMotion(Contents contents);
 
+    [[nodiscard]] const Contents& contents() const { return c_; }
     // Of a motion that was solved as one.
     [[nodiscard]] const solution::Histories& histories() const;
     // Where a body's unknowns are: from record.firstUnknown on in those histories.

@@ -3,6 +3,7 @@
 // tightly, island by island, so that bodies that never meet do not change each other's numbers.
 #include "simulation/accuracy.h"
 #include "simulation/cpu_seconds.h"
+#include "simulation/impact_order.h"
 #include "simulation/solved.h"
 
 #include <algorithm>
@@ -127,24 +128,13 @@ void leaveExact(const Run& run, const std::vector<double>& loose, std::vector<do
             tight[b] = loose[b];
 }
 
-// What happens at one instant in different islands, and who is noted first, is no matter of how
-// they were solved.
-void putInOrder(const Problem& problem, Run& run) {
-    const auto island = [&](const Impact& impact) {
-        return run.island[(*problem.bodies)[impact.first].isFixed ? impact.second : impact.first];
-    };
-    std::ranges::stable_sort(run.impacts, [&](const Impact& a, const Impact& b) {
-        return std::pair(a.time, island(a)) < std::pair(b.time, island(b));
-    });
-    std::ranges::sort(run.notes);
-}
-
 // Takes the run as the answer.
 void deliver(const Problem& problem, Run run, Solved& solved) {
     Result& result = solved.result;
-    putInOrder(problem, run);
+    putInOrder(run.impacts, [&](std::size_t b) { return (*problem.bodies)[b].isFixed; });
+    std::ranges::sort(run.notes);
     describe(problem, run, result);
-    if (!solved.errors.empty()) {
+    if (solved.isEstimated) {
         double estimate = 0, until = solution::infinity;
         for (const BodyError& error : solved.errors) {
             estimate = std::max(estimate, error.estimate);
@@ -183,8 +173,8 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer) {
     Run before = runAt(problem, compared.loose, observer);
     addWork(before, solved);
     if (before.cancelled || isExact(before)) {
-        if (!before.cancelled)
-            solved.errors = compared.known;
+        solved.isEstimated = !before.cancelled;
+        solved.errors = compared.known;
         deliver(problem, std::move(before), solved);
         return solved;
     }
@@ -203,6 +193,7 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer) {
         compared.errors = compareRuns(problem, before, run, accuracy);
         const Verdict verdict = judge(problem, compared);
         if (!verdict.again) {
+            solved.isEstimated = true;
             solved.errors = compared.known;
             deliver(problem, std::move(run), solved);
             return solved;

@@ -18,7 +18,8 @@ struct BodyError {
 struct Solved {
     Result result;
     Run run;                       // that the result's motion shows
-    std::vector<BodyError> errors; // by body; empty: not estimated
+    bool isEstimated = false;
+    std::vector<BodyError> errors; // by body, when estimated
     // Pairs of bodies that came near each other in any of the runs. Who is not joined by these, and
     // reads nothing of each other, did not change each other's numbers.
     std::set<std::pair<std::size_t, std::size_t>> near;

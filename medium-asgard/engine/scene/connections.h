@@ -1,0 +1,55 @@
+// Which elements does a body's motion follow from, as far as the text tells?
+//
+// An expression counts as reading whatever its words name, also where algebra would remove it: who
+// relies on this does too much now and then, never too little. Collisions are not looked at.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace scene {
+
+inline constexpr std::size_t noElement = std::numeric_limits<std::size_t>::max();
+
+// Something that a force, link or constraint of a body names.
+struct Mention {
+    enum class Kind : std::uint8_t { body, trajectory, parameter };
+    std::size_t reader = 0; // the body
+    Kind kind = Kind::body;
+    std::size_t index = 0; // into the scene's bodies, trajectories or parameters
+};
+
+// Indices into lists of a scene, by body.
+class ByBody {
+public:
+    ByBody() = default;
+    // owners: the body of each element; noElement: none.
+    ByBody(std::size_t bodies, std::span<const std::size_t> owners);
+    [[nodiscard]] std::span<const std::size_t> of(std::size_t body) const {
+        return std::span(elements_).subspan(starts_[body], starts_[body + 1] - starts_[body]);
+    }
+
+private:
+    std::vector<std::size_t> starts_, elements_;
+};
+
+struct Connections {
+    explicit Connections(const Scene& scene);
+
+    std::vector<std::size_t> shapes; // by body: index into Scene::shapeSets
+    ByBody forces, constraints;      // on a body, in the scene's order
+    ByBody firstEnds, secondEnds;    // links whose first or second end is on a body
+    ByBody mentions;                 // indices into mentionList, by reader
+    std::vector<Mention> mentionList;
+    // Moving bodies whose equations read each other, directly or through others: the least of them.
+    // A fixed body is by itself, whoever reads it.
+    std::vector<std::size_t> group;
+    // Some element is on a body, or says a shape or a trajectory, that there is not.
+    bool isBroken = false;
+};
+
+} // namespace scene

@@ -1,0 +1,228 @@
+#include "scene/difference.h"
+
+#include <bit>
+#include <cstring>
+#include <string_view>
+#include <unordered_map>
+
+namespace scene {
+namespace {
+
+// Bit for bit: 0 and -0 are two values, and no number is the same as itself.
+bool same(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+bool same(const Vector& a, const Vector& b) {
+    return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
+}
+bool same(const Quaternion& a, const Quaternion& b) {
+    return std::memcmp(a.coeffs().data(), b.coeffs().data(), 4 * sizeof(double)) == 0;
+}
+template <typename Value, std::size_t n>
+bool same(const std::array<Value, n>& a, const std::array<Value, n>& b);
+template <typename Value> bool same(const std::vector<Value>& a, const std::vector<Value>& b);
+template <typename Value> bool same(const std::optional<Value>& a, const std::optional<Value>& b) {
+    return a.has_value() == b.has_value() && (!a || same(*a, *b));
+}
+bool same(const std::string& a, const std::string& b) { return a == b; }
+bool same(const SphereShape& a, const SphereShape& b) { return same(a.radius, b.radius); }
+bool same(const BoxShape& a, const BoxShape& b) { return same(a.edges, b.edges); }
+bool same(const HullShape& a, const HullShape& b) { return same(a.points, b.points); }
+bool same(const ComponentForce& a, const ComponentForce& b) {
+    return a.frame == b.frame && same(a.components, b.components);
+}
+bool same(const TrajectoryForce& a, const TrajectoryForce& b) {
+    return a.trajectory == b.trajectory;
+}
+bool same(const GravitationalForce& a, const GravitationalForce& b) {
+    return same(a.acceleration, b.acceleration);
+}
+bool same(const BodyEnd& a, const BodyEnd& b) {
+    return a.body == b.body && same(a.offset, b.offset);
+}
+bool same(const PointEnd& a, const PointEnd& b) { return same(a.coordinates, b.coordinates); }
+bool same(const TrajectoryEnd& a, const TrajectoryEnd& b) { return a.trajectory == b.trajectory; }
+template <typename... Kinds>
+bool same(const std::variant<Kinds...>& a, const std::variant<Kinds...>& b) {
+    return a.index() == b.index() &&
+           std::visit(
+               [&b](const auto& value) {
+                   return same(value, std::get<std::decay_t<decltype(value)>>(b));
+               },
+               a);
+}
+bool same(const Part& a, const Part& b) {
+    return same(a.shape, b.shape) && same(a.position, b.position) && same(a.rotation, b.rotation);
+}
+bool same(const Force& a, const Force& b) {
+    return a.couple == b.couple && same(a.offset, b.offset) && same(a.kind, b.kind);
+}
+bool same(const Link& a, const Link& b) {
+    return same(a.first, b.first) && same(a.second, b.second) && same(a.tightness, b.tightness) &&
+           same(a.damping, b.damping);
+}
+bool same(const BezierCurve& a, const BezierCurve& b) {
+    return same(a.from, b.from) && same(a.to, b.to) && same(a.control, b.control);
+}
+bool same(const Constraint& a, const Constraint& b) {
+    return a.held == b.held && a.trajectory == b.trajectory && same(a.from, b.from) &&
+           same(a.to, b.to);
+}
+bool same(const Body& a, const Body& b) {
+    return same(a.initialPosition, b.initialPosition) &&
+           same(a.initialAttitude, b.initialAttitude) &&
+           same(a.initialVelocity, b.initialVelocity) &&
+           same(a.initialAngularVelocity, b.initialAngularVelocity) && same(a.mass, b.mass) &&
+           same(a.inertia, b.inertia) && same(a.density, b.density) &&
+           same(a.restitution, b.restitution) && a.fixed == b.fixed &&
+           a.collisionGroup == b.collisionGroup;
+}
+template <typename Value, std::size_t n>
+bool same(const std::array<Value, n>& a, const std::array<Value, n>& b) {
+    for (std::size_t i = 0; i < n; ++i)
+        if (!same(a[i], b[i]))
+            return false;
+    return true;
+}
+template <typename Value> bool same(const std::vector<Value>& a, const std::vector<Value>& b) {
+    if (a.size() != b.size())
+        return false;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (!same(a[i], b[i]))
+            return false;
+    return true;
+}
+
+// The element of the same name in the scene before, for each; by place where nothing was added.
+template <typename Element>
+std::vector<std::size_t> matched(const std::vector<Element>& now,
+                                 const std::vector<Element>& before) {
+    std::vector<std::size_t> found(now.size(), noElement);
+    std::unordered_map<std::string_view, std::size_t> index;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        if (i < before.size() && now[i].name == before[i].name) {
+            found[i] = i;
+            continue;
+        }
+        if (index.empty())
+            for (std::size_t k = 0; k < before.size(); ++k)
+                index.try_emplace(before[k].name, k);
+        if (const auto place = index.find(now[i].name); place != index.end())
+            found[i] = place->second;
+    }
+    return found;
+}
+
+class Comparison {
+public:
+    Comparison(const Version& before, const Version& after)
+        : old_(*before.scene), now_(*after.scene), a_(before.connections), b_(after.connections),
+          shapes_(matched(now_.shapeSets, old_.shapeSets)),
+          trajectories_(matched(now_.trajectories, old_.trajectories)),
+          parameters_(matched(now_.parameters, old_.parameters)) {
+        result_.before = matched(now_.bodies, old_.bodies);
+        for (std::size_t i = 0; i < shapes_.size(); ++i)
+            if (shapes_[i] != noElement &&
+                !same(now_.shapeSets[i].parts, old_.shapeSets[shapes_[i]].parts))
+                shapes_[i] = noElement;
+        for (std::size_t i = 0; i < trajectories_.size(); ++i)
+            if (trajectories_[i] != noElement &&
+                !same(now_.trajectories[i].curves, old_.trajectories[trajectories_[i]].curves))
+                trajectories_[i] = noElement;
+        for (std::size_t i = 0; i < parameters_.size(); ++i)
+            if (parameters_[i] != noElement &&
+                !same(now_.parameters[i].value, old_.parameters[parameters_[i]].value))
+                parameters_[i] = noElement;
+    }
+
+    Difference find() {
+        const std::size_t count = now_.bodies.size();
+        result_.after.assign(old_.bodies.size(), noElement);
+        result_.changed.resize(count);
+        result_.moved.resize(count);
+        for (std::size_t b = 0; b < count; ++b) {
+            const std::size_t was = result_.before[b];
+            if (was != noElement)
+                result_.after[was] = b;
+            result_.changed[b] = was == noElement || !isSame(b, was);
+        }
+        // A fixed body that is read elsewhere.
+        for (const Mention& mention : b_.mentionList)
+            if (mention.kind == Mention::Kind::body && now_.bodies[mention.index].fixed &&
+                result_.changed[mention.index])
+                result_.changed[mention.reader] = true;
+        return std::move(result_);
+    }
+
+private:
+    bool isSame(std::size_t b, std::size_t was) {
+        const Body &body = now_.bodies[b], &old = old_.bodies[was];
+        bool moved = body.source.line != old.source.line;
+        const bool isSame =
+            same(body, old) && hasSameShape(b, was) &&
+            areSame(now_.forces, b_.forces.of(b), old_.forces, a_.forces.of(was), moved) &&
+            areSame(now_.links, b_.firstEnds.of(b), old_.links, a_.firstEnds.of(was), moved) &&
+            areSame(now_.links, b_.secondEnds.of(b), old_.links, a_.secondEnds.of(was), moved) &&
+            areSame(now_.constraints, b_.constraints.of(b), old_.constraints,
+                    a_.constraints.of(was), moved) &&
+            mentionsSame(b, was);
+        result_.moved[b] = moved;
+        return isSame;
+    }
+
+    bool hasSameShape(std::size_t b, std::size_t was) const {
+        const std::size_t shape = b_.shapes[b];
+        return shape != noElement && shapes_[shape] != noElement &&
+               shapes_[shape] == a_.shapes[was];
+    }
+
+    template <typename Element>
+    static bool areSame(const std::vector<Element>& now, std::span<const std::size_t> elements,
+                        const std::vector<Element>& before, std::span<const std::size_t> old,
+                        bool& moved) {
+        if (elements.size() != old.size())
+            return false;
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            if (!same(now[elements[i]], before[old[i]]))
+                return false;
+            moved = moved || now[elements[i]].source.line != before[old[i]].source.line;
+        }
+        return true;
+    }
+
+    // The same words may name something else now.
+    bool mentionsSame(std::size_t b, std::size_t was) const {
+        const auto now = b_.mentions.of(b), old = a_.mentions.of(was);
+        if (now.size() != old.size())
+            return false;
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            const Mention &m = b_.mentionList[now[i]], &n = a_.mentionList[old[i]];
+            const std::vector<std::size_t>& match = m.kind == Mention::Kind::body ? result_.before
+                                                    : m.kind == Mention::Kind::trajectory
+                                                        ? trajectories_
+                                                        : parameters_;
+            if (m.kind != n.kind || match[m.index] != n.index)
+                return false;
+        }
+        return true;
+    }
+
+    const Scene &old_, &now_;
+    const Connections &a_, &b_;
+    // By element: the one before with the same content; noElement: none, or it differs.
+    std::vector<std::size_t> shapes_, trajectories_, parameters_;
+    Difference result_;
+};
+
+} // namespace
+
+Difference differenceBetween(const Version& before, const Version& after) {
+    return Comparison(before, after).find();
+}
+
+bool sameButFinish(const Simulator& a, const Simulator& b) {
+    return same(a.start, b.start) && same(a.firstStep, b.firstStep) &&
+           same(a.accuracy, b.accuracy) && a.method == b.method && a.collisions == b.collisions;
+}
+
+} // namespace scene

@@ -1,0 +1,182 @@
+#include "simulation/kept_motion.h"
+
+#include "collision/broad_phase.h"
+#include "collision/time_of_impact.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace simulation {
+namespace {
+
+std::size_t rootOf(std::vector<std::size_t>& parent, std::size_t i) {
+    while (parent[i] != i)
+        i = parent[i] = parent[parent[i]];
+    return i;
+}
+
+void join(std::vector<std::size_t>& parent, std::size_t a, std::size_t b) {
+    a = rootOf(parent, a);
+    b = rootOf(parent, b);
+    parent[std::max(a, b)] = std::min(a, b);
+}
+
+// By body of the part: the least one of its unit. Fixed bodies stand alone.
+std::vector<std::size_t> rootsOf(const SolvedPart& part, const Solved& solved,
+                                 const std::vector<std::size_t>& bodies,
+                                 const std::vector<std::size_t>& group) {
+    const auto& records = *part.motion.bodies;
+    std::vector<std::size_t> parent(records.size());
+    std::iota(parent.begin(), parent.end(), std::size_t{0});
+    std::map<std::size_t, std::size_t> first; // place by group
+    std::optional<std::size_t> noted;
+    for (std::size_t p = 0; p < records.size(); ++p) {
+        if (records[p].isFixed)
+            continue;
+        join(parent, p, first.try_emplace(group[bodies[p]], p).first->second);
+        // LIMIT: a note does not say whose it is, so that bodies of one stay together.
+        if (!solved.run.notes.empty())
+            join(parent, p, noted ? *noted : *(noted = p));
+    }
+    for (const auto& [a, b] : solved.near)
+        if (!records[a].isFixed && !records[b].isFixed)
+            join(parent, a, b);
+    for (std::size_t p = 0; p < parent.size(); ++p)
+        parent[p] = rootOf(parent, p);
+    return parent;
+}
+
+void addMembers(std::vector<Unit>& units, const std::vector<std::size_t>& unitOf,
+                const SolvedPart& part, const Solved& solved,
+                const std::vector<std::size_t>& bodies) {
+    const auto& records = *part.motion.bodies;
+    std::vector<std::vector<std::size_t>> members(units.size());
+    for (std::size_t p = 0; p < records.size(); ++p)
+        if (!records[p].isFixed)
+            members[unitOf[p]].push_back(p);
+    for (const auto& [a, b] : solved.near)
+        if (records[a].isFixed != records[b].isFixed)
+            members[unitOf[records[a].isFixed ? b : a]].push_back(records[a].isFixed ? a : b);
+    for (std::size_t u = 0; u < units.size(); ++u) {
+        std::ranges::sort(members[u]);
+        members[u].erase(std::unique(members[u].begin(), members[u].end()), members[u].end());
+        for (const std::size_t p : members[u]) {
+            units[u].places.push_back(p);
+            units[u].bodies.push_back(bodies[p]);
+            units[u].isFixed.push_back(records[p].isFixed);
+        }
+    }
+}
+
+void addErrors(std::vector<Unit>& units, const std::vector<std::size_t>& unitOf,
+               const SolvedPart& part, const Solved& solved) {
+    for (std::size_t p = 0; solved.isEstimated && p < solved.errors.size(); ++p) {
+        if ((*part.motion.bodies)[p].isFixed)
+            continue;
+        std::optional<BodyError>& error = units[unitOf[p]].error;
+        if (!error)
+            error.emplace();
+        error->estimate = std::max(error->estimate, solved.errors[p].estimate);
+        error->predictableUntil =
+            std::min(error->predictableUntil, solved.errors[p].predictableUntil);
+    }
+}
+
+void addComponents(std::vector<Unit>& units, const std::vector<std::size_t>& unitOf,
+                   const SolvedPart& part, const Solved& solved) {
+    std::vector<std::size_t> owners;
+    for (std::size_t p = 0; p < part.motion.bodies->size(); ++p)
+        if (!(*part.motion.bodies)[p].isFixed)
+            owners.insert(owners.end(), physics::bodyUnknowns, p);
+    for (const solution::ComponentStatistics& c : solved.run.statistics.componentList) {
+        Unit& unit = units[unitOf[owners[c.unknowns[0]]]];
+        ++unit.components;
+        unit.largestComponent = std::max(unit.largestComponent, c.unknowns.size());
+    }
+}
+
+} // namespace
+
+SolvedPart::SolvedPart(const Problem& problem, const Solved& solved)
+    : motion{problem.bodies, solved.run.histories} {
+    const auto& records = *motion.bodies;
+    bodies.reserve(records.size());
+    for (std::size_t p = 0; p < records.size(); ++p) {
+        bodies.emplace_back(records[p], problem.shapes[p]);
+        until.push_back(problem.finish());
+        if (const auto stop = solved.run.stops.find(p); stop != solved.run.stops.end())
+            until.back() = std::min(until.back(), stop->second.time);
+        if (motion.histories)
+            bodies.back().read(*motion.histories);
+        reach.push_back(collision::boundsDuring(bodies.back(), problem.start(), until.back()));
+    }
+}
+
+std::size_t Unit::bodyAt(std::size_t place) const {
+    return bodies[static_cast<std::size_t>(std::ranges::lower_bound(places, place) -
+                                           places.begin())];
+}
+
+std::vector<UnitPointer> unitsOf(const PartPointer& part, const Solved& solved,
+                                 const std::vector<std::size_t>& bodies,
+                                 const std::vector<std::size_t>& group) {
+    const auto& records = *part->motion.bodies;
+    const std::vector<std::size_t> roots = rootsOf(*part, solved, bodies, group);
+    std::vector<Unit> units;
+    std::vector<std::size_t> unitOf(records.size(), scene::noElement);
+    for (std::size_t p = 0; p < records.size(); ++p) {
+        if (records[p].isFixed)
+            continue;
+        if (roots[p] == p) {
+            unitOf[p] = units.size();
+            units.emplace_back().part = part;
+        }
+        unitOf[p] = unitOf[roots[p]];
+    }
+    addMembers(units, unitOf, *part, solved, bodies);
+    addErrors(units, unitOf, *part, solved);
+    addComponents(units, unitOf, *part, solved);
+    for (const Impact& impact : solved.run.impacts)
+        units[unitOf[records[impact.first].isFixed ? impact.second : impact.first]]
+            .impacts.push_back(impact);
+    for (const auto& [place, stop] : solved.run.stops)
+        units[unitOf[place]].stops.emplace_back(place, stop);
+    if (!units.empty())
+        units[0].notes = solved.run.notes;
+    std::vector<UnitPointer> made;
+    for (Unit& unit : units)
+        made.push_back(std::make_shared<const Unit>(std::move(unit)));
+    return made;
+}
+
+void KnownMotion::index() {
+    unitOf.assign(version->scene->bodies.size(), scene::noElement);
+    for (std::size_t u = 0; u < units.size(); ++u)
+        for (std::size_t i = 0; i < units[u]->bodies.size(); ++i)
+            if (!units[u]->isFixed[i])
+                unitOf[units[u]->bodies[i]] = u;
+}
+
+bool meet(const SolvedPart& one, std::size_t first, const SolvedPart& other, std::size_t second) {
+    if (!one.reach[first].intersects(other.reach[second]))
+        return false;
+    constexpr int slices = 64;
+    const double start =
+        one.motion.histories ? one.motion.histories->start() : other.motion.histories->start();
+    const double until = std::min(one.until[first], other.until[second]);
+    const MovingBody &a = one.bodies[first], &b = other.bodies[second];
+    double from = start;
+    for (int i = 1; i <= slices; ++i) {
+        const double to = i == slices ? until : start + (until - start) * i / slices;
+        if (collision::boundsDuring(a, from, to).intersects(collision::boundsDuring(b, from, to))) {
+            const collision::Encounter encounter = collision::timeOfImpact(a, b, {from, to});
+            if (encounter.hit || encounter.overlap > 0)
+                return true;
+        }
+        from = to;
+    }
+    return false;
+}
+
+} // namespace simulation

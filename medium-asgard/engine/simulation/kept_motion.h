@@ -1,0 +1,71 @@
+// Motion that is kept for the next version of a scene: parts that were solved together, and within
+// them units, which are what can be kept or solved again apart from the rest.
+#pragma once
+
+#include "scene/difference.h"
+#include "simulation/computed_motion.h"
+#include "simulation/solved.h"
+
+#include <memory>
+#include <vector>
+
+namespace simulation {
+
+// One solution of some bodies, the fixed ones around them among these.
+struct SolvedPart {
+    SolvedPart(const Problem& problem, const Solved& solved);
+
+    ComputedMotion::Part motion;
+    std::vector<MovingBody> bodies;   // of the motion; for one thread
+    std::vector<double> until;        // by body: what comes after is no motion
+    std::vector<geometry::Box> reach; // by body: holds its shape at all times
+};
+using PartPointer = std::shared_ptr<const SolvedPart>;
+
+// Moving bodies that read each other or came near each other in any of the runs, directly or
+// through others that move: what they do is a function of these bodies alone, and of the fixed ones
+// near them.
+struct Unit {
+    PartPointer part;
+    std::vector<std::size_t> places; // of its bodies and of the fixed ones near them, in the part
+    std::vector<std::size_t> bodies; // the same ones in the scene, in the same order
+    std::vector<bool> isFixed;
+    std::vector<Impact> impacts; // with indices of the part
+    std::vector<std::pair<std::size_t, Stop>> stops;
+    std::vector<std::string> notes;
+    std::optional<BodyError> error;
+    std::size_t components = 0, largestComponent = 0;
+
+    [[nodiscard]] std::size_t bodyAt(std::size_t place) const;
+};
+
+using UnitPointer = std::shared_ptr<const Unit>;
+
+// Where a body's motion is.
+struct Home {
+    PartPointer part;
+    std::size_t place = 0;
+};
+
+// A version of a scene whose motion is known.
+struct KnownMotion {
+    std::shared_ptr<const scene::Version> version;
+    bool isEstimated = true; // by this method errors are
+    std::vector<UnitPointer> units;
+    std::vector<std::size_t> unitOf; // by body; noElement: fixed
+    std::vector<Home> homes;         // by body
+
+    // Fills unitOf.
+    void index();
+};
+
+// `bodies`: those of the part in the scene; group: of the scene's bodies (connections.h).
+[[nodiscard]] std::vector<UnitPointer> unitsOf(const PartPointer& part, const Solved& solved,
+                                               const std::vector<std::size_t>& bodies,
+                                               const std::vector<std::size_t>& group);
+
+// Do these come so near each other that they cannot be solved apart?
+[[nodiscard]] bool meet(const SolvedPart& one, std::size_t first, const SolvedPart& other,
+                        std::size_t second);
+
+} // namespace simulation

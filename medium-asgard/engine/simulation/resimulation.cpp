@@ -1,0 +1,258 @@
+#include "simulation/resimulation.h"
+
+#include "scene/part_of.h"
+#include "simulation/composition.h"
+#include "simulation/cpu_seconds.h"
+#include "simulation/edit.h"
+
+#include <algorithm>
+
+namespace simulation {
+namespace {
+
+using scene::noElement;
+using VersionPointer = std::shared_ptr<const scene::Version>;
+
+// The scene as the options change it.
+std::shared_ptr<const scene::Scene> inForce(std::shared_ptr<const scene::Scene> scene,
+                                            const Options& options) {
+    bool differs = (options.accuracy && *options.accuracy != scene->simulator.accuracy) ||
+                   (options.finish && *options.finish != scene->simulator.finish) ||
+                   (!options.method.empty() && options.method != scene->simulator.method);
+    for (const scene::Parameter& parameter : scene->parameters)
+        if (const auto given = options.parameters.find(parameter.name);
+            given != options.parameters.end())
+            differs = differs || given->second != parameter.value;
+    if (!differs)
+        return scene;
+    auto changed = std::make_shared<scene::Scene>(*scene);
+    changed->simulator.accuracy = options.accuracy.value_or(changed->simulator.accuracy);
+    changed->simulator.finish = options.finish.value_or(changed->simulator.finish);
+    if (!options.method.empty())
+        changed->simulator.method = options.method;
+    for (scene::Parameter& parameter : changed->parameters)
+        if (const auto given = options.parameters.find(parameter.name);
+            given != options.parameters.end())
+            parameter.value = given->second;
+    return changed;
+}
+
+bool isSolvedInParts(const scene::Version& version, const Options& options) {
+    return !options.whole && options.eventDriven && !options.explain &&
+           !version.connections.isBroken;
+}
+
+bool sameMethods(const Options& a, const Options& b) {
+    return a.method == b.method && a.fixedStep == b.fixedStep;
+}
+
+void add(const Statistics& more, Statistics& sum) {
+    sum.steps += more.steps;
+    sum.rejectedSteps += more.rejectedSteps;
+    sum.unconvergedSteps += more.unconvergedSteps;
+    sum.discardedSteps += more.discardedSteps;
+    sum.evaluations += more.evaluations;
+    sum.equationEvaluations += more.equationEvaluations;
+    sum.factorisations += more.factorisations;
+    sum.pairTests += more.pairTests;
+    sum.secondsSettingUp += more.secondsSettingUp;
+    sum.secondsMoving += more.secondsMoving;
+    sum.secondsSolving += more.secondsSolving;
+    sum.componentList.insert(sum.componentList.end(), more.componentList.begin(),
+                             more.componentList.end());
+}
+
+// What is kept of the motion before; the homes of what is solved again are empty.
+KnownMotion keptOf(const KnownMotion& before, const Edit& edit, const VersionPointer& version) {
+    const scene::Difference& difference = edit.difference();
+    KnownMotion kept;
+    kept.version = version;
+    kept.isEstimated = before.isEstimated;
+    for (std::size_t u = 0; u < before.units.size(); ++u) {
+        if (!edit.isKept(u))
+            continue;
+        const UnitPointer& unit = before.units[u];
+        const bool stays = std::ranges::all_of(
+            unit->bodies, [&](std::size_t b) { return difference.after[b] == b; });
+        if (stays) {
+            kept.units.push_back(unit);
+            continue;
+        }
+        auto changed = std::make_shared<Unit>(*unit);
+        for (std::size_t& body : changed->bodies)
+            body = difference.after[body];
+        kept.units.push_back(std::move(changed));
+    }
+    const auto& bodies = version->scene->bodies;
+    kept.homes.resize(bodies.size());
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        if (const std::size_t was = difference.before[b];
+            was != noElement && !edit.isAgain(b) && !difference.changed[b])
+            kept.homes[b] = before.homes[was];
+    return kept;
+}
+
+void addPart(KnownMotion& known, const PartPointer& part, const Solved& solved,
+             const std::vector<std::size_t>& bodies) {
+    for (UnitPointer& unit : unitsOf(part, solved, bodies, known.version->connections.group))
+        known.units.push_back(std::move(unit));
+    for (std::size_t p = 0; p < bodies.size(); ++p)
+        known.homes[bodies[p]] = {part, p};
+}
+
+} // namespace
+
+struct Resimulation::Implementation {
+    Result update(const VersionPointer& version, const Options& options, const Observer& observer);
+    Result solveWhole(const VersionPointer& version, const Options& options,
+                      const Observer& observer);
+    std::optional<Result> solveParts(const VersionPointer& version, const Options& options,
+                                     const Observer& observer);
+    std::optional<Result> solvePart(const VersionPointer& version, const Options& options,
+                                    const Observer& observer, Edit& edit, Statistics& sum,
+                                    KnownMotion& next, bool& open);
+
+    std::optional<KnownMotion> known;
+    Options knownOptions;
+    Work work;
+};
+
+Result Resimulation::Implementation::update(const VersionPointer& version, const Options& options,
+                                            const Observer& observer) {
+    work = {};
+    const bool inParts =
+        known && isSolvedInParts(*version, options) && sameMethods(knownOptions, options) &&
+        scene::sameButFinish(known->version->scene->simulator, version->scene->simulator) &&
+        known->version->scene->simulator.finish == version->scene->simulator.finish;
+    if (inParts)
+        if (auto result = solveParts(version, options, observer))
+            return std::move(*result);
+    return solveWhole(version, options, observer);
+}
+
+Result Resimulation::Implementation::solveWhole(const VersionPointer& version,
+                                                const Options& options, const Observer& observer) {
+    const double begin = cpuSeconds();
+    const std::size_t rounds = work.rounds + 1;
+    work = {};
+    work.whole = true;
+    work.rounds = rounds;
+    auto problem = problemOf(*version->scene, options);
+    if (auto* refusal = std::get_if<std::vector<std::string>>(&problem)) {
+        Result result;
+        result.refusal = std::move(*refusal);
+        return result;
+    }
+    const auto& posed = *std::get<std::shared_ptr<const Problem>>(problem);
+    const double posing = cpuSeconds() - begin;
+    Solved solved = solve(posed, observer);
+    solved.result.statistics.secondsSettingUp += posing;
+    std::vector<std::size_t> bodies;
+    for (std::size_t b = 0; b < version->scene->bodies.size(); ++b) {
+        bodies.push_back(b);
+        if (!version->scene->bodies[b].fixed)
+            work.solved.push_back(version->scene->bodies[b].name);
+    }
+    if (!solved.result.cancelled) {
+        known.reset();
+        if (isSolvedInParts(*version, options)) {
+            known.emplace().version = version;
+            known->isEstimated = solved.result.statistics.errorEstimate.has_value();
+            known->homes.resize(bodies.size());
+            addPart(*known, std::make_shared<const SolvedPart>(posed, solved), solved, bodies);
+            known->index();
+            knownOptions = options;
+        }
+    }
+    return std::move(solved.result);
+}
+
+// One round: what the edit marks is solved, and who came near it is marked. An answer ends it all:
+// it was cancelled.
+std::optional<Result> Resimulation::Implementation::solvePart(const VersionPointer& version,
+                                                              const Options& options,
+                                                              const Observer& observer, Edit& edit,
+                                                              Statistics& sum, KnownMotion& next,
+                                                              bool& open) {
+    const std::vector<std::size_t> bodies = edit.chosen();
+    next = keptOf(*known, edit, version);
+    auto problem = problemOf(scene::partOf(*version, bodies), options);
+    if (std::holds_alternative<std::vector<std::string>>(problem))
+        return std::nullopt;
+    const auto& posed = *std::get<std::shared_ptr<const Problem>>(problem);
+    Observer drafts{.cancelled = observer.cancelled, .progress = {}};
+    const auto beside = [&](const MotionPointer& motion) {
+        return composeDraft(next, dynamic_cast<const ComputedMotion&>(*motion), bodies);
+    };
+    if (observer.progress)
+        drafts.progress = [&](const MotionPointer& motion) { observer.progress(beside(motion)); };
+    ++work.rounds;
+    Solved solved = solve(posed, drafts);
+    add(solved.result.statistics, sum);
+    if (solved.result.cancelled) {
+        Result result;
+        result.cancelled = true;
+        result.motion = beside(solved.result.motion);
+        result.statistics = sum;
+        result.statistics.reached = result.motion->computed();
+        return result;
+    }
+    const auto part = std::make_shared<const SolvedPart>(posed, solved);
+    open = version->scene->simulator.collisions && edit.markWhoComesNear(*part, bodies);
+    if (!open)
+        addPart(next, part, solved, bodies);
+    return std::nullopt;
+}
+
+// None: it cannot be done in parts.
+std::optional<Result> Resimulation::Implementation::solveParts(const VersionPointer& version,
+                                                               const Options& options,
+                                                               const Observer& observer) {
+    Edit edit(*known, *version);
+    Statistics sum;
+    KnownMotion next = keptOf(*known, edit, version);
+    for (bool open = !edit.solvesNothing(); open;) {
+        if (!edit.isPossible())
+            return std::nullopt;
+        const std::size_t rounds = work.rounds;
+        if (auto result = solvePart(version, options, observer, edit, sum, next, open))
+            return result;
+        if (work.rounds == rounds) // a refusal: all of them are wanted
+            return std::nullopt;
+    }
+    for (std::size_t b = 0; b < version->scene->bodies.size(); ++b)
+        if (edit.isAgain(b))
+            work.solved.push_back(version->scene->bodies[b].name);
+        else if (!version->scene->bodies[b].fixed)
+            ++work.kept;
+    next.index();
+    known = std::move(next);
+    knownOptions = options;
+    return compose(*known, std::move(sum));
+}
+
+Resimulation::Resimulation() : implementation_(std::make_unique<Implementation>()) {}
+Resimulation::~Resimulation() = default;
+Resimulation::Resimulation(Resimulation&&) noexcept = default;
+Resimulation& Resimulation::operator=(Resimulation&&) noexcept = default;
+
+Result Resimulation::update(std::shared_ptr<const scene::Scene> scene, const Options& options,
+                            const Observer& observer) {
+    const double begin = cpuSeconds();
+    Result result = implementation_->update(
+        std::make_shared<const scene::Version>(inForce(std::move(scene), options)), options,
+        observer);
+    result.statistics.seconds = cpuSeconds() - begin;
+    return result;
+}
+
+const Resimulation::Work& Resimulation::work() const { return implementation_->work; }
+
+std::string Resimulation::Work::print() const {
+    std::string text = whole ? "all solved:" : "solved:";
+    for (const std::string& name : solved)
+        text += " " + name;
+    return text + "; kept: " + std::to_string(kept) + "; rounds: " + std::to_string(rounds);
+}
+
+} // namespace simulation
