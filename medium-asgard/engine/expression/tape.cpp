@@ -9,7 +9,6 @@
 #include <unordered_map>
 
 namespace expression {
-namespace {
 
 double guardOf(Op op, double a, double b, Decision taken) {
     if (taken == noBranch)
@@ -28,6 +27,8 @@ double guardOf(Op op, double a, double b, Decision taken) {
     }
 }
 
+namespace {
+
 Decision signOfGuard(double guard) {
     return std::isnan(guard) ? noBranch : (guard > 0) - (guard < 0);
 }
@@ -43,6 +44,11 @@ Decision decisionOf(Op op, double a, double b) {
     return std::abs(whole) < largest ? static_cast<Decision>(whole) : noBranch;
 }
 
+// Where there is no number there is no sign to copy: two evaluators may differ in it.
+double zeroLike(double a) { return std::isnan(a) ? 0.0 : std::copysign(0.0, a); }
+
+} // namespace
+
 // The value on a branch that may not be the one that the values imply.
 double onBranch(Op op, double a, double b, Decision taken) {
     if (taken == noBranch)
@@ -52,7 +58,7 @@ double onBranch(Op op, double a, double b, Decision taken) {
         return taken > 0 ? a : taken < 0 ? -a : std::abs(a);
     case Op::floor:
     case Op::ceil:
-        return taken == 0 ? std::copysign(0.0, a) : static_cast<double>(taken);
+        return taken == 0 ? zeroLike(a) : static_cast<double>(taken);
     case Op::sign:
         return static_cast<double>(taken);
     case Op::min:
@@ -70,10 +76,21 @@ double onBranch(Op op, double a, double b, Decision taken) {
     }
 }
 
-} // namespace
+std::size_t Sequence::hash() const {
+    std::uint64_t hash = inputs + (std::uint64_t{constants} << 32);
+    const auto mix = [&hash](std::uint64_t a, std::uint64_t b) {
+        hash = (hash ^ a) * 0x9e3779b97f4a7c15u + b;
+        hash ^= hash >> 29;
+    };
+    for (const Instruction& i : instructions)
+        mix((std::uint64_t{i.a} << 32) + i.b, (std::uint64_t{i.c} << 8) + std::uint64_t(i.op));
+    for (const std::uint32_t slot : outputs)
+        mix(slot, 1);
+    return hash;
+}
 
-Tape::Tape(const Graph& graph, std::span<const Node> inputs, std::span<const Node> outputs)
-    : inputs_(inputs.size()) {
+Tape::Tape(const Graph& graph, std::span<const Node> inputs, std::span<const Node> outputs) {
+    sequence_.inputs = static_cast<std::uint32_t>(inputs.size());
     std::unordered_map<std::uint32_t, std::uint32_t> slotOf;
     for (std::size_t i = 0; i < inputs.size(); ++i)
         slotOf.emplace(inputs[i].index, static_cast<std::uint32_t>(i));
@@ -81,10 +98,11 @@ Tape::Tape(const Graph& graph, std::span<const Node> inputs, std::span<const Nod
     constants_.push_back(1); // of short powers
     for (const Node n : nodes)
         if (graph.op(n) == Op::constant) {
-            slotOf.emplace(n.index, static_cast<std::uint32_t>(inputs_ + constants_.size()));
+            slotOf.emplace(n.index,
+                           static_cast<std::uint32_t>(sequence_.inputs + constants_.size()));
             constants_.push_back(graph.value(n));
         }
-    slots_ = inputs_ + constants_.size();
+    sequence_.constants = static_cast<std::uint32_t>(constants_.size());
     for (const Node n : nodes) {
         if (graph.op(n) == Op::constant || slotOf.contains(n.index))
             continue;
@@ -96,14 +114,15 @@ Tape::Tape(const Graph& graph, std::span<const Node> inputs, std::span<const Nod
         slotOf.emplace(n.index, isShort ? emitShortPower(slot(0), graph.value(a[1]))
                                         : emit(graph.op(n), slot(0), slot(1), slot(2)));
     }
-    std::ranges::transform(outputs, std::back_inserter(outputSlots_),
+    std::ranges::transform(outputs, std::back_inserter(sequence_.outputs),
                            [&](Node n) { return slotOf.at(n.index); });
 }
 
 std::uint32_t Tape::emit(Op op, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    const std::int32_t decision = isSwitch(op) ? static_cast<std::int32_t>(guards_++) : -1;
-    const auto result = static_cast<std::uint32_t>(slots_++);
-    code_.push_back({op, result, a, b, c, decision});
+    const std::int32_t decision =
+        isSwitch(op) ? static_cast<std::int32_t>(sequence_.decisions++) : -1;
+    const std::uint32_t result = sequence_.slots();
+    sequence_.instructions.push_back({op, result, a, b, c, decision});
     return result;
 }
 
@@ -120,18 +139,18 @@ std::uint32_t Tape::emitShortPower(std::uint32_t base, double exponent) {
         const std::uint32_t root = emit(Op::sqrt, base);
         result = whole == 0 ? root : emit(Op::multiply, result, root);
     }
-    return exponent < 0 ? emit(Op::divide, static_cast<std::uint32_t>(inputs_), result) : result;
+    return exponent < 0 ? emit(Op::divide, sequence_.inputs, result) : result;
 }
 
 template <class Switch>
 void Tape::run(std::span<const double> in, Scratch& scratch, const Switch& atSwitch) const {
-    assert(in.size() == inputs_);
-    if (scratch.size() < slots_)
-        scratch.resize(slots_);
+    assert(in.size() == inputs());
+    if (scratch.size() < sequence_.slots())
+        scratch.resize(sequence_.slots());
     std::ranges::copy(in, scratch.begin());
-    std::ranges::copy(constants_, scratch.begin() + static_cast<std::ptrdiff_t>(inputs_));
+    std::ranges::copy(constants_, scratch.begin() + static_cast<std::ptrdiff_t>(inputs()));
     double* const s = scratch.data();
-    for (const Instruction& i : code_) {
+    for (const Instruction& i : sequence_.instructions) {
         switch (i.op) {
         case Op::negate:
             s[i.result] = -s[i.a];
@@ -156,8 +175,9 @@ void Tape::run(std::span<const double> in, Scratch& scratch, const Switch& atSwi
 }
 
 void Tape::copyOutputs(const Scratch& scratch, std::span<double> out) const {
-    assert(out.size() == outputSlots_.size());
-    std::ranges::transform(outputSlots_, out.begin(), [&](std::uint32_t s) { return scratch[s]; });
+    assert(out.size() == sequence_.outputs.size());
+    std::ranges::transform(sequence_.outputs, out.begin(),
+                           [&](std::uint32_t s) { return scratch[s]; });
 }
 
 void Tape::evaluate(std::span<const double> in, std::span<double> out, Scratch& scratch) const {
@@ -167,7 +187,8 @@ void Tape::evaluate(std::span<const double> in, std::span<double> out, Scratch& 
 
 void Tape::evaluate(std::span<const double> in, std::span<double> out, Scratch& scratch,
                     std::span<const Decision> decisions, std::span<double> guards) const {
-    assert(decisions.size() == guards_ && (guards.empty() || guards.size() == guards_));
+    assert(decisions.size() == this->decisions() &&
+           (guards.empty() || guards.size() == this->decisions()));
     run(in, scratch, [&](const Instruction& i, double a, double b) {
         const auto index = static_cast<std::size_t>(i.decision);
         if (!guards.empty())
@@ -179,7 +200,8 @@ void Tape::evaluate(std::span<const double> in, std::span<double> out, Scratch& 
 
 void Tape::decide(std::span<const double> in, std::span<Decision> decisions,
                   std::span<double> guards, Scratch& scratch) const {
-    assert(decisions.size() == guards_ && (guards.empty() || guards.size() == guards_));
+    assert(decisions.size() == this->decisions() &&
+           (guards.empty() || guards.size() == this->decisions()));
     run(in, scratch, [&](const Instruction& i, double a, double b) {
         const auto index = static_cast<std::size_t>(i.decision);
         decisions[index] = decisionOf(i.op, a, b);
@@ -191,16 +213,16 @@ void Tape::decide(std::span<const double> in, std::span<Decision> decisions,
 
 std::string Tape::print() const {
     const auto named = [this](std::uint32_t slot) {
-        if (slot < inputs_)
+        if (slot < inputs())
             return "in" + std::to_string(slot);
-        if (slot < inputs_ + constants_.size()) {
+        if (slot < inputs() + constants_.size()) {
             Graph graph;
-            return expression::print(graph, graph.constant(constants_[slot - inputs_]));
+            return expression::print(graph, graph.constant(constants_[slot - inputs()]));
         }
-        return "r" + std::to_string(slot - inputs_ - constants_.size());
+        return "r" + std::to_string(slot - inputs() - constants_.size());
     };
     std::string text;
-    for (const Instruction& i : code_) {
+    for (const Instruction& i : sequence_.instructions) {
         text += named(i.result) + " = " + std::string(nameOf(i.op)) + ' ' + named(i.a);
         if (argumentCount(i.op) > 1)
             text += ' ' + named(i.b);
@@ -208,8 +230,8 @@ std::string Tape::print() const {
             text += ' ' + named(i.c);
         text += i.decision < 0 ? "\n" : "  [decision " + std::to_string(i.decision) + "]\n";
     }
-    for (std::size_t i = 0; i < outputSlots_.size(); ++i)
-        text += "out" + std::to_string(i) + " = " + named(outputSlots_[i]) + '\n';
+    for (std::size_t i = 0; i < sequence_.outputs.size(); ++i)
+        text += "out" + std::to_string(i) + " = " + named(sequence_.outputs[i]) + '\n';
     return text;
 }
 

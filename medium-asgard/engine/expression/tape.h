@@ -30,16 +30,42 @@ using Decision = std::int64_t;
 // operation then follows from its values even when decisions are given.
 inline constexpr Decision noBranch = std::numeric_limits<Decision>::min();
 
+// What is computed from what, without any number: slots are the inputs, then the constants, then
+// one for each result (SSA). Tapes with equal sequences can share machine code (kernel.h).
+struct Sequence {
+    struct Instruction {
+        Op op;
+        std::uint32_t result, a, b, c;
+        std::int32_t decision; // index, or -1
+        bool operator==(const Instruction&) const = default;
+    };
+    std::vector<Instruction> instructions;
+    std::vector<std::uint32_t> outputs; // slots; may be an input's or a constant's
+    std::uint32_t inputs = 0, constants = 0, decisions = 0;
+
+    [[nodiscard]] std::uint32_t slots() const {
+        return inputs + constants + static_cast<std::uint32_t>(instructions.size());
+    }
+    bool operator==(const Sequence&) const = default;
+    [[nodiscard]] std::size_t hash() const;
+};
+
+// What an operation gives on a branch that may not be the one that its values imply, and its guard.
+[[nodiscard]] double onBranch(Op op, double a, double b, Decision taken);
+[[nodiscard]] double guardOf(Op op, double a, double b, Decision taken);
+
 class Tape {
 public:
     Tape() = default;
     // Evaluates `outputs` as functions of `inputs` (symbols; every symbol read must be among them).
     Tape(const Graph& graph, std::span<const Node> inputs, std::span<const Node> outputs);
 
-    [[nodiscard]] std::size_t inputs() const { return inputs_; }
-    [[nodiscard]] std::size_t outputs() const { return outputSlots_.size(); }
-    [[nodiscard]] std::size_t decisions() const { return guards_; }
-    [[nodiscard]] std::size_t operations() const { return code_.size(); }
+    [[nodiscard]] std::size_t inputs() const { return sequence_.inputs; }
+    [[nodiscard]] std::size_t outputs() const { return sequence_.outputs.size(); }
+    [[nodiscard]] std::size_t decisions() const { return sequence_.decisions; }
+    [[nodiscard]] std::size_t operations() const { return sequence_.instructions.size(); }
+    [[nodiscard]] const Sequence& sequence() const { return sequence_; }
+    [[nodiscard]] std::span<const double> constants() const { return constants_; }
 
     // Scratch that one thread gives to every call; sized by the first.
     using Scratch = std::vector<double>;
@@ -57,11 +83,7 @@ public:
     [[nodiscard]] std::string print() const;
 
 private:
-    struct Instruction {
-        Op op;
-        std::uint32_t result, a, b, c;
-        std::int32_t decision; // index, or -1
-    };
+    using Instruction = Sequence::Instruction;
     std::uint32_t emit(Op op, std::uint32_t a, std::uint32_t b = 0, std::uint32_t c = 0);
     std::uint32_t emitShortPower(std::uint32_t base, double exponent);
     // Runs all instructions; `atSwitch(instruction, a, b)` gives the values of those that decide.
@@ -69,10 +91,8 @@ private:
     void run(std::span<const double> in, Scratch& scratch, const Switch& atSwitch) const;
     void copyOutputs(const Scratch& scratch, std::span<double> out) const;
 
-    std::vector<Instruction> code_;          // each result has a slot of its own (SSA)
-    std::vector<double> constants_;          // initial contents of the slots after the inputs
-    std::vector<std::uint32_t> outputSlots_; // may be an input's or a constant's
-    std::size_t inputs_ = 0, slots_ = 0, guards_ = 0;
+    Sequence sequence_;
+    std::vector<double> constants_; // initial contents of the slots after the inputs
 };
 
 } // namespace expression

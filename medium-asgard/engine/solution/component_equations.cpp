@@ -23,8 +23,8 @@ ComponentEquations::ComponentEquations(std::shared_ptr<const BoundModel> bound,
     : bound_(std::move(bound)), model_(bound_->model ? *bound_->model : noModel()),
       inputs_(histories, bound_->inputs), in_(model_.symbols().size()),
       out_(model_.outputs().size()), base_(out_.size()), other_(out_.size()),
-      guards_(model_.tape().decisions()), sides_(model_.surfaces().size(), onSurface),
-      decisions_(model_.tape().decisions()) {
+      guards_(model_.function().decisions()), sides_(model_.surfaces().size(), onSurface),
+      decisions_(model_.function().decisions()) {
     std::ranges::copy(bound_->constants,
                       in_.begin() + static_cast<std::ptrdiff_t>(model_.variables()));
 }
@@ -40,13 +40,13 @@ void ComponentEquations::fill(double t, std::span<const double> y) {
 void ComponentEquations::evaluate(std::span<double> out) {
     constexpr double nextToNothing = 1e-150; // its square is still a number
     if (decisions_.empty()) {
-        model_.tape().evaluate(in_, out, scratch_);
+        model_.function().evaluate(in_, out, scratch_);
         return;
     }
     for (const auto& [surface, state] : model_.ownGuards())
         if (in_[1 + state] == 0)
             in_[1 + state] = sides_[surface] * nextToNothing;
-    model_.tape().evaluate(in_, out, scratch_, decisions_, {});
+    model_.function().evaluate(in_, out, scratch_, decisions_);
     for (const auto& [surface, state] : model_.ownGuards())
         if (std::abs(in_[1 + state]) == nextToNothing)
             in_[1 + state] = 0;

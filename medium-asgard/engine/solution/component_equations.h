@@ -19,7 +19,7 @@
 // slides. Such motion ends with a reason when it cannot go on.
 #pragma once
 
-#include "expression/tape.h"
+#include "expression/function.h"
 #include "solution/bound_model.h"
 #include "solution/inputs.h"
 #include "solution/switching.h"
@@ -125,7 +125,7 @@ private:
     std::shared_ptr<const BoundModel> bound_;
     const ComponentModel& model_;
     Inputs inputs_;
-    expression::Tape::Scratch scratch_;
+    expression::Function::Scratch scratch_;
     std::vector<double> in_; // values of the model's symbols; constants stand at the end
     std::vector<double> out_, base_, other_, guards_;
 

@@ -17,7 +17,10 @@ void ComponentEquations::evaluate(const ComponentModel::Derived& derived, std::s
                                     : source.surface
                                         ? Decision{sides_[*source.surface]} * source.orientation
                                         : expression::noBranch);
-    derived.tape.evaluate(in_, out, scratch_, derivedDecisions_, {});
+    if (derivedDecisions_.empty())
+        derived.function.evaluate(in_, out, scratch_);
+    else
+        derived.function.evaluate(in_, out, scratch_, derivedDecisions_);
 }
 
 bool ComponentEquations::jacobian(double t, std::span<const double> y, std::span<double> entries) {

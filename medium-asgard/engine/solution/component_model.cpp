@@ -15,7 +15,7 @@ using expression::Op;
 ComponentModel::ComponentModel(Key key) : key_(std::move(key)) {
     readKey();
     findStructure();
-    tape_ = expression::Tape(graph_, symbols_, outputs_);
+    function_ = expression::Function(expression::Tape(graph_, symbols_, outputs_));
 }
 
 void ComponentModel::readKey() {
@@ -150,7 +150,7 @@ ComponentModel::derivedGradient(std::size_t surface) const {
 // Its own switches are ours, or stand on the same surfaces as ours.
 ComponentModel::Derived ComponentModel::derive(Graph& graph, std::span<const Node> nodes) const {
     Derived derived;
-    derived.tape = expression::Tape(graph, symbols_, nodes);
+    derived.function = expression::Function(expression::Tape(graph, symbols_, nodes));
     for (const Node switching : switchesOf(graph, nodes)) {
         Derived::Source source;
         const auto same = std::ranges::lower_bound(switches_, switching);

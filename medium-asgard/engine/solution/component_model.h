@@ -14,7 +14,7 @@
 // any thread may ask.
 #pragma once
 
-#include "expression/tape.h"
+#include "expression/function.h"
 #include "solution/switching.h"
 #include "solution/system.h"
 
@@ -44,9 +44,9 @@ public:
 
     [[nodiscard]] const expression::Graph& graph() const { return graph_; }
     [[nodiscard]] const std::vector<expression::Node>& symbols() const { return symbols_; }
-    // Rates of states, then held values: what the tape evaluates from symbols().
+    // Rates of states, then held values: what function() evaluates from symbols().
     [[nodiscard]] const std::vector<expression::Node>& outputs() const { return outputs_; }
-    [[nodiscard]] const expression::Tape& tape() const { return tape_; }
+    [[nodiscard]] const expression::Function& function() const { return function_; }
     [[nodiscard]] std::optional<std::size_t> placeOf(expression::Node symbol) const;
     [[nodiscard]] bool readsStates() const { return readsStates_; } // other than in guards
 
@@ -65,7 +65,7 @@ public:
 
     // Derived expressions; their switches are those of the equations, or stand on their surfaces.
     struct Derived {
-        expression::Tape tape;
+        expression::Function function;
         struct Source { // of each of its decisions
             std::optional<std::size_t> decision, surface;
             int orientation = 1;
@@ -99,7 +99,7 @@ private:
     std::size_t states_ = 0, inputs_ = 0;
     std::vector<expression::Node> symbols_, outputs_;
     std::unordered_map<std::uint32_t, std::size_t> places_; // of symbols
-    expression::Tape tape_;
+    expression::Function function_;
     bool readsStates_ = false;
     std::vector<std::pair<std::size_t, std::size_t>> integrals_, ownGuards_;
     std::vector<std::size_t> configuration_;

@@ -91,7 +91,7 @@ void ComponentEquations::watch(double t, std::span<const double> y, std::span<do
     fill(t, y);
     if (!sliding_.empty() && !weigh())
         std::fill(weights_.begin(), weights_.end(), -1.0); // no longer possible: leave
-    model_.tape().evaluate(in_, other_, scratch_, decisions_, guards_);
+    model_.function().guards(in_, guards_, scratch_, decisions_);
     for (std::size_t k = 0; k < watches_.size(); ++k) {
         const auto [kind, s] = watches_[k];
         const Surface& surface = model_.surfaces()[s];
@@ -145,7 +145,7 @@ void ComponentEquations::decide(double t, std::span<double> y) {
     if (model_.surfaces().empty())
         return;
     fill(t, y);
-    model_.tape().decide(in_, decisions_, guards_, scratch_);
+    model_.function().tape().decide(in_, decisions_, guards_, scratch_);
     std::vector<std::size_t> touching;
     for (std::size_t s = 0; s < model_.surfaces().size(); ++s) {
         const Surface::Member& member = model_.surfaces()[s].members[0];
@@ -196,7 +196,7 @@ void ComponentEquations::project(double t, std::span<double> y) {
             continue;
         }
         fill(t, y);
-        model_.tape().evaluate(in_, other_, scratch_, decisions_, guards_);
+        model_.function().guards(in_, guards_, scratch_, decisions_);
         const double off = guard(s);
         setSide(s, +1);
         evaluate(other_);
@@ -227,7 +227,7 @@ void ComponentEquations::field() {
 bool ComponentEquations::isRight(std::size_t surface) {
     field();
     const std::vector<double> now = out_;
-    model_.tape().evaluate(in_, other_, scratch_, decisions_, guards_);
+    model_.function().guards(in_, guards_, scratch_, decisions_);
     const Slope slope = guardRate(surface, now);
     const double g = sides_[surface] * guard(surface);
     return g > slope.near || (g >= -slope.near && slope.rate * sides_[surface] > slope.noise);
@@ -263,7 +263,7 @@ void ComponentEquations::pass(const Watch& watch, bool insist, std::vector<std::
     } else if (insist) {
         setSide(s, onSurface);
     } else if (passed.empty() || !isRight(s)) {
-        model_.tape().evaluate(in_, other_, scratch_, decisions_, guards_);
+        model_.function().guards(in_, guards_, scratch_, decisions_);
         const double g = guard(s);
         setSide(s, sides_[s] == onSurface ? (g > 0) - (g < 0) : -sides_[s]);
         passed.push_back(s);
@@ -276,7 +276,7 @@ void ComponentEquations::follow(const std::vector<std::size_t>& passed) {
         bool changed = false;
         field();
         const std::vector<double> now = out_;
-        model_.tape().evaluate(in_, other_, scratch_, decisions_, guards_);
+        model_.function().guards(in_, guards_, scratch_, decisions_);
         const std::vector<double> guards = guards_;
         for (std::size_t s = 0; s < model_.surfaces().size() && !changed; ++s) {
             const auto in = [s](const std::vector<std::size_t>& list) {
@@ -312,7 +312,7 @@ ComponentEquations::Crossing ComponentEquations::cross(const Violation& violatio
     // Does the field behind each passed surface lead away from it?
     field();
     const std::vector<double> behind = out_;
-    model_.tape().evaluate(in_, other_, scratch_, decisions_, guards_);
+    model_.function().guards(in_, guards_, scratch_, decisions_);
     std::vector<std::size_t> back;
     for (const std::size_t s : passed) {
         const Slope slope = guardRate(s, behind);

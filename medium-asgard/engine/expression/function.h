@@ -1,0 +1,56 @@
+// A tape that is evaluated many times: interpreted at first, by machine code as soon as that pays.
+// Same numbers as the tape's, bit for bit (of a NaN, that it is one).
+//
+// A function never changes but for its counts; any number of threads may evaluate it, each with a
+// scratch of its own. Copies are the same function.
+#pragma once
+
+#include "expression/kernel.h"
+#include "expression/tape.h"
+
+#include <memory>
+#include <span>
+
+namespace expression {
+
+class Function {
+public:
+    Function() : Function(Tape()) {}
+    explicit Function(Tape tape) : shared_(std::make_shared<Shared>(std::move(tape))) {}
+
+    [[nodiscard]] const Tape& tape() const { return shared_->tape; }
+    [[nodiscard]] std::size_t decisions() const { return tape().decisions(); }
+
+    using Scratch = Tape::Scratch;
+
+    // As of Tape; `out` must not overlap `in`.
+    void evaluate(std::span<const double> in, std::span<double> out, Scratch& scratch) const;
+    void evaluate(std::span<const double> in, std::span<double> out, Scratch& scratch,
+                  std::span<const Decision> decisions) const;
+    // The guards alone, on the branches given.
+    void guards(std::span<const double> in, std::span<double> guards, Scratch& scratch,
+                std::span<const Decision> decisions) const;
+
+private:
+    struct Use {
+        std::atomic<const Kernel::Code*> code = nullptr;
+        std::atomic<std::uint32_t> evaluations = 0; // not yet told to the kernel
+    };
+    struct Shared {
+        explicit Shared(Tape t) : tape(std::move(t)) {}
+        Tape tape;
+        std::array<Use, 3> uses; // by purpose
+        std::once_flag asked;
+        std::shared_ptr<Kernel> kernel;
+    };
+    // Asked of the kernel only now and then, so that what is evaluated rarely costs nothing more.
+    static constexpr std::uint32_t batch = 20;
+    [[nodiscard]] const Kernel::Code* codeFor(Purpose purpose) const;
+    [[nodiscard]] const Kernel::Code* askFor(Purpose purpose) const;
+    bool run(Purpose purpose, std::span<const double> in, std::span<double> out, Scratch& scratch,
+             std::span<const Decision> decisions) const;
+
+    std::shared_ptr<Shared> shared_;
+};
+
+} // namespace expression
