@@ -45,6 +45,15 @@ private:
     script::Reader reader_;
 };
 
+bool arrived(const simulation::Result& result) {
+    if (!result.motion || result.motion->computed() < result.motion->finish())
+        return false;
+    for (std::size_t b = 0; b < result.motion->bodies(); ++b)
+        if (result.motion->stop(b))
+            return false;
+    return true;
+}
+
 void Driver::run(const std::string& name, const scene::Scene& scene,
                  const std::vector<double>& accuracies,
                  const std::function<double(const Motion&)>& errorOf) const {
@@ -65,9 +74,8 @@ void Driver::run(const std::string& name, const scene::Scene& scene,
             return Time{.median = seconds[seconds.size() / 2], .least = seconds.front()};
         };
         const simulation::Statistics& s = result.statistics;
-        const double error = result.motion && result.motion->computed() == result.motion->finish()
-                                 ? errorOf(*result.motion)
-                                 : std::numeric_limits<double>::quiet_NaN();
+        const double error =
+            arrived(result) ? errorOf(*result.motion) : std::numeric_limits<double>::quiet_NaN();
         char note[200];
         std::snprintf(note, sizeof note,
                       "%zu evaluations %zu steps %zu collisions %zu bytes estimate %.2g %s",
@@ -153,7 +161,7 @@ void gas(Driver& driver) {
 
 void billiard(Driver& driver) {
     for (int n = 0; n <= 4; ++n) {
-        const double exact = std::floor(std::numbers::pi * std::pow(10, n));
+        const double exact = std::floor(pi<double> * std::pow(10, n));
         driver.run("S5 n=" + std::to_string(n), driver.read(s5Scene(n)), {1e-4},
                    [&](const Motion& motion) {
                        return std::abs(static_cast<double>(motion.impacts().size()) - exact);

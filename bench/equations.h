@@ -13,9 +13,10 @@
 
 #include "integrators.h"
 
-#include <numbers>
-
 namespace bench {
+
+// Not std::numbers: Simbody's headers are not C++20, nor is its driver.
+template <class Real> inline constexpr Real pi = Real(3.141592653589793238462643383279502884L);
 
 inline constexpr double s1Span = 60, s2Span = 5, s3Span = 10, s4Span = 10, s6Span = 1;
 
@@ -47,9 +48,7 @@ template <class Real> struct PlanarRods {
     static constexpr std::size_t n = 12;
     Real damping = 2 * std::sqrt(Real(rods::tightness) * Real(rods::mass));
 
-    static State<Real, n> start() {
-        return {-5, 0, 0, -10, -5, std::numbers::pi_v<Real> / 2, 0, 0, 0, 0, 0, 0};
-    }
+    static State<Real, n> start() { return {-5, 0, 0, -10, -5, pi<Real> / 2, 0, 0, 0, 0, 0, 0}; }
     void operator()(const State<Real, n>& s, State<Real, n>& d) const {
         constexpr Real k = rods::tightness, m = rods::mass;
         const Real c1 = rods::half * std::cos(s[2]), s1 = rods::half * std::sin(s[2]);
@@ -81,9 +80,7 @@ template <class Real> struct PlanarRods {
 // S2b in minimal coordinates: the directions of the rods, seen from their upper ends.
 template <class Real> struct MinimalRods {
     static constexpr std::size_t n = 4;
-    static State<Real, n> start() {
-        return {std::numbers::pi_v<Real>, -std::numbers::pi_v<Real> / 2, 0, 0};
-    }
+    static State<Real, n> start() { return {pi<Real>, -pi<Real> / 2, 0, 0}; }
     void operator()(const State<Real, n>& s, State<Real, n>& d) const {
         constexpr Real m = rods::mass, l = rods::half, g = rods::gravity, i = rods::inertia;
         constexpr Real m11 = i + m * l * l + m * 4 * l * l, m22 = i + m * l * l, b = 2 * m * l * l;

@@ -188,7 +188,7 @@ void billiard(const Measurement& m) {
         m.add({"S5 n=" + std::to_string(n), "event-driven", 0,
                std::abs(static_cast<double>(count - exact)), time,
                std::to_string(count) + " hits"});
-        exact = static_cast<long>(std::floor(std::numbers::pi * std::pow(10, n + 1)));
+        exact = static_cast<long>(std::floor(pi<double> * std::pow(10, n + 1)));
         if (m.smoke())
             return;
     }

@@ -38,7 +38,7 @@ std::string s2aScene() {
                 "link -body1 r1 -offset1 {5 0 0} -x 0 -y 0 -z 0 -tightness 5000 -damping %.17g\n"
                 "link -body1 r1 -offset1 {-5 0 0} -body2 r2 -offset2 {5 0 0} -tightness 5000 "
                 "-damping %.17g\n",
-                s2Span, std::numbers::pi / 2, damping, damping);
+                s2Span, pi<double> / 2, damping, damping);
 }
 
 std::string s2bScene() {
@@ -53,7 +53,7 @@ std::string s2bScene() {
     return text("simulator -finish %g -collisions 0\n"
                 "shape_set ball -desc {-sub {-sphere 0.1}}\n"
                 "body a ball -mass 1 -init_pos {%.17g %.17g 0}\n",
-                s2Span, std::numbers::pi, -std::numbers::pi / 2) +
+                s2Span, pi<double>, -pi<double> / 2) +
            text("force -body a -x {(%.17g*%s-%s*%s)/%s}", m22, r1.c_str(), cosine.c_str(),
                 r2.c_str(), determinant.c_str()) +
            text(" -y {(%.17g*%s-%s*%s)/%s} -z 0\n", m11, r2.c_str(), cosine.c_str(), r1.c_str(),
