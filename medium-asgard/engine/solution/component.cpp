@@ -168,9 +168,15 @@ void Component::makeControl() {
 
 std::vector<double> Component::stateValues() const {
     std::vector<double> y;
-    for (const std::size_t place : equations_->states())
-        y.push_back(values_[place]);
+    takeStates(y);
     return y;
+}
+
+void Component::takeStates(std::vector<double>& y) const {
+    const std::vector<std::size_t>& states = equations_->states();
+    y.resize(states.size());
+    for (std::size_t i = 0; i < y.size(); ++i)
+        y[i] = values_[states[i]];
 }
 
 void Component::setStates(std::span<const double> y) {

@@ -76,6 +76,7 @@ private:
     void takeHeldValues();
     void findQuaternions();
     [[nodiscard]] std::vector<double> stateValues() const;
+    void takeStates(std::vector<double>& y) const;
     void setStates(std::span<const double> y);
     void normalize();
 
@@ -91,6 +92,7 @@ private:
     [[nodiscard]] std::unique_ptr<Method> chooseMethod();
     void endWithoutRate(double t, std::span<const double> y);
     void finish(double to);
+    [[nodiscard]] bool overflows();
     void refuse(const Attempt& attempt, double h);
     void stopAtUnderflow(Attempt::Outcome outcome, double h);
     void arrive(); // at limit_: a phase, an input's event, an input's end
@@ -126,6 +128,8 @@ private:
 
     double time_ = 0;
     std::vector<double> values_; // of all unknowns at time_
+    std::vector<double> y_;      // of the states, while a step ends
+    std::vector<Coefficients> columns_;
     std::optional<Stop> stop_;
 
     std::vector<std::size_t> phases_;

@@ -31,8 +31,10 @@ ComponentEquations::ComponentEquations(std::shared_ptr<const BoundModel> bound,
 
 void ComponentEquations::fill(double t, std::span<const double> y) {
     in_[0] = t;
-    std::copy(y.begin(), y.end(), in_.begin() + 1);
-    inputs_.values(t, std::span(in_).subspan(1 + states().size()));
+    for (std::size_t i = 0; i < y.size(); ++i)
+        in_[1 + i] = y[i];
+    if (!inputs_.unknowns().empty())
+        inputs_.values(t, std::span(in_).subspan(1 + states().size()));
 }
 
 // A state that lies on a surface of its own is moved off it, to its side, by next to nothing: what
@@ -59,8 +61,12 @@ bool ComponentEquations::rates(double t, std::span<const double> y, std::span<do
         return false;
     if (sliding_.empty())
         evaluate(out_);
-    std::copy_n(out_.begin(), states().size(), out.begin());
-    return std::all_of(out_.begin(), out_.end(), [](double x) { return std::isfinite(x); });
+    for (std::size_t i = 0; i < states().size(); ++i)
+        out[i] = out_[i];
+    double zero = 0; // no number as soon as one of them is not finite
+    for (const double x : out_)
+        zero += 0 * x;
+    return zero == 0;
 }
 
 bool ComponentEquations::heldValues(double t, std::span<const double> y, std::span<double> out) {

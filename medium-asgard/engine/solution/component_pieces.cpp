@@ -16,6 +16,10 @@ void Component::append(std::span<const Coefficients> states, double scale, doubl
 void Component::appendPart(std::span<const Coefficients> states, double origin, double scale,
                            double until, int depth) {
     constexpr int deepest = 10;
+    if (equations_->held().empty()) {
+        appendRow(states, {}, origin, scale, until);
+        return;
+    }
     std::vector<Coefficients> held(equations_->held().size());
     if (!held.empty() && !fitHeld(states, origin, scale, until, held) && depth < deepest) {
         const double middle = origin + 0.5 * (until - origin);
@@ -80,16 +84,17 @@ void Component::appendRow(std::span<const Coefficients> states, std::span<const 
                     count = k + 1;
                     break;
                 }
-    std::vector<double> rows(count * unknowns_.size());
+    const std::span<double> rows =
+        history_->append({origin, until, scale, fresh_, static_cast<std::uint8_t>(count), 0});
     const auto place = [&](std::size_t unknown, const Coefficients& column) {
-        std::copy_n(column.begin(), count,
-                    rows.begin() + static_cast<std::ptrdiff_t>(unknown * count));
+        double* row = rows.data() + unknown * count;
+        for (std::size_t k = 0; k < count; ++k)
+            row[k] = column[k];
     };
     for (std::size_t i = 0; i < states.size(); ++i)
         place(equations_->states()[i], states[i]);
     for (std::size_t i = 0; i < held.size(); ++i)
         place(equations_->held()[i], held[i]);
-    history_->append({origin, until, scale, fresh_, static_cast<std::uint8_t>(count), 0}, rows);
     fresh_ = false;
 }
 

@@ -335,35 +335,29 @@ void Component::endWithoutRate(double t, std::span<const double> y) {
 
 void Component::finish(double to) {
     const double h = to - time_;
-    std::vector<Coefficients> columns(equations_->states().size());
-    method_->dense(columns);
-    const auto found = violation(time_, to, h, columns);
+    columns_.resize(equations_->states().size());
+    method_->dense(columns_);
+    const auto found = violation(time_, to, h, columns_);
     if (found && found->time <= time_) {
         pass(*found, true);
         return;
     }
     ++counts_.steps;
     ++counts_.integratedSteps;
-    std::vector<double> y(method_->state().begin(), method_->state().end());
     const double until = found ? found->time : to;
+    y_.assign(method_->state().begin(), method_->state().end());
     if (found)
-        for (std::size_t i = 0; i < y.size(); ++i)
-            y[i] = evaluate(columns[i], (until - time_) / h);
-    append(columns, h, until);
+        for (std::size_t i = 0; i < y_.size(); ++i)
+            y_[i] = evaluate(columns_[i], (until - time_) / h);
+    append(columns_, h, until);
     time_ = until;
-    setStates(y);
+    setStates(y_);
     normalize();
     takeHeldValues();
-    if (stop_)
+    if (stop_ || overflows())
         return;
-    for (std::size_t i = 0; i < y.size(); ++i)
-        if (!(std::abs(y[i]) <= largestValue)) {
-            const std::vector<std::size_t> culprit = {equations_->states()[i]};
-            end(Stop::Reason::overflow, culprit, names(culprit) + " grows over 1e100");
-            return;
-        }
-    y = stateValues();
-    control_.observe(y);
+    takeStates(y_);
+    control_.observe(y_);
     immediate_ = 0;
     if (found) {
         pass(*found, false);
@@ -371,13 +365,23 @@ void Component::finish(double to) {
             arrive();
         return;
     }
-    if (!method_->proceed(y)) {
-        endWithoutRate(time_, y);
+    if (!method_->proceed(y_)) {
+        endWithoutRate(time_, y_);
         return;
     }
     reconsider(h);
     if (time_ >= limit_)
         arrive();
+}
+
+bool Component::overflows() {
+    for (std::size_t i = 0; i < y_.size(); ++i)
+        if (!(std::abs(y_[i]) <= largestValue)) {
+            const std::vector<std::size_t> culprit = {equations_->states()[i]};
+            end(Stop::Reason::overflow, culprit, names(culprit) + " grows over 1e100");
+            return true;
+        }
+    return false;
 }
 
 void Component::arrive() {

@@ -20,6 +20,40 @@ void lines(std::span<Coefficients> columns, const StepEnds& ends);
 // Cubic Hermite: local error h^4.
 void cubics(std::span<Coefficients> columns, const StepEnds& ends);
 
+// Quintic Hermite for positions, from place, velocity and acceleration at both ends, and its
+// derivative for their velocities: local errors h^6 and h^5. Pairs are (x, v).
+void quintics(std::span<Coefficients> columns,
+              std::span<const std::pair<std::size_t, std::size_t>> pairs, const StepEnds& ends);
+
+// The start of the step before, which makes those polynomials better for nothing.
+struct StepBefore {
+    double ratio = 0; // its length over the step's; 0: there is none
+    std::span<const double> start, startSlope;
+};
+
+// What place, velocity and acceleration at the start of the step before add to a quintic, and value
+// and slope there to a cubic. With r = ratio:
+//
+//     s^3 (1-s)^3 (c0 + c1 (s+r) + c2 (s+r)^2)        s^2 (1-s)^2 (c0 + c1 (s+r))
+//
+// The whole is about what the polynomial without it errs by. What is left to err with it, local
+// errors h^9 and h^6, is guessed from how the terms fall: each by the root of what every second one
+// does, since one alone may pass through 0; of a cubic's two terms the last is taken.
+struct Correction {
+    double terms[3] = {};
+    double whole = 0, left = 0;           // at most, in units of the value
+    double wholeSlope = 0, leftSlope = 0; // at most, times h
+};
+[[nodiscard]] bool usable(const StepBefore& before);
+[[nodiscard]] Correction quinticCorrection(const Coefficients& place, double before,
+                                           double velocity, double acceleration, double ratio);
+[[nodiscard]] Correction cubicCorrection(const Coefficients& column, double before, double slope,
+                                         double ratio);
+void addToQuintic(Coefficients& column, const Correction& correction, double ratio);
+void addToCubic(Coefficients& column, const Correction& correction, double ratio);
+// The velocity's polynomial from its position's; the value at the start stays.
+void differentiate(const Coefficients& place, Coefficients& velocity, double h);
+
 // A velocity's polynomial, integrated, is a degree better than the position's own; what its end
 // lacks to the step's own end goes on a cubic that is flat at both ends. Pairs are (x, v).
 void integratePositions(std::span<Coefficients> columns,

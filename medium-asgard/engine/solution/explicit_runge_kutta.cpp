@@ -1,30 +1,57 @@
 #include "solution/explicit_runge_kutta.h"
 
-#include "solution/dense_output.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace solution {
 
+namespace {
+
+// Of what a step may err by, what the polynomials between its ends may; more of it where the guess
+// is some ten times too large.
+constexpr double allowed = 0.5, allowedSpeed = 1, pessimism = 8;
+
+const double smallestLogarithm = std::log(1e-4); // of an error that the controller remembers
+
+} // namespace
+
+Tableau finished(Tableau table) {
+    for (const std::vector<double>& row : table.a)
+        table.rows.push_back(termsOf(row));
+    table.errorTerms = termsOf(table.error);
+    table.secondErrorTerms = termsOf(table.secondError);
+    for (std::size_t power = 0; !table.dense.empty() && power < table.dense[0].size(); ++power) {
+        std::vector<double> weights;
+        for (const std::vector<double>& stage : table.dense)
+            weights.push_back(stage[power]);
+        table.denseTerms.push_back(termsOf(weights));
+    }
+    return table;
+}
+
 ExplicitRungeKutta::ExplicitRungeKutta(const Tableau& tableau, System& system,
                                        ErrorControl& control, bool fixed)
-    : Method(system, control, fixed), tableau_(tableau),
-      k_(tableau.a.size(), std::vector<double>(system.size())), at_(system.size()),
-      stiffAt_(system.size()), lost_(system.size()), lostNext_(system.size()),
-      error_(system.size()), secondError_(system.size()) {
-    start_.resize(system.size());
-    end_.resize(system.size());
-    slope_.resize(system.size());
+    : Method(system, control, fixed), tableau_(tableau), size_(system.size()),
+      k_(tableau.a.size() * size_), at_(size_), stiffAt_(size_), sum_(size_), lost_(size_),
+      lostNext_(size_), error_(size_), secondError_(size_), before_(size_), beforeSlope_(size_) {
+    start_.resize(size_);
+    end_.resize(size_);
+    slope_.resize(size_);
+    std::vector<char> isPaired(size_, 0);
+    for (const auto& [x, v] : system.integrals())
+        isPaired[x] = isPaired[v] = 1;
+    for (std::size_t n = 0; n < size_; ++n)
+        if (!isPaired[n])
+            unpaired_.push_back(n);
 }
 
 bool ExplicitRungeKutta::begin(double t, std::span<const double> y) {
     t_ = t;
     h_ = 0;
     start_.assign(y.begin(), y.end());
-    previousError_ = 1e-4;
+    previousLogarithm_ = smallestLogarithm;
     afterRejection_ = false;
-    stabilityUsed_ = 0;
+    stabilityUsed_ = beforeStep_ = 0;
     std::fill(lost_.begin(), lost_.end(), 0.0);
     return rates(t, y, slope_);
 }
@@ -32,28 +59,23 @@ bool ExplicitRungeKutta::begin(double t, std::span<const double> y) {
 // The increment is summed before it is added, and what that addition rounds away at the end of a
 // step is added to the next increment (Kahan): far from the origin a position keeps its last bits.
 bool ExplicitRungeKutta::stage(std::size_t i, std::span<double> at) {
-    std::fill(at.begin(), at.end(), 0.0);
-    for (std::size_t j = 0; j < tableau_.a[i].size(); ++j) {
-        const double weight = h_ * tableau_.a[i][j];
-        if (weight == 0)
-            continue;
-        const std::vector<double>& k = k_[j];
-        for (std::size_t n = 0; n < at.size(); ++n)
-            at[n] += weight * k[n];
-    }
-    const bool last = i == tableau_.stages;
-    for (std::size_t n = 0; n < at.size(); ++n) {
-        const double increment = last ? at[n] + lost_[n] : at[n];
-        at[n] = start_[n] + increment;
-        if (last)
+    weightedSum(tableau_.rows[i], k_.data(), size_, sum_.data());
+    if (i == tableau_.stages) {
+        for (std::size_t n = 0; n < size_; ++n) {
+            const double increment = h_ * sum_[n] + lost_[n];
+            at[n] = start_[n] + increment;
             lostNext_[n] = increment - (at[n] - start_[n]);
+        }
+    } else {
+        for (std::size_t n = 0; n < size_; ++n)
+            at[n] = start_[n] + h_ * sum_[n];
     }
-    return rates(t_ + tableau_.c[i] * h_, at, k_[i]);
+    return rates(t_ + tableau_.c[i] * h_, at, {slopesOf(i), size_});
 }
 
 Attempt ExplicitRungeKutta::attempt(double h) {
     h_ = h;
-    k_[0] = slope_;
+    std::copy(slope_.begin(), slope_.end(), k_.begin());
     for (std::size_t i = 1; i <= tableau_.stages; ++i) {
         std::vector<double>& at = i == tableau_.stages       ? end_
                                   : i == tableau_.stiffStage ? stiffAt_
@@ -70,34 +92,32 @@ Attempt ExplicitRungeKutta::attempt(double h) {
 }
 
 double ExplicitRungeKutta::errorNorm() {
-    const auto sum = [this](const std::vector<double>& weights, std::vector<double>& out) {
-        std::fill(out.begin(), out.end(), 0.0);
-        for (std::size_t i = 0; i < weights.size(); ++i)
-            if (weights[i] != 0)
-                for (std::size_t n = 0; n < out.size(); ++n)
-                    out[n] += h_ * weights[i] * k_[i][n];
-    };
-    sum(tableau_.error, error_);
-    if (!tableau_.secondError.empty()) {
-        sum(tableau_.secondError, secondError_);
-        for (std::size_t n = 0; n < error_.size(); ++n)
-            if (error_[n] != 0)
-                error_[n] *= std::abs(error_[n]) / std::hypot(error_[n], 0.1 * secondError_[n]);
+    weightedSum(tableau_.errorTerms, k_.data(), size_, error_.data());
+    if (!tableau_.secondErrorTerms.empty()) {
+        weightedSum(tableau_.secondErrorTerms, k_.data(), size_, secondError_.data());
+        for (std::size_t n = 0; n < size_; ++n) {
+            const double square = error_[n] * error_[n];
+            const double both = square + 0.01 * secondError_[n] * secondError_[n];
+            if (both > 0)
+                error_[n] = square / std::sqrt(both);
+        }
     }
+    for (double& error : error_)
+        error *= h_;
     return control_.norm(error_);
 }
 
 Attempt ExplicitRungeKutta::judge(double error) {
     const double p = static_cast<double>(tableau_.order);
+    const double logarithm = std::log(std::max(error, 1e-10));
     if (!(error <= 1)) {
         afterRejection_ = true;
-        const double factor = std::isfinite(error) ? 0.9 * std::pow(error, -1 / p) : 0.2;
+        const double factor = std::isfinite(error) ? 0.9 * std::exp(-logarithm / p) : 0.2;
         return {Attempt::Outcome::errorTooLarge, h_ * std::clamp(factor, 0.2, 0.9)};
     }
-    const double e = std::max(error, 1e-10);
-    double factor = 0.9 * std::pow(e, -0.7 / p) * std::pow(previousError_, 0.4 / p);
+    double factor = 0.9 * std::exp((0.4 * previousLogarithm_ - 0.7 * logarithm) / p);
     factor = std::clamp(factor, 0.2, afterRejection_ ? 1.0 : 6.0);
-    previousError_ = std::max(error, 1e-4);
+    previousLogarithm_ = std::max(logarithm, smallestLogarithm);
     afterRejection_ = false;
     estimateStiffness();
     return {Attempt::Outcome::accepted, h_ * factor};
@@ -108,10 +128,11 @@ void ExplicitRungeKutta::estimateStiffness() {
     if (tableau_.stabilityLimit == 0)
         return;
     double dk = 0, dy = 0;
-    for (std::size_t n = 0; n < end_.size(); ++n) {
-        const double scale = control_.scale(n);
-        const double k = (k_[tableau_.stages][n] - k_[tableau_.stiffStage][n]) / scale;
-        const double y = (end_[n] - stiffAt_[n]) / scale;
+    const double *last = slopesOf(tableau_.stages), *before = slopesOf(tableau_.stiffStage);
+    for (std::size_t n = 0; n < size_; ++n) {
+        const double inverse = 1 / control_.scale(n);
+        const double k = (last[n] - before[n]) * inverse;
+        const double y = (end_[n] - stiffAt_[n]) * inverse;
         dk += k * k;
         dy += y * y;
     }
@@ -119,43 +140,130 @@ void ExplicitRungeKutta::estimateStiffness() {
         stabilityUsed_ = h_ * std::sqrt(dk / dy) / tableau_.stabilityLimit;
 }
 
-void ExplicitRungeKutta::dense(std::span<Coefficients> columns) {
-    // Stages of dense output alone. Where one is not finite, the line through both ends' slopes
-    // that a cubic gives must do.
-    bool complete = true;
-    for (std::size_t i = tableau_.stages + 1; i < tableau_.a.size() && complete; ++i)
-        complete = stage(i, at_);
-    for (std::size_t n = 0; n < columns.size(); ++n) {
-        Coefficients& column = columns[n];
-        column = {};
-        column[0] = start_[n];
-        if (complete && !tableau_.dense.empty()) {
-            for (std::size_t i = 0; i < tableau_.dense.size(); ++i)
-                for (std::size_t power = 0; power < tableau_.dense[i].size(); ++power)
-                    column[power + 1] += h_ * tableau_.dense[i][power] * k_[i][n];
+StepEnds ExplicitRungeKutta::ends() {
+    return {.h = h_,
+            .start = start_,
+            .end = end_,
+            .startSlope = slope_,
+            .endSlope = {slopesOf(tableau_.stages), size_}};
+}
+
+// What the polynomials of both ends miss shows in their slopes at inner stages. With u = s(1-s),
+//
+//     quintic of p:  p - P = c u^3,   so that p' - P' is at most 0.0537 c/h, and p'' - P'' at the
+//                    inner stages, where u'' is, at least 0.284 c/h^2;  u^3 at most 1/64
+//     cubic of y:    y - C = c u^2,   y' - C' at 6/7 is 0.175 c/h;  u^2 at most 1/16
+//
+// An inner stage is itself less accurate than the step, which makes the guess a cautious one.
+bool ExplicitRungeKutta::endsSuffice(std::span<const Coefficients> columns) {
+    constexpr double place = 1.0 / 64 / 0.284, speed = 0.0537 / 0.284, other = 1.0 / 16 / 0.175;
+    for (const std::size_t i : tableau_.checkStages) {
+        const double s = tableau_.c[i], *slope = slopesOf(i);
+        for (const auto& [x, v] : system_.integrals()) {
+            const double missed =
+                std::abs(evaluateDerivative({columns[v].data(), 5}, s) - h_ * slope[v]);
+            if (!(place * h_ * missed <= allowed * control_.scale(x) &&
+                  speed * missed <= allowedSpeed * control_.scale(v)))
+                return false;
+        }
+        for (const std::size_t n : unpaired_) {
+            const double missed =
+                std::abs(evaluateDerivative({columns[n].data(), 4}, s) - h_ * slope[n]);
+            if (!(other * missed <= allowed * control_.scale(n)))
+                return false;
         }
     }
-    const StepEnds ends{.h = h_,
-                        .start = start_,
-                        .end = end_,
-                        .startSlope = slope_,
-                        .endSlope = k_[tableau_.stages]};
-    if (!complete || tableau_.dense.empty())
-        cubics(columns, ends);
-    integratePositions(columns, system_.integrals(), ends);
+    return true;
+}
+
+// False: a stage of the extension is not finite.
+bool ExplicitRungeKutta::extend(std::span<Coefficients> columns) {
+    for (std::size_t i = tableau_.stages + 1; i < tableau_.a.size(); ++i)
+        if (!stage(i, at_))
+            return false;
+    for (std::size_t n = 0; n < size_; ++n)
+        columns[n] = {start_[n]};
+    for (std::size_t power = 0; power < tableau_.denseTerms.size(); ++power) {
+        weightedSum(tableau_.denseTerms[power], k_.data(), size_, sum_.data());
+        for (std::size_t n = 0; n < size_; ++n)
+            columns[n][power + 1] = h_ * sum_[n];
+    }
+    integratePositions(columns, system_.integrals(), ends());
+    return true;
+}
+
+void ExplicitRungeKutta::dense(std::span<Coefficients> columns) {
+    const bool extensible = !tableau_.dense.empty();
+    const bool needsStages = tableau_.a.size() > tableau_.stages + 1;
+    if (extensible && (!needsStages || fixed_) && extend(columns))
+        return;
+    cubics(columns, ends());
+    if (!extensible) {
+        integratePositions(columns, system_.integrals(), ends());
+        return;
+    }
+    quintics(columns, system_.integrals(), ends());
+    if (!needsStages || fixed_ || correct(columns) || endsSuffice(columns) || extend(columns))
+        return;
+    cubics(columns, ends());
+    quintics(columns, system_.integrals(), ends());
+}
+
+// By the start of the step before, where that is needed; false: it does not suffice.
+bool ExplicitRungeKutta::correct(std::span<Coefficients> columns) {
+    const StepBefore before{beforeStep_ / h_, before_, beforeSlope_};
+    if (!usable(before))
+        return false;
+    const auto within = [this](double value, std::size_t n, double part) {
+        return value <= part * control_.scale(n);
+    };
+    bool needed = false;
+    corrections_.clear();
+    for (const auto& [x, v] : system_.integrals()) {
+        const Correction c = quinticCorrection(columns[x], before_[x], h_ * before_[v],
+                                               h_ * h_ * beforeSlope_[v], before.ratio);
+        if (!within(c.left, x, pessimism * allowed) ||
+            !within(c.leftSlope / h_, v, pessimism * allowedSpeed))
+            return false;
+        needed =
+            needed || !within(c.whole, x, allowed) || !within(c.wholeSlope / h_, v, allowedSpeed);
+        corrections_.push_back(c);
+    }
+    for (const std::size_t n : unpaired_) {
+        const Correction c =
+            cubicCorrection(columns[n], before_[n], h_ * beforeSlope_[n], before.ratio);
+        if (!within(c.left, n, allowed))
+            return false;
+        needed = needed || !within(c.whole, n, allowed);
+        corrections_.push_back(c);
+    }
+    if (!needed)
+        return true;
+    auto correction = corrections_.begin();
+    for (const auto& [x, v] : system_.integrals()) {
+        addToQuintic(columns[x], *correction++, before.ratio);
+        differentiate(columns[x], columns[v], h_);
+    }
+    for (const std::size_t n : unpaired_)
+        addToCubic(columns[n], *correction++, before.ratio);
+    return true;
 }
 
 bool ExplicitRungeKutta::proceed(std::span<const double> y) {
     t_ += h_;
-    const bool same = std::equal(y.begin(), y.end(), end_.begin());
-    for (std::size_t n = 0; n < y.size(); ++n)
-        lost_[n] = y[n] == end_[n] ? lostNext_[n] : 0;
-    start_.assign(y.begin(), y.end());
-    if (same) {
-        slope_ = k_[tableau_.stages];
-        return true;
+    const double* last = slopesOf(tableau_.stages);
+    std::swap(before_, start_);
+    std::swap(beforeSlope_, slope_);
+    beforeStep_ = h_;
+    bool same = true;
+    for (std::size_t n = 0; n < size_; ++n) {
+        const bool kept = y[n] == end_[n];
+        same = same && kept;
+        lost_[n] = kept ? lostNext_[n] : 0;
+        start_[n] = y[n];
+        slope_[n] = last[n];
     }
-    return rates(t_, y, slope_);
+    return same || rates(t_, y, slope_);
 }
 
 } // namespace solution

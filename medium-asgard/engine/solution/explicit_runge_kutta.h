@@ -5,7 +5,8 @@
 // Stages after the first `stages` belong to dense output alone and are computed only for accepted
 // steps; stage number `stages` is f(t + h, y1), the first of the next step. Error estimates are
 // sums of k_i; with two of them (Hairer's 853) the estimate is e1^2 / sqrt(e1^2 + 0.01 e2^2).
-// Dense output: y(s) = y + h sum_i B_i(s) k_i.
+// Dense output: y(s) = y + h sum_i B_i(s) k_i. Where it needs stages of its own, they are computed
+// only for steps whose ends, with the start of the step before, do not say enough.
 //
 // Without an estimate of its own a method needs StepDoubling. Step control: PI (exponents 0.7/p and
 // 0.4/p), factors 1/5 to 6. Stiffness: |lambda| = |k_a - k_b| / |Y_a - Y_b| of the last two stages
@@ -13,7 +14,9 @@
 // IV.2.
 #pragma once
 
+#include "solution/dense_output.h"
 #include "solution/method.h"
+#include "solution/weighted_sum.h"
 
 namespace solution {
 
@@ -27,7 +30,15 @@ struct Tableau {
     std::vector<std::vector<double>> dense = {};      // [stage][power - 1]: B_i(s) = sum B_ip s^p
     std::size_t stiffStage = 0;                       // compared with the stage at the end
     double stabilityLimit = 0;                        // on the negative real axis
+    std::vector<std::size_t> checkStages = {};        // that show how good the ends' polynomial is
+
+    // The same without zeros, made by finished().
+    std::vector<Terms> rows = {};
+    Terms errorTerms = {}, secondErrorTerms = {};
+    std::vector<Terms> denseTerms = {}; // by power - 1
 };
+
+[[nodiscard]] Tableau finished(Tableau table);
 
 // Null for a name that is not in the tables: dop853, dopri5, tsit5, gbs, rk4, forward-euler.
 [[nodiscard]] const Tableau* tableauNamed(const std::string& name);
@@ -47,17 +58,28 @@ public:
 
 private:
     [[nodiscard]] bool stage(std::size_t i, std::span<double> at);
+    [[nodiscard]] double* slopesOf(std::size_t stage) { return k_.data() + stage * size_; }
+    [[nodiscard]] StepEnds ends();
+    [[nodiscard]] bool endsSuffice(std::span<const Coefficients> columns);
+    [[nodiscard]] bool correct(std::span<Coefficients> columns);
+    [[nodiscard]] bool extend(std::span<Coefficients> columns);
     [[nodiscard]] double errorNorm();
     [[nodiscard]] Attempt judge(double error);
     void estimateStiffness();
 
     const Tableau& tableau_;
-    std::vector<std::vector<double>> k_;
-    std::vector<double> at_, stiffAt_;
+    std::size_t size_;
+    std::vector<double> k_; // slopes of all stages, one after the other
+    std::vector<double> at_, stiffAt_, sum_;
     std::vector<double> lost_, lostNext_; // to rounding, by the state at the start and at the end
     std::vector<double> error_, secondError_;
-    double previousError_ = 1e-4;
-    bool afterRejection_ = false, endIsSlope_ = false;
+    std::vector<std::size_t>
+        unpaired_; // neither positions nor velocities of which the other is known
+    std::vector<double> before_, beforeSlope_; // at the start of the step before
+    std::vector<Correction> corrections_;
+    double beforeStep_ = 0;        // its length; 0: none
+    double previousLogarithm_ = 0; // of the error before
+    bool afterRejection_ = false;
     double stabilityUsed_ = 0;
 };
 

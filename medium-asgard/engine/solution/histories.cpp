@@ -51,14 +51,19 @@ History::Chunk& History::writableTail() {
 }
 
 void History::append(const Step& step, std::span<const double> rows) {
+    std::ranges::copy(rows, append(step).begin());
+}
+
+std::span<double> History::append(const Step& step) {
     if (size_ % stepsPerChunk == 0)
         chunks_.push_back(std::make_shared<Chunk>());
     Chunk& chunk = writableTail();
     Step placed = step;
     placed.offset = static_cast<std::uint32_t>(chunk.values.size());
     chunk.steps.push_back(placed);
-    chunk.values.insert(chunk.values.end(), rows.begin(), rows.end());
+    chunk.values.resize(chunk.values.size() + columns_ * step.coefficients);
     ++size_;
+    return std::span(chunk.values).subspan(placed.offset);
 }
 
 void History::dropLast() {

@@ -64,6 +64,8 @@ public:
 
     // `rows` has `coefficients` numbers for each column.
     void append(const Step& step, std::span<const double> rows);
+    // The same; the caller writes the numbers. Valid until the next change.
+    [[nodiscard]] std::span<double> append(const Step& step);
     // A component that has values but no step from them yet stands on an anchor: a step of no
     // length that its first step replaces.
     [[nodiscard]] bool endsInAnchor() const {

@@ -212,6 +212,7 @@ Tableau makeDop853() {
     t.secondError[11] -= 0.220588235294117647058823529412e-01;
     t.dense = dop853Dense(expand(dop853Weights, 13));
     t.stiffStage = 11;
+    t.checkStages = {9, 10}; // at 0.6 and 6/7
     t.stabilityLimit = 6.1;
     return t;
 }
@@ -293,9 +294,9 @@ Tableau makeForwardEuler() {
 } // namespace
 
 const Tableau* tableauNamed(const std::string& name) {
-    static const std::vector<Tableau> tableaus = {makeDop853(),       makeDopri5(),
-                                                  makeTsit5(),        makeRk4(),
-                                                  makeForwardEuler(), makeExtrapolation()};
+    static const std::vector<Tableau> tableaus = {
+        finished(makeDop853()), finished(makeDopri5()),       finished(makeTsit5()),
+        finished(makeRk4()),    finished(makeForwardEuler()), finished(makeExtrapolation())};
     const auto found = std::find_if(tableaus.begin(), tableaus.end(),
                                     [&](const Tableau& t) { return name == t.name; });
     return found == tableaus.end() ? nullptr : &*found;

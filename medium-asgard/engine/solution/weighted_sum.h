@@ -1,0 +1,58 @@
+// Sums of a method's slopes with the weights of a table's row: the arithmetic of a step that is not
+// evaluation, so it is done without what is zero and with sums that stay in registers.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace solution {
+
+struct Term {
+    std::size_t stage;
+    double weight;
+};
+using Terms = std::vector<Term>;
+
+// Those weights that are not zero.
+[[nodiscard]] inline Terms termsOf(std::span<const double> weights) {
+    Terms terms;
+    for (std::size_t stage = 0; stage < weights.size(); ++stage)
+        if (weights[stage] != 0)
+            terms.push_back({stage, weights[stage]});
+    return terms;
+}
+
+template <std::size_t Width>
+inline void weightedBlock(std::span<const Term> terms, const double* slopes, std::size_t stride,
+                          double* out) {
+    std::array<double, Width> sum{};
+    for (const Term& term : terms) {
+        const double* slope = slopes + term.stage * stride;
+        for (std::size_t i = 0; i < Width; ++i)
+            sum[i] += term.weight * slope[i];
+    }
+    for (std::size_t i = 0; i < Width; ++i)
+        out[i] = sum[i];
+}
+
+// out[i] = sum of weight * slopes[stage * stride + i] in the order of the terms, for i < stride.
+inline void weightedSum(std::span<const Term> terms, const double* slopes, std::size_t stride,
+                        double* out) {
+    std::size_t i = 0;
+    for (; i + 8 <= stride; i += 8)
+        weightedBlock<8>(terms, slopes + i, stride, out + i);
+    if (stride - i >= 4) {
+        weightedBlock<4>(terms, slopes + i, stride, out + i);
+        i += 4;
+    }
+    if (stride - i >= 2) {
+        weightedBlock<2>(terms, slopes + i, stride, out + i);
+        i += 2;
+    }
+    if (i < stride)
+        weightedBlock<1>(terms, slopes + i, stride, out + i);
+}
+
+} // namespace solution
