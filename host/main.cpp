@@ -2,6 +2,7 @@
 #include "console/check.h"
 #include "console/check_medium.h"
 #include "console/convert.h"
+#include "screen/display.h"
 #include "window/application.h"
 
 #include <QApplication>
@@ -23,13 +24,6 @@ constexpr const char* usage =
 int wrong(const QString& sentence) {
     std::fprintf(stderr, "ensemble: %s\n%s", qPrintable(sentence), usage);
     return console::wrongUsage;
-}
-
-// Batch commands need no display; windows without one are said to be impossible, in words.
-bool hasDisplay() {
-    return !qEnvironmentVariableIsEmpty("DISPLAY") ||
-           !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
-           !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
 }
 
 int convert(const QCommandLineParser& options) {
@@ -62,7 +56,8 @@ int openWindows(QApplication& application, const QCommandLineParser& options) {
     return opened ? application.exec() : console::failure;
 }
 
-int run(QApplication& application, const QStringList& arguments, bool canOpenWindows) {
+// Batch commands need no display; windows without one are said to be impossible, in words.
+int run(QApplication& application, const QStringList& arguments, const std::string& displayFault) {
     const qsizetype medium = arguments.indexOf("--check-medium");
     if (medium == 1)
         return arguments.size() < 3 ? wrong("--check-medium wants a command")
@@ -90,9 +85,9 @@ int run(QApplication& application, const QStringList& arguments, bool canOpenWin
                    : wrong("--check wants one document");
     if (options.isSet("output"))
         return wrong("--output belongs to --convert-to");
-    if (!canOpenWindows) {
-        std::fprintf(stderr, "ensemble: there is no display to open a window on; "
-                             "--convert-to and --check need none\n");
+    if (!displayFault.empty()) {
+        std::fprintf(stderr, "ensemble: %s; --convert-to and --check need none\n",
+                     displayFault.c_str());
         return console::failure;
     }
     return openWindows(application, options);
@@ -116,8 +111,8 @@ void onlyErrors(QtMsgType type, const QMessageLogContext&, const QString& text) 
 } // namespace
 
 int main(int argc, char** argv) {
-    const bool canOpenWindows = hasDisplay();
-    if (isBatch(argc, argv) || !canOpenWindows)
+    const std::string displayFault = screen::displayFault();
+    if (isBatch(argc, argv) || !displayFault.empty())
         qputenv("QT_QPA_PLATFORM", "offscreen");
     if (isBatch(argc, argv))
         qInstallMessageHandler(onlyErrors);
@@ -126,5 +121,5 @@ int main(int argc, char** argv) {
     QApplication::setApplicationName("ensemble");
     QApplication::setOrganizationName("ensemble");
     QApplication::setApplicationVersion(ENSEMBLE_VERSION);
-    return run(application, application.arguments(), canOpenWindows);
+    return run(application, application.arguments(), displayFault);
 }

@@ -8,18 +8,12 @@
 
 #include <algorithm>
 #include <clocale>
-#include <cstdlib>
 
 namespace asgard {
 namespace {
 
 using service::Clock;
 using service::Connection;
-
-bool set(const char* variable) {
-    const char* value = std::getenv(variable);
-    return value && *value;
-}
 
 template <class Viewer> void raise(Viewer* viewer) {
     viewer->raise();
@@ -196,12 +190,6 @@ private:
 };
 
 } // namespace
-
-std::string noDisplay() {
-    if (set("DISPLAY") || set("WAYLAND_DISPLAY") || set("QT_QPA_PLATFORM"))
-        return "";
-    return "there is no display to open a window on";
-}
 
 void serveWithWindows(Connection& connection, Windows*& windows) {
     int argc = 1;

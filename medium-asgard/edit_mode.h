@@ -9,9 +9,6 @@
 
 namespace asgard {
 
-// Whether windows can be opened here: empty, or the sentence why not.
-[[nodiscard]] std::string noDisplay();
-
 // Opens the windows that menu entries name; made once the mode is known.
 class Windows {
 public:

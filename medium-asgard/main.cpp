@@ -3,6 +3,7 @@
 #include "batch/command.h"
 #include "edit_mode.h"
 #include "medium_process.h"
+#include "screen/display.h"
 #include "views/editor.h"
 
 #include <CLI/CLI.hpp>
@@ -121,7 +122,7 @@ int run(int argc, char** argv, script::Reader& reader) {
         return batch::renderCommand(reader, render);
     if (medium)
         return asgard::serveAsMedium(reader);
-    if (const std::string fault = asgard::noDisplay(); !fault.empty()) {
+    if (const std::string fault = screen::displayFault(); !fault.empty()) {
         std::cerr << "asgard: " << fault << "; simulate, check and render need none\n";
         return batch::failure;
     }

@@ -2,6 +2,7 @@
 
 #include "confinement/confinement.h"
 #include "edit_mode.h"
+#include "screen/display.h"
 
 #include <array>
 #include <csignal>
@@ -100,13 +101,13 @@ int serveAsMedium(script::Reader& reader) {
     platform.openViewer = [&windows](const std::string& entry) {
         if (windows)
             return windows->open(entry);
-        const std::string why = noDisplay();
+        const std::string why = screen::displayFault();
         return std::optional(why.empty() ? "windows are opened by a process in mode \"edit\""
                                          : why);
     };
     service::Connection connection(std::move(platform), STDIN_FILENO, STDOUT_FILENO);
     service::serve(connection, [&connection] {
-        return connection.session().mode() == ipc::Mode::edit && noDisplay().empty();
+        return connection.session().mode() == ipc::Mode::edit && screen::displayFault().empty();
     });
     if (!connection.closed())
         serveWithWindows(connection, windows);

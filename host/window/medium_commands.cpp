@@ -18,6 +18,18 @@ bool sameShape(const std::vector<ipc::MenuEntry>& a, const std::vector<ipc::Menu
     });
 }
 
+// A medium's name with the first of its letters that opens no other menu as its key.
+QString titleOf(const QString& name, const QMenuBar& bar) {
+    QString taken;
+    for (const QAction* action : bar.actions())
+        if (const qsizetype mark = action->text().indexOf('&'); mark >= 0)
+            taken += action->text().mid(mark + 1, 1);
+    for (qsizetype i = 0; i < name.size(); ++i)
+        if (name[i].isLetter() && !taken.contains(name[i], Qt::CaseInsensitive))
+            return QString(name).insert(i, '&');
+    return name;
+}
+
 } // namespace
 
 MediumCommands::MediumCommands(session::OpenDocument& document, DocumentView& view, QMenuBar& bar,
@@ -129,7 +141,7 @@ void MediumCommands::refresh() {
 void MediumCommands::refreshMenu(const QString& documentClass, Medium& medium) {
     const media::Manifest* manifest = document_.media().registry().forClass(documentClass);
     if (!medium.menu) {
-        medium.menu = new QMenu(manifest ? manifest->name : documentClass, &bar_);
+        medium.menu = new QMenu(titleOf(manifest ? manifest->name : documentClass, bar_), &bar_);
         bar_.insertMenu(before_, medium.menu);
     }
     media::LiveSubdocument* target = first(documentClass);

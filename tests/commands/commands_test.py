@@ -52,6 +52,10 @@ class Commands(unittest.TestCase):
         self.assertEqual(ran.returncode, 1)
         self.assertRegex(ran.stderr, r"^asgard: there is no display to open a window on; .*\n$")
 
+    def test_a_display_that_does_not_answer_is_named(self):
+        ran = subprocess.run([ASGARD, self.scene], capture_output=True, text=True, timeout=100, env={"DISPLAY": ":4711"})
+        self.assertEqual((ran.returncode, ran.stderr.partition(";")[0]), (1, "asgard: the display :4711 does not answer"))
+
     # --- simulate --------------------------------------------------------------------------------
 
     def test_the_table_has_thirteen_columns_for_each_body_and_101_rows(self):

@@ -28,6 +28,10 @@ class RunWithoutDisplay(unittest.TestCase):
             os.chmod(f.name, 0o755)
             done = subprocess.run(["bash", "run"], cwd=folder, env=environment, stdin=subprocess.DEVNULL, capture_output=True, timeout=200)
             self.assertEqual((done.returncode, done.stderr.decode()), (0, ""))
+            # A display that is only a name is none.
+            again = subprocess.run(["bash", "run"], cwd=folder, env=dict(environment, DISPLAY=":4711"), stdin=subprocess.DEVNULL,
+                                   capture_output=True, timeout=200)
+            self.assertEqual((again.returncode, again.stdout, again.stderr), (0, done.stdout, done.stderr))
             memo = os.path.join(os.path.realpath(folder), "memo.pdf")
             self.assertIn("There is no display, so samples/memo.ens is written as " + memo, done.stdout.decode())
             images = subprocess.run(["pdfimages", "-list", memo], capture_output=True, check=True).stdout.decode()
