@@ -301,6 +301,21 @@ TEST(Methods, FollowADrivenDecayToTheToleranceAsked) {
 }
 
 // Van der Pol with mu = 1000: an explicit method would need over a million evaluations.
+// y' = -K(y - cos t): stiffness holds the ends of steps in place, whatever lies between them.
+TEST(Radau, FollowsAStiffRelaxationBetweenItsStepsToo) {
+    for (const double stiffness : {1e6, 1e9, 1e12})
+        for (const double tolerance : {1e-3, 1e-5, 1e-7}) {
+            FunctionSystem system(1, [stiffness](double t, auto y, auto f) {
+                f[0] = -stiffness * (y[0] - std::cos(t));
+            });
+            const Exact exact = [stiffness](double t) {
+                return std::vector{std::cos(t) + std::sin(t) / stiffness};
+            };
+            const auto result = run("radau5", system, {1}, 10, tolerance, 0, exact);
+            EXPECT_LT(result.worstDense, 20 * tolerance) << stiffness << " " << tolerance;
+        }
+}
+
 TEST(Radau, SolvesVanDerPolInFewSteps) {
     FunctionSystem system(2, [](double, auto y, auto f) {
         f[0] = y[1];

@@ -50,6 +50,7 @@ private:
     [[nodiscard]] bool correction(double& size);
     void middle(std::vector<double>& y) const;
     [[nodiscard]] double estimate();
+    [[nodiscard]] double denseError();
     [[nodiscard]] Attempt judge(double error);
     [[nodiscard]] double slopeAt(std::size_t stage, std::size_t n) const;
 
@@ -60,6 +61,7 @@ private:
 
     Stages z_, w_, f_, previousZ_;
     double previousStep_ = 0; // 0: none
+    std::vector<double> predictedEnd_;
     std::vector<double> at_, error_, errorRates_, endSlope_, startSlope_;
     std::vector<std::complex<double>> pair_;
 
