@@ -19,10 +19,11 @@ constexpr double firstTolerance = 0.06; // of the accuracy: what one step may er
 constexpr double loosest = 1e-3;        // and at most this
 constexpr double tightening = 1.0 / 8;  // between two runs that are compared
 constexpr double tightest = 1e-15;
-constexpr double enough = 0.5; // of the accuracy: the looser run's error that is accepted
-constexpr double aim = 0.15;   // and what is aimed at when it is not
-constexpr double caution = 2;  // errors fall a little less than tolerances do
-constexpr int patience = 2;    // pairs of runs that come no closer, before tightening is given up
+constexpr double loosening = 512; // of a third run, when the first two are equal
+constexpr double enough = 0.5;    // of the accuracy: the looser run's error that is accepted
+constexpr double aim = 0.15;      // and what is aimed at when it is not
+constexpr double caution = 2;     // errors fall a little less than tolerances do
+constexpr int patience = 2; // pairs of runs that come no closer, before tightening is given up
 
 void addWork(const Run& run, Solved& solved) {
     solved.near.insert(run.candidates.begin(), run.candidates.end());
@@ -90,6 +91,12 @@ Verdict judge(const Problem& problem, Comparison& c) {
         if (c.tight[b] == c.loose[b]) // the same run again, for others: nothing new
             continue;
         const double error = c.errors[b].largest;
+        // Equal runs: tolerances below the rounding of positions. The pair before says more.
+        if (error == 0 && !c.before.empty()) {
+            verdict.estimate = std::max(verdict.estimate, std::min(c.before[b].largest, 1.0));
+            verdict.predictableUntil = std::min(verdict.predictableUntil, c.before[b].beyondFrom);
+            continue;
+        }
         const double gain = std::max(std::pow(c.tight[b] / c.loose[b], orderOf(b, c)), 1e-3);
         c.known[b] = {.estimate = std::isfinite(error) ? caution * gain * error : 1,
                       .predictableUntil = solution::infinity};
@@ -109,6 +116,10 @@ Verdict judge(const Problem& problem, Comparison& c) {
         }
     }
     return verdict;
+}
+
+bool areEqual(const std::vector<IslandError>& errors) {
+    return std::ranges::all_of(errors, [](const IslandError& e) { return e.largest == 0; });
 }
 
 // Bodies of one island go by the tightest of them.
@@ -191,6 +202,14 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer) {
             return solved;
         }
         compared.errors = compareRuns(problem, before, run, accuracy);
+        if (compared.before.empty() && areEqual(compared.errors)) {
+            std::vector<double> looser = compared.loose;
+            for (double& tolerance : looser)
+                tolerance *= loosening;
+            const Run rough = runAt(problem, looser, silent);
+            addWork(rough, result.statistics);
+            compared.before = compareRuns(problem, rough, run, accuracy);
+        }
         const Verdict verdict = judge(problem, compared);
         if (!verdict.again) {
             solved.isEstimated = true;
