@@ -229,31 +229,63 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene) {
         scope.reset();
 }
 
+namespace {
+
+const std::array<scene::Expression, 3>* expressionsOf(const scene::Scene& scene,
+                                                      const Contribution& c) {
+    if (c.kind == Contribution::Kind::force) {
+        const auto* given = std::get_if<scene::ComponentForce>(&scene.forces[c.element].kind);
+        return given ? &given->components : nullptr;
+    }
+    const auto* given = std::get_if<scene::PointEnd>(&scene.links[c.element].second);
+    return given ? &given->coordinates : nullptr;
+}
+
+// "the force on body "b1" (line 12) is not finite: its y", and its expression when there is one.
+std::string nameOf(const scene::Scene& scene, const Contribution& c, std::size_t axis,
+                   const scene::Expression* written) {
+    static constexpr const char* axes[] = {"x", "y", "z"};
+    const bool isForce = c.kind == Contribution::Kind::force;
+    const int line =
+        isForce ? scene.forces[c.element].source.line : scene.links[c.element].source.line;
+    return std::string("the ") + (isForce ? "force" : "link") + " on body \"" +
+           scene.bodies[c.body].name + "\"" +
+           (line > 0 ? " (line " + std::to_string(line) + ")" : "") + " is not finite: its " +
+           axes[axis] + (written ? ", \"" + *written + "\"," : "");
+}
+
+} // namespace
+
 std::string EquationsOfMotion::whatIsNotFinite(const scene::Scene& scene,
-                                               std::span<const double> state, double time) const {
+                                               std::span<const double> state, double time,
+                                               std::span<const std::size_t> onBodies) const {
     std::vector<Node> inputs;
     for (const expression::Unknown& unknown : set.unknowns)
         inputs.push_back(unknown.symbol);
     inputs.push_back(set.time);
     std::vector<double> values(state.begin(), state.end());
     values.push_back(time);
-    std::string found;
     expression::Tape::Scratch scratch;
+    const auto isFinite = [](double x) { return std::isfinite(x); };
+    std::string found;
     for (const Contribution& c : contributions) {
-        static constexpr const char* axes[] = {"x", "y", "z"};
-        std::array<double, 3> force{};
-        expression::Tape(set.graph, inputs, c.force).evaluate(values, force, scratch);
-        const auto bad = std::ranges::find_if_not(force, [](double f) { return std::isfinite(f); });
-        if (bad == force.end())
+        if (!onBodies.empty() && std::ranges::find(onBodies, c.body) == onBodies.end())
             continue;
-        const bool isForce = c.kind == Contribution::Kind::force;
-        const int line =
-            isForce ? scene.forces[c.element].source.line : scene.links[c.element].source.line;
-        found += (found.empty() ? "" : "; ") + std::string("the ") + (isForce ? "force" : "link") +
-                 " on body \"" + bodies[c.body].name + "\"" +
-                 (line > 0 ? " (line " + std::to_string(line) + ")" : "") + " is not finite: its " +
-                 axes[bad - force.begin()] + " is " +
-                 (std::isnan(*bad) ? "not a number" : "infinite");
+        // What is written says more than what follows from it.
+        for (const NodeVector& nodes : {c.written.value_or(c.force), c.force, c.torque}) {
+            std::array<double, 3> value{};
+            expression::Tape(set.graph, inputs, nodes).evaluate(values, value, scratch);
+            const auto bad = std::ranges::find_if_not(value, isFinite);
+            if (bad == value.end())
+                continue;
+            const auto axis = static_cast<std::size_t>(bad - value.begin());
+            const auto* texts = expressionsOf(scene, c);
+            const bool asWritten = c.written && nodes == *c.written;
+            found += (found.empty() ? "" : "; ") +
+                     nameOf(scene, c, axis, texts && asWritten ? &(*texts)[axis] : nullptr) +
+                     " is " + (std::isnan(*bad) ? "not a number" : "infinite");
+            break;
+        }
     }
     return found;
 }

@@ -69,6 +69,8 @@ struct Contribution {
     std::size_t body = 0;
     NodeVector force;  // world axes
     NodeVector torque; // along the axes of the body's spin
+    // What the scene gives as expressions: a force's components, a link's place.
+    std::optional<NodeVector> written;
 };
 
 struct LinkNodes {
@@ -92,11 +94,12 @@ struct EquationsOfMotion {
     std::optional<Scope>
         scope; // names for further expressions (quantities, views); none with faults
 
-    // The forces whose values are not finite at a state (all unknowns) and time, as a clause:
-    //     the force on body "b1" (line 12) is not finite: its -y is nan
-    // "" when all are finite.
+    // The forces on some bodies (none named: on all) whose values are not finite at a state (all
+    // unknowns) and time, as a clause; "" when all are finite:
+    //     the force on body "b1" (line 12) is not finite: its y, "sqrt(-t)", is not a number
     [[nodiscard]] std::string whatIsNotFinite(const scene::Scene& scene,
-                                              std::span<const double> state, double time) const;
+                                              std::span<const double> state, double time,
+                                              std::span<const std::size_t> onBodies = {}) const;
 };
 
 } // namespace physics

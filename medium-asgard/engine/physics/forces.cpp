@@ -142,6 +142,8 @@ void ForceReader::readForce(std::size_t index, std::vector<Contribution>& contri
     }
     made.kind = Contribution::Kind::force;
     made.element = index;
+    if (std::holds_alternative<scene::ComponentForce>(force.kind))
+        made.written = value;
     contributions.push_back(made);
 }
 
@@ -228,6 +230,8 @@ void ForceReader::readLink(std::size_t index, std::vector<Contribution>& contrib
         Contribution contribution = at(body, scope_.armTo(body, end.offset), f);
         contribution.kind = Contribution::Kind::link;
         contribution.element = index;
+        if (std::holds_alternative<scene::PointEnd>(link.second))
+            contribution.written = add(g_, b.place, b.arm);
         contributions.push_back(contribution);
     };
     contribute(*first, link.first, force);

@@ -34,13 +34,18 @@ std::string sentenceOf(const Problem& problem, const solution::Histories& histor
                        const solution::Stop& stop) {
     std::string reason = stop.sentence;
     if (stop.reason == solution::Stop::Reason::notFinite) {
-        std::vector<double> state;
-        for (std::size_t i = 0; i < histories.unknowns(); ++i)
-            state.push_back(histories.value(i, stop.time));
+        std::vector<std::size_t> bodies;
+        for (const std::size_t unknown : stop.unknowns)
+            bodies.push_back(bodyOf(problem, unknown));
         // The motion ends at the last time that is finite: what is not, is so just after.
-        for (const double after : {0.0, 1e-12, 1e-9, 1e-6}) {
-            const std::string named = problem.equations.whatIsNotFinite(
-                problem.scene, state, stop.time + after * std::max(1.0, std::abs(stop.time)));
+        for (const double part : {0.0, 1e-12, 1e-9, 1e-6}) {
+            const double after = part * std::max(1.0, std::abs(stop.time));
+            const double before = std::max(problem.start(), stop.time - after);
+            std::vector<double> state;
+            for (std::size_t i = 0; i < histories.unknowns(); ++i)
+                state.push_back(2 * histories.value(i, stop.time) - histories.value(i, before));
+            const std::string named =
+                problem.equations.whatIsNotFinite(problem.scene, state, stop.time + after, bodies);
             if (!named.empty()) {
                 reason = named;
                 break;

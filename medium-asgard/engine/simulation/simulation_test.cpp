@@ -152,6 +152,48 @@ TEST(Simulation, AForceThatIsNotFiniteIsNamedAndTheOthersGoOn) {
     EXPECT_TRUE(result.motion->at(0, 3).position.allFinite());
 }
 
+// By the state as well as by the time; what reads the body that stops ends with it, what does not
+// goes on.
+TEST(Simulation, AnExpressionThatIsNotFiniteIsNamed) {
+    SceneBuilder b(3);
+    b.ball("bad", {0, 0, 0}).initialVelocity = {1, 0, 0};
+    b.ball("reader", {5, 0, 0});
+    b.ball("good", {0, 5, 0}).initialVelocity = {0, 1, 0};
+    b.ball("turned", {0, 0, 5});
+    b.force("bad", "0", "sqrt(2-bad.x)", "0");
+    b.force("reader", "bad.y", "0", "0");
+    b.force("turned", "log(1-t)", "0", "0").couple = true;
+    const Result result = simulate(b.scene);
+    ASSERT_TRUE(result.motion->stop(0));
+    EXPECT_NEAR(result.motion->stop(0)->time, 2, 1e-6);
+    EXPECT_THAT(result.motion->stop(0)->sentence,
+                HasSubstr("the force on body \"bad\" is not finite: its y, \"sqrt(2-bad.x)\", is "
+                          "not a number"));
+    ASSERT_TRUE(result.motion->stop(1));
+    EXPECT_NEAR(result.motion->stop(1)->time, 2, 1e-6);
+    EXPECT_FALSE(result.motion->stop(2));
+    EXPECT_LT(distance(result.motion->at(2, 3).position, {0, 8, 0}), 1e-12);
+    ASSERT_TRUE(result.motion->stop(3));
+    EXPECT_NEAR(result.motion->stop(3)->time, 1, 1e-6);
+    EXPECT_THAT(result.motion->stop(3)->sentence, HasSubstr("its x, \"log(1-t)\","));
+}
+
+// A million lengths from the origin positions are known to 1e-10; near the centre of attraction
+// that is amplified, and two runs at tolerances below it are equal, bit for bit, and wrong.
+TEST(Simulation, RunsThatAreEqualByRoundingDoNotProveEachOther) {
+    for (const double accuracy : {1e-6, 1e-9}) {
+        SceneBuilder b(2, accuracy);
+        b.ball("planet", {1e6 + 1.99, 1e6, 0}, 0.001).initialVelocity = {0, 0.4455, 0};
+        const std::string x = "(planet.x-1000000)", y = "(planet.y-1000000)";
+        const std::string pull = "-39.478/(" + x + "^2+" + y + "^2)^1.5*";
+        b.force("planet", pull + x, pull + y, "0");
+        const Result result = simulate(b.scene);
+        ASSERT_TRUE(result.statistics.errorEstimate);
+        EXPECT_GT(*result.statistics.errorEstimate, accuracy);
+        EXPECT_TRUE(result.statistics.predictableUntil);
+    }
+}
+
 TEST(Simulation, WhatCannotBeComputedIsRefusedWithSentences) {
     SceneBuilder b(3);
     b.ball("ball", {0, 0, 0});
