@@ -31,12 +31,12 @@ std::string timeText(double time) {
 }
 
 std::string sentenceOf(const Problem& problem, const solution::Histories& histories,
-                       const solution::Stop& stop) {
+                       const std::vector<std::size_t>& owners, const solution::Stop& stop) {
     std::string reason = stop.sentence;
     if (stop.reason == solution::Stop::Reason::notFinite) {
         std::vector<std::size_t> bodies;
         for (const std::size_t unknown : stop.unknowns)
-            bodies.push_back(bodyOf(problem, unknown));
+            bodies.push_back(owners[unknown]);
         // The motion ends at the last time that is finite: what is not, is so just after.
         for (const double part : {0.0, 1e-12, 1e-9, 1e-6}) {
             const double after = part * std::max(1.0, std::abs(stop.time));
@@ -65,7 +65,8 @@ std::map<std::size_t, Stop> stopsOf(const Problem& problem, const solution::Hist
             const std::size_t body = owners[unknown];
             const auto place = stops.find(body);
             if (place == stops.end() || stop.time < place->second.time)
-                stops[body] = {.time = stop.time, .sentence = sentenceOf(problem, histories, stop)};
+                stops[body] = {.time = stop.time,
+                               .sentence = sentenceOf(problem, histories, owners, stop)};
         }
     return stops;
 }

@@ -93,8 +93,8 @@ Verdict judge(const Problem& problem, Comparison& c) {
         const double error = c.errors[b].largest;
         // Equal runs: tolerances below the rounding of positions. The pair before says more.
         if (error == 0 && !c.before.empty()) {
-            verdict.estimate = std::max(verdict.estimate, std::min(c.before[b].largest, 1.0));
-            verdict.predictableUntil = std::min(verdict.predictableUntil, c.before[b].beyondFrom);
+            c.known[b] = {.estimate = std::min(c.before[b].largest, 1.0),
+                          .predictableUntil = c.before[b].beyondFrom};
             continue;
         }
         const double gain = std::max(std::pow(c.tight[b] / c.loose[b], orderOf(b, c)), 1e-3);
@@ -207,7 +207,7 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer) {
             for (double& tolerance : looser)
                 tolerance *= loosening;
             const Run rough = runAt(problem, looser, silent);
-            addWork(rough, result.statistics);
+            addWork(rough, solved);
             compared.before = compareRuns(problem, rough, run, accuracy);
         }
         const Verdict verdict = judge(problem, compared);
