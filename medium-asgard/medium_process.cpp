@@ -3,6 +3,7 @@
 #include "confinement/confinement.h"
 #include "edit_mode.h"
 #include "screen/display.h"
+#include "simulation/resimulation.h"
 
 #include <array>
 #include <csignal>
@@ -66,7 +67,11 @@ service::Tools toolsOf(script::Reader& reader) {
         return reader.read(text, parameters);
     };
     tools.cancelReading = [&reader] { reader.cancel(); };
-    tools.simulate = simulation::simulate;
+    // Keeps the motion that an edit does not concern.
+    tools.simulate = [kept = std::make_shared<simulation::Resimulation>()](
+                         const auto& scene, const auto& options, const auto& observer) {
+        return kept->update(scene, options, observer);
+    };
     return tools;
 }
 

@@ -141,7 +141,7 @@ void Worker::perform(const Job& job, unsigned number) {
     };
     simulation::Result result;
     try {
-        result = tools_.simulate(*scene, options, observer);
+        result = tools_.simulate(scene, options, observer);
     } catch (const std::bad_alloc&) {
         result.refusal.emplace_back("the motion needs more memory than its process may have");
     }

@@ -21,7 +21,7 @@ using ParameterValues = std::map<std::string, double>;
 struct Tools {
     std::function<script::ReadResult(const std::string& text, const ParameterValues&)> read;
     std::function<void()> cancelReading; // any thread
-    std::function<simulation::Result(const scene::Scene&, const simulation::Options&,
+    std::function<simulation::Result(const ScenePointer&, const simulation::Options&,
                                      const simulation::Observer&)>
         simulate;
 };

@@ -1,6 +1,7 @@
 #include "views/editor.h"
 
 #include "script/reader.h"
+#include "simulation/resimulation.h"
 #include "views/control_panel.h"
 #include "views/icons.h"
 #include "views/study_window.h"
@@ -44,8 +45,9 @@ void arrange(ControlPanel& panel, GraphicalViewer& graphical, LanguageViewer& la
 Workshop workshopOf(script::Reader& reader) {
     return {[&reader](std::string_view text) { return reader.read(text); },
             [&reader] { reader.cancel(); },
-            [](const auto& scene, const auto& options, const auto& observer) {
-                return simulation::simulate(scene, options, observer);
+            [kept = std::make_shared<simulation::Resimulation>()](
+                const auto& scene, const auto& options, const auto& observer) {
+                return kept->update(scene, options, observer);
             }};
 }
 

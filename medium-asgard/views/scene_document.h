@@ -31,8 +31,8 @@ namespace views {
 struct Workshop {
     std::function<script::ReadResult(std::string_view text)> read;
     std::function<void()> cancelReading;
-    std::function<simulation::Result(const scene::Scene&, const simulation::Options&,
-                                     const simulation::Observer&)>
+    std::function<simulation::Result(const std::shared_ptr<const scene::Scene>&,
+                                     const simulation::Options&, const simulation::Observer&)>
         simulate;
 };
 

@@ -55,8 +55,8 @@ struct TestWorkshop {
             return theReader().read(text);
         };
         w.cancelReading = [] { theReader().cancel(); };
-        w.simulate = [this](const scene::Scene& scene, const simulation::Options&,
-                            const simulation::Observer& observer) {
+        w.simulate = [this](const std::shared_ptr<const scene::Scene>& scene,
+                            const simulation::Options&, const simulation::Observer& observer) {
             ++simulations;
             simulation::Result result;
             while (blocked && !observer.cancelled())
@@ -65,7 +65,7 @@ struct TestWorkshop {
                 ++cancelled;
                 result.cancelled = true;
             }
-            result.motion = flight(scene);
+            result.motion = flight(*scene);
             return result;
         };
         return w;

@@ -65,7 +65,7 @@ void WorkThread::process(const std::string& text, unsigned serial) {
         last = Clock::now();
         onProgress(serial, scene, motion);
     };
-    const simulation::Result result = workshop_.simulate(*scene, {}, observer);
+    const simulation::Result result = workshop_.simulate(scene, {}, observer);
     if (!overtaken(serial))
         onFinished(serial, scene, result);
 }

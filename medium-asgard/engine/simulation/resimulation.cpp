@@ -42,6 +42,20 @@ bool isSolvedInParts(const scene::Version& version, const Options& options) {
            !version.connections.isBroken;
 }
 
+// What the scene in force does not have in it already.
+Options ofParts(const Options& options) {
+    Options rest = options;
+    rest.parameters.clear();
+    return rest;
+}
+
+bool areKnown(const std::map<std::string, double>& parameters, const scene::Scene& scene) {
+    return std::ranges::all_of(parameters, [&](const auto& given) {
+        return std::ranges::find(scene.parameters, given.first, &scene::Parameter::name) !=
+               scene.parameters.end();
+    });
+}
+
 bool sameMethods(const Options& a, const Options& b) {
     return a.method == b.method && a.fixedStep == b.fixedStep;
 }
@@ -121,7 +135,8 @@ Result Resimulation::Implementation::update(const VersionPointer& version, const
                                             const Observer& observer) {
     work = {};
     const bool inParts =
-        known && isSolvedInParts(*version, options) && sameMethods(knownOptions, options) &&
+        known && isSolvedInParts(*version, options) &&
+        areKnown(options.parameters, *version->scene) && sameMethods(knownOptions, options) &&
         scene::sameButFinish(known->version->scene->simulator, version->scene->simulator) &&
         known->version->scene->simulator.finish == version->scene->simulator.finish;
     if (inParts)
@@ -176,7 +191,7 @@ std::optional<Result> Resimulation::Implementation::solvePart(const VersionPoint
                                                               bool& open) {
     const std::vector<std::size_t> bodies = edit.chosen();
     next = keptOf(*known, edit, version);
-    auto problem = problemOf(scene::partOf(*version, bodies), options);
+    auto problem = problemOf(scene::partOf(*version, bodies), ofParts(options));
     if (std::holds_alternative<std::vector<std::string>>(problem))
         return std::nullopt;
     const auto& posed = *std::get<std::shared_ptr<const Problem>>(problem);
@@ -239,11 +254,16 @@ Resimulation& Resimulation::operator=(Resimulation&&) noexcept = default;
 Result Resimulation::update(std::shared_ptr<const scene::Scene> scene, const Options& options,
                             const Observer& observer) {
     const double begin = cpuSeconds();
-    Result result = implementation_->update(
-        std::make_shared<const scene::Version>(inForce(std::move(scene), options)), options,
-        observer);
-    result.statistics.seconds = cpuSeconds() - begin;
-    return result;
+    try {
+        Result result = implementation_->update(
+            std::make_shared<const scene::Version>(inForce(std::move(scene), options)), options,
+            observer);
+        result.statistics.seconds = cpuSeconds() - begin;
+        return result;
+    } catch (...) { // no memory: what is kept may be half of it
+        implementation_->known.reset();
+        throw;
+    }
 }
 
 const Resimulation::Work& Resimulation::work() const { return implementation_->work; }
