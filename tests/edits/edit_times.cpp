@@ -104,10 +104,10 @@ int main() {
     text << std::ifstream(SOURCE_DIR "/samples/pend.al").rdbuf();
     const Scene pend = reader.read(text.str()).scene;
     print("pend.al, the ball's velocity", measured(pend, [](Scene& s, int i) {
-              s.bodies[2].initialVelocity.x() = -3 + 0.001 * i;
+              s.bodies[2].initialVelocity.x() = -3.01 + 0.001 * i;
           }));
     print("pend.al, a rod's mass",
-          measured(pend, [](Scene& s, int i) { s.bodies[0].mass = 10 + 0.001 * i; }));
+          measured(pend, [](Scene& s, int i) { s.bodies[0].mass = 10.1 + 0.001 * i; }));
     print("pend.al, the ball's colour", measured(pend, [](Scene& s, int i) {
               s.bodies[2].appearance.color = scene::Color{0.01 * i, 0, 0};
           }));
