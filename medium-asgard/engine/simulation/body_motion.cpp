@@ -101,7 +101,7 @@ void MovingBody::read(const Histories& histories) {
 }
 
 const collision::MotionPiece& MovingBody::pieceAt(double t) const {
-    if (!piece_ || (!record_.isFixed && (t < piece_->from || t >= piece_->until)))
+    if (!piece_ || isContinued_ || (!record_.isFixed && (t < piece_->from || t >= piece_->until)))
         piece_ = solvedPiece(t);
     return *piece_;
 }
@@ -124,7 +124,8 @@ collision::MotionPiece MovingBody::solvedPiece(double t) const {
     }
     // A piece continued beyond its end (the last known one) holds from there on.
     from = std::min(from, t);
-    if (until <= t)
+    isContinued_ = until <= t;
+    if (isContinued_)
         until = solution::infinity;
     const double scale = std::isfinite(until) ? until - from : 1;
     std::array<solution::Coefficients, 7> columns;

@@ -45,7 +45,8 @@ public:
 
     // The histories that pieceAt() reads; they must outlive its calls. Forgets pieces read before.
     void read(const solution::Histories& histories);
-    void forget() { piece_.reset(); }
+    // What was read: the motion was cut.
+    void forget() const { piece_.reset(); }
 
     [[nodiscard]] const geometry::Shape& shape() const override { return shape_; }
     [[nodiscard]] Vector pivot() const override { return record_.centroid; }
@@ -58,6 +59,7 @@ private:
     geometry::Shape shape_;
     const solution::Histories* histories_ = nullptr;
     mutable std::optional<collision::MotionPiece> piece_;
+    mutable bool isContinued_ = false; // beyond its end, where more may be known soon
 };
 
 } // namespace simulation

@@ -8,7 +8,6 @@
 namespace simulation {
 namespace {
 
-using collision::Hit;
 using physics::ImpactBody;
 using solution::Event;
 using solution::Histories;
@@ -25,8 +24,9 @@ std::string quoted(const std::string& name) { return "\"" + name + "\""; }
 
 } // namespace
 
-std::optional<Event> CollisionSource::handle(const Histories& histories, const Pair& pair,
-                                             const Hit& hit) {
+std::optional<Event> CollisionSource::handle(const Histories& histories,
+                                             const EncounterSearch::Found& hit) {
+    const Pair& pair = hit.pair;
     if (!resting_.canGiveWay(pair.first, hit.time) && !resting_.canGiveWay(pair.second, hit.time)) {
         noteOnce(pair, "Bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
                            quoted(scene_.bodies[pair.second].name) +
@@ -35,7 +35,7 @@ std::optional<Event> CollisionSource::handle(const Histories& histories, const P
         for (const double time : equations_.breakpoints)
             if (time > hit.time)
                 until = std::min(until, time);
-        passingUntil_[pair] = until;
+        search_.letPass(pair, until);
         return std::nullopt;
     }
     if (hit.isLost)
@@ -46,7 +46,7 @@ std::optional<Event> CollisionSource::handle(const Histories& histories, const P
                        "is fixed or held and the other is pushed onto it");
     if (isWithoutEnd(pair.first, hit.time) || isWithoutEnd(pair.second, hit.time)) {
         for (const std::size_t body : {pair.first, pair.second})
-            for (const std::size_t other : partners_[body])
+            for (const std::size_t other : search_.partners(body))
                 if (resting_.canGiveWay(body, hit.time) && resting_.canGiveWay(other, hit.time) &&
                     !touchesOf(resting_.placed(histories, body, hit.time),
                                resting_.placed(histories, other, hit.time), limits_.gap)
@@ -155,8 +155,8 @@ CollisionSource::Cluster CollisionSource::clusterAt(const Histories& histories, 
         const std::size_t body = cluster.bodies[i];
         if (!resting_.canGiveWay(body, time))
             continue;
-        for (const std::size_t other : partners_[body])
-            if (!ended_[other] && seen.insert(std::minmax(body, other)).second) {
+        for (const std::size_t other : search_.partners(body))
+            if (!search_.hasEnded(other) && seen.insert(std::minmax(body, other)).second) {
                 const Pair ordered = std::minmax(body, other);
                 addContacts(histories, cluster, ordered.first, ordered.second, time);
             }
@@ -255,7 +255,7 @@ std::optional<Event> CollisionSource::meet(const Histories& histories, const Pai
 // Whatever the body touches now and does not part from, it rests on.
 void CollisionSource::settle(const Histories& histories, std::size_t body, double time,
                              const RestingBodies::States& states, Event& event) {
-    const Rest rest = resting_.restAt(histories, body, time, partners_[body], states);
+    const Rest rest = resting_.restAt(histories, body, time, search_.partners(body), states);
     if (rest.state == Rest::State::unmodelled) {
         for (const std::size_t unknown : unknownsOf({body, rest.partner}, time))
             event.touched.push_back(unknown);
@@ -291,7 +291,7 @@ std::optional<Event> CollisionSource::press(const Histories& histories, const Pa
 Event CollisionSource::stir(const Histories& histories, std::size_t body, double time) {
     Event event{.time = time, .touched = {}, .tag = 0};
     outcome_ = {};
-    const Rest rest = resting_.restAt(histories, body, time, partners_[body]);
+    const Rest rest = resting_.restAt(histories, body, time, search_.partners(body));
     if (isWithoutEnd(body, time))
         return end({body, body}, time,
                    "body " + quoted(scene_.bodies[body].name) +

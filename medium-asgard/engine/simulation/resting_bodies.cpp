@@ -1,5 +1,7 @@
 #include "simulation/resting_bodies.h"
 
+#include "simulation/encounter_search.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -120,7 +122,7 @@ Placed RestingBodies::placed(const Histories& histories, std::size_t body, doubl
 }
 
 Rest RestingBodies::restAt(const Histories& histories, std::size_t body, double time,
-                           const std::set<std::size_t>& partners, const States& changed) const {
+                           std::span<const std::size_t> partners, const States& changed) const {
     RestQuestion question{.body = placed(histories, body, time, changed),
                           .mobility = {},
                           .free = {},
@@ -186,12 +188,12 @@ void RestingBodies::set(std::size_t body, double time, const Rest& rest) {
     resting_.insert_or_assign(body, std::move(watch));
 }
 
-void RestingBodies::lookAgain(const std::set<std::size_t>& bodies, double time) {
+void RestingBodies::lookAgain(std::span<const std::size_t> bodies, double time) {
     for (auto& [body, watch] : resting_) {
         const bool concerned =
-            bodies.contains(body) ||
+            std::ranges::count(bodies, body) > 0 ||
             std::ranges::any_of(watch.rest.footings, [&](const Footing& footing) {
-                return bodies.contains(footing.support);
+                return std::ranges::count(bodies, footing.support) > 0;
             });
         if (!concerned)
             continue;
@@ -203,7 +205,7 @@ void RestingBodies::lookAgain(const std::set<std::size_t>& bodies, double time) 
 // --- until when -----------------------------------------------------------------------------
 
 bool RestingBodies::agrees(const Histories& histories, std::size_t body, double time,
-                           const std::set<std::size_t>& partners, const Watch& watch) const {
+                           std::span<const std::size_t> partners, const Watch& watch) const {
     const Rest now = restAt(histories, body, time, partners);
     return now.state == Rest::State::bearing && now.bearsLike(watch.rest);
 }
@@ -234,7 +236,7 @@ std::vector<double> RestingBodies::timesOf(const Histories& histories, std::size
 }
 
 void RestingBodies::look(const Histories& histories, std::size_t body, double until,
-                         const std::set<std::size_t>& partners, Watch& watch) const {
+                         std::span<const std::size_t> partners, Watch& watch) const {
     const double end = std::min(until, watch.ends);
     double good = watch.seenUntil;
     Acceleration last =
@@ -270,12 +272,13 @@ void RestingBodies::look(const Histories& histories, std::size_t body, double un
 }
 
 std::optional<RestingBodies::Change>
-RestingBodies::firstChange(const Histories& histories, double until,
-                           const std::vector<std::set<std::size_t>>& partners) {
+RestingBodies::firstChange(const Histories& histories, double until, double known,
+                           const EncounterSearch& search) {
     std::optional<Change> first;
     for (auto& [body, watch] : resting_) {
         if (!watch.change && watch.seenUntil < until)
-            look(histories, body, until, partners[body], watch);
+            look(histories, body, std::max(until, std::min(known, search.windowEnd(body))),
+                 search.partners(body), watch);
         if (watch.change && *watch.change <= until && (!first || *watch.change < first->time))
             first = Change{.time = *watch.change, .body = body};
     }

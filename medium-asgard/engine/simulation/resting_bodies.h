@@ -15,9 +15,11 @@
 #include "solution/event_source.h"
 
 #include <map>
-#include <set>
+#include <span>
 
 namespace simulation {
+
+class EncounterSearch;
 
 class RestingBodies {
 public:
@@ -34,7 +36,7 @@ public:
 
     using States = std::map<std::size_t, BodyState>; // of bodies that an impact just changed
     [[nodiscard]] Rest restAt(const solution::Histories& histories, std::size_t body, double time,
-                              const std::set<std::size_t>& partners,
+                              std::span<const std::size_t> partners,
                               const States& changed = {}) const;
     [[nodiscard]] Placed placed(const solution::Histories& histories, std::size_t body, double time,
                                 const States& changed = {}) const;
@@ -45,16 +47,17 @@ public:
     // From `time` on the body rests like this, or is free.
     void set(std::size_t body, double time, const Rest& rest);
     void forget(std::size_t body) { resting_.erase(body); }
-    // Looks along the motion of all that rest; the first instant at which an answer changes.
+    // Looks along the motion of all that rest; the first instant, not after `until`, at which an
+    // answer changes. Each is looked at to the end of its own window, or as far as is known.
     struct Change {
         double time = 0;
         std::size_t body = 0;
     };
-    [[nodiscard]] std::optional<Change>
-    firstChange(const solution::Histories& histories, double until,
-                const std::vector<std::set<std::size_t>>& partners);
+    [[nodiscard]] std::optional<Change> firstChange(const solution::Histories& histories,
+                                                    double until, double known,
+                                                    const EncounterSearch& search);
     // An event cut the motion of these bodies: what was seen beyond it no longer holds.
-    void lookAgain(const std::set<std::size_t>& bodies, double time);
+    void lookAgain(std::span<const std::size_t> bodies, double time);
 
     // Equations and velocities of a body from `time` on, as set() said.
     void write(const solution::Histories& histories, std::size_t body, double time,
@@ -72,9 +75,9 @@ private:
                                                 std::size_t body, double time,
                                                 const BodyState& state) const;
     [[nodiscard]] bool agrees(const solution::Histories& histories, std::size_t body, double time,
-                              const std::set<std::size_t>& partners, const Watch& watch) const;
+                              std::span<const std::size_t> partners, const Watch& watch) const;
     void look(const solution::Histories& histories, std::size_t body, double until,
-              const std::set<std::size_t>& partners, Watch& watch) const;
+              std::span<const std::size_t> partners, Watch& watch) const;
     [[nodiscard]] std::vector<double> timesOf(const solution::Histories& histories,
                                               std::size_t body, double from, double until) const;
     [[nodiscard]] bool turns(std::size_t body, double time, const BodyState& state,

@@ -1,0 +1,164 @@
+// Which bodies meet next, and when?
+//
+// Every body is looked at in windows of its own: no longer than a piece of its motion, nor than it
+// takes to go a few of its sizes, twice as far in each window in which nothing cut its motion. The
+// box that holds the body during its window lies in a tree (collision/box_tree.h); whoever's box
+// overlaps it is a partner, and partners are searched for hits during what their windows share:
+//
+//     next():   the earliest of   a window that ends   ->   renew(): its next window and box, new
+//                                                           partners, one search with each
+//                                 a hit
+//     cut(b):   hits of b are forgotten; its next window begins at the cut
+//
+// So a hit costs the search of the two bodies that it turned, among their neighbours, however many
+// bodies there are. Windows and hits follow from the motion of the bodies concerned alone, not from
+// who else is there, nor from how far the motion was known when it was asked for. Balls in flight
+// and faces that stand still are searched in closed form (collision/ball_flight.h), all else by
+// collision/time_of_impact.h.
+#pragma once
+
+#include "collision/ball_flight.h"
+#include "collision/box_tree.h"
+#include "collision/broad_phase.h"
+#include "collision/time_of_impact.h"
+#include "physics/equations_of_motion.h"
+#include "scene/scene.h"
+#include "simulation/resting_bodies.h"
+
+#include <cstdint>
+#include <set>
+#include <span>
+#include <vector>
+
+namespace simulation {
+
+class EncounterSearch {
+public:
+    using Pair = collision::Pair; // the lesser index first
+
+    struct Found {
+        double time = 0;
+        Pair pair;
+        bool pressing = false, isLost = false; // collision::Hit
+    };
+    struct Next {
+        double time = 0;
+        bool isHit = false; // else a window ends
+    };
+
+    // All must outlive this.
+    EncounterSearch(const scene::Scene& scene, const physics::EquationsOfMotion& equations,
+                    const std::vector<BodyRecord>& records, const std::vector<MovingBody>& bodies,
+                    const RestingBodies& resting, double start, double finish);
+
+    // The next thing to be done; it is done by takeHit() or renew().
+    [[nodiscard]] Next next();
+    [[nodiscard]] Found takeHit();
+    // The body whose window ended, and whether it has partners now that it had not.
+    struct Renewal {
+        std::size_t body = 0;
+        bool ended = false; // its motion has ended: it meets nobody any more
+        std::vector<std::size_t> joined; // its partners that had no such partner before
+    };
+    void renew(const solution::Histories& histories, Renewal& renewal);
+
+    // The motion of the body was cut at `time`.
+    void cut(std::size_t body, double time);
+    // The pair's hit at `time` was none, or is let pass: search it from there on.
+    void searchOn(const Pair& pair, double time);
+    // They let each other pass until then.
+    void letPass(const Pair& pair, double until) { passing_.push_back({pair, until}); }
+
+    // Bodies whose boxes overlap this one's; none for fixed bodies, whom the others list.
+    [[nodiscard]] std::span<const std::size_t> partners(std::size_t body) const {
+        return partners_[body];
+    }
+    [[nodiscard]] bool hasEnded(std::size_t body) const { return ended_[body]; }
+    // The motion from the front on that was looked at.
+    [[nodiscard]] double windowEnd(std::size_t body) const { return windows_[body].until; }
+
+    // The flight of a free ball in its present window; none: not a ball, or no flight.
+    [[nodiscard]] const collision::BallFlight* flight(std::size_t body) const {
+        return windows_[body].isFlight ? &windows_[body].flight : nullptr;
+    }
+    // The faces of a fixed body with flat faces.
+    [[nodiscard]] std::span<const collision::StandingPart> standing(std::size_t body) const {
+        return standing_[body];
+    }
+
+    [[nodiscard]] std::size_t pairTests() const { return pairTests_; }
+    void rememberPairs() { remembers_ = true; }
+    [[nodiscard]] const std::set<Pair>& pairs() const { return pairs_; } // that were searched
+    // Pairs that overlapped without having met, since this was asked last.
+    [[nodiscard]] std::vector<Pair> takeOverlaps() { return std::exchange(overlaps_, {}); }
+
+private:
+    struct Window {
+        double from = 0, until = 0;
+        int number = 0; // since the last cut
+        geometry::Box box;
+        bool isFlight = false;
+        collision::BallFlight flight;
+        double pieceEnd = 0; // of the flight
+    };
+    struct Item { // of the queue; ordered by time, hits first
+        double time = 0;
+        std::uint32_t first = 0, second = 0; // second == first: the window of that body ends
+        std::uint32_t versionFirst = 0, versionSecond = 0;
+        bool pressing = false, isLost = false;
+        [[nodiscard]] bool isWindow() const { return first == second; }
+    };
+    struct Later {
+        bool operator()(const Item& a, const Item& b) const;
+    };
+
+    [[nodiscard]] bool mayMeet(std::size_t a, std::size_t b) const;
+    [[nodiscard]] bool isOutdated(const Item& item) const;
+    void push(const Item& item);
+    void drop();
+    void schedule(std::size_t body, double time);
+    void leave(std::size_t body);
+    [[nodiscard]] bool isOver(const solution::Histories& histories, std::size_t body,
+                              double time) const;
+    [[nodiscard]] bool openFlight(const solution::Histories& histories, std::size_t body,
+                                  Window& window) const;
+    void openWindow(const solution::Histories& histories, std::size_t body, double time);
+    void findPartners(std::size_t body, Renewal& renewal);
+    void search(const Pair& pair, double from);
+    [[nodiscard]] bool searchFlights(const Pair& pair, collision::Interval during);
+    [[nodiscard]] collision::FlightMeeting flightMeeting(const Pair& pair,
+                                                         collision::Interval during) const;
+    void keep(const Pair& pair, double time, bool pressing, bool isLost);
+    [[nodiscard]] bool isPassing(const Pair& pair, double time) const;
+
+    const physics::EquationsOfMotion& equations_;
+    const std::vector<BodyRecord>& records_;
+    const std::vector<MovingBody>& bodies_;
+    const RestingBodies& resting_;
+    double finish_;
+
+    std::vector<std::optional<std::size_t>> groups_;
+    std::vector<std::vector<std::size_t>> linked_; // sorted
+    std::vector<bool> isFreeBall_;
+    std::vector<std::vector<collision::StandingPart>> standing_;
+
+    collision::BoxTree tree_;
+    std::vector<Window> windows_;
+    std::vector<std::uint32_t> version_;  // of the motion: one more with each cut
+    std::vector<std::uint32_t> schedule_; // number of the window's end that is in force
+    std::vector<std::vector<std::size_t>> partners_;
+    std::vector<bool> ended_;
+    std::vector<Item> queue_;
+    struct Passing {
+        Pair pair;
+        double until = 0;
+    };
+    std::vector<Passing> passing_; // pairs that cannot give way
+    std::vector<Pair> overlaps_;
+    std::size_t pairTests_ = 0;
+    bool remembers_ = false;
+    std::set<Pair> pairs_;
+    std::vector<std::size_t> found_, before_; // kept between calls
+};
+
+} // namespace simulation
