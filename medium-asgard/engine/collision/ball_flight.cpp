@@ -156,8 +156,8 @@ FlightMeeting meetingOf(const BallFlight& ball, const StandingPart& part, Interv
     for (int face = 0; face < 4; ++face) {
         const Vector centre = ball.centreAt(t);
         const StandingFace& facing = part.facing(centre);
-        const double roundOff = 4 * epsilon * (ball.radius + part.extent) +
-                                4 * epsilon * centre.cwiseAbs().maxCoeff();
+        const double roundOff =
+            4 * epsilon * (ball.radius + part.extent) + 4 * epsilon * centre.cwiseAbs().maxCoeff();
         const double gap = facing.plane.above(centre) - ball.radius;
         const bool touches = gap <= roundOff;
         Way way = wayOf(ball, facing.plane);

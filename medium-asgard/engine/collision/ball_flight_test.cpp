@@ -28,8 +28,9 @@ struct Tally {
         const bool isHit = met.kind == FlightMeeting::Kind::hit;
         ASSERT_EQ(isHit, encounter.hit.has_value());
         ++(isHit ? hits : misses);
-        if (isHit)
+        if (isHit) {
             ASSERT_NEAR(met.time, encounter.hit->time, 1e-11);
+        }
     }
 };
 
@@ -73,8 +74,8 @@ TEST(BallFlight, BallsMeetFacesWhenTheGeneralSearchSaysSo) {
     Tally tally;
     for (int i = 0; i < 10'000; ++i) {
         const BallFlight ball = draw.flight(i % 2 ? Vector::Zero() : draw.vector(5));
-        FlyingBody box = flyingBox(draw.vector(1.5).cwiseAbs() + Vector::Constant(0.1),
-                                   draw.vector(2));
+        FlyingBody box =
+            flyingBox(draw.vector(1.5).cwiseAbs() + Vector::Constant(0.1), draw.vector(2));
         box.attitude = geometry::fromRotationVector(draw.vector(3));
         const StandingPart part = standingPart(box.form.parts[0], {box.position, box.attitude});
         const Interval during{0, draw.number(0.1, 2)};

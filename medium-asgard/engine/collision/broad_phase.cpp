@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace collision {
 
@@ -54,37 +53,6 @@ geometry::Box boundsDuring(const MovingShape& moving, double from, double to) {
     // Rounding of the bounds themselves.
     grow(box, 1e-12 * (box.max().cwiseAbs() + box.min().cwiseAbs()).maxCoeff());
     return box;
-}
-
-Candidates candidatePairs(const std::vector<geometry::Box>& boxes,
-                          const std::function<bool(std::size_t, std::size_t)>& mayMeet) {
-    // Along the coordinate in which the boxes lie furthest apart.
-    Vector mean = Vector::Zero(), spread = Vector::Zero();
-    for (const geometry::Box& b : boxes)
-        mean += b.center() / static_cast<double>(boxes.size());
-    for (const geometry::Box& b : boxes)
-        spread += (b.center() - mean).cwiseAbs2();
-    Eigen::Index axis = 0;
-    spread.maxCoeff(&axis);
-
-    std::vector<std::size_t> order(boxes.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return boxes[a].min()[axis] < boxes[b].min()[axis];
-    });
-    Candidates result;
-    for (std::size_t i = 0; i < order.size(); ++i)
-        for (std::size_t j = i + 1; j < order.size(); ++j) {
-            const geometry::Box &a = boxes[order[i]], &b = boxes[order[j]];
-            if (b.min()[axis] > a.max()[axis])
-                break;
-            ++result.tests;
-            const auto pair = std::minmax(order[i], order[j]);
-            if (a.intersects(b) && mayMeet(pair.first, pair.second))
-                result.pairs.emplace_back(pair.first, pair.second);
-        }
-    std::sort(result.pairs.begin(), result.pairs.end());
-    return result;
 }
 
 } // namespace collision

@@ -1,12 +1,11 @@
-// Which pairs can meet within an interval? Sweep and prune over boxes that hold the motion.
+// Where can a moving shape be within an interval? Bodies whose boxes stay apart cannot meet;
+// box_tree.h finds those that do not.
 #pragma once
 
 #include "collision/moving_shape.h"
 
 #include <cstddef>
-#include <functional>
 #include <utility>
-#include <vector>
 
 namespace collision {
 
@@ -14,15 +13,5 @@ namespace collision {
 [[nodiscard]] geometry::Box boundsDuring(const MovingShape& moving, double from, double to);
 
 using Pair = std::pair<std::size_t, std::size_t>; // first < second
-
-struct Candidates {
-    std::vector<Pair> pairs; // in order
-    std::size_t tests = 0;   // pairs of boxes compared
-};
-
-// Pairs of boxes that overlap and for which mayMeet holds (links, groups, fixed bodies).
-[[nodiscard]] Candidates
-candidatePairs(const std::vector<geometry::Box>& boxes,
-               const std::function<bool(std::size_t, std::size_t)>& mayMeet);
 
 } // namespace collision

@@ -9,36 +9,6 @@
 namespace collision {
 namespace {
 
-const auto anyPair = [](std::size_t, std::size_t) { return true; };
-
-TEST(CandidatePairs, AreThoseOfAllPairsThatOverlap) {
-    std::mt19937_64 random(3);
-    std::uniform_real_distribution<double> place(0, 20), size(0, 3);
-    std::vector<geometry::Box> boxes;
-    for (int i = 0; i < 200; ++i) {
-        const Vector corner(place(random), place(random), place(random));
-        boxes.emplace_back(corner, corner + Vector(size(random), size(random), size(random)));
-    }
-    std::vector<Pair> expected;
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-        for (std::size_t j = i + 1; j < boxes.size(); ++j)
-            if (boxes[i].intersects(boxes[j]) && (i + j) % 3)
-                expected.emplace_back(i, j);
-    const auto found =
-        candidatePairs(boxes, [](std::size_t i, std::size_t j) { return (i + j) % 3 != 0; });
-    EXPECT_EQ(found.pairs, expected);
-    EXPECT_FALSE(expected.empty());
-}
-
-TEST(CandidatePairs, OfDistantBodiesCostNoTests) {
-    std::vector<geometry::Box> boxes;
-    for (int i = 0; i < 1000; ++i)
-        boxes.emplace_back(Vector(3.0 * i, 0, 0), Vector(3.0 * i + 1, 1, 1));
-    const auto found = candidatePairs(boxes, anyPair);
-    EXPECT_TRUE(found.pairs.empty());
-    EXPECT_EQ(found.tests, 0u);
-}
-
 TEST(BoundsDuring, HoldTheShapeAtAllTimes) {
     std::mt19937_64 random(9);
     std::uniform_real_distribution<double> uniform(-3, 3);

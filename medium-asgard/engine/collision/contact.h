@@ -13,6 +13,9 @@
 
 namespace collision {
 
+// Of the two bodies' radii: nearer than this they are in contact at an impact.
+inline constexpr double touchingGap = 1e-10;
+
 struct Contact {
     Vector point = Vector::Zero();   // world; halfway between the surfaces
     Vector normal = Vector::UnitX(); // unit, from the second shape towards the first

@@ -53,6 +53,12 @@ struct ImpactResult {
     bool settled = true; // false: still approaching after the bound on rounds (a bug or a jam)
 };
 
+// The same for one contact whose normal goes through both centres of mass, so that nothing turns.
+[[nodiscard]] inline double centralImpulse(double speed, double restitution,
+                                           double inverseMasses) {
+    return -(1 + restitution) * speed / inverseMasses;
+}
+
 [[nodiscard]] ImpactResult resolveImpact(std::vector<ImpactBody> bodies,
                                          std::span<const ImpactContact> contacts);
 

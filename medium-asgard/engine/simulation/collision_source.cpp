@@ -31,7 +31,7 @@ CollisionSource::CollisionSource(const scene::Scene& scene,
     : scene_(scene), equations_(equations), records_(recordsOf(equations)),
       bodies_(movingBodies(records_, shapes)), start_(start), finish_(finish), limits_(limits),
       resting_(equations, records_, bodies_, start, finish, limits),
-      search_(scene, equations, records_, bodies_, resting_, start, finish),
+      search_(scene, equations, records_, bodies_, resting_, start, finish, 4 * limits.gap),
       meetings_(records_.size()) {
     findDependents();
 }

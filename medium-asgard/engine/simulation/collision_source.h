@@ -50,9 +50,8 @@ public:
     [[nodiscard]] const std::vector<Impact>& impacts() const { return impacts_; }
     [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
     [[nodiscard]] std::size_t pairTests() const { return search_.pairTests(); }
-    // Pairs of bodies, the lesser first, that came near each other; remembered when asked for.
-    void rememberCandidates() { search_.rememberPairs(); }
-    [[nodiscard]] const std::set<collision::Pair>& candidates() const { return search_.pairs(); }
+    // Pairs of bodies, the lesser first, that came near each other.
+    [[nodiscard]] std::set<collision::Pair> candidates() const { return search_.pairs(); }
 
 private:
     using Pair = collision::Pair;
@@ -81,10 +80,18 @@ private:
     void forgetAfterEvent(const solution::Event& event);
     void findDependents();
     void renew(const solution::Histories& histories);
-    [[nodiscard]] std::optional<solution::Event>
-    handle(const solution::Histories& histories, const EncounterSearch::Found& hit);
+    [[nodiscard]] std::optional<solution::Event> handle(const solution::Histories& histories,
+                                                        const EncounterSearch::Found& hit);
     [[nodiscard]] std::optional<solution::Event> meet(const solution::Histories& histories,
                                                       const Pair& pair, double time);
+    // Two balls, or a ball and a face, that touch nothing else. False: meet() must answer.
+    [[nodiscard]] bool meetInFlight(const solution::Histories& histories, const Pair& pair,
+                                    double time, std::optional<solution::Event>& event);
+    [[nodiscard]] collision::FlightContact flightContact(const Pair& pair, double time) const;
+    [[nodiscard]] std::optional<collision::FlightContact> onlyContact(const Pair& pair,
+                                                                      double time) const;
+    [[nodiscard]] bool isLastHop(const Pair& pair, const Vector& normal, double speed,
+                                 double time) const;
     [[nodiscard]] std::optional<solution::Event> press(const solution::Histories& histories,
                                                        const Pair& pair, double time);
     [[nodiscard]] solution::Event stir(const solution::Histories& histories, std::size_t body,
@@ -108,6 +115,7 @@ private:
                                                  std::size_t body, double time) const;
     void record(const Cluster& cluster, const physics::ImpactResult& result, double time,
                 double settling);
+    void add(const Impact& impact);
     void noteOnce(const Pair& pair, const std::string& sentence);
 
     const scene::Scene& scene_;

@@ -14,11 +14,17 @@ using collision::Interval;
 using solution::Histories;
 using solution::infinity;
 
-constexpr double firstWay = 3;       // of the body's radius, in the first window after a cut
-constexpr int mostDoublings = 40;    // of that way
-constexpr double roomAround = 0.5;   // of the radius, about boxes of short windows
-constexpr double mostRoom = 4;       // a box in the tree is at most so much larger than needed
-constexpr double rounding = 1e-12;   // of coordinates, in boxes
+constexpr double firstWay = 3;     // of the body's radius, in the first window after a cut
+constexpr int mostDoublings = 40;  // of that way
+constexpr double roomAround = 0.5; // of the radius, about boxes of short windows
+constexpr double mostRoom = 4;     // a box in the tree is at most so much larger than needed
+constexpr double rounding = 1e-12; // of coordinates, in boxes
+constexpr std::size_t recentPairs = 4096;
+
+void grow(geometry::Box& box, double by) {
+    box.min() -= geometry::Vector::Constant(by);
+    box.max() += geometry::Vector::Constant(by);
+}
 
 // The time in which c1 s + c2 s^2 + ... goes `way` at most, s = time / scale.
 double timeForWay(std::span<const geometry::Vector> coefficients, double scale, double way) {
@@ -73,10 +79,12 @@ EncounterSearch::EncounterSearch(const scene::Scene& scene,
                                  const physics::EquationsOfMotion& equations,
                                  const std::vector<BodyRecord>& records,
                                  const std::vector<MovingBody>& bodies,
-                                 const RestingBodies& resting, double start, double finish)
-    : equations_(equations), records_(records), bodies_(bodies), resting_(resting), finish_(finish),
+                                 const RestingBodies& resting, double start, double finish,
+                                 double slack)
+    : records_(records), bodies_(bodies), resting_(resting), finish_(finish), slack_(slack),
       tree_(records.size()), windows_(records.size()), version_(records.size(), 0),
-      schedule_(records.size(), 0), partners_(records.size()), ended_(records.size(), false) {
+      schedule_(records.size(), 0), partners_(records.size()), ended_(records.size(), false),
+      recentPairs_(recentPairs, 0) {
     std::map<std::string, std::size_t> indices;
     for (std::size_t b = 0; b < records.size(); ++b) {
         const bool isFixed = records[b].isFixed;
@@ -95,6 +103,7 @@ EncounterSearch::EncounterSearch(const scene::Scene& scene,
                            .isFlight = false,
                            .flight = {},
                            .pieceEnd = infinity};
+            grow(windows_[b].box, slack * records[b].radius);
             tree_.put(b, windows_[b].box);
         } else {
             windows_[b].from = windows_[b].until = start;
@@ -221,9 +230,8 @@ void EncounterSearch::openWindow(const Histories& histories, std::size_t body, d
     bodies_[body].forget();
     window.isFlight = openFlight(histories, body, window);
     if (window.isFlight) {
-        const std::array<geometry::Vector, 3> path{geometry::Vector::Zero(),
-                                                   window.flight.velocityAt(time),
-                                                   window.flight.half};
+        const std::array<geometry::Vector, 3> path{
+            geometry::Vector::Zero(), window.flight.velocityAt(time), window.flight.half};
         const std::size_t terms = window.flight.half.isZero(0) ? 2 : 3;
         window.until = std::min(time + timeForWay(std::span(path).first(terms), 1, way),
                                 std::min(window.pieceEnd, finish_));
@@ -260,6 +268,7 @@ void EncounterSearch::renew(const Histories& histories, Renewal& renewal) {
         return;
     }
     openWindow(histories, body, time);
+    grow(windows_[body].box, slack_ * records_[body].radius);
     if (windows_[body].until < finish_)
         schedule(body, windows_[body].until);
     findPartners(body, renewal);
@@ -276,10 +285,8 @@ void EncounterSearch::findPartners(std::size_t body, Renewal& renewal) {
         tree_.box(body).diagonal().norm() < box.diagonal().norm() + mostRoom * room)
         return;
     geometry::Box leaf = box;
-    if (isShort && !windows_[body].isFlight) {
-        leaf.min() -= geometry::Vector::Constant(room);
-        leaf.max() += geometry::Vector::Constant(room);
-    }
+    if (isShort && !windows_[body].isFlight)
+        grow(leaf, room);
     before_ = partners_[body];
     for (const std::size_t other : before_)
         if (!records_[other].isFixed)
@@ -298,11 +305,27 @@ void EncounterSearch::findPartners(std::size_t body, Renewal& renewal) {
     }
 }
 
+void EncounterSearch::remember(const Pair& pair) {
+    const std::uint64_t key = (static_cast<std::uint64_t>(pair.first) << 32) + pair.second;
+    std::uint64_t& recent = recentPairs_[(pair.first * 31 + pair.second) % recentPairs];
+    if (recent == key)
+        return;
+    recent = key;
+    pairs_.insert(key);
+}
+
+std::set<EncounterSearch::Pair> EncounterSearch::pairs() const {
+    std::set<Pair> pairs;
+    for (const std::uint64_t key : pairs_)
+        pairs.insert({key >> 32, key & 0xffffffff});
+    return pairs;
+}
+
 // --- hits -----------------------------------------------------------------------------------
 
 bool EncounterSearch::isPassing(const Pair& pair, double time) const {
-    return std::ranges::any_of(
-        passing_, [&](const Passing& p) { return p.pair == pair && p.until > time; });
+    return std::ranges::any_of(passing_,
+                               [&](const Passing& p) { return p.pair == pair && p.until > time; });
 }
 
 void EncounterSearch::keep(const Pair& pair, double time, bool pressing, bool isLost) {
@@ -347,8 +370,7 @@ void EncounterSearch::search(const Pair& pair, double from) {
     if (!(during.from < during.to) || !a.box.intersects(b.box) || isPassing(pair, during.from))
         return;
     ++pairTests_;
-    if (remembers_)
-        pairs_.insert(pair);
+    remember(pair);
     if (searchFlights(pair, during))
         return;
     collision::PartFilter footing;

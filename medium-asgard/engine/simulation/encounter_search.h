@@ -12,9 +12,10 @@
 //
 // So a hit costs the search of the two bodies that it turned, among their neighbours, however many
 // bodies there are. Windows and hits follow from the motion of the bodies concerned alone, not from
-// who else is there, nor from how far the motion was known when it was asked for. Balls in flight
-// and faces that stand still are searched in closed form (collision/ball_flight.h), all else by
-// collision/time_of_impact.h.
+// who else is there, nor from how far the motion was known when it was asked for: what a body does
+// far away moves no bit of a hit here, which lets an edit keep what it does not concern. Balls in
+// flight and faces that stand still are searched in closed form (collision/ball_flight.h), all else
+// by collision/time_of_impact.h.
 #pragma once
 
 #include "collision/ball_flight.h"
@@ -28,6 +29,7 @@
 #include <cstdint>
 #include <set>
 #include <span>
+#include <unordered_set>
 #include <vector>
 
 namespace simulation {
@@ -46,10 +48,10 @@ public:
         bool isHit = false; // else a window ends
     };
 
-    // All must outlive this.
+    // All must outlive this. Boxes hold what comes as near as `slack` of the body's radius.
     EncounterSearch(const scene::Scene& scene, const physics::EquationsOfMotion& equations,
                     const std::vector<BodyRecord>& records, const std::vector<MovingBody>& bodies,
-                    const RestingBodies& resting, double start, double finish);
+                    const RestingBodies& resting, double start, double finish, double slack);
 
     // The next thing to be done; it is done by takeHit() or renew().
     [[nodiscard]] Next next();
@@ -57,7 +59,7 @@ public:
     // The body whose window ended, and whether it has partners now that it had not.
     struct Renewal {
         std::size_t body = 0;
-        bool ended = false; // its motion has ended: it meets nobody any more
+        bool ended = false;              // its motion has ended: it meets nobody any more
         std::vector<std::size_t> joined; // its partners that had no such partner before
     };
     void renew(const solution::Histories& histories, Renewal& renewal);
@@ -87,8 +89,7 @@ public:
     }
 
     [[nodiscard]] std::size_t pairTests() const { return pairTests_; }
-    void rememberPairs() { remembers_ = true; }
-    [[nodiscard]] const std::set<Pair>& pairs() const { return pairs_; } // that were searched
+    [[nodiscard]] std::set<Pair> pairs() const; // that were searched
     // Pairs that overlapped without having met, since this was asked last.
     [[nodiscard]] std::vector<Pair> takeOverlaps() { return std::exchange(overlaps_, {}); }
 
@@ -130,12 +131,12 @@ private:
                                                          collision::Interval during) const;
     void keep(const Pair& pair, double time, bool pressing, bool isLost);
     [[nodiscard]] bool isPassing(const Pair& pair, double time) const;
+    void remember(const Pair& pair);
 
-    const physics::EquationsOfMotion& equations_;
     const std::vector<BodyRecord>& records_;
     const std::vector<MovingBody>& bodies_;
     const RestingBodies& resting_;
-    double finish_;
+    double finish_, slack_;
 
     std::vector<std::optional<std::size_t>> groups_;
     std::vector<std::vector<std::size_t>> linked_; // sorted
@@ -156,8 +157,8 @@ private:
     std::vector<Passing> passing_; // pairs that cannot give way
     std::vector<Pair> overlaps_;
     std::size_t pairTests_ = 0;
-    bool remembers_ = false;
-    std::set<Pair> pairs_;
+    std::unordered_set<std::uint64_t> pairs_;
+    std::vector<std::uint64_t> recentPairs_;  // of pairs_, by a few of their bits
     std::vector<std::size_t> found_, before_; // kept between calls
 };
 

@@ -13,8 +13,6 @@ using solution::Event;
 using solution::Histories;
 using solution::infinity;
 
-constexpr double touchingGap = 1e-10; // of the two bodies' radii: in contact at an impact
-
 // Meetings of one body without end: so many of them within so little of the motion's length.
 constexpr std::size_t manyMeetings = 1000;
 constexpr double shortWhile = 1e-5;
@@ -61,7 +59,10 @@ std::optional<Event> CollisionSource::handle(const Histories& histories,
     if (hit.pressing)
         if (auto event = press(histories, pair, hit.time))
             return event;
-    if (auto event = meet(histories, pair, hit.time))
+    std::optional<Event> event;
+    if (meetInFlight(histories, pair, hit.time, event))
+        return event;
+    if (event = meet(histories, pair, hit.time); event)
         return event;
     return press(histories, pair, hit.time);
 }
@@ -123,7 +124,7 @@ void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, 
              .normal = normal,
              .restitution = std::min(scene_.bodies[a].restitution, scene_.bodies[b].restitution)});
     };
-    const double tolerance = touchingGap * (records_[a].radius + records_[b].radius);
+    const double tolerance = collision::touchingGap * (records_[a].radius + records_[b].radius);
     const auto contacts = collision::contactsAt(bodies_[a], bodies_[b], time, tolerance);
     // A body that rests turns about what it rests on: each corner counts. So it does where gaps
     // have the integration's errors, not rounding's.
@@ -322,9 +323,13 @@ void CollisionSource::record(const Cluster& cluster, const physics::ImpactResult
             impact.time = std::min(time + settling, finish_);
             impact.impulse *= (1 + e) / (1 - e);
         }
-        const auto place = std::ranges::upper_bound(impacts_, impact.time, {}, &Impact::time);
-        impacts_.insert(place, impact);
+        add(impact);
     }
+}
+
+void CollisionSource::add(const Impact& impact) {
+    const auto place = std::ranges::upper_bound(impacts_, impact.time, {}, &Impact::time);
+    impacts_.insert(place, impact);
 }
 
 void CollisionSource::noteOnce(const Pair& pair, const std::string& sentence) {

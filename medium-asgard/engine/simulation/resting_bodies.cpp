@@ -271,9 +271,9 @@ void RestingBodies::look(const Histories& histories, std::size_t body, double un
         watch.change = watch.ends;
 }
 
-std::optional<RestingBodies::Change>
-RestingBodies::firstChange(const Histories& histories, double until, double known,
-                           const EncounterSearch& search) {
+std::optional<RestingBodies::Change> RestingBodies::firstChange(const Histories& histories,
+                                                                double until, double known,
+                                                                const EncounterSearch& search) {
     std::optional<Change> first;
     for (auto& [body, watch] : resting_) {
         if (!watch.change && watch.seenUntil < until)

@@ -214,8 +214,6 @@ Run runAt(const Problem& problem, const std::vector<double>& tolerances, const O
     if (problem.collides())
         collisions.emplace(problem.scene, problem.equations, problem.shapes, problem.start(),
                            problem.finish(), limits);
-    if (collisions && problem.options.explain)
-        collisions->rememberCandidates();
     solution::Options options = solverOptions(problem, tolerances, observer);
     const solution::Solver* current = nullptr;
     double published = problem.start();

@@ -57,6 +57,11 @@ public:
         double value;
     };
     void restart(std::span<const Jump> jumps);
+    // Both at once where that is next to nothing: a single unknown in closed form, whose rate is a
+    // constant or another unknown, goes on to the end of time in one piece from its value at t, or
+    // from `jump`. False: it is none of these, and nothing was done. What it reads must go on so
+    // already.
+    [[nodiscard]] bool resume(double t, std::optional<double> jump);
     void end(Stop::Reason reason, const std::vector<std::size_t>& culprits,
              const std::string& sentence);
 
@@ -70,6 +75,7 @@ private:
     void openRegime(bool withJumps);
     void takeEquations(std::vector<std::size_t> phases);
     void applyJumps();
+    [[nodiscard]] bool isOfThesePhases() const;
     void makeControl();
     void begin(); // decides branches, drops the method, stands on an anchor
     void placeAnchor();
@@ -86,6 +92,7 @@ private:
     void decideModel();
     [[nodiscard]] bool tryClosedForm();
     void stepClosedForm();
+    void findPlainRate();
     void stepHeld();
     void integrate();
     [[nodiscard]] bool beginMethod();
@@ -139,6 +146,11 @@ private:
     std::vector<std::vector<std::size_t>> quaternions_; // places; without entries that stay 0
 
     Model model_ = Model::undecided;
+    struct PlainRate { // of a closed form
+        double constant = 0;
+        std::optional<std::size_t> unknown; // it is that one
+    };
+    std::optional<PlainRate> plainRate_;
     std::unique_ptr<Method> method_;
     MethodChoice choice_;
     double proposed_ = 0;             // length of the next step; 0: not known yet

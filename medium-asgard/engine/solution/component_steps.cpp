@@ -2,6 +2,8 @@
 #include "solution/closed_form.h"
 #include "solution/component.h"
 
+#include "expression/operation.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -123,6 +125,7 @@ void Component::decideModel() {
     const bool ladder = options_.method == "auto";
     if ((ladder || equations_->states().empty()) && tryClosedForm()) {
         model_ = Model::closedForm;
+        findPlainRate();
         counts_.model = "closed-form";
         counts_.method = "exact";
         counts_.why = "polynomials in time";
@@ -138,6 +141,52 @@ void Component::decideModel() {
 
 bool Component::tryClosedForm() {
     return !equations_->sliding() && closedForm(*equations_, time_, stateValues()).has_value();
+}
+
+void Component::findPlainRate() {
+    plainRate_.reset();
+    if (unknowns_.size() != 1 || equations_->states().size() != 1 || equations_->watches() > 0 ||
+        !quaternions_.empty() || nextPhase_ < infinity)
+        return;
+    const expression::Node rate = equations_->outputs()[0];
+    if (equations_->graph().op(rate) == expression::Op::constant)
+        plainRate_ = PlainRate{equations_->graph().value(rate), {}};
+    else if (const auto input = equations_->inputOf(rate))
+        plainRate_ = PlainRate{0, equations_->inputs().unknowns()[*input]};
+}
+
+// Bit for bit what backTo(), restart() and stepClosedForm() do, without their anchor.
+bool Component::resume(double t, std::optional<double> jump) {
+    if (model_ != Model::closedForm || !plainRate_ || stop_ || time_ != infinity ||
+        history_->empty())
+        return false;
+    const Piece last = history_->piece(history_->size() - 1, 0);
+    if (last.origin > t)
+        return false;
+    std::array<double, maximumCoefficients> row{};
+    row[0] = jump.value_or(last.value(t));
+    std::size_t count = 2;
+    double scale = 1;
+    row[1] = plainRate_->constant;
+    if (plainRate_->unknown) {
+        const Piece rate = histories_.piece(*plainRate_->unknown, t);
+        count = rate.coefficients.size() + 1;
+        if (rate.until != infinity || rate.origin > t || count > row.size())
+            return false;
+        scale = rate.scale;
+        const Coefficients c = reparametrize(rate.coefficients, (t - rate.origin) / scale, 1);
+        for (std::size_t k = 0; k + 1 < count; ++k)
+            row[k + 1] = c[k] * scale / static_cast<double>(k + 1);
+    }
+    while (count > 1 && row[count - 1] == 0)
+        --count;
+    if (!std::all_of(row.begin(), row.end(), [](double c) { return std::isfinite(c); }))
+        return false;
+    ++counts_.evaluations;
+    counts_.discardedSteps += history_->cut(t);
+    history_->append({t, infinity, scale, true, static_cast<std::uint8_t>(count), 0},
+                     std::span(row).first(count));
+    return true;
 }
 
 void Component::stepClosedForm() {

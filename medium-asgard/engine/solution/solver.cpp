@@ -196,6 +196,9 @@ void Solver::Implementation::apply(const Event& event) {
     Changes changes;
     source_->apply(histories_, event, set_, changes);
     std::vector<std::size_t> touched = touchedBy(event, changes);
+    resume(event, changes, touched);
+    if (touched.empty())
+        return;
     goBack(touched, event.time);
     change(event, changes);
     const std::vector<std::size_t> awake = woken(event, changes);
@@ -209,12 +212,12 @@ void Solver::Implementation::apply(const Event& event) {
 // Components of what the event touches, and transitively those that read them, in order.
 std::vector<std::size_t> Solver::Implementation::touchedBy(const Event& event,
                                                            const Changes& changes) const {
-    std::vector<bool> seen(components_.size(), false);
-    std::vector<std::size_t> open;
+    std::vector<std::size_t> touched;
+    isTouched_.resize(components_.size(), 0);
     const auto touch = [&](std::size_t component) {
-        if (component != noComponent && !seen[component]) {
-            seen[component] = true;
-            open.push_back(component);
+        if (component != noComponent && !isTouched_[component]) {
+            isTouched_[component] = 1;
+            touched.push_back(component);
         }
     };
     for (const std::size_t u : event.touched)
@@ -226,17 +229,32 @@ std::vector<std::size_t> Solver::Implementation::touchedBy(const Event& event,
     for (const auto& end : changes.ends)
         for (const std::size_t u : end.unknowns)
             touch(componentOf_[u]);
-    while (!open.empty()) {
-        const std::size_t c = open.back();
-        open.pop_back();
-        for (const std::size_t reader : readers_[c])
+    for (std::size_t next = 0; next < touched.size(); ++next)
+        for (const std::size_t reader : readers_[touched[next]])
             touch(reader);
-    }
-    std::vector<std::size_t> touched;
-    for (std::size_t c = 0; c < seen.size(); ++c)
-        if (seen[c])
-            touched.push_back(c);
+    for (const std::size_t c : touched)
+        isTouched_[c] = 0;
+    std::sort(touched.begin(), touched.end());
     return touched;
+}
+
+// Those that go on in closed form are done with at once; the others are left, and all after them,
+// which may read them.
+void Solver::Implementation::resume(const Event& event, const Changes& changes,
+                                    std::vector<std::size_t>& touched) {
+    if (!changes.equations.empty() || !changes.ends.empty() || !roused(event, changes).empty())
+        return;
+    std::size_t done = 0;
+    for (; done < touched.size(); ++done) {
+        Component& component = *components_[touched[done]];
+        std::optional<double> value;
+        for (const auto& jump : changes.jumps)
+            if (jump.unknown == component.unknowns()[0])
+                value = jump.value;
+        if (!component.resume(event.time, value))
+            break;
+    }
+    touched.erase(touched.begin(), touched.begin() + static_cast<std::ptrdiff_t>(done));
 }
 
 void Solver::Implementation::goBack(const std::vector<std::size_t>& components, double t) {

@@ -50,8 +50,11 @@ double Solver::Implementation::magnitude(std::size_t unknown, double value) cons
 
 // What no longer stays 0, since the event moves it or its new equations do. An impact is computed
 // in three dimensions; what its rounding leaves out of the plane moves nothing.
-std::vector<std::size_t> Solver::Implementation::woken(const Event& event, const Changes& changes) {
+std::vector<std::size_t> Solver::Implementation::roused(const Event& event,
+                                                        const Changes& changes) const {
     std::vector<std::size_t> roused;
+    if (zero_.empty())
+        return roused;
     double largest = 0;
     for (const auto& jump : changes.jumps)
         if (set_->unknowns[jump.unknown].lengthPerUnit == 0)
@@ -62,6 +65,11 @@ std::vector<std::size_t> Solver::Implementation::woken(const Event& event, const
         if (zero_.contains(jump.unknown) && jump.value != 0 &&
             !(magnitude(jump.unknown, jump.value) <= rounding * largest))
             roused.push_back(jump.unknown);
+    return roused;
+}
+
+std::vector<std::size_t> Solver::Implementation::woken(const Event& event, const Changes& changes) {
+    const std::vector<std::size_t> roused = this->roused(event, changes);
     if (roused.empty() && changes.equations.empty())
         return {};
     return zero_.wake(*set_, event.time, roused);

@@ -33,6 +33,7 @@ private:
     void place(double t);
     void addZeroTracks();
     [[nodiscard]] double magnitude(std::size_t unknown, double value) const;
+    [[nodiscard]] std::vector<std::size_t> roused(const Event& event, const Changes& changes) const;
     [[nodiscard]] std::vector<std::size_t> woken(const Event& event, const Changes& changes);
     void change(const Event& event, const Changes& changes);
     void addTracks(const Component& component, double t);
@@ -47,6 +48,7 @@ private:
     void apply(const Event& event);
     [[nodiscard]] std::vector<std::size_t> touchedBy(const Event& event,
                                                      const Changes& changes) const;
+    void resume(const Event& event, const Changes& changes, std::vector<std::size_t>& touched);
     void goBack(const std::vector<std::size_t>& components, double t);
     void restart(const std::vector<std::size_t>& components, const Changes& changes);
     void endThose(const Changes& changes);
@@ -63,6 +65,7 @@ private:
     std::vector<std::unique_ptr<Component>> components_; // inputs before readers
     std::vector<std::vector<std::size_t>> readers_;
     std::vector<std::size_t> componentOf_;
+    mutable std::vector<char> isTouched_;           // by component; all 0 but within touchedBy()
     std::set<std::pair<double, std::size_t>> live_; // by time; not those that ended
 
     Statistics past_; // of components that replaced equations ended, and of events
