@@ -44,7 +44,7 @@ public:
         return {number(-most, most), number(-most, most), number(-most, most)};
     }
     BallFlight flight(const Vector& half) {
-        return {number(-1, 0), vector(3), vector(5), half, number(0.05, 0.8)};
+        return {number(-0.1, 0), vector(1.5), vector(3), half, number(0.1, 0.5)};
     }
 
 private:
@@ -64,9 +64,9 @@ TEST(BallFlight, BallsMeetWhenTheGeneralSearchSaysSo) {
         if (HasFatalFailure())
             FAIL() << "case " << i;
     }
-    EXPECT_GT(tally.hits, 1000);
+    EXPECT_GT(tally.hits, 500) << tally.misses << " misses, " << tally.unclear << " unclear";
     EXPECT_GT(tally.misses, 1000);
-    EXPECT_LT(tally.unclear, 1000);
+    EXPECT_LT(tally.unclear, tally.hits / 2);
 }
 
 TEST(BallFlight, BallsMeetFacesWhenTheGeneralSearchSaysSo) {
@@ -75,7 +75,7 @@ TEST(BallFlight, BallsMeetFacesWhenTheGeneralSearchSaysSo) {
     for (int i = 0; i < 10'000; ++i) {
         const BallFlight ball = draw.flight(i % 2 ? Vector::Zero() : draw.vector(5));
         FlyingBody box =
-            flyingBox(draw.vector(1.5).cwiseAbs() + Vector::Constant(0.1), draw.vector(2));
+            flyingBox(draw.vector(1.2).cwiseAbs() + Vector::Constant(0.1), draw.vector(1.5));
         box.attitude = geometry::fromRotationVector(draw.vector(3));
         const StandingPart part = standingPart(box.form.parts[0], {box.position, box.attitude});
         const Interval during{0, draw.number(0.1, 2)};
@@ -86,9 +86,9 @@ TEST(BallFlight, BallsMeetFacesWhenTheGeneralSearchSaysSo) {
         if (HasFatalFailure())
             FAIL() << "case " << i;
     }
-    EXPECT_GT(tally.hits, 500);
+    EXPECT_GT(tally.hits, 100) << tally.misses << " misses, " << tally.unclear << " unclear";
     EXPECT_GT(tally.misses, 1000);
-    EXPECT_LT(tally.unclear, 2000);
+    EXPECT_LT(tally.unclear, 1000);
 }
 
 // After a bounce the ball touches and leaves; under gravity it comes back, without it never.

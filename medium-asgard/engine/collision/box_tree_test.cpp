@@ -20,7 +20,7 @@ std::vector<std::size_t> overlapping(const BoxTree& tree, const geometry::Box& b
 // Boxes of all sizes come, move and go in any order; every answer is that of looking at all.
 TEST(BoxTree, AnswersLikeLookingAtAllBoxes) {
     std::mt19937_64 random(5);
-    std::uniform_real_distribution<double> place(-10, 10), exponent(-3, 1);
+    std::uniform_real_distribution<double> place(-5, 5), exponent(-3, 1);
     const auto draw = [&] {
         const Vector corner(place(random), place(random), place(random));
         const Vector size(std::pow(10, exponent(random)), std::pow(10, exponent(random)),

@@ -51,7 +51,7 @@ public:
     [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
     [[nodiscard]] std::size_t pairTests() const { return search_.pairTests(); }
     // Pairs of bodies, the lesser first, that came near each other.
-    [[nodiscard]] std::set<collision::Pair> candidates() const { return search_.pairs(); }
+    [[nodiscard]] std::set<collision::Pair> candidates() { return search_.pairs(); }
 
 private:
     using Pair = collision::Pair;

@@ -307,17 +307,26 @@ void EncounterSearch::findPartners(std::size_t body, Renewal& renewal) {
 
 void EncounterSearch::remember(const Pair& pair) {
     const std::uint64_t key = (static_cast<std::uint64_t>(pair.first) << 32) + pair.second;
-    std::uint64_t& recent = recentPairs_[(pair.first * 31 + pair.second) % recentPairs];
+    std::uint64_t& recent = recentPairs_[(pair.first * 613 + pair.second) % recentPairs];
     if (recent == key)
         return;
     recent = key;
-    pairs_.insert(key);
+    pairs_.push_back(key);
+    if (pairs_.size() > 2 * pairsKept_ + recentPairs)
+        pairsKept_ = sortPairs();
 }
 
-std::set<EncounterSearch::Pair> EncounterSearch::pairs() const {
+std::size_t EncounterSearch::sortPairs() {
+    std::ranges::sort(pairs_);
+    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+    return pairs_.size();
+}
+
+std::set<EncounterSearch::Pair> EncounterSearch::pairs() {
+    pairsKept_ = sortPairs();
     std::set<Pair> pairs;
     for (const std::uint64_t key : pairs_)
-        pairs.insert({key >> 32, key & 0xffffffff});
+        pairs.emplace_hint(pairs.end(), key >> 32, key & 0xffffffff);
     return pairs;
 }
 

@@ -29,7 +29,6 @@
 #include <cstdint>
 #include <set>
 #include <span>
-#include <unordered_set>
 #include <vector>
 
 namespace simulation {
@@ -89,7 +88,7 @@ public:
     }
 
     [[nodiscard]] std::size_t pairTests() const { return pairTests_; }
-    [[nodiscard]] std::set<Pair> pairs() const; // that were searched
+    [[nodiscard]] std::set<Pair> pairs(); // that were searched
     // Pairs that overlapped without having met, since this was asked last.
     [[nodiscard]] std::vector<Pair> takeOverlaps() { return std::exchange(overlaps_, {}); }
 
@@ -132,6 +131,7 @@ private:
     void keep(const Pair& pair, double time, bool pressing, bool isLost);
     [[nodiscard]] bool isPassing(const Pair& pair, double time) const;
     void remember(const Pair& pair);
+    std::size_t sortPairs();
 
     const std::vector<BodyRecord>& records_;
     const std::vector<MovingBody>& bodies_;
@@ -157,7 +157,8 @@ private:
     std::vector<Passing> passing_; // pairs that cannot give way
     std::vector<Pair> overlaps_;
     std::size_t pairTests_ = 0;
-    std::unordered_set<std::uint64_t> pairs_;
+    std::vector<std::uint64_t> pairs_;        // as numbers; some several times
+    std::size_t pairsKept_ = 0;               // that are known to be different
     std::vector<std::uint64_t> recentPairs_;  // of pairs_, by a few of their bits
     std::vector<std::size_t> found_, before_; // kept between calls
 };

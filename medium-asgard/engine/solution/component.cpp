@@ -266,8 +266,7 @@ void Component::backTo(double t) {
     while (!recentSwitches_.empty() && recentSwitches_.back() > t)
         recentSwitches_.pop_back();
     time_ = t;
-    if (!isOfThesePhases())
-        openRegime(false);
+    openRegime(false);
     if (stop_)
         return;
     const Checkpoint& last = checkpoints_.back();
@@ -281,16 +280,6 @@ void Component::backTo(double t) {
             seen.push_back(history_->piece(k, place).coefficients[0]);
         control_.observe(seen);
     }
-}
-
-// The equations that are in force are those at time_, too.
-bool Component::isOfThesePhases() const {
-    if (!equations_ || !equations_->loop().empty() || time_ >= nextPhase_)
-        return false;
-    for (std::size_t i = 0; i < unknowns_.size(); ++i)
-        if (phases_[i] > 0 && set_.unknowns[unknowns_[i]].phases[phases_[i]].from > time_)
-            return false;
-    return true;
 }
 
 void Component::restart(std::span<const Jump> jumps) {

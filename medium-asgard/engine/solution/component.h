@@ -75,7 +75,6 @@ private:
     void openRegime(bool withJumps);
     void takeEquations(std::vector<std::size_t> phases);
     void applyJumps();
-    [[nodiscard]] bool isOfThesePhases() const;
     void makeControl();
     void begin(); // decides branches, drops the method, stands on an anchor
     void placeAnchor();

@@ -21,6 +21,8 @@ Piece History::piece(std::size_t index, std::size_t column) const {
 std::size_t History::find(double t, std::size_t near) const {
     if (size_ == 0)
         return 0;
+    if (step(size_ - 1).origin <= t) // where events are asked for
+        return size_ - 1;
     near = std::min(near, size_ - 1);
     for (std::size_t tries = 0; tries < 4; ++tries) { // readers mostly move a little forward
         const bool started = step(near).origin <= t;
