@@ -2,6 +2,7 @@
 //
 // In the order of a medium's start: an evaluator server forked, a frame drawn, confined.
 #include "confinement/confinement.h"
+#include "expression/function.h"
 #include "render/renderer.h"
 #include "script/reader.h"
 
@@ -9,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <future>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -32,6 +34,24 @@ std::size_t pixelsDrawn(render::Renderer& renderer, const scene::Scene& scene, i
     for (std::size_t i = 0; i < pixels.size(); i += 4)
         dark += pixels[i] != pixels[0] || pixels[i + 1] != pixels[1] ? 1 : 0;
     return dark;
+}
+
+// Evaluates until machine code would pay; how much was made, or none when a number was wrong.
+std::optional<std::size_t> codesMade() {
+    expression::Graph graph;
+    const expression::Node x = graph.symbol("x"), square = graph.multiply(x, x);
+    const expression::Function function(
+        expression::Tape(graph, std::span(&x, 1), std::span(&square, 1)));
+    expression::Function::Scratch scratch;
+    const std::size_t before = expression::Kernel::counts().compiled;
+    for (int i = 0; i < 20'000; ++i) {
+        const double at = i;
+        double value = 0;
+        function.evaluate(std::span(&at, 1), std::span(&value, 1), scratch);
+        if (value != at * at)
+            return std::nullopt;
+    }
+    return expression::Kernel::counts().compiled - before;
 }
 
 // Returns the number of the step that failed, 0 when all is well.
@@ -67,6 +87,9 @@ int play() {
     const script::ReadResult endless = reader.read("while 1 {}");
     if (endless.usable || endless.diagnostics.empty())
         return 7;
+    const std::size_t expected = expression::Function::lanes() > 1 ? 1 : 0;
+    if (codesMade() != expected)
+        return 9;
     return reader.read("").usable ? 0 : 8;
 }
 
@@ -78,6 +101,19 @@ TEST(Player, DrawsAndReadsScenesWhenConfined) {
     waitpid(process, &status, 0);
     ASSERT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
     EXPECT_EQ(WEXITSTATUS(status), 0) << "the step that failed";
+}
+
+// An evaluator may make nothing executable; numbers come all the same.
+TEST(Evaluator, ComputesWithoutMachineCode) {
+    const pid_t process = fork();
+    if (process == 0) {
+        const auto report = confinement::confine(confinement::Role::evaluator, {});
+        _exit(!report.inForce.calls ? 1 : codesMade() == std::size_t{0} ? 0 : 2);
+    }
+    int status = 0;
+    waitpid(process, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
+    EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
 } // namespace

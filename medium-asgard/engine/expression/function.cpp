@@ -1,42 +1,53 @@
 #include "expression/function.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace expression {
 
-const Kernel::Code* Function::codeFor(Purpose purpose) const {
-    const Use& use = shared_->uses[static_cast<std::size_t>(purpose)];
-    if (const auto* const code = use.code.load(std::memory_order_acquire))
-        return code;
-    return askFor(purpose);
+Function::Shared::Shared(Tape t) : tape(std::move(t)) {
+    for (const double x : tape.constants())
+        spread.insert(spread.end(), lanes(), x);
 }
 
-const Kernel::Code* Function::askFor(Purpose purpose) const {
-    Use& use = shared_->uses[static_cast<std::size_t>(purpose)];
+unsigned Function::lanes() { return manyAtOnce().lanes; }
+
+const Kernel::Code* Function::codeFor(Purpose purpose, Width width) const {
+    const Use& use =
+        shared_->uses[static_cast<std::size_t>(purpose)][static_cast<std::size_t>(width)];
+    if (const auto* const code = use.code.load(std::memory_order_acquire))
+        return code;
+    return askFor(purpose, width);
+}
+
+const Kernel::Code* Function::askFor(Purpose purpose, Width width) const {
+    Use& use = shared_->uses[static_cast<std::size_t>(purpose)][static_cast<std::size_t>(width)];
     if (use.evaluations.fetch_add(1, std::memory_order_relaxed) + 1 < batch)
         return nullptr;
     std::call_once(shared_->asked,
                    [this] { shared_->kernel = Kernel::of(shared_->tape.sequence()); });
     const std::uint32_t evaluations = use.evaluations.exchange(0, std::memory_order_relaxed);
-    const auto* const code = shared_->kernel->code(purpose, Kernel::Width::one, evaluations);
+    const auto* const code = shared_->kernel->code(purpose, width, evaluations);
     use.code.store(code, std::memory_order_release);
     return code;
 }
 
-bool Function::run(Purpose purpose, std::span<const double> in, std::span<double> out,
+bool Function::run(Purpose purpose, Width width, std::span<const double> in, std::span<double> out,
                    Scratch& scratch, std::span<const Decision> decisions) const {
-    const auto* const code = codeFor(purpose);
+    const auto* const code = codeFor(purpose, width);
     if (!code)
         return false;
     if (scratch.size() < code->scratch)
         scratch.resize(code->scratch);
-    code->entry(in.data(), out.data(), tape().constants().data(), decisions.data(), scratch.data());
+    const double* const constants =
+        width == Width::one ? tape().constants().data() : shared_->spread.data();
+    code->entry(in.data(), out.data(), constants, decisions.data(), scratch.data());
     return true;
 }
 
 void Function::evaluate(std::span<const double> in, std::span<double> out, Scratch& scratch) const {
     assert(in.size() == tape().inputs() && out.size() == tape().outputs());
-    if (!run(Purpose::values, in, out, scratch, {}))
+    if (!run(Purpose::values, Width::one, in, out, scratch, {}))
         tape().evaluate(in, out, scratch);
 }
 
@@ -44,7 +55,7 @@ void Function::evaluate(std::span<const double> in, std::span<double> out, Scrat
                         std::span<const Decision> decisions) const {
     assert(in.size() == tape().inputs() && out.size() == tape().outputs() &&
            decisions.size() == tape().decisions());
-    if (!run(Purpose::valuesOnBranches, in, out, scratch, decisions))
+    if (!run(Purpose::valuesOnBranches, Width::one, in, out, scratch, decisions))
         tape().evaluate(in, out, scratch, decisions, {});
 }
 
@@ -52,13 +63,47 @@ void Function::guards(std::span<const double> in, std::span<double> guards, Scra
                       std::span<const Decision> decisions) const {
     assert(in.size() == tape().inputs() && guards.size() == tape().decisions() &&
            decisions.size() == tape().decisions());
-    if (run(Purpose::guards, in, guards, scratch, decisions))
+    if (run(Purpose::guards, Width::one, in, guards, scratch, decisions))
         return;
     const std::size_t slots = tape().sequence().slots();
     if (scratch.size() < slots + tape().outputs())
         scratch.resize(slots + tape().outputs());
     tape().evaluate(in, std::span(scratch).subspan(slots, tape().outputs()), scratch, decisions,
                     guards);
+}
+
+void Function::evaluateLanes(std::span<const double> in, std::span<double> out,
+                             Scratch& scratch) const {
+    if (!run(Purpose::values, Width::many, in, out, scratch, {}))
+        interpretLanes(in, out, scratch, {});
+}
+
+void Function::evaluateLanes(std::span<const double> in, std::span<double> out, Scratch& scratch,
+                             std::span<const Decision> decisions) const {
+    assert(decisions.size() == lanes() * tape().decisions());
+    if (!run(Purpose::valuesOnBranches, Width::many, in, out, scratch, decisions))
+        interpretLanes(in, out, scratch, decisions);
+}
+
+// One instance after the other; without decisions the branches follow from the values.
+void Function::interpretLanes(std::span<const double> in, std::span<double> out, Scratch& scratch,
+                              std::span<const Decision> decisions) const {
+    const std::size_t width = lanes();
+    assert(in.size() == width * tape().inputs() && out.size() == width * tape().outputs());
+    std::vector<double> own(tape().inputs()), result(tape().outputs());
+    std::vector<Decision> branches(decisions.size() / width);
+    for (std::size_t lane = 0; lane < width; ++lane) {
+        for (std::size_t i = 0; i < own.size(); ++i)
+            own[i] = in[i * width + lane];
+        for (std::size_t i = 0; i < branches.size(); ++i)
+            branches[i] = decisions[i * width + lane];
+        if (decisions.empty())
+            tape().evaluate(own, result, scratch);
+        else
+            tape().evaluate(own, result, scratch, branches, {});
+        for (std::size_t i = 0; i < result.size(); ++i)
+            out[i * width + lane] = result[i];
+    }
 }
 
 } // namespace expression

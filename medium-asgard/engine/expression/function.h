@@ -31,24 +31,36 @@ public:
     void guards(std::span<const double> in, std::span<double> guards, Scratch& scratch,
                 std::span<const Decision> decisions) const;
 
+    // Many instances in one call, each with its own inputs: lanes() of them, in arrays with lanes()
+    // entries for each index (in[i * lanes() + k] is input i of instance k; decisions likewise).
+    // Instances that are not needed may repeat another. Same bits as one at a time.
+    [[nodiscard]] static unsigned lanes(); // 4, 2, or 1 where the processor has no more to give
+    void evaluateLanes(std::span<const double> in, std::span<double> out, Scratch& scratch) const;
+    void evaluateLanes(std::span<const double> in, std::span<double> out, Scratch& scratch,
+                       std::span<const Decision> decisions) const;
+
 private:
+    using Width = Kernel::Width;
     struct Use {
         std::atomic<const Kernel::Code*> code = nullptr;
         std::atomic<std::uint32_t> evaluations = 0; // not yet told to the kernel
     };
     struct Shared {
-        explicit Shared(Tape t) : tape(std::move(t)) {}
+        explicit Shared(Tape t);
         Tape tape;
-        std::array<Use, 3> uses; // by purpose
+        std::vector<double> spread;             // the tape's constants, lanes() times each
+        std::array<std::array<Use, 2>, 3> uses; // by purpose and width
         std::once_flag asked;
         std::shared_ptr<Kernel> kernel;
     };
     // Asked of the kernel only now and then, so that what is evaluated rarely costs nothing more.
     static constexpr std::uint32_t batch = 20;
-    [[nodiscard]] const Kernel::Code* codeFor(Purpose purpose) const;
-    [[nodiscard]] const Kernel::Code* askFor(Purpose purpose) const;
-    bool run(Purpose purpose, std::span<const double> in, std::span<double> out, Scratch& scratch,
-             std::span<const Decision> decisions) const;
+    [[nodiscard]] const Kernel::Code* codeFor(Purpose purpose, Width width) const;
+    [[nodiscard]] const Kernel::Code* askFor(Purpose purpose, Width width) const;
+    bool run(Purpose purpose, Width width, std::span<const double> in, std::span<double> out,
+             Scratch& scratch, std::span<const Decision> decisions) const;
+    void interpretLanes(std::span<const double> in, std::span<double> out, Scratch& scratch,
+                        std::span<const Decision> decisions) const;
 
     std::shared_ptr<Shared> shared_;
 };

@@ -51,12 +51,16 @@ std::shared_ptr<Kernel> Kernel::of(const Sequence& sequence) {
     return registry.of(sequence);
 }
 
+std::uint32_t Kernel::worthwhile(const Sequence& sequence) {
+    return static_cast<std::uint32_t>(70 + 8000 / (1 + sequence.instructions.size()));
+}
+
 const Kernel::Code* Kernel::code(Purpose purpose, Width width, std::uint32_t evaluations) {
     Variant& variant =
         variants_[static_cast<std::size_t>(purpose)][static_cast<std::size_t>(width)];
     if (const Code* const code = variant.ready.load(std::memory_order_acquire))
         return code;
-    if (!isAllowed() || variant.evaluations.fetch_add(evaluations) + evaluations < worthwhile)
+    if (!isAllowed() || variant.evaluations.fetch_add(evaluations) + evaluations < worthwhile_)
         return nullptr;
     const std::scoped_lock lock(compiling_);
     if (!variant.tried)

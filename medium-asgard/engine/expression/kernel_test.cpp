@@ -201,7 +201,7 @@ TEST(Kernel, ThousandPendulumsOfDifferentLengthsAreCompiledOnceByAnyNumberOfThre
             const Node n = graph.multiply(graph.constant(-9.81 / (1 + i)), graph.apply(Op::sin, x));
             const Function function(Tape(graph, std::span(&x, 1), std::span(&n, 1)));
             Function::Scratch scratch;
-            for (int k = 0; k < 50; ++k) {
+            for (int k = 0; k < 100; ++k) {
                 const double angle = 0.1 * k;
                 double out = 0;
                 function.evaluate(std::span(&angle, 1), std::span(&out, 1), scratch);
@@ -227,12 +227,50 @@ TEST(Function, IsInterpretedUntilMachineCodePays) {
     const Kernel::Counts before = Kernel::counts();
     const double at = 2;
     double out = 0;
-    for (std::uint32_t k = 1; k < Kernel::worthwhile; ++k)
+    const std::uint32_t worthwhile = Kernel::worthwhile(function.tape().sequence());
+    for (std::uint32_t k = 1; k < worthwhile; ++k)
         function.evaluate(std::span(&at, 1), std::span(&out, 1), scratch);
     EXPECT_EQ(Kernel::counts().compiled, before.compiled);
-    function.evaluate(std::span(&at, 1), std::span(&out, 1), scratch);
+    for (int k = 0; k < 20; ++k) // it is asked for now and then
+        function.evaluate(std::span(&at, 1), std::span(&out, 1), scratch);
     EXPECT_EQ(Kernel::counts().compiled, before.compiled + 1);
     EXPECT_EQ(out, 90);
+}
+
+// As long as it is interpreted and after; also the branches of each instance are its own.
+TEST(Function, LanesGiveWhatOneAtATimeGives) {
+    RandomExpressions random(13);
+    for (int i = 0; i < repetitions(20); ++i) {
+        Xyz s;
+        const Node outputs[] = {random.make(s.graph, 4), random.make(s.graph, 4)};
+        const Function function(Tape(s.graph, s.symbols, outputs));
+        const unsigned lanes = Function::lanes();
+        const std::uint32_t calls = Kernel::worthwhile(function.tape().sequence()) + 40;
+        Function::Scratch scratch;
+        std::vector<double> in(3 * lanes), out(2 * lanes), onBranches(2 * lanes), own(3), one(2);
+        std::vector<Decision> decisions(function.decisions() * lanes),
+            branches(function.decisions());
+        for (std::uint32_t call = 0; call < calls; ++call) {
+            for (double& x : in)
+                x = random.number();
+            for (Decision& d : decisions)
+                d = random.number() > 0 ? 1 : -1;
+            function.evaluateLanes(in, out, scratch);
+            function.evaluateLanes(in, onBranches, scratch, decisions);
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                for (std::size_t k = 0; k < 3; ++k)
+                    own[k] = in[k * lanes + lane];
+                for (std::size_t k = 0; k < branches.size(); ++k)
+                    branches[k] = decisions[k * lanes + lane];
+                function.tape().evaluate(own, one, scratch);
+                for (std::size_t k = 0; k < 2; ++k)
+                    ASSERT_TRUE(hasSameBits(out[k * lanes + lane], one[k]));
+                function.evaluate(own, one, scratch, branches);
+                for (std::size_t k = 0; k < 2; ++k)
+                    ASSERT_TRUE(hasSameBits(onBranches[k * lanes + lane], one[k]));
+            }
+        }
+    }
 }
 
 // What stays in registers, what is read where it stands, and what a call makes of both.
