@@ -507,7 +507,7 @@ void Component::reconsider(double h) {
     if (options_.method != "auto" || counts_.model == "quadrature")
         return;
     const MethodChoice before = choice_.restarted();
-    if (choice_.changesAfter(*method_, h) ||
+    if (choice_.changesAfter(*method_, h, control_.crossing()) ||
         (choice_.wantsSpectralRadius() && choice_.changesFor(spectralRadius(), h)))
         changeMethod();
     else if (!(choice_.restarted() == before)) // a trial was won

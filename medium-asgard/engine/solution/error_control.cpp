@@ -47,6 +47,10 @@ void ErrorControl::measure(std::span<const double> y) {
     }
 }
 
+double ErrorControl::crossing() const {
+    return extent_ > 0 && speed_ > 0 ? extent_ / speed_ : std::numeric_limits<double>::infinity();
+}
+
 double ErrorControl::magnitude(std::size_t i) const {
     switch (scales_[i].kind) {
     case UnknownScale::Kind::position:

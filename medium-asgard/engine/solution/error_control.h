@@ -47,6 +47,8 @@ public:
     // The size against which a rate is judged slow or fast; 0: nothing is known yet.
     [[nodiscard]] double magnitude(std::size_t i) const;
     [[nodiscard]] double extent() const { return extent_; }
+    // How long the largest speed takes through the extent; infinite while nothing has moved.
+    [[nodiscard]] double crossing() const;
 
 private:
     struct Seen {

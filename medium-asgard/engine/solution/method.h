@@ -42,6 +42,7 @@ struct Attempt {
 
 struct MethodCounts {
     std::size_t evaluations = 0, jacobians = 0, factorisations = 0;
+    std::size_t iterations = 0; // of Newton, each with its solves
 };
 
 class Method {

@@ -1,5 +1,7 @@
 #include "solution/radau.h"
 
+#include "solution/dense_output.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -57,6 +59,15 @@ lagrangeBasis(const std::array<double, Count>& points) {
 // The collocation polynomial through 0 and the z_i, and polynomials through four slopes.
 const auto collocation = lagrangeBasis<4>({0, node[0], node[1], node[2]});
 
+// Slopes of the collocation polynomial at the nodes, by the z_j.
+const auto slopeWeights = [] {
+    std::array<std::array<double, 3>, 3> weights{};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+            weights[i][j] = evaluateDerivative(collocation[j + 1], node[i]);
+    return weights;
+}();
+
 } // namespace
 
 Radau::Radau(System& system, ErrorControl& control, bool fixed)
@@ -96,14 +107,12 @@ void Radau::predict() {
     if (previousStep_ > 0)
         for (std::size_t i = 0; i < 3; ++i) {
             const double s = 1 + node[i] * h_ / previousStep_;
-            double at[3] = {}, end[3] = {};
-            for (std::size_t j = 0; j < 3; ++j) {
-                at[j] = evaluate(collocation[j + 1], s);
-                end[j] = evaluate(collocation[j + 1], 1);
-            }
+            double change[3] = {};
+            for (std::size_t j = 0; j < 3; ++j)
+                change[j] = evaluate(collocation[j + 1], s) - evaluate(collocation[j + 1], 1);
             for (std::size_t n = 0; n < start_.size(); ++n)
-                for (std::size_t j = 0; j < 3; ++j)
-                    z_[i][n] += (at[j] - end[j]) * previousZ_[j][n];
+                z_[i][n] = change[0] * previousZ_[0][n] + change[1] * previousZ_[1][n] +
+                           change[2] * previousZ_[2][n];
         }
     predictedEnd_ = z_[2];
     for (std::size_t i = 0; i < 3; ++i)
@@ -133,6 +142,7 @@ bool Radau::refactor() {
 // One Newton correction of all stages; `size` is its norm.
 bool Radau::correction(double& size) {
     const std::size_t count = start_.size();
+    ++counts_.iterations;
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t n = 0; n < count; ++n)
             at_[n] = start_[n] + z_[i][n];
@@ -298,45 +308,29 @@ Attempt Radau::judge(double error) {
     return {Attempt::Outcome::accepted, next};
 }
 
-double Radau::slopeAt(std::size_t stage, std::size_t n) const {
-    double slope = 0;
-    for (std::size_t j = 0; j < 3; ++j)
-        slope += evaluateDerivative(collocation[j + 1], node[stage]) * z_[j][n];
-    return slope / h_;
-}
-
 void Radau::dense(std::span<Coefficients> columns) {
-    const auto& slopes = collocation; // basis for values at 0, c1, c2, 1
+    const auto& basis = collocation; // for values at 0, c1, c2, 1
     for (std::size_t n = 0; n < columns.size(); ++n) {
-        const double k[4] = {startSlope_[n], slopeAt(0, n), slopeAt(1, n), slopeAt(2, n)};
-        endSlope_[n] = k[3];
-        columns[n] = {};
-        columns[n][0] = start_[n];
+        double k[4] = {h_ * startSlope_[n]}; // times h
+        for (std::size_t i = 0; i < 3; ++i)
+            k[i + 1] = slopeWeights[i][0] * z_[0][n] + slopeWeights[i][1] * z_[1][n] +
+                       slopeWeights[i][2] * z_[2][n];
+        endSlope_[n] = k[3] / h_;
+        columns[n] = {start_[n]};
         for (std::size_t power = 0; power < 4; ++power)
-            for (std::size_t i = 0; i < 4; ++i)
-                columns[n][power + 1] +=
-                    h_ * k[i] * slopes[i][power] / static_cast<double>(power + 1);
+            columns[n][power + 1] = (k[0] * basis[0][power] + k[1] * basis[1][power] +
+                                     k[2] * basis[2][power] + k[3] * basis[3][power]) /
+                                    static_cast<double>(power + 1);
     }
-    for (const auto& [x, v] : system_.integrals()) {
-        const double rise = end_[x] - start_[x];
-        const double v0 = h_ * start_[v], v1 = h_ * end_[v];
-        const double a0 = h_ * h_ * startSlope_[v], a1 = h_ * h_ * endSlope_[v];
-        columns[x] = {start_[x],
-                      v0,
-                      a0 / 2,
-                      10 * rise - 6 * v0 - 4 * v1 - 1.5 * a0 + 0.5 * a1,
-                      -15 * rise + 8 * v0 + 7 * v1 + 1.5 * a0 - a1,
-                      6 * rise - 3 * v0 - 3 * v1 - 0.5 * a0 + 0.5 * a1};
-        columns[v] = {};
-        for (std::size_t power = 0; power < 5; ++power)
-            columns[v][power] = static_cast<double>(power + 1) * columns[x][power + 1] / h_;
-    }
+    quintics(
+        columns, system_.integrals(),
+        {.h = h_, .start = start_, .end = end_, .startSlope = startSlope_, .endSlope = endSlope_});
 }
 
 bool Radau::proceed(std::span<const double> y) {
     t_ += h_;
     for (std::size_t i = 0; i < 3; ++i)
-        previousZ_[i] = z_[i];
+        std::swap(previousZ_[i], z_[i]);
     previousStep_ = h_;
     startSlope_ = endSlope_;
     start_.assign(y.begin(), y.end());

@@ -52,7 +52,6 @@ private:
     [[nodiscard]] double estimate();
     [[nodiscard]] double denseError();
     [[nodiscard]] Attempt judge(double error);
-    [[nodiscard]] double slopeAt(std::size_t stage, std::size_t n) const;
 
     std::unique_ptr<LinearSolver> solver_;
     std::vector<double> jacobian_;

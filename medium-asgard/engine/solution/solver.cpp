@@ -106,13 +106,14 @@ Component& Solver::Implementation::readyFor(Component& component) {
 }
 
 void Solver::Implementation::stepOne(Component& component) {
-    const std::size_t c = componentOf_[component.unknowns()[0]];
-    live_.erase({component.time(), c});
+    auto place = live_.extract({component.time(), componentOf_[component.unknowns()[0]]});
     component.step();
-    if (component.ended())
+    if (component.ended()) {
         noteStops();
-    else
-        live_.emplace(component.time(), c);
+    } else {
+        place.value().first = component.time();
+        live_.insert(std::move(place));
+    }
 }
 
 // Furthest behind first; without event-driven scheduling the first in order that is not done.
