@@ -87,13 +87,18 @@ std::string differenceOf(const scene::Scene& scene, const Motion& a, const Motio
 }
 
 std::string differenceOf(const scene::Scene& scene, const Result& a, const Result& b) {
+    if (a.cancelled != b.cancelled)
+        return "one takes much longer than the other";
     if (a.refusal != b.refusal)
         return "refusal";
     return a.motion && b.motion ? differenceOf(scene, *a.motion, *b.motion) : "";
 }
 
+constexpr std::size_t mostPolls = 30'000; // for cancellation, in one simulation
+
 struct Tally {
     std::size_t edits = 0, nothing = 0, some = 0, all = 0, refused = 0;
+    std::size_t endless = 0; // made a scene whose motion takes too long to wait for: taken back
     std::size_t solved = 0, kept = 0; // bodies that move
     std::size_t steps = 0, stepsFromScratch = 0;
 };
@@ -113,9 +118,18 @@ public:
             made = randomEdit(scene_, random_);
         if (random_() % 4 == 0) // more than one thing at once
             (void)randomEdit(scene_, random_);
-        const auto edited = std::make_shared<const scene::Scene>(scene_);
-        const Result now = kept_.update(edited);
-        const Result scratch = simulation::simulate(scene_);
+        std::size_t polls = 0;
+        const Result scratch = simulation::simulate(
+            scene_, {}, {.cancelled = [&] { return ++polls > mostPolls; }, .progress = {}});
+        if (scratch.cancelled) {
+            ++tally[made.kind].endless;
+            scene_ = before_;
+            return "";
+        }
+        polls = 0;
+        const Result now =
+            kept_.update(std::make_shared<const scene::Scene>(scene_), {},
+                         {.cancelled = [&] { return ++polls > 20 * mostPolls; }, .progress = {}});
         count(tally[made.kind], now, scratch);
         std::string found = differenceOf(scene_, now, scratch);
         if (!found.empty())
@@ -154,13 +168,13 @@ private:
 };
 
 void print(const std::vector<Tally>& tally) {
-    std::printf("%-16s %7s %8s %8s %8s %8s %9s %9s %9s %9s\n", "edit", "edits", "nothing", "some",
-                "all", "refused", "solved", "kept", "steps", "scratch");
+    std::printf("%-16s %7s %8s %8s %8s %8s %8s %9s %9s %9s %9s\n", "edit", "edits", "nothing",
+                "some", "all", "refused", "endless", "solved", "kept", "steps", "scratch");
     for (std::size_t k = 0; k < tally.size(); ++k) {
         const Tally& t = tally[k];
-        std::printf("%-16s %7zu %8zu %8zu %8zu %8zu %9zu %9zu %9zu %9zu\n",
+        std::printf("%-16s %7zu %8zu %8zu %8zu %8zu %8zu %9zu %9zu %9zu %9zu\n",
                     kindsOfEdits()[k].c_str(), t.edits, t.nothing, t.some, t.all, t.refused,
-                    t.solved, t.kept, t.steps, t.stepsFromScratch);
+                    t.endless, t.solved, t.kept, t.steps, t.stepsFromScratch);
     }
 }
 

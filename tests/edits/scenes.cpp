@@ -106,7 +106,11 @@ void shorten(Scene& scene) {
         scene::Scene trial = scene;
         const double span = scene.simulator.finish - scene.simulator.start;
         trial.simulator.finish = scene.simulator.start + std::min(span, std::max(span / 64, 0.05));
-        const auto work = simulation::simulate(trial).statistics;
+        std::size_t polls = 0;
+        const auto work =
+            simulation::simulate(trial, {},
+                                 {.cancelled = [&] { return ++polls > 30'000; }, .progress = {}})
+                .statistics;
         const auto cost = static_cast<double>(work.evaluations + 20 * work.pairTests);
         if (cost * span / (trial.simulator.finish - scene.simulator.start) < 8000)
             return;
@@ -140,6 +144,9 @@ Scene heaps() {
         below.shape = "plate";
         below.fixed = true;
         below.initialPosition = {10.0 * heap, -0.1, 0};
+        scene::Parameter& pull = scene.parameters.emplace_back();
+        pull.name = "pull" + std::to_string(heap);
+        pull.value = 5 + heap;
         for (int i = 0; i < 6; ++i) {
             scene::Body& body = scene.bodies.emplace_back();
             body.name = "b" + std::to_string(heap) + "_" + std::to_string(i);
@@ -150,6 +157,9 @@ Scene heaps() {
             scene::Force& weight = scene.forces.emplace_back();
             weight.body = body.name;
             weight.kind = scene::GravitationalForce{{0, -9.81, 0}};
+            if (i == 5) // by one parameter for each heap
+                weight.kind = scene::ComponentForce{
+                    {"0", "-pull" + std::to_string(heap) + "*" + body.name + ".mass", "0"}};
         }
     }
     return scene;

@@ -68,7 +68,8 @@ struct Verdict {
 
 // What was compared so far.
 struct Comparison {
-    std::vector<IslandError> errors, before;  // of the last two pairs of runs
+    std::vector<IslandError> errors, before; // of the last two pairs of runs
+    std::vector<IslandError> rough;          // of a still looser run, where the first two are equal
     std::vector<double> looser, loose, tight; // tolerances of the last three runs
     std::vector<int> failures;                // to come closer, by body
     std::vector<BodyError> known;             // of the tightest run, by body
@@ -92,9 +93,10 @@ Verdict judge(const Problem& problem, Comparison& c) {
             continue;
         const double error = c.errors[b].largest;
         // Equal runs: tolerances below the rounding of positions. The pair before says more.
-        if (error == 0 && !c.before.empty()) {
-            c.known[b] = {.estimate = std::min(c.before[b].largest, 1.0),
-                          .predictableUntil = c.before[b].beyondFrom};
+        const std::vector<IslandError>& last = c.before.empty() ? c.rough : c.before;
+        if (error == 0 && !last.empty()) {
+            c.known[b] = {.estimate = std::min(last[b].largest, 1.0),
+                          .predictableUntil = last[b].beyondFrom};
             continue;
         }
         const double gain = std::max(std::pow(c.tight[b] / c.loose[b], orderOf(b, c)), 1e-3);
@@ -118,8 +120,13 @@ Verdict judge(const Problem& problem, Comparison& c) {
     return verdict;
 }
 
-bool areEqual(const std::vector<IslandError>& errors) {
-    return std::ranges::all_of(errors, [](const IslandError& e) { return e.largest == 0; });
+// Somewhere two runs at different tolerances are equal. What is done about it is of no consequence
+// elsewhere.
+bool anyAreEqual(const Comparison& c) {
+    for (std::size_t b = 0; b < c.errors.size(); ++b)
+        if (c.errors[b].largest == 0 && c.tight[b] != c.loose[b])
+            return true;
+    return false;
 }
 
 // Bodies of one island go by the tightest of them.
@@ -202,13 +209,13 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer) {
             return solved;
         }
         compared.errors = compareRuns(problem, before, run, accuracy);
-        if (compared.before.empty() && areEqual(compared.errors)) {
+        if (compared.before.empty() && anyAreEqual(compared)) {
             std::vector<double> looser = compared.loose;
             for (double& tolerance : looser)
                 tolerance *= loosening;
             const Run rough = runAt(problem, looser, silent);
             addWork(rough, solved);
-            compared.before = compareRuns(problem, rough, run, accuracy);
+            compared.rough = compareRuns(problem, rough, run, accuracy);
         }
         const Verdict verdict = judge(problem, compared);
         if (!verdict.again) {
