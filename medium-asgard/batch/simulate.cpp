@@ -82,17 +82,6 @@ bool tellStops(const SceneText& scene, const simulation::Motion& motion) {
     return !said.empty();
 }
 
-// An accuracy that the engine did not reach is never kept from who asked for it.
-void tellInaccuracy(const SceneText& scene, const simulation::Motion& motion, double accuracy) {
-    const double estimate = motion.errorEstimate().value_or(0);
-    if (motion.predictableUntil())
-        std::fprintf(stderr, "%s: warning: the accuracy %g is kept until t = %.6g s, not longer\n",
-                     scene.file.c_str(), accuracy, *motion.predictableUntil());
-    else if (estimate > accuracy)
-        std::fprintf(stderr, "%s: warning: the error is estimated as %.2g, the accuracy is %g\n",
-                     scene.file.c_str(), estimate, accuracy);
-}
-
 bool writeStatistics(const std::string& file, const simulation::Statistics& statistics,
                      double secondsReading) {
     Output output(file);
@@ -127,8 +116,6 @@ int compute(const SceneText& scene, const SimulateArguments& arguments,
     }
     for (const std::string& note : result.motion->notes())
         std::fprintf(stderr, "%s: warning: %s\n", scene.file.c_str(), note.c_str());
-    tellInaccuracy(scene, *result.motion,
-                   options.accuracy.value_or(scene.reading.scene.simulator.accuracy));
     const bool stopped = tellStops(scene, *result.motion);
     Output output(arguments.csv);
     if (!output.good() || !output.finish(writeTable(output.stream(), scene.reading.scene,

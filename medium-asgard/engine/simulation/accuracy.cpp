@@ -1,41 +1,83 @@
 #include "simulation/accuracy.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
 namespace simulation {
 namespace {
 
-constexpr std::size_t spacedTimes = 128, stepTimes = 2000;
+constexpr std::size_t spacedTimes = 64, stepTimes = 2000;
 
-// Where an error can peak: at the ends of the body's own steps, thinned when there are many.
+// Where an error can peak: at the ends of the body's own steps, and between them, thinned when
+// there are many. Equally spaced times where there are few.
 std::vector<double> timesOf(const Problem& problem, const BodyRecord& body,
                             const solution::Histories& histories, double until) {
     std::vector<double> times;
     const double start = problem.start();
-    for (std::size_t i = 0; i <= spacedTimes; ++i)
-        times.push_back(start + (until - start) * static_cast<double>(i) / spacedTimes);
-    std::vector<double> steps;
-    for (const std::size_t unknown : {physics::x, physics::y, physics::z, physics::qw}) {
+    std::vector<const solution::History*> seen;
+    for (const std::size_t kind : {physics::x, physics::y, physics::z, physics::qw}) {
+        const std::size_t unknown = body.firstUnknown + kind;
+        const solution::History* steps = histories.place(unknown, start).history;
+        if (std::ranges::find(seen, steps) != seen.end())
+            continue;
+        seen.push_back(steps);
         double t = start;
-        for (std::size_t guard = 0; t < until && guard < 50 * stepTimes; ++guard) {
-            const double next = histories.piece(body.firstUnknown + unknown, t).until;
+        for (std::size_t i = 0; t < until && i < 50 * stepTimes; ++i) {
+            const double next = histories.piece(unknown, t).until;
             if (!(next > t) || next > until)
                 break;
-            steps.push_back(next);
+            times.push_back(i % 2 == 0 ? next : t + (next - t) / 2);
             t = next;
         }
     }
-    const std::size_t stride = steps.size() / stepTimes + 1;
-    for (std::size_t i = 0; i < steps.size(); i += stride)
-        times.push_back(steps[i]);
+    const std::size_t stride = times.size() / stepTimes + 1;
+    for (std::size_t i = 1; stride > 1 && i * stride < times.size(); ++i)
+        times[i] = times[i * stride];
+    times.resize((times.size() + stride - 1) / stride);
+    if (times.size() < spacedTimes)
+        for (std::size_t i = 0; i < spacedTimes; ++i)
+            times.push_back(start + (until - start) * static_cast<double>(i) / spacedTimes);
+    times.push_back(until);
     std::ranges::sort(times);
     return times;
 }
 
-double positionError(const BodyState& state, const Trace::Place& truth, double radius) {
-    const double angle = truth.attitude ? state.attitude.angularDistance(*truth.attitude) : 0;
+// Places of one body at times in order.
+class PlaceReader {
+public:
+    PlaceReader(const BodyRecord& body, const solution::Histories& histories)
+        : body_(body), histories_(histories) {}
+
+    Trace::Place at(double t) {
+        Trace::Place place;
+        for (std::size_t i = 0; i < 3; ++i)
+            place.position[static_cast<Eigen::Index>(i)] = value(i, body_.firstUnknown + i, t);
+        const std::size_t q = body_.firstUnknown + physics::qw;
+        place.attitude =
+            Quaternion(value(3, q, t), value(4, q + 1, t), value(5, q + 2, t), value(6, q + 3, t))
+                .normalized();
+        return place;
+    }
+
+private:
+    double value(std::size_t i, std::size_t unknown, double t) {
+        const auto [history, column] = histories_.place(unknown, t);
+        if (history->empty())
+            return histories_.value(unknown, t);
+        step_[i] = history->find(t, step_[i]);
+        return history->piece(step_[i], column).value(t);
+    }
+
+    const BodyRecord& body_;
+    const solution::Histories& histories_;
+    std::array<std::size_t, 7> step_{};
+};
+
+double positionError(const Trace::Place& state, const Trace::Place& truth, double radius) {
+    const double angle =
+        state.attitude && truth.attitude ? state.attitude->angularDistance(*truth.attitude) : 0;
     return std::max((state.position - truth.position).norm(), angle * radius);
 }
 
@@ -44,50 +86,81 @@ void extend(Eigen::AlignedBox3d& box, const Vector& position, double radius) {
     box.extend(Vector(position + Vector::Constant(radius)));
 }
 
+// In order of time, those that exceed all before by a tenth.
+void keepRecords(std::vector<std::pair<double, double>>& growth) {
+    std::ranges::sort(growth);
+    double largest = 0;
+    std::erase_if(growth, [&](const auto& sample) {
+        if (sample.second <= 1.1 * largest)
+            return true;
+        largest = std::isnan(sample.second) ? solution::infinity : sample.second;
+        return false;
+    });
+}
+
+// Calls visit(time, place in the first run, place in the second) where a body is compared.
+template <typename Visit>
+void compareBody(const Problem& problem, std::size_t b, const Run& first, const Run& second,
+                 const Visit& visit) {
+    const BodyRecord& body = (*problem.bodies)[b];
+    const double until = std::min({problem.finish(), knownUntil(body, *first.histories),
+                                   knownUntil(body, *second.histories)});
+    PlaceReader before(body, *first.histories), after(body, *second.histories);
+    for (const double t : timesOf(problem, body, *second.histories, until))
+        visit(t, before.at(t), after.at(t));
+}
+
 } // namespace
+
+double IslandError::beyondFrom(double limit) const {
+    for (const auto& [time, error] : growth)
+        if (!(error <= limit))
+            return time;
+    return solution::infinity;
+}
 
 std::vector<IslandError> compareRuns(const Problem& problem, const Run& first, const Run& second,
                                      double limit) {
-    struct Sample {
-        double time, error;
-    };
     const auto& bodies = *problem.bodies;
-    std::map<std::size_t, std::vector<Sample>> samples; // by island
-    std::map<std::size_t, Eigen::AlignedBox3d> boxes;
+    std::vector<IslandError> errors(bodies.size(),
+                                    {.size = 0, .far = 0, .largest = 0, .growth = {}});
+    std::vector<Eigen::AlignedBox3d> boxes(bodies.size()); // by island, as errors
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (bodies[b].isFixed)
             continue;
         const std::size_t island = second.island[b];
-        const double until = std::min({problem.finish(), knownUntil(bodies[b], *first.histories),
-                                       knownUntil(bodies[b], *second.histories)});
-        for (const double t : timesOf(problem, bodies[b], *second.histories, until)) {
-            const BodyState state = stateOf(bodies[b], *second.histories, t);
-            const BodyState other = stateOf(bodies[b], *first.histories, t);
-            const Trace::Place place{.position = state.position, .attitude = state.attitude};
-            samples[island].push_back({t, positionError(other, place, bodies[b].radius)});
-            extend(boxes[island], state.position, bodies[b].radius);
-        }
+        double& largest = errors[island].largest;
+        compareBody(problem, b, first, second,
+                    [&](double, const Trace::Place& place, const Trace::Place& truth) {
+                        const double error = positionError(place, truth, bodies[b].radius);
+                        if (!(error <= largest))
+                            largest = std::isnan(error) ? solution::infinity : error;
+                        extend(boxes[island], truth.position, bodies[b].radius);
+                    });
     }
-    std::map<std::size_t, IslandError> errors;
-    for (const auto& [island, list] : samples) {
-        IslandError error{.size = boxes[island].sizes().maxCoeff(),
-                          .largest = 0,
-                          .beyondFrom = solution::infinity};
-        for (const Sample& sample : list) {
-            const double scaled = sample.error / error.size;
-            if (!(scaled <= error.largest))
-                error.largest = scaled;
-            if (!(scaled <= limit))
-                error.beyondFrom = std::min(error.beyondFrom, sample.time);
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (!boxes[i].isEmpty()) {
+            errors[i].size = boxes[i].sizes().maxCoeff();
+            errors[i].far = std::max(boxes[i].min().cwiseAbs().maxCoeff(),
+                                     boxes[i].max().cwiseAbs().maxCoeff());
+            errors[i].largest /= errors[i].size;
         }
-        errors[island] = error;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (bodies[b].isFixed || !(errors[second.island[b]].largest > limit))
+            continue;
+        IslandError& error = errors[second.island[b]];
+        compareBody(problem, b, first, second,
+                    [&](double t, const Trace::Place& place, const Trace::Place& truth) {
+                        error.growth.emplace_back(t, positionError(place, truth, bodies[b].radius) /
+                                                         error.size);
+                    });
     }
-    std::vector<IslandError> byBody(bodies.size(),
-                                    {.size = 0, .largest = 0, .beyondFrom = solution::infinity});
+    for (IslandError& error : errors)
+        keepRecords(error.growth);
     for (std::size_t b = 0; b < bodies.size(); ++b)
         if (!bodies[b].isFixed)
-            byBody[b] = errors[second.island[b]];
-    return byBody;
+            errors[b] = errors[second.island[b]];
+    return errors;
 }
 
 Trace traceOf(const Motion& motion, std::size_t times) {
@@ -118,8 +191,12 @@ double scaledError(const Problem& problem, const std::vector<std::size_t>& islan
             const auto stop = motion.stop(b);
             const bool known =
                 t <= (stop ? std::min(stop->time, motion.finish()) : motion.computed());
-            const double error =
-                known ? positionError(motion.at(b, t), *place, radius) : solution::infinity;
+            double error = solution::infinity;
+            if (known) {
+                const BodyState state = motion.at(b, t);
+                error = positionError({.position = state.position, .attitude = state.attitude},
+                                      *place, radius);
+            }
             if (!(error <= errors[island[b]]))
                 errors[island[b]] = std::isnan(error) ? solution::infinity : error;
             extend(boxes[island[b]], place->position, radius);

@@ -8,19 +8,26 @@
 
 #include "simulation/run.h"
 
+#include <utility>
 #include <vector>
 
 namespace simulation {
 
 struct IslandError {
     double size = 0;
+    double far = 0;     // the largest distance from the origin along an axis
     double largest = 0; // scaled
-    double beyondFrom =
-        0; // the first time at which the scaled error exceeds `limit`; infinity: never
+    // How it grows, where it exceeds what compareRuns() was told: times, and the largest scaled
+    // error up to then.
+    std::vector<std::pair<double, double>> growth;
+
+    // The first time at which the scaled error exceeds `limit`; infinity: never.
+    [[nodiscard]] double beyondFrom(double limit) const;
 };
 
-// By body: the error of its island (bodies of one island share it). Compared at the steps of both
-// runs and at equally spaced times, as far as both are known.
+// By body: the error of its island (bodies of one island share it). Compared at the steps of the
+// second run, at their ends and middles in turn, as far as both are known. The growth of errors is
+// told of islands where the largest exceeds `limit`.
 [[nodiscard]] std::vector<IslandError> compareRuns(const Problem& problem, const Run& first,
                                                    const Run& second, double limit);
 

@@ -69,6 +69,9 @@ Result compose(const KnownMotion& known, Statistics work) {
         contents.errorEstimate = error.estimate;
     if (std::isfinite(error.predictableUntil))
         contents.predictableUntil = error.predictableUntil;
+    const double accuracy = known.version->scene->simulator.accuracy;
+    if (isEstimated && error.estimate > accuracy)
+        contents.notes.push_back(shortfallOf(accuracy, error.estimate, contents.predictableUntil));
     work.historyBytes = 0;
     for (const ComputedMotion::Part& part : contents.parts)
         work.historyBytes += part.histories->bytes();

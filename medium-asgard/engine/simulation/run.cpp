@@ -2,6 +2,7 @@
 
 #include "scene/shape_of.h"
 #include "simulation/cpu_seconds.h"
+#include "simulation/nudge.h"
 #include "solution/partition.h"
 
 #include <algorithm>
@@ -187,11 +188,30 @@ problemOf(const scene::Scene& original, const Options& options) {
     return problem;
 }
 
+std::string shortfallOf(double accuracy, double estimate, std::optional<double> predictableUntil) {
+    constexpr double lost = 0.03; // of the size
+    char text[200];
+    if (predictableUntil && estimate > lost)
+        std::snprintf(text, sizeof text,
+                      "From t = %.4g s on the motion is not predictable to %.1g of its size, since "
+                      "it amplifies even rounding beyond that.",
+                      *predictableUntil, accuracy);
+    else
+        std::snprintf(text, sizeof text,
+                      "An accuracy of %.1g is not reached: rounding, and what the motion makes of "
+                      "it, leave an error of about %.1g of its size.",
+                      accuracy, estimate);
+    return text;
+}
+
 MotionPointer Run::motion(const Problem& problem, bool draft, std::optional<double> errorEstimate,
                           std::optional<double> predictableUntil) const {
     std::vector<ComputedMotion::Place> places(problem.bodies->size());
     for (std::size_t b = 0; b < places.size(); ++b)
         places[b] = {.part = 0, .body = b};
+    std::vector<std::string> told = notes;
+    if (errorEstimate && *errorEstimate > problem.accuracy())
+        told.push_back(shortfallOf(problem.accuracy(), *errorEstimate, predictableUntil));
     return std::make_shared<ComputedMotion>(
         ComputedMotion::Contents{.start = problem.start(),
                                  .finish = problem.finish(),
@@ -200,16 +220,19 @@ MotionPointer Run::motion(const Problem& problem, bool draft, std::optional<doub
                                  .places = std::move(places),
                                  .stops = stops,
                                  .impacts = impacts,
-                                 .notes = notes,
+                                 .notes = std::move(told),
                                  .errorEstimate = errorEstimate,
                                  .predictableUntil = predictableUntil});
 }
 
-Run runAt(const Problem& problem, const std::vector<double>& tolerances, const Observer& observer) {
+Run runAt(const Problem& problem, const std::vector<double>& tolerances, const Observer& observer,
+          Rounding rounding) {
     const double begin = cpuSeconds();
-    // A hop that is lower than this moves nothing by more than the accuracy allows.
+    // A hop that is lower than this moves nothing by more than the accuracy allows. The nudged run
+    // follows lower ones, to show what they do.
+    const double hop = rounding == Rounding::nudged ? 1e-4 : 1e-3;
     const RestLimits limits{.gap = std::clamp(1e-2 * problem.accuracy(), 1e-8, 1e-6),
-                            .hopHeight = 1e-3 * problem.accuracy()};
+                            .hopHeight = hop * problem.accuracy()};
     std::optional<CollisionSource> collisions;
     if (problem.collides())
         collisions.emplace(problem.scene, problem.equations, problem.shapes, problem.start(),
@@ -239,7 +262,14 @@ Run runAt(const Problem& problem, const std::vector<double>& tolerances, const O
                 observer.progress(collect(*current).motion(problem, true, {}, {}));
             }
         };
-    solution::Solver solver(problem.prepared, options, collisions ? &*collisions : nullptr);
+    solution::EventSource* source = collisions ? &*collisions : nullptr;
+    std::optional<NudgedSource> nudgedSource;
+    if (rounding == Rounding::nudged) {
+        options.initial = nudgedStart(problem.equations.set);
+        if (source)
+            source = &nudgedSource.emplace(*source);
+    }
+    solution::Solver solver(problem.prepared, options, source);
     current = &solver;
     const double ready = cpuSeconds();
     const solution::Advance advance = solver.advanceTo(problem.finish());

@@ -57,12 +57,18 @@ struct Run {
                                        std::optional<double> predictableUntil) const;
 };
 
+// What is said of a motion whose estimated error exceeds the accuracy.
+[[nodiscard]] std::string shortfallOf(double accuracy, double estimate,
+                                      std::optional<double> predictableUntil);
+
 // Which bodies belong together when these impacts happen.
 [[nodiscard]] std::vector<std::size_t> islandsOf(const Problem& problem,
                                                  const std::vector<Impact>& impacts);
 
-// tolerances: of one step, relative, by body. Progress is published as a draft.
+// tolerances: of one step, relative, by body. Progress is published as a draft. A nudged run shows
+// what rounding does (nudge.h).
+enum class Rounding { asItIs, nudged };
 [[nodiscard]] Run runAt(const Problem& problem, const std::vector<double>& tolerances,
-                        const Observer& observer);
+                        const Observer& observer, Rounding rounding = Rounding::asItIs);
 
 } // namespace simulation

@@ -17,7 +17,7 @@ struct BodyError {
 
 struct Solved {
     Result result;
-    Run run;                       // that the result's motion shows
+    Run run; // that the result's motion shows
     bool isEstimated = false;
     std::vector<BodyError> errors; // by body, when estimated
     // Pairs of bodies that came near each other in any of the runs. Who is not joined by these, and

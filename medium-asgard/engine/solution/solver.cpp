@@ -28,7 +28,8 @@ Solver::Implementation::Implementation(std::shared_ptr<const PreparedEquations> 
     histories_.start_ = histories_.known_ = options_.start;
     histories_.tracks_.resize(set_->unknowns.size());
     for (std::size_t u = 0; u < set_->unknowns.size(); ++u)
-        histories_.tracks_[u].initial = set_->unknowns[u].initial;
+        histories_.tracks_[u].initial =
+            options_.initial.empty() ? set_->unknowns[u].initial : options_.initial[u];
     place(options_.start);
     noteStops();
 }
@@ -57,7 +58,7 @@ void Solver::Implementation::place(double t) {
     for (std::size_t c = 0; c < components_.size(); ++c) {
         std::vector<double> own;
         for (const std::size_t u : components_[c]->unknowns())
-            own.push_back(set_->unknowns[u].initial);
+            own.push_back(histories_.tracks_[u].initial);
         components_[c]->startAt(t, own);
     }
     for (std::size_t c = 0; c < components_.size(); ++c)

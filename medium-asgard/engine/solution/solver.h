@@ -57,6 +57,8 @@ struct Options {
     // Lengths that a component's extent is at least, per unknown (say, the diameter of its body);
     // the extent grows with the range of positions it has seen. Empty: none.
     std::vector<double> extents;
+    // Values of all unknowns at the start in place of the equations' own, 0 where those are 0.
+    std::vector<double> initial;
     std::string method = "auto"; // or a name of methodNames(): then for all components and states
     std::optional<double> fixedStep;
     std::optional<double> firstStep;

@@ -1,0 +1,51 @@
+#include "simulation/nudge.h"
+
+#include "physics/equations_of_motion.h"
+
+#include <bit>
+#include <limits>
+
+namespace simulation {
+namespace {
+
+// What the arithmetic of one impact rounds off, as measured on billiards (docs/numerics.md).
+constexpr double units = 3;
+
+bool isVelocity(std::size_t unknown) {
+    const std::size_t kind = unknown % physics::bodyUnknowns;
+    return (kind >= physics::dx && kind < physics::qw) || kind >= physics::w1;
+}
+
+// A number in -1 .. 1 that looks random (splitmix64).
+double signFor(double value, std::size_t kind) {
+    auto x = std::bit_cast<std::uint64_t>(value) + 0x9e3779b97f4a7c15ULL * (kind + 1);
+    x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+    x = (x ^ (x >> 27U)) * 0x94d049bb133111ebULL;
+    x ^= x >> 31U;
+    return 2 * static_cast<double>(x >> 11U) * 0x1p-53 - 1;
+}
+
+double nudged(double value, std::size_t unknown) {
+    if (!isVelocity(unknown))
+        return value;
+    const double sign = signFor(value, unknown % physics::bodyUnknowns);
+    return value * (1 + units * std::numeric_limits<double>::epsilon() * sign);
+}
+
+} // namespace
+
+std::vector<double> nudgedStart(const expression::EquationSet& equations) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < equations.unknowns.size(); ++i)
+        values.push_back(nudged(equations.unknowns[i].initial, i));
+    return values;
+}
+
+void NudgedSource::apply(const solution::Histories& histories, const solution::Event& event,
+                         solution::EquationsInForce& equations, solution::Changes& changes) {
+    source_.apply(histories, event, equations, changes);
+    for (solution::Changes::Jump& jump : changes.jumps)
+        jump.value = nudged(jump.value, jump.unknown);
+}
+
+} // namespace simulation

@@ -1,0 +1,35 @@
+// How much of a motion is rounding? The same run again, with velocities a few units in the last
+// place beside what they were wherever they are given: at the start, and after each impact. Where
+// the two runs part, rounding has grown so far that nobody could tell them apart from the truth.
+//
+// Places are left as they are, so that what touches goes on touching, and zeros stay zeros, so that
+// what never moves need not be modelled in the nudged run either. No randomness: the value itself
+// gives its nudge, whatever else is in the scene.
+#pragma once
+
+#include "expression/equations.h"
+#include "solution/event_source.h"
+
+#include <vector>
+
+namespace simulation {
+
+// Values of all unknowns at the start.
+[[nodiscard]] std::vector<double> nudgedStart(const expression::EquationSet& equations);
+
+class NudgedSource final : public solution::EventSource {
+public:
+    explicit NudgedSource(solution::EventSource& source) : source_(source) {}
+
+    [[nodiscard]] std::optional<solution::Event> next(const solution::Histories& histories,
+                                                      double known) override {
+        return source_.next(histories, known);
+    }
+    void apply(const solution::Histories& histories, const solution::Event& event,
+               solution::EquationsInForce& equations, solution::Changes& changes) override;
+
+private:
+    solution::EventSource& source_;
+};
+
+} // namespace simulation

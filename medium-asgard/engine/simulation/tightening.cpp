@@ -1,0 +1,157 @@
+#include "simulation/tightening.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace simulation {
+namespace {
+
+// Constants of the search, measured on all reference scenes (docs/numerics.md, "Accuracy").
+constexpr double firstTolerance = 0.5;   // of the accuracy, in the first run
+constexpr double loosest = 1e-3;         // and at most this
+constexpr double tightening = 1.0 / 8;   // between the first two runs
+constexpr double enough = 0.5;           // of the accuracy: the estimate that is accepted
+constexpr double aim = 0.15;             // and what is aimed at when it is not
+constexpr double rougher = 512;          // of a third run, when the first two are equal
+constexpr double largestStep = 1e-3;     // of tolerances, from run to run
+constexpr double caution = 2, lag = 0.9; // errors fall a little less than tolerances do
+constexpr double plausible = 0.03;       // larger differences say nothing of how errors behave
+constexpr double nearby = 3, far = 100;  // times the accuracy: differences that can be trusted
+constexpr int patience = 2; // pairs of runs that come no closer, before tightening is given up
+// What rounding does in a step, as a tolerance: where errors of the reference scenes stop falling.
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double roundingUnits = 64, leastUnits = 4;
+
+// Coordinates have more digits after the point the nearer they are to the origin.
+double coarseness(const IslandError& difference) {
+    return std::max(1.0, difference.size > 0 ? difference.far / difference.size : 1.0);
+}
+
+} // namespace
+
+Tightening::Tightening(double accuracy, std::size_t bodies)
+    : accuracy_(accuracy), loose_(bodies, std::min(firstTolerance * accuracy, loosest)),
+      tight_(bodies, tightening * std::min(firstTolerance * accuracy, loosest)), bodies_(bodies) {}
+
+Tightening::Outlook Tightening::outlook(std::size_t b, const IslandError& difference,
+                                        double rounding) const {
+    const Body& body = bodies_[b];
+    const double error = difference.largest;
+    Outlook outlook{.order = 1, .gain = 1, .estimate = 1, .isMeasured = false};
+    if (error > 0 && error < body.before && body.before < 0.1 && loose_[b] < body.looser) {
+        outlook.order = std::log(error / body.before) / std::log(loose_[b] / body.looser);
+        outlook.isMeasured = outlook.order > 0.7 && outlook.order < 1.45;
+        outlook.order = std::clamp(outlook.order, 0.5, 1.5);
+    }
+    const double ratio = std::max(tight_[b], rounding) / std::max(loose_[b], rounding);
+    outlook.gain = std::max(std::pow(ratio, lag * outlook.order), largestStep);
+    if (error == 0 && body.before > 0) // equal runs, by rounding: those before say more
+        outlook.estimate = std::min(body.before, 1.0);
+    else if (std::isfinite(error))
+        outlook.estimate = caution * outlook.gain * error +
+                           (error > 0 ? leastUnits * epsilon * coarseness(difference) : 0);
+    return outlook;
+}
+
+bool Tightening::isKept(const IslandError& difference, const Outlook& outlook) const {
+    const double trusted = (outlook.isMeasured ? far : nearby) * accuracy_;
+    return outlook.estimate <= enough * accuracy_ &&
+           difference.largest <= std::min(trusted, plausible);
+}
+
+// `factor`: of the difference, what the tighter run is off at each time.
+void Tightening::settle(std::size_t b, const IslandError& difference, double estimate,
+                        double factor, BodyError& error) {
+    bodies_[b].isSettled = true;
+    error = {.estimate = estimate,
+             .predictableUntil = estimate > accuracy_ ? difference.beyondFrom(accuracy_ / factor)
+                                                      : solution::infinity};
+}
+
+// The next tolerance of a body; its last one when it is settled.
+double Tightening::next(std::size_t b, const IslandError& difference, BodyError& known) {
+    Body& body = bodies_[b];
+    const double error = difference.largest, tight = tight_[b];
+    if (tight == loose_[b] && body.isSettled) // the same run again, for others
+        return tight;
+    const double rounding = roundingUnits * epsilon * coarseness(difference);
+    const Outlook ahead = outlook(b, difference, rounding);
+    const double growth = caution * ahead.gain; // from the difference to the tighter run's error
+    // Two wrong runs may differ as much as a wrong and a right one do: then they part later.
+    const bool isWrong = !(error <= plausible);
+    const double beyond = difference.beyondFrom(accuracy_);
+    const bool isNoCloser = body.before >= 0 && !(error < 0.5 * body.before) &&
+                            !(isWrong && beyond > 1.02 * body.beyondBefore);
+    const double unsettled = std::max(ahead.estimate, std::min(error, 1.0));
+    body.failures += isNoCloser ? 1 : 0;
+    body.before = error;
+    body.beyondBefore = beyond;
+    body.looser = loose_[b];
+    body.isSettled = false;
+    if (isKept(difference, ahead))
+        settle(b, difference, ahead.estimate, growth, known);
+    else if (body.failures >= patience)
+        settle(b, difference, unsettled, 1, known);
+    else if (tight <= rounding)
+        settle(b, difference, isWrong ? unsettled : ahead.estimate, growth, known);
+    if (body.isSettled)
+        return tight;
+    const double left = error * ahead.gain; // the error of the tighter run
+    const double wanted =
+        tight * std::clamp(std::isfinite(left) ? aim * accuracy_ / left : 0, largestStep, 0.25);
+    // Where motion becomes unpredictable is best seen by two runs that are both as good as can be.
+    const double last = rounding / tightening;
+    return isWrong && tight > 1.01 * last ? std::max(wanted, last) : std::max(wanted, rounding);
+}
+
+void Tightening::leaveExact(const Run& run) {
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        if (!run.isIntegrated[b]) {
+            tight_[b] = loose_[b];
+            bodies_[b].isSettled = true;
+        }
+    share(run.island);
+}
+
+bool Tightening::isEqual(std::size_t b, const IslandError& difference) const {
+    return difference.largest == 0 && difference.size > 0 && tight_[b] != loose_[b] &&
+           !bodies_[b].isSettled && bodies_[b].before < 0;
+}
+
+bool Tightening::needsRougher(const std::vector<IslandError>& differences) const {
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        if (isEqual(b, differences[b]))
+            return true;
+    return false;
+}
+
+void Tightening::roughen(const std::vector<IslandError>& differences) {
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        if (isEqual(b, differences[b]))
+            loose_[b] = std::max(rougher * loose_[b],
+                                 rougher * roundingUnits * epsilon * coarseness(differences[b]));
+}
+
+void Tightening::judge(const std::vector<IslandError>& differences,
+                       const std::vector<std::size_t>& island, std::vector<BodyError>& errors) {
+    std::vector<double> wanted(bodies_.size());
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        wanted[b] = next(b, differences[b], errors[b]);
+    loose_ = std::exchange(tight_, wanted);
+    share(island);
+}
+
+// Bodies of one island go by the tightest of them.
+void Tightening::share(const std::vector<std::size_t>& island) {
+    std::vector<double> least(bodies_.size(), solution::infinity);
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        least[island[b]] = std::min(least[island[b]], tight_[b]);
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        tight_[b] = least[island[b]];
+}
+
+bool Tightening::goesOn() const { return !std::ranges::all_of(bodies_, &Body::isSettled); }
+
+} // namespace simulation

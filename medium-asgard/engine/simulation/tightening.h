@@ -1,0 +1,73 @@
+// At which tolerances is the accuracy kept, and how far off is the motion then?
+//
+//     Tightening search(accuracy, bodies)
+//     loose = run at search.loose()
+//     repeat
+//         tight = run at search.tight()
+//         search.judge(differences of the two, islands of the tight run, errors)
+//         loose = tight
+//     while search.goesOn()
+//     the motion is that of the tight run, and `errors` are its
+//
+// The difference of two runs is the error of the looser one. The tighter one's is less by as much
+// as errors follow tolerances, but no tolerance counts for less than what rounding does in a step.
+// An island is settled when that estimate is well below the accuracy, or when tightening does not
+// help any more: then what is left is rounding, or motion that amplifies it.
+#pragma once
+
+#include "simulation/accuracy.h"
+#include "simulation/solved.h"
+
+#include <vector>
+
+namespace simulation {
+
+class Tightening {
+public:
+    Tightening(double accuracy, std::size_t bodies);
+
+    // What one step may err, relative, by body.
+    [[nodiscard]] const std::vector<double>& loose() const { return loose_; }
+    [[nodiscard]] const std::vector<double>& tight() const { return tight_; }
+
+    // What is not integrated is the same at any tolerance, but for how expressions that hold it are
+    // fitted: it keeps the first one.
+    void leaveExact(const Run& run);
+    // Equal runs: their tolerances were both below what rounding does. Then roughen() makes loose()
+    // of such bodies large enough for a run that differs.
+    [[nodiscard]] bool needsRougher(const std::vector<IslandError>& differences) const;
+    void roughen(const std::vector<IslandError>& differences);
+    // Takes the differences between the runs at loose() and tight(), by body, writes the errors of
+    // the tighter one where they are known now, and says which tolerances to compare next: then
+    // loose() is what tight() was.
+    void judge(const std::vector<IslandError>& differences, const std::vector<std::size_t>& island,
+               std::vector<BodyError>& errors);
+    [[nodiscard]] bool goesOn() const;
+
+private:
+    struct Body {
+        double before = -1; // the difference of the runs compared before; negative: none were
+        double looser = 0;  // the tolerance of the looser of them
+        double beyondBefore = 0;
+        int failures = 0; // to come closer
+        bool isSettled = false;
+    };
+    struct Outlook { // for the tighter run
+        double order = 0, gain = 0, estimate = 0;
+        bool isMeasured = false; // the order, by two pairs of runs
+    };
+    [[nodiscard]] bool isEqual(std::size_t b, const IslandError& difference) const;
+    [[nodiscard]] Outlook outlook(std::size_t b, const IslandError& difference,
+                                  double rounding) const;
+    [[nodiscard]] bool isKept(const IslandError& difference, const Outlook& outlook) const;
+    [[nodiscard]] double next(std::size_t b, const IslandError& difference, BodyError& error);
+    void settle(std::size_t b, const IslandError& difference, double estimate, double factor,
+                BodyError& error);
+    void share(const std::vector<std::size_t>& island);
+
+    double accuracy_;
+    std::vector<double> loose_, tight_;
+    std::vector<Body> bodies_;
+};
+
+} // namespace simulation
