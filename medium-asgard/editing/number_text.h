@@ -1,0 +1,14 @@
+// Numbers that gestures write.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace editing {
+
+// `value` in as many digits as the gesture can tell apart, and as many decimals as the author
+// wrote before: "-5" dragged to -4.3712 by hundredths is "-4.37", "1.50" dragged to 2 is "2.00".
+// Reads back as a number within half of `resolution` of `value`; 0: exactly.
+[[nodiscard]] std::string numberText(double value, double resolution, std::string_view before = "");
+
+} // namespace editing

@@ -1,0 +1,102 @@
+#include "editing/overrides.h"
+
+#include "editing/number_text.h"
+#include "script/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace editing {
+
+using script::Command;
+using script::Word;
+
+namespace {
+
+std::string asList(const std::vector<double>& values, double resolution) {
+    std::string text;
+    for (const double value : values)
+        text += (text.empty() ? "" : " ") + numberText(value, resolution);
+    return values.size() == 1 ? text : "{" + text + "}";
+}
+
+// A word as an operand of Tcl's expr: what it was, as a text.
+std::string operand(const Word& word, const Origins& origins) {
+    const std::string text = origins.slice(word.range);
+    if (word.braced || word.quoted || text.front() == '[' || variableIn(text))
+        return text;
+    return script::decimalNumber(text) ? text : "\"" + text + "\"";
+}
+
+const Word* wordAt(const Command& command, const scene::Source& source, const std::string& option) {
+    for (const scene::Argument& argument : source.arguments)
+        for (const Word& word : command.words)
+            if (argument.option == option && word.range == argument.word && !word.expanded)
+                return &word;
+    return nullptr;
+}
+
+// [expr {"b$i" eq "b3" ? {12 0 0} : "$i 0 0"}] in place of "$i 0 0".
+std::optional<Offer> onlyThis(const Making& making, const Wish& wish, const Origins& origins) {
+    const Word* name = wordAt(making.command, making.source, "");
+    if (making.name.empty() || !name || name->literal || !wish.path.empty())
+        return std::nullopt;
+    const std::string test = operand(*name, origins) + " eq \"" + making.name + "\" ? " +
+                             asList(wish.values, wish.resolution);
+    Offer offer;
+    offer.label = "Only " + making.name;
+    if (const Word* word = wordAt(making.command, making.source, wish.option)) {
+        offer.edits.push_back({word->range.from, word->range.to,
+                               "[expr {" + test + " : " + operand(*word, origins) + "}]"});
+    } else if (wish.absent.size() == wish.values.size()) {
+        const std::size_t end = making.command.range.to;
+        offer.edits.push_back(
+            {end, end,
+             " " + wish.option + " [expr {" + test + " : " + asList(wish.absent, 0) + "}]"});
+    } else {
+        return std::nullopt;
+    }
+    return offer;
+}
+
+// The numbers of the command's own text become others: for all that it makes.
+std::optional<Offer> allOfThem(const Making& making, const Wish& wish, const Origins& origins) {
+    const Word* word = wordAt(making.command, making.source, wish.option);
+    if (!word)
+        return std::nullopt;
+    const std::vector<Origin> from =
+        wish.values.size() == 1 && wish.path.empty()
+            ? std::vector<Origin>{origins.ofScalar(making.command, *word)}
+            : origins.ofList(making.command, *word, wish.path);
+    if (from.size() < wish.values.size())
+        return std::nullopt;
+    Offer offer;
+    offer.label = "All " + std::to_string(making.together);
+    for (std::size_t i = 0; i < wish.values.size(); ++i) {
+        if (!from[i].reason.empty())
+            continue; // what differs from one to the next stays
+        const std::string before = origins.slice(from[i].literal);
+        const auto old = script::decimalNumber(before);
+        if (!old || std::abs(*old - wish.values[i]) <= 0.5 * wish.resolution)
+            continue;
+        offer.edits.push_back({from[i].literal.from, from[i].literal.to,
+                               numberText(wish.values[i], wish.resolution, before)});
+    }
+    if (offer.edits.empty())
+        return std::nullopt;
+    std::ranges::sort(offer.edits, {}, &TextEdit::from);
+    return offer;
+}
+
+} // namespace
+
+std::vector<Offer> offersFor(const Making& making, const Wish& wish, const Origins& origins) {
+    std::vector<Offer> offers;
+    if (auto offer = onlyThis(making, wish, origins))
+        offers.push_back(std::move(*offer));
+    if (auto offer = allOfThem(making, wish, origins))
+        offers.push_back(std::move(*offer));
+    return offers;
+}
+
+} // namespace editing

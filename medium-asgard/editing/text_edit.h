@@ -1,0 +1,20 @@
+// A change of a scene's text.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace editing {
+
+// Bytes [from, to) of the old text become `text`.
+struct TextEdit {
+    std::size_t from = 0, to = 0;
+    std::string text;
+    bool operator==(const TextEdit&) const = default;
+};
+
+// Edits are of the text as it was, in order and apart from each other.
+[[nodiscard]] std::string applied(const std::string& text, const std::vector<TextEdit>& edits);
+
+} // namespace editing

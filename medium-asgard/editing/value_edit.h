@@ -1,0 +1,90 @@
+// What change of the text gives this value to that element?
+//
+// A gesture in a picture is a change of the text (dissertation 4.2.2): the numbers that it moves
+// are rewritten where they stand, and no other byte. A number can be rewritten when its bytes are
+// the value's own; when it comes through one variable or a parameter, there; in an expression like
+// "-10 * b1.mass", when it is the factor. What a loop, a procedure or another expression makes is
+// never replaced unasked: the answer says what makes it and where, and offers what can be done.
+//
+// Reference: dissertation 4.2.2; docs/scene-language.md.
+#pragma once
+
+#include "editing/text_edit.h"
+
+#include "scene/scene.h"
+#include "script/structure.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace editing {
+
+enum class Kind {
+    simulator,
+    shapeSet,
+    body,
+    force,
+    link,
+    trajectory,
+    constraint,
+    light,
+    view,
+    parameter,
+    plot
+};
+
+// An element by its kind and its place in the scene's list of that kind.
+struct Element {
+    Kind kind = Kind::body;
+    std::size_t index = 0;
+};
+
+// New numbers for one option of an element.
+struct Wish {
+    Element element;
+    std::string option;            // "-init_pos"; "-points" with a path for one point
+    std::vector<std::size_t> path; // into nested lists: which element of the list, then of that
+    std::vector<double> values;
+    double resolution = 0; // differences below half of it are none; 0: exact
+    // What stands when the option does not; a wish for just that changes nothing then.
+    std::vector<double> absent = {};
+};
+
+// A change that is possible, but only if the author wants it.
+struct Offer {
+    std::string label; // "Only b3: ...", "All 4: ..."
+    std::vector<TextEdit> edits;
+};
+
+struct Answer {
+    std::vector<TextEdit> edits; // empty with an empty reason: nothing changes
+    std::string reason;          // why the text cannot be changed so: one sentence
+    scene::Range cause;          // what is meant by it, where it has a place
+    std::vector<Offer> offers;
+    [[nodiscard]] bool possible() const { return reason.empty(); }
+};
+
+// Answers for one text and the scene that was read from it.
+class Mapper {
+public:
+    // `factor` gives the value of a name in an expression that does not change ("b1.mass");
+    // nothing: not known. Both are kept.
+    using Factor = std::function<std::optional<double>(const std::string& name)>;
+    Mapper(std::string text, std::shared_ptr<const scene::Scene> scene, Factor factor = {});
+
+    [[nodiscard]] Answer answer(const Wish& wish) const;
+    [[nodiscard]] const scene::Source* sourceOf(const Element& element) const;
+    [[nodiscard]] std::string
+    nameOf(const Element& element) const; // "body \"b1\"", "the force of line 7"
+
+private:
+    std::string text_;
+    std::shared_ptr<const scene::Scene> scene_;
+    Factor factor_;
+    script::Structure structure_;
+};
+
+} // namespace editing
