@@ -4,6 +4,7 @@
 #include "render/handles.h"
 
 #include <QKeyEvent>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
@@ -167,6 +168,11 @@ void SceneDisplay::followView(const QString& name) {
     redraw(false);
 }
 
+render::Drawing SceneDisplay::drawing() const {
+    return {document_.shown().scene.get(), document_.shown().motion, time_, control_.camera(),
+            display_};
+}
+
 std::vector<geometry::Vector> SceneDisplay::verticesAndHandles() const {
     const Shown& shown = document_.shown();
     std::vector<geometry::Vector> points;
@@ -175,10 +181,8 @@ std::vector<geometry::Vector> SceneDisplay::verticesAndHandles() const {
         for (const render::Ball& ball : render::outlineOf(*shown.scene, shown.scene->bodies[i]))
             points.push_back(pose.toWorld(ball.center));
     }
-    const render::Drawing drawing{shown.scene.get(), shown.motion, time_, control_.camera(),
-                                  display_};
     const double size = render::extentOf(*shown.scene, shown.motion.get()).size;
-    for (const render::Handle& handle : render::handlesOf(drawing, size))
+    for (const render::Handle& handle : render::handlesOf(drawing(), size))
         points.push_back(handle.place);
     return points;
 }
@@ -207,21 +211,94 @@ void SceneDisplay::centerAt(const QPointF& position) {
 
 void SceneDisplay::mousePressEvent(QMouseEvent* event) {
     const auto button = buttonOf(event->button());
-    // With Shift a button selects and edits: not this widget's affair.
-    if (!button || (event->modifiers() & Qt::ShiftModifier)) {
+    if (!button || drag_) {
         event->ignore();
         return;
     }
     updateCamera();
+    if (event->modifiers() & Qt::ShiftModifier) { // edits
+        if (*button == Button::left)
+            beginDrag(event->position());
+        return;
+    }
     control_.press(*button, inPixels(event->position()), pixelSize());
 }
 
 void SceneDisplay::mouseMoveEvent(QMouseEvent* event) {
-    if (control_.active() && control_.move(inPixels(event->position()), pixelSize()))
+    if (drag_) {
+        drag_->move(inPixels(event->position()));
+        Q_EMIT handleDragged();
+        update();
+    } else if (control_.active() && control_.move(inPixels(event->position()), pixelSize()))
         movedByUser();
 }
 
-void SceneDisplay::mouseReleaseEvent(QMouseEvent*) { control_.release(); }
+void SceneDisplay::mouseReleaseEvent(QMouseEvent* event) {
+    if (drag_ && event->button() == Qt::LeftButton)
+        endDrag(event->globalPosition().toPoint());
+    control_.release();
+}
+
+// --- handles -----------------------------------------------------------------------------------
+
+void SceneDisplay::beginDrag(const QPointF& position) {
+    constexpr double reach = 14;
+    framesItself_ = false; // the picture stays while what is in it moves
+    drag_ = HandleDrag::at(document_, drawing(), pixelSize(), inPixels(position),
+                           reach * devicePixelRatioF());
+    Q_EMIT handleDragged();
+    update();
+}
+
+void SceneDisplay::endDrag(const QPoint& global) {
+    const std::unique_ptr<HandleDrag> drag = std::move(drag_);
+    drag->finish();
+    Q_EMIT handleDragged();
+    update();
+    if (drag->answer().offers.empty())
+        return;
+    // It cannot be moved as it stands: what could be done instead?
+    QMenu menu(this);
+    menu.addSection(drag->words());
+    for (const editing::Offer& offer : drag->answer().offers) {
+        QString preview;
+        for (const editing::TextEdit& edit : offer.edits)
+            preview +=
+                (preview.isEmpty() ? "" : ", ") + QString::fromStdString(edit.text).trimmed();
+        QAction* action =
+            menu.addAction(tr("%1: %2").arg(QString::fromStdString(offer.label), preview));
+        connect(action, &QAction::triggered, this,
+                [&] { document_.setText(drag->textWith(offer), drag->label()); });
+    }
+    menu.exec(global);
+}
+
+void SceneDisplay::drawDrag(QPainter& painter) const {
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Eigen::Vector2d pixels =
+        render::toPixels(control_.camera(), pixelSize(), drag_->place()) / devicePixelRatioF();
+    const bool possible = drag_->answer().possible();
+    painter.setPen(QPen(possible ? QColor(20, 90, 200) : QColor(190, 40, 30), 2));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(QPointF(pixels.x(), pixels.y()), 11, 11);
+    const QString words = drag_->words();
+    const QRect space = rect().adjusted(width() / 3, 10, -12, -10);
+    const QRect needed = painter.boundingRect(space, Qt::AlignRight | Qt::TextWordWrap, words);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(255, 255, 255, 225));
+    painter.drawRoundedRect(needed.adjusted(-8, -4, 8, 4), 4, 4);
+    painter.setPen(possible ? QColor(30, 35, 45) : QColor(170, 30, 20));
+    painter.drawText(space, Qt::AlignRight | Qt::TextWordWrap, words);
+}
+
+// While a handle is dragged its keys are no shortcuts.
+bool SceneDisplay::event(QEvent* event) {
+    if (drag_ && event->type() == QEvent::ShortcutOverride) {
+        event->accept();
+        return true;
+    }
+    return QWidget::event(event);
+}
 
 void SceneDisplay::wheelEvent(QWheelEvent* event) {
     updateCamera();
@@ -231,7 +308,17 @@ void SceneDisplay::wheelEvent(QWheelEvent* event) {
 }
 
 void SceneDisplay::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_C && event->modifiers() == Qt::NoModifier)
+    constexpr double away = 6; // pixels for a press of a key
+    if (drag_) {
+        if (event->key() == Qt::Key_Escape) {
+            drag_->cancel();
+            drag_.reset();
+        } else if (event->key() == Qt::Key_Z || event->key() == Qt::Key_X) {
+            drag_->push(event->key() == Qt::Key_Z ? away : -away);
+        }
+        Q_EMIT handleDragged();
+        update();
+    } else if (event->key() == Qt::Key_C && event->modifiers() == Qt::NoModifier)
         centerAt(mapFromGlobal(QPointF(QCursor::pos())));
     else
         QWidget::keyPressEvent(event);
@@ -250,8 +337,7 @@ void SceneDisplay::drawImage() {
     if (image_.size() != QSize(size.width, size.height))
         image_ = QImage(size.width, size.height, QImage::Format_RGB32);
     image_.setDevicePixelRatio(devicePixelRatioF());
-    render::Drawing drawing{document_.shown().scene.get(), document_.shown().motion, time_,
-                            control_.camera(), display_};
+    render::Drawing drawing = this->drawing();
     drawing.display.samples = moving_ ? 1 : 4;
     const render::Image into{{reinterpret_cast<std::byte*>(image_.bits()),
                               static_cast<std::size_t>(image_.sizeInBytes())},
@@ -269,6 +355,8 @@ void SceneDisplay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     if (renderer_) {
         painter.drawImage(QPointF(0, 0), image_);
+        if (drag_)
+            drawDrag(painter);
         return;
     }
     painter.fillRect(rect(), palette().base());

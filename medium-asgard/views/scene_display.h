@@ -10,6 +10,7 @@
 #include "render/extent.h"
 #include "render/renderer.h"
 #include "render/view.h"
+#include "views/handle_drag.h"
 #include "views/scene_document.h"
 
 #include <QImage>
@@ -46,12 +47,16 @@ public:
     // mid-depth.
     void centerAt(const QPointF& position);
 
+    // What a drag says of itself, "" when there is none.
+    [[nodiscard]] QString words() const { return drag_ ? drag_->words() : QString(); }
+
     [[nodiscard]] QSize sizeHint() const override { return {640, 480}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
 
 Q_SIGNALS:
     void cameraChanged();
-    void viewFollowed(); // another named view, or none any more
+    void handleDragged(); // its words changed
+    void viewFollowed();  // another named view, or none any more
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -61,6 +66,7 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
     [[nodiscard]] render::Size pixelSize() const;
@@ -71,6 +77,10 @@ private:
     void movedByUser();
     void redraw(bool moving);
     void drawImage();
+    [[nodiscard]] render::Drawing drawing() const;
+    void beginDrag(const QPointF& position);
+    void endDrag(const QPoint& global);
+    void drawDrag(QPainter& painter) const;
     [[nodiscard]] std::vector<geometry::Vector> verticesAndHandles() const;
 
     SceneDocument& document_;
@@ -82,6 +92,7 @@ private:
     bool framesItself_ = true;
     QString followed_;
     std::optional<render::SceneView> view_; // the followed view, prepared
+    std::unique_ptr<HandleDrag> drag_;
     bool cameraIsOld_ = true;
     QImage image_;
     bool imageIsOld_ = true;

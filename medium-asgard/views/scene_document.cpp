@@ -7,6 +7,7 @@
 #include <QSaveFile>
 
 #include <algorithm>
+#include <utility>
 
 namespace views {
 
@@ -88,6 +89,30 @@ void SceneDocument::setText(const std::string& text, const QString& label) {
     replaceText(text);
     if (host_.changed) // last: who is told looks at the text
         host_.changed(edit, label);
+}
+
+void SceneDocument::preview(const std::string& text) {
+    if (host_.changed || (gesture_ && gesture_->revision != revision_) || text == text_)
+        return;
+    if (!gesture_)
+        gesture_ = Gesture{text_, revision_};
+    replaceText(text);
+    gesture_->revision = revision_;
+}
+
+void SceneDocument::finishPreview(const std::string& text, const QString& label) {
+    const auto gesture = std::exchange(gesture_, std::nullopt);
+    if (!gesture)
+        return setText(text, label);
+    if (gesture->revision != revision_)
+        return;
+    const TextEdit edit = editBetween(gesture->before, text);
+    if (gesture->before != text) {
+        done_.push_back({edit, gesture->before.substr(edit.from, edit.to - edit.from), label});
+        undone_.clear();
+    }
+    if (text != text_)
+        replaceText(text);
 }
 
 void SceneDocument::setTextFromHost(const std::string& text) {

@@ -11,6 +11,7 @@
 // setComputed(); then the workshop is empty and nothing is computed twice.
 #pragma once
 
+#include "editing/text_edit.h"
 #include "scene/diagnostic.h"
 #include "script/reader.h"
 #include "simulation/simulation.h"
@@ -36,11 +37,8 @@ struct Workshop {
         simulate;
 };
 
-// Bytes [from, to) of the old text become `text`.
-struct TextEdit {
-    std::size_t from = 0, to = 0;
-    std::string text;
-};
+using editing::TextEdit;
+
 // The smallest one that makes `after` of `before`, at character boundaries of UTF-8.
 [[nodiscard]] TextEdit editBetween(const std::string& before, const std::string& after);
 
@@ -89,6 +87,11 @@ public:
 
     // A view's change: one step of undo.
     void setText(const std::string& text, const QString& label);
+    // While a gesture lasts, texts are shown and read that are no steps of undo; what it ends with
+    // is one. A change from elsewhere meanwhile ends the gesture: then nothing more of it is taken.
+    // LIMIT: under a host the text follows at the end only.
+    void preview(const std::string& text);
+    void finishPreview(const std::string& text, const QString& label);
     // Computes the motion again from the current text.
     void recompute();
 
@@ -153,6 +156,11 @@ private:
     Work work_ = Work::none;
     HostLink host_;
     std::vector<Change> done_, undone_;
+    struct Gesture {
+        std::string before;
+        int revision; // of the last preview
+    };
+    std::optional<Gesture> gesture_;
     std::unique_ptr<Worker> worker_;
 };
 

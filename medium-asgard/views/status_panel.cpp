@@ -87,8 +87,9 @@ void StatusPanel::addSwitches(const render::Display& display) {
     add(tr("&Ground"), tr("A grid under the scene, and shadows"), &Display::grid);
     add(tr("&Axes"), tr("The world's axes: x red, y green, z blue"), &Display::axes);
     add(tr("&Wireframe"), tr("Edges only"), &Display::wireframe);
-    add(tr("&Position handles"), tr("Where bodies start: orange balls"), &Display::positionHandles);
-    add(tr("Ve&locity handles"), tr("Velocities at the start: green arrows"),
+    add(tr("&Position handles"), tr("Where bodies start: orange balls, dragged with Shift"),
+        &Display::positionHandles);
+    add(tr("Ve&locity handles"), tr("Velocities at the start: green arrows, dragged with Shift"),
         &Display::velocityHandles);
     layout()->addWidget(group);
 }

@@ -139,6 +139,81 @@ TEST_F(ViewersTest, DraggingTurnsTheViewAndFrameAllBringsItBack) {
     EXPECT_TRUE(viewer->display().camera().rotation.isApprox(framed.rotation));
 }
 
+// --- handles ---------------------------------------------------------------------------------
+
+// Presses, moves and lets go with Shift held, from the place of the scene's first position handle.
+class DraggingTest : public ViewersTest {
+protected:
+    void open(const std::string& text) {
+        editor.document().setText(text, "Edit");
+        ASSERT_TRUE(settle(editor.document()));
+        viewer = editor.openGraphicalViewer();
+        render::Display display = viewer->display().display();
+        display.positionHandles = true;
+        viewer->display().setDisplay(display);
+        viewer->display().lookAlong(geometry::Vector::UnitZ());
+        viewer->display().grab();
+        const SceneDisplay& shown = viewer->display();
+        const Eigen::Vector2d at =
+            render::toPixels(shown.camera(), {shown.width(), shown.height()},
+                             editor.document().shown().scene->bodies[0].initialPosition);
+        start =
+            QPoint(static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y())));
+    }
+    void drag(QPoint by, bool release = true) {
+        SceneDisplay& display = viewer->display();
+        QTest::mousePress(&display, Qt::LeftButton, Qt::ShiftModifier, start);
+        QMouseEvent move(QEvent::MouseMove, start + by, display.mapToGlobal(start + by),
+                         Qt::NoButton, Qt::LeftButton, Qt::ShiftModifier);
+        QApplication::sendEvent(&display, &move);
+        if (release)
+            QTest::mouseRelease(&display, Qt::LeftButton, Qt::ShiftModifier, start + by);
+    }
+    const std::string& text() { return editor.document().text(); }
+
+    GraphicalViewer* viewer = nullptr;
+    QPoint start;
+};
+
+TEST_F(DraggingTest, AHandleChangesItsNumbersAndNothingElseInOneStep) {
+    const std::string before = "shape_set ball -desc {-sub {-sphere 0.5}}   ;# a ball\n"
+                               "body b1 ball -init_pos {-1   0 0} -init_dpos {1 0 0}\n";
+    open(before);
+    drag({50, 0});
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_EQ(text().substr(0, before.find("-1 ")), before.substr(0, before.find("-1 ")));
+    EXPECT_NE(text().find("   0 0} -init_dpos {1 0 0}\n"), std::string::npos);
+    const double x = editor.document().shown().scene->bodies[0].initialPosition.x();
+    EXPECT_GT(x, -0.9);
+    editor.document().undo();
+    EXPECT_EQ(text(), before);
+    editor.document().redo();
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_EQ(editor.document().shown().scene->bodies[0].initialPosition.x(), x);
+}
+
+TEST_F(DraggingTest, TheTextFollowsWhileTheHandleMovesAndEscapeBringsItBack) {
+    open(ballScene);
+    drag({40, 30}, false);
+    EXPECT_NE(text(), ballScene);
+    EXPECT_TRUE(viewer->display().words().startsWith("b1: position "));
+    QTest::keyClick(&viewer->display(), Qt::Key_Z); // away from the viewer
+    EXPECT_EQ(text().find("{-1 0 0}"), std::string::npos);
+    QTest::keyClick(&viewer->display(), Qt::Key_Escape);
+    EXPECT_EQ(text(), ballScene);
+    EXPECT_EQ(viewer->display().words(), "");
+}
+
+TEST_F(DraggingTest, WhatAnExpressionMakesStaysAndSaysWhy) {
+    const std::string before = "shape_set ball -desc {-sub {-sphere 0.5}}\n"
+                               "body b1 ball -init_pos [list [expr {1 - 2}] 0 0]\n";
+    open(before);
+    drag({50, 0}, false);
+    EXPECT_EQ(viewer->display().words(), "-init_pos of body \"b1\" is computed by [expr {1 - 2}].");
+    QTest::mouseRelease(&viewer->display(), Qt::LeftButton, Qt::ShiftModifier, start);
+    EXPECT_EQ(text(), before);
+}
+
 TEST_F(ViewersTest, ShiftedButtonsDoNotMoveTheView) {
     GraphicalViewer* viewer = editor.openGraphicalViewer();
     viewer->display().grab();
