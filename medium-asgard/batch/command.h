@@ -25,7 +25,7 @@ struct SimulateArguments {
     std::string method;
     std::optional<double> fixedStep;
     bool whole = false, noEvents = false;
-    int threads = 1;
+    std::optional<int> threads; // none: as many as the machine has cores
     std::vector<std::string> set;
     std::optional<std::string> stats;
 };

@@ -27,7 +27,7 @@ std::optional<Refusal> wrongNumbers(const SimulateArguments& arguments) {
         return Refusal{wrongUsage, "--fixed-step wants a positive number"};
     if (arguments.finish && !std::isfinite(*arguments.finish))
         return Refusal{wrongUsage, "--finish wants a number"};
-    if (arguments.threads < 1)
+    if (arguments.threads && *arguments.threads < 1)
         return Refusal{wrongUsage, "--threads wants at least 1"};
     if (arguments.only && !arguments.quantities)
         return Refusal{wrongUsage, "--only wants --quantities"};
@@ -64,7 +64,7 @@ simulation::Options optionsOf(const SimulateArguments& arguments,
     options.fixedStep = arguments.fixedStep;
     options.whole = arguments.whole;
     options.eventDriven = !arguments.noEvents;
-    options.threads = arguments.threads;
+    options.threads = arguments.threads.value_or(0);
     options.parameters = std::move(parameters);
     return options;
 }

@@ -29,7 +29,7 @@ std::size_t Graph::hashOf(const Entry& entry) {
         hash = mixed(hash, std::bit_cast<std::uint64_t>(entry.value));
     if (entry.op == Op::symbol)
         hash = mixed(hash, entry.name);
-    return hash;
+    return hash ^ hash >> 32;
 }
 
 bool Graph::isSame(const Entry& a, const Entry& b) {
@@ -39,11 +39,28 @@ bool Graph::isSame(const Entry& a, const Entry& b) {
 }
 
 std::optional<Node> Graph::find(const Entry& entry, std::size_t hash) const {
-    const auto [first, last] = table_.equal_range(hash);
-    for (auto it = first; it != last; ++it)
-        if (isSame(entries_[it->second], entry))
-            return Node{it->second};
+    if (table_.empty())
+        return std::nullopt;
+    const std::size_t mask = table_.size() - 1;
+    for (std::size_t i = hash & mask; table_[i] != free; i = (i + 1) & mask)
+        if (isSame(entries_[table_[i]], entry))
+            return Node{table_[i]};
     return std::nullopt;
+}
+
+void Graph::enter(std::uint32_t index, std::size_t hash) {
+    const auto place = [this](std::uint32_t entry, std::size_t at) {
+        const std::size_t mask = table_.size() - 1;
+        for (at &= mask; table_[at] != free;)
+            at = (at + 1) & mask;
+        table_[at] = entry;
+    };
+    if (2 * entries_.size() > table_.size()) {
+        table_.assign(std::max<std::size_t>(64, 2 * table_.size()), free);
+        for (std::uint32_t i = 0; i < index; ++i)
+            place(i, hashOf(entries_[i]));
+    }
+    place(index, hash);
 }
 
 Node Graph::intern(const Entry& entry) {
@@ -58,7 +75,7 @@ Node Graph::intern(const Entry& entry) {
     }
     const auto index = static_cast<std::uint32_t>(entries_.size());
     entries_.push_back(entry);
-    table_.emplace(hash, index);
+    enter(index, hash);
     return Node{index};
 }
 

@@ -103,13 +103,16 @@ private:
     static std::size_t hashOf(const Entry& entry);
     static bool isSame(const Entry& a, const Entry& b);
     [[nodiscard]] std::optional<Node> find(const Entry& entry, std::size_t hash) const;
+    void enter(std::uint32_t index, std::size_t hash);
     Node intern(const Entry& entry);
     Node make(Op op, Node a, Node b, Node c);
 
     std::deque<Entry> entries_;
     std::vector<std::string> names_;
     std::unordered_map<std::string, Node> symbols_;
-    std::unordered_multimap<std::size_t, std::uint32_t> table_;
+    // Open addressing: the entry's index at the first free place from its hash on.
+    static constexpr std::uint32_t free = static_cast<std::uint32_t>(-1);
+    std::vector<std::uint32_t> table_;
 };
 
 // Infix text that parse() reads back to the same node.

@@ -2,6 +2,7 @@
 // method with small steps; and the dissertation's printed equations beside ours
 // (docs/numerics.md, "What the dissertation prints").
 #include "physics/equations_of_motion.h"
+#include "physics/scene_quantities.h"
 
 #include "expression/tape.h"
 #include "physics/testing.h"
@@ -20,6 +21,7 @@ public:
     explicit Moving(const scene::Scene& scene) : motion(scene) {
         if (!motion.faults.empty())
             throw std::invalid_argument(motion.faults.front());
+        motion.scope->setSceneNodes(sceneNodes(motion, scene));
         std::vector<Node> rates;
         for (const expression::Unknown& unknown : motion.set.unknowns) {
             inputs_.push_back(unknown.symbol);

@@ -3,7 +3,6 @@
 #include "expression/tape.h"
 #include "physics/body_phases.h"
 #include "physics/forces.h"
-#include "physics/scene_quantities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -224,7 +223,6 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene) {
     }
     times.erase(-std::numeric_limits<double>::infinity());
     breakpoints.assign(times.begin(), times.end());
-    scope->setSceneNodes(sceneNodes(*this, scene));
     if (!faults.empty())
         scope.reset();
 }

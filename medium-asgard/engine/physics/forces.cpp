@@ -39,16 +39,7 @@ NodeVector negated(Graph& g, const NodeVector& v) {
 ForceReader::ForceReader(Graph& g, const scene::Scene& scene, const Scope& scope,
                          std::vector<std::string>& faults)
     : g_(g), scene_(scene), scope_(scope), faults_(faults), bodies_(indexByName(scene.bodies)),
-      trajectories_(indexByName(scene.trajectories)) {
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-        const BodySymbols& body = scope.body(b);
-        const NodeQuaternion attitudeRate = body.attitudeRate(g);
-        for (std::size_t i = 0; i < 3; ++i)
-            positionRates_.emplace(body.position[i].index, body.velocity[i]);
-        for (std::size_t i = 0; i < 4; ++i)
-            positionRates_.emplace(body.attitude[i].index, attitudeRate[i]);
-    }
-}
+      trajectories_(indexByName(scene.trajectories)) {}
 
 void ForceReader::read(std::vector<Contribution>& contributions, std::vector<LinkNodes>& links) {
     for (std::size_t i = 0; i < scene_.forces.size(); ++i)
@@ -156,12 +147,26 @@ ForceReader::End ForceReader::bodyEnd(const scene::BodyEnd& end, std::size_t bod
             symbols.velocityOfArm(g_, arm)};
 }
 
+void ForceReader::findPositionRates() {
+    if (!positionRates_.empty())
+        return;
+    for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+        const BodySymbols& body = scope_.body(b);
+        const NodeQuaternion attitudeRate = body.attitudeRate(g_);
+        for (std::size_t i = 0; i < 3; ++i)
+            positionRates_.emplace(body.position[i].index, body.velocity[i]);
+        for (std::size_t i = 0; i < 4; ++i)
+            positionRates_.emplace(body.attitude[i].index, attitudeRate[i]);
+    }
+}
+
 // d point / dt along the motion: by time, and by every place and attitude that it reads.
 NodeVector ForceReader::rateOfPoint(const NodeVector& point) {
     NodeVector rate;
     for (std::size_t i = 0; i < 3; ++i) {
         rate[i] = differentiate(g_, point[i], scope_.time());
         for (const Node symbol : symbolsOf(g_, std::span(&point[i], 1))) {
+            findPositionRates();
             const auto found = positionRates_.find(symbol.index);
             if (found != positionRates_.end())
                 rate[i] = g_.add(rate[i],

@@ -38,6 +38,7 @@ private:
                   std::vector<LinkNodes>& links);
     End bodyEnd(const scene::BodyEnd& end, std::size_t body);
     End secondEnd(const scene::Link& link);
+    void findPositionRates();
     [[nodiscard]] NodeVector rateOfPoint(const NodeVector& point);
     [[nodiscard]] double dampingOf(const scene::Link& link) const;
     // A force in world axes at `arm` (body frame) from the centre of mass.

@@ -49,6 +49,8 @@ Quantities::Quantities(const scene::Scene& original, const Options& options, Mot
                        const std::vector<std::string>& expressions,
                        std::vector<std::string>& faults)
     : implementation_(std::make_unique<Implementation>()) {
+    if (expressions.empty())
+        return;
     scene::Scene scene = original;
     for (scene::Parameter& parameter : scene.parameters)
         if (const auto given = options.parameters.find(parameter.name);

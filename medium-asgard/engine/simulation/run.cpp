@@ -96,6 +96,7 @@ solution::Options solverOptions(const Problem& problem, const std::vector<double
     options.firstStep = problem.scene.simulator.firstStep;
     options.whole = problem.options.whole;
     options.eventDriven = problem.options.eventDriven;
+    options.threads = static_cast<std::size_t>(std::max(problem.options.threads, 0));
     options.cancelled = observer.cancelled;
     for (std::size_t b = 0; b < tolerances.size(); ++b)
         if (!(*problem.bodies)[b].isFixed) {

@@ -42,6 +42,8 @@ public:
     [[nodiscard]] const std::vector<std::size_t>& unknowns() const { return unknowns_; }
     [[nodiscard]] const std::shared_ptr<History>& history() const { return history_; }
     [[nodiscard]] double time() const { return time_; }
+    // Where its next step would end, as far as that is known; else time().
+    [[nodiscard]] double nextEnd() const { return time_ + proposed_; }
     [[nodiscard]] bool ended() const { return stop_.has_value(); }
     [[nodiscard]] const std::optional<Stop>& stop() const { return stop_; }
     [[nodiscard]] const std::vector<double>& values() const { return values_; }

@@ -151,6 +151,8 @@ void Component::findPlainRate() {
     const expression::Node rate = equations_->outputs()[0];
     if (equations_->graph().op(rate) == expression::Op::constant)
         plainRate_ = PlainRate{equations_->graph().value(rate), {}};
+    else if (const auto constant = equations_->constantOf(rate))
+        plainRate_ = PlainRate{*constant, {}};
     else if (const auto input = equations_->inputOf(rate))
         plainRate_ = PlainRate{0, equations_->inputs().unknowns()[*input]};
 }

@@ -46,28 +46,28 @@ Reads readsOf(const expression::EquationSet& equations, double from, const ZeroS
     return readsOf(equations, UnknownIndex(equations), from, zero);
 }
 
+std::vector<std::size_t> readsOf(const expression::EquationSet& equations,
+                                 const UnknownIndex& index, std::size_t unknown, double from,
+                                 const ZeroStates& zero) {
+    std::vector<std::size_t> reads;
+    const std::vector<Node> nodes = nodesAfter(equations.unknowns[unknown], from);
+    for (const Node symbol : zero.symbolsLeft(equations.graph, nodes))
+        if (const auto read = index.of(symbol))
+            reads.push_back(*read);
+    if (const auto four = index.quaternionOf(unknown))
+        std::ranges::copy_if(equations.quaternions[*four], std::back_inserter(reads),
+                             [&](std::size_t i) { return !zero.contains(i); });
+    std::ranges::sort(reads);
+    reads.erase(std::unique(reads.begin(), reads.end()), reads.end());
+    return reads;
+}
+
 Reads readsOf(const expression::EquationSet& equations, const UnknownIndex& index, double from,
               const ZeroStates& zero) {
     Reads reads(equations.unknowns.size());
-    for (std::size_t i = 0; i < equations.unknowns.size(); ++i) {
-        if (zero.contains(i))
-            continue;
-        const std::vector<Node> nodes = nodesAfter(equations.unknowns[i], from);
-        for (const Node symbol : zero.symbolsLeft(equations.graph, nodes))
-            if (const auto unknown = index.of(symbol))
-                reads[i].push_back(*unknown);
-    }
-    for (const auto& four : equations.quaternions) {
-        std::vector<std::size_t> turning;
-        std::ranges::copy_if(four, std::back_inserter(turning),
-                             [&](std::size_t i) { return !zero.contains(i); });
-        for (const std::size_t i : turning)
-            reads[i].insert(reads[i].end(), turning.begin(), turning.end());
-    }
-    for (auto& list : reads) {
-        std::sort(list.begin(), list.end());
-        list.erase(std::unique(list.begin(), list.end()), list.end());
-    }
+    for (std::size_t i = 0; i < reads.size(); ++i)
+        if (!zero.contains(i))
+            reads[i] = readsOf(equations, index, i, from, zero);
     return reads;
 }
 

@@ -44,6 +44,10 @@ using Reads = std::vector<std::vector<std::size_t>>;
                             double from, const ZeroStates& zero = {});
 [[nodiscard]] Reads readsOf(const expression::EquationSet& equations, double from,
                             const ZeroStates& zero = {});
+// Of one equation.
+[[nodiscard]] std::vector<std::size_t> readsOf(const expression::EquationSet& equations,
+                                               const UnknownIndex& index, std::size_t unknown,
+                                               double from, const ZeroStates& zero);
 
 struct Partition {
     // Unknowns of each component in order of index; components after those that they read.

@@ -16,7 +16,8 @@ namespace {
 
 class Generator {
 public:
-    explicit Generator(unsigned seed) : random_(seed) {}
+    explicit Generator(unsigned seed, std::string prefix = "u")
+        : random_(seed), prefix_(std::move(prefix)) {}
 
     double real(double low, double high) {
         return low + (high - low) * static_cast<double>(random_() % 100000) / 1e5;
@@ -59,7 +60,7 @@ public:
         const std::size_t count = 2 + below(5);
         std::vector<Line> result;
         for (std::size_t i = 0; i < count; ++i) {
-            const std::string name = "u" + std::to_string(i);
+            const std::string name = prefix_ + std::to_string(i);
             const std::string damping = "-" + number(real(0.1, 1)) + "*" + name;
             result.push_back({name, expression(count, 3) + damping, real(-2, 2)});
         }
@@ -68,8 +69,9 @@ public:
 
 private:
     static std::string number(double value) { return "(" + std::to_string(value) + ")"; }
-    std::string variable(std::size_t unknowns) { return "u" + std::to_string(below(unknowns)); }
+    std::string variable(std::size_t unknowns) { return prefix_ + std::to_string(below(unknowns)); }
     std::mt19937 random_;
+    std::string prefix_;
 };
 
 // Reverses given unknowns at given times.
@@ -140,6 +142,61 @@ TEST(RandomSystems, AreBoundedReproducibleAndIndependentOfTheSchedule) {
                 const double t = 0.1 * k;
                 ASSERT_EQ(a.histories().value(u, t), b.histories().value(u, t)) << seed << " " << t;
                 ASSERT_EQ(a.histories().value(u, t), c.histories().value(u, t)) << seed << " " << t;
+            }
+        }
+    }
+}
+
+namespace {
+
+// All numbers of a motion and of the work for it, to the last bit.
+std::string written(const Solver& solver, double finish) {
+    std::string text;
+    const Statistics s = solver.statistics();
+    for (const std::size_t count :
+         {s.steps, s.rejectedSteps, s.discardedSteps, s.evaluations, s.factorisations, s.events,
+          s.switches, s.integratedSteps, s.components, s.historyBytes, s.groups})
+        text += std::to_string(count) + " ";
+    char number[40];
+    for (std::size_t u = 0; u < solver.histories().unknowns(); ++u)
+        for (int k = 0; k <= 20; ++k) {
+            std::snprintf(number, sizeof number, "%a ",
+                          solver.histories().value(u, finish * k / 20));
+            text += number;
+        }
+    for (const Stop& stop : solver.histories().stops())
+        text += stop.sentence + " ";
+    return text;
+}
+
+} // namespace
+
+TEST(RandomSystems, MoveAndCountTheSameOnAnyNumberOfThreads) {
+    for (unsigned seed = 0; seed < rounds() / 20; ++seed) {
+        std::vector<Line> lines;
+        for (unsigned k = 0; k < 30; ++k)
+            for (const Line& line :
+                 Generator(1000 * seed + k, "g" + std::to_string(k) + "u").lines())
+                lines.push_back(line);
+        Generator generator(seed);
+        std::vector<Strikes::Strike> strikes(6);
+        for (Strikes::Strike& strike : strikes)
+            strike = {generator.real(0, 3), generator.below(lines.size())};
+        Options options = tolerance(1e-6);
+        options.maximumSteps = 20'000;
+        std::string first;
+        for (const std::size_t threads : {1, 2, 4, 8, 16}) {
+            options.threads = threads;
+            for (const bool isStruck : {true, false}) {
+                Strikes source(strikes);
+                Solver solver(equationsOf(lines), options, isStruck ? &source : nullptr);
+                ASSERT_EQ(solver.advanceTo(3).reached, 3);
+                const std::string text = written(solver, 3);
+                if (threads == 1 && isStruck)
+                    first = text;
+                if (isStruck) {
+                    ASSERT_EQ(text, first) << seed << ", " << threads << " threads";
+                }
             }
         }
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace solution {
@@ -21,7 +22,7 @@ Preparation preparationFor(const Options& options) {
 Solver::Implementation::Implementation(std::shared_ptr<const PreparedEquations> prepared,
                                        Options options, EventSource* source)
     : set_(prepared->set), prepared_(std::move(prepared)), options_(std::move(options)),
-      source_(source), zero_(prepared_->zero) {
+      source_(source), zero_(prepared_->zero), workers_(options_.threads) {
     assert(options_.method == "auto" ||
            std::ranges::find(methodNames(), options_.method) != methodNames().end());
     assert(prepared_->how.start == options_.start && prepared_->how.whole == options_.whole);
@@ -32,11 +33,6 @@ Solver::Implementation::Implementation(std::shared_ptr<const PreparedEquations> 
             options_.initial.empty() ? set_->unknowns[u].initial : options_.initial[u];
     place(options_.start);
     noteStops();
-}
-
-Partition Solver::Implementation::partition(double t) const {
-    const Reads reads = readsOf(*set_, prepared_->index, t, zero_);
-    return options_.whole ? wholePartition(reads) : partitionOf(reads, zero_);
 }
 
 std::unique_ptr<Component> Solver::Implementation::madeOf(std::vector<std::size_t> unknowns) {
@@ -54,16 +50,17 @@ void Solver::Implementation::place(double t) {
         addTracks(*components_.back(), t);
     }
     addZeroTracks();
-    connect(parts);
+    componentOf_ = parts.componentOf;
+    std::vector<std::size_t> places(components_.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    connect(parts, places);
     for (std::size_t c = 0; c < components_.size(); ++c) {
         std::vector<double> own;
         for (const std::size_t u : components_[c]->unknowns())
             own.push_back(histories_.tracks_[u].initial);
         components_[c]->startAt(t, own);
     }
-    for (std::size_t c = 0; c < components_.size(); ++c)
-        if (!components_[c]->ended())
-            live_.emplace(components_[c]->time(), c);
+    schedule_.arrange(parts, places);
 }
 
 void Solver::Implementation::addTracks(const Component& component, double t) {
@@ -84,20 +81,18 @@ void Solver::Implementation::addZeroTracks() {
         histories_.tracks_[u].spans.push_back({options_.start, history, 0});
 }
 
-void Solver::Implementation::connect(const Partition& partition) {
-    componentOf_ = partition.componentOf;
-    readers_.assign(partition.components.size(), {});
-    for (std::size_t c = 0; c < partition.components.size(); ++c)
+void Solver::Implementation::connect(const Partition& partition,
+                                     std::span<const std::size_t> places) {
+    readers_.resize(components_.size());
+    for (const std::size_t place : places)
+        readers_[place].clear();
+    for (std::size_t c = 0; c < places.size(); ++c)
         for (const std::size_t input : partition.reads[c])
-            readers_[input].push_back(c);
+            readers_[places[input]].push_back(places[c]);
 }
 
 // ---------------------------------------------------------------------------------------------
 // The schedule
-
-double Solver::Implementation::known() const {
-    return live_.empty() ? infinity : live_.begin()->first;
-}
 
 Component& Solver::Implementation::readyFor(Component& component) {
     Component* candidate = &component;
@@ -106,36 +101,67 @@ Component& Solver::Implementation::readyFor(Component& component) {
     return *candidate;
 }
 
-void Solver::Implementation::stepOne(Component& component) {
-    auto place = live_.extract({component.time(), componentOf_[component.unknowns()[0]]});
-    component.step();
-    if (component.ended()) {
-        noteStops();
-    } else {
-        place.value().first = component.time();
-        live_.insert(std::move(place));
+// On the calling thread only: what is asked there need not know of others.
+void Solver::Implementation::poll() {
+    if (!cancelled_ && options_.cancelled && options_.cancelled())
+        cancelled_ = true;
+}
+
+void Solver::Implementation::advanceGroup(std::size_t group, double until) {
+    const bool isCaller = std::this_thread::get_id() == caller_;
+    for (bool any = true; !cancelled_; any = false) {
+        if (isCaller)
+            poll();
+        const auto behind = schedule_.next(group, until, any, !options_.eventDriven);
+        if (!behind || cancelled_)
+            return;
+        Component& component = readyFor(*components_[*behind]);
+        component.step();
+        schedule_.stepped(componentOf_[component.unknowns()[0]]);
+        if (component.ended()) { // its readers must be told first
+            stopsChanged_ = true;
+            return;
+        }
     }
 }
 
-// Furthest behind first; without event-driven scheduling the first in order that is not done.
-Component* Solver::Implementation::nextOf(double finish) {
-    if (options_.eventDriven)
-        return known() < finish ? components_[live_.begin()->second].get() : nullptr;
-    for (const auto& component : components_)
-        if (!component->ended() && component->time() < finish)
-            return component.get();
-    return nullptr;
+// Starting threads costs more than a few small steps do.
+void Solver::Implementation::doRound(double until) {
+    constexpr std::size_t enough = 64; // unknowns
+    const bool unbroken = !source_ || !options_.eventDriven;
+    const Schedule::Round round = schedule_.nextRound(until, unbroken);
+    const auto advance = [&](std::size_t i) { advanceGroup(round.groups[i], round.until); };
+    caller_ = std::this_thread::get_id();
+    ++past_.rounds;
+    if (round.work < enough)
+        for (std::size_t i = 0; i < round.groups.size(); ++i)
+            advance(i);
+    else
+        workers_.forEach(round.groups.size(), advance, [this] { poll(); });
+    for (const std::size_t group : round.groups)
+        schedule_.settle(group);
+    if (stopsChanged_)
+        noteStops();
+}
+
+// Without events nothing but progress, and what is left when somebody cancels, asks for more than
+// one round.
+double Solver::Implementation::roundsEnd(double finish) const {
+    const double shown = (finish - options_.start) / 64;
+    const bool isShown = options_.progress || options_.cancelled;
+    return source_ || !isShown ? finish : std::min(finish, known() + shown);
 }
 
 void Solver::Implementation::run(double finish, Advance& advance) {
     double told = histories_.known_;
+    cancelled_ = false;
     for (;;) {
-        if (options_.cancelled && options_.cancelled()) {
+        poll();
+        doRound(roundsEnd(finish));
+        if (cancelled_) {
             advance.cancelled = true;
             return;
         }
-        if (Component* next = nextOf(finish))
-            stepOne(readyFor(*next));
         const bool complete = known() >= finish;
         histories_.known_ = std::min(known(), finish);
         if (histories_.known_ > told || complete) {
@@ -236,7 +262,8 @@ std::vector<std::size_t> Solver::Implementation::touchedBy(const Event& event,
             touch(reader);
     for (const std::size_t c : touched)
         isTouched_[c] = 0;
-    std::sort(touched.begin(), touched.end());
+    std::ranges::sort(touched,
+                      [this](std::size_t a, std::size_t b) { return schedule_.comesBefore(a, b); });
     return touched;
 }
 
@@ -262,10 +289,11 @@ void Solver::Implementation::resume(const Event& event, const Changes& changes,
 void Solver::Implementation::goBack(const std::vector<std::size_t>& components, double t) {
     for (const std::size_t c : components) {
         Component& component = *components_[c];
-        live_.erase({component.time(), c});
+        const bool had = component.ended();
         component.backTo(t);
-        if (!component.ended())
-            live_.emplace(component.time(), c);
+        if (had || component.ended())
+            stopsChanged_ = true;
+        schedule_.changed(c);
     }
 }
 
@@ -283,7 +311,8 @@ void Solver::Implementation::restart(const std::vector<std::size_t>& components,
     for (const std::size_t c : components) {
         components_[c]->restart(jumps[c]);
         if (components_[c]->ended())
-            live_.erase({components_[c]->time(), c});
+            stopsChanged_ = true;
+        schedule_.changed(c);
     }
 }
 
@@ -293,8 +322,9 @@ void Solver::Implementation::endThose(const Changes& changes) {
             const std::size_t c = componentOf_[u];
             if (c == noComponent || components_[c]->ended())
                 continue;
-            live_.erase({components_[c]->time(), c});
             components_[c]->end(Stop::Reason::source, {}, end.sentence);
+            stopsChanged_ = true;
+            schedule_.changed(c);
         }
 }
 
@@ -306,25 +336,29 @@ void Solver::Implementation::stopFor(const Event& event, Stop::Reason reason,
         const std::size_t c = componentOf_[u];
         if (c == noComponent || components_[c]->ended())
             continue;
-        live_.erase({components_[c]->time(), c});
         components_[c]->end(reason, {}, sentence);
+        stopsChanged_ = true;
+        schedule_.changed(c);
     }
     noteStops();
 }
 
 void Solver::Implementation::noteStops() {
-    if (histories_.stops_.empty() && std::none_of(components_.begin(), components_.end(),
-                                                  [](const auto& c) { return c->ended(); }))
+    if (!stopsChanged_.exchange(false))
+        return;
+    if (histories_.stops_.empty() &&
+        std::ranges::none_of(components_, [](const auto& c) { return c && c->ended(); }))
         return;
     histories_.stops_.clear();
     for (auto& track : histories_.tracks_)
         track.stop.reset();
-    for (const auto& component : components_)
-        if (const auto& stop = component->stop()) {
-            for (const std::size_t u : component->unknowns())
-                histories_.tracks_[u].stop = histories_.stops_.size();
-            histories_.stops_.push_back(*stop);
-        }
+    for (const auto& component : components_) {
+        if (!component || !component->stop())
+            continue;
+        for (const std::size_t u : component->unknowns())
+            histories_.tracks_[u].stop = histories_.stops_.size();
+        histories_.stops_.push_back(*component->stop());
+    }
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -346,6 +380,9 @@ std::shared_ptr<const Histories> Solver::Implementation::snapshot() const {
 Statistics Solver::Implementation::statistics() const {
     Statistics total = past_;
     for (const auto& component : components_) {
+        if (!component)
+            continue;
+        ++total.components;
         const ComponentStatistics s = component->statistics();
         total.steps += s.steps;
         total.integratedSteps += s.integratedSteps;
@@ -361,7 +398,7 @@ Statistics Solver::Implementation::statistics() const {
         total.largestComponent = std::max(total.largestComponent, s.unknowns.size());
         total.componentList.push_back(s);
     }
-    total.components = components_.size();
+    total.groups = schedule_.groups();
     total.historyBytes = histories_.bytes();
     total.zeroStates = zero_.unknowns();
     return total;

@@ -3,12 +3,14 @@
 //
 // The equations are cut into strongly connected components (partition.h). Each has its own time
 // points, method and step, and reads others through their dense output. A solver advances the
-// component that is furthest behind:
+// components that are furthest behind, in rounds (schedule.h):
 //
 //     advanceTo(finish):
 //         while some component is known for less than `finish`:
-//             component = the one furthest behind whose inputs are known far enough
-//             component.step()                      one accepted step, past `finish` if it likes,
+//             a round: each of the groups that are furthest behind, on any thread, until all of it
+//             has reached the round's end:
+//                 component = the one furthest behind whose inputs are known far enough
+//                 component.step()                  one accepted step, past the end if it likes,
 //                                                   or up to a switch, a phase's end, or its stop
 //             if all are known for longer than before:
 //                 while the source has an event up to there:
@@ -30,8 +32,7 @@
 // Determinism: a component's steps depend on its equations, its tolerance, its inputs' pieces and
 // its events, and on nothing else: not on `finish`, the other components, the thread, or the clock.
 // The numbers after an event follow from the state at the event alone, however far had been solved.
-//
-// LIMIT: one thread. Components hold no shared mutable state, so that several can advance at once.
+// Rounds follow from times and steps, so that counts too are the same for any number of threads.
 #pragma once
 
 #include "expression/equations.h"
@@ -62,11 +63,12 @@ struct Options {
     std::string method = "auto"; // or a name of methodNames(): then for all components and states
     std::optional<double> fixedStep;
     std::optional<double> firstStep;
-    bool whole = false;                    // one component of everything
-    bool eventDriven = true;               // false: run each component to the end before the next
+    bool whole = false;      // one component of everything
+    bool eventDriven = true; // false: run each component to the end before the next
+    std::size_t threads = 1; // 0: as many as the machine has cores; the motion is the same
     std::size_t maximumSteps = 20'000'000; // of one component
     std::size_t maximumEventsAtOnce = 10'000;
-    std::function<bool()> cancelled;            // polled between steps
+    std::function<bool()> cancelled; // polled between steps, on the thread of advanceTo()
     std::function<void(double known)> progress; // known grew; snapshot() may be called from here
 };
 
@@ -97,6 +99,8 @@ struct Statistics {
     std::size_t events = 0, switches = 0;
     std::size_t integratedSteps = 0; // 0: all is exact but for rounding
     std::size_t components = 0, largestComponent = 0, historyBytes = 0;
+    std::size_t groups = 0; // of components that read each other: what moves side by side
+    std::size_t rounds = 0;
     std::vector<ComponentStatistics> componentList; // those in force; ended ones are in the sums
     std::vector<std::size_t> zeroStates;            // unknowns that stayed 0 all the time
     std::vector<std::size_t> integrated;            // unknowns of components that a method stepped

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace solution {
 
@@ -75,86 +76,132 @@ std::vector<std::size_t> Solver::Implementation::woken(const Event& event, const
     return zero_.wake(*set_, event.time, roused);
 }
 
+// Whose equation is another from the event on: those that are given, and those that read what woke,
+// which had a 0 in its place.
+std::set<std::size_t> Solver::Implementation::changedBy(const Event& event, const Changes& changes,
+                                                        const std::vector<std::size_t>& woken) {
+    std::set<std::size_t> changed;
+    for (const auto& change : changes.equations)
+        changed.insert(change.unknown);
+    if (woken.empty())
+        return changed;
+    const Reads all = readsOf(*set_, prepared_->index, event.time);
+    for (std::size_t u = 0; u < all.size(); ++u)
+        if (std::ranges::any_of(
+                woken, [&](std::size_t w) { return std::ranges::binary_search(all[u], w); }))
+            changed.insert(u);
+    return changed;
+}
+
+// Groups of which an equation changed, and groups that these equations read now: no other can be
+// cut otherwise than before.
+Solver::Implementation::Region
+Solver::Implementation::regionOf(const Event& event, const std::set<std::size_t>& changed,
+                                 const std::vector<std::size_t>& woken) const {
+    std::set<std::size_t> groups;
+    const auto include = [&](std::size_t unknown) {
+        if (componentOf_[unknown] != noComponent)
+            groups.insert(schedule_.groupOf(componentOf_[unknown]));
+    };
+    for (const std::size_t u : changed) {
+        include(u);
+        if (!zero_.contains(u))
+            for (const std::size_t read : readsOf(*set_, prepared_->index, u, event.time, zero_))
+                include(read);
+    }
+    Region region{.groups = {groups.begin(), groups.end()},
+                  .components = {},
+                  .unknowns = woken,
+                  .partition = {}};
+    for (const std::size_t group : groups)
+        for (const std::size_t c : schedule_.components(group)) {
+            region.components.push_back(c);
+            const auto& own = components_[c]->unknowns();
+            region.unknowns.insert(region.unknowns.end(), own.begin(), own.end());
+        }
+    std::ranges::sort(region.unknowns);
+    Reads reads;
+    for (const std::size_t u : region.unknowns) {
+        auto& places = reads.emplace_back(readsOf(*set_, prepared_->index, u, event.time, zero_));
+        for (std::size_t& read : places)
+            read = static_cast<std::size_t>(std::ranges::lower_bound(region.unknowns, read) -
+                                            region.unknowns.begin());
+    }
+    region.partition = options_.whole ? wholePartition(reads) : partitionOf(reads);
+    for (auto& component : region.partition.components)
+        for (std::size_t& u : component)
+            u = region.unknowns[u];
+    return region;
+}
+
+// Just after the event. Cuts the components that had these unknowns.
+std::vector<double> Solver::Implementation::valuesAt(const Event& event, const Changes& changes,
+                                                     std::span<const std::size_t> unknowns) {
+    std::vector<double> values;
+    for (const std::size_t u : unknowns) {
+        double value = 0;
+        if (componentOf_[u] != noComponent) {
+            Component& was = *components_[componentOf_[u]];
+            was.backTo(event.time);
+            const auto column =
+                std::ranges::lower_bound(was.unknowns(), u) - was.unknowns().begin();
+            value = was.values()[static_cast<std::size_t>(column)];
+        }
+        for (const auto& jump : changes.jumps)
+            if (jump.unknown == u)
+                value = jump.value;
+        values.push_back(value);
+    }
+    return values;
+}
+
 // Components that keep their unknowns and equations stay as they are; others are made anew from the
 // values at the event. Answers with what must restart.
 std::vector<std::size_t> Solver::Implementation::replace(const Event& event, const Changes& changes,
                                                          const std::vector<std::size_t>& woken) {
-    std::set<std::size_t> changed;
-    for (const auto& change : changes.equations)
-        changed.insert(change.unknown);
-    if (!woken.empty()) { // who reads them had a 0 in their place
-        const Reads all = readsOf(*set_, prepared_->index, event.time);
-        for (std::size_t u = 0; u < all.size(); ++u)
-            if (std::ranges::any_of(
-                    woken, [&](std::size_t w) { return std::ranges::binary_search(all[u], w); }))
-                changed.insert(u);
-    }
-    const Partition partition = this->partition(event.time);
-    std::vector<std::unique_ptr<Component>> old = std::move(components_);
-    const std::vector<std::size_t> oldOf = componentOf_;
-    components_.clear();
-    connect(partition);
-
+    const std::set<std::size_t> changed = changedBy(event, changes, woken);
+    const Region region = regionOf(event, changed, woken);
     const auto stays = [&](const std::vector<std::size_t>& unknowns) {
-        const std::size_t c = oldOf[unknowns[0]];
-        const Component* was = c == noComponent ? nullptr : old[c].get();
-        return was && was->unknowns() == unknowns &&
-               std::none_of(unknowns.begin(), unknowns.end(),
-                            [&](std::size_t u) { return changed.contains(u); });
+        const std::size_t c = componentOf_[unknowns[0]];
+        return c != noComponent && components_[c]->unknowns() == unknowns &&
+               std::ranges::none_of(unknowns, [&](std::size_t u) { return changed.contains(u); });
     };
-    std::vector<std::size_t> isNew;
-    std::map<std::size_t, Stop> ended; // made of unknowns whose motion ended before
-    std::vector<std::vector<double>> values(partition.components.size());
-    for (std::size_t c = 0; c < partition.components.size(); ++c) {
-        const auto& unknowns = partition.components[c];
+    std::vector<std::size_t> places, isNew;
+    std::vector<std::vector<double>> values;
+    std::set<std::size_t> old(region.components.begin(), region.components.end());
+    for (const std::size_t group : region.groups)
+        schedule_.disband(group);
+    for (const auto& unknowns : region.partition.components) {
         if (stays(unknowns)) {
-            components_.push_back(nullptr);
+            places.push_back(componentOf_[unknowns[0]]);
+            old.erase(places.back());
             continue;
         }
-        isNew.push_back(c);
-        for (const std::size_t u : unknowns) {
-            if (oldOf[u] == noComponent) {
-                values[c].push_back(0);
-                continue;
-            }
-            Component& was = *old[oldOf[u]];
-            was.backTo(event.time);
-            const auto& own = was.unknowns();
-            const auto column = std::lower_bound(own.begin(), own.end(), u) - own.begin();
-            values[c].push_back(was.values()[static_cast<std::size_t>(column)]);
-        }
+        values.push_back(valuesAt(event, changes, unknowns));
+        places.push_back(components_.size());
+        isNew.push_back(places.back());
         components_.push_back(madeOf(unknowns));
     }
-    for (std::size_t c = 0; c < components_.size(); ++c)
-        if (!components_[c])
-            components_[c] = std::move(old[oldOf[partition.components[c][0]]]);
-    for (const auto& component : old)
-        if (component)
-            retire(*component);
-    for (const auto& jump : changes.jumps) {
-        const std::size_t c = componentOf_[jump.unknown];
-        if (c == noComponent)
-            continue;
-        const auto& own = partition.components[c];
-        const auto column = std::lower_bound(own.begin(), own.end(), jump.unknown) - own.begin();
-        if (!values[c].empty())
-            values[c][static_cast<std::size_t>(column)] = jump.value;
+    for (const std::size_t c : old) {
+        retire(*components_[c]);
+        components_[c].reset();
     }
+    for (std::size_t i = 0; i < places.size(); ++i)
+        for (const std::size_t u : region.partition.components[i])
+            componentOf_[u] = places[i];
+    connect(region.partition, places);
     for (const std::size_t c : isNew)
         addTracks(*components_[c], event.time);
-    for (const std::size_t c : isNew)
-        components_[c]->startAt(event.time, values[c]);
-    for (const auto& [c, stop] : ended)
-        components_[c]->end(stop.reason, {}, stop.sentence);
-    live_.clear();
-    for (std::size_t c = 0; c < components_.size(); ++c)
-        if (!components_[c]->ended())
-            live_.emplace(components_[c]->time(), c);
+    for (std::size_t i = 0; i < isNew.size(); ++i)
+        components_[isNew[i]]->startAt(event.time, values[i]);
+    stopsChanged_ = true;
+    schedule_.arrange(region.partition, places);
 
     Event again = event;
-    for (const std::size_t c : isNew)
-        again.touched.insert(again.touched.end(), partition.components[c].begin(),
-                             partition.components[c].end());
+    for (const std::size_t c : isNew) {
+        const auto& own = components_[c]->unknowns();
+        again.touched.insert(again.touched.end(), own.begin(), own.end());
+    }
     std::vector<std::size_t> touched = touchedBy(again, changes);
     goBack(touched, event.time);
     return touched;

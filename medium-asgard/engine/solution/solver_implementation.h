@@ -5,11 +5,16 @@
 #include "solution/component.h"
 #include "solution/partition.h"
 #include "solution/prepared_equations.h"
+#include "solution/schedule.h"
 #include "solution/solver.h"
+#include "solution/workers.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <set>
+#include <span>
+#include <thread>
 
 namespace solution {
 
@@ -26,9 +31,6 @@ public:
     Histories histories_;
 
 private:
-    using Identity = std::size_t; // of a component, in order of making: inputs before readers
-
-    [[nodiscard]] Partition partition(double t) const;
     [[nodiscard]] std::unique_ptr<Component> madeOf(std::vector<std::size_t> unknowns);
     void place(double t);
     void addZeroTracks();
@@ -37,12 +39,14 @@ private:
     [[nodiscard]] std::vector<std::size_t> woken(const Event& event, const Changes& changes);
     void change(const Event& event, const Changes& changes);
     void addTracks(const Component& component, double t);
-    void connect(const Partition& partition);
+    void connect(const Partition& partition, std::span<const std::size_t> places);
     void run(double finish, Advance& advance);
-    [[nodiscard]] Component* nextOf(double finish);
+    [[nodiscard]] double roundsEnd(double finish) const;
+    void doRound(double until);
+    void advanceGroup(std::size_t group, double until);
+    void poll();
     [[nodiscard]] Component& readyFor(Component& component);
-    void stepOne(Component& component);
-    [[nodiscard]] double known() const;
+    [[nodiscard]] double known() const { return schedule_.known(); }
 
     [[nodiscard]] bool handleEvents(double finish);
     void apply(const Event& event);
@@ -52,6 +56,17 @@ private:
     void goBack(const std::vector<std::size_t>& components, double t);
     void restart(const std::vector<std::size_t>& components, const Changes& changes);
     void endThose(const Changes& changes);
+    // What an event's new equations make of the components, in solver_equations.cpp.
+    struct Region { // all of the groups that they concern
+        std::vector<std::size_t> groups, components, unknowns;
+        Partition partition; // anew, of places in `unknowns`
+    };
+    [[nodiscard]] std::set<std::size_t> changedBy(const Event& event, const Changes& changes,
+                                                  const std::vector<std::size_t>& woken);
+    [[nodiscard]] Region regionOf(const Event& event, const std::set<std::size_t>& changed,
+                                  const std::vector<std::size_t>& woken) const;
+    [[nodiscard]] std::vector<double> valuesAt(const Event& event, const Changes& changes,
+                                               std::span<const std::size_t> unknowns);
     [[nodiscard]] std::vector<std::size_t> replace(const Event& event, const Changes& changes,
                                                    const std::vector<std::size_t>& woken);
     void retire(Component& component);
@@ -62,11 +77,15 @@ private:
     Options options_;
     EventSource* source_;
     ZeroStates zero_;
-    std::vector<std::unique_ptr<Component>> components_; // inputs before readers
+    std::vector<std::unique_ptr<Component>> components_; // none where one was replaced
     std::vector<std::vector<std::size_t>> readers_;
     std::vector<std::size_t> componentOf_;
     mutable std::vector<char> isTouched_;           // by component; all 0 but within touchedBy()
-    std::set<std::pair<double, std::size_t>> live_; // by time; not those that ended
+    Schedule schedule_{components_};
+    Workers workers_;
+    std::thread::id caller_; // of advanceTo()
+    std::atomic<bool> cancelled_ = false;
+    std::atomic<bool> stopsChanged_ = true; // since noteStops()
 
     Statistics past_; // of components that replaced equations ended, and of events
     double lastEvent_ = -infinity;
