@@ -8,6 +8,7 @@ usage: limits_test.py PATH-TO-ASGARD [unittest arguments]
 """
 import csv
 import io
+import json
 import math
 import os
 import subprocess
@@ -43,39 +44,60 @@ link -body1 a -offset1 {0 0.5 0} -x 0 -y 0 -z 0 -tightness 1e8
 """
 
 
+
+
+def chain(count):
+    """That many rods, hanging as PENDULUM's do."""
+    lines = [PENDULUM.split("body a")[0]]
+    for n in range(count):
+        lines.append(f"body {chr(97 + n)} rod -mass 1 -init_pos {{0 {-0.5 - n} 0}}"
+                     + (" -init_dpos {0.001 0 0}" if n == 0 else ""))
+    for n in range(count):
+        end = f"-body2 {chr(96 + n)} -offset2 {{0 -0.5 0}}" if n else "-x 0 -y 0 -z 0"
+        lines.append(f"link -body1 {chr(97 + n)} -offset1 {{0 0.5 0}} {end} -tightness $k")
+        lines.append(f"force -body {chr(97 + n)} -y -10")
+    return "\n".join(lines) + "\n"
+
+
 def times(matrix, x):
     return [sum(a * b for a, b in zip(row, x)) for row in matrix]
 
 
-def links(k):
-    """x'' = -W(k x + C x') of both links' sideways extensions: W, and the diagonal of C."""
+def links(k, count):
+    """x'' = -W(k x + C x') of the links' sideways extensions: W, and the diagonal of C."""
     inertia, arm = (1 + 0.01) / 12, 0.5
     own, between = 1 + arm**2 / inertia, 1 - arm**2 / inertia
-    # Link 1 pulls rod a at its upper end; link 2 pulls b's upper end against a's lower one.
-    return [[own, -between], [-between, 2 * own]], [2 * math.sqrt(k), 2 * math.sqrt(k / 2)]
+    # Link n pulls rod n at its upper end, against the lower one of rod n - 1.
+    w = [[0] * count for _ in range(count)]
+    for n in range(count):
+        w[n][n] = 2 * own if n else own
+        if n:
+            w[n][n - 1] = w[n - 1][n] = -between
+    return w, [2 * math.sqrt(k / (2 if n else 1)) for n in range(count)]
 
 
-def rates(k, state):
-    w, c = links(k)
-    x, v = state[:2], state[2:]
+def rates(model, state):
+    k, w, c = model
+    x, v = state[:len(c)], state[len(c):]
     return list(v) + [-a for a in times(w, [k * xi + ci * vi for xi, ci, vi in zip(x, c, v)])]
 
 
-def euler(k, h, y):
-    return [a + h * b for a, b in zip(y, rates(k, y))]
+def euler(model, h, y):
+    return [a + h * b for a, b in zip(y, rates(model, y))]
 
 
-def symplectic(k, h, y):
-    v = euler(k, h, y)[2:]
-    return [x + h * u for x, u in zip(y[:2], v)] + v
+def symplectic(model, h, y):
+    half = len(y) // 2
+    v = euler(model, h, y)[half:]
+    return [x + h * u for x, u in zip(y[:half], v)] + v
 
 
-def rk4(k, h, y):
+def rk4(model, h, y):
     move = lambda by, slope: [a + by * b for a, b in zip(y, slope)]
-    k1 = rates(k, y)
-    k2 = rates(k, move(h / 2, k1))
-    k3 = rates(k, move(h / 2, k2))
-    k4 = rates(k, move(h, k3))
+    k1 = rates(model, y)
+    k2 = rates(model, move(h / 2, k1))
+    k3 = rates(model, move(h / 2, k2))
+    k4 = rates(model, move(h, k3))
     return [a + h / 6 * (p + 2 * q + 2 * r + s) for a, p, q, r, s in zip(y, k1, k2, k3, k4)]
 
 
@@ -86,18 +108,31 @@ def bisect(low, high, fails, steps):
     return (low + high) / 2
 
 
-def predicted(step, k):
+def predicted(step, k, count=2):
     """The step from which on the linear map grows."""
+    model, rounds = (k, *links(k, count)), 4000 if count == 2 else 1200
+
     def grows(h):
-        y, growth = [1, 0.3, -0.2, 0.5], 0
-        for n in range(4000):
-            y = step(k, h, y)
+        y, growth = [math.sin(1 + n) for n in range(2 * count)], 0
+        for n in range(rounds):
+            y = step(model, h, y)
             # Velocities count by what they are to extensions.
-            size = max(abs(y[0]), abs(y[1]), abs(y[2]) / math.sqrt(k), abs(y[3]) / math.sqrt(k))
+            size = max(abs(a) / (1 if i < count else math.sqrt(k)) for i, a in enumerate(y))
             y = [a / size for a in y]
-            growth += math.log(size) if n >= 2000 else 0
+            growth += math.log(size) if n >= rounds / 2 else 0
         return growth > 0
-    return bisect(0.1 / math.sqrt(k), 2 / math.sqrt(k), grows, 24)
+    return bisect(0.1 / math.sqrt(k), 2 / math.sqrt(k), grows, 24 if count == 2 else 14)
+
+
+def fastest(k, count=2):
+    """The largest rate of the links' linear model, by powers of (1 + rates/r)."""
+    model = (k, *links(k, count))
+    y = [math.sin(1 + n) for n in range(2 * count)]
+    for _ in range(3000):
+        y = rates(model, y)
+        size = max(abs(a) / (1 if i < count else math.sqrt(k)) for i, a in enumerate(y))
+        y = [a / size for a in y]
+    return size
 
 
 class Limits(unittest.TestCase):
@@ -122,15 +157,15 @@ class Limits(unittest.TestCase):
         code, rows = self.rows(scene, method, step, "--finish", repr(finish), "--quantities", "a.y", "--only")
         return code != 0 or any(not abs(r["a.y"] + 0.5) < 0.05 for r in rows)
 
-    def measured(self, method, k, expected):
-        scene = PENDULUM.replace("-value 5000", f"-value {k}")
+    def measured(self, scene, method, k, expected):
+        scene = scene.replace("-value 5000", f"-value {k}")
         finish = 4000 * expected
         return bisect(0.9 * expected, 1.1 * expected,
                       lambda h: self.fails(scene, method, h, finish), 6)
 
-    def check_pendulum(self, method, step, k):
-        expected = predicted(step, k)
-        found = self.measured(method, k, expected)
+    def check_pendulum(self, method, step, k, count=2):
+        expected = predicted(step, k, count)
+        found = self.measured(PENDULUM if count == 2 else chain(count), method, k, expected)
         self.assertLess(abs(found / expected - 1), 0.02, f"{method} k={k}: {expected} predicted, {found} measured")
 
     # Rows 1 to 4: explicit methods on links. The dampers are ours (reduced mass), so the limits are
@@ -146,6 +181,24 @@ class Limits(unittest.TestCase):
     def test_symplectic_euler_on_links_with_explicit_damping(self):
         for k in (5e3, 1e6, 1e8):
             self.check_pendulum("symplectic-euler", symplectic, k)
+
+    # Rows 5 and 6: a chain of ten.
+    def test_explicit_methods_on_a_chain(self):
+        for k in (5e3, 1e6):
+            self.check_pendulum("rk4", rk4, k, 10)
+        self.check_pendulum("forward-euler", euler, 1e6, 10)
+        self.check_pendulum("symplectic-euler", symplectic, 1e6, 10)
+
+    # Row 7: adaptive steps that stability binds are, in the mean, as long as it allows on the real axis.
+    def test_adaptive_steps_stand_at_the_limit(self):
+        for method, limit in (("dopri5", 3.307), ("tsit5", 3.507), ("dop853", 6.394)):
+            for k in (1e6, 1e7):
+                stats = os.path.join(self.folder, "stats.json")
+                scene = PENDULUM.replace("-value 5000", f"-value {k}")
+                self.run_asgard("simulate", scene, "--method", method, "--accuracy", "1e-3", "--stats", stats)
+                with open(stats, encoding="utf-8") as file:
+                    steps = max(c["steps"] for c in json.load(file)["component_list"])
+                self.assertLess(abs(fastest(k) / steps / limit - 1), 0.03, f"{method} k={k}: {fastest(k) / steps}")
 
     # Row 8: 2/w.
     def test_symplectic_euler_on_an_oscillator(self):
