@@ -389,8 +389,9 @@ TEST(Limits, NewtonWithAFrozenJacobianNeedsShortSteps) {
         EXPECT_GT(frozen / predicted, 1) << k << ": " << frozen;
         EXPECT_LT(frozen / predicted, 2.5) << k << ": " << frozen;
         EXPECT_GT(renewed / frozen, 20) << k << ": " << renewed;
-        if (k > 5e3) // one constant for all, so that the power is right
+        if (k > 5e3) { // one constant for all, so that the power is right
             EXPECT_NEAR(frozen / predicted, 1.88, 0.15) << k;
+        }
     }
 }
 
