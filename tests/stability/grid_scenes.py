@@ -235,7 +235,7 @@ def walls(rng, k, ratio, frame):
         s.body(wall, 0, 1, (at, 0, 0), more="-fixed 1")
     limits, t = (radius, width - radius), 0
     state = [(0, list(x), list(v))]
-    while t < s.finish and len(state) < 4000:
+    while t < s.finish:
         hits = []
         if v[0] < 0:
             hits.append(((limits[0] - x[0]) / v[0], 0))
