@@ -8,36 +8,39 @@
 namespace simulation {
 namespace {
 
-// What the arithmetic of one impact rounds off, as measured on billiards (docs/numerics.md).
-constexpr double units = 3;
-
 bool isVelocity(std::size_t unknown) {
     const std::size_t kind = unknown % physics::bodyUnknowns;
     return (kind >= physics::dx && kind < physics::qw) || kind >= physics::w1;
 }
 
-// A number in -1 .. 1 that looks random (splitmix64).
+// A number in -1 .. -1/2 or 1/2 .. 1 that looks random (splitmix64).
 double signFor(double value, std::size_t kind) {
     auto x = std::bit_cast<std::uint64_t>(value) + 0x9e3779b97f4a7c15ULL * (kind + 1);
     x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9ULL;
     x = (x ^ (x >> 27U)) * 0x94d049bb133111ebULL;
     x ^= x >> 31U;
-    return 2 * static_cast<double>(x >> 11U) * 0x1p-53 - 1;
+    const double size = 0.5 + static_cast<double>(x >> 11U) * 0x1p-54;
+    return (x & 1U) != 0 ? size : -size;
 }
 
 double nudged(double value, std::size_t unknown) {
-    if (!isVelocity(unknown))
-        return value;
     const double sign = signFor(value, unknown % physics::bodyUnknowns);
-    return value * (1 + units * std::numeric_limits<double>::epsilon() * sign);
+    return value * (1 + 2 * std::numeric_limits<double>::epsilon() * sign);
 }
 
 } // namespace
 
 std::vector<double> nudgedStart(const expression::EquationSet& equations) {
     std::vector<double> values;
-    for (std::size_t i = 0; i < equations.unknowns.size(); ++i)
-        values.push_back(nudged(equations.unknowns[i].initial, i));
+    for (const expression::Unknown& unknown : equations.unknowns)
+        values.push_back(unknown.initial);
+    for (std::size_t i = 0; i < values.size(); i += physics::bodyUnknowns) {
+        const bool moves = values[i + physics::dx] != 0 || values[i + physics::dy] != 0 ||
+                           values[i + physics::dz] != 0;
+        for (std::size_t k = i; k < i + physics::bodyUnknowns; ++k)
+            if (isVelocity(k) || (moves && k - i < physics::dx))
+                values[k] = nudged(values[k], k);
+    }
     return values;
 }
 
@@ -45,7 +48,8 @@ void NudgedSource::apply(const solution::Histories& histories, const solution::E
                          solution::EquationsInForce& equations, solution::Changes& changes) {
     source_.apply(histories, event, equations, changes);
     for (solution::Changes::Jump& jump : changes.jumps)
-        jump.value = nudged(jump.value, jump.unknown);
+        if (isVelocity(jump.unknown))
+            jump.value = nudged(jump.value, jump.unknown);
 }
 
 } // namespace simulation

@@ -1,10 +1,11 @@
-// How much of a motion is rounding? The same run again, with velocities a few units in the last
-// place beside what they were wherever they are given: at the start, and after each impact. Where
-// the two runs part, rounding has grown so far that nobody could tell them apart from the truth.
+// How much of a motion is rounding? The same run again, with values a unit or two in the last place
+// beside what they were wherever they are given: velocities at the start and after each impact, and
+// places of what moves at the start. Where the two runs part, rounding has grown so far that nobody
+// could tell them apart from the truth.
 //
-// Places are left as they are, so that what touches goes on touching, and zeros stay zeros, so that
-// what never moves need not be modelled in the nudged run either. No randomness: the value itself
-// gives its nudge, whatever else is in the scene.
+// Places of what stands still are left as they are, so that what touches goes on touching, and
+// zeros stay zeros, so that what never moves need not be modelled in the nudged run either. No
+// randomness: the value itself gives its nudge, whatever else is in the scene.
 #pragma once
 
 #include "expression/equations.h"

@@ -103,7 +103,7 @@ void judgeRounding(const Problem& problem, const Run& run, const Observer& silen
     const Run nudged = runAt(problem, tolerances, silent, Rounding::nudged);
     addWork(nudged, solved);
     solved.result.cancelled = nudged.cancelled;
-    const auto differences = compareRuns(problem, nudged, run, problem.accuracy());
+    const auto differences = compareRuns(problem, run, nudged, problem.accuracy());
     for (std::size_t b = 0; b < solved.errors.size(); ++b)
         if (islands[run.island[b]])
             solved.errors[b] = {.estimate = std::min(differences[b].largest, 1.0),

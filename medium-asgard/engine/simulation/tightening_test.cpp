@@ -1,0 +1,170 @@
+// The search for tolerances on differences that are made up, and what it and the nudged run say of
+// real scenes.
+#include "simulation/tightening.h"
+
+#include "simulation/testing.h"
+
+namespace simulation::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// Errors of one island that follow the tolerance: error = factor * tolerance, at least a floor.
+struct Island {
+    double factor = 1, floor = 0, far = 1;
+
+    [[nodiscard]] double errorAt(double tolerance) const {
+        return std::max(factor * tolerance, floor);
+    }
+    [[nodiscard]] IslandError difference(double loose, double tight) const {
+        const double apart = std::max(errorAt(loose) - errorAt(tight), floor);
+        return {.size = 1, .far = far, .largest = apart, .growth = {{1.0, apart}}};
+    }
+};
+
+struct Found {
+    int runs = 1;
+    double tolerance = 0, estimate = 0, until = 0;
+};
+
+Found search(double accuracy, const Island& island) {
+    Tightening tightening(accuracy, 1);
+    std::vector<BodyError> errors(1);
+    Found found;
+    while (tightening.goesOn() && found.runs < 50) {
+        ++found.runs;
+        found.tolerance = tightening.tight()[0];
+        tightening.judge({island.difference(tightening.loose()[0], tightening.tight()[0])}, {0},
+                         errors);
+    }
+    found.estimate = errors[0].estimate;
+    found.until = errors[0].predictableUntil;
+    return found;
+}
+
+TEST(Tightening, TwoRunsDoWhereErrorsAreAsSmallAsTolerances) {
+    const Found found = search(1e-6, {});
+    EXPECT_EQ(found.runs, 2);
+    EXPECT_LE(found.tolerance, 1e-6);
+    EXPECT_GE(found.estimate, found.tolerance);
+    EXPECT_LE(found.estimate, 30 * found.tolerance);
+}
+
+TEST(Tightening, OneMoreDoesWhereErrorsAreAThousandTimesTheTolerances) {
+    for (const double factor : {30.0, 1e3, 1e4}) {
+        const Found found = search(1e-6, {.factor = factor});
+        EXPECT_LE(found.runs, 4) << factor;
+        EXPECT_LE(factor * found.tolerance, 1e-6) << factor;
+        EXPECT_GE(factor * found.tolerance, 1e-8) << factor << ": more than was asked";
+        EXPECT_GE(found.estimate, 0.3 * factor * found.tolerance) << factor;
+        EXPECT_LE(found.estimate, 30 * factor * found.tolerance) << factor;
+    }
+}
+
+TEST(Tightening, GivesUpWhereRunsComeNoCloserAndSaysFromWhen) {
+    const Found found = search(1e-6, {.factor = 1, .floor = 1e-3});
+    EXPECT_LE(found.runs, 5);
+    EXPECT_GE(found.estimate, 1e-3);
+    EXPECT_EQ(found.until, 1.0);
+}
+
+TEST(Tightening, MakesNoMoreRunsWhereTolerancesAreBelowRoundingAlready) {
+    const Found found = search(1e-10, {.factor = 100, .far = 1e6});
+    EXPECT_EQ(found.runs, 2);
+    EXPECT_GT(found.estimate, 1e-10);
+}
+
+TEST(Tightening, AnIslandIsJudgedByItselfAlone) {
+    const Island quick{}, slow{.factor = 1e4};
+    Tightening both(1e-6, 2);
+    std::vector<BodyError> errors(2);
+    for (int runs = 0; both.goesOn() && runs < 20; ++runs) {
+        std::vector<IslandError> differences;
+        for (std::size_t b = 0; b < 2; ++b)
+            differences.push_back(
+                both.tight()[b] == both.loose()[b]
+                    ? IslandError{.size = 1, .far = 1, .largest = 0, .growth = {}}
+                    : (b == 0 ? quick : slow).difference(both.loose()[b], both.tight()[b]));
+        both.judge(differences, {0, 1}, errors);
+    }
+    EXPECT_EQ(errors[0].estimate, search(1e-6, quick).estimate);
+    EXPECT_EQ(errors[1].estimate, search(1e-6, slow).estimate);
+}
+
+// --- real scenes ------------------------------------------------------------------------------
+
+// A ball between a fixed one and a wall: each bounce off the round one multiplies what is off.
+SceneBuilder pinball(double finish, double accuracy) {
+    SceneBuilder b(finish, accuracy);
+    b.ball("post", {0, 0, 0}, 0.5).fixed = true;
+    b.box("wall", {2, 0, 0}, {0.2, 8, 8}).fixed = true;
+    b.ball("ball", {1.5, 0.001, 0}, 0.1).initialVelocity = {-3, 0, 0};
+    return b;
+}
+
+TEST(Rounding, ThatNoImpactAmplifiesIsNoError) {
+    SceneBuilder b(10);
+    b.ball("one", {0, 0, 0}).initialVelocity = {1, 2, 3};
+    b.ball("two", {5, 0, 0}).initialVelocity = {1, 2, 3};
+    EXPECT_EQ(simulate(b.scene).statistics.errorEstimate, 0);
+}
+
+TEST(Rounding, IsEstimatedWhereRoundThingsAmplifyIt) {
+    const Result few = simulate(pinball(1.2, 1e-9).scene);
+    ASSERT_GE(few.motion->impacts().size(), 2u);
+    ASSERT_TRUE(few.statistics.errorEstimate);
+    EXPECT_GT(*few.statistics.errorEstimate, 1e-17);
+    EXPECT_LT(*few.statistics.errorEstimate, 1e-12);
+    EXPECT_FALSE(few.statistics.predictableUntil);
+}
+
+TEST(Rounding, AHeadOnHitOfEqualBallsAmplifiesNothing) {
+    SceneBuilder b(2);
+    b.ball("striker", {-1, 0, 0}).initialVelocity = {2, 0, 0};
+    b.ball("struck", {0, 0, 0});
+    const Result result = simulate(b.scene);
+    ASSERT_EQ(result.motion->impacts().size(), 1u);
+    EXPECT_LT(*result.statistics.errorEstimate, 1e-14);
+    EXPECT_THAT(result.motion->notes(), IsEmpty());
+}
+
+// Two masses on rods, in their two angles: the motion is chaotic, and rounding reaches any size.
+SceneBuilder doublePendulum(double finish, double accuracy) {
+    SceneBuilder b(finish, accuracy);
+    b.scene.simulator.collisions = false;
+    b.ball("a", {2.0943951023931953, 0, 0});
+    b.ball("b", {2.9670597283903604, 0, 1});
+    const std::string bottom = "/(3-cos(2*a.x-2*b.x))";
+    b.force("a",
+            "a.mass*(-29.43*sin(a.x)-9.81*sin(a.x-2*b.x)"
+            "-2*sin(a.x-b.x)*(b.dx^2+a.dx^2*cos(a.x-b.x)))" +
+                bottom,
+            "0", "0");
+    b.force("b", "b.mass*2*sin(a.x-b.x)*(2*a.dx^2+19.62*cos(a.x)+b.dx^2*cos(a.x-b.x))" + bottom,
+            "0", "0");
+    return b;
+}
+
+TEST(Horizon, OfADoublePendulumComesTheLaterTheLessIsAsked) {
+    const Result coarse = simulate(doublePendulum(40, 1e-2).scene);
+    const Result fine = simulate(doublePendulum(40, 1e-6).scene);
+    ASSERT_TRUE(coarse.statistics.predictableUntil && fine.statistics.predictableUntil);
+    // tests/reference/horizon_test.py has the experiments: 28 s and 21.1 s.
+    EXPECT_NEAR(*coarse.statistics.predictableUntil, 28, 5.6);
+    EXPECT_NEAR(*fine.statistics.predictableUntil, 21.1, 4.2);
+    EXPECT_GT(*coarse.statistics.predictableUntil, *fine.statistics.predictableUntil);
+    EXPECT_EQ(coarse.motion->predictableUntil(), coarse.statistics.predictableUntil);
+    ASSERT_FALSE(coarse.motion->notes().empty());
+    EXPECT_THAT(coarse.motion->notes()[0], HasSubstr("not predictable to 0.01 of its size"));
+}
+
+TEST(Horizon, IsNotSaidOfAMotionThatEndsBeforeIt) {
+    const Result result = simulate(doublePendulum(10, 1e-6).scene);
+    EXPECT_FALSE(result.statistics.predictableUntil);
+    EXPECT_LE(*result.statistics.errorEstimate, 1e-6);
+    EXPECT_THAT(result.motion->notes(), IsEmpty());
+}
+
+} // namespace
+} // namespace simulation::testing
