@@ -44,6 +44,8 @@ int explain(const SceneText& scene, const ExplainArguments& arguments,
             all += scene.file + ": error: " + sentence + "\n";
         return refuse({failure, all});
     }
+    for (const std::string& note : result.motion->notes())
+        std::fprintf(stderr, "%s: warning: %s\n", scene.file.c_str(), note.c_str());
     const bool stopped = tellStops(scene, *result.motion);
     const bool jsonOnly = arguments.json && *arguments.json == "-";
     if (!jsonOnly && !write("-", explanationText(*result.explanation)))
