@@ -90,10 +90,14 @@ void BoxTree::remove(std::size_t owner) {
     refit(above);
 }
 
+// Up from the node as far as boxes change.
 void BoxTree::refit(Index node) {
     for (; node != nothing; node = nodes_[node].parent) {
         Node& n = nodes_[node];
-        n.box = nodes_[n.left].box.merged(nodes_[n.right].box);
+        const geometry::Box box = nodes_[n.left].box.merged(nodes_[n.right].box);
+        if (box.min() == n.box.min() && box.max() == n.box.max())
+            return;
+        n.box = box;
         rotate(node);
     }
 }

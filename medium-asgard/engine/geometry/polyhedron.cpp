@@ -1,6 +1,7 @@
 #include "geometry/polyhedron.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
@@ -9,16 +10,30 @@ namespace geometry {
 
 namespace {
 
-// In extended precision: slivers lose as many digits as they are flat. From the corner with the
-// widest angle, scaled since areas of tiny solids underflow when squared.
+using Long = Eigen::Matrix<long double, 3, 1>;
+
+// a b - c d to the last bits, however much of it cancels (Kahan).
+long double differenceOfProducts(long double a, long double b, long double c, long double d) {
+    const long double cd = c * d;
+    const long double rounding = std::fma(-c, d, cd);
+    return std::fma(a, b, -cd) + rounding;
+}
+
+Long cross(const Long& u, const Long& v) {
+    return {differenceOfProducts(u.y(), v.z(), u.z(), v.y()),
+            differenceOfProducts(u.z(), v.x(), u.x(), v.z()),
+            differenceOfProducts(u.x(), v.y(), u.y(), v.x())};
+}
+
+// In extended precision, and without loss in the products: slivers lose as many digits as they are
+// flat. Scaled since areas of tiny solids underflow when squared.
 Vector normalOf(const Vector& a, const Vector& b, const Vector& c) {
-    using Long = Eigen::Matrix<long double, 3, 1>;
     const Long la = a.cast<long double>(), lb = b.cast<long double>(), lc = c.cast<long double>();
-    const Long cross = (lb - la).cross(lc - la);
-    const long double largest = cross.cwiseAbs().maxCoeff();
+    const Long across = cross(lb - la, lc - la);
+    const long double largest = across.cwiseAbs().maxCoeff();
     if (largest == 0)
         return Vector::UnitZ();
-    return (cross / largest).normalized().cast<double>();
+    return (across / largest).normalized().cast<double>();
 }
 
 // The plane of the polygon's largest triangle with one corner at its first vertex.

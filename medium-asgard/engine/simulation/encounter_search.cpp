@@ -300,7 +300,7 @@ void EncounterSearch::findPartners(std::size_t body, Renewal& renewal) {
     for (const std::size_t other : found_) {
         if (!records_[other].isFixed)
             partners_[other].insert(std::ranges::lower_bound(partners_[other], body), body);
-        if (!std::ranges::binary_search(before_, other))
+        if (resting_.isAnyResting() && !std::ranges::binary_search(before_, other))
             renewal.joined.push_back(other);
     }
 }
@@ -322,11 +322,12 @@ std::size_t EncounterSearch::sortPairs() {
     return pairs_.size();
 }
 
-std::set<EncounterSearch::Pair> EncounterSearch::pairs() {
+std::vector<EncounterSearch::Pair> EncounterSearch::pairs() {
     pairsKept_ = sortPairs();
-    std::set<Pair> pairs;
+    std::vector<Pair> pairs;
+    pairs.reserve(pairs_.size());
     for (const std::uint64_t key : pairs_)
-        pairs.emplace_hint(pairs.end(), key >> 32, key & 0xffffffff);
+        pairs.emplace_back(key >> 32, key & 0xffffffff);
     return pairs;
 }
 

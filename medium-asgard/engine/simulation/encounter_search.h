@@ -27,7 +27,6 @@
 #include "simulation/resting_bodies.h"
 
 #include <cstdint>
-#include <set>
 #include <span>
 #include <vector>
 
@@ -88,7 +87,7 @@ public:
     }
 
     [[nodiscard]] std::size_t pairTests() const { return pairTests_; }
-    [[nodiscard]] std::set<Pair> pairs(); // that were searched
+    [[nodiscard]] std::vector<Pair> pairs(); // that were searched, in order
     // Pairs that overlapped without having met, since this was asked last.
     [[nodiscard]] std::vector<Pair> takeOverlaps() { return std::exchange(overlaps_, {}); }
 

@@ -16,6 +16,7 @@ using solution::infinity;
 // Meetings of one body without end: so many of them within so little of the motion's length.
 constexpr std::size_t manyMeetings = 1000;
 constexpr double shortWhile = 1e-5;
+constexpr double shorterWhile = 1e-9;   // with bodies that give way
 constexpr std::size_t manyAtOnce = 200; // at one instant
 
 std::string quoted(const std::string& name) { return "\"" + name + "\""; }
@@ -42,7 +43,8 @@ std::optional<Event> CollisionSource::handle(const Histories& histories,
                        quoted(scene_.bodies[pair.second].name) +
                        " go on touching while they turn, which is modelled only where one of them "
                        "is fixed or held and the other is pushed onto it");
-    if (isWithoutEnd(pair.first, hit.time) || isWithoutEnd(pair.second, hit.time)) {
+    if (isWithoutEnd(pair.first, pair.second, hit.time) ||
+        isWithoutEnd(pair.second, pair.first, hit.time)) {
         for (const std::size_t body : {pair.first, pair.second})
             for (const std::size_t other : search_.partners(body))
                 if (resting_.canGiveWay(body, hit.time) && resting_.canGiveWay(other, hit.time) &&
@@ -72,15 +74,17 @@ std::string CollisionSource::leaning(std::size_t a, std::size_t b) const {
            " come to rest on each other, which is modelled only where one of them is fixed or held";
 }
 
-bool CollisionSource::isWithoutEnd(std::size_t body, double time) {
+bool CollisionSource::isWithoutEnd(std::size_t body, std::size_t other, double time) {
     if (!resting_.canGiveWay(body, time))
         return false;
     Meetings& met = meetings_[body];
+    met.isGivenWay = met.isGivenWay || (other != body && resting_.canGiveWay(other, time));
     met.atOnce = time == met.last ? met.atOnce + 1 : 1;
     met.last = time;
     if (++met.count % manyMeetings == 0) {
         const double since = std::exchange(met.markedAt, time);
-        if (time - since < shortWhile * (finish_ - start_))
+        const double least = std::exchange(met.isGivenWay, false) ? shorterWhile : shortWhile;
+        if (time - since < least * (finish_ - start_))
             return true;
     }
     return met.atOnce > manyAtOnce;
@@ -293,7 +297,7 @@ Event CollisionSource::stir(const Histories& histories, std::size_t body, double
     Event event{.time = time, .touched = {}, .tag = 0};
     outcome_ = {};
     const Rest rest = resting_.restAt(histories, body, time, search_.partners(body));
-    if (isWithoutEnd(body, time))
+    if (isWithoutEnd(body, body, time))
         return end({body, body}, time,
                    "body " + quoted(scene_.bodies[body].name) +
                        " comes to rest and opens again and again in ever shorter time");

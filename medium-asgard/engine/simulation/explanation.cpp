@@ -163,8 +163,8 @@ void addPairs(const Problem& problem, const Run& run, Explanation& explanation) 
     explanation.candidates = run.candidates.size();
     for (std::size_t a = 0; a < bodies.size(); ++a)
         for (std::size_t b = a + 1; b < bodies.size(); ++b) {
-            if (run.candidates.contains({a, b}) || explanation.never.size() == mostPairs ||
-                (bodies[a].isFixed && bodies[b].isFixed))
+            if (std::ranges::binary_search(run.candidates, std::pair(a, b)) ||
+                explanation.never.size() == mostPairs || (bodies[a].isFixed && bodies[b].isFixed))
                 continue;
             std::string why = whyNever(problem, a, b);
             if (why.empty())

@@ -28,6 +28,7 @@ public:
                   const std::vector<BodyRecord>& records, const std::vector<MovingBody>& bodies,
                   double start, double finish, const RestLimits& limits);
 
+    [[nodiscard]] bool isAnyResting() const { return !resting_.empty(); }
     [[nodiscard]] bool isResting(std::size_t body) const { return resting_.contains(body); }
     // These parts are in touch for as long as the body rests.
     [[nodiscard]] bool isFooting(std::size_t a, std::size_t partA, std::size_t b,

@@ -41,8 +41,8 @@ struct Run {
     std::vector<std::string> notes;
     solution::Statistics statistics;
     std::size_t pairTests = 0;
-    std::set<std::pair<std::size_t, std::size_t>> candidates; // pairs of bodies that were tested
-    std::shared_ptr<const expression::EquationSet> equations; // at the end; when to be explained
+    std::vector<std::pair<std::size_t, std::size_t>> candidates; // pairs that were tested; in order
+    std::shared_ptr<const expression::EquationSet> equations;    // at the end; when to be explained
     double reached = 0;
     bool cancelled = false;
     double secondsSettingUp = 0, secondsMoving = 0; // CPU: before the first step, and from it on

@@ -9,13 +9,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace simulation {
 namespace {
 
 void addWork(const Run& run, Solved& solved) {
-    solved.near.insert(run.candidates.begin(), run.candidates.end());
+    std::vector<std::pair<std::size_t, std::size_t>> near;
+    std::ranges::set_union(solved.near, run.candidates, std::back_inserter(near));
+    solved.near = std::move(near);
     Statistics& sum = solved.result.statistics;
     sum.steps += run.statistics.steps;
     sum.rejectedSteps += run.statistics.rejectedSteps;

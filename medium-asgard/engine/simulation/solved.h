@@ -4,7 +4,6 @@
 
 #include "simulation/run.h"
 
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -22,7 +21,7 @@ struct Solved {
     std::vector<BodyError> errors; // by body, when estimated
     // Pairs of bodies that came near each other in any of the runs. Who is not joined by these, and
     // reads nothing of each other, did not change each other's numbers.
-    std::set<std::pair<std::size_t, std::size_t>> near;
+    std::vector<std::pair<std::size_t, std::size_t>> near;
 };
 
 [[nodiscard]] Solved solve(const Problem& problem, const Observer& observer);

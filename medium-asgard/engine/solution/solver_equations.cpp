@@ -54,7 +54,9 @@ double Solver::Implementation::magnitude(std::size_t unknown, double value) cons
 std::vector<std::size_t> Solver::Implementation::roused(const Event& event,
                                                         const Changes& changes) const {
     std::vector<std::size_t> roused;
-    if (zero_.empty())
+    if (std::ranges::none_of(changes.jumps, [this](const Changes::Jump& jump) {
+            return zero_.contains(jump.unknown) && jump.value != 0;
+        }))
         return roused;
     double largest = 0;
     for (const auto& jump : changes.jumps)
