@@ -22,6 +22,9 @@ double roundOffOf(const BallFlight& a, const BallFlight& b, const Vector& pa, co
            (a.radius + b.radius + pa.cwiseAbs().maxCoeff() + pb.cwiseAbs().maxCoeff());
 }
 
+// How far what moves so fast goes within the resolution of times about t: an impact is off by that.
+double timeOff(double t, double speeds) { return 8 * epsilon * std::abs(t) * speeds; }
+
 // The gap |p + v s| - R is refined once where it falls steeply enough.
 double refined(const Vector& p, const Vector& v, double radius, double s) {
     const Vector r = p + s * v;
@@ -49,7 +52,7 @@ FlightMeeting meetingOf(const BallFlight& first, const BallFlight& second, Inter
     const double along = p.dot(v), speed = v.norm(), distance = p.norm();
     const double roundOff = roundOffOf(first, second, pa, pb);
     const double threshold = approachThreshold * (va.norm() + vb.norm());
-    if (distance - radius < -100 * roundOff)
+    if (distance - radius < -100 * roundOff - timeOff(from, va.norm() + vb.norm()))
         return {Kind::unclear, 0};
     if (along > distance * threshold)
         return {}; // they part, for ever
@@ -164,7 +167,8 @@ FlightMeeting meetingOf(const BallFlight& ball, const StandingPart& part, Interv
         if (touches) {
             // Only what leaves a face just now, and does not come back at once.
             const double least = approachThreshold * ball.velocity.norm();
-            const bool leaves = t == ball.from && gap > -100 * roundOff && way.rate > least;
+            const double deepest = 100 * roundOff + timeOff(t, ball.velocity.norm());
+            const bool leaves = t == ball.from && gap > -deepest && way.rate > least;
             if (face > 0 || !leaves ||
                 (way.bend < 0 && way.rate * way.rate < -4 * way.bend * lowHop * ball.radius))
                 return {Kind::unclear, 0};

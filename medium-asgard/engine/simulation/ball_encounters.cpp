@@ -19,8 +19,7 @@ constexpr double approachThreshold = 1e-12; // of the speeds that enter, as in p
 FlightContact CollisionSource::flightContact(const Pair& pair, double time) const {
     const collision::BallFlight* a = search_.flight(pair.first);
     const collision::BallFlight* b = search_.flight(pair.second);
-    const double tolerance =
-        collision::touchingGap * (records_[pair.first].radius + records_[pair.second].radius);
+    const double tolerance = contactTolerance(pair, time);
     if (a && b)
         return collision::contactOf(*a, *b, time, tolerance);
     const auto parts = search_.standing(a ? pair.second : pair.first);

@@ -90,6 +90,8 @@ private:
     // Two balls, or a ball and a face, that touch nothing else. False: meet() must answer.
     [[nodiscard]] bool meetInFlight(const solution::Histories& histories, const Pair& pair,
                                     double time, std::optional<solution::Event>& event);
+    // Nearer than this they touch at an impact: it is as far off as times are resolved, too.
+    [[nodiscard]] double contactTolerance(const Pair& pair, double time) const;
     [[nodiscard]] collision::FlightContact flightContact(const Pair& pair, double time) const;
     [[nodiscard]] std::optional<collision::FlightContact> onlyContact(const Pair& pair,
                                                                       double time) const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace simulation {
@@ -111,6 +112,21 @@ ImpactBody CollisionSource::impactBody(const Histories& histories, std::size_t b
     return resting_.impactBody(body, time, stateOf(records_[body], histories, time));
 }
 
+double CollisionSource::contactTolerance(const Pair& pair, double time) const {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    double reach = 0, speed = 0;
+    for (const std::size_t body : {pair.first, pair.second}) {
+        reach += records_[body].radius;
+        if (const collision::BallFlight* flight = search_.flight(body)) {
+            speed += flight->velocityAt(time).norm();
+        } else if (!records_[body].isFixed) {
+            const auto velocity = collision::velocityAt(bodies_[body].pieceAt(time), time);
+            speed += velocity.linear.norm() + velocity.angular.norm() * records_[body].radius;
+        }
+    }
+    return collision::touchingGap * reach + 8 * epsilon * std::abs(time) * speed;
+}
+
 void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, std::size_t a,
                                   std::size_t b, double time) {
     const auto indexIn = [&](std::size_t body) {
@@ -128,7 +144,7 @@ void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, 
              .normal = normal,
              .restitution = std::min(scene_.bodies[a].restitution, scene_.bodies[b].restitution)});
     };
-    const double tolerance = collision::touchingGap * (records_[a].radius + records_[b].radius);
+    const double tolerance = contactTolerance({a, b}, time);
     const auto contacts = collision::contactsAt(bodies_[a], bodies_[b], time, tolerance);
     // A body that rests turns about what it rests on: each corner counts. So it does where gaps
     // have the integration's errors, not rounding's.

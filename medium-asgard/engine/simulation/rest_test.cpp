@@ -125,6 +125,27 @@ TEST(Rest, ABoxThatSlidesOffATableTips) {
     EXPECT_NEAR(edge.y(), -0.1, 1e-7);
 }
 
+// It turns about the edge, slides along it, and opens where the edge would have to pull; from there
+// its face stays so near the edge for so long that no fixed line parts them.
+TEST(Rest, ABoxThatTipsOverAnEdgeFallsFree) {
+    SceneBuilder b(1.5, 1e-8);
+    b.box("table", {-1, -0.1, 0}, {2, 0.2, 2}).fixed = true;
+    b.box("box", {0.05, 0.1, 0}, {0.4, 0.2, 0.3}).restitution = 0;
+    b.weight("box");
+    const Result result = simulate(b.scene);
+    const Motion& motion = *result.motion;
+    EXPECT_FALSE(motion.stop(1));
+    EXPECT_TRUE(motion.impacts().empty());
+    const BodyState early = motion.at(1, 0.5), late = motion.at(1, 1.5);
+    EXPECT_LT(early.angularVelocity.z(), -2);
+    EXPECT_LT(distance(late.angularVelocity, early.angularVelocity), 1e-7);
+    EXPECT_LT(distance(late.velocity, early.velocity + Vector(0, -g, 0)), 1e-7);
+    std::vector<std::string> faults;
+    const Quantities energy(b.scene, {}, result.motion,
+                            {"0.5*(box.dx^2+box.dy^2)+9.81*box.y+0.5*box.izz*box.wz^2"}, faults);
+    EXPECT_NEAR(energy.at(1.5)[0], energy.at(0)[0], 1e-6);
+}
+
 // Over the edge its centre goes round it, until the edge would have to pull; nothing rubs.
 TEST(Rest, ABallThatSlidesOffATableGoesRoundItsEdgeAndFalls) {
     SceneBuilder b(1);
