@@ -8,6 +8,9 @@
 namespace simulation::testing {
 namespace {
 
+// Work is counted over two runs: the motion, and its twin that shows what rounding does to it.
+constexpr std::size_t runs = 2;
+
 // A wall at x = 0, a ball at rest, and one of 100^n times its mass that comes to it: they meet as
 // often as the first n + 1 digits of pi say (Galperin 2003).
 SceneBuilder galperin(int n) {
@@ -26,7 +29,8 @@ TEST(Galperin, CountsTheDigitsOfPi) {
         EXPECT_EQ(result.motion->impacts().size(), counts[static_cast<std::size_t>(n)]) << n;
         EXPECT_FALSE(result.motion->stop(1)) << n;
         // Per meeting one search for each of the three pairs, and some where windows end.
-        EXPECT_LT(result.statistics.pairTests, 3 * counts[static_cast<std::size_t>(n)] + 50) << n;
+        EXPECT_LT(result.statistics.pairTests / runs, 3 * counts[static_cast<std::size_t>(n)] + 50)
+            << n;
     }
 }
 
@@ -82,7 +86,7 @@ TEST(ElasticGas, KeepsItsEnergyAndItsBox) {
 TEST(ElasticGas, TestsAsManyPairsPerMeetingHoweverManyBallsThereAre) {
     const auto perMeeting = [](std::size_t perEdge, double finish) {
         const Result result = simulate(gas(perEdge, finish).scene);
-        return static_cast<double>(result.statistics.pairTests) /
+        return static_cast<double>(result.statistics.pairTests / runs) /
                static_cast<double>(result.motion->impacts().size());
     };
     EXPECT_LT(perMeeting(4, 4), 25);
@@ -125,7 +129,7 @@ TEST(DistantBodies, AreNotTestedWhereOthersMeet) {
     EXPECT_GT(alone.motion->impacts().size(), 100u);
     EXPECT_EQ(among.statistics.pairTests, alone.statistics.pairTests);
     // 2 per body and event, and windows that end.
-    EXPECT_LE(alone.statistics.pairTests, 2 * 2 * alone.motion->impacts().size() + 50);
+    EXPECT_LE(alone.statistics.pairTests / runs, 2 * 2 * alone.motion->impacts().size() + 50);
     EXPECT_EQ(rows(*among.motion, 2), rows(*alone.motion, 2)); // and not by a bit
 }
 
