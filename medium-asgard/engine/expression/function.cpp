@@ -12,14 +12,6 @@ Function::Shared::Shared(Tape t) : tape(std::move(t)) {
 
 unsigned Function::lanes() { return manyAtOnce().lanes; }
 
-const Kernel::Code* Function::codeFor(Purpose purpose, Width width) const {
-    const Use& use =
-        shared_->uses[static_cast<std::size_t>(purpose)][static_cast<std::size_t>(width)];
-    if (const auto* const code = use.code.load(std::memory_order_acquire))
-        return code;
-    return askFor(purpose, width);
-}
-
 const Kernel::Code* Function::askFor(Purpose purpose, Width width) const {
     Use& use = shared_->uses[static_cast<std::size_t>(purpose)][static_cast<std::size_t>(width)];
     if (use.evaluations.fetch_add(1, std::memory_order_relaxed) + 1 < batch)
@@ -30,25 +22,6 @@ const Kernel::Code* Function::askFor(Purpose purpose, Width width) const {
     const auto* const code = shared_->kernel->code(purpose, width, evaluations);
     use.code.store(code, std::memory_order_release);
     return code;
-}
-
-bool Function::run(Purpose purpose, Width width, std::span<const double> in, std::span<double> out,
-                   Scratch& scratch, std::span<const Decision> decisions) const {
-    const auto* const code = codeFor(purpose, width);
-    if (!code)
-        return false;
-    if (scratch.size() < code->scratch)
-        scratch.resize(code->scratch);
-    const double* const constants =
-        width == Width::one ? tape().constants().data() : shared_->spread.data();
-    code->entry(in.data(), out.data(), constants, decisions.data(), scratch.data());
-    return true;
-}
-
-void Function::evaluate(std::span<const double> in, std::span<double> out, Scratch& scratch) const {
-    assert(in.size() == tape().inputs() && out.size() == tape().outputs());
-    if (!run(Purpose::values, Width::one, in, out, scratch, {}))
-        tape().evaluate(in, out, scratch);
 }
 
 void Function::evaluate(std::span<const double> in, std::span<double> out, Scratch& scratch,

@@ -24,7 +24,10 @@ public:
     using Scratch = Tape::Scratch;
 
     // As of Tape; `out` must not overlap `in`.
-    void evaluate(std::span<const double> in, std::span<double> out, Scratch& scratch) const;
+    void evaluate(std::span<const double> in, std::span<double> out, Scratch& scratch) const {
+        if (!run(Purpose::values, Width::one, in, out, scratch, {}))
+            tape().evaluate(in, out, scratch);
+    }
     void evaluate(std::span<const double> in, std::span<double> out, Scratch& scratch,
                   std::span<const Decision> decisions) const;
     // The guards alone, on the branches given.
@@ -55,10 +58,26 @@ private:
     };
     // Asked of the kernel only now and then, so that what is evaluated rarely costs nothing more.
     static constexpr std::uint32_t batch = 20;
-    [[nodiscard]] const Kernel::Code* codeFor(Purpose purpose, Width width) const;
+    [[nodiscard]] const Kernel::Code* codeFor(Purpose purpose, Width width) const {
+        const Use& use =
+            shared_->uses[static_cast<std::size_t>(purpose)][static_cast<std::size_t>(width)];
+        const auto* const code = use.code.load(std::memory_order_acquire);
+        return code ? code : askFor(purpose, width);
+    }
     [[nodiscard]] const Kernel::Code* askFor(Purpose purpose, Width width) const;
+    // Within the loops of integrators: nothing between them and the code.
     bool run(Purpose purpose, Width width, std::span<const double> in, std::span<double> out,
-             Scratch& scratch, std::span<const Decision> decisions) const;
+             Scratch& scratch, std::span<const Decision> decisions) const {
+        const auto* const code = codeFor(purpose, width);
+        if (!code)
+            return false;
+        if (scratch.size() < code->scratch)
+            scratch.resize(code->scratch);
+        const double* const constants =
+            width == Width::one ? tape().constants().data() : shared_->spread.data();
+        code->entry(in.data(), out.data(), constants, decisions.data(), scratch.data());
+        return true;
+    }
     void interpretLanes(std::span<const double> in, std::span<double> out, Scratch& scratch,
                         std::span<const Decision> decisions) const;
 

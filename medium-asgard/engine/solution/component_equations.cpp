@@ -54,8 +54,24 @@ void ComponentEquations::evaluate(std::span<double> out) {
             in_[1 + state] = 0;
 }
 
+namespace {
+
+bool areFinite(std::span<const double> values) {
+    double zero = 0; // no number as soon as one of them is not finite
+    for (const double x : values)
+        zero += 0 * x;
+    return zero == 0;
+}
+
+} // namespace
+
 bool ComponentEquations::rates(double t, std::span<const double> y, std::span<double> out) {
     fill(t, y);
+    if (decisions_.empty() && out.size() == out_.size()) { // nothing switches and nothing is held
+        model_.function().evaluate(in_, out, scratch_);
+        slidingFailed_ = false;
+        return areFinite(out);
+    }
     slidingFailed_ = !sliding_.empty() && !weigh();
     if (slidingFailed_)
         return false;
@@ -63,10 +79,7 @@ bool ComponentEquations::rates(double t, std::span<const double> y, std::span<do
         evaluate(out_);
     for (std::size_t i = 0; i < states().size(); ++i)
         out[i] = out_[i];
-    double zero = 0; // no number as soon as one of them is not finite
-    for (const double x : out_)
-        zero += 0 * x;
-    return zero == 0;
+    return areFinite(out_);
 }
 
 bool ComponentEquations::heldValues(double t, std::span<const double> y, std::span<double> out) {

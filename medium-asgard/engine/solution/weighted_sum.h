@@ -37,9 +37,9 @@ inline void weightedBlock(std::span<const Term> terms, const double* slopes, std
         out[i] = sum[i];
 }
 
-// out[i] = sum of weight * slopes[stage * stride + i] in the order of the terms, for i < stride.
-inline void weightedSum(std::span<const Term> terms, const double* slopes, std::size_t stride,
-                        double* out) {
+// Of more unknowns than a block has, eight at a time, and the rest.
+inline void weightedBlocks(std::span<const Term> terms, const double* slopes, std::size_t stride,
+                           double* out) {
     std::size_t i = 0;
     for (; i + 8 <= stride; i += 8)
         weightedBlock<8>(terms, slopes + i, stride, out + i);
@@ -53,6 +53,23 @@ inline void weightedSum(std::span<const Term> terms, const double* slopes, std::
     }
     if (i < stride)
         weightedBlock<1>(terms, slopes + i, stride, out + i);
+}
+
+// out[i] = sum of weight * slopes[stage * stride + i] in the order of the terms, for i < stride.
+inline void weightedSum(std::span<const Term> terms, const double* slopes, std::size_t stride,
+                        double* out) {
+    switch (stride) { // known to the compiler, in small components
+    case 1:
+        return weightedBlock<1>(terms, slopes, 1, out);
+    case 2:
+        return weightedBlock<2>(terms, slopes, 2, out);
+    case 3:
+        return weightedBlock<3>(terms, slopes, 3, out);
+    case 4:
+        return weightedBlock<4>(terms, slopes, 4, out);
+    default:
+        return weightedBlocks(terms, slopes, stride, out);
+    }
 }
 
 } // namespace solution
