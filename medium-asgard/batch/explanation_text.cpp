@@ -75,6 +75,8 @@ std::string howOf(const Component& c) {
         " by " + c.method + (c.order > 0 ? " (order " + std::to_string(c.order) + ")" : "");
     if (c.model == "closed-form")
         return c.method == "exact" ? "solved in closed form" : "evaluated, not integrated";
+    if (c.model == "linear")
+        return "solved by its matrix exponential";
     if (c.model == "quadrature")
         return "integrated over time alone" + by;
     return "integrated" + by + (c.model == "implicit" ? ", implicitly" : ", explicitly");

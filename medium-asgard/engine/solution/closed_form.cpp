@@ -17,6 +17,7 @@ namespace {
 struct Polynomial {
     Coefficients c{};
     std::size_t degree = 0;
+    std::vector<double> states = {}; // times each, added to it; empty: it reads none
 
     static Polynomial constant(double value) {
         Polynomial p;
@@ -37,10 +38,28 @@ Polynomial sum(const Polynomial& a, const Polynomial& b, double sign) {
     for (std::size_t k = 0; k <= r.degree; ++k)
         r.c[k] = a.c[k] + sign * b.c[k];
     r.trim();
+    r.states = a.states.empty() ? std::vector<double>(b.states.size(), 0.0) : a.states;
+    for (std::size_t i = 0; i < b.states.size(); ++i)
+        r.states[i] += sign * b.states[i];
     return r;
 }
 
+Polynomial multiple(Polynomial a, double factor) {
+    for (std::size_t k = 0; k <= a.degree; ++k)
+        a.c[k] *= factor;
+    for (double& x : a.states)
+        x *= factor;
+    a.trim();
+    return a;
+}
+
 Maybe product(const Polynomial& a, const Polynomial& b) {
+    if (!a.states.empty() || !b.states.empty()) { // linear is all that may be
+        const Polynomial &linear = a.states.empty() ? b : a, &other = a.states.empty() ? a : b;
+        if (other.degree > 0 || !other.states.empty())
+            return std::nullopt;
+        return multiple(linear, other.c[0]);
+    }
     if (a.degree + b.degree > maximumDegree)
         return std::nullopt;
     Polynomial r;
@@ -55,6 +74,8 @@ Maybe product(const Polynomial& a, const Polynomial& b) {
 Maybe quotient(Polynomial a, double divisor) {
     for (std::size_t k = 0; k <= a.degree; ++k)
         a.c[k] /= divisor;
+    for (double& x : a.states)
+        x /= divisor;
     return a;
 }
 
@@ -70,8 +91,8 @@ Maybe wholePower(const Polynomial& a, double exponent) {
 // Evaluates nodes as polynomials of r = (t - t0) / scale.
 class Evaluation {
 public:
-    Evaluation(ComponentEquations& equations, double t)
-        : graph_(equations.graph()), equations_(equations), t_(t) {
+    Evaluation(ComponentEquations& equations, double t, bool linear = false)
+        : graph_(equations.graph()), equations_(equations), t_(t), linear_(linear) {
         Inputs& inputs = equations.inputs();
         for (std::size_t i = 0; i < inputs.unknowns().size(); ++i) {
             const Piece& piece = inputs.at(i, t);
@@ -156,13 +177,23 @@ private:
             return Polynomial::constant(*constant);
         const auto input = equations_.inputOf(n);
         if (!input)
-            return std::nullopt; // a state
+            return state(n);
         const Piece& piece = equations_.inputs().at(*input, t_);
         Polynomial p;
         p.c = reparametrize(piece.coefficients, (t_ - piece.origin) / piece.scale,
                             scale_ / piece.scale);
         p.degree = piece.coefficients.size() - 1;
         p.trim();
+        return p;
+    }
+
+    Maybe state(Node n) const {
+        const auto place = equations_.stateOf(n);
+        if (!linear_ || !place)
+            return std::nullopt;
+        Polynomial p;
+        p.states.assign(equations_.states().size(), 0.0);
+        p.states[*place] = 1;
         return p;
     }
 
@@ -195,7 +226,7 @@ private:
     Maybe select(Node n) {
         const auto arguments = graph_.arguments(n);
         const Polynomial& condition = done_.at(arguments[0].index);
-        if (condition.degree > 0)
+        if (condition.degree > 0 || !condition.states.empty())
             return std::nullopt;
         const Node taken = arguments[condition.c[0] != 0 ? 1 : 2];
         return done_.at(taken.index);
@@ -205,7 +236,8 @@ private:
         const auto arguments = graph_.arguments(n);
         const Polynomial a = done_.at(arguments[0].index);
         const Polynomial b = arguments.size() > 1 ? done_.at(arguments[1].index) : Polynomial{};
-        if (a.degree == 0 && b.degree == 0)
+        const bool readsStates = !a.states.empty() || !b.states.empty();
+        if (a.degree == 0 && b.degree == 0 && !readsStates)
             return Polynomial::constant(expression::compute(op, a.c[0], b.c[0]));
         switch (op) {
         case Op::negate:
@@ -217,9 +249,9 @@ private:
         case Op::multiply:
             return product(a, b);
         case Op::divide:
-            return b.degree == 0 ? quotient(a, b.c[0]) : std::nullopt;
+            return b.degree == 0 && b.states.empty() ? quotient(a, b.c[0]) : std::nullopt;
         case Op::power:
-            return b.degree == 0 ? wholePower(a, b.c[0]) : std::nullopt;
+            return b.degree == 0 && !readsStates ? wholePower(a, b.c[0]) : std::nullopt;
         default:
             return std::nullopt;
         }
@@ -228,6 +260,7 @@ private:
     const expression::Graph& graph_;
     ComponentEquations& equations_;
     double t_, until_ = infinity, scale_ = 1;
+    bool linear_; // states may be read, linearly
     std::unordered_map<std::uint32_t, Polynomial> done_;
 };
 
@@ -251,6 +284,23 @@ std::optional<ClosedForm> closedForm(ComponentEquations& equations, double t,
                 column[k + 1] = p->c[k] * result.scale / static_cast<double>(k + 1);
         }
         result.columns.push_back(column);
+    }
+    return result;
+}
+
+std::optional<LinearForm> linearForm(ComponentEquations& equations, double t) {
+    if (equations.watches() > 0 || !equations.held().empty())
+        return std::nullopt;
+    Evaluation evaluation(equations, t, true);
+    LinearForm result{evaluation.until(), {}};
+    for (const Node output : equations.outputs()) {
+        const Maybe p = evaluation.of(output);
+        if (!p || p->degree > 0)
+            return std::nullopt;
+        std::vector<double> row = p->states;
+        row.resize(equations.states().size(), 0.0);
+        row.push_back(p->c[0]);
+        result.matrix.insert(result.matrix.end(), row.begin(), row.end());
     }
     return result;
 }

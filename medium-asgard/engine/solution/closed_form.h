@@ -19,4 +19,12 @@ struct ClosedForm {
 [[nodiscard]] std::optional<ClosedForm> closedForm(ComponentEquations& equations, double t,
                                                    std::span<const double> y);
 
+// y' = A y + b with constant A and b, until the end of the inputs' pieces at t (linear_motion.h).
+struct LinearForm {
+    double until = infinity;
+    std::vector<double> matrix; // A by rows, each followed by its entry of b
+};
+// None: a rate is something else; or that there are held values or switches.
+[[nodiscard]] std::optional<LinearForm> linearForm(ComponentEquations& equations, double t);
+
 } // namespace solution

@@ -7,13 +7,14 @@
 //     backTo(t)                  forget everything after t: an event
 //     restart(jumps)             go on from there
 //
-// Models, least first: `closed-form` (closed_form.h), `quadrature` (a single unknown whose rate
-// reads time and other components only, by an explicit method, unless pieces integrate exactly),
-// `explicit`, `implicit` (method_choice.h).
+// Models, least first: `closed-form` (closed_form.h, linear_motion.h), `quadrature` (a single
+// unknown whose rate reads time and other components only, by an explicit method, unless pieces
+// integrate exactly), `explicit`, `implicit` (method_choice.h).
 #pragma once
 
 #include "solution/component_equations.h"
 #include "solution/equations_in_force.h"
+#include "solution/linear_motion.h"
 #include "solution/method_choice.h"
 #include "solution/prepared_equations.h"
 #include "solution/solver.h"
@@ -71,7 +72,7 @@ public:
     [[nodiscard]] std::size_t evaluations() const;
 
 private:
-    enum class Model { undecided, closedForm, held, integrated };
+    enum class Model { undecided, closedForm, linear, held, integrated };
 
     // Phases and regimes.
     void openRegime(bool withJumps);
@@ -93,6 +94,8 @@ private:
     void decideModel();
     [[nodiscard]] bool tryClosedForm();
     void stepClosedForm();
+    [[nodiscard]] bool tryLinear();
+    void stepLinear();
     void findPlainRate();
     void stepHeld();
     void integrate();
@@ -152,6 +155,7 @@ private:
         std::optional<std::size_t> unknown; // it is that one
     };
     std::optional<PlainRate> plainRate_;
+    std::unique_ptr<LinearMotion> linear_;
     std::unique_ptr<Method> method_;
     MethodChoice choice_;
     double proposed_ = 0;             // length of the next step; 0: not known yet

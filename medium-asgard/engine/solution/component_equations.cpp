@@ -108,6 +108,13 @@ std::optional<Decision> ComponentEquations::decisionOf(Node switching) const {
     return decisions_[static_cast<std::size_t>(at - switches.begin())];
 }
 
+std::optional<std::size_t> ComponentEquations::stateOf(Node symbol) const {
+    const auto place = model_.placeOf(symbol);
+    if (!place || *place == 0 || *place > states().size())
+        return std::nullopt;
+    return *place - 1;
+}
+
 std::optional<std::size_t> ComponentEquations::inputOf(Node symbol) const {
     const auto place = model_.placeOf(symbol);
     const std::size_t first = 1 + states().size();

@@ -73,6 +73,7 @@ public:
     [[nodiscard]] std::span<const expression::Node> outputs() const { return model_.outputs(); }
     [[nodiscard]] std::optional<expression::Decision> decisionOf(expression::Node switching) const;
     // What a symbol is, other than time or a state: an input, or a constant of this component.
+    [[nodiscard]] std::optional<std::size_t> stateOf(expression::Node symbol) const;
     [[nodiscard]] std::optional<std::size_t> inputOf(expression::Node symbol) const;
     [[nodiscard]] std::optional<double> constantOf(expression::Node symbol) const;
     [[nodiscard]] bool readsStates() const { return model_.readsStates(); }

@@ -115,6 +115,8 @@ void Component::step() {
         return;
     if (model_ == Model::closedForm)
         stepClosedForm();
+    else if (model_ == Model::linear)
+        stepLinear();
     else if (model_ == Model::held)
         stepHeld();
     else
@@ -134,6 +136,11 @@ void Component::decideModel() {
         counts_.model = "closed-form";
         counts_.method = "evaluation";
         counts_.why = "held by expressions";
+    } else if (ladder && tryLinear()) {
+        model_ = Model::linear;
+        counts_.model = "linear";
+        counts_.method = "exponential";
+        counts_.why = "linear, with constant coefficients: exact at the ends of its pieces";
     } else {
         model_ = Model::integrated;
     }
@@ -141,6 +148,43 @@ void Component::decideModel() {
 
 bool Component::tryClosedForm() {
     return !equations_->sliding() && closedForm(*equations_, time_, stateValues()).has_value();
+}
+
+bool Component::tryLinear() {
+    linear_.reset();
+    if (equations_->states().size() > LinearMotion::mostStates || options_.fixedStep)
+        return false;
+    if (const auto form = linearForm(*equations_, time_))
+        linear_ = std::make_unique<LinearMotion>(*form);
+    return linear_ != nullptr;
+}
+
+void Component::stepLinear() {
+    takeStates(y_);
+    columns_.resize(y_.size());
+    const bool isLinear = time_ < linear_->until() || tryLinear();
+    const double h = isLinear ? linear_->advance(y_, columns_) : 0;
+    ++counts_.evaluations;
+    if (h == 0) { // an input's next pieces are not constant, or rounding is too much
+        model_ = Model::integrated;
+        proposed_ = 0;
+        return;
+    }
+    const double until = std::min({time_ + h, limit_, linear_->until()});
+    if (until < time_ + h)
+        for (std::size_t i = 0; i < y_.size(); ++i)
+            y_[i] = evaluate(columns_[i], (until - time_) / h);
+    append(columns_, h, until);
+    time_ = until;
+    setStates(y_);
+    normalize();
+    if (overflows())
+        return;
+    takeStates(y_);
+    control_.observe(y_);
+    immediate_ = 0;
+    if (time_ >= limit_)
+        arrive();
 }
 
 void Component::findPlainRate() {

@@ -80,8 +80,9 @@ struct Options {
 
 struct ComponentStatistics {
     std::vector<std::size_t> unknowns;
-    std::string model;  // "closed-form" | "quadrature" | "explicit" | "implicit"
-    std::string method; // "exact", "dop853", "radau5", ...: the one that it used last
+    std::string model; // "closed-form" | "quadrature" | "linear" | "explicit" | "implicit"
+    std::string
+        method; // "exact", "exponential", "dop853", "radau5", ...: the one that it used last
     std::size_t order = 0;
     std::size_t steps = 0, rejectedSteps = 0, discardedSteps = 0;
     std::size_t integratedSteps = 0;  // of the steps those that a method made

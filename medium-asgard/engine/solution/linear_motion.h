@@ -1,0 +1,61 @@
+// Linear motion with constant coefficients, y' = A y + b: drag, a spring to a fixed point, an
+// attitude that turns at a constant rate. Exact at the ends of its pieces:
+//
+//     (y, 1)(t + h) = e^{Mh} (y, 1),   M = | A b |     by scaling, Taylor's series and squaring
+//                                          | 0 0 |
+//
+// and between them the polynomial of degree 7 through the exact values at Chebyshev's points,
+// within 1e-13 of the largest value of each unknown, which is checked at four points more. (Degree
+// 7, so that what integrates it still is a polynomial that a history can keep.) Pieces grow while
+// they pass and shrink when they do not: an oscillation has some 25 in each period, what has
+// decayed has few.
+#pragma once
+
+#include "solution/closed_form.h"
+
+#include <Eigen/Core>
+
+#include <map>
+
+namespace solution {
+
+class LinearMotion {
+public:
+    static constexpr std::size_t mostStates = 8;
+
+    explicit LinearMotion(const LinearForm& form);
+    [[nodiscard]] double until() const { return until_; }
+
+    // The next piece from y: its length. Columns are polynomials of (t - t0)/length; y becomes the
+    // values at its end. 0: there is none, since values are not finite or rounding is worse than
+    // what is promised (very stiff and badly scaled A).
+    [[nodiscard]] double advance(std::span<double> y, std::span<Coefficients> columns);
+
+private:
+    static constexpr Eigen::Index most = static_cast<Eigen::Index>(mostStates) + 1;
+    using Matrix =
+        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most>;
+    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
+    static constexpr std::size_t points = 8, checks = 4;
+    struct Propagators { // of one length, to each point and check of it
+        std::array<Matrix, points> to;
+        std::array<Matrix, checks> check;
+    };
+
+    [[nodiscard]] Matrix exponential(double h) const;
+    [[nodiscard]] const Propagators& propagators(int level);
+    [[nodiscard]] double lengthOf(int level) const;
+    [[nodiscard]] bool fits(const Propagators& propagators, const Vector& start,
+                            std::span<Coefficients> columns, Vector& end);
+
+    double until_;
+    Matrix m_;
+    double base_ = 1;   // length of level 0
+    int level_ = 0;     // lengths are powers of 2 of it
+    int waiting_ = 16;  // pieces until a longer one is tried
+    int patience_ = 32; // and how many that are after the next failure
+    Vector largest_;    // of each unknown so far
+    std::map<int, Propagators> made_;
+};
+
+} // namespace solution
