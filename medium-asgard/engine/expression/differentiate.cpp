@@ -1,24 +1,55 @@
 #include "expression/graph.h"
 
+#include "expression/node_map.h"
 #include "expression/operation.h"
 
 #include <algorithm>
-#include <unordered_set>
+#include <array>
 
 namespace expression {
+
+namespace {
+
+// From the last node to the first: what reads a node comes after it.
+std::vector<Node> reachableOfMany(const Graph& graph, std::span<const Node> roots,
+                                  std::uint32_t last,
+                                  const std::unordered_map<std::uint32_t, Node>& end) {
+    std::vector<bool> seen(last + std::size_t{1});
+    for (const Node n : roots)
+        seen[n.index] = true;
+    std::vector<Node> found;
+    for (std::uint32_t i = last + 1; i-- > 0;) {
+        if (!seen[i])
+            continue;
+        found.push_back(Node{i});
+        if (end.empty() || !end.contains(i))
+            for (const Node argument : graph.arguments(Node{i}))
+                seen[argument.index] = true;
+    }
+    std::ranges::reverse(found);
+    return found;
+}
+
+} // namespace
 
 // An own stack: expressions may be very deep.
 std::vector<Node> reachable(const Graph& graph, std::span<const Node> roots,
                             const std::unordered_map<std::uint32_t, Node>& end) {
-    std::unordered_set<std::uint32_t> seen;
+    constexpr std::uint32_t small = 4096;
+    if (roots.empty())
+        return {};
+    const std::uint32_t last = std::ranges::max(roots).index;
+    if (last < small || roots.size() > small / 64)
+        return reachableOfMany(graph, roots, last, end);
+    NodeMap<bool> seen;
     std::vector<Node> pending(roots.begin(), roots.end()), found;
     while (!pending.empty()) {
         const Node n = pending.back();
         pending.pop_back();
-        if (!seen.insert(n.index).second)
+        if (!seen.insert(n, true))
             continue;
         found.push_back(n);
-        if (end.contains(n.index))
+        if (!end.empty() && end.contains(n.index))
             continue;
         const auto arguments = graph.arguments(n);
         pending.insert(pending.end(), arguments.begin(), arguments.end());
@@ -131,48 +162,117 @@ private:
 } // namespace
 
 Node differentiate(Graph& graph, Node node, Node symbol) {
-    const Node zero = graph.constant(0), one = graph.constant(1);
-    std::unordered_map<std::uint32_t, Node> derivatives; // absent: 0
-    ChainRule chainRule(graph);
-    for (const Node n : reachable(graph, std::span(&node, 1))) {
-        if (n == symbol) {
-            derivatives.emplace(n.index, one);
-            continue;
-        }
-        std::vector<Node> d;
-        for (const Node a : graph.arguments(n)) {
-            const auto found = derivatives.find(a.index);
-            d.push_back(found == derivatives.end() ? zero : found->second);
-        }
-        if (std::ranges::any_of(d, [zero](Node x) { return x != zero; }))
-            derivatives.emplace(n.index, chainRule(n, d));
-    }
-    const auto found = derivatives.find(node.index);
-    return found == derivatives.end() ? zero : found->second;
+    const auto rows = gradients(graph, std::span(&node, 1), std::span(&symbol, 1));
+    return rows[0].empty() ? graph.constant(0) : rows[0][0].derivative;
 }
 
+namespace {
+
+// Derivatives of nodes in order of index, so that those of arguments are there before.
+class Gradients {
+public:
+    Gradients(Graph& graph, std::span<const Node> symbols)
+        : graph_(graph), chainRule_(graph), zero_(graph.constant(0)), one_(graph.constant(1)) {
+        for (std::size_t i = 0; i < symbols.size(); ++i)
+            places_.insert(symbols[i], static_cast<std::uint32_t>(i));
+    }
+
+    void add(Node n) {
+        const auto first = static_cast<std::uint32_t>(partials_.size());
+        if (const auto* const place = places_.find(n))
+            partials_.push_back({*place, one_});
+        else
+            derive(n);
+        if (partials_.size() > first)
+            ranges_.insert(n, {first, static_cast<std::uint32_t>(partials_.size())});
+    }
+
+    [[nodiscard]] std::span<const Partial> of(Node n) const {
+        const auto* const range = ranges_.find(n);
+        if (!range)
+            return {};
+        return std::span(partials_).subspan(range->first, range->second - range->first);
+    }
+
+private:
+    // By each symbol that some argument depends on; the arguments' lists are in order of symbols.
+    void derive(Node n) {
+        const auto arguments = graph_.arguments(n);
+        std::array<std::pair<std::uint32_t, std::uint32_t>, 3> left{}; // of each list
+        for (std::size_t k = 0; k < arguments.size(); ++k)
+            if (const auto* const range = ranges_.find(arguments[k]))
+                left[k] = *range;
+        for (;;) {
+            std::uint32_t symbol = none;
+            for (const auto& [at, end] : left)
+                if (at < end)
+                    symbol = std::min(symbol, partials_[at].symbol);
+            if (symbol == none)
+                return;
+            std::array<Node, 3> d{zero_, zero_, zero_};
+            for (std::size_t k = 0; k < arguments.size(); ++k)
+                if (left[k].first < left[k].second && partials_[left[k].first].symbol == symbol)
+                    d[k] = partials_[left[k].first++].derivative;
+            const Node derivative = chainRule_(n, std::span(d).first(arguments.size()));
+            if (derivative != zero_)
+                partials_.push_back({symbol, derivative});
+        }
+    }
+
+    static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
+    Graph& graph_;
+    ChainRule chainRule_;
+    Node zero_, one_;
+    NodeMap<std::uint32_t> places_; // of symbols
+    std::vector<Partial> partials_;
+    NodeMap<std::pair<std::uint32_t, std::uint32_t>> ranges_; // of partials, by node
+};
+
+} // namespace
+
+std::vector<std::vector<Partial>> gradients(Graph& graph, std::span<const Node> roots,
+                                            std::span<const Node> symbols) {
+    Gradients all(graph, symbols);
+    for (const Node n : reachable(graph, roots))
+        all.add(n);
+    std::vector<std::vector<Partial>> rows;
+    rows.reserve(roots.size());
+    for (const Node root : roots) {
+        const auto row = all.of(root);
+        rows.emplace_back(row.begin(), row.end());
+    }
+    return rows;
+}
+
+// What holds nothing that is replaced stays the node that it is.
 Node substitute(Graph& graph, Node node,
                 const std::unordered_map<std::uint32_t, Node>& replacements) {
-    std::unordered_map<std::uint32_t, Node> made;
+    if (replacements.empty())
+        return node;
+    NodeMap<Node> made; // absent: as it was
     for (const Node n : reachable(graph, std::span(&node, 1), replacements)) {
         const auto replacement = replacements.find(n.index);
         if (replacement != replacements.end()) {
-            made.emplace(n.index, replacement->second);
+            made.insert(n, replacement->second);
             continue;
         }
-        std::vector<Node> a;
-        for (const Node argument : graph.arguments(n))
-            a.push_back(made.at(argument.index));
-        Node result = n;
-        if (a.size() == 1)
-            result = graph.apply(graph.op(n), a[0]);
-        else if (a.size() == 2)
-            result = graph.apply(graph.op(n), a[0], a[1]);
-        else if (a.size() == 3)
-            result = graph.apply(graph.op(n), a[0], a[1], a[2]);
-        made.emplace(n.index, result);
+        std::array<Node, 3> a{};
+        bool isChanged = false;
+        const auto arguments = graph.arguments(n);
+        for (std::size_t k = 0; k < arguments.size(); ++k) {
+            const Node* const other = made.find(arguments[k]);
+            a[k] = other ? *other : arguments[k];
+            isChanged |= other != nullptr;
+        }
+        if (!isChanged)
+            continue;
+        const Op op = graph.op(n);
+        made.insert(n, arguments.size() == 1   ? graph.apply(op, a[0])
+                       : arguments.size() == 2 ? graph.apply(op, a[0], a[1])
+                                               : graph.apply(op, a[0], a[1], a[2]));
     }
-    return made.at(node.index);
+    const Node* const result = made.find(node);
+    return result ? *result : node;
 }
 
 std::vector<Node> symbolsOf(const Graph& graph, std::span<const Node> nodes) {

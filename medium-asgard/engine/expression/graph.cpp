@@ -12,78 +12,90 @@
 namespace expression {
 namespace {
 
-std::size_t mixed(std::size_t hash, std::size_t value) {
-    hash ^= value + 0x9e3779b97f4a7c15u + (hash << 6) + (hash >> 2);
-    return hash * 0xbf58476d1ce4e5b9u;
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
+    hash = (hash ^ value) * 0x9e3779b97f4a7c15u;
+    return hash ^ (hash >> 32);
 }
 
 } // namespace
 
 Graph::Graph() = default;
 
-std::size_t Graph::hashOf(const Entry& entry) {
-    std::size_t hash = static_cast<std::size_t>(entry.op);
-    for (std::uint8_t i = 0; i < entry.count; ++i)
-        hash = mixed(hash, entry.arguments[i].index);
+Graph::Entries& Graph::Entries::operator=(const Entries& other) {
+    if (this == &other)
+        return *this;
+    blocks_.clear();
+    blocks_.reserve(other.blocks_.size());
+    for (const auto& entries : other.blocks_)
+        blocks_.push_back(std::make_unique<std::array<Entry, block>>(*entries));
+    size_ = other.size_;
+    return *this;
+}
+
+void Graph::Entries::add(const Entry& entry) {
+    if (size_ % block == 0)
+        blocks_.push_back(std::make_unique<std::array<Entry, block>>());
+    (*blocks_.back())[size_ % block] = entry;
+    ++size_;
+}
+
+// The same for both orders of arguments that may be swapped.
+std::uint32_t Graph::hashOf(const Entry& entry) {
+    auto hash = static_cast<std::uint64_t>(entry.op);
+    std::uint64_t a = entry.arguments[0].index, b = entry.arguments[1].index;
+    if (isCommutative(entry.op) && b < a)
+        std::swap(a, b);
+    hash = mixed(hash, a + (b << 32));
+    if (entry.count == 3)
+        hash = mixed(hash, entry.arguments[2].index);
     if (entry.op == Op::constant)
         hash = mixed(hash, std::bit_cast<std::uint64_t>(entry.value));
-    if (entry.op == Op::symbol)
-        hash = mixed(hash, entry.name);
-    return hash ^ hash >> 32;
+    return static_cast<std::uint32_t>(hash ^ (hash >> 29));
 }
 
 bool Graph::isSame(const Entry& a, const Entry& b) {
-    return a.op == b.op && a.count == b.count && a.name == b.name &&
-           std::equal(a.arguments, a.arguments + a.count, b.arguments) &&
-           std::bit_cast<std::uint64_t>(a.value) == std::bit_cast<std::uint64_t>(b.value);
+    if (a.op != b.op ||
+        std::bit_cast<std::uint64_t>(a.value) != std::bit_cast<std::uint64_t>(b.value))
+        return false;
+    return a.arguments == b.arguments || (isCommutative(a.op) && a.arguments[0] == b.arguments[1] &&
+                                          a.arguments[1] == b.arguments[0]);
 }
 
-std::optional<Node> Graph::find(const Entry& entry, std::size_t hash) const {
-    if (table_.empty())
-        return std::nullopt;
-    const std::size_t mask = table_.size() - 1;
-    for (std::size_t i = hash & mask; table_[i] != free; i = (i + 1) & mask)
-        if (isSame(entries_[table_[i]], entry))
-            return Node{table_[i]};
-    return std::nullopt;
-}
-
-void Graph::enter(std::uint32_t index, std::size_t hash) {
-    const auto place = [this](std::uint32_t entry, std::size_t at) {
-        const std::size_t mask = table_.size() - 1;
-        for (at &= mask; table_[at] != free;)
-            at = (at + 1) & mask;
-        table_[at] = entry;
-    };
-    if (2 * entries_.size() > table_.size()) {
-        table_.assign(std::max<std::size_t>(64, 2 * table_.size()), free);
-        for (std::uint32_t i = 0; i < index; ++i)
-            place(i, hashOf(entries_[i]));
-    }
-    place(index, hash);
-}
-
+// The order of arguments is that in which a node was first written.
 Node Graph::intern(const Entry& entry) {
-    const std::size_t hash = hashOf(entry);
-    if (const auto found = find(entry, hash))
-        return *found;
-    if (isCommutative(entry.op)) { // keep the order in which it was first written
-        Entry swapped = entry;
-        std::swap(swapped.arguments[0], swapped.arguments[1]);
-        if (const auto found = find(swapped, hashOf(swapped)))
-            return *found;
-    }
+    if (2 * (entries_.size() + 1) > table_.size())
+        growTable();
+    const std::uint32_t hash = hashOf(entry);
+    const std::size_t mask = table_.size() - 1;
+    std::size_t at = hash & mask;
+    for (; table_[at].next != 0; at = (at + 1) & mask)
+        if (table_[at].hash == hash && isSame(entries_[table_[at].next - 1], entry))
+            return Node{table_[at].next - 1};
     const auto index = static_cast<std::uint32_t>(entries_.size());
-    entries_.push_back(entry);
-    enter(index, hash);
+    entries_.add(entry);
+    table_[at] = {hash, index + 1};
     return Node{index};
+}
+
+void Graph::growTable() {
+    std::vector<Place> larger(std::max<std::size_t>(64, 2 * table_.size()));
+    const std::size_t mask = larger.size() - 1;
+    for (const Place& place : table_) {
+        if (place.next == 0)
+            continue;
+        std::size_t at = place.hash & mask;
+        while (larger[at].next != 0)
+            at = (at + 1) & mask;
+        larger[at] = place;
+    }
+    table_ = std::move(larger);
 }
 
 // What is not finite is kept as the quotient that makes it, so that it prints and parses.
 Node Graph::constant(double value) {
     if (!std::isfinite(value)) {
         const double numerator = std::isnan(value) ? 0 : value > 0 ? 1 : -1;
-        return intern(makeEntry(Op::divide, constant(numerator), constant(0)));
+        return intern(makeEntry(Op::divide, constant(numerator), constant(0), {}));
     }
     Entry entry;
     entry.op = Op::constant;
@@ -96,7 +108,7 @@ Node Graph::symbol(std::string_view name) {
     if (isNew) {
         Entry entry;
         entry.op = Op::symbol;
-        entry.name = static_cast<std::uint32_t>(names_.size());
+        entry.arguments[0].index = static_cast<std::uint32_t>(names_.size());
         names_.emplace_back(name);
         it->second = intern(entry);
     }
@@ -107,15 +119,13 @@ Graph::Entry Graph::makeEntry(Op op, Node a, Node b, Node c) {
     Entry entry;
     entry.op = op;
     entry.count = static_cast<std::uint8_t>(argumentCount(op));
-    const Node arguments[3] = {a, b, c};
-    std::copy(arguments, arguments + entry.count, entry.arguments);
+    entry.arguments = {a, b, c};
     return entry;
 }
 
 Node Graph::make(Op op, Node a, Node b, Node c) {
     const Entry entry = makeEntry(op, a, b, c);
-    const std::span<const Node> arguments(entry.arguments, entry.count);
-    const auto shorter = simplified(*this, op, arguments);
+    const auto shorter = simplified(*this, op, std::span(entry.arguments).first(entry.count));
     return shorter ? *shorter : intern(entry);
 }
 
@@ -134,16 +144,8 @@ Node Graph::apply(Op op, Node a, Node b, Node c) {
     return make(op, a, b, c);
 }
 
-std::span<const Node> Graph::arguments(Node n) const {
-    const Entry& entry = entries_[n.index];
-    return {entry.arguments, entry.count};
-}
-
-const std::string& Graph::name(Node symbol) const { return names_[entries_[symbol.index].name]; }
-
-bool Graph::isConstant(Node n, double value) const {
-    const Entry& entry = entries_[n.index];
-    return entry.op == Op::constant && entry.value == value;
+const std::string& Graph::name(Node symbol) const {
+    return names_[entries_[symbol.index].arguments[0].index];
 }
 
 } // namespace expression

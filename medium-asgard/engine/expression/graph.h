@@ -8,8 +8,10 @@
 // A graph belongs to one thread while it is built; afterwards it may be read by any.
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cstdint>
-#include <deque>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -85,34 +87,60 @@ public:
     [[nodiscard]] Node negate(Node a) { return apply(Op::negate, a); }
 
     [[nodiscard]] Op op(Node n) const { return entries_[n.index].op; }
-    [[nodiscard]] std::span<const Node> arguments(Node n) const; // valid as long as the graph
+    [[nodiscard]] std::span<const Node> arguments(Node n) const { // valid as long as the graph
+        const Entry& entry = entries_[n.index];
+        return {entry.arguments.data(), entry.count};
+    }
     [[nodiscard]] double value(Node constant) const { return entries_[constant.index].value; }
     [[nodiscard]] const std::string& name(Node symbol) const;
-    [[nodiscard]] bool isConstant(Node n, double value) const;
+    [[nodiscard]] bool isConstant(Node n, double value) const {
+        const Entry& entry = entries_[n.index];
+        return entry.op == Op::constant && entry.value == value;
+    }
     [[nodiscard]] std::size_t size() const { return entries_.size(); }
 
 private:
     struct Entry {
         Op op = Op::constant;
         std::uint8_t count = 0;
-        Node arguments[3];
-        double value = 0;       // of a constant
-        std::uint32_t name = 0; // of a symbol
+        std::array<Node, 3> arguments{}; // of a symbol, the index of its name
+        double value = 0;                // of a constant
     };
-    static Entry makeEntry(Op op, Node a, Node b = {}, Node c = {});
-    static std::size_t hashOf(const Entry& entry);
+    // Entries by index, in blocks that stay where they are while more are added.
+    class Entries {
+    public:
+        Entries() = default;
+        Entries(const Entries& other) { *this = other; }
+        Entries(Entries&&) noexcept = default;
+        Entries& operator=(const Entries& other);
+        Entries& operator=(Entries&&) noexcept = default;
+        ~Entries() = default;
+        [[nodiscard]] std::size_t size() const { return size_; }
+        [[nodiscard]] const Entry& operator[](std::size_t i) const {
+            return (*blocks_[i / block])[i % block];
+        }
+        void add(const Entry& entry);
+
+    private:
+        static constexpr std::size_t block = 256;
+        std::vector<std::unique_ptr<std::array<Entry, block>>> blocks_;
+        std::size_t size_ = 0;
+    };
+    // Which node has this hash: open addressing with linear probing, at most half full.
+    struct Place {
+        std::uint32_t hash = 0, next = 0; // next: its index + 1; 0: nobody
+    };
+    static Entry makeEntry(Op op, Node a, Node b, Node c);
+    static std::uint32_t hashOf(const Entry& entry);
     static bool isSame(const Entry& a, const Entry& b);
-    [[nodiscard]] std::optional<Node> find(const Entry& entry, std::size_t hash) const;
-    void enter(std::uint32_t index, std::size_t hash);
     Node intern(const Entry& entry);
     Node make(Op op, Node a, Node b, Node c);
+    void growTable();
 
-    std::deque<Entry> entries_;
+    Entries entries_;
     std::vector<std::string> names_;
     std::unordered_map<std::string, Node> symbols_;
-    // Open addressing: the entry's index at the first free place from its hash on.
-    static constexpr std::uint32_t free = static_cast<std::uint32_t>(-1);
-    std::vector<std::uint32_t> table_;
+    std::vector<Place> table_;
 };
 
 // Infix text that parse() reads back to the same node.
@@ -121,6 +149,16 @@ private:
 // d node / d symbol. Switching functions differentiate piecewise: d abs(x) = sign(x) dx,
 // d floor = d sign = 0, d min(a,b) = select(a < b, da, db).
 [[nodiscard]] Node differentiate(Graph& graph, Node node, Node symbol);
+
+// Rows of a Jacobian: of each root, its derivatives that are not 0 by the symbols given, in their
+// order. Every node is differentiated once by each symbol that it depends on, however many roots
+// share it.
+struct Partial {
+    std::uint32_t symbol; // its place among the symbols
+    Node derivative;
+};
+[[nodiscard]] std::vector<std::vector<Partial>> gradients(Graph& graph, std::span<const Node> roots,
+                                                          std::span<const Node> symbols);
 
 // Every node (a symbol, mostly) replaced by the one given for it; what is put in stays as it is.
 [[nodiscard]] Node substitute(Graph& graph, Node node,

@@ -180,5 +180,43 @@ TEST(Graph, DepthDoesNotExhaustTheStack) {
     EXPECT_NE(substitute(graph, sum, {{x.index, graph.symbol("y")}}), sum);
 }
 
+// The rows of a Jacobian are the derivatives one by one; what roots share is derived once.
+TEST(Gradients, AreTheDerivativesThatAreNotZeroInTheOrderOfTheSymbols) {
+    Graph graph;
+    const Node roots[] = {parsed(graph, "y*sin(x*y) + z"), parsed(graph, "7"),
+                          parsed(graph, "sin(x*y)^2")};
+    const Node symbols[] = {graph.symbol("z"), graph.symbol("y"), graph.symbol("x")};
+    const auto rows = gradients(graph, roots, symbols);
+    const std::size_t size = graph.size();
+    ASSERT_EQ(rows.size(), 3u);
+    std::string text;
+    for (std::size_t row = 0; row < 3; ++row)
+        for (const auto& [symbol, derivative] : rows[row]) {
+            EXPECT_EQ(differentiate(graph, roots[row], symbols[symbol]), derivative);
+            text += std::to_string(row) + " by " + graph.name(symbols[symbol]) + ": " +
+                    print(graph, derivative) + '\n';
+        }
+    EXPECT_EQ(text, "0 by z: 1\n"
+                    "0 by y: sin(x*y) + y*(cos(x*y)*x)\n"
+                    "0 by x: y*(cos(x*y)*y)\n"
+                    "2 by y: 2*sin(x*y)*(cos(x*y)*x)\n"
+                    "2 by x: 2*sin(x*y)*(cos(x*y)*y)\n");
+    EXPECT_EQ(graph.size(), size); // nothing was new
+}
+
+TEST(Graph, CopiesGoTheirOwnWays) {
+    Graph graph;
+    Node sum = graph.symbol("x");
+    for (int i = 1; i < 1000; ++i) // more than one block
+        sum = graph.apply(Op::sin, graph.add(sum, graph.constant(i)));
+    Graph copy = graph;
+    EXPECT_EQ(copy.apply(Op::cos, sum).index, graph.size());
+    EXPECT_EQ(copy.size(), graph.size() + 1);
+    EXPECT_EQ(graph.apply(Op::tan, sum).index, copy.size() - 1);
+    EXPECT_EQ(graph.op(Node{static_cast<std::uint32_t>(graph.size() - 1)}), Op::tan);
+    EXPECT_EQ(copy.op(Node{static_cast<std::uint32_t>(copy.size() - 1)}), Op::cos);
+    EXPECT_EQ(copy.symbol("x"), graph.symbol("x"));
+}
+
 } // namespace
 } // namespace expression

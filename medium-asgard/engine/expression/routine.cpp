@@ -78,7 +78,8 @@ bool readsMemory(const Item& item, unsigned argument) {
 // are used next.
 class Program {
 public:
-    Program(const Sequence& sequence, Purpose purpose) {
+    enum class Order { asGiven, byOutput };
+    Program(const Sequence& sequence, Purpose purpose, Order order) {
         Value next = sequence.slots();
         for (const Sequence::Instruction& i : sequence.instructions) {
             const bool decides = i.decision >= 0;
@@ -101,6 +102,9 @@ public:
         values = next;
         if (purpose != Purpose::guards)
             outputs = sequence.outputs;
+        keepNeeded();
+        if (order == Order::byOutput)
+            reorder();
         findUses();
     }
 
@@ -110,36 +114,68 @@ public:
     std::uint32_t values = 0;
 
 private:
-    void findUses() {
-        std::vector<std::uint32_t> next(values, never);
+    void keepNeeded() {
         std::vector<bool> needed(values);
         for (const Value v : outputs)
             needed[v] = true;
-        std::vector<Item> kept;
+        for (auto item = items.rbegin(); item != items.rend(); ++item)
+            for (unsigned k = 0; needed[item->result] && k < item->count; ++k)
+                needed[item->arguments[k]] = true;
+        std::erase_if(items, [&needed](const Item& item) { return !needed[item.result]; });
+    }
+
+    // Each output with what it needs and is not there yet, one after the other: values live
+    // shortly.
+    void reorder() {
+        std::vector<std::uint32_t> maker(values,
+                                         never); // item of each value; never once it is placed
+        for (std::uint32_t i = 0; i < items.size(); ++i)
+            maker[items[i].result] = i;
+        std::vector<Item> ordered;
+        ordered.reserve(items.size());
+        std::vector<Value> stack;
+        for (const Value output : outputs) {
+            stack.push_back(output);
+            while (!stack.empty()) {
+                const Value v = stack.back();
+                if (maker[v] == never) {
+                    stack.pop_back();
+                    continue;
+                }
+                const Item& item = items[maker[v]];
+                const std::size_t size = stack.size();
+                for (unsigned k = item.count; k-- > 0;)
+                    if (maker[item.arguments[k]] != never)
+                        stack.push_back(item.arguments[k]);
+                if (stack.size() > size)
+                    continue;
+                stack.pop_back();
+                ordered.push_back(item);
+                maker[v] = never;
+            }
+        }
+        items = std::move(ordered);
+    }
+
+    void findUses() {
+        std::vector<std::uint32_t> next(values, never);
         auto position = static_cast<std::uint32_t>(items.size());
         for (auto item = items.rbegin(); item != items.rend(); ++item) {
             --position;
-            if (!needed[item->result])
-                continue;
             item->firstUse = next[item->result];
             for (unsigned k = 0; k < item->count; ++k)
                 item->nextUse[k] = next[item->arguments[k]];
-            for (unsigned k = 0; k < item->count; ++k) {
+            for (unsigned k = 0; k < item->count; ++k)
                 next[item->arguments[k]] = position;
-                needed[item->arguments[k]] = true;
-            }
-            kept.push_back(*item);
         }
-        std::ranges::reverse(kept);
-        items = std::move(kept);
         firstUse = std::move(next);
     }
 };
 
 class Planner {
 public:
-    Planner(const Sequence& sequence, Purpose purpose, Ability ability)
-        : program_(sequence, purpose), ability_(ability), reg_(program_.values, noRegister),
+    Planner(const Sequence& sequence, Purpose purpose, Ability ability, Program::Order order)
+        : program_(sequence, purpose, order), ability_(ability), reg_(program_.values, noRegister),
           home_(program_.values), nextUse_(program_.firstUse), outputOf_(program_.values, never),
           nextOutput_(program_.outputs.size(), never) {
         for (Value v = 0; v < sequence.inputs; ++v)
@@ -154,12 +190,17 @@ public:
         holds_.fill(never);
     }
 
-    Routine run() {
+    // Given up when it needs more than `most` places for spills.
+    Routine run(std::uint32_t most = never) {
+        routine_.steps.reserve(2 * program_.items.size());
         for (Value v = 0; v < first_; ++v)
             if (outputOf_[v] != never)
                 copyToOutputs(v);
-        for (const Item& item : program_.items)
+        for (const Item& item : program_.items) {
             add(item);
+            if (routine_.spills > most)
+                break;
+        }
         return std::move(routine_);
     }
 
@@ -185,7 +226,7 @@ private:
         for (unsigned k = 0; k < item.count; ++k)
             *places[k] = operand(item, step.isCall, k, arguments[k], nextUse[k]);
         for (unsigned k = 0; k < item.count; ++k)
-            nextUse_[arguments[k]] = nextUse[k];
+            setNextUse(arguments[k], nextUse[k]);
         if (step.isCall)
             saveAll();
         for (unsigned k = 0; k < item.count; ++k)
@@ -243,9 +284,9 @@ private:
         for (unsigned r = 0; r < Routine::registers; ++r) {
             if (holds_[r] == never)
                 return r;
-            if (!pinned_[r] && (best == noRegister || nextUse_[holds_[r]] > furthest)) {
+            if (!pinned_[r] && (best == noRegister || nextUseOfRegister_[r] > furthest)) {
                 best = r;
-                furthest = nextUse_[holds_[r]];
+                furthest = nextUseOfRegister_[r];
             }
         }
         save(holds_[best]);
@@ -257,6 +298,13 @@ private:
     void take(unsigned r, Value v) {
         holds_[r] = v;
         reg_[v] = r;
+        nextUseOfRegister_[r] = nextUse_[v];
+    }
+
+    void setNextUse(Value v, std::uint32_t next) {
+        nextUse_[v] = next;
+        if (reg_[v] != noRegister)
+            nextUseOfRegister_[reg_[v]] = next;
     }
 
     // Memory has it.
@@ -318,6 +366,7 @@ private:
     std::vector<std::uint32_t> outputOf_, nextOutput_; // lists of the outputs that a value is
     std::vector<std::uint32_t> freeSpills_, read_;     // read: by the step that is being made
     std::array<Value, Routine::registers> holds_;
+    std::array<std::uint32_t, Routine::registers> nextUseOfRegister_{};
     std::array<bool, Routine::registers> pinned_{};
     Value first_ = 0; // result
 };
@@ -330,7 +379,12 @@ std::string named(Place place) {
 } // namespace
 
 Routine makeRoutine(const Sequence& sequence, Purpose purpose, Ability ability) {
-    return Planner(sequence, purpose, ability).run();
+    // The given order has more that does not wait for each other; the other needs less memory.
+    constexpr std::uint32_t many = 64;
+    Routine routine = Planner(sequence, purpose, ability, Program::Order::asGiven).run(many);
+    if (routine.spills > many)
+        routine = Planner(sequence, purpose, ability, Program::Order::byOutput).run();
+    return routine;
 }
 
 std::string Routine::print() const {

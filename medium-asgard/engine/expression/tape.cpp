@@ -1,12 +1,12 @@
 #include "expression/tape.h"
 
+#include "expression/node_map.h"
 #include "expression/operation.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 
 namespace expression {
 
@@ -91,31 +91,30 @@ std::size_t Sequence::hash() const {
 
 Tape::Tape(const Graph& graph, std::span<const Node> inputs, std::span<const Node> outputs) {
     sequence_.inputs = static_cast<std::uint32_t>(inputs.size());
-    std::unordered_map<std::uint32_t, std::uint32_t> slotOf;
+    NodeMap<std::uint32_t> slotOf;
     for (std::size_t i = 0; i < inputs.size(); ++i)
-        slotOf.emplace(inputs[i].index, static_cast<std::uint32_t>(i));
+        slotOf.insert(inputs[i], static_cast<std::uint32_t>(i));
     const std::vector<Node> nodes = reachable(graph, outputs);
     constants_.push_back(1); // of short powers
     for (const Node n : nodes)
         if (graph.op(n) == Op::constant) {
-            slotOf.emplace(n.index,
-                           static_cast<std::uint32_t>(sequence_.inputs + constants_.size()));
+            slotOf.insert(n, static_cast<std::uint32_t>(sequence_.inputs + constants_.size()));
             constants_.push_back(graph.value(n));
         }
     sequence_.constants = static_cast<std::uint32_t>(constants_.size());
     for (const Node n : nodes) {
-        if (graph.op(n) == Op::constant || slotOf.contains(n.index))
+        if (slotOf.find(n))
             continue;
         assert(graph.op(n) != Op::symbol && "every symbol that is read must be an input");
         const auto a = graph.arguments(n);
-        const auto slot = [&](std::size_t i) { return i < a.size() ? slotOf.at(a[i].index) : 0; };
+        const auto slot = [&](std::size_t i) { return i < a.size() ? *slotOf.find(a[i]) : 0; };
         const bool isShort = graph.op(n) == Op::power && graph.op(a[1]) == Op::constant &&
                              isShortPower(graph.value(a[1]));
-        slotOf.emplace(n.index, isShort ? emitShortPower(slot(0), graph.value(a[1]))
-                                        : emit(graph.op(n), slot(0), slot(1), slot(2)));
+        slotOf.insert(n, isShort ? emitShortPower(slot(0), graph.value(a[1]))
+                                 : emit(graph.op(n), slot(0), slot(1), slot(2)));
     }
     std::ranges::transform(outputs, std::back_inserter(sequence_.outputs),
-                           [&](Node n) { return slotOf.at(n.index); });
+                           [&](Node n) { return *slotOf.find(n); });
 }
 
 std::uint32_t Tape::emit(Op op, std::uint32_t a, std::uint32_t b, std::uint32_t c) {

@@ -100,15 +100,11 @@ std::unique_ptr<ComponentModel::Jacobian> ComponentModel::derivedJacobian() cons
     auto jacobian = std::make_unique<Jacobian>();
     Graph graph = graph_;
     std::vector<std::vector<std::pair<int, Node>>> columns(states_);
+    const auto rows = expression::gradients(graph, std::span(outputs_).first(states_),
+                                            std::span(symbols_).subspan(1, states_));
     for (std::size_t row = 0; row < states_; ++row)
-        for (const Node symbol : expression::symbolsOf(graph, {&outputs_[row], 1})) {
-            const std::size_t place = *placeOf(symbol);
-            if (place < 1 || place > states_)
-                continue;
-            const Node d = expression::differentiate(graph, outputs_[row], symbol);
-            if (!graph.isConstant(d, 0))
-                columns[place - 1].emplace_back(static_cast<int>(row), d);
-        }
+        for (const auto& [state, derivative] : rows[row])
+            columns[state].emplace_back(static_cast<int>(row), derivative);
     Pattern& pattern = jacobian->pattern;
     std::vector<Node> entries;
     pattern.columnStarts.push_back(0);
