@@ -9,16 +9,16 @@ namespace simulation {
 namespace {
 
 // Constants of the search, measured on all reference scenes (docs/numerics.md, "Accuracy").
-constexpr double firstTolerance = 0.5;   // of the accuracy, in the first run
-constexpr double loosest = 1e-3;         // and at most this
-constexpr double tightening = 1.0 / 8;   // between the first two runs
-constexpr double enough = 0.5;           // of the accuracy: the estimate that is accepted
-constexpr double aim = 0.15;             // and what is aimed at when it is not
-constexpr double rougher = 512;          // of a third run, when the first two are equal
-constexpr double largestStep = 1e-3;     // of tolerances, from run to run
-constexpr double caution = 2, lag = 0.9; // errors fall a little less than tolerances do
-constexpr double plausible = 0.03;       // larger differences say nothing of how errors behave
-constexpr double nearby = 3, far = 100;  // times the accuracy: differences that can be trusted
+constexpr double firstTolerance = 0.5;     // of the accuracy, in the first run
+constexpr double loosest = 1e-3;           // and at most this
+constexpr double tightening = 1.0 / 8;     // between the first two runs
+constexpr double enough = 0.625;           // of the accuracy: the estimate that is accepted
+constexpr double aim = 0.15;               // and what is aimed at when it is not
+constexpr double rougher = 512;            // of a third run, when the first two are equal
+constexpr double largestStep = 1e-3;       // of tolerances, from run to run
+constexpr double caution = 2.5, lag = 0.9; // errors fall a little less than tolerances do
+constexpr double plausible = 0.03;         // larger differences say nothing of how errors behave
+constexpr double nearby = 3, far = 100;    // times the accuracy: differences that can be trusted
 constexpr int patience = 2; // pairs of runs that come no closer, before tightening is given up
 // What rounding does in a step, as a tolerance: where errors of the reference scenes stop falling.
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
