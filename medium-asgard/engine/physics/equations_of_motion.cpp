@@ -184,13 +184,19 @@ std::array<double, bodyUnknowns> BodyMotion::unknownsOf(const BodyValues& v) con
             spin[0],       spin[1],       spin[2]};
 }
 
-EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene) {
+EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
+                                     const std::function<void()>& meanwhile) {
+    const auto pause = [&meanwhile](std::size_t done) {
+        if (done % 64 == 63 && meanwhile)
+            meanwhile();
+    };
     Graph& g = set.graph;
     set.time = g.symbol("t");
     std::vector<BodyMass> masses;
     std::vector<BodySymbols> symbols;
     MassReader reader(scene);
     for (const scene::Body& body : scene.bodies) {
+        pause(bodies.size());
         const auto mass = reader.massOf(body);
         if (const auto* sentence = std::get_if<std::string>(&mass)) {
             faults.push_back(*sentence);
@@ -210,6 +216,7 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene) {
         acting[c.body].push_back(&c);
     std::set<double> times;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
+        pause(b);
         setRates(g, scene, bodies[b], acting[b]);
         const auto read = trajectoriesReadBy(g, *scope, bodies[b]);
         const auto segments = segmentsOf(scene, *scope, b, cutsOf(*scope, read), faults);

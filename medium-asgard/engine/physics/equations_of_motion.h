@@ -17,6 +17,7 @@
 #include "physics/scope.h"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -81,7 +82,9 @@ struct LinkNodes {
 };
 
 struct EquationsOfMotion {
-    explicit EquationsOfMotion(const scene::Scene& scene);
+    // Of many bodies it takes a while: `meanwhile` is called now and then, and may throw to end it.
+    explicit EquationsOfMotion(const scene::Scene& scene,
+                               const std::function<void()>& meanwhile = {});
 
     expression::EquationSet set;
     std::vector<BodyMotion> bodies; // as Scene::bodies

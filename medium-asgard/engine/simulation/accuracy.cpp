@@ -120,12 +120,14 @@ double IslandError::beyondFrom(double limit) const {
 }
 
 std::vector<IslandError> compareRuns(const Problem& problem, const Run& first, const Run& second,
-                                     double limit) {
+                                     double limit, const std::function<bool()>& cancelled) {
     const auto& bodies = *problem.bodies;
     std::vector<IslandError> errors(bodies.size(),
                                     {.size = 0, .far = 0, .largest = 0, .growth = {}});
     std::vector<Eigen::AlignedBox3d> boxes(bodies.size()); // by island, as errors
     for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (b % 16 == 15 && cancelled && cancelled())
+            return errors;
         if (bodies[b].isFixed)
             continue;
         const std::size_t island = second.island[b];

@@ -28,8 +28,10 @@ struct IslandError {
 // By body: the error of its island (bodies of one island share it). Compared at the steps of the
 // second run, at their ends and middles in turn, as far as both are known. The growth of errors is
 // told of islands where the largest exceeds `limit`.
+// When it is cancelled meanwhile the answer says nothing.
 [[nodiscard]] std::vector<IslandError> compareRuns(const Problem& problem, const Run& first,
-                                                   const Run& second, double limit);
+                                                   const Run& second, double limit,
+                                                   const std::function<bool()>& cancelled = {});
 
 // A motion at some times, sampled from another one or read from a table: what any motion can be
 // compared with. Where a table says nothing of a body or of its attitude, neither is compared.

@@ -27,9 +27,11 @@ std::vector<MovingBody> movingBodies(const std::vector<BodyRecord>& records,
 CollisionSource::CollisionSource(const scene::Scene& scene,
                                  const physics::EquationsOfMotion& equations,
                                  const std::vector<geometry::Shape>& shapes, double start,
-                                 double finish, const RestLimits& limits)
+                                 double finish, const RestLimits& limits,
+                                 std::function<bool()> cancelled)
     : scene_(scene), equations_(equations), records_(recordsOf(equations)),
       bodies_(movingBodies(records_, shapes)), start_(start), finish_(finish), limits_(limits),
+      cancelled_(std::move(cancelled)),
       resting_(equations, records_, bodies_, start, finish, limits),
       search_(scene, equations, records_, bodies_, resting_, start, finish, 4 * limits.gap),
       meetings_(records_.size()) {
@@ -47,7 +49,9 @@ void CollisionSource::read(const Histories& histories) {
 std::optional<Event> CollisionSource::next(const Histories& histories, double known) {
     read(histories);
     const double until = std::min(known, finish_);
-    while (true) {
+    for (std::size_t looks = 1;; ++looks) {
+        if (looks % 64 == 0 && cancelled_ && cancelled_())
+            return std::nullopt;
         const EncounterSearch::Next next = search_.next();
         const auto change =
             resting_.firstChange(histories, std::min(next.time, until), until, search_);

@@ -41,7 +41,7 @@ public:
     // own reading of the scene: shapes are valid here.
     CollisionSource(const scene::Scene& scene, const physics::EquationsOfMotion& equations,
                     const std::vector<geometry::Shape>& shapes, double start, double finish,
-                    const RestLimits& limits);
+                    const RestLimits& limits, std::function<bool()> cancelled = {});
     ~CollisionSource() override;
 
     [[nodiscard]] std::optional<solution::Event> next(const solution::Histories& histories,
@@ -129,6 +129,7 @@ private:
     std::vector<MovingBody> bodies_;
     double start_, finish_;
     RestLimits limits_;
+    std::function<bool()> cancelled_; // then next() answers early, and nobody reads it
 
     const solution::Histories* read_ = nullptr;
     std::set<Pair> noted_;

@@ -152,9 +152,10 @@ Result Resimulation::Implementation::solveWhole(const VersionPointer& version,
     work = {};
     work.whole = true;
     work.rounds = rounds;
-    auto problem = problemOf(*version->scene, options);
+    auto problem = problemOf(*version->scene, options, observer);
     if (auto* refusal = std::get_if<std::vector<std::string>>(&problem)) {
         Result result;
+        result.cancelled = refusal->empty();
         result.refusal = std::move(*refusal);
         return result;
     }
@@ -191,7 +192,7 @@ std::optional<Result> Resimulation::Implementation::solvePart(const VersionPoint
                                                               bool& open) {
     const std::vector<std::size_t> bodies = edit.chosen();
     next = keptOf(*known, edit, version);
-    auto problem = problemOf(scene::partOf(*version, bodies), ofParts(options));
+    auto problem = problemOf(scene::partOf(*version, bodies), ofParts(options), observer);
     if (std::holds_alternative<std::vector<std::string>>(problem))
         return std::nullopt;
     const auto& posed = *std::get<std::shared_ptr<const Problem>>(problem);

@@ -134,6 +134,46 @@ void applyOptions(scene::Scene& scene, const Options& options, std::vector<std::
     }
 }
 
+struct Cancelled {}; // thrown while a problem is posed
+
+std::variant<std::shared_ptr<const Problem>, std::vector<std::string>>
+posed(const scene::Scene& original, const Options& options,
+      const std::function<void()>& meanwhile) {
+    std::vector<std::string> faults;
+    scene::Scene scene = original;
+    applyOptions(scene, options, faults);
+    std::vector<geometry::Shape> shapes;
+    for (const scene::Body& body : scene.bodies) {
+        if (shapes.size() % 16 == 15)
+            meanwhile();
+        const scene::ShapeSet* set = scene::findShapeSet(scene, body.shape);
+        auto shape = set ? scene::shapeOf(*set)
+                         : std::variant<geometry::Shape, std::string>("there is none");
+        if (const auto* why = std::get_if<std::string>(&shape))
+            faults.push_back("Body \"" + body.name + "\" has no shape: " + *why + ".");
+        else
+            shapes.push_back(std::get<geometry::Shape>(std::move(shape)));
+    }
+    if (!faults.empty())
+        return faults;
+    physics::EquationsOfMotion equations(scene, meanwhile);
+    if (!equations.faults.empty())
+        return equations.faults;
+    auto bodies = std::make_shared<const std::vector<BodyRecord>>(recordsOf(equations));
+    auto problem = std::make_shared<Problem>(Problem{.scene = std::move(scene),
+                                                     .equations = std::move(equations),
+                                                     .shapes = std::move(shapes),
+                                                     .bodies = std::move(bodies),
+                                                     .options = options,
+                                                     .prepared = nullptr});
+    // The set is a part of the problem, which owns what was prepared of it.
+    const std::shared_ptr<const expression::EquationSet> set(std::shared_ptr<const void>(),
+                                                             &problem->equations.set);
+    problem->prepared = std::make_shared<const solution::PreparedEquations>(
+        set, solution::preparationFor(solverOptions(*problem, {}, {})), meanwhile);
+    return problem;
+}
+
 } // namespace
 
 std::vector<std::size_t> islandsOf(const Problem& problem, const std::vector<Impact>& impacts) {
@@ -155,38 +195,15 @@ std::vector<std::size_t> islandsOf(const Problem& problem, const std::vector<Imp
 bool Problem::collides() const { return scene.simulator.collisions && bodies->size() > 1; }
 
 std::variant<std::shared_ptr<const Problem>, std::vector<std::string>>
-problemOf(const scene::Scene& original, const Options& options) {
-    std::vector<std::string> faults;
-    scene::Scene scene = original;
-    applyOptions(scene, options, faults);
-    std::vector<geometry::Shape> shapes;
-    for (const scene::Body& body : scene.bodies) {
-        const scene::ShapeSet* set = scene::findShapeSet(scene, body.shape);
-        auto shape = set ? scene::shapeOf(*set)
-                         : std::variant<geometry::Shape, std::string>("there is none");
-        if (const auto* why = std::get_if<std::string>(&shape))
-            faults.push_back("Body \"" + body.name + "\" has no shape: " + *why + ".");
-        else
-            shapes.push_back(std::get<geometry::Shape>(std::move(shape)));
+problemOf(const scene::Scene& original, const Options& options, const Observer& observer) {
+    try {
+        return posed(original, options, [&observer] {
+            if (observer.cancelled && observer.cancelled())
+                throw Cancelled{};
+        });
+    } catch (const Cancelled&) {
+        return std::vector<std::string>();
     }
-    if (!faults.empty())
-        return faults;
-    physics::EquationsOfMotion equations(scene);
-    if (!equations.faults.empty())
-        return equations.faults;
-    auto bodies = std::make_shared<const std::vector<BodyRecord>>(recordsOf(equations));
-    auto problem = std::make_shared<Problem>(Problem{.scene = std::move(scene),
-                                                     .equations = std::move(equations),
-                                                     .shapes = std::move(shapes),
-                                                     .bodies = std::move(bodies),
-                                                     .options = options,
-                                                     .prepared = nullptr});
-    // The set is a part of the problem, which owns what was prepared of it.
-    const std::shared_ptr<const expression::EquationSet> set(std::shared_ptr<const void>(),
-                                                             &problem->equations.set);
-    problem->prepared = std::make_shared<const solution::PreparedEquations>(
-        set, solution::preparationFor(solverOptions(*problem, {}, {})));
-    return problem;
 }
 
 std::string shortfallOf(double accuracy, double estimate, std::optional<double> predictableUntil) {
@@ -237,7 +254,7 @@ Run runAt(const Problem& problem, const std::vector<double>& tolerances, const O
     std::optional<CollisionSource> collisions;
     if (problem.collides())
         collisions.emplace(problem.scene, problem.equations, problem.shapes, problem.start(),
-                           problem.finish(), limits);
+                           problem.finish(), limits, observer.cancelled);
     solution::Options options = solverOptions(problem, tolerances, observer);
     const solution::Solver* current = nullptr;
     double published = problem.start();

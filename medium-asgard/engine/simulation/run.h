@@ -30,9 +30,9 @@ struct Problem {
     [[nodiscard]] bool collides() const;
 };
 
-// Or the sentences that say why nothing can be computed.
+// Or the sentences that say why nothing can be computed; none at all: it was cancelled.
 [[nodiscard]] std::variant<std::shared_ptr<const Problem>, std::vector<std::string>>
-problemOf(const scene::Scene& scene, const Options& options);
+problemOf(const scene::Scene& scene, const Options& options, const Observer& observer = {});
 
 struct Run {
     std::shared_ptr<const solution::Histories> histories;

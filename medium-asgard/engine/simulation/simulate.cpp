@@ -146,7 +146,11 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer) {
         addWork(tight, solved);
         solved.result.cancelled = tight.cancelled;
         if (!tight.cancelled) {
-            auto differences = compareRuns(problem, run, tight, problem.accuracy());
+            auto differences =
+                compareRuns(problem, run, tight, problem.accuracy(), observer.cancelled);
+            solved.result.cancelled = observer.cancelled && observer.cancelled();
+            if (solved.result.cancelled)
+                break;
             if (search.needsRougher(differences))
                 compareRougher(problem, tight, silent, search, differences, solved);
             search.judge(differences, tight.island, solved.errors);
@@ -172,9 +176,10 @@ Solved solve(const Problem& problem, const Observer& observer) {
 
 Result simulate(const scene::Scene& scene, const Options& options, const Observer& observer) {
     const double begin = cpuSeconds();
-    auto problem = problemOf(scene, options);
+    auto problem = problemOf(scene, options, observer);
     if (auto* refusal = std::get_if<std::vector<std::string>>(&problem)) {
         Result result;
+        result.cancelled = refusal->empty();
         result.refusal = std::move(*refusal);
         return result;
     }

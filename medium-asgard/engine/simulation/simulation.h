@@ -60,7 +60,8 @@ struct Statistics {
 };
 
 struct Result {
-    MotionPointer motion; // never null, except when `refusal` says why nothing could be computed
+    // Null when `refusal` says why nothing could be computed, or when it was cancelled before.
+    MotionPointer motion;
     Statistics statistics;
     std::vector<std::string> refusal; // faults that make the scene unusable; then motion is null
     bool cancelled = false;

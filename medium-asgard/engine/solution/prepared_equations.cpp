@@ -35,10 +35,13 @@ std::size_t phaseAt(const expression::Unknown& unknown, double time) {
 }
 
 PreparedEquations::PreparedEquations(std::shared_ptr<const expression::EquationSet> equations,
-                                     Preparation preparation)
+                                     Preparation preparation,
+                                     const std::function<void()>& meanwhile)
     : set(std::move(equations)), how(withModels(std::move(preparation))), index(*set),
       zero(zeroAtStart(*set, how)), partition(partitionAtStart(*set, index, zero, how)) {
     for (const auto& unknowns : partition.components) {
+        if (components.size() % 256 == 255 && meanwhile)
+            meanwhile();
         Component component;
         for (const std::size_t u : unknowns)
             component.phases.push_back(phaseAt(set->unknowns[u], how.start));

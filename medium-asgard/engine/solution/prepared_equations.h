@@ -8,6 +8,7 @@
 #include "solution/partition.h"
 #include "solution/zero_states.h"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -21,7 +22,9 @@ struct Preparation {
 };
 
 struct PreparedEquations {
-    PreparedEquations(std::shared_ptr<const expression::EquationSet> equations, Preparation how);
+    // `meanwhile` is called now and then, and may throw to end it.
+    PreparedEquations(std::shared_ptr<const expression::EquationSet> equations, Preparation how,
+                      const std::function<void()>& meanwhile = {});
 
     std::shared_ptr<const expression::EquationSet> set;
     Preparation how;

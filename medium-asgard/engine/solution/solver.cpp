@@ -167,8 +167,15 @@ void Solver::Implementation::run(double finish, Advance& advance) {
         if (histories_.known_ > told || complete) {
             const bool ask = source_ && (options_.eventDriven || complete);
             bool event = false;
-            while (ask && handleEvents(finish))
+            while (ask && !cancelled_ && handleEvents(finish)) {
                 event = true;
+                poll();
+            }
+            if (ask) // a source that was interrupted has not said that nothing happens
+                poll();
+            advance.cancelled = cancelled_;
+            if (advance.cancelled)
+                return;
             told = histories_.known_;
             if (options_.progress)
                 options_.progress(told);
