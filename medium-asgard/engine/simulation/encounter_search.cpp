@@ -20,6 +20,7 @@ constexpr double roomAround = 0.5; // of the radius, about boxes of short window
 constexpr double mostRoom = 4;     // a box in the tree is at most so much larger than needed
 constexpr double rounding = 1e-12; // of coordinates, in boxes
 constexpr std::size_t recentPairs = 4096;
+constexpr std::size_t shortQueue = 64;
 
 void grow(geometry::Box& box, double by) {
     box.min() -= geometry::Vector::Constant(by);
@@ -31,8 +32,12 @@ double timeForWay(std::span<const geometry::Vector> coefficients, double scale, 
     const double terms = static_cast<double>(coefficients.size()) - 1;
     double least = infinity;
     for (std::size_t k = 1; k < coefficients.size(); ++k)
-        if (const double size = coefficients[k].norm(); size > 0)
-            least = std::min(least, std::pow(way / (terms * size), 1 / static_cast<double>(k)));
+        if (const double size = coefficients[k].norm(); size > 0) {
+            const double power = way / (terms * size);
+            least = std::min(least, k == 1   ? power
+                                    : k == 2 ? std::sqrt(power)
+                                             : std::pow(power, 1 / static_cast<double>(k)));
+        }
     return least * scale;
 }
 
@@ -130,11 +135,19 @@ bool EncounterSearch::mayMeet(std::size_t a, std::size_t b) const {
 // --- the queue ------------------------------------------------------------------------------
 
 bool EncounterSearch::Later::operator()(const Item& a, const Item& b) const {
-    return std::tuple(a.time, a.isWindow(), a.first, a.second) >
-           std::tuple(b.time, b.isWindow(), b.first, b.second);
+    if (a.time != b.time)
+        return a.time > b.time;
+    return std::tuple(a.isWindow(), a.first, a.second) >
+           std::tuple(b.isWindow(), b.first, b.second);
 }
 
+// What is outdated lies in the queue until its time comes, or until it is most of the queue.
 void EncounterSearch::push(const Item& item) {
+    if (queue_.size() > queueLimit_) {
+        std::erase_if(queue_, [this](const Item& i) { return isOutdated(i); });
+        std::ranges::make_heap(queue_, Later{});
+        queueLimit_ = 2 * queue_.size() + shortQueue;
+    }
     queue_.push_back(item);
     std::ranges::push_heap(queue_, Later{});
 }

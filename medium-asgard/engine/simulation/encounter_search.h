@@ -149,6 +149,7 @@ private:
     std::vector<std::vector<std::size_t>> partners_;
     std::vector<bool> ended_;
     std::vector<Item> queue_;
+    std::size_t queueLimit_ = 0; // longer, and what is outdated is taken out
     struct Passing {
         Pair pair;
         double until = 0;
