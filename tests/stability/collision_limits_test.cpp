@@ -93,7 +93,7 @@ TEST(Limits, GrazingSpheresAreAsExactAsTheProblemIs) {
         std::ranges::sort(errors);
         mark("grazing", "median", depth, errors[trials / 2]);
         mark("grazing", "largest", depth, errors.back());
-        mark("grazing", "eps / sqrt(d)", depth, eps / std::sqrt(depth));
+        mark("grazing", "eps / sqrt(d)*", depth, eps / std::sqrt(depth));
         EXPECT_LT(errors[trials / 2], 10 * eps / std::sqrt(depth)) << depth;
         EXPECT_LT(errors.back(), 200 * eps / std::sqrt(depth)) << depth;
     }

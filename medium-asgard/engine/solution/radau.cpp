@@ -178,6 +178,10 @@ Radau::Newton Radau::iterate() {
     constexpr double mostGrowth = 5, slow = 0.1;
     const double kappa = control_.newtonTolerance();
     double last = 0;
+    // With fixed steps Newton goes to rounding, which stiffness magnifies: no further than that.
+    const auto isRounding = [this](double size) {
+        return fixed_ && size * control_.tolerance() < 1e-9;
+    };
     rate_ = std::max(rate_, 1e-16);
     // At fixed steps nothing checks what an old rate promises.
     double rate = rate_ < 1 && !jacobianFresh_ && !fixed_ ? std::pow(rate_, 0.8) : 1;
@@ -188,7 +192,7 @@ Radau::Newton Radau::iterate() {
         if (last > 0) {
             rate = size / last;
             if (rate >= (iterations_ <= mayGrow ? mostGrowth : 1))
-                return Newton::failed;
+                return isRounding(last) ? Newton::converged : Newton::failed;
         }
         last = size;
         if (size == 0 || (rate < 1 && rate / (1 - rate) * size < kappa)) {
@@ -201,7 +205,7 @@ Radau::Newton Radau::iterate() {
                 return Newton::notFinite;
         }
     }
-    return Newton::failed;
+    return isRounding(last) ? Newton::converged : Newton::failed;
 }
 
 // What the last step's polynomial, continued to the end of this one, misses says how well this
