@@ -130,14 +130,20 @@ void Solver::Implementation::doRound(double until) {
     constexpr std::size_t enough = 64; // unknowns
     const bool unbroken = !source_ || !options_.eventDriven;
     const Schedule::Round round = schedule_.nextRound(until, unbroken);
-    const auto advance = [&](std::size_t i) { advanceGroup(round.groups[i], round.until); };
+    const std::size_t count = round.groups.size();
+    const std::size_t atOnce = 1 + count / (16 * workers_.threads()); // that a thread takes
+    const auto advance = [&](std::size_t piece) {
+        for (std::size_t i = atOnce * piece; i < std::min(count, atOnce * (piece + 1)); ++i)
+            advanceGroup(round.groups[i], round.until);
+    };
+    const std::size_t pieces = (count + atOnce - 1) / atOnce;
     caller_ = std::this_thread::get_id();
     ++past_.rounds;
     if (round.work < enough)
-        for (std::size_t i = 0; i < round.groups.size(); ++i)
-            advance(i);
+        for (std::size_t piece = 0; piece < pieces; ++piece)
+            advance(piece);
     else
-        workers_.forEach(round.groups.size(), advance, [this] { poll(); });
+        workers_.forEach(pieces, advance, [this] { poll(); });
     for (const std::size_t group : round.groups)
         schedule_.settle(group);
     if (stopsChanged_)

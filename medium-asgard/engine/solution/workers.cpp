@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <system_error>
 #include <utility>
 
 namespace solution {
@@ -19,9 +20,14 @@ Workers::~Workers() {
         thread.join();
 }
 
+// Where the system gives no more threads, those that there are do the work.
 void Workers::start() {
-    while (others_.size() + 1 < threads_)
-        others_.emplace_back([this] { serve(); });
+    try {
+        while (others_.size() + 1 < threads_)
+            others_.emplace_back([this, seen = job_] { serve(seen); });
+    } catch (const std::system_error&) {
+        threads_ = others_.size() + 1;
+    }
 }
 
 void Workers::forEach(std::size_t count, const std::function<void(std::size_t)>& work,
@@ -64,8 +70,8 @@ void Workers::takePieces() {
     }
 }
 
-void Workers::serve() {
-    for (std::size_t seen = 0;;) {
+void Workers::serve(std::size_t seen) {
+    for (;;) {
         {
             std::unique_lock lock(mutex_);
             begin_.wait(lock, [&] { return ends_ || job_ != seen; });

@@ -33,7 +33,7 @@ public:
 
 private:
     void start();
-    void serve();
+    void serve(std::size_t seen); // jobs
     void takePieces();
 
     std::size_t threads_;
