@@ -76,10 +76,14 @@ void Driver::run(const std::string& name, const scene::Scene& scene,
         const simulation::Statistics& s = result.statistics;
         const double error =
             arrived(result) ? errorOf(*result.motion) : std::numeric_limits<double>::quiet_NaN();
+        std::size_t delivered = 0;
+        for (const auto& component : s.componentList)
+            delivered += component.steps;
         char note[200];
         std::snprintf(note, sizeof note,
-                      "%zu evaluations %zu steps %zu collisions %zu bytes estimate %.2g %s",
-                      s.evaluations, s.steps, s.collisions, s.historyBytes,
+                      "%zu evaluations %zu steps %zu delivered %zu collisions %zu bytes "
+                      "estimate %.2g %s",
+                      s.evaluations, s.steps, delivered, s.collisions, s.historyBytes,
                       s.errorEstimate.value_or(std::numeric_limits<double>::quiet_NaN()),
                       s.componentList.empty() ? "" : s.componentList.front().method.c_str());
         m_.add({name, "motion", accuracy, error, timeOf(moving), note});
@@ -160,7 +164,7 @@ void gas(Driver& driver) {
 }
 
 void billiard(Driver& driver) {
-    for (int n = 0; n <= 4; ++n) {
+    for (int n = 0; n <= 5; ++n) {
         const double exact = std::floor(pi<double> * std::pow(10, n));
         driver.run("S5 n=" + std::to_string(n), driver.read(s5Scene(n)), {1e-4},
                    [&](const Motion& motion) {

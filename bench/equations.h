@@ -2,8 +2,9 @@
 // scene only. The constants here are the scenes' definition.
 //
 //   S1   free body, principal inertias 1, 2, 3, angular velocity (0.01, 1, 0), 60 s
-//   S2   two rods of 10 x 1.1 x 1.1 and mass 10 under gravity 10, the first from the origin along
-//        -x, the second hanging from its end, 5 s: S2a on soft links, S2b on exact pins
+//   S2   two rods of 10 x 1.1 x 1.1 and mass 10 under gravity 10, one after the other from the
+//   origin
+//        along -x and let go level, 5 s: S2a on soft links, S2b on exact pins
 //   S3   N pendulums of length 1, amplitudes 0.5 to 1.5 rad, gravity 10, the first one's times
 //        ratio^2, 10 s
 //   S4   512 elastic balls in a box, 10 s (gas.h)
@@ -43,12 +44,12 @@ inline constexpr double inertia = mass / 12 * (100 + 1.1 * 1.1);
 
 // S2a in the plane that it stays in: x, y, angle of both rods, then their rates.
 // At the first rod's right end F = -k d - c v towards the origin; its left end and the second's
-// upper end pull each other by the same law.
+// right end pull each other by the same law.
 template <class Real> struct PlanarRods {
     static constexpr std::size_t n = 12;
     Real damping = 2 * std::sqrt(Real(rods::tightness) * Real(rods::mass));
 
-    static State<Real, n> start() { return {-5, 0, 0, -10, -5, pi<Real> / 2, 0, 0, 0, 0, 0, 0}; }
+    static State<Real, n> start() { return {-5, 0, 0, -15, 0, 0, 0, 0, 0, 0, 0, 0}; }
     void operator()(const State<Real, n>& s, State<Real, n>& d) const {
         constexpr Real k = rods::tightness, m = rods::mass;
         const Real c1 = rods::half * std::cos(s[2]), s1 = rods::half * std::sin(s[2]);
@@ -77,10 +78,10 @@ template <class Real> struct PlanarRods {
     }
 };
 
-// S2b in minimal coordinates: the directions of the rods, seen from their upper ends.
+// S2b in minimal coordinates: the directions of the rods, seen from their right ends.
 template <class Real> struct MinimalRods {
     static constexpr std::size_t n = 4;
-    static State<Real, n> start() { return {pi<Real>, -pi<Real> / 2, 0, 0}; }
+    static State<Real, n> start() { return {pi<Real>, pi<Real>, 0, 0}; }
     void operator()(const State<Real, n>& s, State<Real, n>& d) const {
         constexpr Real m = rods::mass, l = rods::half, g = rods::gravity, i = rods::inertia;
         constexpr Real m11 = i + m * l * l + m * 4 * l * l, m22 = i + m * l * l, b = 2 * m * l * l;

@@ -42,6 +42,8 @@ def added(costs):
 
 FIGURE_5_7 = (("together, original*", ("--method", "original", "--whole")),
               ("partitioned, original*", ("--method", "original")),
+              ("together, trapezoidal*", ("--method", "trapezoidal", "--accuracy", "1e-2", "--whole")),
+              ("partitioned, trapezoidal*", ("--method", "trapezoidal", "--accuracy", "1e-2")),
               ("together, today", ("--whole",)),
               ("partitioned, today", ()))
 

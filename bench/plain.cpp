@@ -182,7 +182,7 @@ long collisionsOf(int n) {
 
 void billiard(const Measurement& m) {
     long exact = 3;
-    for (const int n : {0, 1, 2, 3, 4}) {
+    for (const int n : {0, 1, 2, 3, 4, 5}) {
         volatile long count = 0;
         const Time time = m.timeOfShort([&] { count = collisionsOf(n); });
         m.add({"S5 n=" + std::to_string(n), "event-driven", 0,
@@ -206,7 +206,7 @@ int main(int argc, char** argv) {
                                        {0.02, 0.0125, 0.01, 0.005});
     if (m.wants("S2b"))
         linkedRods<MinimalRods<double>>(m, "S2b", s2bCentres(), {0.1, 0.05, 0.025, 0.0125},
-                                        {0.25, 0.125, 0.1, 0.0625});
+                                        {0.25, 0.125, 0.1, 0.0625, 0.05});
     if (m.wants("S3"))
         pendulums(m);
     if (m.wants("S4"))

@@ -5,15 +5,19 @@ usage: run.py [--build DIR] [--scenes S1,S2a,...] [--programs plain,asgard,...] 
 
 Configures and builds a release with every driver whose library is installed, runs all of them one after the other, and
 prints, for each scene and error, the cheapest run that came so near: the hand-written loop, us, the best other engine,
-and SUNDIALS. With --write the measurements, the charts and the tables of docs/performance.md are written anew.
-With --build nothing is built: the programs are taken from DIR/bin.
+and SUNDIALS. With --write the dissertation's figures and the other goals are measured too, and docs/performance/ and the
+tables of docs/performance.md are written anew. With --build nothing is built: the programs are taken from DIR/bin.
 """
 import argparse
 import collections
 import csv
+import math
 import os
 import subprocess
 import sys
+
+import figures
+import pages
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 SOURCE = os.path.dirname(HERE)
@@ -21,7 +25,7 @@ PROGRAMS = ("plain", "asgard", "sundials", "simbody", "mujoco", "dart", "bullet"
 ENGINES = PROGRAMS[3:]
 SPANS = {"S1": 60, "S2a": 5, "S2b": 5, "S3": 10, "S4": 10, "S5": 1, "S6": 1}
 LEVELS = {"S1": (1e-2, 1e-4, 1e-6, 1e-9), "S2a": (1e-2, 1e-4, 1e-6, 1e-9), "S2b": (1e-2, 1e-4, 1e-6, 1e-9),
-          "S3": (1e-4,), "S4": (1e-2, 1e-4, 1e-9), "S5": (0,), "S6": (1e-6,)}
+          "S3": (1e-4,), "S4": (1e-2, 1e-9), "S5": (0,), "S6": (1e-6,)}
 
 Row = collections.namedtuple("Row", "program scene setting parameter error seconds least note")
 
@@ -34,8 +38,12 @@ def build():
     return folder
 
 
+def rows_in(text):
+    return [Row(*fields[:3], *map(float, fields[3:7]), fields[7]) for fields in csv.reader(text.splitlines())]
+
+
 def measured(folder, arguments):
-    """The rows of all programs that there are; `rounds` times, each row with the least of its times."""
+    """The rows of all programs that there are; in several rounds, each row with the least of its times."""
     best = {}
     for number in range(arguments.rounds):
         for program in arguments.programs:
@@ -50,8 +58,7 @@ def measured(folder, arguments):
             ran = subprocess.run(command, stdout=subprocess.PIPE, text=True)
             if ran.returncode != 0:
                 print(f"{program}: ended with {ran.returncode}", file=sys.stderr)
-            for fields in csv.reader(ran.stdout.splitlines()):
-                row = Row(*fields[:3], *map(float, fields[3:7]), fields[7])
+            for row in rows_in(ran.stdout):
                 key = (row.program, row.scene, row.setting, row.parameter, row.note if row.program == "plain" else "")
                 old = best.get(key)
                 if old:
@@ -65,15 +72,8 @@ def kind(scene):
 
 
 def cheapest(rows, scene, level, chosen):
-    found = [r for r in rows if r.scene == scene and r.error <= level and chosen(r)]
-    return min(found, key=lambda r: r.seconds) if found else None
-
-
-def time_text(seconds):
-    for factor, unit in ((1, "s"), (1e3, "ms"), (1e6, "us")):
-        if seconds * factor >= 0.9995:
-            return f"{seconds * factor:.3g} {unit}"
-    return f"{seconds * 1e9:.3g} ns"
+    found = [r for r in rows if r.scene == scene and r.error <= level and math.isfinite(r.seconds) and chosen(r)]
+    return min(found, key=lambda r: r.least) if found else None
 
 
 CHOICES = (("hand-written", lambda r: r.program == "plain"),
@@ -85,35 +85,11 @@ CHOICES = (("hand-written", lambda r: r.program == "plain"),
 
 
 def comparison(rows):
-    """Per simulated second (S5: in all): (scene, level, {column: Row or None})."""
+    """(scene, level, {column: Row or None})."""
     scenes = list(dict.fromkeys(r.scene for r in rows if kind(r.scene) in SPANS and r.scene != "S4 energy"))
-    for scene in sorted(scenes, key=lambda s: kind(s)):
+    for scene in sorted(scenes, key=kind):
         for level in LEVELS[kind(scene)]:
             yield scene, level, {name: cheapest(rows, scene, level, chosen) for name, chosen in CHOICES}
-
-
-def table(rows):
-    lines = ["| scene | error | hand-written | our motion | with its error | all | best engine | SUNDIALS | "
-             "motion / hand-written | with its error / hand-written | best other / motion |",
-             "|---|---|---|---|---|---|---|---|---|---|---|"]
-    for scene, level, found in comparison(rows):
-        span = SPANS[kind(scene)]
-        cells = []
-        for name, _ in CHOICES:
-            row = found[name]
-            who = ""
-            if row and name in ("hand-written", "best engine", "SUNDIALS"):
-                who = f" {row.program + ' ' if name == 'best engine' else ''}{row.setting}"
-                who += f" @{row.parameter:.3g}" if row.parameter else ""
-            cells.append(time_text(row.seconds / span) + who if row else "-")
-        plain, motion, estimate = (found[c] for c in ("hand-written", "our motion", "with its error"))
-        others = [found[c].seconds for c in ("best engine", "SUNDIALS") if found[c]]
-        ratio = lambda a, b: f"{a / b:.3g}" if a and b else "-"
-        cells.append(ratio(motion and motion.seconds, plain and plain.seconds))
-        cells.append(ratio(estimate and estimate.seconds, plain and plain.seconds))
-        cells.append(ratio(min(others, default=None), motion and motion.seconds))
-        lines.append(f"| {scene} | {'exact' if level == 0 else f'{level:g}'} | " + " | ".join(cells) + " |")
-    return "\n".join(lines)
 
 
 def main():
@@ -123,11 +99,20 @@ def main():
     parser.add_argument("--programs", type=lambda text: text.split(","), default=PROGRAMS)
     parser.add_argument("--budget", type=float, default=0.2)
     parser.add_argument("--rounds", type=int, default=1)
-    parser.add_argument("--rows", help="file of measurements: read instead of measuring, or written")
+    parser.add_argument("--rows", help="a file of measurements to read instead of running the programs")
+    parser.add_argument("--no-figures", action="store_true", help="with --write: leave the dissertation's figures as they are")
     parser.add_argument("--write", action="store_true")
     arguments = parser.parse_args()
-    rows = measured(arguments.build or build(), arguments)
-    print(table(rows))
+    folder = arguments.build or build()
+    if arguments.rows:
+        with open(arguments.rows, encoding="utf-8") as file:
+            rows = rows_in(file.read().split("\n", 1)[1])
+    else:
+        rows = measured(folder, arguments)
+    compared = list(comparison(rows))
+    print(pages.comparison_table(compared, SPANS, kind))
+    if arguments.write:
+        pages.write(SOURCE, folder, rows, compared, SPANS, kind, figures, not arguments.no_figures)
 
 
 if __name__ == "__main__":

@@ -32,13 +32,13 @@ std::string s2aScene() {
     return text("simulator -finish %g -collisions 0\n"
                 "shape_set rod -desc {-sub {-box {10 1.1 1.1}}}\n"
                 "body r1 rod -mass 10 -init_pos {-5 0 0}\n"
-                "body r2 rod -mass 10 -init_pos {-10 -5 0} -init_rot {0 0 %.17g}\n"
+                "body r2 rod -mass 10 -init_pos {-15 0 0}\n"
                 "force -body r1 -gravitational {0 -10 0}\n"
                 "force -body r2 -gravitational {0 -10 0}\n"
                 "link -body1 r1 -offset1 {5 0 0} -x 0 -y 0 -z 0 -tightness 5000 -damping %.17g\n"
                 "link -body1 r1 -offset1 {-5 0 0} -body2 r2 -offset2 {5 0 0} -tightness 5000 "
                 "-damping %.17g\n",
-                s2Span, pi<double> / 2, damping, damping);
+                s2Span, damping, damping);
 }
 
 std::string s2bScene() {
@@ -53,7 +53,7 @@ std::string s2bScene() {
     return text("simulator -finish %g -collisions 0\n"
                 "shape_set ball -desc {-sub {-sphere 0.1}}\n"
                 "body a ball -mass 1 -init_pos {%.17g %.17g 0}\n",
-                s2Span, pi<double>, -pi<double> / 2) +
+                s2Span, pi<double>, pi<double>) +
            text("force -body a -x {(%.17g*%s-%s*%s)/%s}", m22, r1.c_str(), cosine.c_str(),
                 r2.c_str(), determinant.c_str()) +
            text(" -y {(%.17g*%s-%s*%s)/%s} -z 0\n", m11, r2.c_str(), cosine.c_str(), r1.c_str(),

@@ -44,14 +44,12 @@ public:
     World& operator=(const World&) = delete;
 
     // Mass 0: fixed.
-    btRigidBody& add(std::unique_ptr<btCollisionShape> shape, double mass, const btVector3& place,
-                     double angle = 0) {
+    btRigidBody& add(std::unique_ptr<btCollisionShape> shape, double mass, const btVector3& place) {
         btVector3 inertia(0, 0, 0);
         if (mass > 0)
             shape->calculateLocalInertia(scalar(mass), inertia);
         btRigidBody::btRigidBodyConstructionInfo info(scalar(mass), nullptr, shape.get(), inertia);
-        info.m_startWorldTransform =
-            btTransform(btQuaternion(vector(0, 0, 1), scalar(angle)), place);
+        info.m_startWorldTransform = btTransform(btQuaternion::getIdentity(), place);
         info.m_restitution = 1;
         info.m_friction = 0;
         bodies_.push_back(std::make_unique<btRigidBody>(info));
@@ -100,7 +98,7 @@ void pinnedRods(const Measurement& m) {
             samples.clear();
             World world;
             btRigidBody& a = world.add(box(), rods::mass, vector(-5, 0, 0));
-            btRigidBody& b = world.add(box(), rods::mass, vector(-10, -5, 0), pi<double> / 2);
+            btRigidBody& b = world.add(box(), rods::mass, vector(-15, 0, 0));
             world.join(std::make_unique<btPoint2PointConstraint>(a, vector(5, 0, 0)));
             world.join(
                 std::make_unique<btPoint2PointConstraint>(a, b, vector(-5, 0, 0), vector(5, 0, 0)));

@@ -87,7 +87,6 @@ void pinnedRods(const Measurement& m) {
             const SkeletonPtr chain = Skeleton::create("chain");
             BodyNode* first = addRod(chain, nullptr);
             BodyNode* second = addRod(chain, first);
-            chain->setPosition(1, pi<double> / 2);
             world->addSkeleton(chain);
             double taken = 0;
             for (int i = 0; i < s2Samples; ++i) {

@@ -91,15 +91,12 @@ void freeBody(const Measurement& m) {
     }
 }
 
-dBodyID rod(dWorldID world, double x, double y, double angle) {
+dBodyID rod(dWorldID world, double x) {
     const dBodyID body = dBodyCreate(world);
     dMass inertia;
     dMassSetBoxTotal(&inertia, rods::mass, 10, 1.1, 1.1);
     dBodySetMass(body, &inertia);
-    dBodySetPosition(body, x, y, 0);
-    dQuaternion q;
-    dQFromAxisAndAngle(q, 0, 0, 1, angle);
-    dBodySetQuaternion(body, q);
+    dBodySetPosition(body, x, 0, 0);
     return body;
 }
 
@@ -111,8 +108,7 @@ void linkedRods(const Measurement& m, bool soft) {
             samples.clear();
             const World world(dSimpleSpaceCreate(nullptr), false, true);
             dWorldSetGravity(world.world, 0, -rods::gravity, 0);
-            const dBodyID a = rod(world.world, -5, 0, 0),
-                          b = rod(world.world, -10, -5, pi<double> / 2);
+            const dBodyID a = rod(world.world, -5), b = rod(world.world, -15);
             const dJointID first = dJointCreateBall(world.world, nullptr),
                            second = dJointCreateBall(world.world, nullptr);
             dJointAttach(first, a, nullptr);

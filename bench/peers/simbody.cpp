@@ -175,8 +175,7 @@ void softRods(const Measurement& m) {
     model.system.realizeTopology();
     SimTK::State start = model.system.getDefaultState();
     model.bodies[0].setQToFitTransform(start, SimTK::Transform(Vec3(-5, 0, 0)));
-    model.bodies[1].setQToFitTransform(
-        start, SimTK::Transform(SimTK::Rotation(pi<double> / 2, SimTK::ZAxis), Vec3(-10, -5, 0)));
+    model.bodies[1].setQToFitTransform(start, SimTK::Transform(Vec3(-15, 0, 0)));
     sweepRods(m, "S2a", model, start, s2aCentres());
 }
 
@@ -190,8 +189,7 @@ void pinnedRods(const Measurement& m) {
                                      SimTK::Transform(Vec3(rods::half, 0, 0)));
     model.bodies = {first, second};
     model.system.realizeTopology();
-    SimTK::State start = model.system.getDefaultState();
-    second.setAngle(start, pi<double> / 2);
+    const SimTK::State start = model.system.getDefaultState();
     sweepRods(m, "S2b", model, start, s2bCentres());
 }
 
