@@ -40,7 +40,8 @@ Gas::Gas(const std::vector<GasStart>& balls, int cellsPerEdge)
     const std::size_t n = balls.size();
     while (leaves_ < n)
         leaves_ *= 2;
-    first_.assign(static_cast<std::size_t>(cells_ * cells_ * cells_), nobody);
+    const auto edge = static_cast<std::size_t>(cells_);
+    first_.assign(edge * edge * edge, nobody);
     hitAt_.assign(n, infinity);
     crossAt_.assign(n, infinity);
     key_.assign(leaves_, infinity);
