@@ -4,7 +4,8 @@
 //     lines bench_chart FILE.svg TITLE SUBTITLE X-LABEL --bars LIMIT     rows: group,series,x
 //     logarithmic bars
 //
-// A series whose name ends with * is dashed. LIMIT is a value that is marked by a line.
+// Tabs stand between the fields. A series whose name ends with * is dashed. LIMIT is a value that
+// is marked by a line.
 #include "charts/canvas.h"
 
 #include <algorithm>
@@ -65,7 +66,7 @@ std::vector<std::vector<std::string>> rows() {
     for (std::string line; std::getline(std::cin, line);) {
         std::istringstream fields(line);
         std::vector<std::string> row;
-        for (std::string field; std::getline(fields, field, ',');)
+        for (std::string field; std::getline(fields, field, '\t');)
             row.push_back(field);
         if (row.size() == 3)
             all.push_back(row);

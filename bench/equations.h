@@ -20,6 +20,8 @@ namespace bench {
 template <class Real> inline constexpr Real pi = Real(3.141592653589793238462643383279502884L);
 
 inline constexpr double s1Span = 60, s2Span = 5, s3Span = 10, s4Span = 10, s6Span = 1;
+// S5: a little more than up to the last hit, for n = 0, 1, ...
+inline constexpr double s5Spans[] = {3.5, 4.5, 8.5, 4, 3.5};
 
 // Euler's equations and the quaternion's: w, x, y, z and the angular velocity in body axes.
 template <class Real> struct FreeBody {

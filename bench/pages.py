@@ -64,7 +64,7 @@ def comparison_table(compared, spans, kind):
 
 
 def chart(folder, file, title, subtitle, x, *y, rows):
-    text = "".join(",".join(str(field) for field in row) + "\n" for row in rows)
+    text = "".join("\t".join(str(field) for field in row) + "\n" for row in rows)
     subprocess.run([os.path.join(folder, "bin", "bench_chart"), file, title, subtitle, x, *y], input=text, text=True, check=True)
 
 

@@ -168,7 +168,7 @@ void gas(const Measurement& m) {
 }
 
 // A change of the heavy ball's velocity is a hit of the two, one of the sum of momenta the wall's.
-long hitsOf(double heavyMass, double h, double& taken) {
+long hitsOf(double heavyMass, double span, double h, double& taken) {
     World world;
     world.plane(vector(1, 0, 0), 0);
     btRigidBody& light = world.ball(1, 1.1, 0, 0, 0.1);
@@ -177,7 +177,7 @@ long hitsOf(double heavyMass, double h, double& taken) {
     long hits = 0;
     double v = 0, u = -1;
     taken = seconds([&] {
-        for (long i = 0; i < std::lround(4 / h); ++i) {
+        for (long i = 0; i < std::lround(span / h); ++i) {
             world.step(h);
             const double v2 = static_cast<double>(light.getLinearVelocity().x()),
                          u2 = static_cast<double>(heavy.getLinearVelocity().x());
@@ -198,7 +198,7 @@ void billiard(const Measurement& m) {
         long hits = 0;
         const Time time = m.timeOf([&] {
             double taken = 0;
-            hits = hitsOf(std::pow(100.0, n), steps[n], taken);
+            hits = hitsOf(std::pow(100.0, n), s5Spans[n], steps[n], taken);
             return taken;
         });
         const double exact = std::floor(pi<double> * std::pow(10, n));

@@ -197,7 +197,7 @@ void billiard(const Measurement& m) {
             double v = 0, u = -1;
             hits = 0;
             return seconds([&] {
-                for (long i = 0; i < std::lround(4 / steps[n]); ++i) {
+                for (long i = 0; i < std::lround(s5Spans[n] / steps[n]); ++i) {
                     world->step();
                     const double v2 = light->getCOMLinearVelocity().x(),
                                  u2 = heavy->getCOMLinearVelocity().x();

@@ -198,7 +198,7 @@ void billiard(const Measurement& m) {
             const dBodyID heavy = world.ball(0.1, std::pow(100.0, n), 2.3, 0, 0);
             dBodySetLinearVel(heavy, -1, 0, 0);
             const double taken = seconds([&] {
-                for (long i = 0; i < std::lround(4 / steps[n]); ++i)
+                for (long i = 0; i < std::lround(s5Spans[n] / steps[n]); ++i)
                     world.step(steps[n]);
             });
             hits = world.hits;
