@@ -16,7 +16,7 @@ import collisions  # noqa: E402
 import pendulums  # noqa: E402
 
 Cost = collections.namedtuple("Cost", "seconds equation_evaluations steps discarded collisions history_bytes")
-PATIENCE = 30  # seconds on the wall for one run of a series; larger ones of that series are left out then
+PATIENCE = 60  # seconds on the wall for one run of a series; larger ones of that series are left out then
 
 
 def cost(asgard, scene, options=(), patience=PATIENCE):
@@ -77,13 +77,13 @@ FIGURE_5_11 = (("1 no collisions, one component", 0, ("--whole",)),
                ("5 collisions, components, no events", 1, ("--no-events",)))
 
 
-def figure_5_11(asgard, counts=(3, 10, 30, 100, 300, 1000, 3000, 10000)):
+def figure_5_11(asgard, counts=(3, 10, 30, 100, 300, 1000, 10000)):
     """Rows (bodies, method, case, Cost)."""
     rows, gone = [], set()
     for count in counts:
         for method in ("auto", "original"):
             for case, collide, options in FIGURE_5_11:
-                if (method, case) in gone:
+                if (method, case) in gone or (count >= 10000 and (method == "original" or case[0] not in "24")):
                     continue
                 found = cost(asgard, collisions.scene(count, collide), ("--method", method, *options))
                 if found is None or ("--whole" in options and found.seconds > 5):
