@@ -100,6 +100,7 @@ def main():
     parser.add_argument("--budget", type=float, default=0.2)
     parser.add_argument("--rounds", type=int, default=1)
     parser.add_argument("--rows", help="a file of measurements to read instead of running the programs")
+    parser.add_argument("--keep", help="a file of measurements: what is not measured now is taken from there")
     parser.add_argument("--no-figures", action="store_true", help="with --write: leave the dissertation's figures as they are")
     parser.add_argument("--write", action="store_true")
     arguments = parser.parse_args()
@@ -109,6 +110,11 @@ def main():
             rows = rows_in(file.read().split("\n", 1)[1])
     else:
         rows = measured(folder, arguments)
+    if arguments.keep:
+        with open(arguments.keep, encoding="utf-8") as file:
+            kept = rows_in(file.read().split("\n", 1)[1])
+        now = {(r.program, r.scene) for r in rows}
+        rows += [r for r in kept if (r.program, r.scene) not in now]
     compared = list(comparison(rows))
     print(pages.comparison_table(compared, SPANS, kind))
     if arguments.write:
