@@ -33,7 +33,7 @@ constexpr std::array<Color, 8> colors = {{{0.80, 0.13, 0.16},
                                           {0.45, 0.35, 0.25},
                                           {0.45, 0.45, 0.45}}};
 constexpr Color dark = {0.12, 0.12, 0.14}, quiet = {0.42, 0.42, 0.46}, faint = {0.87, 0.87, 0.89};
-constexpr double width = 640;
+constexpr double width = 700;
 
 struct Point {
     double x = 0, y = 0;
