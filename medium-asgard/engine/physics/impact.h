@@ -54,8 +54,7 @@ struct ImpactResult {
 };
 
 // The same for one contact whose normal goes through both centres of mass, so that nothing turns.
-[[nodiscard]] inline double centralImpulse(double speed, double restitution,
-                                           double inverseMasses) {
+[[nodiscard]] inline double centralImpulse(double speed, double restitution, double inverseMasses) {
     return -(1 + restitution) * speed / inverseMasses;
 }
 

@@ -25,8 +25,8 @@ struct Options {
     std::optional<double> fixedStep;
     bool whole = false;      // one component for the whole scene (dissertation 5.2.1, 5.2.4)
     bool eventDriven = true; // false: finish each component before the next (5.2.4, case 5)
-    int threads = 1; // 0: as many as the machine has cores; the motion is the same
-    bool explain = false;                     // fill Result::explanation
+    int threads = 1;         // 0: as many as the machine has cores; the motion is the same
+    bool explain = false;    // fill Result::explanation
     std::map<std::string, double> parameters; // override the scene's values
 };
 

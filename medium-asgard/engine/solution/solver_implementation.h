@@ -80,7 +80,7 @@ private:
     std::vector<std::unique_ptr<Component>> components_; // none where one was replaced
     std::vector<std::vector<std::size_t>> readers_;
     std::vector<std::size_t> componentOf_;
-    mutable std::vector<char> isTouched_;           // by component; all 0 but within touchedBy()
+    mutable std::vector<char> isTouched_; // by component; all 0 but within touchedBy()
     Schedule schedule_{components_};
     Workers workers_;
     std::thread::id caller_; // of advanceTo()
