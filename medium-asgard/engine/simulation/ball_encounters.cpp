@@ -41,7 +41,8 @@ FlightContact CollisionSource::flightContact(const Pair& pair, double time) cons
 }
 
 // None: they do not touch, or something else touches one of them, or that is not clear.
-std::optional<FlightContact> CollisionSource::onlyContact(const Pair& pair, double time) const {
+std::optional<FlightContact> CollisionSource::onlyContact(const Histories& histories,
+                                                          const Pair& pair, double time) {
     FlightContact found;
     for (const std::size_t body : {pair.first, pair.second})
         for (const std::size_t other : search_.partners(body)) {
@@ -51,6 +52,14 @@ std::optional<FlightContact> CollisionSource::onlyContact(const Pair& pair, doub
             const FlightContact contact = flightContact(met, time);
             if (contact.kind == FlightContact::Kind::none)
                 continue;
+            if (contact.kind == FlightContact::Kind::unclear && met != pair) {
+                // Whoever is near without touching leaves no trace in the result.
+                Cluster others;
+                if (!search_.hasEnded(other))
+                    addContacts(histories, others, met.first, met.second, time);
+                if (others.contacts.empty())
+                    continue;
+            }
             if (contact.kind == FlightContact::Kind::unclear || met != pair)
                 return std::nullopt;
             found = contact;
@@ -77,7 +86,7 @@ bool CollisionSource::isLastHop(const Pair& pair, const Vector& normal, double s
 
 bool CollisionSource::meetInFlight(const Histories& histories, const Pair& pair, double time,
                                    std::optional<Event>& event) {
-    const auto contact = onlyContact(pair, time);
+    const auto contact = onlyContact(histories, pair, time);
     const double restitution =
         std::min(scene_.bodies[pair.first].restitution, scene_.bodies[pair.second].restitution);
     if (!contact || restitution == 0)

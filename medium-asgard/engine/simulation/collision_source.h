@@ -93,8 +93,8 @@ private:
     // Nearer than this they touch at an impact: it is as far off as times are resolved, too.
     [[nodiscard]] double contactTolerance(const Pair& pair, double time) const;
     [[nodiscard]] collision::FlightContact flightContact(const Pair& pair, double time) const;
-    [[nodiscard]] std::optional<collision::FlightContact> onlyContact(const Pair& pair,
-                                                                      double time) const;
+    [[nodiscard]] std::optional<collision::FlightContact>
+    onlyContact(const solution::Histories& histories, const Pair& pair, double time);
     [[nodiscard]] bool isLastHop(const Pair& pair, const Vector& normal, double speed,
                                  double time) const;
     [[nodiscard]] std::optional<solution::Event> press(const solution::Histories& histories,
