@@ -1,7 +1,6 @@
 #include "simulation/kept_motion.h"
 
 #include "collision/broad_phase.h"
-#include "collision/time_of_impact.h"
 
 #include <algorithm>
 #include <map>
@@ -9,6 +8,15 @@
 
 namespace simulation {
 namespace {
+
+constexpr double touching = 1e-5; // of a body's radius: nearer than that it may touch
+
+geometry::Box grown(geometry::Box box, double room) {
+    const Vector all = Vector::Constant(room);
+    box.extend(Vector(box.min() - all));
+    box.extend(Vector(box.max() + all));
+    return box;
+}
 
 std::size_t rootOf(std::vector<std::size_t>& parent, std::size_t i) {
     while (parent[i] != i)
@@ -109,7 +117,8 @@ SolvedPart::SolvedPart(const Problem& problem, const Solved& solved)
             until.back() = std::min(until.back(), stop->second.time);
         if (motion.histories)
             bodies.back().read(*motion.histories);
-        reach.push_back(collision::boundsDuring(bodies.back(), problem.start(), until.back()));
+        reach.push_back(grown(collision::boundsDuring(bodies.back(), problem.start(), until.back()),
+                              touching * records[p].radius));
     }
 }
 
@@ -158,25 +167,34 @@ void KnownMotion::index() {
                 unitOf[units[u]->bodies[i]] = u;
 }
 
+namespace {
+
+// Boxes that still overlap over the shortest times: the bodies touch, or only just do not.
+bool boxesMeet(const MovingBody& a, const MovingBody& b, double from, double to, double room,
+               int halvings) {
+    if (!grown(collision::boundsDuring(a, from, to), room)
+             .intersects(collision::boundsDuring(b, from, to)))
+        return false;
+    const double middle = from + (to - from) / 2;
+    if (halvings == 0 || !(from < middle && middle < to))
+        return true;
+    return boxesMeet(a, b, from, middle, room, halvings - 1) ||
+           boxesMeet(a, b, middle, to, room, halvings - 1);
+}
+
+} // namespace
+
+// Those that touch without pressing count too: they take part in each other's impacts.
 bool meet(const SolvedPart& one, std::size_t first, const SolvedPart& other, std::size_t second) {
+    constexpr int halvings = 16;
     if (!one.reach[first].intersects(other.reach[second]))
         return false;
-    constexpr int slices = 64;
     const double start =
         one.motion.histories ? one.motion.histories->start() : other.motion.histories->start();
     const double until = std::min(one.until[first], other.until[second]);
-    const MovingBody &a = one.bodies[first], &b = other.bodies[second];
-    double from = start;
-    for (int i = 1; i <= slices; ++i) {
-        const double to = i == slices ? until : start + (until - start) * i / slices;
-        if (collision::boundsDuring(a, from, to).intersects(collision::boundsDuring(b, from, to))) {
-            const collision::Encounter encounter = collision::timeOfImpact(a, b, {from, to});
-            if (encounter.hit || encounter.overlap > 0)
-                return true;
-        }
-        from = to;
-    }
-    return false;
+    const double room =
+        touching * ((*one.motion.bodies)[first].radius + (*other.motion.bodies)[second].radius);
+    return boxesMeet(one.bodies[first], other.bodies[second], start, until, room, halvings);
 }
 
 } // namespace simulation

@@ -144,7 +144,12 @@ Piece Histories::piece(std::size_t unknown, double t) const {
         --span;
     if (span->history->empty())
         return {start_, start_, 1, {&track.initial, 1}};
-    return span->history->piece(span->history->find(t), span->column);
+    Piece piece = span->history->piece(span->history->find(t), span->column);
+    // What was 0 for ever until an event woke it is so until then.
+    const Span* next = span + 1;
+    if (next != track.spans.data() + track.spans.size() && t < next->from)
+        piece.until = std::min(piece.until, next->from);
+    return piece;
 }
 
 Piece Histories::pieceBefore(std::size_t unknown, double t) const {
