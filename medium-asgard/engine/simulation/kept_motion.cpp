@@ -154,6 +154,7 @@ std::vector<UnitPointer> unitsOf(const PartPointer& part, const Solved& solved,
     if (!units.empty())
         units[0].notes = solved.run.notes;
     std::vector<UnitPointer> made;
+    made.reserve(units.size());
     for (Unit& unit : units)
         made.push_back(std::make_shared<const Unit>(std::move(unit)));
     return made;
