@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
@@ -27,13 +28,15 @@ using Model = std::unique_ptr<mjModel, Destroy>;
 using Data = std::unique_ptr<mjData, Destroy>;
 
 Model modelOf(const std::string& xml) {
-    char name[] = "/tmp/bench_mujoco_XXXXXX.xml", why[1000] = "";
-    const int file = mkstemps(name, 4);
+    std::string name =
+        (std::filesystem::temp_directory_path() / "bench_mujoco_XXXXXX.xml").string();
+    char why[1000] = "";
+    const int file = mkstemps(name.data(), 4);
     if (file >= 0)
         close(file);
     std::ofstream(name) << xml;
-    Model model(mj_loadXML(name, nullptr, why, sizeof why));
-    std::remove(name);
+    Model model(mj_loadXML(name.c_str(), nullptr, why, sizeof why));
+    std::remove(name.c_str());
     if (!model) {
         std::fprintf(stderr, "bench_mujoco: %s\n", why);
         std::exit(1);

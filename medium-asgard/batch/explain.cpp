@@ -11,12 +11,6 @@
 namespace batch {
 namespace {
 
-int refuse(const Refusal& refusal) {
-    const bool line = refusal.message.ends_with('\n');
-    std::fprintf(stderr, line ? "%s" : "asgard: %s\n", refusal.message.c_str());
-    return refusal.exitCode;
-}
-
 bool write(const std::string& file, const std::string& text) {
     Output output(file);
     return output.good() &&
@@ -58,18 +52,10 @@ int explain(const SceneText& scene, const ExplainArguments& arguments,
 } // namespace
 
 int explainCommand(script::Reader& reader, const ExplainArguments& arguments) {
-    const auto parameters = settings(arguments.set);
-    if (const auto* refusal = std::get_if<Refusal>(&parameters))
+    const auto opened = openScene(reader, arguments.scene, arguments.set);
+    if (const auto* refusal = std::get_if<Refusal>(&opened))
         return refuse(*refusal);
-    const auto& values = std::get<std::map<std::string, double>>(parameters);
-    const auto read = readScene(reader, arguments.scene, values);
-    if (const auto* refusal = std::get_if<Refusal>(&read))
-        return refuse(*refusal);
-    const auto& scene = std::get<SceneText>(read);
-    if (const auto refusal = unusable(scene))
-        return refuse(*refusal);
-    if (const auto refusal = outOfBounds(scene.reading.scene, values))
-        return refuse(*refusal);
+    const auto& [scene, values] = std::get<OpenScene>(opened);
     return explain(scene, arguments, values);
 }
 

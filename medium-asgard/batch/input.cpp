@@ -29,6 +29,12 @@ std::string quoted(std::string_view text) { return "\"" + std::string(text) + "\
 
 } // namespace
 
+int refuse(const Refusal& refusal) {
+    const bool line = refusal.message.ends_with('\n');
+    std::fprintf(stderr, line ? "%s" : "asgard: %s\n", refusal.message.c_str());
+    return refusal.exitCode;
+}
+
 std::variant<std::string, Refusal> contentOf(const std::string& file) {
     std::stringstream content;
     if (file == "-") {
@@ -120,6 +126,23 @@ std::optional<Refusal> outOfBounds(const scene::Scene& scene,
                                         " is over its maximum " + written(*parameter.maximum)};
     }
     return std::nullopt;
+}
+
+std::variant<OpenScene, Refusal> openScene(script::Reader& reader, const std::string& file,
+                                           const std::vector<std::string>& written) {
+    auto parameters = settings(written);
+    if (const auto* refusal = std::get_if<Refusal>(&parameters))
+        return *refusal;
+    auto& values = std::get<std::map<std::string, double>>(parameters);
+    auto read = readScene(reader, file, values);
+    if (const auto* refusal = std::get_if<Refusal>(&read))
+        return *refusal;
+    auto& scene = std::get<SceneText>(read);
+    if (const auto refusal = unusable(scene))
+        return *refusal;
+    if (const auto refusal = outOfBounds(scene.reading.scene, values))
+        return *refusal;
+    return OpenScene{std::move(scene), std::move(values)};
 }
 
 std::variant<std::vector<double>, Refusal> timesAt(const std::string& range) {

@@ -18,6 +18,9 @@ struct Refusal {
     std::string message;
 };
 
+// Says it on standard error. Returns its exit code.
+[[nodiscard]] int refuse(const Refusal& refusal);
+
 // The bytes of a file, or of standard input for "-".
 [[nodiscard]] std::variant<std::string, Refusal> contentOf(const std::string& file);
 
@@ -40,6 +43,14 @@ settings(const std::vector<std::string>& written);
 // A setting outside its parameter's bounds.
 [[nodiscard]] std::optional<Refusal> outOfBounds(const scene::Scene& scene,
                                                  const std::map<std::string, double>& parameters);
+
+// A scene that can be worked with, its parameters set as `written` on the command line.
+struct OpenScene {
+    SceneText scene;
+    std::map<std::string, double> parameters;
+};
+[[nodiscard]] std::variant<OpenScene, Refusal>
+openScene(script::Reader& reader, const std::string& file, const std::vector<std::string>& written);
 
 [[nodiscard]] std::optional<double> numberOf(std::string_view text);
 

@@ -19,9 +19,7 @@ struct Target {
 };
 
 int refuse(const std::string& sentence, int exitCode) {
-    const bool line = sentence.ends_with('\n');
-    std::fprintf(stderr, line ? "%s" : "asgard: %s\n", sentence.c_str());
-    return exitCode;
+    return batch::refuse(Refusal{exitCode, sentence});
 }
 
 std::variant<Target, Refusal> targetOf(const std::string& output) {

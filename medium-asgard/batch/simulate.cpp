@@ -11,12 +11,6 @@
 namespace batch {
 namespace {
 
-int refuse(const Refusal& refusal) {
-    const bool line = refusal.message.ends_with('\n');
-    std::fprintf(stderr, line ? "%s" : "asgard: %s\n", refusal.message.c_str());
-    return refusal.exitCode;
-}
-
 std::optional<Refusal> wrongNumbers(const SimulateArguments& arguments) {
     const auto positive = [](const std::optional<double>& value) {
         return !value || (std::isfinite(*value) && *value > 0);
@@ -131,20 +125,12 @@ int compute(const SceneText& scene, const SimulateArguments& arguments,
 int simulateCommand(script::Reader& reader, const SimulateArguments& arguments) {
     if (const auto refusal = wrongNumbers(arguments))
         return refuse(*refusal);
-    const auto parameters = settings(arguments.set);
-    if (const auto* refusal = std::get_if<Refusal>(&parameters))
-        return refuse(*refusal);
-    const auto& values = std::get<std::map<std::string, double>>(parameters);
     const auto begin = std::chrono::steady_clock::now();
-    const auto read = readScene(reader, arguments.scene, values);
+    const auto opened = openScene(reader, arguments.scene, arguments.set);
     const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - begin;
-    if (const auto* refusal = std::get_if<Refusal>(&read))
+    if (const auto* refusal = std::get_if<Refusal>(&opened))
         return refuse(*refusal);
-    const auto& scene = std::get<SceneText>(read);
-    if (const auto refusal = unusable(scene))
-        return refuse(*refusal);
-    if (const auto refusal = outOfBounds(scene.reading.scene, values))
-        return refuse(*refusal);
+    const auto& [scene, values] = std::get<OpenScene>(opened);
     const scene::Simulator& simulator = scene.reading.scene.simulator;
     const double finish = arguments.finish.value_or(simulator.finish);
     if (finish < simulator.start)

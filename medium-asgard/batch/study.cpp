@@ -13,12 +13,6 @@
 namespace batch {
 namespace {
 
-int refuse(const Refusal& refusal) {
-    const bool line = refusal.message.ends_with('\n');
-    std::fprintf(stderr, line ? "%s" : "asgard: %s\n", refusal.message.c_str());
-    return refusal.exitCode;
-}
-
 std::variant<std::vector<double>, Refusal> positiveNumbers(const std::string& list,
                                                            const std::string& option) {
     std::vector<double> numbers;
@@ -102,18 +96,10 @@ int studyCommand(script::Reader& reader, const StudyArguments& arguments) {
         return refuse({wrongUsage, "--limit wants a positive number"});
     if (arguments.output && !charts::Canvas::knows(*arguments.output))
         return refuse({wrongUsage, "--output wants a name that ends with .svg, .png or .pdf"});
-    const auto parameters = settings(arguments.set);
-    if (const auto* refusal = std::get_if<Refusal>(&parameters))
+    const auto opened = openScene(reader, arguments.scene, arguments.set);
+    if (const auto* refusal = std::get_if<Refusal>(&opened))
         return refuse(*refusal);
-    const auto& values = std::get<std::map<std::string, double>>(parameters);
-    const auto read = readScene(reader, arguments.scene, values);
-    if (const auto* refusal = std::get_if<Refusal>(&read))
-        return refuse(*refusal);
-    const auto& scene = std::get<SceneText>(read);
-    if (const auto refusal = unusable(scene))
-        return refuse(*refusal);
-    if (const auto refusal = outOfBounds(scene.reading.scene, values))
-        return refuse(*refusal);
+    const auto& [scene, values] = std::get<OpenScene>(opened);
     const auto plan = planOf(arguments, scene.reading.scene);
     if (const auto* refusal = std::get_if<Refusal>(&plan))
         return refuse(*refusal);
