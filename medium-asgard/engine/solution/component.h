@@ -19,10 +19,24 @@
 #include "solution/prepared_equations.h"
 #include "solution/solver.h"
 
+#include <cmath>
 #include <deque>
+#include <limits>
 #include <memory>
 
 namespace solution {
+
+// A step that would end within a hundredth of its length before its limit is stretched to it; one
+// of fixed length only over rounding.
+[[nodiscard]] inline double landingOf(const Options& options) {
+    return options.fixedStep ? 1 + 1e-9 : 1.01;
+}
+
+// Below this a step does not move time by more than rounding.
+[[nodiscard]] inline double shortestStep(double t) {
+    return 4 * std::numeric_limits<double>::epsilon() * std::abs(t) +
+           std::numeric_limits<double>::min();
+}
 
 class Component {
 public:

@@ -1,0 +1,216 @@
+// The least model that answers a component, and how those without an integrator go on; see
+// component.h.
+#include "solution/closed_form.h"
+#include "solution/component.h"
+
+#include "expression/operation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace solution {
+
+void Component::decideModel() {
+    const bool ladder = options_.method == "auto";
+    if ((ladder || equations_->states().empty()) && tryClosedForm()) {
+        model_ = Model::closedForm;
+        findPlainRate();
+        counts_.model = "closed-form";
+        counts_.method = "exact";
+        counts_.why = "polynomials in time";
+    } else if (equations_->states().empty()) {
+        model_ = Model::held;
+        counts_.model = "closed-form";
+        counts_.method = "evaluation";
+        counts_.why = "held by expressions";
+    } else if (ladder && tryLinear()) {
+        model_ = Model::linear;
+        counts_.model = "linear";
+        counts_.method = "exponential";
+        counts_.why = "linear, with constant coefficients: exact at the ends of its pieces";
+    } else {
+        model_ = Model::integrated;
+    }
+}
+
+bool Component::tryClosedForm() {
+    return !equations_->sliding() && closedForm(*equations_, time_, stateValues()).has_value();
+}
+
+bool Component::tryLinear() {
+    linear_.reset();
+    if (equations_->states().size() > LinearMotion::mostStates || options_.fixedStep)
+        return false;
+    if (const auto form = linearForm(*equations_, time_))
+        linear_ = std::make_unique<LinearMotion>(*form);
+    return linear_ != nullptr;
+}
+
+void Component::stepLinear() {
+    takeStates(y_);
+    columns_.resize(y_.size());
+    const bool isLinear = time_ < linear_->until() || tryLinear();
+    const double h = isLinear ? linear_->advance(y_, columns_) : 0;
+    ++counts_.evaluations;
+    if (h == 0) { // an input's next pieces are not constant, or rounding is too much
+        model_ = Model::integrated;
+        proposed_ = 0;
+        return;
+    }
+    const double until = std::min({time_ + h, limit_, linear_->until()});
+    if (until < time_ + h)
+        for (std::size_t i = 0; i < y_.size(); ++i)
+            y_[i] = evaluate(columns_[i], (until - time_) / h);
+    append(columns_, h, until);
+    time_ = until;
+    setStates(y_);
+    normalize();
+    if (overflows())
+        return;
+    takeStates(y_);
+    control_.observe(y_);
+    immediate_ = 0;
+    if (time_ >= limit_)
+        arrive();
+}
+
+void Component::findPlainRate() {
+    plainRate_.reset();
+    if (unknowns_.size() != 1 || equations_->states().size() != 1 || equations_->watches() > 0 ||
+        !quaternions_.empty() || nextPhase_ < infinity)
+        return;
+    const expression::Node rate = equations_->outputs()[0];
+    if (equations_->graph().op(rate) == expression::Op::constant)
+        plainRate_ = PlainRate{equations_->graph().value(rate), {}};
+    else if (const auto constant = equations_->constantOf(rate))
+        plainRate_ = PlainRate{*constant, {}};
+    else if (const auto input = equations_->inputOf(rate))
+        plainRate_ = PlainRate{0, equations_->inputs().unknowns()[*input]};
+}
+
+// Bit for bit what backTo(), restart() and stepClosedForm() do, without their anchor.
+bool Component::resume(double t, std::optional<double> jump) {
+    if (model_ != Model::closedForm || !plainRate_ || stop_ || time_ != infinity ||
+        history_->empty())
+        return false;
+    const Piece last = history_->piece(history_->size() - 1, 0);
+    if (last.origin > t)
+        return false;
+    std::array<double, maximumCoefficients> row{};
+    row[0] = jump.value_or(last.value(t));
+    std::size_t count = 2;
+    double scale = 1;
+    row[1] = plainRate_->constant;
+    if (plainRate_->unknown) {
+        const Piece rate = histories_.piece(*plainRate_->unknown, t);
+        count = rate.coefficients.size() + 1;
+        if (rate.until != infinity || rate.origin > t || count > row.size())
+            return false;
+        scale = rate.scale;
+        const Coefficients c = reparametrize(rate.coefficients, (t - rate.origin) / scale, 1);
+        for (std::size_t k = 0; k + 1 < count; ++k)
+            row[k + 1] = c[k] * scale / static_cast<double>(k + 1);
+    }
+    while (count > 1 && row[count - 1] == 0)
+        --count;
+    if (!std::all_of(row.begin(), row.end(), [](double c) { return std::isfinite(c); }))
+        return false;
+    ++counts_.evaluations;
+    counts_.discardedSteps += history_->cut(t);
+    history_->append({t, infinity, scale, true, static_cast<std::uint8_t>(count), 0},
+                     std::span(row).first(count));
+    return true;
+}
+
+void Component::stepClosedForm() {
+    auto form = closedForm(*equations_, time_, stateValues());
+    if (!form || equations_->sliding()) { // an input's next pieces have too high a degree
+        model_ = equations_->states().empty() ? Model::held : Model::integrated;
+        proposed_ = 0;
+        return;
+    }
+    ++counts_.evaluations;
+    for (std::size_t i = 0; i < form->columns.size(); ++i)
+        for (const double c : form->columns[i])
+            if (!std::isfinite(c)) {
+                endWithoutRate(time_, stateValues());
+                return;
+            }
+    double until = std::min(form->until, limit_);
+    if (equations_->watches() > 0) { // look for switches over lengths that double
+        proposed_ = proposed_ > 0 ? 2 * proposed_ : 1;
+        until = std::min(until, time_ + proposed_);
+    }
+    const auto count = static_cast<std::ptrdiff_t>(equations_->states().size());
+    const std::vector<Coefficients> states(form->columns.begin(), form->columns.begin() + count);
+    const std::vector<Coefficients> held(form->columns.begin() + count, form->columns.end());
+    const auto found = violation(time_, until, form->scale, states);
+    if (found && found->time <= time_) {
+        pass(*found, true);
+        return;
+    }
+    const double to = found ? found->time : until;
+    history_->dropAnchor();
+    appendRow(states, held, time_, form->scale, to);
+    std::vector<double> y(states.size());
+    for (std::size_t i = 0; i < y.size(); ++i)
+        y[i] = evaluate(states[i], (to - time_) / form->scale);
+    time_ = to;
+    if (to == infinity)
+        return;
+    setStates(y);
+    normalize();
+    takeHeldValues();
+    if (stop_)
+        return;
+    control_.observe(stateValues());
+    immediate_ = 0;
+    if (found)
+        pass(*found, false);
+    if (!stop_ && time_ >= limit_)
+        arrive();
+}
+
+// Held values alone, as polynomials of degree 8 that are halved until they fit.
+void Component::stepHeld() {
+    double h = proposed_ > 0 ? proposed_ : 1;
+    for (;;) {
+        const double to = time_ + landingOf(options_) * h >= limit_ ? limit_ : time_ + h;
+        if (to - time_ <= shortestStep(time_)) {
+            const auto culprits = equations_->notFinite(time_ + h, {});
+            end(culprits.empty() ? Stop::Reason::stepUnderflow : Stop::Reason::notFinite, culprits,
+                "the value that holds " + names(culprits.empty() ? equations_->held() : culprits) +
+                    (culprits.empty() ? " changes too fast" : " is not finite"));
+            return;
+        }
+        std::vector<Coefficients> held(equations_->held().size());
+        counts_.evaluations += maximumCoefficients;
+        const auto found = violation(time_, to, to - time_, {});
+        if (found && found->time <= time_) {
+            pass(*found, true);
+            return;
+        }
+        const double until = found ? found->time : to;
+        if (!fitHeld({}, time_, 1, until, held)) {
+            ++counts_.rejectedSteps;
+            h *= 0.5;
+            continue;
+        }
+        ++counts_.steps;
+        history_->dropAnchor();
+        appendRow({}, held, time_, until - time_, until);
+        proposed_ = 2 * h;
+        time_ = until;
+        takeHeldValues();
+        if (stop_)
+            return;
+        immediate_ = 0;
+        if (found)
+            pass(*found, false);
+        if (!stop_ && time_ >= limit_)
+            arrive();
+        return;
+    }
+}
+
+} // namespace solution
