@@ -286,8 +286,10 @@ void LiveSubdocument::told(const ipc::ToHost& report) {
         askForSize();
     } else if (const auto* unhandled = std::get_if<ipc::RenditionUnhandled>(&report)) {
         for (Rendition* rendition : renditions_)
-            if (rendition->id() == unhandled->rendition)
-                Q_EMIT rendition->unhandledInput(*unhandled);
+            if (rendition->id() == unhandled->rendition) {
+                Q_EMIT rendition->unhandledInput(*unhandled); // which may scroll it out of use
+                return;
+            }
     } else if (const auto* state = std::get_if<ipc::RenditionState>(&report)) {
         for (Rendition* rendition : renditions_)
             if (rendition->id() == state->rendition && state->state.size() <= longestState)
@@ -297,6 +299,7 @@ void LiveSubdocument::told(const ipc::ToHost& report) {
             if (rendition->id() == cursor->rendition) {
                 rendition->cursor_ = cursor->shape;
                 Q_EMIT rendition->cursorChanged();
+                return;
             }
     } else if (const auto* progress = std::get_if<ipc::ProgressReport>(&report)) {
         Q_EMIT message(QString::fromStdString(progress->message));

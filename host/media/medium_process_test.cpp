@@ -89,6 +89,27 @@ TEST_F(MediumProcessTest, GetsNoMoreThanTwoFramesAheadOfTheScreen) {
     }));
 }
 
+// A medium counts anew from each size: what it drew before is not held against it.
+TEST_F(MediumProcessTest, MayFillBothPlacesAgainAfterEachSize) {
+    auto it = subdocument("duration 100");
+    auto rendition = it->createRendition();
+    rendition->setShown(true);
+    it->start();
+    ASSERT_TRUE(waitFor([&] { return !rendition->picture().isNull(); }));
+    ipc::Input press; // is answered by a picture
+    press.type = ipc::InputType::press;
+    for (int i = 0; i < 20; ++i) {
+        const QSize size(40 + i % 2, 30);
+        rendition->setGeometry(size, 1);
+        rendition->input(press);
+        rendition->input(press);
+        ASSERT_TRUE(waitFor([&] {
+            return it->condition() == Condition::failed || rendition->picture().size() == size;
+        }));
+        ASSERT_EQ(it->reason().toStdString(), "");
+    }
+}
+
 TEST_F(MediumProcessTest, ReleasesTheMemoryOfOldSizes) {
     auto it = subdocument("colour 101010");
     auto rendition = it->createRendition();

@@ -67,6 +67,7 @@ void Rendition::input(ipc::Input input) {
 void Rendition::attach(MediumProcess* process) {
     slots_.clear(); // they went with the memory of the process before
     unpainted_.clear();
+    unanswered_ = 0;
     process_ = process;
     if (!process_)
         return;
@@ -97,11 +98,19 @@ void Rendition::sendGeometry(bool create) {
     }
     for (const Slot& slot : slots)
         geometry.slots.push_back({slot.offset, slot.stride});
-    // Until it answers, the medium may be drawing into the slots of before.
-    const auto done = [process = process_, retired = slots_](const Outcome<ipc::Done>&) {
+    // Until it answers, the medium may be drawing into the slots of before. It may count its
+    // pictures from there anew, so those of before are not held against it.
+    painted();
+    ++unanswered_;
+    const QPointer<Rendition> self = this;
+    const auto done = [self, process = process_, retired = slots_](const Outcome<ipc::Done>&) {
         if (process)
             for (const Slot& slot : retired)
                 process->frames().free(slot);
+        if (self && self->process_ == process) {
+            --self->unanswered_;
+            self->painted();
+        }
     };
     slots_ = std::move(slots);
     if (create)
@@ -124,8 +133,9 @@ QImage Rendition::decoded(const ipc::RenditionFrame& frame) const {
 }
 
 bool Rendition::take(const ipc::RenditionFrame& frame) {
+    constexpr std::size_t mostAhead = 2;
     unpainted_.push_back(frame.serial);
-    if (unpainted_.size() > 2)
+    if (unpainted_.size() > (unanswered_ > 0 ? 2 * mostAhead : mostAhead))
         return false;
     if (QSize(static_cast<int>(frame.width), static_cast<int>(frame.height)) != pixels_) {
         painted(); // of a size before: acknowledged and dropped

@@ -66,6 +66,7 @@ private:
     QPointer<MediumProcess> process_;
     std::vector<Slot> slots_;             // that the medium draws into now
     std::vector<ipc::Integer> unpainted_; // serials of frames that are not acknowledged yet
+    int unanswered_ = 0;                  // changes of the geometry that the medium has yet to obey
 };
 
 } // namespace media
