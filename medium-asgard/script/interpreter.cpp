@@ -48,6 +48,8 @@ struct Interpreter::Implementation {
         progress.offset.store(offset, std::memory_order_relaxed);
     }
 
+    // What Tcl answers to a question whose answer is a list; {} if it does not.
+    [[nodiscard]] std::vector<std::string> listed(const std::string& question);
     void keepOnly(const char* space, const std::set<std::string, std::less<>>& allowed);
     void deleteHidden();
     void shrinkInfo();
@@ -67,40 +69,35 @@ struct Interpreter::Implementation {
 
 // --- what there is --------------------------------------------------------------------------
 
-void Interpreter::Implementation::deleteHidden() {
-    if (Tcl_EvalEx(tcl, "interp hidden {}", -1, TCL_EVAL_GLOBAL) != TCL_OK)
-        return;
+std::vector<std::string> Interpreter::Implementation::listed(const std::string& question) {
+    if (Tcl_EvalEx(tcl, question.c_str(), -1, TCL_EVAL_GLOBAL) != TCL_OK)
+        return {};
     Tcl_Obj* names = Tcl_GetObjResult(tcl);
     Tcl_IncrRefCount(names);
     int count = 0;
     Tcl_Obj** elements = nullptr;
     Tcl_ListObjGetElements(tcl, names, &count, &elements);
-    for (int i = 0; i < count; ++i) {
-        const std::string name(textOf(elements[i]));
+    std::vector<std::string> result;
+    for (int i = 0; i < count; ++i)
+        result.emplace_back(textOf(elements[i]));
+    Tcl_DecrRefCount(names);
+    return result;
+}
+
+void Interpreter::Implementation::deleteHidden() {
+    for (const std::string& name : listed("interp hidden {}"))
         if (Tcl_ExposeCommand(tcl, name.c_str(), "exposed") == TCL_OK)
             Tcl_DeleteCommand(tcl, "exposed");
-    }
-    Tcl_DecrRefCount(names);
 }
 
 // Deletes every command of a namespace that is not allowed.
 void Interpreter::Implementation::keepOnly(const char* space,
                                            const std::set<std::string, std::less<>>& allowed) {
-    const std::string pattern = std::string("info commands ") + space + "*";
-    if (Tcl_EvalEx(tcl, pattern.c_str(), -1, TCL_EVAL_GLOBAL) != TCL_OK)
-        return;
-    Tcl_Obj* names = Tcl_GetObjResult(tcl);
-    Tcl_IncrRefCount(names);
-    int count = 0;
-    Tcl_Obj** elements = nullptr;
-    Tcl_ListObjGetElements(tcl, names, &count, &elements);
-    for (int i = 0; i < count; ++i) {
-        const std::string name(textOf(elements[i]));
+    for (const std::string& name : listed(std::string("info commands ") + space + "*")) {
         const auto tail = name.rfind("::");
         if (!allowed.contains(tail == std::string::npos ? name : name.substr(tail + 2)))
             Tcl_DeleteCommand(tcl, name.c_str());
     }
-    Tcl_DecrRefCount(names);
 }
 
 // Questions about the script itself; none about the machine, the files or the library.

@@ -176,19 +176,21 @@ std::size_t SyntaxWalker::braces(std::size_t from, Word& word) {
     return at + 1;
 }
 
+// Past one character of a word, or past what is substituted there.
+std::size_t SyntaxWalker::character(std::size_t at, int owner, Word& word) {
+    if (text_[at] != '$' && text_[at] != '[' && text_[at] != '\\')
+        return at + 1;
+    const std::size_t after = substitution(at, owner);
+    if (after > at + 1) // a last backslash or a dollar without a name is itself
+        word.literal = false;
+    return after;
+}
+
 std::size_t SyntaxWalker::quotes(std::size_t from, int owner, Word& word) {
     word.quoted = true;
     std::size_t at = from + 1;
-    while (!failed_ && at < end_ && text_[at] != '"') {
-        if (text_[at] == '$' || text_[at] == '[' || text_[at] == '\\') {
-            const std::size_t after = substitution(at, owner);
-            if (after > at + 1) // a last backslash or a dollar without a name is itself
-                word.literal = false;
-            at = after;
-        } else {
-            ++at;
-        }
-    }
+    while (!failed_ && at < end_ && text_[at] != '"')
+        at = character(at, owner, word);
     if (!failed_ && at >= end_) {
         fail(from, from + 1, "this quote is never closed");
         return end_;
@@ -199,16 +201,8 @@ std::size_t SyntaxWalker::quotes(std::size_t from, int owner, Word& word) {
 
 std::size_t SyntaxWalker::bare(std::size_t from, bool bracketed, int owner, Word& word) {
     std::size_t at = from;
-    while (!failed_ && !blankAt(at) && !ends(at, bracketed)) {
-        if (text_[at] == '$' || text_[at] == '[' || text_[at] == '\\') {
-            const std::size_t after = substitution(at, owner);
-            if (after > at + 1) // a last backslash or a dollar without a name is itself
-                word.literal = false;
-            at = after;
-        } else {
-            ++at;
-        }
-    }
+    while (!failed_ && !blankAt(at) && !ends(at, bracketed))
+        at = character(at, owner, word);
     word.content = {from, at};
     if (word.expanded)
         word.content.from = from;

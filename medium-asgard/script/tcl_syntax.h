@@ -18,6 +18,7 @@ private:
     std::size_t word(std::size_t from, bool bracketed, int owner, Word& word);
     void append(Command& command, const Word& word) const;
     std::size_t braces(std::size_t from, Word& word);
+    std::size_t character(std::size_t at, int owner, Word& word);
     std::size_t quotes(std::size_t from, int owner, Word& word);
     std::size_t bare(std::size_t from, bool bracketed, int owner, Word& word);
     std::size_t substitution(std::size_t from, int owner); // at $, [ or backslash
