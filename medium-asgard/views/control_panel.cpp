@@ -1,6 +1,8 @@
 #include "views/control_panel.h"
 
+#include "views/recent_files.h"
 #include "views/status_panel.h"
+#include "views/undo_actions.h"
 
 #include <QCloseEvent>
 #include <QDir>
@@ -74,14 +76,18 @@ ControlPanel::ControlPanel(SceneDocument& document, Windows windows)
 
 void ControlPanel::buildMenus() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
-    file->addAction(tr("&Open…"), QKeySequence::Open, this, &ControlPanel::open);
+    // Elsewhere Ctrl+N is a new viewer; a new scene is seldom wanted, and its loss is asked about.
+    file->addAction(tr("&New Scene"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), this,
+                    &ControlPanel::newScene);
+    file->addAction(tr("&Open…"), QKeySequence::Open, this, [this] { open(); });
+    fillWithRecentFiles(file->addMenu(tr("Open &Recent")),
+                        [this](const QString& path) { open(path); });
     file->addAction(tr("&Save"), QKeySequence::Save, this, [this] { save(); });
     file->addAction(tr("Save &As…"), QKeySequence::SaveAs, this, [this] { saveAs(); });
     file->addSeparator();
     file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-    edit->addAction(tr("&Undo"), QKeySequence::Undo, &document_, &SceneDocument::undo);
-    edit->addAction(tr("&Redo"), QKeySequence::Redo, &document_, &SceneDocument::redo);
+    addUndoActions(edit, document_);
     QMenu* scene = menuBar()->addMenu(tr("&Scene"));
     scene->addAction(tr("&Simulate"), QKeySequence(Qt::Key_F5), &document_,
                      &SceneDocument::recompute);
@@ -124,24 +130,33 @@ void ControlPanel::showState() {
         state_->setText({});
 }
 
-void ControlPanel::openFile(const QString& path) {
+void ControlPanel::newScene() {
+    if (mayLeave())
+        document_.reset();
+}
+
+void ControlPanel::open(const QString& path) {
+    if (!mayLeave())
+        return;
     if (const QString fault = document_.open(path); !fault.isEmpty())
         QMessageBox::warning(this, tr("Open"), fault);
+    else
+        rememberFile(path);
 }
 
 void ControlPanel::open() {
-    if (!mayLeave())
-        return;
     const QString path = QFileDialog::getOpenFileName(
         this, tr("Open a scene"), QFileInfo(document_.path()).absolutePath(), sceneFiles());
     if (!path.isEmpty())
-        openFile(path);
+        open(path);
 }
 
 bool ControlPanel::saveTo(const QString& path) {
     const QString fault = document_.save(path);
     if (!fault.isEmpty())
         QMessageBox::warning(this, tr("Save"), fault);
+    else
+        rememberFile(path);
     return fault.isEmpty();
 }
 

@@ -20,6 +20,8 @@ public:
 
     // Opens a file in place of the present one; asks first when that would lose changes.
     void open();
+    void open(const QString& path);
+    void newScene();
     bool save(); // false: not saved
     bool saveAs();
     // Nothing would be lost, or the user agreed to what is.
@@ -31,7 +33,6 @@ protected:
 private:
     void buildMenus();
     void showState();
-    void openFile(const QString& path);
     bool saveTo(const QString& path);
 
     SceneDocument& document_;

@@ -2,13 +2,16 @@
 
 #include "script/reader.h"
 #include "simulation/resimulation.h"
+#include "views/autosave.h"
 #include "views/control_panel.h"
 #include "views/icons.h"
+#include "views/recent_files.h"
 #include "views/study_window.h"
 
 #include <QApplication>
 #include <QMessageBox>
 #include <QScreen>
+#include <QTimer>
 
 #include <clocale>
 
@@ -148,15 +151,23 @@ int runEditor(int argc, char** argv, const std::string& file, script::Reader& re
     QApplication::setWindowIcon(applicationIcon());
     Editor editor(workshopOf(reader));
     ControlPanel* panel = editor.openControlPanel();
-    if (!file.empty())
-        if (const QString fault = editor.document().open(QString::fromStdString(file));
-            !fault.isEmpty()) {
+    SceneDocument& document = editor.document();
+    const QString path = QString::fromStdString(file);
+    if (!path.isEmpty()) {
+        if (const QString fault = document.open(path); !fault.isEmpty()) {
             QMessageBox::critical(panel, QStringLiteral("Asgard"), fault);
             return 1;
         }
+        rememberFile(path);
+    }
+    Autosave autosave(document, autosaveFolder());
+    QObject::connect(&autosave, &Autosave::failed, panel, [panel](const QString& sentence) {
+        QMessageBox::warning(panel, QStringLiteral("Asgard"), sentence);
+    });
     GraphicalViewer* graphical = editor.openGraphicalViewer();
     LanguageViewer* language = editor.openLanguageViewer();
     arrange(*panel, *graphical, *language);
+    QTimer::singleShot(0, panel, [&] { offerRecovery(panel, document, autosaveFolder(), path); });
     return QApplication::exec();
 }
 

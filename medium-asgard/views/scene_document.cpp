@@ -149,6 +149,14 @@ bool SceneDocument::canUndo() const { return host_.undo || !done_.empty(); }
 
 bool SceneDocument::canRedo() const { return host_.redo || !undone_.empty(); }
 
+QString SceneDocument::undoLabel() const {
+    return host_.undo || done_.empty() ? QString() : done_.back().label;
+}
+
+QString SceneDocument::redoLabel() const {
+    return host_.redo || undone_.empty() ? QString() : undone_.back().label;
+}
+
 void SceneDocument::undo() {
     if (host_.undo)
         return host_.undo();
@@ -252,12 +260,19 @@ QString SceneDocument::open(const QString& path) {
     if (!file.open(QIODevice::ReadOnly))
         return tr("Cannot read %1: %2.").arg(path, file.errorString());
     const QByteArray bytes = file.readAll();
+    begin(path, bytes.toStdString());
+    return {};
+}
+
+void SceneDocument::reset() { begin({}, {}); }
+
+void SceneDocument::begin(const QString& path, const std::string& text) {
     path_ = path;
-    savedText_ = bytes.toStdString();
+    savedText_ = text;
     done_.clear();
     undone_.clear();
-    replaceText(savedText_);
-    return {};
+    gesture_.reset();
+    replaceText(text);
 }
 
 QString SceneDocument::save(const QString& path) {

@@ -97,6 +97,9 @@ public:
 
     [[nodiscard]] bool canUndo() const;
     [[nodiscard]] bool canRedo() const;
+    // What the next undo takes back, and the next redo does again; "" under a host, who knows.
+    [[nodiscard]] QString undoLabel() const;
+    [[nodiscard]] QString redoLabel() const;
     void undo();
     void redo();
 
@@ -112,6 +115,7 @@ public:
     // --- stand-alone: "" or the sentence that says what went wrong
     [[nodiscard]] QString open(const QString& path);
     [[nodiscard]] QString save(const QString& path);
+    void reset(); // an empty scene that was never saved
     [[nodiscard]] const QString& path() const { return path_; }
     [[nodiscard]] const std::string& savedText() const { return savedText_; }
     [[nodiscard]] bool isModified() const { return text_ != savedText_; }
@@ -138,6 +142,7 @@ private:
     struct Worker;
 
     void replaceText(const std::string& text);
+    void begin(const QString& path, const std::string& text);
     void start();
     void setWork(Work work);
     void didRead(unsigned serial, const script::ReadResult& result);

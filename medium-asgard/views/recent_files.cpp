@@ -1,0 +1,48 @@
+#include "views/recent_files.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QMenu>
+#include <QSettings>
+
+namespace views {
+
+namespace {
+
+constexpr qsizetype most = 10;
+
+QString settingsKey() { return QStringLiteral("recentFiles"); }
+
+} // namespace
+
+QStringList recentFiles() {
+    QStringList files = QSettings().value(settingsKey()).toStringList();
+    files.removeIf([](const QString& file) { return !QFileInfo(file).isFile(); });
+    return files;
+}
+
+void rememberFile(const QString& path) {
+    const QString file = QFileInfo(path).absoluteFilePath();
+    QStringList files = recentFiles();
+    files.removeAll(file);
+    files.prepend(file);
+    QSettings().setValue(settingsKey(), files.mid(0, most));
+}
+
+void fillWithRecentFiles(QMenu* menu, std::function<void(const QString& path)> open) {
+    QObject::connect(menu, &QMenu::aboutToShow, menu, [menu, open = std::move(open)] {
+        menu->clear();
+        int place = 0;
+        for (const QString& file : recentFiles()) {
+            QString name = QDir::toNativeSeparators(file);
+            name.replace(QLatin1Char('&'), QStringLiteral("&&"));
+            ++place;
+            menu->addAction(place < 10 ? QStringLiteral("&%1  %2").arg(place).arg(name) : name,
+                            menu, [open, file] { open(file); });
+        }
+        if (place == 0)
+            menu->addAction(QMenu::tr("None"))->setEnabled(false);
+    });
+}
+
+} // namespace views
