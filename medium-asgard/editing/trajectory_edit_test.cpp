@@ -1,0 +1,206 @@
+// (text, gesture, text) of trajectories; and that what is drawn meanwhile is what the text becomes.
+#include "editing/trajectory_edit.h"
+
+#include "script/reader.h"
+
+#include <gmock/gmock.h>
+
+#include <random>
+
+namespace editing {
+namespace {
+
+using geometry::Vector;
+using ::testing::HasSubstr;
+
+script::Reader& reader() {
+    static script::Reader shared;
+    return shared;
+}
+
+std::shared_ptr<const scene::Scene> read(const std::string& text) {
+    const auto result = reader().read(text);
+    EXPECT_TRUE(result.usable) << text
+                               << (result.diagnostics.empty() ? ""
+                                                              : result.diagnostics.front().message);
+    return std::make_shared<const scene::Scene>(result.scene);
+}
+
+struct Edited {
+    std::string text;
+    TrajectoryEdits edits;
+    explicit Edited(const std::string& source) : text(source), edits(source, read(source), 0) {}
+    [[nodiscard]] std::string with(const Answer& answer) const {
+        return answer.possible() ? applied(text, answer.edits) : answer.reason;
+    }
+};
+
+constexpr double least = 0.01;
+
+const std::string path = "trajectory path -points {{0 0 0 0}  {1 2 0 0}\n  {2 2.50 1 0}} ;# led\n";
+const std::string curve = "trajectory path -bezier {{0 1 {0 0 0} {1 0 0} {2 1 0} {2 2 0}} "
+                          "{1 3 {2 2 0} {2 4 0} {0 4 0} {0 0 0}}}\n";
+
+TEST(TrajectoryEditTest, PointsAndTheirTangentsAreControlPoints) {
+    const Edited it(path);
+    ASSERT_EQ(it.edits.points().size(), 7U); // 3 points, 2 tangents in each of 2 curves
+    EXPECT_FALSE(it.edits.hasOwnTangents());
+    EXPECT_TRUE(it.edits.points()[3].onCurve);
+    EXPECT_TRUE(it.edits.points()[3].joins);
+    EXPECT_EQ(it.edits.points()[3].place, Vector(2, 0, 0));
+    EXPECT_FALSE(it.edits.points()[4].onCurve);
+    EXPECT_DOUBLE_EQ(it.edits.points()[4].time, 1 + 1.0 / 3);
+}
+
+TEST(TrajectoryEditTest, AMovedPointRewritesItsNumbersAlone) {
+    const Edited it(path);
+    EXPECT_EQ(it.with(it.edits.move(6, 2.5, {2.5, 1, -3}, least)),
+              "trajectory path -points {{0 0 0 0}  {1 2 0 0}\n  {2.5 2.50 1 -3}} ;# led\n");
+    // Not past its neighbours.
+    EXPECT_THAT(it.with(it.edits.move(3, 7, {2, 0, 0}, least)), HasSubstr("{1.99 2 0 0}"));
+    EXPECT_THAT(it.with(it.edits.move(3, -7, {2, 0, 0}, least)), HasSubstr("{0.01 2 0 0}"));
+}
+
+TEST(TrajectoryEditTest, ATangentOfPointsRewritesTheListAsCurves) {
+    const Edited it(path);
+    const ControlPoint& tangent = it.edits.points()[1];
+    const std::string after = it.with(it.edits.move(1, 0, tangent.place + Vector(0, 1, 0), least));
+    EXPECT_THAT(after, HasSubstr("trajectory path -bezier {{0 1 {0 0 0} {"));
+    EXPECT_THAT(after, HasSubstr(";# led\n"));
+    const auto scene = read(after);
+    auto wanted = it.edits.moved(1, 0, tangent.place + Vector(0, 1, 0), least, false);
+    EXPECT_EQ(scene->trajectories[0].curves, wanted); // to the last bit
+}
+
+TEST(TrajectoryEditTest, ASmoothPassageStaysSmooth) {
+    const std::string smooth = "trajectory path -bezier {{0 1 {0 0 0} {1 0 0} {2 0 0} {3 0 0}} "
+                               "{1 3 {3 0 0} {5 0 0} {5 1 0} {5 5 0}}}\n";
+    const Edited it(smooth);
+    EXPECT_EQ(it.with(it.edits.move(2, 0, {2, 1, 0}, least)),
+              "trajectory path -bezier {{0 1 {0 0 0} {1 0 0} {2 1 0} {3 0 0}} "
+              "{1 3 {3 0 0} {5 -2 0} {5 1 0} {5 5 0}}}\n");
+    EXPECT_EQ(it.with(it.edits.move(2, 0, {2, 1, 0}, least, true)),
+              "trajectory path -bezier {{0 1 {0 0 0} {1 0 0} {2 1 0} {3 0 0}} "
+              "{1 3 {3 0 0} {5 0 0} {5 1 0} {5 5 0}}}\n");
+    // What was a corner stays one.
+    const Edited corner("trajectory path -bezier {{0 1 {0 0 0} {1 0 0} {2 1 0} {2 2 0}} "
+                        "{1 3 {2 2 0} {2 5 0} {0 4 0} {0 0 0}}}\n");
+    EXPECT_THAT(corner.with(corner.edits.move(2, 0, {2, 1.5, 0}, least)),
+                HasSubstr("{1 3 {2 2 0} {2 5 0} {0 4 0}"));
+}
+
+TEST(TrajectoryEditTest, APointBetweenCurvesMovesBothWithTheirTangents) {
+    const Edited it(curve);
+    EXPECT_EQ(it.with(it.edits.move(3, 1, {2, 3, 0}, least)),
+              "trajectory path -bezier {{0 1 {0 0 0} {1 0 0} {2 2 0} {2 3 0}} "
+              "{1 3 {2 3 0} {2 5 0} {0 4 0} {0 0 0}}}\n");
+    const std::string later = it.with(it.edits.move(3, 2, {2, 2, 0}, least));
+    EXPECT_THAT(later, HasSubstr("{0 2 {0 0 0} {2 0 0} {2 0 0} {2 2 0}}")); // slopes are kept
+    EXPECT_THAT(later, HasSubstr("{2 3 {2 2 0} {2 3 0} {0 2 0} {0 0 0}}"));
+}
+
+TEST(TrajectoryEditTest, AddsAPointInTheStyleOfItsNeighbours) {
+    const Edited it(path);
+    EXPECT_EQ(it.with(it.edits.add(0.5, {1, 1, 1})),
+              "trajectory path -points {{0 0 0 0}  {0.5 1 1 1}  {1 2 0 0}\n  {2 2.50 1 0}} ;# "
+              "led\n");
+    EXPECT_EQ(it.with(it.edits.add(3, {1, 1, 1})),
+              "trajectory path -points {{0 0 0 0}  {1 2 0 0}\n  {2 2.50 1 0}\n  {3 1 1 1}} ;# "
+              "led\n");
+    EXPECT_EQ(it.with(it.edits.add(-1, {1, 1, 1})),
+              "trajectory path -points {{-1 1 1 1}  {0 0 0 0}  {1 2 0 0}\n  {2 2.50 1 0}} ;# "
+              "led\n");
+    EXPECT_EQ(it.with(it.edits.add(1, {1, 1, 1})), "There is a point at that time already.");
+}
+
+TEST(TrajectoryEditTest, ACurveThatIsSplitStaysWhereItWas) {
+    const Edited it(curve);
+    const auto before = read(curve)->trajectories[0].curves;
+    const auto on = valueAt(before, 2);
+    ASSERT_TRUE(on);
+    const auto after = read(it.with(it.edits.add(2, *on)))->trajectories[0].curves;
+    ASSERT_EQ(after.size(), 3U);
+    for (double t = 0; t <= 3; t += 0.125)
+        EXPECT_LT((*valueAt(before, t) - *valueAt(after, t)).norm(), 1e-14) << t;
+    EXPECT_EQ(read(it.with(it.edits.add(4, {1, 1, 1})))->trajectories[0].curves.back().to, 4);
+    EXPECT_EQ(read(it.with(it.edits.add(-4, {1, 1, 1})))->trajectories[0].curves.front().from, -4);
+}
+
+TEST(TrajectoryEditTest, RemovesAPointAndTheSpaceBeforeIt) {
+    const Edited it(path);
+    EXPECT_EQ(it.with(it.edits.remove(3)),
+              "trajectory path -points {{0 0 0 0}\n  {2 2.50 1 0}} ;# led\n");
+    EXPECT_EQ(it.with(it.edits.remove(0)),
+              "trajectory path -points {{1 2 0 0}\n  {2 2.50 1 0}} ;# led\n");
+    EXPECT_THAT(it.with(it.edits.remove(1)), HasSubstr("tangent"));
+    const Edited two("trajectory path -points {{0 0 0 0} {1 2 0 0}}\n");
+    EXPECT_THAT(two.with(two.edits.remove(0)), HasSubstr("needs two points"));
+    const Edited curves(curve);
+    EXPECT_EQ(curves.with(curves.edits.remove(3)),
+              "trajectory path -bezier {{0 3 {0 0 0} {3 0 0} {0 6 0} {0 0 0}}}\n");
+    EXPECT_EQ(curves.with(curves.edits.remove(6)),
+              "trajectory path -bezier {{0 1 {0 0 0} {1 0 0} {2 1 0} {2 2 0}}}\n");
+}
+
+TEST(TrajectoryEditTest, ListsInVariablesAreChangedThere) {
+    const Edited it("set way {{0 0 0 0} {1 1 0 0}}\ntrajectory path -points $way\n");
+    EXPECT_EQ(it.with(it.edits.move(3, 1, {1, 5, 0}, least)),
+              "set way {{0 0 0 0} {1 1 5 0}}\ntrajectory path -points $way\n");
+    EXPECT_EQ(it.with(it.edits.add(2, {1, 5, 0})),
+              "set way {{0 0 0 0} {1 1 0 0} {2 1 5 0}}\ntrajectory path -points $way\n");
+}
+
+TEST(TrajectoryEditTest, WhatIsComputedSaysSo) {
+    const Edited it("set way {}\nfor {set i 0} {$i < 4} {incr i} {lappend way [list $i $i 0 0]}\n"
+                    "trajectory path -points $way\n");
+    for (const Answer& answer : {it.edits.move(0, 0, {1, 5, 0}, least), it.edits.add(9, {0, 0, 0}),
+                                 it.edits.remove(3), it.edits.move(1, 0, {1, 5, 0}, least)}) {
+        EXPECT_TRUE(answer.edits.empty());
+        EXPECT_THAT(answer.reason, HasSubstr("-points of trajectory \"path\""));
+    }
+}
+
+TEST(TrajectoryEditTest, CurvesWrittenOutOfOrderAreFound) {
+    const Edited it("trajectory path -bezier {{5 6 {1 1 1}} {0 1 {0 0 0} {1 0 0}}}\n");
+    EXPECT_EQ(it.with(it.edits.move(0, 0, {9, 0, 0}, least)),
+              "trajectory path -bezier {{5 6 {1 1 1}} {0 1 {9 0 0} {1 0 0}}}\n");
+}
+
+// Whatever is moved, added and removed: the text reads as the curves that were promised.
+TEST(TrajectoryEditTest, RandomGesturesReadAsTheCurvesThatWereShown) {
+    std::mt19937 random(20261120);
+    const auto number = [&](double from, double to) {
+        return std::round(100 * std::uniform_real_distribution(from, to)(random)) / 100;
+    };
+    std::string text = path;
+    int changed = 0;
+    for (int k = 0; k < 150; ++k) {
+        const Edited it(text);
+        const std::size_t count = it.edits.points().size();
+        const std::size_t point = random() % count;
+        const Vector place(number(-5, 5), number(-5, 5), number(-5, 5));
+        const double time = number(-1, 6);
+        const unsigned what = random() % 8;
+        const bool moves = what > 1;
+        const Answer answer = what == 0   ? it.edits.add(time, place)
+                              : what == 1 ? it.edits.remove(point)
+                                          : it.edits.move(point, time, place, least);
+        if (!answer.possible())
+            continue;
+        const std::string after = it.with(answer);
+        const auto scene = read(after);
+        ASSERT_EQ(scene->trajectories.size(), 1U) << text << after;
+        if (moves && (it.edits.hasOwnTangents() || !it.edits.points()[point].onCurve)) {
+            EXPECT_EQ(scene->trajectories[0].curves,
+                      it.edits.moved(point, time, place, least, false))
+                << text << after;
+        }
+        EXPECT_THAT(after, HasSubstr(";# led\n"));
+        text = after;
+        ++changed;
+    }
+    EXPECT_GT(changed, 100);
+}
+
+} // namespace
+} // namespace editing
