@@ -3,6 +3,8 @@
 #include "editing/number_text.h"
 #include "editing/origin.h"
 
+#include "scene/curves.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -61,28 +63,6 @@ bool meetSmoothly(const BezierCurve& before, const BezierCurve& after) {
     return (a - b).norm() <= 1e-9 * std::max(a.norm(), b.norm()); // as numbers are written
 }
 
-Vector at(const std::vector<Vector>& control, double share) {
-    std::vector<Vector> p = control;
-    for (std::size_t n = p.size() - 1; n > 0; --n)
-        for (std::size_t i = 0; i < n; ++i)
-            p[i] += share * (p[i + 1] - p[i]);
-    return p.front();
-}
-
-// De Casteljau's halves of a curve.
-std::pair<BezierCurve, BezierCurve> split(const BezierCurve& curve, double time) {
-    const double share = (time - curve.from) / (curve.to - curve.from);
-    BezierCurve left{curve.from, time, {}}, right{time, curve.to, {}};
-    std::vector<Vector> p = curve.control;
-    for (std::size_t n = p.size(); n > 0; --n) {
-        left.control.push_back(p.front());
-        right.control.insert(right.control.begin(), p[n - 1]);
-        for (std::size_t i = 0; i + 1 < n; ++i)
-            p[i] += share * (p[i + 1] - p[i]);
-    }
-    return {left, right};
-}
-
 // A tangent keeps its slope over an interval of another length.
 void stretch(BezierCurve& curve, double from, double to) {
     if (curve.control.size() == 4) {
@@ -95,14 +75,6 @@ void stretch(BezierCurve& curve, double from, double to) {
 }
 
 } // namespace
-
-std::optional<Vector> valueAt(const std::vector<BezierCurve>& curves, double time) {
-    for (const BezierCurve& curve : curves)
-        if (time >= curve.from &&
-            (time < curve.to || (&curve == &curves.back() && time <= curve.to)))
-            return at(curve.control, (time - curve.from) / (curve.to - curve.from));
-    return std::nullopt;
-}
 
 TrajectoryEdits::TrajectoryEdits(std::string text, std::shared_ptr<const scene::Scene> scene,
                                  std::size_t trajectory)
@@ -171,6 +143,11 @@ TrajectoryEdits::Curves TrajectoryEdits::moved(std::size_t point, double time, c
         return curves;
     }
     const double now = allowedTime(point, time, leastInterval);
+    if (fromPoints_) {
+        auto points = trajectory().points;
+        points[knotOf(point)] = {now, place};
+        return scene::smoothCurves(points);
+    }
     const Vector delta = place - p.place;
     const auto carry = [&](BezierCurve& one, std::size_t end, std::size_t tangent) {
         if (one.control.size() == 4)
@@ -378,7 +355,7 @@ Answer TrajectoryEdits::add(double time, const Vector& place) const {
     for (std::size_t c = 0; c < curves.size(); ++c) {
         if (time <= curves[c].from || time >= curves[c].to)
             continue;
-        auto [left, right] = split(curves[c], time);
+        auto [left, right] = scene::split(curves[c], time);
         const Vector delta = place - left.control.back();
         for (BezierCurve* half : {&left, &right})
             if (half->control.size() == 4)

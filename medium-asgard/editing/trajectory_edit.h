@@ -82,8 +82,4 @@ private:
     std::vector<ControlPoint> points_;
 };
 
-// Where a trajectory is at a time, and how it gets there; none: it says nothing of that time.
-[[nodiscard]] std::optional<geometry::Vector> valueAt(const std::vector<scene::BezierCurve>& curves,
-                                                      double time);
-
 } // namespace editing

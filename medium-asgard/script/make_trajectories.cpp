@@ -1,6 +1,7 @@
 // trajectory and constrain.
 #include "script/scene_maker.h"
 
+#include "scene/curves.h"
 #include "script/numbers.h"
 #include "script/suggestion.h"
 
@@ -13,9 +14,6 @@ namespace script {
 
 using geometry::Vector;
 
-// Cubic segments through the points, C1: the slope at point i is that of the chord from its
-// predecessor to its successor, at the ends that of the one chord. A cubic's inner control points
-// lie a third of the interval along the slopes of its ends.
 void SceneMaker::smoothCurves(Arguments& arguments, scene::Trajectory& trajectory) {
     constexpr std::string_view wants = "a list of points {t x y z}";
     const Value* value = arguments.find("-points");
@@ -45,19 +43,7 @@ void SceneMaker::smoothCurves(Arguments& arguments, scene::Trajectory& trajector
                         "and gets " + std::to_string(points.size()));
         return;
     }
-    const auto slope = [&](std::size_t i) -> Vector {
-        const std::size_t before = i == 0 ? 0 : i - 1;
-        const std::size_t after = std::min(i + 1, points.size() - 1);
-        return (points[after].second - points[before].second) /
-               (points[after].first - points[before].first);
-    };
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        const auto& [t0, p0] = points[i];
-        const auto& [t1, p1] = points[i + 1];
-        const double third = (t1 - t0) / 3;
-        trajectory.curves.push_back(
-            {t0, t1, {p0, p0 + third * slope(i), p1 - third * slope(i + 1), p1}});
-    }
+    trajectory.curves = scene::smoothCurves(points);
 }
 
 void SceneMaker::bezierCurves(Arguments& arguments, scene::Trajectory& trajectory) {
