@@ -76,25 +76,25 @@ void stretch(BezierCurve& curve, double from, double to) {
 
 } // namespace
 
-TrajectoryEdits::TrajectoryEdits(std::string text, std::shared_ptr<const scene::Scene> scene,
-                                 std::size_t trajectory)
-    : text_(std::move(text)), scene_(std::move(scene)), trajectory_(trajectory),
-      mapper_(text_, scene_), fromPoints_(!this->trajectory().points.empty()) {
-    listPoints();
-}
-
-void TrajectoryEdits::listPoints() {
-    const Curves& curves = trajectory().curves;
+std::vector<ControlPoint> controlPointsOf(const std::vector<BezierCurve>& curves) {
+    std::vector<ControlPoint> points;
     for (std::size_t c = 0; c < curves.size(); ++c) {
         const bool continues = c > 0 && meet(curves[c - 1], curves[c]);
         const std::size_t last = curves[c].control.size() - 1;
         for (std::size_t i = continues ? 1 : 0; i <= last; ++i) {
             const bool joins = i == last && c + 1 < curves.size() && meet(curves[c], curves[c + 1]);
-            points_.push_back(
+            points.push_back(
                 {c, i, timeOf(curves[c], i), curves[c].control[i], i == 0 || i == last, joins});
         }
     }
+    return points;
 }
+
+TrajectoryEdits::TrajectoryEdits(std::string text, std::shared_ptr<const scene::Scene> scene,
+                                 std::size_t trajectory)
+    : text_(std::move(text)), scene_(std::move(scene)), trajectory_(trajectory),
+      mapper_(text_, scene_), fromPoints_(!this->trajectory().points.empty()),
+      points_(controlPointsOf(this->trajectory().curves)) {}
 
 // --- moving ------------------------------------------------------------------------------------
 

@@ -24,6 +24,10 @@ struct ControlPoint {
     bool joins = false;  // it also begins the next curve
 };
 
+// In the order of time.
+[[nodiscard]] std::vector<ControlPoint>
+controlPointsOf(const std::vector<scene::BezierCurve>& curves);
+
 class TrajectoryEdits {
 public:
     // Of `scene`, which was read from `text`.
@@ -55,7 +59,6 @@ private:
     [[nodiscard]] const scene::Trajectory& trajectory() const {
         return scene_->trajectories[trajectory_];
     }
-    void listPoints();
     [[nodiscard]] std::size_t knotOf(std::size_t point) const; // its place among -points
     [[nodiscard]] double allowedTime(std::size_t point, double time, double leastInterval) const;
     [[nodiscard]] Wish wish(std::string option, std::vector<std::size_t> path,

@@ -7,6 +7,7 @@
 #include "views/icons.h"
 #include "views/recent_files.h"
 #include "views/study_window.h"
+#include "views/trajectory_editor.h"
 
 #include <QApplication>
 #include <QMessageBox>
@@ -64,6 +65,7 @@ Editor::~Editor() {
         delete viewer;
     for (StudyWindow* study : alive(studies_))
         delete study;
+    delete trajectoryEditor_;
     delete controlPanel_;
 }
 
@@ -71,6 +73,7 @@ Windows Editor::windows() {
     Windows windows;
     windows.openGraphicalViewer = [this] { openGraphicalViewer(); };
     windows.openLanguageViewer = [this] { openLanguageViewer(); };
+    windows.openTrajectoryEditor = [this] { openTrajectoryEditor(); };
     windows.openStudy = [this] { openStudy(); };
     windows.closeViewers = [this] { return closeViewers(); };
     if (!document_.hasHost())
@@ -118,6 +121,15 @@ ControlPanel* Editor::openControlPanel() {
     return controlPanel_;
 }
 
+TrajectoryEditor* Editor::openTrajectoryEditor() {
+    if (!trajectoryEditor_)
+        trajectoryEditor_ = new TrajectoryEditor(document_);
+    trajectoryEditor_->show();
+    trajectoryEditor_->raise();
+    trajectoryEditor_->activateWindow();
+    return trajectoryEditor_;
+}
+
 StudyWindow* Editor::openStudy() {
     const auto& scene = document_.shown().scene;
     auto* study = new StudyWindow(scene, simulation::usualPlan(*scene), document_.name());
@@ -139,6 +151,8 @@ bool Editor::closeViewers() {
         viewer->close();
     for (StudyWindow* study : alive(studies_))
         study->close();
+    if (trajectoryEditor_)
+        trajectoryEditor_->close();
     return true;
 }
 

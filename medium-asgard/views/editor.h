@@ -20,6 +20,7 @@ namespace views {
 
 class ControlPanel;
 class StudyWindow;
+class TrajectoryEditor;
 
 // The workshop of this program: texts read by `reader`, motion computed by simulation/.
 [[nodiscard]] Workshop workshopOf(script::Reader& reader);
@@ -35,6 +36,7 @@ public:
     GraphicalViewer* openGraphicalViewer();
     LanguageViewer* openLanguageViewer();
     ControlPanel* openControlPanel();
+    TrajectoryEditor* openTrajectoryEditor(); // one at a time
     // How the methods do on the scene that is shown.
     StudyWindow* openStudy();
     [[nodiscard]] QList<GraphicalViewer*> graphicalViewers() const;
@@ -52,6 +54,7 @@ private:
     std::shared_ptr<render::Renderer> renderer_; // one context for all viewers
     QString noRenderer_;
     QPointer<ControlPanel> controlPanel_;
+    QPointer<TrajectoryEditor> trajectoryEditor_;
     QList<QPointer<GraphicalViewer>> graphical_;
     QList<QPointer<LanguageViewer>> language_;
     QList<QPointer<StudyWindow>> studies_;

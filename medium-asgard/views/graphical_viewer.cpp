@@ -162,6 +162,8 @@ void GraphicalViewer::buildMenus() {
     motion->addSeparator();
     motion->addAction(tr("&Recompute Motion"), QKeySequence(Qt::Key_F5), this,
                       [this] { document_.recompute(); });
+    motion->addAction(tr("&Trajectory Editor"), QKeySequence(Qt::CTRL | Qt::Key_T), this,
+                      [this] { windows_.openTrajectoryEditor(); });
     motion->addAction(tr("Speed and &Accuracy…"), this, [this] { windows_.openStudy(); });
 }
 

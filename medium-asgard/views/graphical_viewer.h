@@ -19,7 +19,7 @@ namespace views {
 
 // What a window can ask for beyond its own document.
 struct Windows {
-    std::function<void()> openGraphicalViewer, openLanguageViewer, openStudy;
+    std::function<void()> openGraphicalViewer, openLanguageViewer, openTrajectoryEditor, openStudy;
     std::function<void()> save;         // none: under a host, which saves
     std::function<bool()> closeViewers; // false: the user wants to stay
 };

@@ -1,5 +1,7 @@
 #include "views/time_bar.h"
 
+#include "views/scale.h"
+
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -11,15 +13,6 @@ namespace views {
 namespace {
 
 constexpr int whole = 1'000'000; // slider values from start to finish
-
-// The smallest of 1, 2, 5 times a power of ten that is at least x.
-double roundStep(double x) {
-    const double power = std::pow(10, std::floor(std::log10(std::max(x, 1e-12))));
-    for (double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= x)
-            return factor * power;
-    return 10 * power;
-}
 
 } // namespace
 

@@ -1,0 +1,528 @@
+#include "views/trajectory_editor.h"
+
+#include "scene/curves.h"
+#include "views/scale.h"
+#include "views/undo_actions.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace views {
+
+namespace {
+
+double rounded(double value, double step) { return std::round(value / step) * step; }
+
+// To a decimal that the pointer can tell apart, free of the digits that rounding leaves.
+double decimal(double value, double pixel) {
+    const double step = decimalStep(pixel);
+    const int digits = std::clamp(static_cast<int>(std::lround(-std::log10(step))), 0, 15);
+    return step >= 1 ? rounded(value, step) : QString::number(value, 'f', digits).toDouble();
+}
+
+QString text(double value) { return QString::number(value, 'g', 12); }
+
+QString held(scene::Held what) {
+    using scene::Held;
+    switch (what) {
+    case Held::position:
+        return TrajectoryEditor::tr("the position of %1");
+    case Held::attitude:
+        return TrajectoryEditor::tr("the orientation of %1 (a rotation vector, in radians)");
+    case Held::velocity:
+        return TrajectoryEditor::tr("the velocity of %1");
+    case Held::angularVelocity:
+        return TrajectoryEditor::tr("the angular velocity of %1");
+    default:
+        return TrajectoryEditor::tr("one component of %1");
+    }
+}
+
+} // namespace
+
+TrajectoryEditor::TrajectoryEditor(SceneDocument& document)
+    : document_(document), names_(new QComboBox), role_(new QLabel), words_(new QLabel) {
+    setAttribute(Qt::WA_DeleteOnClose);
+    auto* whole = new QWidget;
+    auto* column = new QVBoxLayout(whole);
+    column->setContentsMargins(12, 10, 12, 10);
+    auto* top = new QHBoxLayout;
+    names_->setAccessibleName(tr("Trajectory"));
+    names_->setMinimumContentsLength(12);
+    names_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    role_->setForegroundRole(QPalette::PlaceholderText);
+    top->addWidget(names_);
+    top->addWidget(role_, 1);
+    for (const auto& [label, tip, factor] :
+         {std::tuple(QStringLiteral("−"), tr("See more of the time (Ctrl+-)"), 1.5),
+          std::tuple(QStringLiteral("+"), tr("See less of the time, larger (Ctrl++)"), 1 / 1.5)}) {
+        auto* button = new QToolButton;
+        button->setText(label);
+        button->setToolTip(tip);
+        connect(button, &QToolButton::clicked, this, [this, by = factor] { zoomTimes(by); });
+        top->addWidget(button);
+    }
+    auto* fit = new QToolButton;
+    fit->setText(tr("All"));
+    fit->setToolTip(tr("See the whole trajectory (Ctrl+0)"));
+    connect(fit, &QToolButton::clicked, this, &TrajectoryEditor::fitTimes);
+    top->addWidget(fit);
+    column->addLayout(top);
+    const QString axes[] = {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
+    for (int i = 0; i < 3; ++i) {
+        auto* graph = new TrajectoryGraph(i, axes[i]);
+        graphs_[at(i)] = graph;
+        column->addWidget(graph, 1);
+        connectGraph(graph);
+    }
+    column->addWidget(fields_ = buildFields());
+    words_->setWordWrap(true);
+    words_->setMinimumHeight(2 * words_->fontMetrics().height());
+    words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    words_->setAccessibleName(tr("Hint"));
+    column->addWidget(words_);
+    setCentralWidget(whole);
+    buildMenus();
+    connect(names_, &QComboBox::currentTextChanged, this, [this] { followScene(); });
+    connect(&document_, &SceneDocument::sceneChanged, this, &TrajectoryEditor::followScene);
+    connect(&document_, &SceneDocument::diagnosticsChanged, this, &TrajectoryEditor::followScene);
+    connect(&document_, &SceneDocument::nameChanged, this,
+            [this] { setWindowTitle(tr("%1 – Trajectory Editor").arg(document_.name())); });
+    setWindowTitle(tr("%1 – Trajectory Editor").arg(document_.name()));
+    followScene();
+    resize(700, 720);
+}
+
+void TrajectoryEditor::buildMenus() {
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    file->addAction(tr("&Close"), QKeySequence::Close, this, &QWidget::close);
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    addUndoActions(edit, document_);
+    edit->addSeparator();
+    edit->addAction(tr("&Add Point"), QKeySequence(Qt::Key_Insert), this,
+                    &TrajectoryEditor::addAfterChosen);
+    remove_ = edit->addAction(tr("&Delete Point"), QKeySequence(Qt::Key_Delete), this,
+                              &TrajectoryEditor::removeChosen);
+    edit->addSeparator();
+    edit->addAction(tr("&Next Point"), QKeySequence(Qt::Key_PageDown), this,
+                    [this] { chooseNext(1); });
+    edit->addAction(tr("&Previous Point"), QKeySequence(Qt::Key_PageUp), this,
+                    [this] { chooseNext(-1); });
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    view->addAction(tr("Zoom &In"), QKeySequence::ZoomIn, this, [this] { zoomTimes(1 / 1.5); });
+    view->addAction(tr("Zoom &Out"), QKeySequence::ZoomOut, this, [this] { zoomTimes(1.5); });
+    view->addAction(tr("&Whole Trajectory"), QKeySequence(Qt::CTRL | Qt::Key_0), this,
+                    &TrajectoryEditor::fitTimes);
+}
+
+QWidget* TrajectoryEditor::buildFields() {
+    auto* row = new QWidget;
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins(0, 0, 0, 0);
+    const auto field = [&](const QString& name, const QString& accessible) {
+        auto* label = new QLabel(name);
+        auto* edit = new QLineEdit;
+        edit->setAccessibleName(accessible);
+        edit->setMaximumWidth(130);
+        label->setBuddy(edit);
+        line->addWidget(label);
+        line->addWidget(edit);
+        // Return or another field: what was typed is the value.
+        connect(edit, &QLineEdit::editingFinished, this, [this, edit] {
+            if (edit->isModified())
+                setFromFields();
+        });
+        return edit;
+    };
+    time_ = field(tr("time"), tr("Time of the point"));
+    const QString axes[] = {tr("x"), tr("y"), tr("z")};
+    for (int i = 0; i < 3; ++i)
+        values_[i] = field(axes[i], tr("%1 of the point").arg(axes[i]));
+    line->addStretch();
+    return row;
+}
+
+void TrajectoryEditor::connectGraph(TrajectoryGraph* graph) {
+    const int component = graph->component();
+    connect(graph, &TrajectoryGraph::chosen, this, [this](std::size_t point) {
+        gesture_.reset();
+        choose(point);
+    });
+    connect(graph, &TrajectoryGraph::dragged, this,
+            [this, component](double time, double value, Qt::KeyboardModifiers modifiers) {
+                drag(component, time, value, modifiers);
+            });
+    connect(graph, &TrajectoryGraph::released, this, [this] {
+        if (gesture_ && gesture_->moves())
+            gesture_->finish();
+        gesture_.reset();
+        for (TrajectoryGraph* one : graphs_)
+            one->setHoldsValues(false);
+        followScene();
+    });
+    connect(graph, &TrajectoryGraph::addWanted, this,
+            [this, component](double time, double value) { addAt(component, time, value); });
+    connect(graph, &TrajectoryGraph::menuWanted, this,
+            [this, component](const QPoint& position, std::optional<std::size_t> point, double time,
+                              double value) { showMenu(component, position, point, time, value); });
+    connect(graph, &TrajectoryGraph::timesWanted, this, &TrajectoryEditor::setTimes);
+}
+
+// --- what is shown -----------------------------------------------------------------------------
+
+QString TrajectoryEditor::trajectory() const { return names_->currentText(); }
+
+QString TrajectoryEditor::words() const { return words_->text(); }
+
+std::optional<std::size_t> TrajectoryEditor::index() const {
+    const auto& all = document_.shown().scene->trajectories;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (QString::fromStdString(all[i].name) == names_->currentText())
+            return i;
+    return std::nullopt;
+}
+
+void TrajectoryEditor::showTrajectory(const QString& name) {
+    if (const int row = names_->findText(name); row >= 0)
+        names_->setCurrentIndex(row);
+}
+
+void TrajectoryEditor::setNow(std::optional<double> time) {
+    for (TrajectoryGraph* graph : graphs_)
+        graph->setNow(time);
+}
+
+QString TrajectoryEditor::roleOf(const scene::Trajectory& trajectory) const {
+    for (const scene::Constraint& constraint : document_.shown().scene->constraints)
+        if (constraint.trajectory == trajectory.name)
+            return tr("leads %1")
+                .arg(held(constraint.held).arg(QString::fromStdString(constraint.body)));
+    return tr("leads nothing yet");
+}
+
+void TrajectoryEditor::followScene() {
+    const auto& all = document_.shown().scene->trajectories;
+    QStringList names;
+    for (const scene::Trajectory& one : all)
+        names << QString::fromStdString(one.name);
+    QStringList shown;
+    for (int i = 0; i < names_->count(); ++i)
+        shown << names_->itemText(i);
+    if (names != shown) {
+        const QString before = names_->currentText();
+        const QSignalBlocker quiet(names_);
+        names_->clear();
+        names_->addItems(names);
+        names_->setCurrentIndex(std::max(0, static_cast<int>(names.indexOf(before))));
+    }
+    const auto here = index();
+    names_->setEnabled(here.has_value());
+    const bool hadNone = !fields_->isEnabled();
+    fields_->setEnabled(here.has_value());
+    role_->setText(here ? roleOf(all[*here]) : QString());
+    if (here && shownName_ != names_->currentText()) {
+        shownName_ = names_->currentText();
+        chosen_.reset();
+        fitTimes();
+    }
+    showCurves();
+    if (!here)
+        tell(tr("This scene has no trajectory. One is written as  "
+                "trajectory path -points {{0 0 0 0} {1 2 0 0}}"));
+    else if (words_->text().isEmpty() || hadNone)
+        tell({});
+}
+
+void TrajectoryEditor::showCurves() {
+    const auto here = index();
+    std::vector<scene::BezierCurve> curves;
+    std::vector<editing::ControlPoint> points;
+    if (gesture_ && gesture_->moves()) { // the text may be on its way
+        curves = gesture_->curves();
+        points = editing::controlPointsOf(curves);
+    } else if (here) {
+        curves = document_.shown().scene->trajectories[*here].curves;
+        points = editing::controlPointsOf(curves);
+    }
+    if (chooseAt_ && document_.sceneIsCurrent()) {
+        const auto there = std::ranges::find_if(points, [&](const auto& point) {
+            return point.onCurve && std::abs(point.time - *chooseAt_) < 1e-9;
+        });
+        chooseAt_.reset();
+        if (there != points.end())
+            chosen_ = static_cast<std::size_t>(there - points.begin());
+    }
+    if (chosen_ && *chosen_ >= points.size())
+        chosen_.reset();
+    for (TrajectoryGraph* graph : graphs_) {
+        graph->setCurves(curves, points);
+        graph->setChosen(chosen_);
+    }
+    showPoint();
+    remove_->setEnabled(chosen_ && points[*chosen_].onCurve);
+}
+
+void TrajectoryEditor::showPoint() {
+    const auto here = index();
+    const auto points =
+        !here ? std::vector<editing::ControlPoint>()
+              : editing::controlPointsOf(gesture_ && gesture_->moves()
+                                             ? gesture_->curves()
+                                             : document_.shown().scene->trajectories[*here].curves);
+    const bool is = chosen_ && *chosen_ < points.size();
+    for (QLineEdit* field : {time_, values_[0], values_[1], values_[2]})
+        field->setEnabled(is);
+    time_->setReadOnly(is && !points[*chosen_].onCurve);
+    const auto put = [](QLineEdit* field, const QString& value) {
+        if (!field->isModified() || !field->hasFocus())
+            field->setText(value);
+    };
+    put(time_, is ? text(points[*chosen_].time) : QString());
+    for (int i = 0; i < 3; ++i)
+        put(values_[i], is ? text(points[*chosen_].place[i]) : QString());
+}
+
+void TrajectoryEditor::tell(const QString& words, bool isFault) {
+    words_->setForegroundRole(isFault ? QPalette::WindowText : QPalette::PlaceholderText);
+    words_->setText(
+        words.isEmpty()
+            ? tr("Drag points and the tangents beside them. A double click adds a point, Delete "
+                 "removes it; Shift breaks a tangent. Page Up and Page Down go from point to "
+                 "point, "
+                 "the arrow keys move it.")
+            : words);
+}
+
+// --- the axis of time --------------------------------------------------------------------------
+
+void TrajectoryEditor::fitTimes() {
+    const auto here = index();
+    if (!here)
+        return;
+    const auto& curves = document_.shown().scene->trajectories[*here].curves;
+    const double room = 0.05 * (curves.back().to - curves.front().from);
+    setTimes(curves.front().from - room, curves.back().to + room);
+}
+
+void TrajectoryEditor::zoomTimes(double factor) {
+    const double middle = (from_ + to_) / 2;
+    setTimes(middle + factor * (from_ - middle), middle + factor * (to_ - middle));
+}
+
+void TrajectoryEditor::setTimes(double from, double to) {
+    constexpr double least = 1e-6, most = 1e6;
+    if (!(to - from > least) || !(to - from < most))
+        return;
+    from_ = from;
+    to_ = to;
+    for (TrajectoryGraph* graph : graphs_)
+        graph->setTimes(from, to);
+}
+
+// --- gestures ----------------------------------------------------------------------------------
+
+void TrajectoryEditor::choose(std::optional<std::size_t> point) {
+    chosen_ = point;
+    showCurves();
+    tell({});
+}
+
+void TrajectoryEditor::chooseNext(int direction) {
+    const auto here = index();
+    if (!here)
+        return;
+    const auto points =
+        editing::controlPointsOf(document_.shown().scene->trajectories[*here].curves);
+    const auto count = static_cast<int>(points.size());
+    const int from = chosen_         ? static_cast<int>(*chosen_) + direction
+                     : direction > 0 ? 0
+                                     : count - 1;
+    if (from >= 0 && from < count)
+        choose(static_cast<std::size_t>(from));
+}
+
+bool TrajectoryEditor::begin() {
+    const auto here = index();
+    if (gesture_)
+        return true;
+    if (!here || !document_.sceneIsCurrent()) {
+        tell(tr("The text has faults, or is being read: what is shown is not what it says."), true);
+        return false;
+    }
+    gesture_ = std::make_unique<TrajectoryDrag>(document_, *here);
+    return true;
+}
+
+void TrajectoryEditor::drag(int component, double time, double value,
+                            Qt::KeyboardModifiers modifiers) {
+    if (!chosen_ || !begin())
+        return;
+    const auto& point = gesture_->edits().points()[*chosen_];
+    for (TrajectoryGraph* graph : graphs_)
+        graph->setHoldsValues(true);
+    const TrajectoryGraph& graph = *graphs_[at(component)];
+    Place place = point.place;
+    place[component] = decimal(value, graph.valueStep());
+    if (time != point.time)
+        time = decimal(time, graph.timeStep());
+    gesture_->move(*chosen_, time, place, modifiers & Qt::ShiftModifier);
+    showCurves();
+    if (!gesture_->reason().isEmpty())
+        tell(gesture_->reason(), true);
+    else if (!point.onCurve && !gesture_->edits().hasOwnTangents())
+        tell(tr("A tangent of its own: %1 is now written with -bezier, as curves. Undo takes it "
+                "back.")
+                 .arg(names_->currentText()));
+}
+
+// By keys: a pixel's worth in one graph, one step of undo for each.
+void TrajectoryEditor::nudge(int component, double times, double values) {
+    if (!chosen_ || !begin())
+        return;
+    const TrajectoryGraph& graph = *graphs_[at(component)];
+    const auto& point = gesture_->edits().points()[*chosen_];
+    const double timeStep = decimalStep(graph.timeStep() * 10);
+    const double valueStep = decimalStep(graph.valueStep() * 10);
+    Place place = point.place;
+    place[component] = decimal(place[component] + values * valueStep, valueStep);
+    gesture_->move(*chosen_,
+                   times == 0 ? point.time : decimal(point.time + times * timeStep, timeStep),
+                   place, false);
+    const QString reason = gesture_->reason();
+    gesture_->finish();
+    gesture_.reset();
+    if (!reason.isEmpty())
+        tell(reason, true);
+}
+
+void TrajectoryEditor::setFromFields() {
+    bool valid = true;
+    const auto read = [&](QLineEdit* field) {
+        bool ok = false;
+        const double value = field->text().toDouble(&ok);
+        valid = valid && ok && std::isfinite(value);
+        return value;
+    };
+    const double time = read(time_);
+    const Place place(read(values_[0]), read(values_[1]), read(values_[2]));
+    for (QLineEdit* field : {time_, values_[0], values_[1], values_[2]})
+        field->setModified(false);
+    if (!valid) {
+        tell(tr("A point is four numbers: its time and its place."), true);
+        return showPoint();
+    }
+    if (!chosen_ || !begin())
+        return;
+    gesture_->move(*chosen_, time, place, false);
+    const QString reason = gesture_->reason();
+    gesture_->finish();
+    gesture_.reset();
+    if (!reason.isEmpty())
+        tell(reason, true);
+    followScene();
+}
+
+void TrajectoryEditor::addAt(int component, double time, double value) {
+    gesture_.reset();
+    if (!begin())
+        return;
+    const TrajectoryGraph& graph = *graphs_[at(component)];
+    const auto& curves = gesture_->curves();
+    time = decimal(time, graph.timeStep());
+    // On the curve in the other components; beyond its ends as at the nearest.
+    const Place end =
+        time < curves.front().from ? curves.front().control.front() : curves.back().control.back();
+    Place place = scene::valueAt(curves, time).value_or(end);
+    for (int i = 0; i < 3; ++i)
+        place[i] = decimal(i == component ? value : place[i], graphs_[at(i)]->valueStep());
+    if (gesture_->add(time, place))
+        chooseAt_ = time;
+    else
+        tell(gesture_->reason(), true);
+    gesture_.reset();
+    followScene();
+}
+
+// In the middle of the way to the next point; after the last as far again as from the one before.
+void TrajectoryEditor::addAfterChosen() {
+    gesture_.reset();
+    if (!begin())
+        return;
+    std::vector<editing::ControlPoint> knots;
+    std::size_t after = 0;
+    const auto& points = gesture_->edits().points();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!points[i].onCurve)
+            continue;
+        knots.push_back(points[i]);
+        if (!chosen_ || i <= *chosen_)
+            after = knots.size() - 1;
+    }
+    const double time = after + 1 < knots.size() ? (knots[after].time + knots[after + 1].time) / 2
+                                                 : 2 * knots[after].time - knots[after - 1].time;
+    const auto on = scene::valueAt(gesture_->curves(), time).value_or(knots[after].place);
+    gesture_.reset();
+    addAt(0, time, on.x());
+}
+
+void TrajectoryEditor::removeChosen() {
+    gesture_.reset();
+    if (!chosen_ || !begin())
+        return;
+    if (gesture_->remove(*chosen_))
+        chosen_.reset();
+    else
+        tell(gesture_->reason(), true);
+    gesture_.reset();
+    followScene();
+}
+
+void TrajectoryEditor::showMenu(int component, const QPoint& position,
+                                std::optional<std::size_t> point, double time, double value) {
+    QMenu menu;
+    if (point) {
+        choose(point);
+        menu.addAction(remove_);
+    } else {
+        menu.addAction(tr("&Add Point Here"), this, [=, this] { addAt(component, time, value); });
+    }
+    menu.exec(position);
+}
+
+void TrajectoryEditor::keyPressEvent(QKeyEvent* event) {
+    int component = 0;
+    for (TrajectoryGraph* graph : graphs_)
+        if (graph->hasFocus())
+            component = graph->component();
+    const double many = event->modifiers() & Qt::ShiftModifier ? 10 : 1;
+    switch (event->key()) {
+    case Qt::Key_Up:
+        return nudge(component, 0, many);
+    case Qt::Key_Down:
+        return nudge(component, 0, -many);
+    case Qt::Key_Left:
+        return nudge(component, -many, 0);
+    case Qt::Key_Right:
+        return nudge(component, many, 0);
+    case Qt::Key_Escape:
+        if (gesture_ && gesture_->moves())
+            gesture_->cancel();
+        gesture_.reset();
+        return followScene();
+    default:
+        QMainWindow::keyPressEvent(event);
+    }
+}
+
+} // namespace views
