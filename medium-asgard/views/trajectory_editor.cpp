@@ -97,9 +97,12 @@ TrajectoryEditor::TrajectoryEditor(SceneDocument& document)
     connect(names_, &QComboBox::currentTextChanged, this, [this] { followScene(); });
     connect(&document_, &SceneDocument::sceneChanged, this, &TrajectoryEditor::followScene);
     connect(&document_, &SceneDocument::diagnosticsChanged, this, &TrajectoryEditor::followScene);
-    connect(&document_, &SceneDocument::nameChanged, this,
-            [this] { setWindowTitle(tr("%1 – Trajectory Editor").arg(document_.name())); });
-    setWindowTitle(tr("%1 – Trajectory Editor").arg(document_.name()));
+    const auto name = [this] {
+        setWindowTitle(tr("%1[*] – Trajectory Editor").arg(document_.name()));
+        setWindowModified(!document_.hasHost() && document_.isModified());
+    };
+    connect(&document_, &SceneDocument::nameChanged, this, name);
+    name();
     followScene();
     resize(700, 720);
 }
