@@ -10,70 +10,129 @@ namespace {
 
 constexpr std::size_t spacedTimes = 64, stepTimes = 2000;
 
-// Where an error can peak: at the ends of the body's own steps, and between them, thinned when
-// there are many. Equally spaced times where there are few.
-std::vector<double> timesOf(const Problem& problem, const BodyRecord& body,
-                            const solution::Histories& histories, double until) {
+// The places of one body at times in order. Unknowns of one component share their steps, and what
+// never changes, which is most of a planar motion, is read once.
+class PlaceReader {
+public:
+    static constexpr std::array<std::size_t, 7> kinds = {
+        physics::x,      physics::y,      physics::z,     physics::qw,
+        physics::qw + 1, physics::qw + 2, physics::qw + 3};
+
+    PlaceReader(const BodyRecord& body, const solution::Histories& histories, double from,
+                double until)
+        : body_(body), histories_(histories) {
+        for (std::size_t i = 0; i < kinds.size(); ++i) {
+            const std::size_t unknown = body.firstUnknown + kinds[i];
+            const auto [history, column] = histories.place(unknown, from);
+            values_[i] = histories.value(unknown, from);
+            if (history->empty() || histories.place(unknown, until).history != history)
+                others_.push_back(i); // it has several components
+            else if (history->size() > 1 || history->step(0).coefficients > 1)
+                columns_.push_back({.kind = i, .steps = stepsOf(history), .column = column});
+            else
+                continue;
+            turns_ = turns_ || i >= 3;
+        }
+    }
+
+    [[nodiscard]] Trace::Place at(double t) {
+        for (Steps& steps : steps_) {
+            steps.step = steps.history->find(t, steps.step);
+            const solution::History::Step& step = steps.history->step(steps.step);
+            steps.s = (t - step.origin) / step.scale;
+        }
+        for (const Column& column : columns_) {
+            const Steps& steps = steps_[column.steps];
+            values_[column.kind] = solution::evaluate(
+                steps.history->piece(steps.step, column.column).coefficients, steps.s);
+        }
+        for (const std::size_t i : others_)
+            values_[i] = histories_.value(body_.firstUnknown + kinds[i], t);
+        Trace::Place place;
+        place.position = {values_[0], values_[1], values_[2]};
+        if (tellsAttitude)
+            place.attitude =
+                Quaternion(values_[3], values_[4], values_[5], values_[6]).normalized();
+        return place;
+    }
+
+    [[nodiscard]] bool turns() const { return turns_; }
+    bool tellsAttitude = true;
+
+    // Where an error can peak: at the ends of the body's own steps, and between them, thinned when
+    // there are many. Equally spaced times where there are few.
+    [[nodiscard]] std::vector<double> times(double from, double until) const;
+
+private:
+    struct Steps {
+        const solution::History* history;
+        std::size_t step; // that was read last
+        double s;
+    };
+    struct Column {
+        std::size_t kind, steps, column;
+    };
+    std::size_t stepsOf(const solution::History* history) {
+        const auto known = std::ranges::find(steps_, history, &Steps::history);
+        if (known == steps_.end()) {
+            steps_.push_back({.history = history, .step = 0, .s = 0});
+            return steps_.size() - 1;
+        }
+        return static_cast<std::size_t>(known - steps_.begin());
+    }
+    void addTimes(std::size_t unknown, double from, double until, std::vector<double>& times) const;
+
+    const BodyRecord& body_;
+    const solution::Histories& histories_;
+    std::array<double, 7> values_{}; // at the time asked for last
+    std::vector<Steps> steps_;
+    std::vector<Column> columns_;
+    std::vector<std::size_t> others_;
+    bool turns_ = false; // else its attitude is the same all the time
+};
+
+// Ends and middles of steps in turn.
+void PlaceReader::addTimes(std::size_t unknown, double from, double until,
+                           std::vector<double>& times) const {
+    const solution::History* history = nullptr;
+    std::size_t step = 0;
+    bool isEnd = true;
+    for (double t = from; t < until; isEnd = !isEnd) {
+        const solution::History* const here = histories_.place(unknown, t).history;
+        step = here->find(t, here == history ? step : 0);
+        history = here;
+        double next = here->empty() ? solution::infinity : here->step(step).until;
+        if (next > until) // or until it goes on in another component
+            next = histories_.piece(unknown, t).until;
+        if (!(next > t) || next > until)
+            return;
+        times.push_back(isEnd ? next : t + (next - t) / 2);
+        t = next;
+    }
+}
+
+std::vector<double> PlaceReader::times(double from, double until) const {
     std::vector<double> times;
-    const double start = problem.start();
     std::vector<const solution::History*> seen;
     for (const std::size_t kind : {physics::x, physics::y, physics::z, physics::qw}) {
-        const std::size_t unknown = body.firstUnknown + kind;
-        const solution::History* steps = histories.place(unknown, start).history;
+        const std::size_t unknown = body_.firstUnknown + kind;
+        const solution::History* steps = histories_.place(unknown, from).history;
         if (std::ranges::find(seen, steps) != seen.end())
             continue;
         seen.push_back(steps);
-        double t = start;
-        for (std::size_t i = 0; t < until && i < 50 * stepTimes; ++i) {
-            const double next = histories.piece(unknown, t).until;
-            if (!(next > t) || next > until)
-                break;
-            times.push_back(i % 2 == 0 ? next : t + (next - t) / 2);
-            t = next;
-        }
+        addTimes(unknown, from, until, times);
     }
-    const std::size_t stride = times.size() / stepTimes + 1;
+    const std::size_t stride = (times.size() / stepTimes + 1) | 1; // ends and middles in turn
     for (std::size_t i = 1; stride > 1 && i * stride < times.size(); ++i)
         times[i] = times[i * stride];
     times.resize((times.size() + stride - 1) / stride);
     if (times.size() < spacedTimes)
         for (std::size_t i = 0; i < spacedTimes; ++i)
-            times.push_back(start + (until - start) * static_cast<double>(i) / spacedTimes);
+            times.push_back(from + (until - from) * static_cast<double>(i) / spacedTimes);
     times.push_back(until);
     std::ranges::sort(times);
     return times;
 }
-
-// Places of one body at times in order.
-class PlaceReader {
-public:
-    PlaceReader(const BodyRecord& body, const solution::Histories& histories)
-        : body_(body), histories_(histories) {}
-
-    Trace::Place at(double t) {
-        Trace::Place place;
-        for (std::size_t i = 0; i < 3; ++i)
-            place.position[static_cast<Eigen::Index>(i)] = value(i, body_.firstUnknown + i, t);
-        const std::size_t q = body_.firstUnknown + physics::qw;
-        place.attitude =
-            Quaternion(value(3, q, t), value(4, q + 1, t), value(5, q + 2, t), value(6, q + 3, t))
-                .normalized();
-        return place;
-    }
-
-private:
-    double value(std::size_t i, std::size_t unknown, double t) {
-        const auto [history, column] = histories_.place(unknown, t);
-        if (history->empty())
-            return histories_.value(unknown, t);
-        step_[i] = history->find(t, step_[i]);
-        return history->piece(step_[i], column).value(t);
-    }
-
-    const BodyRecord& body_;
-    const solution::Histories& histories_;
-    std::array<std::size_t, 7> step_{};
-};
 
 double positionError(const Trace::Place& state, const Trace::Place& truth, double radius) {
     const double angle =
@@ -98,15 +157,24 @@ void keepRecords(std::vector<std::pair<double, double>>& growth) {
     });
 }
 
+// Taken from the first run: there is nothing to compare.
+bool isSame(const Run& second, std::size_t body) {
+    return !second.isTaken.empty() && second.isTaken[body];
+}
+
 // Calls visit(time, place in the first run, place in the second) where a body is compared.
 template <typename Visit>
 void compareBody(const Problem& problem, std::size_t b, const Run& first, const Run& second,
                  const Visit& visit) {
     const BodyRecord& body = (*problem.bodies)[b];
+    const double from = problem.start();
     const double until = std::min({problem.finish(), knownUntil(body, *first.histories),
                                    knownUntil(body, *second.histories)});
-    PlaceReader before(body, *first.histories), after(body, *second.histories);
-    for (const double t : timesOf(problem, body, *second.histories, until))
+    PlaceReader before(body, *first.histories, from, until);
+    PlaceReader after(body, *second.histories, from, until);
+    // What turns in neither run has the attitude of the start in both.
+    before.tellsAttitude = after.tellsAttitude = before.turns() || after.turns();
+    for (const double t : after.times(from, until))
         visit(t, before.at(t), after.at(t));
 }
 
@@ -128,7 +196,7 @@ std::vector<IslandError> compareRuns(const Problem& problem, const Run& first, c
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (b % 16 == 15 && cancelled && cancelled())
             return errors;
-        if (bodies[b].isFixed)
+        if (bodies[b].isFixed || isSame(second, b))
             continue;
         const std::size_t island = second.island[b];
         double& largest = errors[island].largest;
@@ -148,7 +216,7 @@ std::vector<IslandError> compareRuns(const Problem& problem, const Run& first, c
             errors[i].largest /= errors[i].size;
         }
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        if (bodies[b].isFixed || !(errors[second.island[b]].largest > limit))
+        if (bodies[b].isFixed || isSame(second, b) || !(errors[second.island[b]].largest > limit))
             continue;
         IslandError& error = errors[second.island[b]];
         compareBody(problem, b, first, second,
@@ -160,7 +228,7 @@ std::vector<IslandError> compareRuns(const Problem& problem, const Run& first, c
     for (IslandError& error : errors)
         keepRecords(error.growth);
     for (std::size_t b = 0; b < bodies.size(); ++b)
-        if (!bodies[b].isFixed)
+        if (!bodies[b].isFixed && !isSame(second, b))
             errors[b] = errors[second.island[b]];
     return errors;
 }

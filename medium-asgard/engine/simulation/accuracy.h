@@ -27,7 +27,8 @@ struct IslandError {
 
 // By body: the error of its island (bodies of one island share it). Compared at the steps of the
 // second run, at their ends and middles in turn, as far as both are known. The growth of errors is
-// told of islands where the largest exceeds `limit`.
+// told of islands where the largest exceeds `limit`. Nothing is said of what the second run took
+// from the first.
 // When it is cancelled meanwhile the answer says nothing.
 [[nodiscard]] std::vector<IslandError> compareRuns(const Problem& problem, const Run& first,
                                                    const Run& second, double limit,

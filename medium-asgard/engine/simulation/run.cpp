@@ -74,7 +74,7 @@ std::map<std::size_t, Stop> stopsOf(const Problem& problem, const solution::Hist
 
 struct Groups { // union-find
     std::vector<std::size_t> parent;
-    explicit Groups(std::size_t n) : parent(n) { std::iota(parent.begin(), parent.end(), 0); }
+    explicit Groups(std::vector<std::size_t> parents) : parent(std::move(parents)) {}
     std::size_t root(std::size_t i) {
         while (parent[i] != i)
             i = parent[i] = parent[parent[i]];
@@ -134,6 +134,20 @@ void applyOptions(scene::Scene& scene, const Options& options, std::vector<std::
     }
 }
 
+std::vector<std::size_t> readersOf(const Problem& problem) {
+    std::vector<std::size_t> alone(problem.bodies->size());
+    std::iota(alone.begin(), alone.end(), std::size_t{0});
+    Groups groups(std::move(alone));
+    const auto reads = solution::readsOf(problem.equations.set, problem.start());
+    const std::vector<std::size_t> owner = ownersOf(problem);
+    for (std::size_t i = 0; i < reads.size(); ++i)
+        for (const std::size_t read : reads[i])
+            groups.join(owner[i], owner[read]);
+    for (std::size_t b = 0; b < groups.parent.size(); ++b)
+        groups.parent[b] = groups.root(b);
+    return std::move(groups.parent);
+}
+
 struct Cancelled {}; // thrown while a problem is posed
 
 std::variant<std::shared_ptr<const Problem>, std::vector<std::string>>
@@ -165,24 +179,21 @@ posed(const scene::Scene& original, const Options& options,
                                                      .shapes = std::move(shapes),
                                                      .bodies = std::move(bodies),
                                                      .options = options,
-                                                     .prepared = nullptr});
+                                                     .prepared = nullptr,
+                                                     .readers = {}});
     // The set is a part of the problem, which owns what was prepared of it.
     const std::shared_ptr<const expression::EquationSet> set(std::shared_ptr<const void>(),
                                                              &problem->equations.set);
     problem->prepared = std::make_shared<const solution::PreparedEquations>(
         set, solution::preparationFor(solverOptions(*problem, {}, {})), meanwhile);
+    problem->readers = readersOf(*problem);
     return problem;
 }
 
 } // namespace
 
 std::vector<std::size_t> islandsOf(const Problem& problem, const std::vector<Impact>& impacts) {
-    Groups groups(problem.bodies->size());
-    const auto reads = solution::readsOf(problem.equations.set, problem.start());
-    const std::vector<std::size_t> owner = ownersOf(problem);
-    for (std::size_t i = 0; i < reads.size(); ++i)
-        for (const std::size_t read : reads[i])
-            groups.join(owner[i], owner[read]);
+    Groups groups(problem.readers);
     for (const Impact& impact : impacts)
         if (!(*problem.bodies)[impact.first].isFixed && !(*problem.bodies)[impact.second].isFixed)
             groups.join(impact.first, impact.second);
@@ -243,8 +254,10 @@ MotionPointer Run::motion(const Problem& problem, bool draft, std::optional<doub
                                  .predictableUntil = predictableUntil});
 }
 
-Run runAt(const Problem& problem, const std::vector<double>& tolerances, const Observer& observer,
-          Rounding rounding) {
+namespace {
+
+Run runWith(const Problem& problem, solution::Options options, const Observer& observer,
+            Rounding rounding) {
     const double begin = cpuSeconds();
     // A hop that is lower than this moves nothing by more than the accuracy allows. The nudged run
     // follows lower ones, to show what they do.
@@ -255,7 +268,6 @@ Run runAt(const Problem& problem, const std::vector<double>& tolerances, const O
     if (problem.collides())
         collisions.emplace(problem.scene, problem.equations, problem.shapes, problem.start(),
                            problem.finish(), limits, observer.cancelled);
-    solution::Options options = solverOptions(problem, tolerances, observer);
     const solution::Solver* current = nullptr;
     double published = problem.start();
     const auto collect = [&](const solution::Solver& solver) {
@@ -297,6 +309,7 @@ Run runAt(const Problem& problem, const std::vector<double>& tolerances, const O
     run.statistics = solver.statistics();
     run.reached = advance.reached;
     run.cancelled = advance.cancelled;
+    run.isDisturbed = advance.disturbed;
     if (problem.options.explain)
         run.equations = std::make_shared<const expression::EquationSet>(solver.equations());
     run.island = islandsOf(problem, run.impacts);
@@ -307,6 +320,70 @@ Run runAt(const Problem& problem, const std::vector<double>& tolerances, const O
     if (collisions)
         run.candidates = collisions->candidates();
     return run;
+}
+
+// Islands in which nothing was hit, nothing stopped and nothing is to be solved again.
+std::vector<bool> takenFrom(const Problem& problem, const Run& before,
+                            const std::vector<bool>& again) {
+    const std::size_t bodies = problem.bodies->size();
+    std::vector<bool> islands(bodies, true);
+    for (const Impact& impact : before.impacts)
+        for (const std::size_t body : {impact.first, impact.second})
+            islands[before.island[body]] = false;
+    for (const auto& [body, stop] : before.stops)
+        islands[before.island[body]] = false;
+    for (std::size_t b = 0; b < bodies; ++b)
+        if (again[b])
+            islands[before.island[b]] = false;
+    std::vector<bool> taken(bodies);
+    for (std::size_t b = 0; b < bodies; ++b)
+        taken[b] = islands[before.island[b]] && !(*problem.bodies)[b].isFixed;
+    return taken;
+}
+
+std::shared_ptr<const solution::TakenMotion> motionOf(const Problem& problem, const Run& before,
+                                                      const std::vector<bool>& taken) {
+    auto motion = std::make_shared<solution::TakenMotion>();
+    motion->histories = before.histories;
+    motion->components = before.statistics.componentList;
+    for (const std::size_t owner : ownersOf(problem))
+        motion->unknowns.push_back(taken[owner]);
+    return motion;
+}
+
+// What the motion that was taken has cost: its part of all evaluations then.
+double secondsOf(const Run& before, const solution::TakenMotion& taken) {
+    double all = 1, part = 0;
+    for (const auto& component : before.statistics.componentList) {
+        const auto evaluations = static_cast<double>(component.evaluations);
+        all += evaluations;
+        part += taken.unknowns[component.unknowns[0]] ? evaluations : 0;
+    }
+    return before.secondsMoving * part / all;
+}
+
+} // namespace
+
+Run runAt(const Problem& problem, const std::vector<double>& tolerances, const Observer& observer,
+          Rounding rounding) {
+    return runWith(problem, solverOptions(problem, tolerances, observer), observer, rounding);
+}
+
+Run runAgain(const Problem& problem, const std::vector<double>& tolerances,
+             const Observer& observer, const Run& before, const std::vector<bool>& again) {
+    const std::vector<bool> taken = takenFrom(problem, before, again);
+    solution::Options options = solverOptions(problem, tolerances, observer);
+    if (std::ranges::find(taken, true) != taken.end()) {
+        options.taken = motionOf(problem, before, taken);
+        Run run = runWith(problem, options, observer, Rounding::asItIs);
+        if (!run.isDisturbed) {
+            run.secondsMoving += secondsOf(before, *options.taken);
+            run.isTaken = taken;
+            return run;
+        }
+        options.taken = nullptr;
+    }
+    return runWith(problem, options, observer, Rounding::asItIs);
 }
 
 } // namespace simulation

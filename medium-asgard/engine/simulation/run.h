@@ -23,6 +23,8 @@ struct Problem {
     Options options;
     // Of `equations`, which stay with the problem: what all runs share.
     std::shared_ptr<const solution::PreparedEquations> prepared;
+    // By body: the least of those that read each other, directly or through others.
+    std::vector<std::size_t> readers;
 
     [[nodiscard]] double start() const { return scene.simulator.start; }
     [[nodiscard]] double finish() const { return scene.simulator.finish; }
@@ -45,12 +47,14 @@ struct Run {
     std::shared_ptr<const expression::EquationSet> equations;    // at the end; when to be explained
     double reached = 0;
     bool cancelled = false;
+    bool isDisturbed = false;                       // something hit what was taken from another run
     double secondsSettingUp = 0, secondsMoving = 0; // CPU: before the first step, and from it on
 
     // Which bodies belong together: bodies of one island read or hit each other, directly or
     // through others. island[b] is the least body of b's.
     std::vector<std::size_t> island;
     std::vector<bool> isIntegrated; // by body: some of its motion is not exact
+    std::vector<bool> isTaken;      // by body: from the run before; empty: none
 
     [[nodiscard]] MotionPointer motion(const Problem& problem, bool draft,
                                        std::optional<double> errorEstimate,
@@ -70,5 +74,12 @@ struct Run {
 enum class Rounding { asItIs, nudged };
 [[nodiscard]] Run runAt(const Problem& problem, const std::vector<double>& tolerances,
                         const Observer& observer, Rounding rounding = Rounding::asItIs);
+
+// The same motion as runAt() gives, bit for bit, from the motion at other tolerances: islands that
+// `again` does not mark, whose tolerances are the same as then, are taken from it where nothing hit
+// anything. `taken` tells which.
+[[nodiscard]] Run runAgain(const Problem& problem, const std::vector<double>& tolerances,
+                           const Observer& observer, const Run& before,
+                           const std::vector<bool>& again);
 
 } // namespace simulation

@@ -142,7 +142,7 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer) {
         observer.progress(run.motion(problem, true, {}, {}));
     search.leaveExact(run);
     while (search.goesOn() && !solved.result.cancelled) {
-        Run tight = runAt(problem, search.tight(), silent);
+        Run tight = runAgain(problem, search.tight(), silent, run, search.runsAgain());
         addWork(tight, solved);
         solved.result.cancelled = tight.cancelled;
         if (!tight.cancelled) {

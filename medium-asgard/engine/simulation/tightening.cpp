@@ -115,6 +115,13 @@ void Tightening::leaveExact(const Run& run) {
     share(run.island);
 }
 
+std::vector<bool> Tightening::runsAgain() const {
+    std::vector<bool> again(bodies_.size());
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        again[b] = tight_[b] != loose_[b] || !bodies_[b].isSettled;
+    return again;
+}
+
 bool Tightening::isEqual(std::size_t b, const IslandError& difference) const {
     return difference.largest == 0 && difference.size > 0 && tight_[b] != loose_[b] &&
            !bodies_[b].isSettled && bodies_[b].before < 0;

@@ -30,6 +30,9 @@ public:
     [[nodiscard]] const std::vector<double>& loose() const { return loose_; }
     [[nodiscard]] const std::vector<double>& tight() const { return tight_; }
 
+    // By body: is its next run another than the one at loose()? If not, that says all.
+    [[nodiscard]] std::vector<bool> runsAgain() const;
+
     // What is not integrated is the same at any tolerance, but for how expressions that hold it are
     // fitted: it keeps the first one.
     void leaveExact(const Run& run);

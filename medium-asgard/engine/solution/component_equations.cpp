@@ -24,7 +24,9 @@ ComponentEquations::ComponentEquations(std::shared_ptr<const BoundModel> bound,
       inputs_(histories, bound_->inputs), in_(model_.symbols().size()),
       out_(model_.outputs().size()), base_(out_.size()), other_(out_.size()),
       guards_(model_.function().decisions()), sides_(model_.surfaces().size(), onSurface),
-      decisions_(model_.function().decisions()) {
+      decisions_(model_.function().decisions()),
+      isPlain_(decisions_.empty() && bound_->held.empty() && bound_->loop.empty()),
+      readsInputs_(!bound_->inputs.empty()) {
     std::ranges::copy(bound_->constants,
                       in_.begin() + static_cast<std::ptrdiff_t>(model_.variables()));
 }
@@ -66,12 +68,17 @@ bool areFinite(std::span<const double> values) {
 } // namespace
 
 bool ComponentEquations::rates(double t, std::span<const double> y, std::span<double> out) {
-    fill(t, y);
-    if (decisions_.empty() && out.size() == out_.size()) { // nothing switches and nothing is held
+    if (isPlain_) {
+        in_[0] = t;
+        double* const in = in_.data() + 1;
+        for (std::size_t i = 0; i < y.size(); ++i)
+            in[i] = y[i];
+        if (readsInputs_)
+            inputs_.values(t, std::span(in_).subspan(1 + y.size()));
         model_.function().evaluate(in_, out, scratch_);
-        slidingFailed_ = false;
         return areFinite(out);
     }
+    fill(t, y);
     slidingFailed_ = !sliding_.empty() && !weigh();
     if (slidingFailed_)
         return false;

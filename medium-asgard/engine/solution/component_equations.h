@@ -137,6 +137,8 @@ private:
     bool slidingFailed_ = false;
     std::vector<Watch> watches_;
     std::vector<expression::Decision> derivedDecisions_;
+    bool isPlain_;     // nothing switches and nothing is held
+    bool readsInputs_; // of other components
 };
 
 } // namespace solution

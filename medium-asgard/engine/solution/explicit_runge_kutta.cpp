@@ -1,6 +1,7 @@
 #include "solution/explicit_runge_kutta.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace solution {
@@ -32,8 +33,9 @@ Tableau finished(Tableau table) {
 ExplicitRungeKutta::ExplicitRungeKutta(const Tableau& tableau, System& system,
                                        ErrorControl& control, bool fixed)
     : Method(system, control, fixed), tableau_(tableau), size_(system.size()),
-      k_(tableau.a.size() * size_), at_(size_), stiffAt_(size_), sum_(size_), lost_(size_),
-      lostNext_(size_), error_(size_), secondError_(size_), before_(size_), beforeSlope_(size_) {
+      stages_(stagesFor(size_)), k_(tableau.a.size() * size_), at_(size_), stiffAt_(size_),
+      sum_(size_), lost_(size_), lostNext_(size_), error_(size_), secondError_(size_),
+      before_(size_), beforeSlope_(size_) {
     start_.resize(size_);
     end_.resize(size_);
     slope_.resize(size_);
@@ -58,32 +60,47 @@ bool ExplicitRungeKutta::begin(double t, std::span<const double> y) {
 
 // The increment is summed before it is added, and what that addition rounds away at the end of a
 // step is added to the next increment (Kahan): far from the origin a position keeps its last bits.
-bool ExplicitRungeKutta::stage(std::size_t i, std::span<double> at) {
-    weightedSum(tableau_.rows[i], k_.data(), size_, sum_.data());
+template <std::size_t Size> bool ExplicitRungeKutta::stage(std::size_t i, double* at) {
+    const std::size_t size = Size == 0 ? size_ : Size;
+    std::array<double, Size> known; // small ones need not go through memory
+    double* const sum = Size == 0 ? sum_.data() : known.data();
+    weightedSumOf<Size>(tableau_.rows[i], k_.data(), size, sum);
+    const double* const start = start_.data();
     if (i == tableau_.stages) {
-        for (std::size_t n = 0; n < size_; ++n) {
-            const double increment = h_ * sum_[n] + lost_[n];
-            at[n] = start_[n] + increment;
-            lostNext_[n] = increment - (at[n] - start_[n]);
+        for (std::size_t n = 0; n < size; ++n) {
+            const double increment = h_ * sum[n] + lost_[n];
+            at[n] = start[n] + increment;
+            lostNext_[n] = increment - (at[n] - start[n]);
         }
     } else {
-        for (std::size_t n = 0; n < size_; ++n)
-            at[n] = start_[n] + h_ * sum_[n];
+        for (std::size_t n = 0; n < size; ++n)
+            at[n] = start[n] + h_ * sum[n];
     }
-    return rates(t_ + tableau_.c[i] * h_, at, {slopesOf(i), size_});
+    return rates(t_ + tableau_.c[i] * h_, {at, size}, {k_.data() + i * size, size});
+}
+
+template <std::size_t Size> bool ExplicitRungeKutta::makeStages() {
+    for (std::size_t i = 1; i < tableau_.stages; ++i)
+        if (!stage<Size>(i, i == tableau_.stiffStage ? stiffAt_.data() : at_.data()))
+            return false;
+    return stage<Size>(tableau_.stages, end_.data());
+}
+
+ExplicitRungeKutta::Stages ExplicitRungeKutta::stagesFor(std::size_t size) {
+    constexpr std::size_t most = 16; // larger ones gain nothing
+    return [size]<std::size_t... Size>(std::index_sequence<Size...>) {
+        const std::array<Stages, most + 1> all = {&ExplicitRungeKutta::makeStages<Size>...};
+        return all[size <= most ? size : 0];
+    }
+    (std::make_index_sequence<most + 1>());
 }
 
 Attempt ExplicitRungeKutta::attempt(double h) {
     h_ = h;
     std::copy(slope_.begin(), slope_.end(), k_.begin());
-    for (std::size_t i = 1; i <= tableau_.stages; ++i) {
-        std::vector<double>& at = i == tableau_.stages       ? end_
-                                  : i == tableau_.stiffStage ? stiffAt_
-                                                             : at_;
-        if (!stage(i, at)) {
-            afterRejection_ = true;
-            return {Attempt::Outcome::notFinite, 0.25 * h};
-        }
+    if (!(this->*stages_)()) {
+        afterRejection_ = true;
+        return {Attempt::Outcome::notFinite, 0.25 * h};
     }
     if (fixed_)
         return {Attempt::Outcome::accepted, h};
@@ -179,7 +196,7 @@ bool ExplicitRungeKutta::endsSuffice(std::span<const Coefficients> columns) {
 // False: a stage of the extension is not finite.
 bool ExplicitRungeKutta::extend(std::span<Coefficients> columns) {
     for (std::size_t i = tableau_.stages + 1; i < tableau_.a.size(); ++i)
-        if (!stage(i, at_))
+        if (!stage<0>(i, at_.data()))
             return false;
     for (std::size_t n = 0; n < size_; ++n)
         columns[n] = {start_[n]};

@@ -57,7 +57,11 @@ public:
     [[nodiscard]] double stabilityUsed() const override { return stabilityUsed_; }
 
 private:
-    [[nodiscard]] bool stage(std::size_t i, std::span<double> at);
+    // All stages of a step; of so many unknowns, or of any number (0).
+    template <std::size_t Size> [[nodiscard]] bool makeStages();
+    template <std::size_t Size> [[nodiscard]] bool stage(std::size_t i, double* at);
+    using Stages = bool (ExplicitRungeKutta::*)();
+    [[nodiscard]] static Stages stagesFor(std::size_t size);
     [[nodiscard]] double* slopesOf(std::size_t stage) { return k_.data() + stage * size_; }
     [[nodiscard]] StepEnds ends();
     [[nodiscard]] bool endsSuffice(std::span<const Coefficients> columns);
@@ -69,6 +73,7 @@ private:
 
     const Tableau& tableau_;
     std::size_t size_;
+    Stages stages_;         // makeStages() for this size
     std::vector<double> k_; // slopes of all stages, one after the other
     std::vector<double> at_, stiffAt_, sum_;
     std::vector<double> lost_, lostNext_; // to rounding, by the state at the start and at the end

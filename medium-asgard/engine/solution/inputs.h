@@ -24,8 +24,16 @@ public:
         std::fill(pieces_.begin(), pieces_.end(), Piece{infinity, -infinity, 1, {}});
     }
     void values(double t, std::span<double> out) {
-        for (std::size_t i = 0; i < pieces_.size(); ++i)
-            out[i] = at(i, t).value(t);
+        double origin = infinity, scale = 1, s = 0; // several are often of one component
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            const Piece& piece = at(i, t);
+            if (piece.origin != origin || piece.scale != scale) {
+                origin = piece.origin;
+                scale = piece.scale;
+                s = (t - origin) / scale;
+            }
+            out[i] = evaluate(piece.coefficients, s);
+        }
     }
     void rates(double t, std::span<double> out) {
         for (std::size_t i = 0; i < pieces_.size(); ++i)

@@ -56,13 +56,6 @@ Coefficients derivativeCoefficients(std::span<const double> coefficients) {
 
 } // namespace
 
-double evaluate(std::span<const double> coefficients, double s) {
-    double result = 0;
-    for (std::size_t k = coefficients.size(); k-- > 0;)
-        result = result * s + coefficients[k];
-    return result;
-}
-
 double evaluateDerivative(std::span<const double> coefficients, double s) {
     double result = 0;
     for (std::size_t k = coefficients.size(); k-- > 1;)

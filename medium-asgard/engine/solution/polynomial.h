@@ -39,7 +39,12 @@ struct Piece {
     [[nodiscard]] Interval derivativeBounds(double from, double to) const;
 };
 
-[[nodiscard]] double evaluate(std::span<const double> coefficients, double s);
+[[nodiscard]] inline double evaluate(std::span<const double> coefficients, double s) {
+    double result = 0;
+    for (std::size_t k = coefficients.size(); k-- > 0;)
+        result = result * s + coefficients[k];
+    return result;
+}
 [[nodiscard]] double evaluateDerivative(std::span<const double> coefficients, double s);
 
 // The same curve with s = a + b r as a polynomial in r.

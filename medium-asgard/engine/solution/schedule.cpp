@@ -54,7 +54,7 @@ void Schedule::arrange(const Partition& partition, std::span<const std::size_t> 
 }
 
 void Schedule::enter(std::size_t component) {
-    if (components_[component]->ended())
+    if (!components_[component] || components_[component]->ended())
         return;
     auto& heap = groups_[groupOf_[component]].behind;
     heap.emplace_back(components_[component]->time(), component);

@@ -45,6 +45,11 @@ std::unique_ptr<Component> Solver::Implementation::madeOf(std::vector<std::size_
 void Solver::Implementation::place(double t) {
     const Partition& parts = prepared_->partition;
     for (std::size_t c = 0; c < parts.components.size(); ++c) {
+        if (isTaken(parts.components[c])) {
+            components_.emplace_back();
+            take(parts.components[c]);
+            continue;
+        }
         components_.push_back(madeOf(parts.components[c]));
         components_.back()->use(prepared_->components[c]);
         addTracks(*components_.back(), t);
@@ -55,6 +60,8 @@ void Solver::Implementation::place(double t) {
     std::iota(places.begin(), places.end(), std::size_t{0});
     connect(parts, places);
     for (std::size_t c = 0; c < components_.size(); ++c) {
+        if (!components_[c])
+            continue;
         std::vector<double> own;
         for (const std::size_t u : components_[c]->unknowns())
             own.push_back(histories_.tracks_[u].initial);
@@ -70,6 +77,15 @@ void Solver::Implementation::addTracks(const Component& component, double t) {
             spans.pop_back();
         spans.push_back({t, component.history(), column});
     }
+}
+
+bool Solver::Implementation::isTaken(const std::vector<std::size_t>& unknowns) const {
+    return options_.taken && options_.taken->unknowns[unknowns[0]];
+}
+
+void Solver::Implementation::take(const std::vector<std::size_t>& unknowns) {
+    for (const std::size_t u : unknowns)
+        histories_.tracks_[u] = options_.taken->histories->tracks_[u];
 }
 
 // One piece for all of them, from the start to the end of time.
@@ -173,14 +189,15 @@ void Solver::Implementation::run(double finish, Advance& advance) {
         if (histories_.known_ > told || complete) {
             const bool ask = source_ && (options_.eventDriven || complete);
             bool event = false;
-            while (ask && !cancelled_ && handleEvents(finish)) {
+            while (ask && !cancelled_ && !disturbed_ && handleEvents(finish)) {
                 event = true;
                 poll();
             }
             if (ask) // a source that was interrupted has not said that nothing happens
                 poll();
             advance.cancelled = cancelled_;
-            if (advance.cancelled)
+            advance.disturbed = disturbed_;
+            if (advance.cancelled || disturbed_)
                 return;
             told = histories_.known_;
             if (options_.progress)
@@ -223,6 +240,8 @@ bool Solver::Implementation::handleEvents(double finish) {
     Event placed = *event;
     placed.time = time;
     apply(placed);
+    if (disturbed_)
+        return true;
     if (eventsAtOnce_ > 2 * options_.maximumEventsAtOnce) // nothing that it touches moves any more
         return false;
     if (eventsAtOnce_ >= options_.maximumEventsAtOnce)
@@ -237,6 +256,9 @@ void Solver::Implementation::apply(const Event& event) {
     Changes changes;
     source_->apply(histories_, event, set_, changes);
     std::vector<std::size_t> touched = touchedBy(event, changes);
+    disturbed_ = std::ranges::any_of(touched, [this](std::size_t c) { return !components_[c]; });
+    if (disturbed_)
+        return;
     resume(event, changes, touched);
     if (touched.empty())
         return;
@@ -392,15 +414,24 @@ std::shared_ptr<const Histories> Solver::Implementation::snapshot() const {
 
 Statistics Solver::Implementation::statistics() const {
     Statistics total = past_;
-    for (const auto& component : components_) {
-        if (!component)
-            continue;
+    const auto list = [&total](const ComponentStatistics& s) {
         ++total.components;
-        const ComponentStatistics s = component->statistics();
-        total.steps += s.steps;
         total.integratedSteps += s.integratedSteps;
         if (s.integratedSteps > 0)
             total.integrated.insert(total.integrated.end(), s.unknowns.begin(), s.unknowns.end());
+        total.largestComponent = std::max(total.largestComponent, s.unknowns.size());
+        total.componentList.push_back(s);
+    };
+    if (options_.taken)
+        for (const ComponentStatistics& s : options_.taken->components)
+            if (isTaken(s.unknowns))
+                list(s);
+    for (const auto& component : components_) {
+        if (!component)
+            continue;
+        const ComponentStatistics s = component->statistics();
+        list(s);
+        total.steps += s.steps;
         total.rejectedSteps += s.rejectedSteps;
         total.unconvergedSteps += s.unconvergedSteps;
         total.discardedSteps += s.discardedSteps;
@@ -408,8 +439,6 @@ Statistics Solver::Implementation::statistics() const {
         total.equationEvaluations += s.evaluations * s.unknowns.size();
         total.factorisations += s.factorisations;
         total.switches += s.switches;
-        total.largestComponent = std::max(total.largestComponent, s.unknowns.size());
-        total.componentList.push_back(s);
     }
     total.groups = schedule_.groups();
     total.historyBytes = histories_.bytes();

@@ -48,6 +48,30 @@
 
 namespace solution {
 
+struct ComponentStatistics {
+    std::vector<std::size_t> unknowns;
+    std::string model; // "closed-form" | "quadrature" | "linear" | "explicit" | "implicit"
+    std::string
+        method; // "exact", "exponential", "dop853", "radau5", ...: the one that it used last
+    std::size_t order = 0;
+    std::size_t steps = 0, rejectedSteps = 0, discardedSteps = 0;
+    std::size_t integratedSteps = 0;  // of the steps those that a method made
+    std::size_t unconvergedSteps = 0; // of the rejected: the implicit equations were not solved
+    std::size_t evaluations = 0;      // of the component's right-hand side
+    std::size_t factorisations = 0;
+    std::size_t switches = 0; // switching events located
+    std::string why;          // why this model and method, one clause
+};
+
+// What an earlier run with the same prepared equations and options made of some unknowns, without
+// any event: it is not solved again. Whoever is read by one of these is one of them, and the other
+// way round. Their tolerances are the same as in that run.
+struct TakenMotion {
+    std::shared_ptr<const Histories> histories; // to the finish at least
+    std::vector<bool> unknowns;
+    std::vector<ComponentStatistics> components; // of that run, all
+};
+
 struct Options {
     double start = 0;
     // Largest error of one step: of a position relative to the extent of its component, of any
@@ -68,7 +92,8 @@ struct Options {
     std::size_t threads = 1; // 0: as many as the machine has cores; the motion is the same
     std::size_t maximumSteps = 20'000'000; // of one component
     std::size_t maximumEventsAtOnce = 10'000;
-    std::function<bool()> cancelled; // polled between steps, on the thread of advanceTo()
+    std::shared_ptr<const TakenMotion> taken; // may be null
+    std::function<bool()> cancelled;          // polled between steps, on the thread of advanceTo()
     std::function<void(double known)> progress; // known grew; snapshot() may be called from here
 };
 
@@ -77,21 +102,6 @@ struct Options {
 
 // How the equations are prepared for a solver with these options.
 [[nodiscard]] Preparation preparationFor(const Options& options);
-
-struct ComponentStatistics {
-    std::vector<std::size_t> unknowns;
-    std::string model; // "closed-form" | "quadrature" | "linear" | "explicit" | "implicit"
-    std::string
-        method; // "exact", "exponential", "dop853", "radau5", ...: the one that it used last
-    std::size_t order = 0;
-    std::size_t steps = 0, rejectedSteps = 0, discardedSteps = 0;
-    std::size_t integratedSteps = 0;  // of the steps those that a method made
-    std::size_t unconvergedSteps = 0; // of the rejected: the implicit equations were not solved
-    std::size_t evaluations = 0;      // of the component's right-hand side
-    std::size_t factorisations = 0;
-    std::size_t switches = 0; // switching events located
-    std::string why;          // why this model and method, one clause
-};
 
 struct Statistics {
     std::size_t steps = 0, rejectedSteps = 0, discardedSteps = 0;
@@ -102,14 +112,16 @@ struct Statistics {
     std::size_t components = 0, largestComponent = 0, historyBytes = 0;
     std::size_t groups = 0; // of components that read each other: what moves side by side
     std::size_t rounds = 0;
-    std::vector<ComponentStatistics> componentList; // those in force; ended ones are in the sums
-    std::vector<std::size_t> zeroStates;            // unknowns that stayed 0 all the time
-    std::vector<std::size_t> integrated;            // unknowns of components that a method stepped
+    // Those in force, also those that were taken, which are not in the sums; ended ones are.
+    std::vector<ComponentStatistics> componentList;
+    std::vector<std::size_t> zeroStates; // unknowns that stayed 0 all the time
+    std::vector<std::size_t> integrated; // unknowns of components that a method stepped
 };
 
 struct Advance {
     double reached = 0;     // all unknowns that did not stop are known up to here, at most `finish`
     bool cancelled = false; // else all that can be done is done
+    bool disturbed = false; // an event touched motion that was taken: solve without it
 };
 
 class Solver {

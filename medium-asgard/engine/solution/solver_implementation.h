@@ -34,6 +34,8 @@ private:
     [[nodiscard]] std::unique_ptr<Component> madeOf(std::vector<std::size_t> unknowns);
     void place(double t);
     void addZeroTracks();
+    [[nodiscard]] bool isTaken(const std::vector<std::size_t>& unknowns) const;
+    void take(const std::vector<std::size_t>& unknowns);
     [[nodiscard]] double magnitude(std::size_t unknown, double value) const;
     [[nodiscard]] std::vector<std::size_t> roused(const Event& event, const Changes& changes) const;
     [[nodiscard]] std::vector<std::size_t> woken(const Event& event, const Changes& changes);
@@ -77,7 +79,7 @@ private:
     Options options_;
     EventSource* source_;
     ZeroStates zero_;
-    std::vector<std::unique_ptr<Component>> components_; // none where one was replaced
+    std::vector<std::unique_ptr<Component>> components_; // none where one was replaced or taken
     std::vector<std::vector<std::size_t>> readers_;
     std::vector<std::size_t> componentOf_;
     mutable std::vector<char> isTouched_; // by component; all 0 but within touchedBy()
@@ -90,6 +92,7 @@ private:
     Statistics past_; // of components that replaced equations ended, and of events
     double lastEvent_ = -infinity;
     std::size_t eventsAtOnce_ = 0;
+    bool disturbed_ = false;   // an event touched what was taken
     double asked_ = -infinity; // the source has answered up to here
 };
 

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cstddef>
+#include <cstring>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace solution {
@@ -24,20 +26,40 @@ using Terms = std::vector<Term>;
     return terms;
 }
 
+// Two numbers that are added and multiplied at once: what every processor has.
+using Pair = double __attribute__((vector_size(16)));
+
+[[nodiscard]] inline Pair pairAt(const double* values) {
+    Pair pair;
+    std::memcpy(&pair, values, sizeof pair);
+    return pair;
+}
+
+template <std::size_t Width, std::size_t... I>
+inline void weightedPairs(std::span<const Term> terms, const double* slopes, std::size_t stride,
+                          double* out, std::index_sequence<I...>) {
+    [[maybe_unused]] Pair sum[Width / 2 + 1] = {}; // none, of one number
+    double last = 0;
+    for (const Term& term : terms) {
+        const double* slope = slopes + term.stage * stride;
+        const Pair weight = {term.weight, term.weight};
+        ((sum[I] += weight * pairAt(slope + 2 * I)), ...);
+        if constexpr (Width % 2 == 1)
+            last += term.weight * slope[Width - 1];
+    }
+    (std::memcpy(out + 2 * I, &sum[I], sizeof(Pair)), ...);
+    if constexpr (Width % 2 == 1)
+        out[Width - 1] = last;
+}
+
+// out[i] = sum of weight * slopes[stage * stride + i] in the order of the terms, for i < Width.
 template <std::size_t Width>
 inline void weightedBlock(std::span<const Term> terms, const double* slopes, std::size_t stride,
                           double* out) {
-    std::array<double, Width> sum{};
-    for (const Term& term : terms) {
-        const double* slope = slopes + term.stage * stride;
-        for (std::size_t i = 0; i < Width; ++i)
-            sum[i] += term.weight * slope[i];
-    }
-    for (std::size_t i = 0; i < Width; ++i)
-        out[i] = sum[i];
+    weightedPairs<Width>(terms, slopes, stride, out, std::make_index_sequence<Width / 2>());
 }
 
-// Of more unknowns than a block has, eight at a time, and the rest.
+// The same for any number, eight at a time, and the rest.
 inline void weightedBlocks(std::span<const Term> terms, const double* slopes, std::size_t stride,
                            double* out) {
     std::size_t i = 0;
@@ -55,7 +77,17 @@ inline void weightedBlocks(std::span<const Term> terms, const double* slopes, st
         weightedBlock<1>(terms, slopes + i, stride, out + i);
 }
 
-// out[i] = sum of weight * slopes[stage * stride + i] in the order of the terms, for i < stride.
+// Of `Width` unknowns, where the compiler may know how many; 0: of any number.
+template <std::size_t Width>
+inline void weightedSumOf(std::span<const Term> terms, const double* slopes, std::size_t stride,
+                          double* out) {
+    if constexpr (Width == 0)
+        weightedBlocks(terms, slopes, stride, out);
+    else
+        weightedBlock<Width>(terms, slopes, Width, out);
+}
+
+// out[i] for i < stride.
 inline void weightedSum(std::span<const Term> terms, const double* slopes, std::size_t stride,
                         double* out) {
     switch (stride) { // known to the compiler, in small components
