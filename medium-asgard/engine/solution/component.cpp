@@ -160,6 +160,8 @@ void Component::makeControl() {
         } else if (unknown.integralOf && set_->unknowns[*unknown.integralOf].lengthPerUnit > 0) {
             scale.kind = UnknownScale::Kind::velocity;
             scale.lengthPerUnit = set_->unknowns[*unknown.integralOf].lengthPerUnit;
+        } else if (!options_.extents.empty()) {
+            scale.lengthPerUnit = options_.extents[unknowns_[place]];
         }
         scales.push_back(scale);
     }

@@ -6,14 +6,17 @@
 
 namespace solution {
 
+namespace {
+
+constexpr double units = 16; // in the last place, that errors are allowed to be
+
+}
+
 ErrorControl::ErrorControl(std::vector<UnknownScale> scales, double tolerance)
     : scales_(std::move(scales)), seen_(scales_.size()), weights_(scales_.size()),
       tolerance_(tolerance) {
-    for (const UnknownScale& s : scales_) {
+    for (const UnknownScale& s : scales_)
         leastExtent_ = std::max(leastExtent_, s.extent);
-        if (s.kind == UnknownScale::Kind::position)
-            radius_ = std::max(radius_, s.lengthPerUnit);
-    }
 }
 
 // Hairer and Wanner, Solving ODEs II, IV.8.
@@ -63,13 +66,36 @@ double ErrorControl::magnitude(std::size_t i) const {
     return std::max({seen_[i].high, -seen_[i].low, 1e-3 * other_});
 }
 
+double ErrorControl::rounding(std::size_t i) const {
+    const bool isPosition = scales_[i].kind == UnknownScale::Kind::position;
+    return isPosition ? rounding_ / scales_[i].lengthPerUnit : 0;
+}
+
+double ErrorControl::displacement(std::span<const double> rates, double h) const {
+    double farthest = 0;
+    for (std::size_t i = 0; i < rates.size(); ++i) {
+        const double length = scales_[i].lengthPerUnit, change = h * std::abs(rates[i]);
+        double moved = 0;
+        if (scales_[i].kind == UnknownScale::Kind::position)
+            moved = extent_ > 0 ? change * length / extent_ : 0;
+        else if (length > 0)
+            moved = extent_ > 0 ? h * change * length / extent_ : 0;
+        else
+            moved = magnitude(i) > 0 ? change / magnitude(i) : 0;
+        if (!(moved <= farthest))
+            farthest = std::isnan(moved) ? std::numeric_limits<double>::infinity() : moved;
+    }
+    return farthest;
+}
+
 void ErrorControl::prepare(std::span<const double> y, double h) {
-    constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+    constexpr double rounding = units * std::numeric_limits<double>::epsilon();
     measure(y);
     double coarsest = 0; // rounding of the position farthest from the origin
     for (std::size_t i = 0; i < scales_.size(); ++i)
         if (scales_[i].kind == UnknownScale::Kind::position)
             coarsest = std::max(coarsest, rounding * std::abs(y[i]) * scales_[i].lengthPerUnit);
+    rounding_ = coarsest / units;
     // A speed that does not show within the step.
     const double unseen = std::max(0.01 * tolerance_ * extent_, coarsest) /
                           std::max(h, std::numeric_limits<double>::min());
@@ -83,9 +109,25 @@ void ErrorControl::prepare(std::span<const double> y, double h) {
         else
             weight = std::max({weight, tolerance_ * seen_[i].high, -tolerance_ * seen_[i].low,
                                tolerance_ * std::abs(y[i]), tolerance_ * 1e-3 * other_,
-                               radius_ > 0 ? unseen / radius_ : 0});
+                               length > 0 ? unseen / length : 0});
         weights_[i] = weight;
     }
+    measureNoise(h);
+}
+
+// Rounding of a position moves a stiff end as far, and its velocity by that over the step.
+void ErrorControl::measureNoise(double h) {
+    constexpr double most = 0.1;
+    const double rounding = units * rounding_;
+    noise_ = 0;
+    for (std::size_t i = 0; i < scales_.size(); ++i) {
+        const double length = scales_[i].lengthPerUnit;
+        if (scales_[i].kind == UnknownScale::Kind::position)
+            noise_ = std::max(noise_, rounding / length / weights_[i]);
+        else if (length > 0)
+            noise_ = std::max(noise_, rounding / length / h / weights_[i]);
+    }
+    noise_ = std::min(noise_, most);
 }
 
 double ErrorControl::norm(std::span<const double> error) const {

@@ -25,8 +25,10 @@ namespace solution {
 struct UnknownScale {
     enum class Kind { position, velocity, other };
     Kind kind = Kind::other;
-    double lengthPerUnit = 0; // of itself, or of the position that it is the velocity of
-    double extent = 0;        // the least that its component's extent is
+    // Of itself, or of the position that it is the velocity of; of a spin, what it moves in one of
+    // time. 0: of nothing.
+    double lengthPerUnit = 0;
+    double extent = 0; // the least that its component's extent is
 };
 
 class ErrorControl {
@@ -37,6 +39,9 @@ public:
     [[nodiscard]] double tolerance() const { return tolerance_; }
     // What a Newton iteration may leave, in units of the tolerance; never below rounding.
     [[nodiscard]] double newtonTolerance() const;
+    // What rounding of positions leaves of a correction in the step last prepared, in the same
+    // units: no correction below this says how an iteration converges.
+    [[nodiscard]] double newtonNoise() const { return noise_; }
     // Accepted values widen ranges and largest values.
     void observe(std::span<const double> y);
     // Scales for a step of length h to `y`, the values seen so far and these.
@@ -44,6 +49,11 @@ public:
     // max |error_i| / scale_i, with the scales last prepared.
     [[nodiscard]] double norm(std::span<const double> error) const;
     [[nodiscard]] double scale(std::size_t i) const { return weights_[i]; }
+    // Of a position, by that which is farthest from the origin in its component; 0 of all else.
+    [[nodiscard]] double rounding(std::size_t i) const;
+    // How far these rates of velocities move something within a step of length h, over the extent;
+    // of what moves nothing, how much they change it over its magnitude.
+    [[nodiscard]] double displacement(std::span<const double> rates, double h) const;
     // The size against which a rate is judged slow or fast; 0: nothing is known yet.
     [[nodiscard]] double magnitude(std::size_t i) const;
     [[nodiscard]] double extent() const { return extent_; }
@@ -55,13 +65,14 @@ private:
         double low = 0, high = 0;
     };
     void measure(std::span<const double> y);
+    void measureNoise(double h);
 
     std::vector<UnknownScale> scales_;
     std::vector<Seen> seen_;
     std::vector<double> weights_;
     double tolerance_ = 1e-6;
     bool any_ = false;
-    double leastExtent_ = 0, radius_ = 0;
+    double leastExtent_ = 0, rounding_ = 0, noise_ = 0;
     double extent_ = 0, speed_ = 0, other_ = 0; // with the values last measured
 };
 

@@ -43,6 +43,14 @@ struct Attempt {
 struct MethodCounts {
     std::size_t evaluations = 0, jacobians = 0, factorisations = 0;
     std::size_t iterations = 0; // of Newton, each with its solves
+
+    MethodCounts& operator+=(const MethodCounts& other) {
+        evaluations += other.evaluations;
+        jacobians += other.jacobians;
+        factorisations += other.factorisations;
+        iterations += other.iterations;
+        return *this;
+    }
 };
 
 class Method {

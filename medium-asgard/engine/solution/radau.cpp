@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace solution {
 
 namespace {
 
 const double root6 = std::sqrt(6.0);
-const double node[3] = {(4 - root6) / 10, (4 + root6) / 10, 1};
+const CoupledStages::Nodes node = {(4 - root6) / 10, (4 + root6) / 10, 1};
 
 // Eigenvalues of A^-1: g, and a +- ib (from the roots of its characteristic polynomial).
 const double cube9 = std::cbrt(9.0);
@@ -94,6 +95,7 @@ bool Radau::begin(double t, std::span<const double> y) {
     afterRejection_ = false;
     acceptedStep_ = 0;
     rate_ = 1;
+    togetherFrom_ = unsolvedStep_ = infinity;
     if (!rates(t, y, slope_))
         return false;
     startSlope_ = slope_;
@@ -139,20 +141,25 @@ bool Radau::refactor() {
     return factored_;
 }
 
-// One Newton correction of all stages; `size` is its norm.
-bool Radau::correction(double& size) {
-    const std::size_t count = start_.size();
+bool Radau::stageRates() {
     ++counts_.iterations;
     for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t n = 0; n < count; ++n)
+        for (std::size_t n = 0; n < start_.size(); ++n)
             at_[n] = start_[n] + z_[i][n];
         if (!rates(t_ + node[i] * h_, at_, f_[i]))
             return false;
     }
+    return true;
+}
+
+// One Newton correction of all stages; `size` is its norm.
+bool Radau::correct(double& size) {
+    if (!stageRates())
+        return false;
     const auto transformed = [this](std::size_t i, std::size_t n) {
         return inverseT[i][0] * f_[0][n] + inverseT[i][1] * f_[1][n] + inverseT[i][2] * f_[2][n];
     };
-    for (std::size_t n = 0; n < count; ++n) {
+    for (std::size_t n = 0; n < start_.size(); ++n) {
         error_[n] = transformed(0, n) - g / h_ * w_[0][n];
         pair_[n] = std::complex<double>(transformed(1, n), transformed(2, n)) -
                    std::complex<double>(a, b) / h_ * std::complex<double>(w_[1][n], w_[2][n]);
@@ -160,7 +167,7 @@ bool Radau::correction(double& size) {
     solver_->solve(error_);
     solver_->solve(pair_);
     size = 0;
-    for (std::size_t n = 0; n < count; ++n) {
+    for (std::size_t n = 0; n < start_.size(); ++n) {
         w_[0][n] += error_[n];
         w_[1][n] += pair_[n].real();
         w_[2][n] += pair_[n].imag();
@@ -173,21 +180,26 @@ bool Radau::correction(double& size) {
     return std::isfinite(size);
 }
 
+bool Radau::linearizeMiddle() {
+    middle(at_);
+    return linearize(t_ + node[1] * h_, at_) && refactor();
+}
+
 Radau::Newton Radau::iterate() {
     constexpr std::size_t mostIterations = 12, mayGrow = 5;
     constexpr double mostGrowth = 5, slow = 0.1;
-    const double kappa = control_.newtonTolerance();
+    const double kappa = control_.newtonTolerance(), noise = control_.newtonNoise();
     double last = 0;
     // With fixed steps Newton goes to rounding, which stiffness magnifies: no further than that.
-    const auto isRounding = [this](double size) {
-        return fixed_ && size * control_.tolerance() < 1e-9;
+    const auto isRounding = [this, noise](double size) {
+        return size < noise || (fixed_ && size * control_.tolerance() < 1e-9);
     };
     rate_ = std::max(rate_, 1e-16);
     // At fixed steps nothing checks what an old rate promises.
     double rate = rate_ < 1 && !jacobianFresh_ && !fixed_ ? std::pow(rate_, 0.8) : 1;
     for (iterations_ = 1; iterations_ <= mostIterations; ++iterations_) {
         double size = 0;
-        if (!correction(size))
+        if (!correct(size))
             return Newton::notFinite;
         if (last > 0) {
             rate = size / last;
@@ -195,17 +207,53 @@ Radau::Newton Radau::iterate() {
                 return isRounding(last) ? Newton::converged : Newton::failed;
         }
         last = size;
-        if (size == 0 || (rate < 1 && rate / (1 - rate) * size < kappa)) {
+        if (size == 0 || (rate < 1 && rate / (1 - rate) * size < kappa) ||
+            (iterations_ > 1 && rate > slow && size < noise)) {
             rate_ = iterations_ > 1 ? rate : rate_;
             return Newton::converged;
         }
-        if (iterations_ > 1 && rate > slow) {
-            middle(at_);
-            if (!linearize(t_ + node[1] * h_, at_) || !refactor())
-                return Newton::notFinite;
-        }
+        if (iterations_ > 1 && rate > slow && !linearizeMiddle())
+            return Newton::notFinite;
     }
     return isRounding(last) ? Newton::converged : Newton::failed;
+}
+
+// What one Jacobian for all stages does not solve may do so with one for each. Then the error is
+// estimated with the Jacobian of the start, whose stiff directions are those in which rounding of
+// the start shows.
+Radau::Newton Radau::solveTogether() {
+    if (!coupled_)
+        coupled_ = std::make_unique<CoupledStages>(system_, control_, node, slopeWeights);
+    predict();
+    factored_ = false;
+    rate_ = 1; // says nothing of the other iteration
+    const Newton result = coupled_->solve(t_, h_, start_, z_);
+    counts_ += coupled_->counts();
+    iterations_ = coupled_->counts().iterations;
+    if (result != Newton::converged)
+        return result;
+    ++counts_.factorisations;
+    return linearize(t_, start_) && solver_->factor(jacobian_, g / h_) ? Newton::converged
+                                                                       : Newton::notFinite;
+}
+
+Radau::Newton Radau::solveStages() {
+    constexpr std::size_t patience = 32;
+    if (h_ >= togetherFrom_ && ++stepsTogether_ % patience == 0)
+        togetherFrom_ *= 2;
+    if (h_ >= togetherFrom_)
+        return solveTogether();
+    const bool keep = factored_ && h_ == factoredStep_ && rate_ < 1e-3;
+    if (keep) {
+        jacobianFresh_ = false;
+    } else if (!linearizeMiddle() && !(linearize(t_, start_) && refactor())) {
+        return Newton::notFinite; // the prediction may lie where f has no value
+    }
+    const Newton result = iterate();
+    if (result != Newton::failed)
+        return result;
+    togetherFrom_ = h_;
+    return solveTogether();
 }
 
 // What the last step's polynomial, continued to the end of this one, misses says how well this
@@ -226,6 +274,29 @@ double Radau::denseError() {
     return control_.norm(error_);
 }
 
+// What rounding of the start's positions makes of the estimate is no error, and shorter steps make
+// it larger: less as much as it is for roundings taken at random.
+void Radau::removeRounding() {
+    constexpr double matters = 1e-3, likely = 4;
+    if (control_.newtonNoise() < matters)
+        return;
+    std::vector<double>& rounding = at_;
+    std::vector<double> response(rounding.size(), 0.0);
+    std::minstd_rand random(1);
+    for (std::size_t n = 0; n < rounding.size(); ++n)
+        rounding[n] = control_.rounding(n) * (random() % 2 == 0 ? likely : -likely);
+    const Pattern& pattern = system_.jacobianPattern();
+    for (std::size_t column = 0; column < rounding.size(); ++column)
+        for (int k = pattern.columnStarts[column]; k < pattern.columnStarts[column + 1]; ++k)
+            response[static_cast<std::size_t>(pattern.rows[static_cast<std::size_t>(k)])] +=
+                jacobian_[static_cast<std::size_t>(k)] * rounding[column];
+    solver_->solve(response);
+    for (std::size_t n = 0; n < error_.size(); ++n) {
+        const double left = std::max(0.0, std::abs(error_[n]) - std::abs(response[n]));
+        error_[n] = std::copysign(left, error_[n]);
+    }
+}
+
 // A step whose Jacobian was good is estimated from f(y0) and the stages; a second evaluation damps
 // the estimate where stiff components dominate it.
 double Radau::estimate() {
@@ -236,6 +307,7 @@ double Radau::estimate() {
         error_[n] = errorRates_[n] + slope_[n];
     }
     solver_->solve(error_);
+    removeRounding();
     double error = control_.norm(error_);
     if (error >= 1 && (first_ || afterRejection_)) {
         for (std::size_t n = 0; n < error_.size(); ++n)
@@ -244,6 +316,7 @@ double Radau::estimate() {
             for (std::size_t n = 0; n < error_.size(); ++n)
                 error_[n] += errorRates_[n];
             solver_->solve(error_);
+            removeRounding();
             error = control_.norm(error_);
         }
     }
@@ -256,21 +329,9 @@ Attempt Radau::attempt(double h) {
     for (std::size_t n = 0; n < end_.size(); ++n)
         end_[n] = start_[n] + (previousStep_ > 0 ? z_[2][n] : h * slope_[n]);
     control_.prepare(end_, h);
-    const bool keep = factored_ && h == factoredStep_ && rate_ < 1e-3;
-    if (!keep) {
-        middle(at_);
-        bool ready = linearize(t_ + node[1] * h, at_) && refactor();
-        if (!ready) // the prediction may lie where f has no value
-            ready = linearize(t_, start_) && refactor();
-        if (!ready) {
-            afterRejection_ = true;
-            return {Attempt::Outcome::notFinite, 0.25 * h};
-        }
-    } else {
-        jacobianFresh_ = false;
-    }
-    const Newton result = iterate();
+    const Newton result = solveStages();
     if (result != Newton::converged) {
+        unsolvedStep_ = h;
         afterRejection_ = true;
         factored_ = false;
         rate_ = 1;
@@ -290,6 +351,7 @@ Attempt Radau::attempt(double h) {
 // would grow by less than a fifth is kept, with its factors.
 Attempt Radau::judge(double error) {
     constexpr double safety = 0.9, most = 12;
+    constexpr double shorter = 0.8, recovery = 1.05; // than what Newton did not solve
     const double bold = safety * (1 + 2 * most) / (static_cast<double>(iterations_) + 2 * most);
     double quotient = std::clamp(std::pow(error, 0.25) / bold, 0.125, 5.0);
     if (!(error < 1)) {
@@ -303,7 +365,8 @@ Attempt Radau::judge(double error) {
     }
     acceptedStep_ = h_;
     acceptedError_ = std::max(1e-2, error);
-    double next = h_ / quotient;
+    double next = std::min(h_ / quotient, shorter * unsolvedStep_);
+    unsolvedStep_ *= recovery;
     if (afterRejection_)
         next = std::min(next, h_);
     if (quotient <= 1 && quotient >= 1 / 1.2)

@@ -11,15 +11,18 @@
 //     J and LU at the predicted middle of the step, kept while Newton was fast and h stays
 //     simplified iterations while they contract by 0.1 or better; else a new J at the current
 //     middle stage
-//     the first 5 corrections may grow up to 5 times; 12 iterations; then the step is halved
-//     done when  rate/(1 - rate) |dz| < min(0.03, sqrt(tolerance)),  |.| in units of the tolerance
+//     the first 5 corrections may grow up to 5 times; 12 iterations
+//     what that does not solve is tried again with a Jacobian for each stage (coupled_stages.h),
+//     and longer steps are from then on; then the step is halved, and grows slowly to what failed
+//     done when  rate/(1 - rate) |dz| < min(0.03, sqrt(tolerance)),  |.| in units of the tolerance,
+//     or when corrections are what rounding of positions does
 //
 // Dense output: slopes k_i at the stages and k_0 at the start (that of the end of the step before)
 // give a polynomial of degree 4; a position with its velocity gets the quintic of both ends'
 // position, velocity and acceleration, and the velocity is its derivative.
 #pragma once
 
-#include "solution/linear_solver.h"
+#include "solution/coupled_stages.h"
 #include "solution/method.h"
 
 #include <array>
@@ -40,16 +43,21 @@ public:
     [[nodiscard]] bool proceed(std::span<const double> y) override;
 
 private:
-    using Stages = std::array<std::vector<double>, 3>;
-    enum class Newton { converged, failed, notFinite };
+    using Stages = CoupledStages::Stages;
+    using Newton = CoupledStages::Outcome;
 
     void predict();
     [[nodiscard]] bool linearize(double t, std::span<const double> y);
     [[nodiscard]] bool refactor();
+    [[nodiscard]] bool linearizeMiddle();
+    [[nodiscard]] Newton solveStages();
+    [[nodiscard]] Newton solveTogether();
     [[nodiscard]] Newton iterate();
-    [[nodiscard]] bool correction(double& size);
+    [[nodiscard]] bool stageRates();
+    [[nodiscard]] bool correct(double& size);
     void middle(std::vector<double>& y) const;
     [[nodiscard]] double estimate();
+    void removeRounding();
     [[nodiscard]] double denseError();
     [[nodiscard]] Attempt judge(double error);
 
@@ -57,6 +65,10 @@ private:
     std::vector<double> jacobian_;
     bool factored_ = false, jacobianFresh_ = false;
     double factoredStep_ = 0;
+    std::unique_ptr<CoupledStages> coupled_; // where one Jacobian does not solve the stages
+    double togetherFrom_ = infinity;         // steps of this length on are solved so at once
+    std::size_t stepsTogether_ = 0;
+    double unsolvedStep_ = infinity; // the last that Newton did not solve, a little forgotten
 
     Stages z_, w_, f_, previousZ_;
     double previousStep_ = 0; // 0: none
