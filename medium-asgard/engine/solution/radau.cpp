@@ -96,6 +96,7 @@ bool Radau::begin(double t, std::span<const double> y) {
     acceptedStep_ = 0;
     rate_ = 1;
     togetherFrom_ = unsolvedStep_ = infinity;
+    stepsTogether_ = 0;
     if (!rates(t, y, slope_))
         return false;
     startSlope_ = slope_;
