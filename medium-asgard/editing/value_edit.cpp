@@ -38,6 +38,9 @@ bool same(double a, double b, double resolution) {
     return resolution > 0 ? std::abs(a - b) < 0.5 * resolution : a == b;
 }
 
+// Up to what a text's decimals and a division by a mass may lose.
+bool nearly(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b)); }
+
 std::string listText(const std::vector<double>& values, double resolution) {
     std::string text;
     for (const double value : values)
@@ -55,11 +58,18 @@ public:
           subject_(std::move(subject)), wish_(wish), origins_(text, structure, scene) {}
 
     Answer answer(const std::string& name, std::size_t together);
+    [[nodiscard]] std::size_t count() const;
+    [[nodiscard]] std::vector<std::string> written() const;
 
 private:
     [[nodiscard]] Answer refuse(const std::string& what, scene::Range cause) const;
     [[nodiscard]] Answer insert() const;
     [[nodiscard]] Answer rewrite(const std::vector<Origin>& origins) const;
+    [[nodiscard]] bool isNow() const; // nothing is to change
+    // The command and the word of the option, where they stand.
+    [[nodiscard]] const Command* command() const;
+    [[nodiscard]] const Word* word(const Command& command) const;
+    [[nodiscard]] std::vector<Origin> originsOf(const Command& command, const Word& word) const;
     [[nodiscard]] Origin inExpression(const Command& command, const Word& word) const;
     [[nodiscard]] std::optional<Origin> ofFactor(const Command& command,
                                                  scene::Range content) const;
@@ -98,25 +108,34 @@ Answer Edit::insert() const {
 
 Answer Edit::rewrite(const std::vector<Origin>& origins) const {
     if (origins.size() == 1 && !origins.front().reason.empty())
-        return refuse(origins.front().reason, origins.front().cause);
-    if (origins.size() < wish_.values.size())
+        return isNow() ? Answer{} : refuse(origins.front().reason, origins.front().cause);
+    if (origins.size() != wish_.values.size())
         return refuse("is not written as " + std::to_string(wish_.values.size()) + " numbers",
                       source_.command);
     Answer answer;
     for (std::size_t i = 0; i < wish_.values.size(); ++i) {
         const Origin& origin = origins[i];
+        const bool stays =
+            !wish_.now.empty() && same(wish_.now[i], wish_.values[i], wish_.resolution);
         if (!origin.reason.empty()) {
-            // What cannot be written may still be what it is to be.
+            if (stays) // what cannot be written may still be what it is to be
+                continue;
             return refuse(origin.reason, origin.cause);
         }
         const std::string before = origins_.slice(origin.literal);
         const auto old = script::decimalNumber(before);
+        if (!old)
+            return refuse("is not written as a number", origin.literal);
+        if (!wish_.now.empty() && !nearly(*old * origin.factor, wish_.now[i]))
+            return refuse("stands in the text as " + before + ", but is " +
+                              numberText(wish_.now[i], 0),
+                          origin.literal);
         const double wanted = wish_.values[i] / origin.factor;
         const double resolution = wish_.resolution / std::abs(origin.factor);
-        if (!old || same(*old, wanted, resolution))
-            continue;
         const TextEdit edit = {origin.literal.from, origin.literal.to,
-                               numberText(wanted, resolution, before)};
+                               stays || same(*old, wanted, resolution)
+                                   ? before
+                                   : numberText(wanted, resolution, before)};
         const auto clash = std::ranges::find_if(
             answer.edits, [&](const TextEdit& other) { return other.from == edit.from; });
         if (clash == answer.edits.end())
@@ -126,8 +145,20 @@ Answer Edit::rewrite(const std::vector<Origin>& origins) const {
                               ", in two places, which cannot become different",
                           origin.literal);
     }
+    std::erase_if(answer.edits, [&](const TextEdit& edit) {
+        const bool keeps = edit.text == text_.substr(edit.from, edit.to - edit.from);
+        if (keeps)
+            answer.kept.push_back({edit.from, edit.to});
+        return keeps;
+    });
     std::ranges::sort(answer.edits, {}, &TextEdit::from);
     return answer;
+}
+
+bool Edit::isNow() const {
+    return wish_.now.size() == wish_.values.size() &&
+           std::equal(wish_.values.begin(), wish_.values.end(), wish_.now.begin(),
+                      [&](double a, double b) { return same(a, b, wish_.resolution); });
 }
 
 // --- expressions: NUMBER, NUMBER * NAME, NAME * NUMBER, PARAMETER -----------------------------
@@ -214,13 +245,63 @@ Origin Edit::inExpression(const Command& command, const Word& word) const {
 
 // ---------------------------------------------------------------------------------------------
 
+const Command* Edit::command() const {
+    return source_.command.known() ? structure_.startingAt(source_.command.from) : nullptr;
+}
+
+const Word* Edit::word(const Command& command) const {
+    for (const scene::Argument& argument : source_.arguments)
+        if (argument.option == wish_.option)
+            for (const Word& word : command.words)
+                if (word.range == argument.word)
+                    return &word;
+    return nullptr;
+}
+
+std::vector<Origin> Edit::originsOf(const Command& command, const Word& word) const {
+    if (isExpression(wish_.element.kind, wish_.option))
+        return {inExpression(command, word)};
+    if (wish_.values.size() == 1 && wish_.path.empty())
+        return {origins_.ofScalar(command, word)};
+    return origins_.ofList(command, word, wish_.path);
+}
+
+std::size_t Edit::count() const {
+    const Command* command = this->command();
+    const Word* word = command ? this->word(*command) : nullptr;
+    if (!word)
+        return 0;
+    const std::vector<Origin> origins = origins_.ofList(*command, *word, wish_.path);
+    return origins.size() == 1 && !origins.front().reason.empty() ? 0 : origins.size();
+}
+
+// What stands there: each number of a list, or the whole word.
+std::vector<std::string> Edit::written() const {
+    std::vector<std::string> texts(wish_.values.size());
+    const Command* command = this->command();
+    const Word* word = command ? this->word(*command) : nullptr;
+    if (!word)
+        return texts;
+    const std::vector<Origin> origins = originsOf(*command, *word);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const bool whole = origins.size() != texts.size() || texts.size() == 1;
+        const scene::Range place = whole                       ? word->content
+                                   : origins[i].reason.empty() ? origins[i].literal
+                                                               : origins[i].cause;
+        texts[i] = !whole && !origins[i].variable.empty() ? "$" + origins[i].variable
+                                                          : origins_.slice(place);
+    }
+    return texts;
+}
+
 Answer Edit::answer(const std::string& name, std::size_t together) {
-    const Command* command =
-        source_.command.known() ? structure_.startingAt(source_.command.from) : nullptr;
+    const Command* command = this->command();
     if (!command)
         return refuse("does not stand in the text: the command of line " +
                           std::to_string(source_.line) + " makes it of other text",
                       source_.command);
+    if (source_.runs != 1 && isNow())
+        return {};
     if (source_.runs != 1) {
         const Command* maker = origins_.makerOf(*command);
         Answer answer =
@@ -235,24 +316,12 @@ Answer Edit::answer(const std::string& name, std::size_t together) {
         answer.offers = offersFor({*command, source_, name, together}, wish_, origins_);
         return answer;
     }
-    for (const scene::Argument& argument : source_.arguments) {
-        if (argument.option != wish_.option)
-            continue;
-        const auto word = std::ranges::find_if(
-            command->words, [&](const Word& one) { return one.range == argument.word; });
-        if (word == command->words.end())
-            return refuse("is computed", argument.word);
-        if (isExpression(wish_.element.kind, wish_.option))
-            return rewrite({inExpression(*command, *word)});
-        if (wish_.values.size() == 1 && wish_.path.empty())
-            return rewrite({origins_.ofScalar(*command, *word)});
-        return rewrite(origins_.ofList(*command, *word, wish_.path));
-    }
+    if (const Word* value = word(*command))
+        return rewrite(originsOf(*command, *value));
+    if (std::ranges::find(source_.arguments, wish_.option, &scene::Argument::option) !=
+        source_.arguments.end())
+        return isNow() ? Answer{} : refuse("is computed", command->range);
     return insert();
-}
-
-template <class List> const scene::Source* sourceIn(const List& list, std::size_t index) {
-    return index < list.size() ? &list[index].source : nullptr;
 }
 
 } // namespace
@@ -262,83 +331,91 @@ Mapper::Mapper(std::string text, std::shared_ptr<const scene::Scene> scene, Fact
       structure_(script::structureOf(text_)) {}
 
 const scene::Source* Mapper::sourceOf(const Element& element) const {
-    switch (element.kind) {
-    case Kind::simulator:
-        return scene_->simulator.source ? &*scene_->simulator.source : nullptr;
-    case Kind::shapeSet:
-        return sourceIn(scene_->shapeSets, element.index);
-    case Kind::body:
-        return sourceIn(scene_->bodies, element.index);
-    case Kind::force:
-        return sourceIn(scene_->forces, element.index);
-    case Kind::link:
-        return sourceIn(scene_->links, element.index);
-    case Kind::trajectory:
-        return sourceIn(scene_->trajectories, element.index);
-    case Kind::constraint:
-        return sourceIn(scene_->constraints, element.index);
-    case Kind::light:
-        return sourceIn(scene_->lights, element.index);
-    case Kind::view:
-        return sourceIn(scene_->views, element.index);
-    case Kind::parameter:
-        return sourceIn(scene_->parameters, element.index);
-    case Kind::plot:
-        break;
-    }
-    return sourceIn(scene_->plots, element.index);
+    return editing::sourceOf(*scene_, element);
 }
 
-namespace {
-
-std::string bareName(const scene::Scene& scene, const Element& element) {
-    switch (element.kind) {
-    case Kind::shapeSet:
-        return scene.shapeSets[element.index].name;
-    case Kind::body:
-        return scene.bodies[element.index].name;
-    case Kind::trajectory:
-        return scene.trajectories[element.index].name;
-    case Kind::light:
-        return scene.lights[element.index].name;
-    case Kind::view:
-        return scene.views[element.index].name;
-    case Kind::parameter:
-        return scene.parameters[element.index].name;
-    case Kind::plot:
-        return scene.plots[element.index].name;
-    default:
-        return "";
-    }
-}
-
-const char* wordOf(Kind kind) {
-    constexpr const char* words[] = {"simulator", "shape set",  "body",       "force",
-                                     "link",      "trajectory", "constraint", "light",
-                                     "view",      "parameter",  "plot"};
-    return words[static_cast<std::size_t>(kind)];
-}
-
-} // namespace
-
-std::string Mapper::nameOf(const Element& element) const {
-    const scene::Source* source = sourceOf(element);
-    const std::string name = source ? bareName(*scene_, element) : "";
-    if (!name.empty())
-        return std::string(wordOf(element.kind)) + " \"" + name + "\"";
-    return "the " + std::string(wordOf(element.kind)) +
-           (source && source->line > 0 ? " of line " + std::to_string(source->line) : "");
-}
+std::string Mapper::nameOf(const Element& element) const { return describe(*scene_, element); }
 
 Answer Mapper::answer(const Wish& wish) const {
     const scene::Source* source = sourceOf(wish.element);
     if (!source) {
         Answer answer;
-        answer.reason = "The scene has no such " + std::string(wordOf(wish.element.kind)) + ".";
+        answer.reason = "The scene has no such " + wordOf(wish.element.kind) + ".";
         return answer;
     }
     return Edit(text_, structure_, *scene_, factor_, *source, nameOf(wish.element), wish)
-        .answer(bareName(*scene_, wish.element), static_cast<std::size_t>(source->runs));
+        .answer(editing::nameOf(*scene_, wish.element), static_cast<std::size_t>(source->runs));
+}
+
+namespace {
+
+// Offers that all refusals have, each with the changes of all.
+std::vector<Offer> together(const std::vector<Answer>& answers) {
+    std::vector<Offer> offers;
+    const auto refused = std::ranges::find_if_not(answers, &Answer::possible);
+    for (const Offer& first : refused->offers) {
+        Offer whole{first.label, {}};
+        const bool all = std::ranges::all_of(answers, [&](const Answer& answer) {
+            const auto found = std::ranges::find(answer.offers, first.label, &Offer::label);
+            if (!answer.possible() && found == answer.offers.end())
+                return false;
+            const auto& edits = answer.possible() ? answer.edits : found->edits;
+            whole.edits.insert(whole.edits.end(), edits.begin(), edits.end());
+            return true;
+        });
+        std::ranges::sort(whole.edits, {}, &TextEdit::from);
+        if (all)
+            offers.push_back(std::move(whole));
+    }
+    return offers;
+}
+
+} // namespace
+
+Answer Mapper::answer(const std::vector<Wish>& wishes) const {
+    Answer whole;
+    std::vector<Answer> answers;
+    for (const Wish& wish : wishes)
+        answers.push_back(answer(wish));
+    const auto refused = std::ranges::find_if_not(answers, &Answer::possible);
+    if (refused != answers.end()) {
+        whole = *refused;
+        whole.offers = together(answers);
+        return whole;
+    }
+    for (const Answer& one : answers)
+        for (const TextEdit& edit : one.edits) {
+            const bool keptElsewhere = std::ranges::any_of(answers, [&](const Answer& other) {
+                return std::ranges::find(other.kept, edit.from, &scene::Range::from) !=
+                       other.kept.end();
+            });
+            const auto clash = std::ranges::find(whole.edits, edit.from, &TextEdit::from);
+            if (clash == whole.edits.end() && !keptElsewhere) {
+                whole.edits.push_back(edit);
+            } else if (!keptElsewhere && clash->to == clash->from && edit.to == edit.from) {
+                clash->text += edit.text; // two new options
+            } else if (keptElsewhere || clash->text != edit.text) {
+                whole.reason = "One number of the text, " +
+                               text_.substr(edit.from, edit.to - edit.from) +
+                               ", cannot become two different ones.";
+                whole.cause = {edit.from, edit.to};
+                whole.edits.clear();
+                return whole;
+            }
+        }
+    std::ranges::sort(whole.edits, {}, &TextEdit::from);
+    return whole;
+}
+
+std::size_t Mapper::count(const Wish& wish) const {
+    const scene::Source* source = sourceOf(wish.element);
+    return source ? Edit(text_, structure_, *scene_, factor_, *source, "", wish).count() : 0;
+}
+
+std::vector<std::string> Mapper::written(const Wish& wish) const {
+    const scene::Source* source = sourceOf(wish.element);
+    return source ? Edit(text_, structure_, *scene_, factor_, *source, "", wish).written()
+                  : std::vector<std::string>(wish.values.size());
 }
 
 } // namespace editing

@@ -9,6 +9,7 @@
 // Reference: dissertation 4.2.2; docs/scene-language.md.
 #pragma once
 
+#include "editing/element.h"
 #include "editing/text_edit.h"
 
 #include "scene/scene.h"
@@ -22,26 +23,6 @@
 
 namespace editing {
 
-enum class Kind {
-    simulator,
-    shapeSet,
-    body,
-    force,
-    link,
-    trajectory,
-    constraint,
-    light,
-    view,
-    parameter,
-    plot
-};
-
-// An element by its kind and its place in the scene's list of that kind.
-struct Element {
-    Kind kind = Kind::body;
-    std::size_t index = 0;
-};
-
 // New numbers for one option of an element.
 struct Wish {
     Element element;
@@ -51,6 +32,9 @@ struct Wish {
     double resolution = 0; // differences below half of it are none; 0: exact
     // What stands when the option does not; a wish for just that changes nothing then.
     std::vector<double> absent = {};
+    // The values as they are, where they are known: what is not to change may be computed, and a
+    // number that the text gives otherwise is not the one that is meant.
+    std::vector<double> now = {};
 };
 
 // A change that is possible, but only if the author wants it.
@@ -64,6 +48,7 @@ struct Answer {
     std::string reason;          // why the text cannot be changed so: one sentence
     scene::Range cause;          // what is meant by it, where it has a place
     std::vector<Offer> offers;
+    std::vector<scene::Range> kept; // numbers of the wish that are to stay as they stand
     [[nodiscard]] bool possible() const { return reason.empty(); }
 };
 
@@ -76,6 +61,14 @@ public:
     Mapper(std::string text, std::shared_ptr<const scene::Scene> scene, Factor factor = {});
 
     [[nodiscard]] Answer answer(const Wish& wish) const;
+    // Several at once, of one element (-x -y -z): all of them, or none.
+    [[nodiscard]] Answer answer(const std::vector<Wish>& wishes) const;
+    // How many numbers the option has in the text, where it is a list written out; 0: none, or
+    // computed.
+    [[nodiscard]] std::size_t count(const Wish& wish) const;
+    // What stands in the text for each number of the wish ("$h", "-10 * b1.mass"); "" where the
+    // option does not stand.
+    [[nodiscard]] std::vector<std::string> written(const Wish& wish) const;
     [[nodiscard]] const scene::Source* sourceOf(const Element& element) const;
     [[nodiscard]] std::string
     nameOf(const Element& element) const; // "body \"b1\"", "the force of line 7"

@@ -1,6 +1,7 @@
 #include "render/handles.h"
 
-#include "render/extent.h"
+#include "expression/parse.h"
+#include "scene/names.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +9,77 @@
 namespace render {
 
 scene::Color colorOf(HandleKind kind) {
-    return kind == HandleKind::position ? scene::Color{0.95, 0.55, 0.05}
-                                        : scene::Color{0.10, 0.60, 0.25};
+    switch (kind) {
+    case HandleKind::position:
+        return {0.95, 0.55, 0.05};
+    case HandleKind::orientation:
+        return {0.95, 0.80, 0.15};
+    case HandleKind::velocity:
+        return {0.10, 0.60, 0.25};
+    case HandleKind::spin:
+        return {0.10, 0.65, 0.65};
+    case HandleKind::forceBase:
+    case HandleKind::forceHead:
+        return {0.85, 0.15, 0.15};
+    case HandleKind::torqueBase:
+    case HandleKind::torqueHead:
+        return {0.75, 0.15, 0.60};
+    case HandleKind::linkEnd:
+        return {0.15, 0.35, 0.85};
+    case HandleKind::lightPlace:
+    case HandleKind::lightDirection:
+        return {0.98, 0.90, 0.35};
+    case HandleKind::trajectoryPoint:
+        break;
+    }
+    return {0.50, 0.30, 0.80};
 }
 
-double radiusOf(HandleKind kind) { return kind == HandleKind::position ? 6.5 : 4; }
+double radiusOf(HandleKind kind) {
+    switch (kind) {
+    case HandleKind::position:
+        return 6.5;
+    case HandleKind::linkEnd:
+    case HandleKind::lightPlace:
+    case HandleKind::trajectoryPoint:
+        return 5;
+    default:
+        return 4;
+    }
+}
+
+bool shows(const Display& display, HandleKind kind) {
+    switch (kind) {
+    case HandleKind::position:
+        return display.positionHandles;
+    case HandleKind::orientation:
+        return display.orientationHandles;
+    case HandleKind::velocity:
+        return display.velocityHandles;
+    case HandleKind::spin:
+        return display.spinHandles;
+    case HandleKind::forceBase:
+    case HandleKind::forceHead:
+        return display.forceHandles;
+    case HandleKind::torqueBase:
+    case HandleKind::torqueHead:
+        return display.torqueHandles;
+    case HandleKind::linkEnd:
+        return display.linkHandles;
+    case HandleKind::lightPlace:
+    case HandleKind::lightDirection:
+        return display.lightHandles;
+    case HandleKind::trajectoryPoint:
+        break;
+    }
+    return display.trajectories;
+}
+
+bool showsHandles(const Display& display) {
+    return display.positionHandles || display.orientationHandles || display.velocityHandles ||
+           display.spinHandles || display.forceHandles || display.torqueHandles ||
+           display.linkHandles || display.lightHandles || display.trajectories;
+}
 
 double velocityTime(const scene::Scene& scene, double sceneSize) {
     double fastest = 0;
@@ -25,26 +92,46 @@ double velocityTime(const scene::Scene& scene, double sceneSize) {
     return time;
 }
 
-std::vector<Handle> handlesOf(const Drawing& drawing, double sceneSize) {
-    std::vector<Handle> handles;
-    const scene::Scene& scene = *drawing.scene;
-    const double time = velocityTime(scene, sceneSize);
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        const scene::Body& body = scene.bodies[i];
-        if (body.fixed)
-            continue;
-        const Vector reference = body.initialPosition;
-        if (drawing.display.positionHandles)
-            handles.push_back({HandleKind::position, i, reference, reference});
-        if (drawing.display.velocityHandles) {
-            const bool known = drawing.motion != nullptr && i < drawing.motion->bodies();
-            const Vector center =
-                known ? reference + body.initialAttitude * drawing.motion->centroid(i) : reference;
-            handles.push_back(
-                {HandleKind::velocity, i, center, center + time * body.initialVelocity});
+std::optional<double> constantValue(const scene::Scene& scene, const simulation::Motion* motion,
+                                    const std::string& text) {
+    const scene::Names names(scene);
+    const auto meaning = [&](expression::Graph& graph, std::string_view name,
+                             std::span<const expression::Node> arguments,
+                             bool isCall) -> expression::Meaning {
+        const auto what = names.find(name, isCall ? std::optional(arguments.size()) : std::nullopt,
+                                     scene::Reading::state);
+        if (const auto* parameter = std::get_if<scene::ParameterName>(&what))
+            return {graph.constant(scene.parameters[parameter->parameter].value), "", ""};
+        if (const auto* body = std::get_if<scene::BodyName>(&what);
+            body && body->quantity == scene::BodyQuantity::mass) {
+            const auto& given = scene.bodies[body->body].mass;
+            if (given || (motion && body->body < motion->bodies()))
+                return {graph.constant(given ? *given : motion->mass(body->body)), "", ""};
+        }
+        return {std::nullopt, "it changes", ""};
+    };
+    expression::Graph graph;
+    const auto parsed = expression::parse(graph, text, meaning);
+    const auto* node = std::get_if<expression::Node>(&parsed);
+    if (!node || graph.op(*node) != expression::Op::constant || !std::isfinite(graph.value(*node)))
+        return std::nullopt;
+    return graph.value(*node);
+}
+
+std::vector<Vector> pathOf(const scene::Trajectory& trajectory) {
+    std::vector<Vector> path;
+    for (const scene::BezierCurve& curve : trajectory.curves) {
+        const int parts = curve.control.size() < 3 ? 1 : 24;
+        for (int i = 0; i <= parts && !curve.control.empty(); ++i) {
+            std::vector<Vector> points = curve.control; // de Casteljau
+            const double s = static_cast<double>(i) / parts;
+            for (std::size_t n = points.size() - 1; n > 0; --n)
+                for (std::size_t j = 0; j < n; ++j)
+                    points[j] = (1 - s) * points[j] + s * points[j + 1];
+            path.push_back(points.front());
         }
     }
-    return handles;
+    return path;
 }
 
 } // namespace render

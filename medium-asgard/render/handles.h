@@ -1,23 +1,61 @@
-// What a graphical viewer lets one take hold of: places and velocities at the start of the motion.
+// What a graphical viewer lets one take hold of.
 //
 // A handle is a small ball of constant size on screen, its colour says of what kind it is
-// (dissertation 4.1.3). A velocity's ball stands at the head of an arrow from the body's centre of
-// mass, as far away as the body would get in `velocityTime`.
+// (dissertation 4.1.3). Some stand at the head of an arrow: a velocity's, an angular velocity's, a
+// force's, a torque's, a light's direction. What bodies start with is drawn where they start; what
+// acts on them, where they are now. A force that changes on its own is drawn at its value now and
+// has no handle (4.1.5).
 #pragma once
 
+#include "render/extent.h"
 #include "render/renderer.h"
+#include "simulation/simulation.h"
 
+#include <array>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace render {
 
-enum class HandleKind : std::uint8_t { position, velocity };
+enum class HandleKind : std::uint8_t {
+    position,
+    orientation, // on the body's x axis (part 0) or its y axis (1)
+    velocity,
+    spin, // angular velocity
+    forceBase,
+    forceHead,
+    torqueBase,
+    torqueHead,
+    linkEnd, // part: 0 or 1
+    lightPlace,
+    lightDirection,
+    trajectoryPoint, // part: which of -points, or of all control points of -bezier
+};
 
 struct Handle {
     HandleKind kind = HandleKind::position;
-    std::size_t body = 0;
-    Vector base;  // world: foot of the arrow; the same as `place` for positions
-    Vector place; // world
+    std::size_t element = 0; // in the scene's list of what it belongs to
+    std::size_t part = 0;
+    Vector base = Vector::Zero();  // world: foot of the arrow; the same as `place` for mere places
+    Vector place = Vector::Zero(); // world
+    double perUnit = 1;            // length of the arrow for a value of 1
+    geometry::Pose frame = {};     // in which the text gives places and directions
+    bool movable = true;           // false: only shown
+    std::string label = {};        // what stands beside it
+    [[nodiscard]] bool isArrow() const { return base != place; }
+};
+
+// A line that belongs to handles: a link, a trajectory.
+struct HandleLine {
+    HandleKind kind = HandleKind::linkEnd;
+    std::size_t element = 0;
+    std::vector<Vector> points;
+};
+
+struct HandleSet {
+    std::vector<Handle> handles;
+    std::vector<HandleLine> lines;
 };
 
 // Pixels, in a picture 480 high. A velocity of zero lies on its body's position, smaller.
@@ -25,11 +63,55 @@ struct Handle {
 
 [[nodiscard]] scene::Color colorOf(HandleKind kind);
 
+// Whether the display shows handles of that kind; of any.
+[[nodiscard]] bool shows(const Display& display, HandleKind kind);
+[[nodiscard]] bool showsHandles(const Display& display);
+
 // The time in which a velocity's arrow is covered: 1, or the power of ten that keeps the longest
 // arrow shorter than the scene.
 [[nodiscard]] double velocityTime(const scene::Scene& scene, double sceneSize);
 
-// Handles of the kinds that the display shows, of bodies that are not fixed.
-[[nodiscard]] std::vector<Handle> handlesOf(const Drawing& drawing, double sceneSize);
+// The value of an expression of numbers, parameters and masses; none: it changes, or is not known.
+[[nodiscard]] std::optional<double> constantValue(const scene::Scene& scene,
+                                                  const simulation::Motion* motion,
+                                                  const std::string& expression);
+
+// A trajectory as a line, fine enough to be drawn.
+[[nodiscard]] std::vector<Vector> pathOf(const scene::Trajectory& trajectory);
+
+// Prepared once for a scene and a motion; then at() is cheap enough for each picture.
+class Handles {
+public:
+    // Keeps both; the scene must live as long.
+    Handles(const scene::Scene& scene, simulation::MotionPointer motion);
+
+    // Of the kinds that the display shows; bodies that are fixed have no velocities.
+    [[nodiscard]] HandleSet at(double time, const Display& display);
+
+private:
+    using Values = std::optional<std::array<double, 3>>;
+    void addBody(HandleSet& set, std::size_t index, const Display& display) const;
+    void addForces(HandleSet& set, double time, const Display& display);
+    void addLinks(HandleSet& set, double time);
+    void addLights(HandleSet& set) const;
+    void addTrajectories(HandleSet& set) const;
+    void setScales();
+    [[nodiscard]] double massOf(std::size_t body) const;
+    [[nodiscard]] std::size_t indexOf(const std::string& body) const;
+    [[nodiscard]] Vector pointOn(std::size_t body, const std::optional<Vector>& offset,
+                                 const geometry::Pose& pose) const;
+    // Of three expressions, or of a trajectory: by what they are now.
+    [[nodiscard]] std::optional<Vector> constant(const std::array<std::string, 3>& texts) const;
+    [[nodiscard]] std::optional<Vector> now(const std::array<std::string, 3>& texts, double time);
+
+    const scene::Scene& scene_;
+    simulation::MotionPointer motion_;
+    Extent extent_;
+    double velocityScale_ = 1, spinScale_ = 1, forceScale_ = 1, torqueScale_ = 1;
+    // The expressions of forces and links that change, in the order in which they are asked for.
+    std::vector<std::string> changing_;
+    std::optional<simulation::Quantities> quantities_;
+    bool prepared_ = false;
+};
 
 } // namespace render

@@ -118,28 +118,37 @@ void Renderer::Implementation::paintGround(std::span<const Solid> opaque, const 
 void Renderer::Implementation::paintHandles(const Drawing& drawing, const Frame& frame,
                                             const float* projection) {
     static const scene::Part ball{scene::SphereShape{1}, Vector::Zero(), Vector::Zero(), {}};
-    const std::vector<Handle> handles = handlesOf(drawing, extent.size);
+    const HandleSet made =
+        drawing.handles ? HandleSet{}
+                        : Handles(*drawing.scene, drawing.motion).at(drawing.time, drawing.display);
+    const HandleSet& set = drawing.handles ? *drawing.handles : made;
+    const auto inkOf = [&](HandleKind kind, double width) {
+        const scene::Color c = colorOf(kind);
+        return Ink{0.8F * Eigen::Vector3d(c.red, c.green, c.blue).cast<float>(), 0.9F,
+                   frame.stroke(width)};
+    };
     gl.Clear(GL_DEPTH_BUFFER_BIT);
-    for (const Handle& handle : handles)
-        if (handle.base != handle.place) {
-            const scene::Color c = colorOf(handle.kind);
+    for (const HandleLine& line : set.lines)
+        for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
+            lines->add(frame.toView(line.points[i]), frame.toView(line.points[i + 1]),
+                       inkOf(line.kind, 1.5));
+    for (const Handle& handle : set.handles)
+        if (handle.isArrow())
             addArrow(*lines, frame, handle.base, handle.place,
-                     {0.8F * Eigen::Vector3d(c.red, c.green, c.blue).cast<float>(), 0.9F,
-                      frame.stroke(2)});
-        }
+                     inkOf(handle.kind, handle.kind == HandleKind::orientation ? 1.2 : 2));
     lines->draw(projection, frame.halfSize(), 0);
-    for (HandleKind kind : {HandleKind::position, HandleKind::velocity}) {
+    for (int kind = 0; kind <= static_cast<int>(HandleKind::trajectoryPoint); ++kind) {
         gl.Clear(GL_DEPTH_BUFFER_BIT); // nothing hides a handle but one of its own kind
         std::vector<Solid> balls;
-        for (const Handle& handle : handles) {
-            if (handle.kind != kind)
+        for (const Handle& handle : set.handles) {
+            if (handle.kind != static_cast<HandleKind>(kind) || !handle.movable)
                 continue;
-            const scene::Color c = colorOf(kind);
+            const scene::Color c = colorOf(handle.kind);
             Solid solid;
             solid.part = &ball;
             solid.place = solid.middle = frame.toView(handle.place);
-            solid.radius =
-                frame.stroke(radiusOf(kind)) / std::max(frame.pixels(1, solid.place.z()), 1e-12);
+            solid.radius = frame.stroke(radiusOf(handle.kind)) /
+                           std::max(frame.pixels(1, solid.place.z()), 1e-12);
             solid.linear = solid.radius * Eigen::Matrix3d::Identity();
             solid.color = Eigen::Vector3d(c.red, c.green, c.blue).cast<float>();
             solid.shininess = 0.5F;
@@ -190,7 +199,7 @@ void Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame)
             lines->draw(projection.data(), frame.halfSize(), lift);
         }
     gl.DepthMask(GL_TRUE);
-    if (display.positionHandles || display.velocityHandles)
+    if (showsHandles(display))
         paintHandles(drawing, frame, projection.data());
     gl.Disable(GL_BLEND);
 }

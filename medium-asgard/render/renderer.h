@@ -19,11 +19,21 @@ struct Display {
     bool axes = false;
     bool grid = true;   // ground grid
     bool trails = true; // paths of the centres of mass up to now
+    // Handles, by what they move.
     bool positionHandles = false;
+    bool orientationHandles = false;
     bool velocityHandles = false;
+    bool spinHandles = false; // angular velocities
+    bool forceHandles = false;
+    bool torqueHandles = false;
+    bool linkHandles = false;
+    bool lightHandles = false;
+    bool trajectories = false; // their paths and points
     scene::Color background{1, 1, 1};
     int samples = 4; // multisampling; clamped to what there is; 1 while it moves fast
 };
+
+struct HandleSet;
 
 struct Drawing {
     const scene::Scene* scene = nullptr;
@@ -31,6 +41,8 @@ struct Drawing {
     double time = 0;
     Camera camera;
     Display display;
+    // The handles that the display shows, where they are prepared already; none: they are made.
+    std::shared_ptr<const HandleSet> handles = nullptr;
 };
 
 // Pixels B, G, R, X, top row first.

@@ -261,8 +261,66 @@ TEST_F(RendererTest, HandlesLieOnTopAndShowTheVelocity) {
     };
     EXPECT_TRUE(orange(160, 120));
     EXPECT_GT(picture.green(160 + 108, 120), picture.red(160 + 108, 120) + 20);
-    scene_.bodies[0].fixed = true;
-    EXPECT_TRUE(isBlue(draw(), 160, 120));
+    scene_.bodies[0].fixed = true; // then it has a place to be moved to, and no velocity
+    const Picture fixed = draw();
+    EXPECT_TRUE(fixed.red(160, 120) > fixed.blue(160, 120) + 60);
+    EXPECT_LE(fixed.green(160 + 108, 120), fixed.red(160 + 108, 120) + 20);
+}
+
+// A body of mass 2 under its weight, a push that never changes and one that does.
+TEST(Handles, ForcesHaveHandlesUnlessTheyChangeOnTheirOwn) {
+    scene::Scene scene;
+    addBody(scene, sphere(1), {3, 0, 0}, red).mass = 2;
+    const std::string body = scene.bodies[0].name;
+    scene.forces.push_back({body, false, std::nullopt, scene::GravitationalForce{{0, -10, 0}}, {}});
+    scene.forces.push_back({body,
+                            false,
+                            Vector(0, 1, 0),
+                            scene::ComponentForce{{"5", "-10 * " + body + ".mass", "0"}},
+                            {}});
+    scene.forces.push_back(
+        {body, true, std::nullopt, scene::ComponentForce{{"0", "0", "1+t"}}, {}});
+    Display display;
+    display.forceHandles = display.torqueHandles = true;
+    const auto motion = simulation::simulate(scene).motion;
+    ASSERT_NE(motion, nullptr);
+    const HandleSet set = Handles(scene, motion).at(0, display);
+    ASSERT_EQ(set.handles.size(), 6U);
+    const auto value = [&](std::size_t i) -> Vector {
+        return (set.handles[i].place - set.handles[i].base) / set.handles[i].perUnit;
+    };
+    EXPECT_LT((value(1) - Vector(0, -10, 0)).norm(), 1e-12); // an acceleration
+    EXPECT_LT((value(3) - Vector(5, -20, 0)).norm(), 1e-12);
+    EXPECT_LT((set.handles[2].place - Vector(3, 1, 0)).norm(), 1e-12);
+    EXPECT_TRUE(set.handles[3].movable);
+    EXPECT_LT((value(5) - Vector(0, 0, 1)).norm(), 1e-9); // as it is now
+    const HandleSet later = Handles(scene, motion).at(2, display);
+    EXPECT_NEAR((later.handles[5].place - later.handles[5].base).z() / later.handles[5].perUnit, 3,
+                1e-9);
+    EXPECT_FALSE(set.handles[5].movable);
+}
+
+TEST(Handles, LinksAndTrajectoriesAreLinesWithTheirEnds) {
+    scene::Scene scene;
+    addBody(scene, sphere(1), {3, 0, 0}, red);
+    scene::Link link;
+    link.first = {scene.bodies[0].name, Vector(-1, 0, 0)};
+    link.second = scene::PointEnd{{"0", "1 - 1", "2"}};
+    link.tightness = 1;
+    scene.links.push_back(link);
+    scene::Trajectory path;
+    path.points = {{0, Vector(0, 0, 0)}, {0.5, Vector(1, 0, 0)}};
+    path.curves = {{0, 0.5, {Vector(0, 0, 0), Vector(0.5, 0, 0), Vector(1, 0, 0)}}};
+    scene.trajectories.push_back(path);
+    Display display;
+    display.linkHandles = display.trajectories = true;
+    const HandleSet set = Handles(scene, nullptr).at(0, display);
+    ASSERT_EQ(set.handles.size(), 4U);
+    EXPECT_EQ(set.handles[0].place, Vector(2, 0, 0));
+    EXPECT_EQ(set.handles[1].place, Vector(0, 0, 2));
+    EXPECT_EQ(set.handles[3].label, "0.5 s");
+    ASSERT_EQ(set.lines.size(), 2U);
+    EXPECT_EQ(set.lines[1].points.back(), Vector(1, 0, 0));
 }
 
 TEST(Handles, ArrowsOfFastBodiesAreScaledByAPowerOfTen) {

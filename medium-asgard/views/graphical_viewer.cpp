@@ -5,6 +5,8 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 namespace views {
@@ -36,7 +38,14 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document,
     inFrame->addWidget(display_);
     panel_ = new StatusPanel(document_, playback_, display_->display());
     row->addWidget(frame, 1);
-    row->addWidget(panel_);
+    auto* scroll = new QScrollArea; // a low window has room for the picture
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(panel_);
+    scroll->setFixedWidth(panel_->width() + scroll->verticalScrollBar()->sizeHint().width());
+    scroll->setFocusPolicy(Qt::NoFocus);
+    row->addWidget(scroll);
     column->addLayout(row, 1);
     timeBar_ = new TimeBar;
     buildTimeControls(column);

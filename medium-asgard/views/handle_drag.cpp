@@ -1,6 +1,6 @@
 #include "views/handle_drag.h"
 
-#include "render/extent.h"
+#include "views/handle_meaning.h"
 
 #include <cmath>
 
@@ -8,129 +8,141 @@ namespace views {
 
 using geometry::Vector;
 
-namespace {
-
-double depthOf(const render::Camera& camera, const Vector& world) {
-    return (camera.rotation * (world - camera.center)).z() * camera.scale + camera.position.z();
-}
-
-// The largest power of ten that is not above: what a gesture of that length writes.
-double roundStep(double length) { return std::pow(10, std::floor(std::log10(length))); }
-
-QString listed(const std::vector<double>& values, double resolution) {
-    QString text;
-    for (const double value : values)
-        text += ' ' +
-                QString::number(value, 'f',
-                                std::clamp(static_cast<int>(-std::log10(resolution) + 0.5), 0, 9));
-    return text;
-}
-
-} // namespace
-
-std::unique_ptr<HandleDrag> HandleDrag::at(SceneDocument& document, const render::Drawing& drawing,
-                                           render::Size size, const Eigen::Vector2d& pixels,
-                                           double reach) {
-    if (!document.sceneIsCurrent())
-        return nullptr;
-    const double sceneSize = render::extentOf(*drawing.scene, drawing.motion.get()).size;
-    std::optional<render::Handle> nearest;
-    Eigen::Vector2d there = Eigen::Vector2d::Zero();
-    for (const render::Handle& handle : render::handlesOf(drawing, sceneSize)) {
-        const Eigen::Vector2d at = render::toPixels(drawing.camera, size, handle.place);
-        // Of two in one place the velocity's: it is drawn smaller, on top.
-        if (const double distance = (at - pixels).norm(); distance <= reach) {
-            reach = distance;
-            nearest = handle;
-            there = at;
-        }
-    }
-    if (!nearest)
-        return nullptr;
-    auto drag =
-        std::unique_ptr<HandleDrag>(new HandleDrag(document, drawing, size, *nearest, sceneSize));
-    drag->grip_ = there - pixels;
-    drag->pointer_ = pixels;
-    drag->answer_ = drag->mapper_.answer(drag->wish());
-    return drag;
-}
-
-HandleDrag::HandleDrag(SceneDocument& document, const render::Drawing& drawing, render::Size size,
-                       const render::Handle& handle, double sceneSize)
+HandleDrag::HandleDrag(SceneDocument& document, const Sight& sight, const render::Handle& handle,
+                       const std::optional<Eigen::Vector2d>& pixels)
     : document_(document), text_(document.text()), scene_(document.shown().scene),
-      mapper_(text_, scene_), camera_(drawing.camera), size_(size), handle_(handle),
-      velocityTime_(render::velocityTime(*drawing.scene, sceneSize)), pixelLength_(1),
-      depth_(depthOf(camera_, handle.place)) {
-    const Eigen::Vector2d here = render::toPixels(camera_, size_, handle_.place);
-    pixelLength_ = (render::toWorld(camera_, size_, here + Eigen::Vector2d(1, 0), depth_) -
-                    render::toWorld(camera_, size_, here, depth_))
-                       .norm();
+      motion_(document.shown().motion),
+      mapper_(text_, scene_,
+              [this](const std::string& name) {
+                  return render::constantValue(*scene_, motion_.get(), name);
+              }),
+      sight_(sight), handle_(handle), pixelLength_(sight.pixelLength(handle.place)),
+      place_(handle.place), plane_(handle.place), held_(sight.pixels(handle.place)),
+      grip_(Eigen::Vector2d::Zero()) {
+    if (pixels) {
+        grip_ = held_ - *pixels;
+        held_ = *pixels;
+    }
+    if (handle_.kind == render::HandleKind::orientation) {
+        auto wish = wishes().front();
+        wish.path.clear();
+        quaternion_ = mapper_.count(wish) == 4;
+    }
+    if (handle_.kind == render::HandleKind::linkEnd) {
+        const scene::Link& link = scene_->links[handle_.element];
+        const auto* second = std::get_if<scene::BodyEnd>(&link.second);
+        const std::string body = handle_.part == 0 ? link.first.body : second ? second->body : "";
+        surface_ = shapeOf(*scene_, body);
+        // One that does not lie on the surface is not drawn to it.
+        follows_ = isOnSurface(handle_.place);
+    }
+    // Why it cannot be moved is told before it is.
+    auto asked = wishes();
+    for (editing::Wish& wish : asked)
+        wish.now.clear();
+    answer_ = mapper_.answer(asked);
+    answer_.edits.clear();
 }
 
-Vector HandleDrag::place() const {
-    return pointer_ ? render::toWorld(camera_, size_, *pointer_ + grip_, depth_) : handle_.place;
+bool HandleDrag::isOnSurface(const Vector& place) const {
+    if (!surface_)
+        return false;
+    const double near = 2 * pixelLength_;
+    const Line sight = lineOfSight(sight_, sight_.pixels(place));
+    const auto hit =
+        geometry::castRay(*surface_, handle_.frame.toLocal(place - near * sight.direction),
+                          handle_.frame.attitude.conjugate() * sight.direction);
+    return hit && hit->distance <= 2 * near;
 }
 
-editing::Wish HandleDrag::wish() const {
-    const scene::Body& body = scene_->bodies[handle_.body];
-    const bool moves = handle_.kind == render::HandleKind::position;
-    const Vector start =
-        render::toWorld(camera_, size_, render::toPixels(camera_, size_, handle_.place),
-                        depthOf(camera_, handle_.place));
-    const Vector delta = place() - start;
-    const Vector value = moves ? Vector(body.initialPosition + delta)
-                               : Vector(body.initialVelocity + delta / velocityTime_);
-    editing::Wish wish;
-    wish.element = {editing::Kind::body, handle_.body};
-    wish.option = moves ? "-init_pos" : "-init_dpos";
-    wish.values = {value.x(), value.y(), value.z()};
-    wish.resolution = roundStep(pixelLength_ / (moves ? 1 : velocityTime_));
-    wish.absent = {0, 0, 0};
-    return wish;
+// Of the two places of the body's sphere under the pointer the one on the handle's side; beside
+// the sphere, its rim.
+Vector HandleDrag::onSphere() const {
+    const Line sight = lineOfSight(sight_, held_ + grip_);
+    const Vector middle = handle_.base;
+    const double radius = (handle_.place - middle).norm();
+    const double along = (middle - sight.from).dot(sight.direction);
+    const Vector nearest = sight.from + along * sight.direction;
+    const double away = (nearest - middle).norm();
+    if (away >= radius)
+        return middle + radius / away * (nearest - middle);
+    const double half = std::sqrt(radius * radius - away * away);
+    const bool behind = (handle_.place - middle).dot(sight.direction) > 1e-9 * radius;
+    return nearest + (behind ? half : -half) * sight.direction;
+}
+
+std::optional<Vector> HandleDrag::onSurface() const {
+    const Line sight = lineOfSight(sight_, held_ + grip_);
+    const auto hit = geometry::castRay(*surface_, handle_.frame.toLocal(sight.from),
+                                       handle_.frame.attitude.conjugate() * sight.direction);
+    return hit ? std::optional(handle_.frame.toWorld(hit->point)) : std::nullopt;
+}
+
+Vector HandleDrag::wanted() const {
+    if (handle_.kind == render::HandleKind::orientation)
+        return onSphere();
+    if (follows_ && !free_) // beside the body it waits where it was
+        return onSurface().value_or(place_);
+    return sight_.beside(held_ + grip_, plane_);
+}
+
+std::vector<editing::Wish> HandleDrag::wishes() const {
+    return wishesFor(*scene_, handle_, place_, pixelLength_, quaternion_);
 }
 
 void HandleDrag::update() {
-    answer_ = mapper_.answer(wish());
+    moved_ = true;
+    const bool followed = follows_ && !free_;
+    place_ = wanted();
+    if (followed)
+        plane_ = place_; // freed, it goes on from here
+    else if (surface_ && !free_)
+        follows_ = isOnSurface(place_);
+    answer_ = mapper_.answer(wishes());
     if (answer_.possible())
         document_.preview(editing::applied(text_, answer_.edits));
 }
 
 void HandleDrag::move(const Eigen::Vector2d& pixels) {
-    pointer_ = pixels;
+    if (pixels == held_)
+        return;
+    held_ = pixels;
+    update();
+}
+
+void HandleDrag::nudge(const Eigen::Vector2d& byPixels) {
+    held_ += byPixels;
     update();
 }
 
 void HandleDrag::push(double pixels) {
-    depth_ -= pixels * pixelLength_ * camera_.scale;
+    plane_ += pixels * pixelLength_ * lineOfSight(sight_, held_ + grip_).direction;
+    // The handle stays under the pointer.
+    if (follows_)
+        follows_ = false;
     update();
 }
 
+void HandleDrag::setFree(bool free) {
+    free_ = free;
+    if (!free && surface_)
+        follows_ = isOnSurface(place_);
+}
+
 void HandleDrag::finish() {
-    document_.finishPreview(answer_.possible() ? editing::applied(text_, answer_.edits) : text_,
-                            label());
+    document_.finishPreview(
+        answer_.possible() && moved_ ? editing::applied(text_, answer_.edits) : text_, label());
 }
 
 void HandleDrag::cancel() { document_.finishPreview(text_, {}); }
 
-std::string HandleDrag::textWith(const editing::Offer& offer) const {
-    return editing::applied(text_, offer.edits);
-}
-
-QString HandleDrag::label() const {
-    const QString name = QString::fromStdString(scene_->bodies[handle_.body].name);
-    return handle_.kind == render::HandleKind::position
-               ? QObject::tr("Move %1").arg(name)
-               : QObject::tr("Change the velocity of %1").arg(name);
-}
+QString HandleDrag::label() const { return labelOf(*scene_, handle_); }
 
 QString HandleDrag::words() const {
     if (!answer_.possible())
         return QString::fromStdString(answer_.reason);
-    const editing::Wish wanted = wish();
-    const QString name = QString::fromStdString(scene_->bodies[handle_.body].name);
-    return (handle_.kind == render::HandleKind::position ? QObject::tr("%1: position%2")
-                                                         : QObject::tr("%1: velocity%2"))
-        .arg(name, listed(wanted.values, wanted.resolution));
+    return QObject::tr("%1: %2 %3")
+        .arg(subjectOf(*scene_, handle_), quantityOf(*scene_, handle_), valuesOf(wishes()));
 }
 
 } // namespace views

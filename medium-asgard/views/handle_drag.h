@@ -1,13 +1,15 @@
-// One handle that the pointer drags: the text follows, and with it everything else (dissertation
-// 4.1.3, 4.2.2).
+// One handle that the pointer or the keys drag: the text follows, and with it everything else
+// (dissertation 4.1.3, 4.2.2).
 //
-// The handle moves in the plane of the screen; push() moves it along the line of sight. Each place
-// is a wish that editing/ answers with a change of the text as it was when the drag began, so that
-// a drag is one step of undo however long it was. What cannot be changed says why.
+// The handle moves in the plane of the screen; push() moves it along the line of sight. An
+// orientation's moves on a sphere about its body, the end of a link on the body's surface
+// (Figure 4.5) until it is freed. Each place is a wish that editing/ answers with a change of the
+// text as it was when the drag began, so that a drag is one step of undo however long it was. What
+// cannot be changed says why.
 #pragma once
 
 #include "editing/value_edit.h"
-#include "render/handles.h"
+#include "views/picking.h"
 #include "views/scene_document.h"
 
 #include <memory>
@@ -17,43 +19,48 @@ namespace views {
 
 class HandleDrag {
 public:
-    // The handle nearest to the pixels, within `reach` of them; none: there is none, or the text
-    // is not the one that the picture shows.
-    [[nodiscard]] static std::unique_ptr<HandleDrag>
-    at(SceneDocument& document, const render::Drawing& drawing, render::Size size,
-       const Eigen::Vector2d& pixels, double reach);
+    // `pixels`: where it is held; none: by the keys, at its middle. `motion` tells masses.
+    HandleDrag(SceneDocument& document, const Sight& sight, const render::Handle& handle,
+               const std::optional<Eigen::Vector2d>& pixels);
 
     void move(const Eigen::Vector2d& pixels);
+    void nudge(const Eigen::Vector2d& byPixels);
     void push(double pixels); // away from the viewer, as far as so many pixels across
+    void setFree(bool free);  // does not follow the surface
     void finish();            // the change becomes a step of undo
     void cancel();            // the text is as it was
 
-    [[nodiscard]] geometry::Vector place() const;
+    [[nodiscard]] const render::Handle& handle() const { return handle_; }
+    [[nodiscard]] const geometry::Vector& place() const { return place_; }
     [[nodiscard]] const editing::Answer& answer() const { return answer_; }
     // "b1: position -4.37 0 2", or why it stays where it is.
     [[nodiscard]] QString words() const;
-    // What an offer of the answer would make of the text.
-    [[nodiscard]] std::string textWith(const editing::Offer& offer) const;
-    [[nodiscard]] QString label() const; // "Move b1"
+    [[nodiscard]] const std::string& text() const { return text_; } // when the drag began
+    [[nodiscard]] QString label() const;                            // "Move b1"
+    [[nodiscard]] bool moved() const { return moved_; }
 
 private:
-    HandleDrag(SceneDocument& document, const render::Drawing& drawing, render::Size size,
-               const render::Handle& handle, double sceneSize);
-    [[nodiscard]] editing::Wish wish() const;
+    [[nodiscard]] std::vector<editing::Wish> wishes() const;
+    [[nodiscard]] geometry::Vector wanted() const;
+    [[nodiscard]] geometry::Vector onSphere() const;
+    [[nodiscard]] std::optional<geometry::Vector> onSurface() const;
+    [[nodiscard]] bool isOnSurface(const geometry::Vector& place) const;
     void update();
 
     SceneDocument& document_;
-    std::string text_; // when the drag began
+    std::string text_;
     std::shared_ptr<const scene::Scene> scene_;
+    simulation::MotionPointer motion_;
     editing::Mapper mapper_;
-    render::Camera camera_;
-    render::Size size_;
+    Sight sight_;
     render::Handle handle_;
-    double velocityTime_;
-    double pixelLength_; // of the world, at the handle
-    Eigen::Vector2d grip_ = Eigen::Vector2d::Zero();
-    double depth_ = 0; // view units
-    std::optional<Eigen::Vector2d> pointer_;
+    bool quaternion_ = false;
+    double pixelLength_;             // of the world, at the handle
+    geometry::Vector place_, plane_; // plane_: a point of the screen's plane that it moves in
+    Eigen::Vector2d held_, grip_;    // pixels: of the pointer, and from it to the handle
+    bool moved_ = false;
+    std::optional<geometry::Shape> surface_;
+    bool follows_ = false, free_ = false;
     editing::Answer answer_;
 };
 

@@ -1,10 +1,8 @@
 #include "views/scene_display.h"
 
 #include "render/framing.h"
-#include "render/handles.h"
 
 #include <QKeyEvent>
-#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
@@ -37,7 +35,7 @@ std::optional<Button> buttonOf(Qt::MouseButton button) {
 SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<render::Renderer> renderer,
                            QString reason, QWidget* parent)
     : QWidget(parent), document_(document), renderer_(std::move(renderer)),
-      reason_(std::move(reason)) {
+      reason_(std::move(reason)), editing_(document, *this) {
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMouseTracking(false);
@@ -49,6 +47,10 @@ SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<render::Rend
     connect(&settle_, &QTimer::timeout, this, [this] { redraw(false); });
     connect(&document_, &SceneDocument::sceneChanged, this, &SceneDisplay::sceneChanged);
     connect(&document_, &SceneDocument::motionChanged, this, &SceneDisplay::motionChanged);
+    connect(&editing_, &PictureEditing::changed, this, [this] {
+        Q_EMIT handleDragged();
+        update();
+    });
     sceneChanged();
 }
 
@@ -62,8 +64,14 @@ Eigen::Vector2d SceneDisplay::inPixels(const QPointF& position) const {
     return Eigen::Vector2d(position.x(), position.y()) * devicePixelRatioF();
 }
 
+QPointF SceneDisplay::fromPixels(const Eigen::Vector2d& pixels) const {
+    return QPointF(pixels.x(), pixels.y()) / devicePixelRatioF();
+}
+
 void SceneDisplay::redraw(bool moving) {
     moving_ = moving;
+    if (prepared_)
+        prepared_->set.reset();
     imageIsOld_ = true;
     if (moving)
         settle_.start();
@@ -173,6 +181,21 @@ render::Drawing SceneDisplay::drawing() const {
             display_};
 }
 
+const render::HandleSet& SceneDisplay::handles() const {
+    static const render::HandleSet none;
+    if (!render::showsHandles(display_))
+        return none;
+    const Shown& shown = document_.shown();
+    if (!prepared_ || prepared_->of.scene != shown.scene || prepared_->of.motion != shown.motion)
+        prepared_.reset(new Prepared{shown, render::Handles(*shown.scene, shown.motion), nullptr});
+    if (!prepared_->set)
+        prepared_->set =
+            std::make_shared<const render::HandleSet>(prepared_->handles.at(time_, display_));
+    return *prepared_->set;
+}
+
+void SceneDisplay::keepCamera() { framesItself_ = false; }
+
 std::vector<geometry::Vector> SceneDisplay::verticesAndHandles() const {
     const Shown& shown = document_.shown();
     std::vector<geometry::Vector> points;
@@ -181,8 +204,7 @@ std::vector<geometry::Vector> SceneDisplay::verticesAndHandles() const {
         for (const render::Ball& ball : render::outlineOf(*shown.scene, shown.scene->bodies[i]))
             points.push_back(pose.toWorld(ball.center));
     }
-    const double size = render::extentOf(*shown.scene, shown.motion.get()).size;
-    for (const render::Handle& handle : render::handlesOf(drawing(), size))
+    for (const render::Handle& handle : handles().handles)
         points.push_back(handle.place);
     return points;
 }
@@ -211,89 +233,32 @@ void SceneDisplay::centerAt(const QPointF& position) {
 
 void SceneDisplay::mousePressEvent(QMouseEvent* event) {
     const auto button = buttonOf(event->button());
-    if (!button || drag_) {
-        event->ignore();
-        return;
-    }
     updateCamera();
-    if (event->modifiers() & Qt::ShiftModifier) { // edits
-        if (*button == Button::left)
-            beginDrag(event->position());
-        return;
-    }
-    control_.press(*button, inPixels(event->position()), pixelSize());
+    if (!button)
+        event->ignore();
+    else if (!editing_.press(*event))
+        control_.press(*button, inPixels(event->position()), pixelSize());
 }
 
 void SceneDisplay::mouseMoveEvent(QMouseEvent* event) {
-    if (drag_) {
-        drag_->move(inPixels(event->position()));
-        Q_EMIT handleDragged();
-        update();
-    } else if (control_.active() && control_.move(inPixels(event->position()), pixelSize()))
+    if (!editing_.move(*event) && control_.active() &&
+        control_.move(inPixels(event->position()), pixelSize()))
         movedByUser();
 }
 
 void SceneDisplay::mouseReleaseEvent(QMouseEvent* event) {
-    if (drag_ && event->button() == Qt::LeftButton)
-        endDrag(event->globalPosition().toPoint());
+    editing_.release(*event);
     control_.release();
 }
 
-// --- handles -----------------------------------------------------------------------------------
-
-void SceneDisplay::beginDrag(const QPointF& position) {
-    constexpr double reach = 14;
-    framesItself_ = false; // the picture stays while what is in it moves
-    drag_ = HandleDrag::at(document_, drawing(), pixelSize(), inPixels(position),
-                           reach * devicePixelRatioF());
-    Q_EMIT handleDragged();
-    update();
-}
-
-void SceneDisplay::endDrag(const QPoint& global) {
-    const std::unique_ptr<HandleDrag> drag = std::move(drag_);
-    drag->finish();
-    Q_EMIT handleDragged();
-    update();
-    if (drag->answer().offers.empty())
-        return;
-    // It cannot be moved as it stands: what could be done instead?
-    QMenu menu(this);
-    menu.addSection(drag->words());
-    for (const editing::Offer& offer : drag->answer().offers) {
-        QString preview;
-        for (const editing::TextEdit& edit : offer.edits)
-            preview +=
-                (preview.isEmpty() ? "" : ", ") + QString::fromStdString(edit.text).trimmed();
-        QAction* action =
-            menu.addAction(tr("%1: %2").arg(QString::fromStdString(offer.label), preview));
-        connect(action, &QAction::triggered, this,
-                [&] { document_.setText(drag->textWith(offer), drag->label()); });
-    }
-    menu.exec(global);
-}
-
-void SceneDisplay::drawDrag(QPainter& painter) const {
-    painter.setRenderHint(QPainter::Antialiasing);
-    const Eigen::Vector2d pixels =
-        render::toPixels(control_.camera(), pixelSize(), drag_->place()) / devicePixelRatioF();
-    const bool possible = drag_->answer().possible();
-    painter.setPen(QPen(possible ? QColor(20, 90, 200) : QColor(190, 40, 30), 2));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(QPointF(pixels.x(), pixels.y()), 11, 11);
-    const QString words = drag_->words();
-    const QRect space = rect().adjusted(width() / 3, 10, -12, -10);
-    const QRect needed = painter.boundingRect(space, Qt::AlignRight | Qt::TextWordWrap, words);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(255, 255, 255, 225));
-    painter.drawRoundedRect(needed.adjusted(-8, -4, 8, 4), 4, 4);
-    painter.setPen(possible ? QColor(30, 35, 45) : QColor(170, 30, 20));
-    painter.drawText(space, Qt::AlignRight | Qt::TextWordWrap, words);
+void SceneDisplay::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (!editing_.doubleClick(*event))
+        mousePressEvent(event);
 }
 
 // While a handle is dragged its keys are no shortcuts.
 bool SceneDisplay::event(QEvent* event) {
-    if (drag_ && event->type() == QEvent::ShortcutOverride) {
+    if (event->type() == QEvent::ShortcutOverride && editing_.dragging()) {
         event->accept();
         return true;
     }
@@ -308,20 +273,24 @@ void SceneDisplay::wheelEvent(QWheelEvent* event) {
 }
 
 void SceneDisplay::keyPressEvent(QKeyEvent* event) {
-    constexpr double away = 6; // pixels for a press of a key
-    if (drag_) {
-        if (event->key() == Qt::Key_Escape) {
-            drag_->cancel();
-            drag_.reset();
-        } else if (event->key() == Qt::Key_Z || event->key() == Qt::Key_X) {
-            drag_->push(event->key() == Qt::Key_Z ? away : -away);
-        }
-        Q_EMIT handleDragged();
-        update();
-    } else if (event->key() == Qt::Key_C && event->modifiers() == Qt::NoModifier)
+    updateCamera();
+    if (editing_.keyPress(*event))
+        return;
+    if (event->key() == Qt::Key_C && event->modifiers() == Qt::NoModifier)
         centerAt(mapFromGlobal(QPointF(QCursor::pos())));
     else
         QWidget::keyPressEvent(event);
+}
+
+void SceneDisplay::keyReleaseEvent(QKeyEvent* event) {
+    editing_.keyRelease(*event);
+    QWidget::keyReleaseEvent(event);
+}
+
+void SceneDisplay::focusOutEvent(QFocusEvent* event) {
+    editing_.finish();
+    update();
+    QWidget::focusOutEvent(event);
 }
 
 void SceneDisplay::resizeEvent(QResizeEvent*) {
@@ -339,6 +308,10 @@ void SceneDisplay::drawImage() {
     image_.setDevicePixelRatio(devicePixelRatioF());
     render::Drawing drawing = this->drawing();
     drawing.display.samples = moving_ ? 1 : 4;
+    if (render::showsHandles(display_)) {
+        const render::HandleSet& shown = handles();
+        drawing.handles = {prepared_->set, &shown};
+    }
     const render::Image into{{reinterpret_cast<std::byte*>(image_.bits()),
                               static_cast<std::size_t>(image_.sizeInBytes())},
                              static_cast<std::size_t>(image_.bytesPerLine()),
@@ -355,8 +328,7 @@ void SceneDisplay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     if (renderer_) {
         painter.drawImage(QPointF(0, 0), image_);
-        if (drag_)
-            drawDrag(painter);
+        editing_.paint(painter);
         return;
     }
     painter.fillRect(rect(), palette().base());

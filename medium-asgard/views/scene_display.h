@@ -10,7 +10,8 @@
 #include "render/extent.h"
 #include "render/renderer.h"
 #include "render/view.h"
-#include "views/handle_drag.h"
+#include "views/picking.h"
+#include "views/picture_editing.h"
 #include "views/scene_document.h"
 
 #include <QImage>
@@ -47,8 +48,16 @@ public:
     // mid-depth.
     void centerAt(const QPointF& position);
 
-    // What a drag says of itself, "" when there is none.
-    [[nodiscard]] QString words() const { return drag_ ? drag_->words() : QString(); }
+    // --- for those who edit in it
+    [[nodiscard]] PictureEditing& editing() { return editing_; }
+    [[nodiscard]] QString words() const { return editing_.words(); }
+    // What the display shows of the scene at this time.
+    [[nodiscard]] const render::HandleSet& handles() const;
+    [[nodiscard]] render::Drawing drawing() const;
+    [[nodiscard]] Sight sight() const { return {control_.camera(), pixelSize()}; }
+    [[nodiscard]] Eigen::Vector2d inPixels(const QPointF& position) const;
+    [[nodiscard]] QPointF fromPixels(const Eigen::Vector2d& pixels) const;
+    void keepCamera(); // it does not frame the scene by itself any more
 
     [[nodiscard]] QSize sizeHint() const override { return {640, 480}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
@@ -65,22 +74,20 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     bool event(QEvent* event) override;
 
 private:
     [[nodiscard]] render::Size pixelSize() const;
-    [[nodiscard]] Eigen::Vector2d inPixels(const QPointF& position) const;
     void sceneChanged();
     void motionChanged();
     void updateCamera();
     void movedByUser();
     void redraw(bool moving);
     void drawImage();
-    [[nodiscard]] render::Drawing drawing() const;
-    void beginDrag(const QPointF& position);
-    void endDrag(const QPoint& global);
-    void drawDrag(QPainter& painter) const;
     [[nodiscard]] std::vector<geometry::Vector> verticesAndHandles() const;
 
     SceneDocument& document_;
@@ -92,7 +99,14 @@ private:
     bool framesItself_ = true;
     QString followed_;
     std::optional<render::SceneView> view_; // the followed view, prepared
-    std::unique_ptr<HandleDrag> drag_;
+    PictureEditing editing_;
+    // Of the scene, motion, time and kinds that are shown; made when they are asked for.
+    struct Prepared {
+        Shown of;
+        render::Handles handles;
+        std::shared_ptr<const render::HandleSet> set;
+    };
+    mutable std::unique_ptr<Prepared> prepared_;
     bool cameraIsOld_ = true;
     QImage image_;
     bool imageIsOld_ = true;

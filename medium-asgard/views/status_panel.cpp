@@ -1,7 +1,10 @@
 #include "views/status_panel.h"
 
+#include "render/handles.h"
+
 #include <QFormLayout>
 #include <QGroupBox>
+#include <QPainter>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -28,6 +31,20 @@ QLabel* addRow(QFormLayout* form, const QString& label, const QString& tip) {
     name->setToolTip(tip);
     form->addRow(name, value);
     return value;
+}
+
+// The handle as it looks in the picture.
+QIcon ballIcon(const scene::Color& color) {
+    QPixmap pixmap(28, 28);
+    pixmap.setDevicePixelRatio(2);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QColor c = QColor::fromRgbF(color.red, color.green, color.blue);
+    painter.setPen(c.darker(150));
+    painter.setBrush(c);
+    painter.drawEllipse(QRectF(2, 2, 10, 10));
+    return pixmap;
 }
 
 } // namespace
@@ -87,10 +104,40 @@ void StatusPanel::addSwitches(const render::Display& display) {
     add(tr("&Ground"), tr("A grid under the scene, and shadows"), &Display::grid);
     add(tr("&Axes"), tr("The world's axes: x red, y green, z blue"), &Display::axes);
     add(tr("&Wireframe"), tr("Edges only"), &Display::wireframe);
-    add(tr("&Position handles"), tr("Where bodies start: orange balls, dragged with Shift"),
-        &Display::positionHandles);
-    add(tr("Ve&locity handles"), tr("Velocities at the start: green arrows, dragged with Shift"),
-        &Display::velocityHandles);
+    layout()->addWidget(group);
+    group = new QGroupBox(tr("Handles"));
+    group->setToolTip(tr("Balls that are dragged with Shift and the left button; a double click "
+                         "asks for the exact value"));
+    column = new QVBoxLayout(group);
+    column->setContentsMargins(10, 6, 10, 8);
+    column->setSpacing(4);
+    using render::HandleKind;
+    const struct {
+        QString label, tip;
+        bool Display::*what;
+        HandleKind kind;
+    } kinds[] = {
+        {tr("&Positions"), tr("Where bodies start"), &Display::positionHandles,
+         HandleKind::position},
+        {tr("Ori&entations"), tr("How bodies are turned at the start"),
+         &Display::orientationHandles, HandleKind::orientation},
+        {tr("Ve&locities"), tr("Velocities at the start"), &Display::velocityHandles,
+         HandleKind::velocity},
+        {tr("Angular velocities"), tr("Turning at the start: about the arrow, by the right hand"),
+         &Display::spinHandles, HandleKind::spin},
+        {tr("F&orces"), tr("As they are now"), &Display::forceHandles, HandleKind::forceHead},
+        {tr("Tor&ques"), tr("About the arrow, by the right hand"), &Display::torqueHandles,
+         HandleKind::torqueHead},
+        {tr("Lin&ks"), tr("Their two ends"), &Display::linkHandles, HandleKind::linkEnd},
+        {tr("L&ights"), tr("Where they stand and shine"), &Display::lightHandles,
+         HandleKind::lightPlace},
+        {tr("Tra&jectories"), tr("Their paths and points"), &Display::trajectories,
+         HandleKind::trajectoryPoint},
+    };
+    for (const auto& kind : kinds) {
+        add(kind.label, kind.tip, kind.what);
+        switches_.back().box->setIcon(ballIcon(render::colorOf(kind.kind)));
+    }
     layout()->addWidget(group);
 }
 

@@ -1,0 +1,78 @@
+#include "editing/element.h"
+
+namespace editing {
+
+namespace {
+
+template <class List> const scene::Source* sourceIn(const List& list, std::size_t index) {
+    return index < list.size() ? &list[index].source : nullptr;
+}
+
+} // namespace
+
+const scene::Source* sourceOf(const scene::Scene& scene, const Element& element) {
+    switch (element.kind) {
+    case Kind::simulator:
+        return scene.simulator.source ? &*scene.simulator.source : nullptr;
+    case Kind::shapeSet:
+        return sourceIn(scene.shapeSets, element.index);
+    case Kind::body:
+        return sourceIn(scene.bodies, element.index);
+    case Kind::force:
+        return sourceIn(scene.forces, element.index);
+    case Kind::link:
+        return sourceIn(scene.links, element.index);
+    case Kind::trajectory:
+        return sourceIn(scene.trajectories, element.index);
+    case Kind::constraint:
+        return sourceIn(scene.constraints, element.index);
+    case Kind::light:
+        return sourceIn(scene.lights, element.index);
+    case Kind::view:
+        return sourceIn(scene.views, element.index);
+    case Kind::parameter:
+        return sourceIn(scene.parameters, element.index);
+    case Kind::plot:
+        break;
+    }
+    return sourceIn(scene.plots, element.index);
+}
+
+std::string nameOf(const scene::Scene& scene, const Element& element) {
+    switch (element.kind) {
+    case Kind::shapeSet:
+        return scene.shapeSets[element.index].name;
+    case Kind::body:
+        return scene.bodies[element.index].name;
+    case Kind::trajectory:
+        return scene.trajectories[element.index].name;
+    case Kind::light:
+        return scene.lights[element.index].name;
+    case Kind::view:
+        return scene.views[element.index].name;
+    case Kind::parameter:
+        return scene.parameters[element.index].name;
+    case Kind::plot:
+        return scene.plots[element.index].name;
+    default:
+        return "";
+    }
+}
+
+std::string wordOf(Kind kind) {
+    constexpr const char* words[] = {"simulator", "shape set",  "body",       "force",
+                                     "link",      "trajectory", "constraint", "light",
+                                     "view",      "parameter",  "plot"};
+    return words[static_cast<std::size_t>(kind)];
+}
+
+std::string describe(const scene::Scene& scene, const Element& element) {
+    const scene::Source* source = sourceOf(scene, element);
+    const std::string name = source ? nameOf(scene, element) : "";
+    if (!name.empty())
+        return wordOf(element.kind) + " \"" + name + "\"";
+    return "the " + wordOf(element.kind) +
+           (source && source->line > 0 ? " of line " + std::to_string(source->line) : "");
+}
+
+} // namespace editing

@@ -1,0 +1,39 @@
+// An element of a scene, as gestures mean it.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <cstddef>
+#include <string>
+
+namespace editing {
+
+enum class Kind {
+    simulator,
+    shapeSet,
+    body,
+    force,
+    link,
+    trajectory,
+    constraint,
+    light,
+    view,
+    parameter,
+    plot
+};
+
+// By its kind and its place in the scene's list of that kind.
+struct Element {
+    Kind kind = Kind::body;
+    std::size_t index = 0;
+    bool operator==(const Element&) const = default;
+};
+
+// Where it comes from; null: there is none.
+[[nodiscard]] const scene::Source* sourceOf(const scene::Scene& scene, const Element& element);
+[[nodiscard]] std::string nameOf(const scene::Scene& scene, const Element& element); // "": unnamed
+[[nodiscard]] std::string wordOf(Kind kind);                                         // "body"
+// "body \"b1\"", "the force of line 7".
+[[nodiscard]] std::string describe(const scene::Scene& scene, const Element& element);
+
+} // namespace editing

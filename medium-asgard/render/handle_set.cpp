@@ -1,0 +1,297 @@
+// Which handles a scene has, and where they stand.
+#include "render/handles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace render {
+
+namespace {
+
+// The power of ten that makes the longest arrow a good part of the scene, and none longer than it.
+double scaleFor(double longest, double sceneSize) {
+    if (!(longest > 0) || !std::isfinite(longest) || !(sceneSize > 0))
+        return 1;
+    return std::pow(10, std::floor(std::log10(0.7 * sceneSize / longest)));
+}
+
+std::string number(double value, const char* unit) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.4g %s", value, unit);
+    return text;
+}
+
+// How far a body's shape reaches from its own origin.
+double reachOf(const scene::Scene& scene, const scene::Body& body) {
+    double reach = 0;
+    for (const Ball& ball : outlineOf(scene, body))
+        reach = std::max(reach, ball.center.norm() + ball.radius);
+    return reach > 0 ? reach : 1;
+}
+
+const std::array<std::string, 3>* componentsOf(const scene::Force& force) {
+    const auto* kind = std::get_if<scene::ComponentForce>(&force.kind);
+    return kind ? &kind->components : nullptr;
+}
+
+std::array<std::string, 3> valuesOf(const std::string& trajectory) {
+    return {trajectory + ".x", trajectory + ".y", trajectory + ".z"};
+}
+
+} // namespace
+
+Handles::Handles(const scene::Scene& scene, simulation::MotionPointer motion)
+    : scene_(scene), motion_(std::move(motion)), extent_(extentOf(scene, motion_.get())) {
+    setScales();
+}
+
+double Handles::massOf(std::size_t body) const {
+    if (scene_.bodies[body].mass)
+        return *scene_.bodies[body].mass;
+    const double mass = motion_ && body < motion_->bodies() ? motion_->mass(body) : 1;
+    return std::isfinite(mass) ? mass : 1;
+}
+
+std::size_t Handles::indexOf(const std::string& body) const {
+    const auto found = std::ranges::find(scene_.bodies, body, &scene::Body::name);
+    return static_cast<std::size_t>(found - scene_.bodies.begin());
+}
+
+Vector Handles::pointOn(std::size_t body, const std::optional<Vector>& offset,
+                        const geometry::Pose& pose) const {
+    const bool known = motion_ && body < motion_->bodies();
+    return pose.toWorld(offset.value_or(known ? motion_->centroid(body) : Vector::Zero()));
+}
+
+std::optional<Vector> Handles::constant(const std::array<std::string, 3>& texts) const {
+    Vector value;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto one = constantValue(scene_, motion_.get(), texts[i]);
+        if (!one)
+            return std::nullopt;
+        value[static_cast<Eigen::Index>(i)] = *one;
+    }
+    return value;
+}
+
+// Arrows that never change are as long as they are; the others are measured at the start only, so
+// that playing does not change the scale.
+void Handles::setScales() {
+    velocityScale_ = velocityTime(scene_, extent_.size);
+    double spin = 0, force = 0, torque = 0;
+    for (const scene::Body& body : scene_.bodies)
+        if (!body.fixed)
+            spin = std::max(spin, body.initialAngularVelocity.norm());
+    for (const scene::Force& one : scene_.forces) {
+        const std::size_t body = indexOf(one.body);
+        std::optional<Vector> value;
+        if (const auto* weight = std::get_if<scene::GravitationalForce>(&one.kind))
+            value = body < scene_.bodies.size()
+                        ? std::optional<Vector>(massOf(body) * weight->acceleration)
+                        : std::nullopt;
+        else if (const auto* components = componentsOf(one))
+            value = constant(*components);
+        if (value)
+            (one.couple ? torque : force) = std::max(one.couple ? torque : force, value->norm());
+    }
+    spinScale_ = scaleFor(spin, extent_.size);
+    forceScale_ = scaleFor(force, extent_.size);
+    torqueScale_ = scaleFor(torque, extent_.size);
+}
+
+std::optional<Vector> Handles::now(const std::array<std::string, 3>& texts, double time) {
+    if (const auto value = constant(texts))
+        return value;
+    if (!motion_)
+        return std::nullopt;
+    if (!prepared_) {
+        prepared_ = true;
+        for (const scene::Force& force : scene_.forces) {
+            if (const auto* components = componentsOf(force))
+                changing_.insert(changing_.end(), components->begin(), components->end());
+            else if (const auto* path = std::get_if<scene::TrajectoryForce>(&force.kind))
+                for (const std::string& one : valuesOf(path->trajectory))
+                    changing_.push_back(one);
+        }
+        for (const scene::Link& link : scene_.links) {
+            if (const auto* point = std::get_if<scene::PointEnd>(&link.second))
+                changing_.insert(changing_.end(), point->coordinates.begin(),
+                                 point->coordinates.end());
+            else if (const auto* path = std::get_if<scene::TrajectoryEnd>(&link.second))
+                for (const std::string& one : valuesOf(path->trajectory))
+                    changing_.push_back(one);
+        }
+        std::ranges::sort(changing_);
+        changing_.erase(std::unique(changing_.begin(), changing_.end()), changing_.end());
+        std::vector<std::string> faults;
+        quantities_.emplace(scene_, simulation::Options{}, motion_, changing_, faults);
+        if (!faults.empty())
+            quantities_.reset();
+    }
+    if (!quantities_)
+        return std::nullopt;
+    const std::vector<double> values =
+        quantities_->at(std::clamp(time, motion_->start(), motion_->computed()));
+    Vector value;
+    for (std::size_t i = 0; i < 3; ++i)
+        value[static_cast<Eigen::Index>(i)] = values[static_cast<std::size_t>(
+            std::ranges::lower_bound(changing_, texts[i]) - changing_.begin())];
+    return value.allFinite() ? std::optional(value) : std::nullopt;
+}
+
+void Handles::addBody(HandleSet& set, std::size_t index, const Display& display) const {
+    const scene::Body& body = scene_.bodies[index];
+    const Vector reference = body.initialPosition;
+    const geometry::Pose start{reference, body.initialAttitude};
+    if (display.positionHandles)
+        set.handles.push_back({HandleKind::position, index, 0, reference, reference});
+    if (display.orientationHandles) {
+        const double reach = 1.15 * reachOf(scene_, body);
+        for (std::size_t axis : {0U, 1U})
+            set.handles.push_back({HandleKind::orientation, index, axis, reference,
+                                   start.toWorld(reach * Vector::Unit(static_cast<int>(axis))),
+                                   reach, start});
+    }
+    if (body.fixed)
+        return;
+    const Vector center = pointOn(index, std::nullopt, start);
+    if (display.velocityHandles)
+        set.handles.push_back({HandleKind::velocity, index, 0, center,
+                               center + velocityScale_ * body.initialVelocity, velocityScale_});
+    if (display.spinHandles)
+        set.handles.push_back({HandleKind::spin,
+                               index,
+                               0,
+                               center,
+                               center + spinScale_ * body.initialAngularVelocity,
+                               spinScale_,
+                               {},
+                               true,
+                               number(body.initialAngularVelocity.norm(), "rad/s")});
+}
+
+void Handles::addForces(HandleSet& set, double time, const Display& display) {
+    for (std::size_t i = 0; i < scene_.forces.size(); ++i) {
+        const scene::Force& force = scene_.forces[i];
+        const std::size_t body = indexOf(force.body);
+        if (!(force.couple ? display.torqueHandles : display.forceHandles) ||
+            body == scene_.bodies.size())
+            continue;
+        const geometry::Pose pose = poseOf(scene_, motion_.get(), body, time);
+        const double scale = force.couple ? torqueScale_ : forceScale_;
+        Handle head{force.couple ? HandleKind::torqueHead : HandleKind::forceHead, i};
+        head.perUnit = scale;
+        std::optional<Vector> value;
+        if (const auto* weight = std::get_if<scene::GravitationalForce>(&force.kind)) {
+            head.perUnit = scale * massOf(body);
+            value = weight->acceleration;
+        } else if (const auto* components = std::get_if<scene::ComponentForce>(&force.kind)) {
+            if (components->frame == scene::Frame::body)
+                head.frame.attitude = pose.attitude;
+            head.movable = constant(components->components).has_value();
+            value = now(components->components, time);
+        } else if (const auto* path = std::get_if<scene::TrajectoryForce>(&force.kind)) {
+            head.movable = false;
+            value = now(valuesOf(path->trajectory), time);
+        }
+        if (!value)
+            continue;
+        head.base = pointOn(body, force.offset, pose);
+        head.place = head.base + head.perUnit * (head.frame.attitude * *value);
+        set.handles.push_back({force.couple ? HandleKind::torqueBase : HandleKind::forceBase, i, 0,
+                               head.base, head.base, 1, pose});
+        set.handles.push_back(head);
+    }
+}
+
+void Handles::addLinks(HandleSet& set, double time) {
+    for (std::size_t i = 0; i < scene_.links.size(); ++i) {
+        const scene::Link& link = scene_.links[i];
+        const auto onBody = [&](const scene::BodyEnd& end, std::size_t part) {
+            const std::size_t body = indexOf(end.body);
+            const geometry::Pose pose = poseOf(scene_, motion_.get(), body, time);
+            const Vector place = pointOn(body, end.offset, pose);
+            set.handles.push_back({HandleKind::linkEnd, i, part, place, place, 1, pose});
+            return place;
+        };
+        if (indexOf(link.first.body) == scene_.bodies.size())
+            continue;
+        const Vector first = onBody(link.first, 0);
+        std::optional<Vector> second;
+        if (const auto* body = std::get_if<scene::BodyEnd>(&link.second)) {
+            if (indexOf(body->body) < scene_.bodies.size())
+                second = onBody(*body, 1);
+        } else if (const auto* point = std::get_if<scene::PointEnd>(&link.second)) {
+            second = now(point->coordinates, time);
+            if (second)
+                set.handles.push_back({HandleKind::linkEnd,
+                                       i,
+                                       1,
+                                       *second,
+                                       *second,
+                                       1,
+                                       {},
+                                       constant(point->coordinates).has_value()});
+        } else if (const auto* path = std::get_if<scene::TrajectoryEnd>(&link.second)) {
+            second = now(valuesOf(path->trajectory), time);
+        }
+        if (second)
+            set.lines.push_back({HandleKind::linkEnd, i, {first, *second}});
+    }
+}
+
+void Handles::addLights(HandleSet& set) const {
+    for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
+        const scene::LightSource& light = scene_.lights[i];
+        const Vector direction = light.direction.value_or(Vector::Zero());
+        const double length = direction.norm();
+        // Where nothing is said it stands beside the scene, shining on its middle.
+        const Vector place = light.position.value_or(
+            extent_.box.isEmpty() || !(length > 0)
+                ? Vector::Zero()
+                : Vector(extent_.box.center() - 0.7 * extent_.size / length * direction));
+        set.handles.push_back({HandleKind::lightPlace, i, 0, place, place});
+        if (length > 0) {
+            const double perUnit = 0.25 * extent_.size / length;
+            set.handles.push_back(
+                {HandleKind::lightDirection, i, 0, place, place + perUnit * direction, perUnit});
+        }
+    }
+}
+
+void Handles::addTrajectories(HandleSet& set) const {
+    for (std::size_t i = 0; i < scene_.trajectories.size(); ++i) {
+        const scene::Trajectory& trajectory = scene_.trajectories[i];
+        set.lines.push_back({HandleKind::trajectoryPoint, i, pathOf(trajectory)});
+        std::size_t part = 0;
+        const auto add = [&](const Vector& place, const std::string& label) {
+            set.handles.push_back(
+                {HandleKind::trajectoryPoint, i, part++, place, place, 1, {}, true, label});
+        };
+        for (const auto& [time, place] : trajectory.points)
+            add(place, number(time, "s"));
+        if (trajectory.points.empty())
+            for (const scene::BezierCurve& curve : trajectory.curves)
+                for (std::size_t j = 0; j < curve.control.size(); ++j)
+                    add(curve.control[j], j == 0                          ? number(curve.from, "s")
+                                          : j + 1 == curve.control.size() ? number(curve.to, "s")
+                                                                          : "");
+    }
+}
+
+HandleSet Handles::at(double time, const Display& display) {
+    HandleSet set;
+    for (std::size_t i = 0; i < scene_.bodies.size(); ++i)
+        addBody(set, i, display);
+    if (display.forceHandles || display.torqueHandles)
+        addForces(set, time, display);
+    if (display.linkHandles)
+        addLinks(set, time);
+    if (display.lightHandles)
+        addLights(set);
+    if (display.trajectories)
+        addTrajectories(set);
+    return set;
+}
+
+} // namespace render

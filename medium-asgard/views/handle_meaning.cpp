@@ -1,0 +1,224 @@
+#include "views/handle_meaning.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace views {
+
+using editing::Kind;
+using editing::Wish;
+using geometry::Vector;
+using render::Handle;
+using render::HandleKind;
+
+namespace {
+
+// The largest power of ten that is not above: what a gesture of that length writes.
+double roundStep(double length) {
+    return length > 0 ? std::pow(10, std::floor(std::log10(length))) : 0;
+}
+
+std::vector<double> listed(const Vector& v) { return {v.x(), v.y(), v.z()}; }
+
+Wish one(const Handle& handle, const char* option, const Vector& value, const Vector& now,
+         double resolution) {
+    Wish wish;
+    wish.element = elementOf(handle);
+    wish.option = option;
+    wish.values = listed(value);
+    wish.resolution = roundStep(resolution);
+    wish.absent = wish.now = listed(now);
+    return wish;
+}
+
+std::vector<Wish> components(const Handle& handle, const Vector& value, const Vector& now,
+                             double resolution) {
+    std::vector<Wish> wishes;
+    constexpr const char* options[] = {"-x", "-y", "-z"};
+    for (int i = 0; i < 3; ++i) {
+        Wish wish = one(handle, options[i], value, now, resolution);
+        wish.values = {value[i]};
+        wish.absent = wish.now = {now[i]};
+        wishes.push_back(std::move(wish));
+    }
+    return wishes;
+}
+
+Wish attitude(const scene::Scene& scene, const Handle& handle, const Vector& place, double length,
+              bool quaternion) {
+    const geometry::Quaternion turn =
+        geometry::Quaternion::FromTwoVectors(handle.place - handle.base, place - handle.base);
+    const geometry::Quaternion now = scene.bodies[handle.element].initialAttitude;
+    const geometry::Quaternion turned = (turn * now).normalized();
+    Wish wish = one(handle, "-init_rot", geometry::toRotationVector(turned), Vector::Zero(),
+                    length / std::max(handle.perUnit, 1e-300));
+    wish.now.clear(); // one attitude has many rotation vectors
+    if (quaternion)
+        wish.values = {turned.w(), turned.x(), turned.y(), turned.z()};
+    return wish;
+}
+
+Wish ofPoint(const scene::Scene& scene, const Handle& handle, const Vector& place, double length) {
+    const scene::Trajectory& trajectory = scene.trajectories[handle.element];
+    if (trajectory.points.empty()) {
+        std::size_t curve = 0, control = handle.part;
+        while (control >= trajectory.curves[curve].control.size())
+            control -= trajectory.curves[curve++].control.size();
+        Wish wish = one(handle, "-bezier", place, handle.place, length);
+        wish.path = {curve, 2 + control};
+        return wish;
+    }
+    Wish wish = one(handle, "-points", place, handle.place, length);
+    wish.path = {handle.part};
+    const double time = trajectory.points[handle.part].first;
+    wish.values.insert(wish.values.begin(), time);
+    wish.now.insert(wish.now.begin(), time);
+    return wish;
+}
+
+const scene::Force* forceOf(const scene::Scene& scene, const Handle& handle) {
+    return elementOf(handle).kind == Kind::force ? &scene.forces[handle.element] : nullptr;
+}
+
+} // namespace
+
+editing::Element elementOf(const Handle& handle) {
+    switch (handle.kind) {
+    case HandleKind::position:
+    case HandleKind::orientation:
+    case HandleKind::velocity:
+    case HandleKind::spin:
+        return {Kind::body, handle.element};
+    case HandleKind::forceBase:
+    case HandleKind::forceHead:
+    case HandleKind::torqueBase:
+    case HandleKind::torqueHead:
+        return {Kind::force, handle.element};
+    case HandleKind::linkEnd:
+        return {Kind::link, handle.element};
+    case HandleKind::lightPlace:
+    case HandleKind::lightDirection:
+        return {Kind::light, handle.element};
+    case HandleKind::trajectoryPoint:
+        break;
+    }
+    return {Kind::trajectory, handle.element};
+}
+
+std::vector<Wish> wishesFor(const scene::Scene& scene, const Handle& handle, const Vector& place,
+                            double length, bool quaternion) {
+    const auto arrow = [&](const Vector& head) -> Vector {
+        return handle.frame.attitude.conjugate() * ((head - handle.base) / handle.perUnit);
+    };
+    const Vector value = arrow(place), now = arrow(handle.place);
+    const Vector local = handle.frame.toLocal(place), localNow = handle.frame.toLocal(handle.place);
+    const double resolution = length / handle.perUnit;
+    switch (handle.kind) {
+    case HandleKind::position:
+        return {one(handle, "-init_pos", place, handle.place, length)};
+    case HandleKind::orientation:
+        return {attitude(scene, handle, place, length, quaternion)};
+    case HandleKind::velocity:
+        return {one(handle, "-init_dpos", value, now, resolution)};
+    case HandleKind::spin:
+        return {one(handle, "-init_drot", value, now, resolution)};
+    case HandleKind::forceBase:
+    case HandleKind::torqueBase:
+        return {one(handle, "-offset", local, localNow, length)};
+    case HandleKind::forceHead:
+    case HandleKind::torqueHead:
+        if (std::holds_alternative<scene::GravitationalForce>(scene.forces[handle.element].kind))
+            return {one(handle, "-gravitational", value, now, resolution)};
+        return components(handle, value, now, resolution);
+    case HandleKind::linkEnd:
+        if (handle.part == 1 &&
+            std::holds_alternative<scene::PointEnd>(scene.links[handle.element].second))
+            return components(handle, place, handle.place, length);
+        return {one(handle, handle.part == 0 ? "-offset1" : "-offset2", local, localNow, length)};
+    case HandleKind::lightPlace:
+        return {one(handle, "-pos", place, handle.place, length)};
+    case HandleKind::lightDirection:
+        return {one(handle, "-direction", value, now, resolution)};
+    case HandleKind::trajectoryPoint:
+        break;
+    }
+    return {ofPoint(scene, handle, place, length)};
+}
+
+std::vector<Wish> withValues(std::vector<Wish> wishes, const std::vector<double>& values) {
+    std::size_t at = 0;
+    for (Wish& wish : wishes) {
+        for (double& value : wish.values)
+            value = at < values.size() ? values[at++] : value;
+        wish.resolution = 0;
+    }
+    return wishes;
+}
+
+QString subjectOf(const scene::Scene& scene, const Handle& handle) {
+    const editing::Element element = elementOf(handle);
+    const auto text = [](const std::string& s) { return QString::fromStdString(s); };
+    if (const scene::Force* force = forceOf(scene, handle))
+        return (force->couple ? QObject::tr("torque on %1") : QObject::tr("force on %1"))
+            .arg(text(force->body));
+    if (element.kind == Kind::link)
+        return QObject::tr("link of %1").arg(text(scene.links[element.index].first.body));
+    const std::string name = editing::nameOf(scene, element);
+    return name.empty() ? text(editing::describe(scene, element)) : text(name);
+}
+
+QString quantityOf(const scene::Scene& scene, const Handle& handle) {
+    switch (handle.kind) {
+    case HandleKind::position:
+        return QObject::tr("position");
+    case HandleKind::orientation:
+        return QObject::tr("rotation");
+    case HandleKind::velocity:
+        return QObject::tr("velocity");
+    case HandleKind::spin:
+        return QObject::tr("angular velocity");
+    case HandleKind::forceBase:
+    case HandleKind::torqueBase:
+        return QObject::tr("offset");
+    case HandleKind::forceHead:
+    case HandleKind::torqueHead:
+        return std::holds_alternative<scene::GravitationalForce>(scene.forces[handle.element].kind)
+                   ? QObject::tr("acceleration")
+                   : QObject::tr("components");
+    case HandleKind::linkEnd:
+        return handle.part == 0 ? QObject::tr("first end") : QObject::tr("second end");
+    case HandleKind::lightPlace:
+        return QObject::tr("place");
+    case HandleKind::lightDirection:
+        return QObject::tr("direction");
+    case HandleKind::trajectoryPoint:
+        break;
+    }
+    return QObject::tr("point %1").arg(handle.part + 1);
+}
+
+QString labelOf(const scene::Scene& scene, const Handle& handle) {
+    const QString subject = subjectOf(scene, handle);
+    if (handle.kind == HandleKind::position || handle.kind == HandleKind::lightPlace)
+        return QObject::tr("Move %1").arg(subject);
+    if (handle.kind == HandleKind::orientation)
+        return QObject::tr("Turn %1").arg(subject);
+    return QObject::tr("Change the %1 of %2").arg(quantityOf(scene, handle), subject);
+}
+
+QString valuesOf(const std::vector<Wish>& wishes) {
+    QString text;
+    for (const Wish& wish : wishes) {
+        const int digits =
+            wish.resolution > 0
+                ? std::clamp(static_cast<int>(-std::log10(wish.resolution) + 0.5), 0, 9)
+                : 6;
+        for (const double value : wish.values) {
+            const double shown = std::abs(value) < 0.5 * std::pow(10, -digits) ? 0 : value;
+            text += (text.isEmpty() ? "" : " ") + QString::number(shown, 'f', digits);
+        }
+    }
+    return text;
+}
+
+} // namespace views

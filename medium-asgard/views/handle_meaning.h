@@ -1,0 +1,32 @@
+// What a place of a handle means for the text: wishes that editing/ answers.
+#pragma once
+
+#include "editing/value_edit.h"
+#include "render/handles.h"
+
+#include <QString>
+
+namespace views {
+
+[[nodiscard]] editing::Element elementOf(const render::Handle& handle);
+
+// The handle at that place of the world. `length` is the least that the gesture tells apart there,
+// 0: exact. `quaternion`: the text gives the attitude by four numbers.
+[[nodiscard]] std::vector<editing::Wish> wishesFor(const scene::Scene& scene,
+                                                   const render::Handle& handle,
+                                                   const geometry::Vector& place, double length,
+                                                   bool quaternion);
+// With other numbers for the same options, in their order.
+[[nodiscard]] std::vector<editing::Wish> withValues(std::vector<editing::Wish> wishes,
+                                                    const std::vector<double>& values);
+
+// "b1", "force on b1".
+[[nodiscard]] QString subjectOf(const scene::Scene& scene, const render::Handle& handle);
+// "velocity"
+[[nodiscard]] QString quantityOf(const scene::Scene& scene, const render::Handle& handle);
+// "Move b1", for undo.
+[[nodiscard]] QString labelOf(const scene::Scene& scene, const render::Handle& handle);
+// "-4.37 0 2", in the digits that the wishes tell apart.
+[[nodiscard]] QString valuesOf(const std::vector<editing::Wish>& wishes);
+
+} // namespace views

@@ -1,0 +1,106 @@
+#include "views/picking.h"
+
+#include "scene/shape_of.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace views {
+
+double Sight::depth(const Vector& world) const {
+    return (camera.rotation * (world - camera.center)).z() * camera.scale + camera.position.z();
+}
+
+Vector Sight::beside(const Eigen::Vector2d& pixels, const Vector& world) const {
+    return render::toWorld(camera, size, pixels, depth(world));
+}
+
+double Sight::pixelLength(const Vector& world) const {
+    const Eigen::Vector2d here = pixels(world);
+    return (beside(here + Eigen::Vector2d(1, 0), world) - beside(here, world)).norm();
+}
+
+Line lineOfSight(const Sight& sight, const Eigen::Vector2d& pixels) {
+    const Vector near =
+        render::toWorld(sight.camera, sight.size, pixels, 0.99 * render::eyeDistance);
+    return {near, (render::toWorld(sight.camera, sight.size, pixels, 0) - near).normalized()};
+}
+
+std::optional<std::size_t> handleAt(const render::HandleSet& set, const Sight& sight,
+                                    const Eigen::Vector2d& pixels, double reach) {
+    std::optional<std::size_t> nearest;
+    double least = reach;
+    for (std::size_t i = 0; i < set.handles.size(); ++i) {
+        const render::Handle& handle = set.handles[i];
+        const double distance = (sight.pixels(handle.place) - pixels).norm();
+        const bool onTop = nearest && distance <= least + 0.5 &&
+                           radiusOf(handle.kind) < radiusOf(set.handles[*nearest].kind);
+        if (handle.movable && distance <= reach && (distance < least || onTop || !nearest)) {
+            least = distance;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+std::optional<geometry::Shape> shapeOf(const scene::Scene& scene, const std::string& name) {
+    const scene::Body* body = scene::findBody(scene, name);
+    const scene::ShapeSet* set = body ? scene::findShapeSet(scene, body->shape) : nullptr;
+    if (!set)
+        return std::nullopt;
+    auto made = scene::shapeOf(*set);
+    if (auto* shape = std::get_if<geometry::Shape>(&made))
+        return std::move(*shape);
+    return std::nullopt;
+}
+
+std::optional<Picked> bodyAt(const render::Drawing& drawing, const Sight& sight,
+                             const Eigen::Vector2d& pixels) {
+    const Line line = lineOfSight(sight, pixels);
+    std::map<std::string, std::optional<geometry::Shape>> shapes;
+    std::optional<Picked> front;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < drawing.scene->bodies.size(); ++i) {
+        const scene::Body& body = drawing.scene->bodies[i];
+        const auto [place, isNew] = shapes.try_emplace(body.shape);
+        if (isNew)
+            place->second = shapeOf(*drawing.scene, body.name);
+        if (!place->second)
+            continue;
+        const geometry::Pose pose =
+            render::poseOf(*drawing.scene, drawing.motion.get(), i, drawing.time);
+        const auto hit = geometry::castRay(*place->second, pose.toLocal(line.from),
+                                           pose.attitude.conjugate() * line.direction);
+        if (hit && hit->distance < nearest) {
+            nearest = hit->distance;
+            front = {i, pose.toWorld(hit->point)};
+        }
+    }
+    return front;
+}
+
+std::optional<std::size_t> trajectoryAt(const scene::Scene& scene, const Sight& sight,
+                                        const Eigen::Vector2d& pixels, double reach) {
+    std::optional<std::size_t> nearest;
+    for (std::size_t i = 0; i < scene.trajectories.size(); ++i) {
+        std::optional<Eigen::Vector2d> last;
+        for (const Vector& point : render::pathOf(scene.trajectories[i])) {
+            const Eigen::Vector2d next = sight.pixels(point);
+            const Eigen::Vector2d from = last.value_or(next), way = next - from;
+            const double along =
+                way.squaredNorm() > 0
+                    ? std::clamp((pixels - from).dot(way) / way.squaredNorm(), 0.0, 1.0)
+                    : 0;
+            const double distance = (from + along * way - pixels).norm();
+            if (distance <= reach) {
+                reach = distance;
+                nearest = i;
+            }
+            last = next;
+        }
+    }
+    return nearest;
+}
+
+} // namespace views

@@ -1,0 +1,54 @@
+// What lies under the pointer: handles by their distance on the screen, bodies by the line of
+// sight.
+#pragma once
+
+#include "geometry/shape.h"
+#include "render/handles.h"
+
+#include <optional>
+
+namespace views {
+
+using geometry::Vector;
+
+// Where a picture is seen from; its pixels.
+struct Sight {
+    render::Camera camera;
+    render::Size size;
+    [[nodiscard]] Eigen::Vector2d pixels(const Vector& world) const {
+        return render::toPixels(camera, size, world);
+    }
+    // At the depth of another point, in the plane of the screen through it.
+    [[nodiscard]] Vector beside(const Eigen::Vector2d& pixels, const Vector& world) const;
+    [[nodiscard]] double depth(const Vector& world) const; // view units, towards the viewer
+    // The length in the world that a pixel shows at that point.
+    [[nodiscard]] double pixelLength(const Vector& world) const;
+};
+
+struct Line { // from the eye
+    Vector from, direction;
+};
+[[nodiscard]] Line lineOfSight(const Sight& sight, const Eigen::Vector2d& pixels);
+
+// The handle nearest to the pixels within `reach` of them; of two in one place the smaller, which
+// is drawn on top. Those that cannot be moved are not taken.
+[[nodiscard]] std::optional<std::size_t> handleAt(const render::HandleSet& set, const Sight& sight,
+                                                  const Eigen::Vector2d& pixels, double reach);
+
+struct Picked {
+    std::size_t body = 0;
+    Vector point; // world, on its surface
+};
+// The front-most body.
+[[nodiscard]] std::optional<Picked> bodyAt(const render::Drawing& drawing, const Sight& sight,
+                                           const Eigen::Vector2d& pixels);
+
+// The trajectory whose line passes nearest, within `reach`.
+[[nodiscard]] std::optional<std::size_t> trajectoryAt(const scene::Scene& scene, const Sight& sight,
+                                                      const Eigen::Vector2d& pixels, double reach);
+
+// The surface of one body, in its shape's frame; none: its shape cannot be made.
+[[nodiscard]] std::optional<geometry::Shape> shapeOf(const scene::Scene& scene,
+                                                     const std::string& body);
+
+} // namespace views

@@ -1,0 +1,58 @@
+// The exact value of a handle: what stands in the text for each of its numbers, to be typed anew.
+//
+// Opens over the picture beside the handle. While one types it shows the line of the text before
+// and after, or says why the number cannot be changed there and offers what can be done, previewed
+// in the same way. Return takes the value, Escape leaves everything as it is.
+#pragma once
+
+#include "editing/value_edit.h"
+#include "render/handles.h"
+#include "views/scene_document.h"
+
+#include <QFrame>
+#include <QLabel>
+#include <QLineEdit>
+
+class QVBoxLayout;
+
+namespace views {
+
+class ValueEntry : public QFrame {
+    Q_OBJECT
+public:
+    ValueEntry(SceneDocument& document, const render::Handle& handle, double time, QWidget* parent);
+
+    void openAt(const QPoint& handle);
+    [[nodiscard]] const std::vector<QLineEdit*>& fields() const { return fields_; }
+    [[nodiscard]] QString saying() const { return says_->text(); }
+    void accept();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    [[nodiscard]] std::optional<std::vector<double>> values() const;
+    void addFields(QVBoxLayout* column);
+    void update();
+    void showOffers();
+    void take(const std::vector<editing::TextEdit>& edits);
+    [[nodiscard]] QString preview(const std::vector<editing::TextEdit>& edits) const;
+    void leave();
+
+    SceneDocument& document_;
+    std::string text_;
+    std::shared_ptr<const scene::Scene> scene_;
+    simulation::MotionPointer motion_;
+    editing::Mapper mapper_;
+    render::Handle handle_;
+    std::vector<editing::Wish> wishes_;
+    std::vector<double> now_;
+    std::vector<QLineEdit*> fields_;
+    std::vector<QString> first_; // what they showed at first
+    QLabel* says_;
+    QVBoxLayout* offers_;
+    editing::Answer answer_;
+};
+
+} // namespace views
