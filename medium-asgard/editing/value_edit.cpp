@@ -109,7 +109,7 @@ Answer Edit::insert() const {
 Answer Edit::rewrite(const std::vector<Origin>& origins) const {
     if (origins.size() == 1 && !origins.front().reason.empty())
         return isNow() ? Answer{} : refuse(origins.front().reason, origins.front().cause);
-    if (origins.size() != wish_.values.size())
+    if (origins.size() < wish_.values.size())
         return refuse("is not written as " + std::to_string(wish_.values.size()) + " numbers",
                       source_.command);
     Answer answer;
