@@ -190,6 +190,24 @@ Origin Origins::ofScalar(const Command& command, const Word& word) const {
     return refused("is computed by " + slice(word.range), word.range);
 }
 
+Origins::Literal Origins::literalOf(const Command& command, const Word& word) const {
+    if (word.literal && !word.expanded)
+        return {word.content, "", {}};
+    const std::string content = slice(word.content);
+    const auto name = word.braced || word.expanded ? std::nullopt : variableIn(content);
+    if (!name)
+        return {{}, "is computed by " + slice(word.range), word.range};
+    const Definition definition = definitionOf(command, *name, word.range);
+    if (!definition.value)
+        return {{}, definition.reason, definition.cause};
+    if (!definition.value->literal)
+        return {{},
+                "comes from $" + *name + ", which is computed in line " +
+                    std::to_string(lineOf(definition.value->range.from)),
+                definition.value->range};
+    return {definition.value->content, "", {}};
+}
+
 // ---------------------------------------------------------------------------------------------
 
 bool Origins::writes(const Command& command, const std::string& name) const {

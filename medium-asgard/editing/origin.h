@@ -36,6 +36,15 @@ public:
                                              const std::vector<std::size_t>& path) const;
     [[nodiscard]] Origin ofScalar(const script::Command& command, const script::Word& word) const;
 
+    // The literal whose content is the word's value: the word itself, or what its variable is set
+    // to.
+    struct Literal {
+        scene::Range content; // unknown with a reason
+        std::string reason;
+        scene::Range cause;
+    };
+    [[nodiscard]] Literal literalOf(const script::Command& command, const script::Word& word) const;
+
     // The command that this one runs in: a procedure's definition, or null at the top.
     [[nodiscard]] const script::Command* procedureOf(const script::Command& command) const;
     // The nearest loop or procedure around a command, or null.

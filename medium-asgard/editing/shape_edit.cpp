@@ -1,0 +1,361 @@
+#include "editing/shape_edit.h"
+
+#include "editing/number_text.h"
+#include "editing/origin.h"
+
+#include "script/numbers.h"
+
+#include <algorithm>
+
+namespace editing {
+
+using geometry::Vector;
+
+namespace {
+
+std::string vectorText(const Vector& v) {
+    return "{" + numberText(v.x(), 0) + " " + numberText(v.y(), 0) + " " + numberText(v.z(), 0) +
+           "}";
+}
+
+std::string pointsText(const std::vector<Vector>& points) {
+    std::string text;
+    for (const Vector& p : points)
+        text += (text.empty() ? "" : " ") + vectorText(p);
+    return "{" + text + "}";
+}
+
+// "-sphere 2", "-box {1 2 3}", "-points {...}"
+std::pair<std::string, std::string> wordsOf(const scene::Part& part) {
+    if (const auto* sphere = std::get_if<scene::SphereShape>(&part.shape))
+        return {"-sphere", numberText(sphere->radius, 0)};
+    if (const auto* box = std::get_if<scene::BoxShape>(&part.shape))
+        return {"-box", vectorText(box->edges)};
+    return {"-points", pointsText(std::get<scene::HullShape>(part.shape).points)};
+}
+
+std::string colourText(const scene::Color& color) {
+    return "{" + numberText(color.red, 0) + " " + numberText(color.green, 0) + " " +
+           numberText(color.blue, 0) + "}";
+}
+
+// An element of the text's list with its place in the text.
+struct Item {
+    scene::Range range, content;
+    bool literal = false;
+    std::string value;
+};
+
+std::vector<Item> itemsOf(const std::string& text, scene::Range content) {
+    std::vector<Item> items;
+    const auto list =
+        script::elementsOf(std::string_view(text).substr(content.from, content.to - content.from));
+    for (const script::Element& one : list.elements)
+        items.push_back({{content.from + one.range.from, content.from + one.range.to},
+                         {content.from + one.content.from, content.from + one.content.to},
+                         one.literal,
+                         one.value});
+    return items;
+}
+
+// The description as it is written: for each part its option words and their values.
+struct WrittenPart {
+    std::vector<std::pair<Item, Item>> words; // one "-sub {...}", or all "-face {...}" of the hull
+    [[nodiscard]] bool isFaces() const { return words.front().first.value == "-face"; }
+};
+
+class Description {
+public:
+    Description(const std::string& text, scene::Range content) : text_(text), content_(content) {
+        std::optional<std::size_t> hull;
+        items_ = itemsOf(text, content);
+        for (std::size_t i = 0; i + 1 < items_.size(); i += 2) {
+            const bool isFace = items_[i].value == "-face";
+            if (!isFace || !hull)
+                parts_.emplace_back();
+            if (isFace && !hull)
+                hull = parts_.size() - 1;
+            (isFace ? parts_[*hull] : parts_.back()).words.emplace_back(items_[i], items_[i + 1]);
+        }
+    }
+
+    [[nodiscard]] const std::vector<WrittenPart>& parts() const { return parts_; }
+
+    void change(std::size_t index, const scene::Part& before, const scene::Part& after);
+    void remove(std::size_t index);
+    void append(const scene::Part& part);
+    [[nodiscard]] std::vector<TextEdit> edits() {
+        std::ranges::stable_sort(edits_, {}, &TextEdit::from);
+        return edits_;
+    }
+
+private:
+    void put(scene::Range range, std::string text) {
+        if (text_.compare(range.from, range.to - range.from, text) != 0)
+            edits_.push_back({range.from, range.to, std::move(text)});
+    }
+    void putNumber(const Item& item, double value) {
+        if (const auto old = script::decimalNumber(item.value); !old || *old != value)
+            put(item.range, numberText(value, 0, item.value));
+    }
+    void putVector(const Item& item, const Vector& value) {
+        const auto numbers = itemsOf(text_, item.content);
+        if (numbers.size() != 3)
+            return put(item.range, vectorText(value));
+        for (int k = 0; k < 3; ++k)
+            putNumber(numbers[static_cast<std::size_t>(k)], value[k]);
+    }
+    void putPoints(const Item& item, const std::vector<Vector>& before,
+                   const std::vector<Vector>& after);
+    void changeSub(const Item& value, const scene::Part& before, const scene::Part& after);
+    void changeFaces(const WrittenPart& faces, const scene::Part& before, const scene::Part& after);
+    void removeWords(const std::pair<Item, Item>& words);
+
+    const std::string& text_;
+    scene::Range content_;
+    std::vector<Item> items_;
+    std::vector<WrittenPart> parts_;
+    std::vector<TextEdit> edits_;
+};
+
+// Points that stay keep their bytes: what is common to both at the beginning and at the end, and
+// those between that only moved, when there are as many as before.
+void Description::putPoints(const Item& item, const std::vector<Vector>& before,
+                            const std::vector<Vector>& after) {
+    const auto items = itemsOf(text_, item.content);
+    if (items.size() != before.size() || items.empty())
+        return put(item.range, pointsText(after));
+    if (before.size() == after.size()) {
+        for (std::size_t i = 0; i < items.size(); ++i)
+            if (before[i] != after[i])
+                putVector(items[i], after[i]);
+        return;
+    }
+    const std::size_t shorter = std::min(before.size(), after.size());
+    std::size_t head = 0, tail = 0;
+    while (head < shorter && before[head] == after[head])
+        ++head;
+    while (tail < shorter - head &&
+           before[before.size() - 1 - tail] == after[after.size() - 1 - tail])
+        ++tail;
+    std::string added;
+    for (std::size_t i = head; i + tail < after.size(); ++i)
+        added += " " + vectorText(after[i]);
+    const std::size_t from = head > 0 ? items[head - 1].range.to : item.content.from;
+    const std::size_t to =
+        head + tail < before.size() ? items[before.size() - tail - 1].range.to : from;
+    if (head == 0 && !added.empty()) {
+        added.erase(0, 1);
+        if (tail > 0 && to == from)
+            added += " ";
+    }
+    put({from, to}, added);
+}
+
+void Description::changeSub(const Item& value, const scene::Part& before,
+                            const scene::Part& after) {
+    const auto items = itemsOf(text_, value.content);
+    const auto find = [&](std::string_view option) -> const Item* {
+        for (std::size_t i = 0; i + 1 < items.size(); i += 2)
+            if (items[i].value == option)
+                return &items[i + 1];
+        return nullptr;
+    };
+    std::string inserted;
+    const auto vector = [&](const char* option, const Vector& old, const Vector& now) {
+        if (old == now)
+            return;
+        if (const Item* item = find(option))
+            putVector(*item, now);
+        else
+            inserted += std::string(option) + " " + vectorText(now) + " ";
+    };
+    vector("-pos", before.position, after.position);
+    vector("-rot", before.rotation, after.rotation);
+    if (!inserted.empty() && !items.empty())
+        put({items.front().range.from, items.front().range.from}, inserted);
+    if (before.shape == after.shape)
+        return;
+    const auto [option, words] = wordsOf(after);
+    for (std::size_t i = 0; i + 1 < items.size(); i += 2) {
+        const std::string& is = items[i].value;
+        if (is != "-sphere" && is != "-box" && is != "-points")
+            continue;
+        const Item& at = items[i + 1];
+        if (is != option) {
+            put(items[i].range, option);
+            put(at.range, words);
+        } else if (const auto* sphere = std::get_if<scene::SphereShape>(&after.shape)) {
+            putNumber(at, sphere->radius);
+        } else if (const auto* box = std::get_if<scene::BoxShape>(&after.shape)) {
+            putVector(at, box->edges);
+        } else {
+            putPoints(at, std::get<scene::HullShape>(before.shape).points,
+                      std::get<scene::HullShape>(after.shape).points);
+        }
+    }
+}
+
+// A vertex stands in several faces, and in each is one point of the part.
+void Description::changeFaces(const WrittenPart& faces, const scene::Part& before,
+                              const scene::Part& after) {
+    const auto* old = std::get_if<scene::HullShape>(&before.shape);
+    const auto* now = std::get_if<scene::HullShape>(&after.shape);
+    std::vector<Item> points;
+    for (const auto& [option, value] : faces.words) {
+        const auto items = itemsOf(text_, value.content);
+        for (std::size_t i = 0; i < items.size(); ++i)
+            if (items[i].value.starts_with("-"))
+                ++i; // -color and its value
+            else
+                points.push_back(items[i]);
+    }
+    if (old && now && old->points.size() == now->points.size() &&
+        points.size() == old->points.size() && before.position == after.position &&
+        before.rotation == after.rotation) {
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (old->points[i] != now->points[i])
+                putVector(points[i], now->points[i]);
+        return;
+    }
+    put({faces.words.front().first.range.from, faces.words.front().second.range.to},
+        partText(after));
+    for (std::size_t i = 1; i < faces.words.size(); ++i)
+        removeWords(faces.words[i]);
+}
+
+void Description::change(std::size_t index, const scene::Part& before, const scene::Part& after) {
+    const WrittenPart& written = parts_[index];
+    if (written.isFaces())
+        changeFaces(written, before, after);
+    else
+        changeSub(written.words.front().second, before, after);
+}
+
+// With the space before it; the first with that after it.
+void Description::removeWords(const std::pair<Item, Item>& words) {
+    std::size_t from = words.first.range.from, to = words.second.range.to;
+    const std::size_t before = text_.find_last_not_of(" \t\r\n", from - 1) + 1;
+    if (before > content_.from)
+        from = before;
+    else
+        to = std::min(text_.find_first_not_of(" \t\r\n", to), content_.to);
+    edits_.push_back({from, to, ""});
+}
+
+void Description::remove(std::size_t index) {
+    for (const auto& words : parts_[index].words)
+        removeWords(words);
+}
+
+// Apart from the last as that is from the one before.
+void Description::append(const scene::Part& part) {
+    if (items_.empty()) {
+        edits_.push_back({content_.from, content_.from, partText(part)});
+        return;
+    }
+    std::string space = " ";
+    if (items_.size() >= 4) {
+        const std::size_t from = items_[items_.size() - 3].range.to;
+        space = text_.substr(from, items_[items_.size() - 2].range.from - from);
+    }
+    const std::size_t at = items_.back().range.to;
+    edits_.push_back({at, at, space + partText(part)});
+}
+
+} // namespace
+
+std::vector<DraftPart> draftOf(const scene::ShapeSet& set) {
+    std::vector<DraftPart> draft;
+    for (std::size_t i = 0; i < set.parts.size(); ++i)
+        draft.push_back({set.parts[i], i});
+    return draft;
+}
+
+std::string partText(const scene::Part& part) {
+    std::string text = "-sub {";
+    if (part.position != Vector::Zero())
+        text += "-pos " + vectorText(part.position) + " ";
+    if (part.rotation != Vector::Zero())
+        text += "-rot " + vectorText(part.rotation) + " ";
+    if (part.appearance.color)
+        text += "-color " + colourText(*part.appearance.color) + " ";
+    if (part.appearance.shininess)
+        text += "-shininess " + numberText(*part.appearance.shininess, 0) + " ";
+    if (part.appearance.transparency)
+        text += "-transparency " + numberText(*part.appearance.transparency, 0) + " ";
+    const auto [option, value] = wordsOf(part);
+    return text + option + " " + value + "}";
+}
+
+std::string shapeSetText(const std::string& name, const std::vector<scene::Part>& parts) {
+    std::string text = "shape_set " + name + " -desc {";
+    for (const scene::Part& part : parts)
+        text += (parts.size() > 1 ? "\n    " : "") + partText(part);
+    return text + (parts.size() > 1 ? "\n}\n" : "}\n");
+}
+
+Answer become(const std::string& text, std::shared_ptr<const scene::Scene> scene,
+              std::size_t shapeSet, const std::vector<DraftPart>& draft) {
+    const scene::ShapeSet& set = scene->shapeSets[shapeSet];
+    const std::string subject = "-desc of shape set \"" + set.name + "\" ";
+    Answer answer;
+    if (draft.empty()) {
+        answer.reason = "A shape set has one part at least; the shape set itself can be deleted.";
+        return answer;
+    }
+    const script::Structure structure = script::structureOf(text);
+    const Origins origins(text, structure, *scene);
+    const script::Command* command =
+        set.source.command.known() ? structure.startingAt(set.source.command.from) : nullptr;
+    if (!command || set.source.runs != 1) {
+        answer.reason = subject + "is made by the command of line " +
+                        std::to_string(set.source.line) +
+                        (command ? ", which makes several." : ", which is not in the text.");
+        answer.cause = set.source.command;
+        return answer;
+    }
+    for (const scene::Argument& argument : set.source.arguments)
+        for (const script::Word& word : command->words) {
+            if (argument.option != "-desc" || !(word.range == argument.word))
+                continue;
+            const Origins::Literal literal = origins.literalOf(*command, word);
+            if (!literal.content.known()) {
+                std::vector<scene::Part> parts;
+                for (const DraftPart& one : draft)
+                    parts.push_back(one.part);
+                const std::string whole = shapeSetText(set.name, parts);
+                const std::size_t list = whole.find('{');
+                answer.reason = subject + literal.reason + ".";
+                answer.cause = literal.cause;
+                answer.offers = {{"Write the parts of " + set.name + " out",
+                                  {{word.range.from, word.range.to,
+                                    whole.substr(list, whole.size() - list - 1)}}}};
+                return answer;
+            }
+            Description written(text, literal.content);
+            if (written.parts().size() != set.parts.size()) {
+                answer.reason = subject + "is not written as its parts.";
+                answer.cause = word.range;
+                return answer;
+            }
+            for (std::size_t i = 0; i < set.parts.size(); ++i) {
+                const auto now =
+                    std::ranges::find_if(draft, [&](const DraftPart& one) { return one.was == i; });
+                if (now == draft.end())
+                    written.remove(i);
+                else if (!(now->part == set.parts[i]))
+                    written.change(i, set.parts[i], now->part);
+            }
+            for (const DraftPart& one : draft)
+                if (!one.was)
+                    written.append(one.part);
+            answer.edits = written.edits();
+            return answer;
+        }
+    answer.reason = subject + "is not in the text.";
+    answer.cause = set.source.command;
+    return answer;
+}
+
+} // namespace editing

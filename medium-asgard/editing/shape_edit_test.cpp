@@ -1,0 +1,220 @@
+// (text, gesture, text) of shapes; and that the text reads as the parts that were wanted.
+#include "editing/shape_edit.h"
+
+#include "script/reader.h"
+
+#include <gmock/gmock.h>
+
+#include <random>
+
+namespace editing {
+namespace {
+
+using geometry::Vector;
+using ::testing::HasSubstr;
+
+script::Reader& reader() {
+    static script::Reader shared;
+    return shared;
+}
+
+std::shared_ptr<const scene::Scene> read(const std::string& text) {
+    const auto result = reader().read(text);
+    EXPECT_TRUE(result.usable) << text
+                               << (result.diagnostics.empty() ? ""
+                                                              : result.diagnostics.front().message);
+    return std::make_shared<const scene::Scene>(result.scene);
+}
+
+// The text when the draft of its first shape set is changed so; or the reason why not.
+std::string after(const std::string& text,
+                  const std::function<void(std::vector<DraftPart>&)>& change) {
+    const auto scene = read(text);
+    auto draft = draftOf(scene->shapeSets.at(0));
+    change(draft);
+    const Answer answer = become(text, scene, 0, draft);
+    return answer.possible() ? applied(text, answer.edits) : answer.reason;
+}
+
+std::vector<Vector>& points(DraftPart& one) {
+    return std::get<scene::HullShape>(one.part.shape).points;
+}
+
+const std::string tetra = "# four corners\nshape_set t -desc {\n"
+                          "  -sub {-color red  -points {{0 0 0} {1.50 0 0} {0 1 0}  {0 0 1}}}\n"
+                          "  -sub {-pos {2 0 0} -sphere 0.5}\n}\nbody b t\n";
+
+TEST(ShapeEditTest, NothingChangedChangesNothing) {
+    EXPECT_EQ(after(tetra, [](auto&) {}), tetra);
+}
+
+TEST(ShapeEditTest, AMovedVertexRewritesItsNumbersAlone) {
+    EXPECT_EQ(after(tetra,
+                    [](auto& draft) {
+                        points(draft[0])[1] = {1.5, 0, -0.25};
+                    }),
+              "# four corners\nshape_set t -desc {\n"
+              "  -sub {-color red  -points {{0 0 0} {1.50 0 -0.25} {0 1 0}  {0 0 1}}}\n"
+              "  -sub {-pos {2 0 0} -sphere 0.5}\n}\nbody b t\n");
+}
+
+TEST(ShapeEditTest, VerticesAreAddedAndDeleted) {
+    EXPECT_THAT(after(tetra,
+                      [](auto& draft) {
+                          points(draft[0]).push_back({1, 1, 1});
+                      }),
+                HasSubstr("{0 1 0}  {0 0 1} {1 1 1}}}\n"));
+    EXPECT_THAT(after(tetra,
+                      [](auto& draft) {
+                          auto& p = points(draft[0]);
+                          p.insert(p.begin(), Vector(9, 9, 9));
+                      }),
+                HasSubstr("-points {{9 9 9} {0 0 0} {1.50 0 0} {0 1 0}  {0 0 1}}}\n"));
+    EXPECT_THAT(after(tetra,
+                      [](auto& draft) {
+                          auto& p = points(draft[0]);
+                          p.push_back({1, 1, 1});
+                          p.erase(p.begin() + 1);
+                          p.push_back({2, 2, 2});
+                      }),
+                HasSubstr("-points {{0 0 0} {0 1 0} {0 0 1} {1 1 1} {2 2 2}}}\n"));
+}
+
+TEST(ShapeEditTest, ASphereIsMovedAndResized) {
+    EXPECT_THAT(after(tetra,
+                      [](auto& draft) {
+                          draft[1].part.position = {2, 3, 0};
+                          draft[1].part.shape = scene::SphereShape{0.75};
+                      }),
+                HasSubstr("  -sub {-pos {2 3 0} -sphere 0.75}\n}"));
+    EXPECT_THAT(after("shape_set s -desc {-sub {-sphere 1}}\n",
+                      [](auto& draft) {
+                          draft[0].part.position = {0, 1, 0};
+                      }),
+                HasSubstr("{-sub {-pos {0 1 0} -sphere 1}}"));
+}
+
+TEST(ShapeEditTest, PartsAreAddedInTheStyleOfTheOthersAndDeleted) {
+    scene::Part box;
+    box.shape = scene::BoxShape{{1, 2, 3}};
+    const auto add = [&](auto& draft) { draft.push_back({box, std::nullopt}); };
+    EXPECT_THAT(after(tetra, add), HasSubstr("-sphere 0.5}\n  -sub {-box {1 2 3}}\n}\nbody"));
+    EXPECT_EQ(after("shape_set s -desc {-sub {-sphere 1}}\n", add),
+              "shape_set s -desc {-sub {-sphere 1} -sub {-box {1 2 3}}}\n");
+    EXPECT_EQ(after(tetra, [](auto& draft) { draft.erase(draft.begin()); }),
+              "# four corners\nshape_set t -desc {\n"
+              "  -sub {-pos {2 0 0} -sphere 0.5}\n}\nbody b t\n");
+    EXPECT_EQ(after(tetra, [](auto& draft) { draft.pop_back(); }),
+              "# four corners\nshape_set t -desc {\n"
+              "  -sub {-color red  -points {{0 0 0} {1.50 0 0} {0 1 0}  {0 0 1}}}\n}\nbody b t\n");
+    EXPECT_THAT(after(tetra, [](auto& draft) { draft.clear(); }), HasSubstr("one part at least"));
+}
+
+const std::string faces = "shape_set f -desc {-face {-color red {0 0 0} {1 0 0} {0 1 0}} -face {{0 "
+                          "0 0} {0 0 1} {1 0 0}}\n"
+                          "  -face {{0 0 0} {0 1 0} {0 0 1}} -face {{1 0 0} {0 0 1} {0 1 0}}}\n";
+
+TEST(ShapeEditTest, FacesStayWhileTheirVerticesMove) {
+    EXPECT_EQ(after(faces,
+                    [](auto& draft) {
+                        for (Vector& p : points(draft[0]))
+                            if (p == Vector(0, 0, 1))
+                                p = {0, 0, 2};
+                    }),
+              "shape_set f -desc {-face {-color red {0 0 0} {1 0 0} {0 1 0}} "
+              "-face {{0 0 0} {0 0 2} {1 0 0}}\n"
+              "  -face {{0 0 0} {0 1 0} {0 0 2}} -face {{1 0 0} {0 0 2} {0 1 0}}}\n");
+}
+
+TEST(ShapeEditTest, FacesWithAnotherVertexAreWrittenAsPoints) {
+    EXPECT_EQ(after(faces,
+                    [](auto& draft) {
+                        points(draft[0]) = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+                    }),
+              "shape_set f -desc {-sub {-color {1 0 0} -points {{0 0 0} {1 0 0} {0 1 0} {0 0 1} {1 "
+              "1 1}}}}\n");
+}
+
+TEST(ShapeEditTest, AVariableIsChangedWhereItIsSet) {
+    EXPECT_EQ(after("set d {-sub {-sphere 1}}\nshape_set s -desc $d\n",
+                    [](auto& draft) { draft[0].part.shape = scene::SphereShape{2}; }),
+              "set d {-sub {-sphere 2}}\nshape_set s -desc $d\n");
+}
+
+TEST(ShapeEditTest, WhatIsComputedSaysSoAndCanBeWrittenOut) {
+    const std::string text = "set r 1\nshape_set s -desc \"-sub {-sphere [expr {2 * $r}]}\"\n";
+    const auto scene = read(text);
+    auto draft = draftOf(scene->shapeSets.at(0));
+    draft[0].part.shape = scene::SphereShape{3};
+    const Answer answer = become(text, scene, 0, draft);
+    EXPECT_THAT(answer.reason, HasSubstr("-desc of shape set \"s\" is computed"));
+    ASSERT_EQ(answer.offers.size(), 1U);
+    EXPECT_EQ(applied(text, answer.offers[0].edits),
+              "set r 1\nshape_set s -desc {-sub {-sphere 3}}\n");
+}
+
+// Whatever becomes of the parts: the text reads as them, and the rest of it stays.
+TEST(ShapeEditTest, RandomChangesReadAsTheParts) {
+    std::mt19937 random(20261120);
+    const auto number = [&] {
+        return std::round(100 * std::uniform_real_distribution(-3.0, 3.0)(random)) / 100;
+    };
+    const auto vector = [&] { return Vector(number(), number(), number()); };
+    for (std::string text : {tetra, faces}) {
+        for (int k = 0; k < 150; ++k) {
+            const auto scene = read(text);
+            auto draft = draftOf(scene->shapeSets.at(0));
+            DraftPart& one = draft[random() % draft.size()];
+            auto* hull = std::get_if<scene::HullShape>(&one.part.shape);
+            switch (random() % 7) {
+            case 0:
+                if (hull)
+                    hull->points[random() % hull->points.size()] = vector();
+                break;
+            case 1:
+                if (hull)
+                    hull->points.insert(
+                        hull->points.begin() +
+                            static_cast<std::ptrdiff_t>(random() % (hull->points.size() + 1)),
+                        vector());
+                break;
+            case 2:
+                if (hull && hull->points.size() > 6)
+                    hull->points.erase(hull->points.begin() +
+                                       static_cast<std::ptrdiff_t>(random() % hull->points.size()));
+                break;
+            case 3:
+                one.part.position = vector();
+                break;
+            case 4:
+                one.part.shape = scene::BoxShape{vector().cwiseAbs() + Vector(1, 1, 1)};
+                break;
+            case 5: {
+                scene::Part part;
+                part.shape = scene::HullShape{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+                part.position = vector();
+                draft.push_back({part, std::nullopt});
+                break;
+            }
+            default:
+                if (draft.size() > 1)
+                    draft.erase(draft.begin() +
+                                static_cast<std::ptrdiff_t>(random() % draft.size()));
+            }
+            const Answer answer = become(text, scene, 0, draft);
+            ASSERT_TRUE(answer.possible()) << answer.reason << text;
+            const std::string now = applied(text, answer.edits);
+            const auto result = reader().read(now);
+            if (!result.usable)
+                continue; // points in one plane are refused, as they would be in any text
+            const auto& parts = result.scene.shapeSets.at(0).parts;
+            ASSERT_EQ(parts.size(), draft.size()) << text << now;
+            for (std::size_t i = 0; i < parts.size(); ++i)
+                EXPECT_EQ(parts[i], draft[i].part) << text << now;
+            text = now;
+        }
+    }
+}
+
+} // namespace
+} // namespace editing
