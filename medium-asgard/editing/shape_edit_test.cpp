@@ -1,5 +1,7 @@
 // (text, gesture, text) of shapes; and that the text reads as the parts that were wanted.
 #include "editing/shape_edit.h"
+#include "editing/shape_library.h"
+#include "editing/shape_points.h"
 
 #include "script/reader.h"
 
@@ -151,6 +153,52 @@ TEST(ShapeEditTest, WhatIsComputedSaysSoAndCanBeWrittenOut) {
     ASSERT_EQ(answer.offers.size(), 1U);
     EXPECT_EQ(applied(text, answer.offers[0].edits),
               "set r 1\nshape_set s -desc {-sub {-sphere 3}}\n");
+}
+
+TEST(ShapePointsTest, AreWhatOneTakesHoldOf) {
+    scene::Part ball = sphere(2);
+    ball.position = {1, 0, 0};
+    EXPECT_EQ(pointsOf(ball).size(), 2U);
+    EXPECT_EQ(pointsOf(ball)[1], Vector(3, 0, 0));
+    EXPECT_EQ(std::get<scene::SphereShape>(withPoint(ball, 1, {1, 3, 0}).shape).radius, 3);
+    EXPECT_EQ(withPoint(ball, 0, {5, 5, 5}).position, Vector(5, 5, 5));
+    // A vertex of four faces is one point, and moves in all.
+    const auto cut = read(faces)->shapeSets[0].parts[0];
+    ASSERT_EQ(pointsOf(cut).size(), 4U);
+    const scene::Part moved = withPoint(cut, 3, {0, 0, 5});
+    EXPECT_EQ(std::ranges::count(std::get<scene::HullShape>(moved.shape).points, Vector(0, 0, 5)),
+              3);
+}
+
+TEST(ShapePointsTest, ABoxGrowsFromTheOppositeCorner) {
+    scene::Part part = box({2, 2, 2});
+    part.rotation = {0, 0, 1.5707963267948966}; // x goes to y
+    const auto before = pointsOf(part);
+    const scene::Part after = withPoint(part, 8, before[8] + Vector(1, 0, 0));
+    EXPECT_LT((pointsOf(after)[1] - before[1]).norm(), 1e-12);
+    EXPECT_LT((pointsOf(after)[8] - before[8] - Vector(1, 0, 0)).norm(), 1e-12);
+    const scene::Part flat = withPoint(part, 8, before[1] - Vector(1, 1, 1));
+    EXPECT_GT(std::get<scene::BoxShape>(flat.shape).edges.minCoeff(), 0); // never inside out
+}
+
+TEST(ShapePointsTest, InnerPointsAreFoundAndDropped) {
+    scene::Part part = tetrahedron(2);
+    part = withNewPoint(withNewPoint(part, {0.1, 0, 0}), {2, 2, -2});
+    EXPECT_EQ(innerPoints(part), (std::vector<bool>{false, false, false, false, true, false}));
+    EXPECT_EQ(pointsOf(withoutInnerPoints(part)).size(), 5U);
+    EXPECT_EQ(pointsOf(withoutPoint(part, 5)).size(), 5U);
+    EXPECT_EQ(withoutPoint(tetrahedron(1), 0), tetrahedron(1)); // would be flat
+}
+
+TEST(ShapeLibraryTest, EveryShapeIsOneThatTheLanguageTakes) {
+    for (const LibraryShape& shape : shapeLibrary()) {
+        const auto parts = read(shapeSetText("s", shape.parts))->shapeSets.at(0).parts;
+        EXPECT_EQ(parts, shape.parts) << shape.name;
+        for (const scene::Part& part : parts) {
+            const std::vector<bool> inner = innerPoints(part);
+            EXPECT_TRUE(std::ranges::none_of(inner, std::identity())) << shape.name;
+        }
+    }
 }
 
 // Whatever becomes of the parts: the text reads as them, and the rest of it stays.

@@ -1,0 +1,31 @@
+// What a shape editor takes hold of: the vertices of a polyhedron, a sphere's centre and a point of
+// its surface, a box's centre and corners (dissertation 4.1.1). All in the shape set's frame.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <vector>
+
+namespace editing {
+
+// Vertices that stand several times, as in faces, are one point.
+[[nodiscard]] std::vector<geometry::Vector> pointsOf(const scene::Part& part);
+
+// The part with that point there. A sphere's surface point sets the radius; a box's corner leaves
+// the opposite one where it is, and never turns the box inside out.
+[[nodiscard]] scene::Part withPoint(const scene::Part& part, std::size_t point,
+                                    const geometry::Vector& place);
+
+// Polyhedra only; another part stays as it is.
+[[nodiscard]] scene::Part withNewPoint(const scene::Part& part, const geometry::Vector& place);
+// A polyhedron keeps four points, that bound a solid; `part` itself when it could not.
+[[nodiscard]] scene::Part withoutPoint(const scene::Part& part, std::size_t point);
+
+// Which of the points are no vertices of the hull.
+[[nodiscard]] std::vector<bool> innerPoints(const scene::Part& part);
+[[nodiscard]] scene::Part withoutInnerPoints(const scene::Part& part);
+
+// The part as a polyhedron with the same place: a box's corners; nothing else changes.
+[[nodiscard]] scene::Part asPolyhedron(const scene::Part& part);
+
+} // namespace editing
