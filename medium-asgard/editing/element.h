@@ -3,6 +3,7 @@
 
 #include "scene/scene.h"
 
+#include <compare>
 #include <cstddef>
 #include <string>
 
@@ -26,7 +27,7 @@ enum class Kind {
 struct Element {
     Kind kind = Kind::body;
     std::size_t index = 0;
-    bool operator==(const Element&) const = default;
+    auto operator<=>(const Element&) const = default;
 };
 
 // Where it comes from; null: there is none.

@@ -1,6 +1,9 @@
 #include "editing/number_text.h"
 
+#include "script/numbers.h"
+
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -56,6 +59,69 @@ std::string numberText(double value, double resolution, std::string_view before)
     if (text.find_first_not_of("-0.") == std::string::npos && text.front() == '-')
         text.erase(0, 1);
     return text;
+}
+
+namespace {
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+// The end of the number without a sign that begins here; `from` itself: none does.
+std::size_t numberEnd(std::string_view text, std::size_t from) {
+    std::size_t at = from;
+    bool digits = false;
+    while (at < text.size() && (isDigit(text[at]) || text[at] == '.')) {
+        digits = digits || isDigit(text[at]);
+        ++at;
+    }
+    if (!digits)
+        return from;
+    if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
+        std::size_t end = at + 1;
+        if (end < text.size() && (text[end] == '-' || text[end] == '+'))
+            ++end;
+        if (end < text.size() && isDigit(text[end])) {
+            while (end < text.size() && isDigit(text[end]))
+                ++end;
+            at = end;
+        }
+    }
+    return at;
+}
+
+// Part of a name, a variable or a colour: what follows is no number of its own.
+bool belongs(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '$' ||
+           c == '#' || (static_cast<unsigned char>(c) & 0x80) != 0;
+}
+
+// A sign is the number's own where no term stands before it.
+bool isSign(std::string_view text, std::size_t at) {
+    if (text[at] != '-' && text[at] != '+')
+        return false;
+    return at == 0 ||
+           std::string_view(" \t\n{(\"[,*/=<>").find(text[at - 1]) != std::string_view::npos;
+}
+
+} // namespace
+
+std::optional<scene::Range> numberAt(std::string_view text, std::size_t place) {
+    place = std::min(place, text.size());
+    std::size_t at = text.rfind('\n', place == 0 ? 0 : place - 1);
+    at = at == std::string_view::npos || at > place ? 0 : at;
+    while (at < text.size() && at <= place + 1) {
+        const std::size_t end = at > 0 && belongs(text[at - 1]) ? at : numberEnd(text, at);
+        if (end == at) {
+            ++at;
+            continue;
+        }
+        const std::size_t from = at > 0 && isSign(text, at - 1) ? at - 1 : at;
+        const bool whole = end == text.size() || !belongs(text[end]);
+        if (whole && from <= place && place <= end &&
+            script::decimalNumber(text.substr(from, end - from)))
+            return scene::Range{from, end};
+        at = end;
+    }
+    return std::nullopt;
 }
 
 } // namespace editing

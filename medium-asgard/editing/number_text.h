@@ -1,6 +1,9 @@
 // Numbers that gestures write.
 #pragma once
 
+#include "scene/scene.h"
+
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,5 +13,9 @@ namespace editing {
 // wrote before: "-5" dragged to -4.3712 by hundredths is "-4.37", "1.50" dragged to 2 is "2.00".
 // Reads back as a number within half of `resolution` of `value`; 0: exactly.
 [[nodiscard]] std::string numberText(double value, double resolution, std::string_view before = "");
+
+// The decimal number that this byte of a text belongs to or follows, its sign included; none in
+// names and colours ("b1", "#102030").
+[[nodiscard]] std::optional<scene::Range> numberAt(std::string_view text, std::size_t place);
 
 } // namespace editing

@@ -1,0 +1,27 @@
+// What can be written at a place of a text: commands, options, names of what the scene has.
+//
+// The text may be anything that is being typed: what stands before the place decides, by Tcl's
+// rules. Names come from the text itself and from the last good scene, so that a body just typed is
+// offered to the force below it.
+#pragma once
+
+#include "editing/options.h"
+
+#include "scene/scene.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace editing {
+
+struct Completion {
+    std::size_t from = 0; // the bytes [from, place) are the beginning of each word
+    std::vector<std::string> words;
+    std::string hint; // what is wanted here, "" when nothing is known
+};
+
+[[nodiscard]] Completion completionAt(std::string_view text, std::size_t place,
+                                      const scene::Scene& scene);
+
+} // namespace editing

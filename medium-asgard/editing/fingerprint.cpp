@@ -1,0 +1,142 @@
+#include "editing/fingerprint.h"
+
+#include <bit>
+#include <cstdint>
+
+namespace editing {
+
+namespace {
+
+// Values one after another. Texts and lists come with their length, choices with their number, so
+// that no two different elements are written alike.
+class Writer {
+public:
+    template <class... Values> Writer& add(const Values&... values) {
+        (put(values), ...);
+        return *this;
+    }
+    std::string take() { return std::move(out_); }
+
+private:
+    void put(double value) { out_ += std::to_string(std::bit_cast<std::uint64_t>(value)) + ','; }
+    void put(bool value) { out_ += value ? "y," : "n,"; }
+    void put(int value) { out_ += std::to_string(value) + ','; }
+    void put(const std::string& text) { out_ += std::to_string(text.size()) + ':' + text; }
+    void put(const scene::Vector& v) { add(v.x(), v.y(), v.z()); }
+    void put(const scene::Quaternion& q) { add(q.w(), q.x(), q.y(), q.z()); }
+    void put(const scene::Color& c) { add(c.red, c.green, c.blue); }
+    void put(const scene::Appearance& a) { add(a.color, a.shininess, a.transparency); }
+    void put(const scene::SphereShape& shape) { put(shape.radius); }
+    void put(const scene::BoxShape& shape) { put(shape.edges); }
+    void put(const scene::HullShape& shape) { put(shape.points); }
+    void put(const scene::Part& p) { add(p.shape, p.position, p.rotation, p.appearance); }
+    void put(const scene::ComponentForce& f) { add(f.components, static_cast<int>(f.frame)); }
+    void put(const scene::TrajectoryForce& f) { put(f.trajectory); }
+    void put(const scene::GravitationalForce& f) { put(f.acceleration); }
+    void put(const scene::BodyEnd& end) { add(end.body, end.offset); }
+    void put(const scene::PointEnd& end) { put(end.coordinates); }
+    void put(const scene::TrajectoryEnd& end) { put(end.trajectory); }
+    void put(const scene::BezierCurve& c) { add(c.from, c.to, c.control); }
+    template <class A, class B> void put(const std::pair<A, B>& p) { add(p.first, p.second); }
+    template <class Value> void put(const std::optional<Value>& value) {
+        put(value.has_value());
+        if (value)
+            put(*value);
+    }
+    template <class Value> void put(const std::vector<Value>& values) {
+        put(static_cast<int>(values.size()));
+        for (const Value& value : values)
+            put(value);
+    }
+    template <class Value, std::size_t n> void put(const std::array<Value, n>& values) {
+        for (const Value& value : values)
+            put(value);
+    }
+    template <class... Kinds> void put(const std::variant<Kinds...>& value) {
+        put(static_cast<int>(value.index()));
+        std::visit([this](const auto& one) { put(one); }, value);
+    }
+
+    std::string out_;
+};
+
+void write(Writer& w, const scene::Simulator& s) {
+    w.add(s.start, s.finish, s.firstStep, s.accuracy, s.method, s.collisions);
+}
+void write(Writer& w, const scene::ShapeSet& s) { w.add(s.name, s.parts, s.appearance); }
+void write(Writer& w, const scene::Body& b) {
+    w.add(b.name, b.shape, b.initialPosition, b.initialAttitude, b.initialVelocity,
+          b.initialAngularVelocity, b.mass, b.inertia, b.density, b.restitution, b.fixed,
+          b.articulatedBody, b.collisionGroup, b.appearance);
+}
+void write(Writer& w, const scene::Force& f) { w.add(f.body, f.couple, f.offset, f.kind); }
+void write(Writer& w, const scene::Link& l) { w.add(l.first, l.second, l.tightness, l.damping); }
+void write(Writer& w, const scene::Trajectory& t) { w.add(t.name, t.curves, t.points); }
+void write(Writer& w, const scene::Constraint& c) {
+    w.add(c.body, static_cast<int>(c.held), c.trajectory, c.from, c.to);
+}
+void write(Writer& w, const scene::LightSource& l) {
+    w.add(l.name, l.direction, l.position, l.color);
+}
+void write(Writer& w, const scene::View& v) {
+    w.add(v.name, v.position, v.rotation, v.center, v.scale, v.eye, v.look, v.up);
+}
+void write(Writer& w, const scene::Parameter& p) {
+    w.add(p.name, p.value, p.minimum, p.maximum, p.label, p.unit);
+}
+void write(Writer& w, const scene::Plot& p) { w.add(p.name, p.values, p.labels, p.title); }
+
+template <class List> std::string written(const List& list, std::size_t index) {
+    Writer writer;
+    write(writer, list.at(index));
+    return writer.take();
+}
+
+} // namespace
+
+std::string fingerprintOf(const scene::Scene& scene, const Element& element) {
+    const std::size_t i = element.index;
+    switch (element.kind) {
+    case Kind::simulator:
+        return written(std::vector{scene.simulator}, 0);
+    case Kind::shapeSet:
+        return written(scene.shapeSets, i);
+    case Kind::body:
+        return written(scene.bodies, i);
+    case Kind::force:
+        return written(scene.forces, i);
+    case Kind::link:
+        return written(scene.links, i);
+    case Kind::trajectory:
+        return written(scene.trajectories, i);
+    case Kind::constraint:
+        return written(scene.constraints, i);
+    case Kind::light:
+        return written(scene.lights, i);
+    case Kind::view:
+        return written(scene.views, i);
+    case Kind::parameter:
+        return written(scene.parameters, i);
+    case Kind::plot:
+        break;
+    }
+    return written(scene.plots, i);
+}
+
+std::string bodiesOf(const scene::Scene& scene, const Element& element) {
+    switch (element.kind) {
+    case Kind::force:
+        return scene.forces[element.index].body;
+    case Kind::constraint:
+        return scene.constraints[element.index].body;
+    case Kind::link: {
+        const scene::Link& link = scene.links[element.index];
+        const auto* other = std::get_if<scene::BodyEnd>(&link.second);
+        return link.first.body + " " + (other ? other->body : "");
+    }
+    default:
+        return "";
+    }
+}
+
+} // namespace editing

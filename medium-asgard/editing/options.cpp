@@ -1,0 +1,159 @@
+#include "editing/options.h"
+
+#include <array>
+
+namespace editing {
+
+namespace {
+
+using enum Wants;
+
+constexpr OptionHint simulatorOptions[] = {
+    {"-start", number, "the time at which the motion begins (0)", ""},
+    {"-finish", number, "the time at which it ends (10)", ""},
+    {"-step", number, "the first step; the engine's choice", ""},
+    {"-accuracy", number, "largest position error over the size of the scene (1e-4)", ""},
+    {"-method", choice, "how it is integrated (auto)",
+     "auto forward-euler symplectic-euler midpoint rk4 trapezoidal backward-euler tsit5 dop853 gbs "
+     "tr-bdf2 radau5 sdirk4 rodas4 original"},
+    {"-collisions", flag, "1: bodies hit each other; 0: they pass through", ""},
+};
+constexpr OptionHint shapeOptions[] = {
+    {"-desc", list,
+     "parts: -face {{x y z} ...} and -sub {... -sphere R | -box {a b c} | -points {...}}", ""},
+    {"-color", color, "#rrggbb, a name, or {r g b} from 0 to 1", ""},
+    {"-shininess", number, "from 0, matt, to 1", ""},
+    {"-transparency", number, "from 0, opaque, to 1", ""},
+};
+constexpr OptionHint bodyOptions[] = {
+    {"-shape", shapeSet, "the name of a shape set", ""},
+    {"-init_pos", vector, "three numbers: where its reference point starts", ""},
+    {"-init_rot", vector, "a rotation vector (axis times angle), or a quaternion w x y z", ""},
+    {"-init_dpos", vector, "three numbers: its velocity at the start", ""},
+    {"-init_drot", vector, "three numbers: its angular velocity at the start, axis times rate", ""},
+    {"-mass", number, "a positive number; else the shape's volume times -density", ""},
+    {"-inertia", vector, "three principal values, or xx yy zz xy xz yz", ""},
+    {"-density", number, "a positive number (1)", ""},
+    {"-restitution", number, "0: it does not bounce, 1: it loses nothing (1)", ""},
+    {"-fixed", flag, "1: it never moves", ""},
+    {"-artbody", text, "the articulated body that it is a part of", ""},
+    {"-ct", integer, "bodies of one collision group do not hit each other", ""},
+    {"-color", color, "#rrggbb, a name, or {r g b} from 0 to 1", ""},
+    {"-shininess", number, "from 0, matt, to 1", ""},
+    {"-transparency", number, "from 0, opaque, to 1", ""},
+};
+constexpr OptionHint forceOptions[] = {
+    {"-body", body, "the body that it acts on", ""},
+    {"-torque", flag, "1: it turns the body and makes no net force", ""},
+    {"-offset", vector, "three numbers: where it acts, in the body's frame", ""},
+    {"-x", expression, "an expression: its component along x", ""},
+    {"-y", expression, "an expression: its component along y", ""},
+    {"-z", expression, "an expression: its component along z", ""},
+    {"-frame", choice, "whose axes x, y and z are (world)", "world body"},
+    {"-trajectory", trajectory, "a trajectory whose value now is the force", ""},
+    {"-gravitational", vector, "three numbers: the acceleration that it gives", ""},
+};
+constexpr OptionHint linkOptions[] = {
+    {"-body1", body, "the body that it holds", ""},
+    {"-offset1", vector, "three numbers: where, in the first body's frame", ""},
+    {"-body2", body, "the body that it holds on to", ""},
+    {"-offset2", vector, "three numbers: where, in the second body's frame", ""},
+    {"-x", expression, "an expression: x of the point that it holds on to", ""},
+    {"-y", expression, "an expression: y of the point", ""},
+    {"-z", expression, "an expression: z of the point", ""},
+    {"-trajectory", trajectory, "a trajectory that it holds on to", ""},
+    {"-tightness", number, "the force for each unit of distance", ""},
+    {"-damping", number, "the force for each unit of velocity; critical by default", ""},
+};
+constexpr OptionHint trajectoryOptions[] = {
+    {"-points", list, "{{t x y z} ...}: a smooth curve through these", ""},
+    {"-bezier", list, "{{t0 t1 {x y z} {x y z} ...} ...}: curves by their control points", ""},
+};
+constexpr OptionHint constrainOptions[] = {
+    {"-pos", trajectory, "a trajectory that leads its position", ""},
+    {"-rot", trajectory, "a trajectory that leads its orientation", ""},
+    {"-dpos", trajectory, "a trajectory that is its velocity", ""},
+    {"-drot", trajectory, "a trajectory that is its angular velocity", ""},
+    {"-x", trajectory, "a trajectory whose first component is its x", ""},
+    {"-y", trajectory, "a trajectory whose first component is its y", ""},
+    {"-z", trajectory, "a trajectory whose first component is its z", ""},
+    {"-dx", trajectory, "a trajectory whose first component is its velocity along x", ""},
+    {"-dy", trajectory, "a trajectory whose first component is its velocity along y", ""},
+    {"-dz", trajectory, "a trajectory whose first component is its velocity along z", ""},
+    {"-from", number, "the time at which it takes hold", ""},
+    {"-to", number, "the time at which it lets go", ""},
+};
+constexpr OptionHint lightOptions[] = {
+    {"-direction", vector, "three numbers: where the light goes", ""},
+    {"-pos", vector, "three numbers: where it is", ""},
+    {"-color", color, "#rrggbb, a name, or {r g b} from 0 to 1", ""},
+};
+constexpr OptionHint viewOptions[] = {
+    {"-pos", vector, "where the centre is on the screen", ""},
+    {"-rot", vector, "a rotation vector: how the scene is turned", ""},
+    {"-scale", number, "how large the scene is", ""},
+    {"-center", vector, "what is in the middle: three numbers, expressions, or a trajectory", ""},
+    {"-eye", vector, "where the camera stands", ""},
+    {"-look", vector, "what it looks at", ""},
+    {"-up", vector, "which way is up", ""},
+};
+constexpr OptionHint parameterOptions[] = {
+    {"-value", number, "a number, which sliders change", ""},
+    {"-min", number, "the slider's left end", ""},
+    {"-max", number, "the slider's right end", ""},
+    {"-label", text, "what it is called", ""},
+    {"-unit", text, "what is shown behind the number", ""},
+};
+constexpr OptionHint plotOptions[] = {
+    {"-values", list, "expressions that are drawn against time", ""},
+    {"-labels", list, "what they are called", ""},
+    {"-title", text, "what stands above", ""},
+};
+
+constexpr std::array commands = {
+    CommandHint{"simulator", "simulator ?options?", "From when to when, and how accurately.", text,
+                false, simulatorOptions},
+    CommandHint{"shape_set", "shape_set NAME -desc DESC", "A shape, the union of its parts.", text,
+                true, shapeOptions},
+    CommandHint{"body", "body NAME SHAPE ?options?", "A body that moves.", shapeSet, true,
+                bodyOptions},
+    CommandHint{"instance", "instance NAME SHAPE ?options?", "A body that moves.", shapeSet, true,
+                bodyOptions},
+    CommandHint{"force", "force -body B -x E -y E -z E", "A force or torque on a body.", text,
+                false, forceOptions},
+    CommandHint{"link", "link -body1 B -body2 B -tightness K",
+                "A stiff spring that holds a body to a body, a point or a trajectory.", text, false,
+                linkOptions},
+    CommandHint{"trajectory", "trajectory NAME -points {{t x y z} ...}", "A path in time.", text,
+                true, trajectoryOptions},
+    CommandHint{"constrain", "constrain BODY -pos T", "A trajectory leads a body.", body, false,
+                constrainOptions},
+    CommandHint{"lightsource", "lightsource ?NAME? -direction {x y z}", "A light.", text, true,
+                lightOptions},
+    CommandHint{"view", "view ?NAME? ?options?", "From where the scene is seen.", text, true,
+                viewOptions},
+    CommandHint{"parameter", "parameter NAME -value V", "A number with a slider.", text, true,
+                parameterOptions},
+    CommandHint{"plot", "plot NAME -values {E ...}", "Quantities drawn against time.", text, true,
+                plotOptions},
+};
+
+} // namespace
+
+std::span<const CommandHint> commandHints() { return commands; }
+
+const CommandHint* hintOf(std::string_view command) {
+    for (const CommandHint& hint : commands)
+        if (hint.name == command)
+            return &hint;
+    return nullptr;
+}
+
+const OptionHint* hintOf(const CommandHint& command, std::string_view option) {
+    for (const OptionHint& hint : command.options)
+        if (hint.name == option)
+            return &hint;
+    return nullptr;
+}
+
+} // namespace editing
