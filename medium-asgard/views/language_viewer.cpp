@@ -1,63 +1,46 @@
 #include "views/language_viewer.h"
 
+#include "views/completer.h"
+#include "views/element_marks.h"
+#include "views/elision.h"
+#include "views/fault_marks.h"
+#include "views/find_bar.h"
+#include "views/language_keys.h"
+#include "views/notice_bar.h"
+#include "views/number_drag.h"
 #include "views/scene_lexer.h"
 
-#include <QApplication>
 #include <QCloseEvent>
 #include <QHBoxLayout>
+#include <QInputDialog>
 #include <QLabel>
-#include <QLineEdit>
 #include <QListWidget>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSplitter>
-#include <QStyle>
 #include <QVBoxLayout>
 
 #include <algorithm>
 
 namespace views {
 
-namespace {
-
-enum Indicator { errorMark = 8, warningMark, argumentMark };
-
-// Options whose literal values graphical views show and change (dissertation 4.2).
-bool isGraphical(const std::string& option) {
-    for (const char* name : {"-init_pos", "-init_rot", "-init_dpos", "-init_drot", "-offset",
-                             "-offset1", "-offset2", "-pos", "-direction", "-points", "-bezier"})
-        if (option == name)
-            return true;
-    return false;
-}
-
-bool isDark(const QWidget& widget) {
-    return widget.palette().color(QPalette::Base).lightness() < 128;
-}
-
-} // namespace
-
 LanguageViewer::LanguageViewer(SceneDocument& document, Windows windows, int number)
-    : document_(document), windows_(std::move(windows)), number_(number),
-      editor_(new QsciScintilla), messages_(new QListWidget), notice_(new QLabel) {
+    : document_(document), windows_(std::move(windows)), number_(number), editor_(new SceneEditor),
+      messages_(new QListWidget), faults_(std::make_unique<FaultMarks>(*editor_, *messages_)),
+      elision_(std::make_unique<Elision>(*editor_)),
+      draft_(std::make_unique<Draft>(*editor_, document_)),
+      elements_(std::make_unique<ElementMarks>(*editor_, document_, *draft_)),
+      numbers_(std::make_unique<NumberDrag>(*editor_, document_, *draft_)),
+      completer_(std::make_unique<Completer>(*editor_, document_)),
+      notice_(new NoticeBar(*editor_, *draft_)), findBar_(new FindBar(*editor_)) {
     setAttribute(Qt::WA_DeleteOnClose);
+    editor_->setAccessibleName(tr("Text of the scene"));
+    editor_->installEventFilter(this);
     auto* whole = new QWidget;
     auto* column = new QVBoxLayout(whole);
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(8);
-    buildEditor();
-    messages_->setAccessibleName(tr("Messages"));
-    messages_->setWordWrap(true);
-    messages_->setIconSize(QSize(16, 16));
-    messages_->setAlternatingRowColors(true);
-    notice_->setWordWrap(true);
-    notice_->setAccessibleName(tr("Notice"));
-    notice_->setAutoFillBackground(true);
-    notice_->setBackgroundRole(QPalette::ToolTipBase);
-    notice_->setForegroundRole(QPalette::ToolTipText);
-    notice_->setMargin(8);
-    connect(notice_, &QLabel::linkActivated, this, &LanguageViewer::dropDraft);
     auto* splitter = new QSplitter(Qt::Vertical);
     splitter->addWidget(editor_);
     splitter->addWidget(messages_);
@@ -66,102 +49,49 @@ LanguageViewer::LanguageViewer(SceneDocument& document, Windows windows, int num
     splitter->setSizes({420, 90});
     column->addWidget(notice_);
     column->addWidget(splitter, 1);
-    column->addWidget(buildFindBar());
+    column->addWidget(findBar_);
     column->addWidget(buildButtons());
     setCentralWidget(whole);
     buildMenus();
-    connect(editor_, &QsciScintilla::textChanged, this, &LanguageViewer::textTyped);
-    connect(messages_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
-        const QPoint range = item->data(Qt::UserRole).toPoint();
-        if (range.y() >= 0)
-            select(static_cast<std::size_t>(range.x()), static_cast<std::size_t>(range.y()));
-    });
-    connect(messages_, &QListWidget::itemClicked, messages_, &QListWidget::itemActivated);
-    connect(&document_, &SceneDocument::textChanged, this, &LanguageViewer::followDocument);
-    connect(&document_, &SceneDocument::diagnosticsChanged, this, &LanguageViewer::showDiagnostics);
-    connect(&document_, &SceneDocument::sceneChanged, this, &LanguageViewer::showDiagnostics);
-    connect(&document_, &SceneDocument::nameChanged, this, &LanguageViewer::updateTitle);
-    connect(&document_, &SceneDocument::changeAccepted, this, [this] { submitted_.reset(); });
-    connect(&document_, &SceneDocument::changeRefused, this, &LanguageViewer::becomeDraftAgain);
-    setEditorText(document_.text());
-    draftRevision_ = document_.revision();
+    connectParts();
     showDiagnostics();
+    followed();
     updateTitle();
-    updateNotice();
     editor_->setFocus();
     resize(680, 640);
 }
 
-void LanguageViewer::buildEditor() {
-    editor_->setUtf8(true);
-    editor_->setEolMode(QsciScintilla::EolUnix);
-    editor_->setLexer(new SceneLexer(editor_));
-    editor_->setMarginType(0, QsciScintilla::NumberMargin);
-    editor_->setMarginWidth(1, 0);
-    editor_->SendScintilla(QsciScintillaBase::SCI_SETMARGINLEFT, 0UL, 6L);
-    editor_->setTabWidth(4);
-    editor_->setIndentationsUseTabs(false);
-    editor_->setAutoIndent(true);
-    editor_->setBraceMatching(QsciScintilla::SloppyBraceMatch);
-    editor_->setCaretLineVisible(true);
-    editor_->setAnnotationDisplay(QsciScintilla::AnnotationIndented);
-    editor_->setScrollWidth(1);
-    editor_->setScrollWidthTracking(true);
-    editor_->setAccessibleName(tr("Text of the scene"));
-    editor_->indicatorDefine(QsciScintilla::SquiggleIndicator, errorMark);
-    editor_->indicatorDefine(QsciScintilla::SquiggleIndicator, warningMark);
-    editor_->indicatorDefine(QsciScintilla::FullBoxIndicator, argumentMark);
-    editor_->setIndicatorDrawUnder(true, argumentMark);
-    editor_->setFrameStyle(QFrame::StyledPanel | QFrame::Sunken);
-    editor_->installEventFilter(this);
-    colourEditor();
+LanguageViewer::~LanguageViewer() {
+    // Nobody hears of what goes with the window.
+    editor_->forgetTools();
+    editor_->disconnect();
+    draft_->disconnect();
 }
 
-void LanguageViewer::colourEditor() {
-    const QPalette& p = palette();
-    const bool dark = isDark(*this);
-    editor_->lexer()->setDefaultPaper(p.color(QPalette::Base));
-    for (int style = SceneLexer::plain; style <= SceneLexer::string; ++style) {
-        editor_->lexer()->setColor(editor_->lexer()->defaultColor(style), style);
-        editor_->lexer()->setPaper(p.color(QPalette::Base), style);
-    }
-    editor_->setPaper(p.color(QPalette::Base));
-    editor_->setCaretForegroundColor(p.color(QPalette::Text));
-    editor_->setCaretLineBackgroundColor(dark ? p.color(QPalette::Base).lighter(130)
-                                              : p.color(QPalette::Base).darker(104));
-    editor_->setSelectionBackgroundColor(p.color(QPalette::Highlight));
-    editor_->setSelectionForegroundColor(p.color(QPalette::HighlightedText));
-    editor_->setMarginsBackgroundColor(p.color(QPalette::Window));
-    editor_->setMarginsForegroundColor(p.color(QPalette::PlaceholderText));
-    editor_->setMarginsFont(editor_->lexer()->defaultFont(SceneLexer::plain));
-    editor_->setMatchedBraceBackgroundColor(dark ? QColor(0x40, 0x58, 0x70)
-                                                 : QColor(0xD5, 0xE6, 0xF7));
-    editor_->setMatchedBraceForegroundColor(p.color(QPalette::Text));
-    editor_->setIndicatorForegroundColor(QColor(0xD0, 0x20, 0x20), errorMark);
-    editor_->setIndicatorForegroundColor(QColor(0xC0, 0x80, 0x00), warningMark);
-    editor_->setIndicatorForegroundColor(
-        dark ? QColor(0x60, 0x90, 0xC0, 0x60) : QColor(0x50, 0x90, 0xE0, 0x40), argumentMark);
-}
-
-QWidget* LanguageViewer::buildFindBar() {
-    findBar_ = new QWidget;
-    auto* row = new QHBoxLayout(findBar_);
-    row->setContentsMargins(0, 0, 0, 0);
-    findText_ = new QLineEdit;
-    findText_->setPlaceholderText(tr("Find"));
-    findText_->setAccessibleName(tr("Find"));
-    findText_->setClearButtonEnabled(true);
-    findText_->installEventFilter(this);
-    auto* previous = new QPushButton(tr("&Previous"));
-    auto* next = new QPushButton(tr("&Next"));
-    row->addWidget(findText_, 1);
-    row->addWidget(previous);
-    row->addWidget(next);
-    connect(findText_, &QLineEdit::returnPressed, this, [this] { find(findText_->text()); });
-    connect(next, &QPushButton::clicked, this, [this] { find(findText_->text()); });
-    connect(previous, &QPushButton::clicked, this, [this] { find(findText_->text(), false); });
-    findBar_->hide();
-    return findBar_;
+void LanguageViewer::connectParts() {
+    const auto show = [this](scene::Range range) { select(range.from, range.to); };
+    connect(faults_.get(), &FaultMarks::wanted, this, show);
+    connect(notice_, &NoticeBar::wanted, this, show);
+    connect(findBar_, &FindBar::wanted, this, [this](scene::Range range) {
+        elision_->reveal(range);
+        editor_->select(range);
+    });
+    // What is selected in a picture is shown, and the caret stays where one writes.
+    connect(elements_.get(), &ElementMarks::wanted, this, [this](scene::Range range) {
+        editor_->SendScintilla(QsciScintillaBase::SCI_SCROLLRANGE, range.to,
+                               static_cast<long>(range.from));
+    });
+    connect(draft_.get(), &Draft::changed, this, [this] {
+        if (draft_->edited())
+            faults_->hideNotes();
+        updateTitle();
+        showState();
+    });
+    connect(draft_.get(), &Draft::followed, this, &LanguageViewer::followed);
+    connect(&document_, &SceneDocument::diagnosticsChanged, this, &LanguageViewer::showDiagnostics);
+    connect(&document_, &SceneDocument::sceneChanged, this, &LanguageViewer::showDiagnostics);
+    connect(&document_, &SceneDocument::workChanged, this, &LanguageViewer::showState);
+    connect(&document_, &SceneDocument::nameChanged, this, &LanguageViewer::updateTitle);
 }
 
 QWidget* LanguageViewer::buildButtons() {
@@ -179,10 +109,14 @@ QWidget* LanguageViewer::buildButtons() {
                                   ? tr("Drop the draft: back to the document's text")
                                   : tr("Back to the text that was saved last, in every view"));
     auto* dismiss = new QPushButton(tr("&Dismiss"));
-    dismiss->setToolTip(tr("Close this viewer"));
+    dismiss->setToolTip(tr("Close this viewer (Ctrl+W)"));
+    state_ = new QLabel;
+    state_->setAccessibleName(tr("State of the text"));
+    state_->setForegroundRole(QPalette::PlaceholderText);
     for (QPushButton* button : {updateButton_, saveButton_, revertButton_})
         row->addWidget(button);
-    row->addStretch();
+    row->addSpacing(8);
+    row->addWidget(state_, 1);
     row->addWidget(dismiss);
     connect(updateButton_, &QPushButton::clicked, this, &LanguageViewer::updateDocument);
     connect(saveButton_, &QPushButton::clicked, this, [this] {
@@ -206,278 +140,222 @@ void LanguageViewer::buildMenus() {
     if (windows_.save)
         file->addAction(tr("&Save"), QKeySequence::Save, saveButton_, &QPushButton::click);
     file->addAction(tr("&Revert"), this, &LanguageViewer::revert);
-    file->addAction(tr("&Close"), QKeySequence::Close, this, &QWidget::close);
+    file->addAction(tr("&Dismiss"), QKeySequence::Close, this, &QWidget::close);
+    buildEditMenu();
+    buildViewMenu();
+    QMenu* help = menuBar()->addMenu(tr("&Help"));
+    help->addAction(tr("&Keys of This Window"), QKeySequence(Qt::Key_F1), this,
+                    &LanguageViewer::showKeys);
+}
 
-    // While there is a draft, undo takes back what was typed; else the scene's last change.
+void LanguageViewer::buildEditMenu() {
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-    edit->addAction(tr("&Undo"), QKeySequence::Undo, this, [this] {
-        if (edited_ && editor_->isUndoAvailable())
-            editor_->undo();
-        else
-            document_.undo();
+    QAction* undo = edit->addAction(tr("&Undo"), QKeySequence::Undo, this, &LanguageViewer::undo);
+    QAction* redo = edit->addAction(tr("&Redo"), QKeySequence::Redo, this, &LanguageViewer::redo);
+    connect(edit, &QMenu::aboutToShow, this, [this, undo, redo] {
+        undo->setText(typingIsUndone() ? tr("&Undo Typing")
+                                       : tr("&Undo %1").arg(document_.undoLabel()));
+        redo->setText(editor_->isRedoAvailable() ? tr("&Redo Typing")
+                                                 : tr("&Redo %1").arg(document_.redoLabel()));
+        undo->setEnabled(typingIsUndone() || document_.canUndo());
+        redo->setEnabled(editor_->isRedoAvailable() || (!draft_->edited() && document_.canRedo()));
     });
-    edit->addAction(tr("&Redo"), QKeySequence::Redo, this, [this] {
-        if (editor_->isRedoAvailable())
-            editor_->redo();
-        else if (!edited_)
-            document_.redo();
+    connect(edit, &QMenu::aboutToHide, this, [undo, redo] { // their keys work at any time
+        undo->setEnabled(true);
+        redo->setEnabled(true);
     });
     edit->addSeparator();
-    edit->addAction(tr("Cu&t"), QKeySequence::Cut, editor_, &QsciScintilla::cut);
+    edit->addAction(tr("Cu&t"), QKeySequence::Cut, this, [this] {
+        elision_->releaseSelected();
+        editor_->cut();
+    });
     edit->addAction(tr("&Copy"), QKeySequence::Copy, editor_, &QsciScintilla::copy);
-    edit->addAction(tr("&Paste"), QKeySequence::Paste, editor_, &QsciScintilla::paste);
+    edit->addAction(tr("&Paste"), QKeySequence::Paste, this, [this] {
+        elision_->releaseSelected();
+        editor_->paste();
+    });
     edit->addSeparator();
-    edit->addAction(tr("&Find…"), QKeySequence::Find, this, &LanguageViewer::openFind);
-    edit->addAction(tr("Find &Next"), QKeySequence::FindNext, this,
-                    [this] { find(findText_->text()); });
+    edit->addAction(tr("&Find…"), QKeySequence::Find, this, [this] { findBar_->open(false); });
+    edit->addAction(tr("Find and R&eplace…"), QKeySequence(Qt::CTRL | Qt::Key_H), this,
+                    [this] { findBar_->open(true); });
+    edit->addAction(tr("Find &Next"), QKeySequence(Qt::Key_F3), this,
+                    [this] { findBar_->findNext(); });
+    edit->addAction(tr("Find Pre&vious"), QKeySequence(Qt::SHIFT | Qt::Key_F3), this,
+                    [this] { findBar_->findNext(false); });
+    edit->addSeparator();
+    edit->addAction(tr("C&omplete"), QKeySequence(Qt::CTRL | Qt::Key_Space), this,
+                    [this] { completer_->ask(); });
+    QMenu* conflicts = edit->addMenu(tr("Con&flicts"));
+    conflicts->addAction(tr("&Next"), QKeySequence(Qt::Key_F7), notice_, &NoticeBar::nextConflict);
+    conflicts->addAction(tr("&Keep Mine"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_M), notice_,
+                         &NoticeBar::keepMine);
+    conflicts->addAction(tr("&Take the Scene's"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T),
+                         notice_, &NoticeBar::takeTheirs);
+    edit->addAction(tr("&Drop the Draft"), this, &LanguageViewer::dropDraft);
 }
 
-std::string LanguageViewer::draft() const {
-    const auto length = editor_->SendScintilla(QsciScintillaBase::SCI_GETLENGTH);
-    std::string text(static_cast<std::size_t>(length) + 1, '\0');
-    editor_->SendScintilla(QsciScintillaBase::SCI_GETTEXT, text.size(), text.data());
-    text.pop_back();
-    return text;
+void LanguageViewer::buildViewMenu() {
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    view->addAction(tr("Show or Hide the &Points Here"), QKeySequence(Qt::CTRL | Qt::Key_E), this,
+                    [this] { elision_->toggle(editor_->caret()); });
+    view->addAction(tr("&Show All Points"), elision_.get(), &Elision::openAll);
+    view->addAction(tr("&Hide All Points"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E),
+                    elision_.get(), &Elision::hideAll);
+    view->addSeparator();
+    view->addAction(tr("&Next Message"), QKeySequence(Qt::Key_F8), this,
+                    [this] { faults_->next(); });
+    view->addAction(tr("&Previous Message"), QKeySequence(Qt::SHIFT | Qt::Key_F8), this,
+                    [this] { faults_->next(false); });
+    view->addAction(tr("&Go to Line…"), QKeySequence(Qt::CTRL | Qt::Key_G), this,
+                    &LanguageViewer::goToLine);
+    view->addSeparator();
+    view->addAction(tr("&Larger"), QKeySequence::ZoomIn, editor_, [this] { editor_->zoomIn(); });
+    view->addAction(tr("S&maller"), QKeySequence::ZoomOut, editor_, [this] { editor_->zoomOut(); });
+    view->addAction(tr("As It &Was"), QKeySequence(Qt::CTRL | Qt::Key_0), editor_,
+                    [this] { editor_->zoomTo(0); });
 }
 
-// Replaces only what differs, so that cursor, scroll position and marks of the rest stay.
-void LanguageViewer::setEditorText(const std::string& text) {
-    const TextEdit edit = editBetween(draft(), text);
-    setting_ = true;
-    editor_->SendScintilla(QsciScintillaBase::SCI_SETTARGETRANGE, edit.from,
-                           static_cast<long>(edit.to));
-    editor_->SendScintilla(QsciScintillaBase::SCI_REPLACETARGET, edit.text.size(),
-                           edit.text.data());
-    editor_->SendScintilla(QsciScintillaBase::SCI_EMPTYUNDOBUFFER);
-    setting_ = false;
-    edited_ = false;
-    const int digits = static_cast<int>(QString::number(editor_->lines()).size());
-    editor_->setMarginWidth(0, QString(std::max(3, digits) + 1, QLatin1Char('9')));
-}
+// --- the draft and the document --------------------------------------------------------------
 
-void LanguageViewer::textTyped() {
-    if (setting_)
-        return;
-    edited_ = draft() != document_.text();
-    editor_->clearAnnotations(); // they tell of the text as it was
-    updateTitle();
-    updateNotice();
-}
+std::string LanguageViewer::draft() const { return editor_->bytes(); }
 
-void LanguageViewer::followDocument() {
-    if (!edited_ || draft() == document_.text()) {
-        setEditorText(document_.text());
-        draftRevision_ = document_.revision();
-    }
-    updateTitle();
-    updateNotice();
-}
+bool LanguageViewer::hasDraft() const { return draft_->edited(); }
+
+QsciScintilla& LanguageViewer::editor() { return *editor_; }
 
 void LanguageViewer::updateDocument() {
-    draftRevision_ = document_.revision() + 1;
-    edited_ = false;
-    refusal_.clear();
-    const std::string text = draft();
-    if (document_.hasHost() && text != document_.text())
-        submitted_ = text;
-    document_.setText(text, tr("Edit text"));
-    draftRevision_ = document_.revision();
-    updateTitle();
-    updateNotice();
-}
-
-void LanguageViewer::becomeDraftAgain(const QString& why) {
-    const auto mine = std::exchange(submitted_, std::nullopt);
-    if (!mine || (!edited_ && *mine == document_.text()))
-        return;
-    if (!edited_)
-        setEditorText(*mine);
-    edited_ = true;
-    refusal_ = why;
-    clearMarks();
-    updateTitle();
-    updateNotice();
+    numbers_->finish();
+    draft_->submit();
+    showDiagnostics();
 }
 
 void LanguageViewer::revert() {
-    edited_ = false;
-    if (!document_.hasHost())
+    if (!document_.hasHost()) {
+        draft_->drop();
         document_.setText(document_.savedText(), tr("Revert"));
+    }
     dropDraft();
 }
 
 void LanguageViewer::dropDraft() {
-    refusal_.clear();
-    setEditorText(document_.text());
-    draftRevision_ = document_.revision();
+    draft_->drop();
     showDiagnostics();
-    updateTitle();
-    updateNotice();
 }
 
+// While there is a draft, undo takes back what was typed; else the scene's last change.
+bool LanguageViewer::typingIsUndone() const {
+    return draft_->edited() && editor_->isUndoAvailable();
+}
+
+void LanguageViewer::undo() {
+    numbers_->finish();
+    if (typingIsUndone())
+        editor_->undo();
+    else
+        document_.undo();
+}
+
+void LanguageViewer::redo() {
+    if (editor_->isRedoAvailable())
+        editor_->redo();
+    else if (!draft_->edited())
+        document_.redo();
+}
+
+void LanguageViewer::followed() {
+    elision_->refresh();
+    const int digits = static_cast<int>(QString::number(editor_->lines()).size());
+    editor_->setMarginWidth(0, QString(std::max(3, digits) + 1, QLatin1Char('9')));
+}
+
+// --- what is shown -----------------------------------------------------------------------------
+
 void LanguageViewer::select(std::size_t from, std::size_t to) {
-    editor_->SendScintilla(QsciScintillaBase::SCI_SETSEL, from, static_cast<long>(to));
-    editor_->ensureCursorVisible();
+    elision_->reveal({from, to});
+    editor_->select({from, to});
     editor_->setFocus();
 }
 
 bool LanguageViewer::find(const QString& what, bool forward) {
-    if (what.isEmpty())
-        return false;
-    int line = -1, column = -1;
-    if (!forward) {
-        int endLine = 0, endColumn = 0;
-        editor_->getSelection(&line, &column, &endLine, &endColumn);
-    }
-    const bool found =
-        editor_->findFirst(what, false, false, false, true, forward, line, column, true);
-    findText_->setStyleSheet(found ? QString() : QStringLiteral("color: #C02020"));
-    return found;
-}
-
-void LanguageViewer::openFind() {
-    findBar_->show();
-    if (editor_->hasSelectedText() && !editor_->selectedText().contains(QLatin1Char('\n')))
-        findText_->setText(editor_->selectedText());
-    findText_->setFocus();
-    findText_->selectAll();
-}
-
-void LanguageViewer::clearMarks() {
-    editor_->clearAnnotations();
-    const auto length = editor_->SendScintilla(QsciScintillaBase::SCI_GETLENGTH);
-    for (int indicator : {errorMark, warningMark, argumentMark}) {
-        editor_->SendScintilla(QsciScintillaBase::SCI_SETINDICATORCURRENT, indicator);
-        editor_->SendScintilla(QsciScintillaBase::SCI_INDICATORCLEARRANGE, 0UL, length);
-    }
-}
-
-void LanguageViewer::markDiagnostic(const scene::Diagnostic& diagnostic) {
-    const bool isError = diagnostic.severity == scene::Severity::error;
-    if (diagnostic.range.known()) {
-        editor_->SendScintilla(QsciScintillaBase::SCI_SETINDICATORCURRENT,
-                               isError ? errorMark : warningMark);
-        editor_->SendScintilla(QsciScintillaBase::SCI_INDICATORFILLRANGE, diagnostic.range.from,
-                               static_cast<long>(diagnostic.range.to - diagnostic.range.from));
-    }
-    if (diagnostic.line <= 0)
-        return;
-    QString note = QString::fromStdString(diagnostic.message);
-    if (!diagnostic.suggestion.empty())
-        note += QLatin1Char('\n') + QString::fromStdString(diagnostic.suggestion);
-    const QString before = editor_->annotation(diagnostic.line - 1);
-    if (!before.isEmpty())
-        note = before + QLatin1Char('\n') + note;
-    const bool dark = isDark(*this);
-    const QColor paper = isError ? (dark ? QColor(0x50, 0x28, 0x28) : QColor(0xFC, 0xE8, 0xE6))
-                                 : (dark ? QColor(0x4A, 0x3E, 0x1C) : QColor(0xFD, 0xF3, 0xD8));
-    const QColor ink = isError ? (dark ? QColor(0xF0, 0xB0, 0xA8) : QColor(0x8A, 0x1C, 0x14))
-                               : (dark ? QColor(0xEC, 0xD0, 0x8C) : QColor(0x6E, 0x4C, 0x00));
-    QFont font = editor_->lexer()->defaultFont(SceneLexer::plain);
-    font.setPointSizeF(font.pointSizeF() * 0.92);
-    editor_->annotate(diagnostic.line - 1, note,
-                      QsciStyle(isError ? 40 : 41, tr("Fault"), ink, paper, font));
-}
-
-// The words that graphical views show: literal values of commands that ran once.
-void LanguageViewer::markArguments() {
-    if (!document_.sceneIsCurrent() || edited_)
-        return;
-    editor_->SendScintilla(QsciScintillaBase::SCI_SETINDICATORCURRENT, argumentMark);
-    const auto mark = [this](const scene::Source& source) {
-        for (const scene::Argument& argument : source.arguments)
-            if (source.runs == 1 && argument.literal && isGraphical(argument.option))
-                editor_->SendScintilla(QsciScintillaBase::SCI_INDICATORFILLRANGE,
-                                       argument.word.from,
-                                       static_cast<long>(argument.word.to - argument.word.from));
-    };
-    const scene::Scene& scene = *document_.shown().scene;
-    const auto all = [&](const auto& elements) {
-        for (const auto& element : elements)
-            mark(element.source);
-    };
-    all(scene.bodies);
-    all(scene.forces);
-    all(scene.links);
-    all(scene.trajectories);
-    all(scene.lights);
+    return findBar_->find(what, forward);
 }
 
 void LanguageViewer::showDiagnostics() {
-    messages_->clear();
-    if (!edited_) {
-        clearMarks();
-        markArguments();
-    }
-    for (const scene::Diagnostic& diagnostic : document_.diagnostics()) {
-        const bool isError = diagnostic.severity == scene::Severity::error;
-        QString text = QString::fromStdString(diagnostic.message);
-        if (diagnostic.line > 0)
-            text = tr("Line %1: %2").arg(diagnostic.line).arg(text);
-        if (!diagnostic.suggestion.empty())
-            text += QStringLiteral(" — ") + QString::fromStdString(diagnostic.suggestion);
-        auto* item =
-            new QListWidgetItem(style()->standardIcon(isError ? QStyle::SP_MessageBoxCritical
-                                                              : QStyle::SP_MessageBoxWarning),
-                                text, messages_);
-        const bool placed = diagnostic.line > 0 && !edited_;
-        item->setData(Qt::UserRole, placed ? QPoint(static_cast<int>(diagnostic.range.from),
-                                                    static_cast<int>(diagnostic.range.to))
-                                           : QPoint(-1, -1));
-        if (!edited_)
-            markDiagnostic(diagnostic);
-    }
-    messages_->setVisible(messages_->count() > 0);
+    faults_->show(document_.diagnostics(), !draft_->edited());
+    showState();
+}
+
+void LanguageViewer::showState() {
+    const auto errors = std::ranges::count_if(document_.diagnostics(), [](const auto& fault) {
+        return fault.severity == scene::Severity::error;
+    });
+    const QString text =
+        draft_->edited()                    ? tr("Draft: the scene has it after Update")
+        : document_.work() == Work::reading ? tr("Reading…")
+        : errors > 0 && !document_.sceneIsCurrent()
+            ? (errors == 1 ? tr("1 error: the last good scene is shown")
+                           : tr("%1 errors: the last good scene is shown").arg(errors))
+        : errors > 0 ? tr("The motion has faults")
+                     : tr("The scene's text");
+    state_->setText(text);
 }
 
 void LanguageViewer::updateTitle() {
     const QString viewer =
         number_ == 1 ? tr("Language Viewer") : tr("Language Viewer %1").arg(number_);
     setWindowTitle(tr("%1[*] – %2").arg(document_.name(), viewer));
-    setWindowModified(edited_ || (!document_.hasHost() && document_.isModified()));
-    updateButton_->setEnabled(edited_);
-    updateButton_->setDefault(edited_);
-    saveButton_->setEnabled(edited_ || document_.isModified());
-    revertButton_->setEnabled(edited_ || (!document_.hasHost() && document_.isModified()));
+    const bool edited = draft_->edited();
+    setWindowModified(edited || (!document_.hasHost() && document_.isModified()));
+    updateButton_->setEnabled(edited);
+    updateButton_->setDefault(edited);
+    saveButton_->setEnabled(edited || document_.isModified());
+    revertButton_->setEnabled(edited || (!document_.hasHost() && document_.isModified()));
     Q_EMIT draftChanged();
 }
 
-void LanguageViewer::updateNotice() {
-    const bool refused = edited_ && !refusal_.isEmpty();
-    const bool overtaken = edited_ && draftRevision_ != document_.revision();
-    const QString what =
-        refused ? tr("The document did not take this change: %1.").arg(refusal_.toHtmlEscaped())
-                : tr("The scene was changed in another view.");
-    notice_->setText(what + QLatin1Char(' ') +
-                     tr("This draft is kept: Update makes it the scene's text, or "
-                        "<a href=\"drop\">drop the draft</a>."));
-    notice_->setVisible(refused || overtaken);
+void LanguageViewer::goToLine() {
+    bool chosen = false;
+    const int line = QInputDialog::getInt(
+        this, tr("Go to Line"), tr("Line (1 to %1):").arg(editor_->lines()),
+        editor_->lineOf(editor_->caret()) + 1, 1, editor_->lines(), 1, &chosen);
+    if (!chosen)
+        return;
+    const auto at = static_cast<std::size_t>(editor_->positionFromLineIndex(line - 1, 0));
+    select(at, at);
 }
 
+void LanguageViewer::showKeys() {
+    QMessageBox box(this);
+    box.setWindowTitle(tr("Keys of the Language Viewer"));
+    box.setTextFormat(Qt::RichText);
+    box.setText(languageKeys());
+    box.addButton(QMessageBox::Close);
+    box.exec();
+}
+
+// --- events ------------------------------------------------------------------------------------
+
 bool LanguageViewer::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::KeyPress &&
-        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && findBar_->isVisible()) {
-        findBar_->hide();
-        editor_->setFocus();
+    if (event->type() == QEvent::KeyPress && findBar_->isVisible() &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && !editor_->isListActive()) {
+        findBar_->close();
         return true;
     }
     // Scintilla has shortcuts of its own for what the menus do; the menus shall have them.
     if (watched == editor_ && event->type() == QEvent::ShortcutOverride) {
-        const auto* key = static_cast<QKeyEvent*>(event);
-        if (key->modifiers() & Qt::ControlModifier) {
-            for (int mine : {Qt::Key_Z, Qt::Key_Y, Qt::Key_L, Qt::Key_N, Qt::Key_F, Qt::Key_S,
-                             Qt::Key_Return, Qt::Key_W})
-                if (key->key() == mine) {
-                    event->ignore();
-                    return true;
-                }
-        }
+        const QKeySequence pressed(static_cast<QKeyEvent*>(event)->keyCombination());
+        for (const QAction* action : findChildren<QAction*>())
+            if (action->shortcuts().contains(pressed)) {
+                event->ignore();
+                return true;
+            }
     }
     return QMainWindow::eventFilter(watched, event);
 }
 
 void LanguageViewer::closeEvent(QCloseEvent* event) {
-    if (!edited_) {
+    numbers_->finish();
+    if (!draft_->edited()) {
         event->accept();
         return;
     }
@@ -496,8 +374,8 @@ void LanguageViewer::closeEvent(QCloseEvent* event) {
 
 void LanguageViewer::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && editor_->lexer() != nullptr)
-        colourEditor();
+    if (event->type() == QEvent::PaletteChange)
+        editor_->adaptToPalette();
 }
 
 } // namespace views

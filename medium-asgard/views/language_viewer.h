@@ -1,9 +1,9 @@
 // The language viewer's window (dissertation 4.2): the scene's text, edited as plain text.
 //
-// Each viewer holds a draft. Update makes it the document's text, and with that everyone's; what
-// another view changes meanwhile replaces a draft only while nobody has typed in it. What a host
-// refuses is a draft again, with the reason above it. Faults are marked at their words, told in
-// full under their lines, and listed below; those without a place are only listed.
+// Each viewer holds a draft (draft.h). Update makes it the document's text, and with that
+// everyone's. What the text can do beyond that attaches to its editor: elision.h hides points,
+// fault_marks.h says what is wrong, element_marks.h has the handles' colours and the selection,
+// number_drag.h drags numbers, completer.h completes words.
 #pragma once
 
 #include "views/graphical_viewer.h"
@@ -12,22 +12,32 @@
 #include <QMainWindow>
 
 class QLabel;
-class QLineEdit;
 class QListWidget;
 class QPushButton;
 class QsciScintilla;
 
 namespace views {
 
+class Completer;
+class Draft;
+class ElementMarks;
+class Elision;
+class FaultMarks;
+class FindBar;
+class NoticeBar;
+class NumberDrag;
+class SceneEditor;
+
 class LanguageViewer : public QMainWindow {
     Q_OBJECT
 public:
     LanguageViewer(SceneDocument& document, Windows windows, int number);
+    ~LanguageViewer() override;
 
     [[nodiscard]] std::string draft() const;
     // Someone typed since the draft was last the document's text.
-    [[nodiscard]] bool hasDraft() const { return edited_; }
-    [[nodiscard]] QsciScintilla& editor() { return *editor_; }
+    [[nodiscard]] bool hasDraft() const;
+    [[nodiscard]] QsciScintilla& editor();
     [[nodiscard]] QListWidget& messages() { return *messages_; }
 
     void updateDocument(); // the Update button: makes the draft everyone's text
@@ -47,36 +57,36 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void buildEditor();
+    void connectParts();
     void buildMenus();
-    QWidget* buildFindBar();
+    void buildEditMenu();
+    void buildViewMenu();
     QWidget* buildButtons();
-    void colourEditor();
-    void setEditorText(const std::string& text);
-    void textTyped();
-    void followDocument();
-    void becomeDraftAgain(const QString& why);
     void showDiagnostics();
-    void markDiagnostic(const scene::Diagnostic& diagnostic);
-    void markArguments();
-    void clearMarks();
+    void showState();
     void updateTitle();
-    void updateNotice();
-    void openFind();
+    void followed();
+    [[nodiscard]] bool typingIsUndone() const;
+    void undo();
+    void redo();
+    void goToLine();
+    void showKeys();
 
     SceneDocument& document_;
     Windows windows_;
     int number_;
-    bool edited_ = false;
-    bool setting_ = false;   // the text changes because the document's did
-    int draftRevision_ = -1; // of the document, when draft and document were last the same
-    std::optional<std::string> submitted_; // this viewer's update, until the host has accepted it
-    QString refusal_;                      // why the host did not
-    QsciScintilla* editor_;
+    SceneEditor* editor_;
     QListWidget* messages_;
-    QLabel* notice_;
-    QWidget* findBar_;
-    QLineEdit* findText_;
+    // Taken down before the editor, which they attach to.
+    std::unique_ptr<FaultMarks> faults_;
+    std::unique_ptr<Elision> elision_;
+    std::unique_ptr<Draft> draft_;
+    std::unique_ptr<ElementMarks> elements_;
+    std::unique_ptr<NumberDrag> numbers_;
+    std::unique_ptr<Completer> completer_;
+    NoticeBar* notice_;
+    FindBar* findBar_;
+    QLabel* state_;
     QPushButton *updateButton_, *saveButton_, *revertButton_;
 };
 

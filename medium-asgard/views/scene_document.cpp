@@ -1,5 +1,6 @@
 #include "views/scene_document.h"
 
+#include "editing/changes.h"
 #include "views/worker.h"
 
 #include <QFile>
@@ -78,6 +79,32 @@ bool SceneDocument::hasErrors() const {
                        [](const auto& d) { return d.severity == scene::Severity::error; });
 }
 
+void SceneDocument::select(std::vector<editing::Element> elements) {
+    std::ranges::sort(elements);
+    const auto same = std::ranges::unique(elements);
+    elements.erase(same.begin(), same.end());
+    std::erase_if(elements, [this](const editing::Element& element) {
+        return editing::sourceOf(*shown_.scene, element) == nullptr;
+    });
+    if (elements == selected_)
+        return;
+    selected_ = std::move(elements);
+    Q_EMIT selectionChanged();
+}
+
+void SceneDocument::followSelection(const scene::Scene& before) {
+    const std::string textBefore = std::exchange(shownText_, text_);
+    if (selected_.empty())
+        return;
+    const editing::Changes changes =
+        editing::changesBetween({textBefore, before}, {text_, *shown_.scene});
+    std::vector<editing::Element> now;
+    for (const editing::Element& element : selected_)
+        if (const auto after = changes.now(element))
+            now.push_back(*after);
+    select(std::move(now));
+}
+
 void SceneDocument::setText(const std::string& text, const QString& label) {
     if (text == text_)
         return;
@@ -132,12 +159,15 @@ void SceneDocument::setComputed(Computed computed) {
     const bool otherMotion = otherScene || computed.shown.motion != shown_.motion;
     const bool otherFaults = computed.current != sceneIsCurrent() ||
                              !std::ranges::equal(computed.diagnostics, diagnostics_, same);
+    const auto before = shown_.scene;
     shown_ = std::move(computed.shown);
     diagnostics_ = std::move(computed.diagnostics);
     statistics_ = computed.statistics;
     sceneRevision_ = computed.current ? revision_ : -1;
-    if (otherScene)
+    if (otherScene) {
+        followSelection(*before);
         Q_EMIT sceneChanged();
+    }
     if (otherMotion)
         Q_EMIT motionChanged();
     if (otherFaults)
@@ -220,11 +250,13 @@ void SceneDocument::didMove(unsigned serial, const std::shared_ptr<const scene::
                             const simulation::MotionPointer& motion) {
     if (serial != worker_->thread.serial())
         return;
-    const bool other = shown_.scene != scene;
+    const auto before = shown_.scene;
     shown_ = {scene, motion};
     sceneRevision_ = revision_;
-    if (other)
+    if (before != scene) {
+        followSelection(*before);
         Q_EMIT sceneChanged();
+    }
     Q_EMIT motionChanged();
 }
 

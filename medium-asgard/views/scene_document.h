@@ -12,6 +12,7 @@
 #pragma once
 
 #include "editing/text_edit.h"
+#include "editing/value_edit.h"
 #include "scene/diagnostic.h"
 #include "script/reader.h"
 #include "simulation/simulation.h"
@@ -85,6 +86,11 @@ public:
         return statistics_;
     }
 
+    // What is selected, in every view: elements of the shown scene, in order. They stay selected
+    // while they exist, whatever else an edit changes.
+    [[nodiscard]] const std::vector<editing::Element>& selected() const { return selected_; }
+    void select(std::vector<editing::Element> elements);
+
     // A view's change: one step of undo.
     void setText(const std::string& text, const QString& label);
     // While a gesture lasts, texts are shown and read that are no steps of undo; what it ends with
@@ -126,7 +132,8 @@ public:
 Q_SIGNALS:
     void textChanged();
     void diagnosticsChanged();
-    void sceneChanged();  // another scene is shown
+    void sceneChanged(); // another scene is shown
+    void selectionChanged();
     void motionChanged(); // more or other motion of it
     void workChanged();
     void nameChanged(); // or whether it is modified
@@ -144,6 +151,7 @@ private:
     void replaceText(const std::string& text);
     void begin(const QString& path, const std::string& text);
     void start();
+    void followSelection(const scene::Scene& before); // after another scene came
     void setWork(Work work);
     void didRead(unsigned serial, const script::ReadResult& result);
     void didMove(unsigned serial, const std::shared_ptr<const scene::Scene>& scene,
@@ -156,6 +164,8 @@ private:
     int revision_ = 0;
     int sceneRevision_ = -1;
     Shown shown_;
+    std::string shownText_; // that the shown scene was read from
+    std::vector<editing::Element> selected_;
     std::vector<scene::Diagnostic> diagnostics_;
     std::optional<simulation::Statistics> statistics_;
     Work work_ = Work::none;

@@ -134,6 +134,10 @@ QString SceneLexer::description(int style) const {
         return tr("Variable");
     case string:
         return tr("Quoted word");
+    case hidden:
+        return tr("Hidden points");
+    case mark:
+        return tr("Mark of hidden points");
     default:
         return {};
     }
@@ -156,12 +160,16 @@ QColor SceneLexer::defaultColor(int style) const {
         return dark ? QColor(0xE0, 0x8F, 0x9A) : QColor(0xA0, 0x28, 0x45);
     case string:
         return dark ? QColor(0xB5, 0xC9, 0x7A) : QColor(0x4D, 0x6B, 0x0A);
+    case mark:
+        return defaultPaper(mark);
     default:
         return QGuiApplication::palette().color(QPalette::Text);
     }
 }
 
-QColor SceneLexer::defaultPaper(int) const {
+QColor SceneLexer::defaultPaper(int style) const {
+    if (style == mark)
+        return isDark() ? QColor(0x3E, 0x3A, 0x58) : QColor(0xE4, 0xE1, 0xF4);
     return QGuiApplication::palette().color(QPalette::Base);
 }
 
@@ -181,7 +189,11 @@ void SceneLexer::styleText(int, int) {
     std::string text(static_cast<std::size_t>(length) + 1, '\0');
     editor()->SendScintilla(QsciScintillaBase::SCI_GETTEXT, text.size(), text.data());
     text.pop_back();
-    const std::vector<char> styles = Painter(text).take();
+    std::vector<char> styles = Painter(text).take();
+    for (const Hidden& range : hidden_ ? hidden_() : std::vector<Hidden>())
+        for (std::size_t i = range.from; i < std::min(range.to, styles.size()); ++i)
+            if (text[i] != '\n')
+                styles[i] = i < range.marked ? mark : hidden;
     startStyling(0);
     editor()->SendScintilla(QsciScintillaBase::SCI_SETSTYLINGEX,
                             static_cast<unsigned long>(styles.size()), styles.data());

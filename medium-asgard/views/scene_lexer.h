@@ -6,12 +6,26 @@
 
 #include "views/scintilla.h"
 
+#include <functional>
+#include <vector>
+
 namespace views {
 
 class SceneLexer : public QsciLexerCustom {
     Q_OBJECT
 public:
-    enum Style { plain, comment, sceneCommand, tclCommand, option, number, variable, string };
+    enum Style {
+        plain,
+        comment,
+        sceneCommand,
+        tclCommand,
+        option,
+        number,
+        variable,
+        string,
+        hidden, // points that are not shown ...
+        mark
+    }; // ... and the bytes behind what is shown in their place
 
     explicit SceneLexer(QsciScintilla* editor);
 
@@ -21,8 +35,17 @@ public:
     [[nodiscard]] QColor defaultPaper(int style) const override;
     [[nodiscard]] QFont defaultFont(int style) const override;
 
+    // Which bytes are hidden and which lie behind a mark, asked whenever the text is coloured.
+    struct Hidden {
+        std::size_t from = 0, marked = 0, to = 0; // mark: [from, marked)
+    };
+    void setHidden(std::function<std::vector<Hidden>()> ranges) { hidden_ = std::move(ranges); }
+
     // Bytes [start, end) are to be coloured; the whole text is, since a brace changes all below.
     void styleText(int start, int end) override;
+
+private:
+    std::function<std::vector<Hidden>()> hidden_;
 };
 
 } // namespace views

@@ -1,0 +1,57 @@
+#include "views/completer.h"
+
+#include <QPalette>
+
+#include <cctype>
+
+namespace views {
+
+Completer::Completer(SceneEditor& editor, SceneDocument& document)
+    : editor_(editor), document_(document) {
+    using Base = QsciScintillaBase;
+    editor_.SendScintilla(Base::SCI_AUTOCSETSEPARATOR, 0x0AUL);
+    editor_.SendScintilla(Base::SCI_AUTOCSETAUTOHIDE, 1UL);
+    editor_.SendScintilla(Base::SCI_AUTOCSETDROPRESTOFWORD, 0UL);
+    editor_.SendScintilla(Base::SCI_AUTOCSETORDER,
+                          static_cast<unsigned long>(Base::SC_ORDER_CUSTOM));
+    editor_.SendScintilla(Base::SCI_AUTOCSETMAXHEIGHT, 10UL);
+    // Words of options begin with a minus.
+    editor_.SendScintilla(Base::SCI_SETWORDCHARS,
+                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_");
+    connect(&editor_, &QsciScintillaBase::SCN_CHARADDED, this, &Completer::typed);
+}
+
+editing::Completion Completer::completion() const {
+    return editing::completionAt(editor_.bytes(), editor_.caret(), *document_.shown().scene);
+}
+
+void Completer::typed(int character) {
+    const bool word = std::isalnum(character) != 0 || character == '_';
+    const bool opens = character == '-' || character == '.';
+    if (!word && !opens)
+        return;
+    // While the list is there, each letter leaves fewer in it.
+    const editing::Completion found = completion();
+    if (!found.words.empty() &&
+        (opens || editor_.isListActive() || editor_.caret() >= found.from + 2))
+        show(found);
+}
+
+void Completer::ask() {
+    const editing::Completion found = completion();
+    if (!found.words.empty())
+        show(found);
+    else if (!found.hint.empty())
+        editor_.SendScintilla(QsciScintillaBase::SCI_CALLTIPSHOW, editor_.caret(),
+                              found.hint.c_str());
+}
+
+void Completer::show(const editing::Completion& completion) {
+    std::string words;
+    for (const std::string& word : completion.words)
+        words += (words.empty() ? "" : "\n") + word;
+    editor_.SendScintilla(QsciScintillaBase::SCI_AUTOCSHOW, editor_.caret() - completion.from,
+                          words.c_str());
+}
+
+} // namespace views

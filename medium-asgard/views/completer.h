@@ -1,0 +1,30 @@
+// Completion while one writes: commands, options and names in a list below the caret, and what a
+// value is to be (editing/completion.h).
+//
+// The list comes by itself after two letters of a word, after "-" and after "."; Ctrl+Space asks
+// for it anywhere. Return and Tab take the chosen word, Escape closes the list.
+#pragma once
+
+#include "editing/completion.h"
+#include "views/scene_document.h"
+#include "views/scene_editor.h"
+
+namespace views {
+
+class Completer : public QObject {
+    Q_OBJECT
+public:
+    Completer(SceneEditor& editor, SceneDocument& document);
+
+    void ask(); // shows what there is, a hint at least
+    [[nodiscard]] editing::Completion completion() const;
+
+private:
+    void typed(int character);
+    void show(const editing::Completion& completion);
+
+    SceneEditor& editor_;
+    SceneDocument& document_;
+};
+
+} // namespace views

@@ -1,0 +1,172 @@
+#include "views/draft.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace views {
+
+using scene::Range;
+
+namespace {
+
+constexpr int draftMarker = 2; // in the margin, at lines that the document does not have so
+
+long length(Range range) { return static_cast<long>(range.to - range.from); }
+
+} // namespace
+
+Draft::Draft(SceneEditor& editor, SceneDocument& document)
+    : editor_(editor), document_(document), base_(document.text()) {
+    editor_.setMarginType(1, QsciScintilla::SymbolMargin);
+    editor_.setMarginWidth(1, 5);
+    editor_.setMarginMarkerMask(1, 1 << draftMarker);
+    editor_.markerDefine(QsciScintilla::FullRectangle, draftMarker);
+    editor_.setMarkerBackgroundColor(QColor(0xE0, 0xA0, 0x30), draftMarker);
+    connect(&editor_, &QsciScintilla::textChanged, this, &Draft::typed);
+    connect(&document_, &SceneDocument::textChanged, this, &Draft::follow);
+    connect(&document_, &SceneDocument::changeAccepted, this, [this] { submitted_.reset(); });
+    connect(&document_, &SceneDocument::changeRefused, this, &Draft::refused);
+    take(document_.text());
+}
+
+// Replaces only what differs, so that cursor, scroll position and marks of the rest stay.
+void Draft::take(const std::string& text) {
+    const TextEdit edit = editBetween(editor_.bytes(), text);
+    taking_ = true;
+    if (edit.from != edit.to || !edit.text.empty())
+        editor_.replace({edit.from, edit.to}, edit.text);
+    editor_.SendScintilla(QsciScintillaBase::SCI_EMPTYUNDOBUFFER);
+    taking_ = false;
+    base_ = text;
+    edited_ = false;
+    editor_.unmark(Mark::conflict);
+    markLines();
+}
+
+void Draft::typed() {
+    if (taking_)
+        return;
+    edited_ = editor_.bytes() != base_;
+    if (!edited_)
+        editor_.unmark(Mark::conflict);
+    markLines();
+    Q_EMIT changed();
+}
+
+void Draft::follow() {
+    if (!edited_ || editor_.bytes() == document_.text()) {
+        take(document_.text());
+        refusal_.clear();
+    } else {
+        merge();
+    }
+    Q_EMIT followed();
+    Q_EMIT changed();
+}
+
+// OPTIMIZATION: what was typed before can then not be undone step by step; the steps would bring
+// back what the others replaced.
+void Draft::merge() {
+    const std::string mine = editor_.bytes();
+    const editing::Merge merge = editing::merged(base_, mine, document_.text());
+    taking_ = true;
+    for (auto edit = merge.edits.rbegin(); edit != merge.edits.rend(); ++edit)
+        editor_.replace({edit->from, edit->to}, edit->text);
+    if (!merge.edits.empty())
+        editor_.SendScintilla(QsciScintillaBase::SCI_EMPTYUNDOBUFFER);
+    taking_ = false;
+    base_ = document_.text();
+    for (const Range& conflict : merge.conflicts) {
+        // What the draft left out has no bytes of its own: then the byte beside it is marked.
+        const std::size_t end = editor_.length();
+        Range range = conflict;
+        if (!range.known() && range.to < end)
+            ++range.to;
+        else if (!range.known() && range.from > 0)
+            --range.from;
+        editor_.mark(Mark::conflict, range);
+    }
+    edited_ = editor_.bytes() != base_;
+    markLines();
+}
+
+void Draft::submit() {
+    const std::string text = editor_.bytes();
+    edited_ = false;
+    refusal_.clear();
+    submitted_ = document_.hasHost() ? std::optional(text) : std::nullopt;
+    base_ = text;
+    editor_.unmark(Mark::conflict);
+    document_.setText(text, tr("Edit Text"));
+    take(document_.text());
+    Q_EMIT followed();
+    Q_EMIT changed();
+}
+
+void Draft::drop() {
+    refusal_.clear();
+    take(document_.text());
+    Q_EMIT followed();
+    Q_EMIT changed();
+}
+
+void Draft::refused(const QString& why) {
+    const auto mine = std::exchange(submitted_, std::nullopt);
+    if (!mine || (!edited_ && *mine == document_.text()))
+        return;
+    if (!edited_) {
+        take(*mine);
+        base_ = document_.text();
+        markLines();
+    }
+    edited_ = true;
+    refusal_ = why;
+    Q_EMIT changed();
+}
+
+// --- conflicts -----------------------------------------------------------------------------
+
+std::optional<editing::Hunk> Draft::hunkAt(Range range) const {
+    for (const editing::Hunk& hunk : editing::differences(base_, editor_.bytes()))
+        if (hunk.after.from <= range.to && range.from <= hunk.after.to)
+            return hunk;
+    return std::nullopt;
+}
+
+QString Draft::theirs(Range conflict) const {
+    const auto hunk = hunkAt(conflict);
+    return hunk ? QString::fromStdString(
+                      base_.substr(hunk->before.from, hunk->before.to - hunk->before.from))
+                : QString();
+}
+
+void Draft::keepMine(Range conflict) {
+    editor_.unmark(Mark::conflict, conflict);
+    Q_EMIT changed();
+}
+
+void Draft::takeTheirs(Range conflict) {
+    const auto hunk = hunkAt(conflict);
+    editor_.unmark(Mark::conflict, conflict);
+    if (hunk) {
+        editor_.replace(hunk->after, base_.substr(hunk->before.from,
+                                                  static_cast<std::size_t>(length(hunk->before))));
+        editor_.select(
+            {hunk->after.from, hunk->after.from + static_cast<std::size_t>(length(hunk->before))});
+    }
+    Q_EMIT changed();
+}
+
+void Draft::markLines() {
+    editor_.markerDeleteAll(draftMarker);
+    if (!edited_)
+        return;
+    for (const editing::Hunk& hunk : editing::differences(base_, editor_.bytes())) {
+        const int last =
+            editor_.lineOf(std::max(hunk.after.from, hunk.after.to - (hunk.after.known() ? 1 : 0)));
+        for (int line = editor_.lineOf(hunk.after.from); line <= last; ++line)
+            editor_.markerAdd(line, draftMarker);
+    }
+}
+
+} // namespace views

@@ -1,0 +1,57 @@
+// What a language viewer's text is to the document's: the same, or a draft of someone's own.
+//
+// Typing makes a draft; the document has it only by submit(). What another view changes meanwhile
+// comes into the draft at once where it changed nothing; where both did something the draft's own
+// words stay, marked as a conflict that can be settled one way or the other. So a draft is never
+// lost, and holds back no one.
+#pragma once
+
+#include "editing/merge.h"
+#include "views/scene_document.h"
+#include "views/scene_editor.h"
+
+namespace views {
+
+class Draft : public QObject {
+    Q_OBJECT
+public:
+    Draft(SceneEditor& editor, SceneDocument& document);
+
+    // It says something else than the document.
+    [[nodiscard]] bool edited() const { return edited_; }
+    [[nodiscard]] const QString& refusal() const { return refusal_; } // why a host did not take it
+    // In the editor's text, at least a byte long.
+    [[nodiscard]] std::vector<scene::Range> conflicts() const {
+        return editor_.marks(Mark::conflict);
+    }
+    // What the document has in the place of a conflict.
+    [[nodiscard]] QString theirs(scene::Range conflict) const;
+
+    void submit(); // it becomes everyone's text
+    void drop();   // it becomes the document's text
+    void keepMine(scene::Range conflict);
+    void takeTheirs(scene::Range conflict);
+
+Q_SIGNALS:
+    void changed();  // whether edited, its conflicts, or why it was refused
+    void followed(); // the editor's text is the document's, or took something from it
+
+private:
+    void typed();
+    void follow();
+    void refused(const QString& why);
+    void take(const std::string& text);
+    void merge();
+    void markLines();
+    [[nodiscard]] std::optional<editing::Hunk> hunkAt(scene::Range range) const;
+
+    SceneEditor& editor_;
+    SceneDocument& document_;
+    bool edited_ = false;
+    bool taking_ = false;                  // the text changes because the document's did
+    std::string base_;                     // the document's text that the draft is a draft of
+    std::optional<std::string> submitted_; // until the host has accepted it
+    QString refusal_;
+};
+
+} // namespace views

@@ -1,0 +1,42 @@
+// Elements in the text: what pictures can change has the colour of its handle, and who selects a
+// command selects its elements in every view, and the other way round (dissertation 4.2).
+#pragma once
+
+#include "editing/editable.h"
+#include "render/handles.h"
+#include "views/draft.h"
+
+namespace views {
+
+// The handle that shows this value in pictures.
+[[nodiscard]] render::HandleKind handleOf(const editing::Editable& value,
+                                          const scene::Scene& scene);
+
+class ElementMarks : public QObject, public EditorTool {
+    Q_OBJECT
+public:
+    ElementMarks(SceneEditor& editor, SceneDocument& document, Draft& draft);
+
+    [[nodiscard]] QString tip(std::size_t byte) const override;
+    bool key(const QKeyEvent& event) override;
+
+Q_SIGNALS:
+    void wanted(scene::Range range); // selected elsewhere: to be seen
+
+private:
+    void markArguments();
+    void caretMoved(int updated);
+    void showSelection();
+    void markSelection();
+    // Places of the document's text in the editor's, and back.
+    [[nodiscard]] scene::Range inEditor(scene::Range range) const;
+    [[nodiscard]] scene::Range inDocument(scene::Range range) const;
+
+    SceneEditor& editor_;
+    SceneDocument& document_;
+    Draft& draft_;
+    bool selecting_ = false; // the caret did it: it need not be shown where it is
+    scene::Range caret_;
+};
+
+} // namespace views

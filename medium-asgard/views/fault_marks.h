@@ -1,0 +1,38 @@
+// What is wrong with a scene's text, at its words and in a list (dissertation 4.2.3).
+//
+// A fault is underlined, told in full below its line, and listed; one without a place is listed
+// only. While the text is a draft the marks stay with their words, as faults of the last update.
+#pragma once
+
+#include "views/scene_document.h"
+#include "views/scene_editor.h"
+
+class QListWidget;
+
+namespace views {
+
+class FaultMarks : public QObject, public EditorTool {
+    Q_OBJECT
+public:
+    FaultMarks(SceneEditor& editor, QListWidget& list);
+
+    // `places`: the text is the one that the faults are of.
+    void show(const std::vector<scene::Diagnostic>& faults, bool places);
+    void hideNotes(); // below the lines: the text is not as they say any more
+    void next(bool forward = true);
+
+    [[nodiscard]] QString tip(std::size_t byte) const override;
+
+Q_SIGNALS:
+    void wanted(scene::Range range); // the author wants to see it
+
+private:
+    void list(const scene::Diagnostic& fault, bool places);
+    void mark(const scene::Diagnostic& fault);
+
+    SceneEditor& editor_;
+    QListWidget& list_;
+    std::vector<scene::Diagnostic> placed_;
+};
+
+} // namespace views

@@ -1,0 +1,99 @@
+// A text widget in which places are bytes of the scene's text: QScintilla, with marks of the
+// language viewer's own.
+//
+// What a language viewer can do attaches to it as tools (elision.h, number_drag.h, ...): each sees
+// the pointer and the keys before Scintilla, and paints above the text.
+#pragma once
+
+#include "scene/scene.h"
+#include "views/scintilla.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace views {
+
+// Kinds of marked stretches. A mark moves with its text.
+enum class Mark {
+    error = 8,
+    warning,
+    argument, // what pictures change too, in the colour of its handle
+    elided,   // hidden behind a mark
+    opened,   // would be hidden, but was opened
+    conflict, // someone else changed what the draft changed too
+    found,
+    number // that the pointer can drag
+};
+
+class EditorTool {
+public:
+    virtual ~EditorTool() = default;
+    // True: nobody else gets it.
+    virtual bool pressed(const QMouseEvent&) { return false; }
+    virtual bool moved(const QMouseEvent&) { return false; }
+    virtual bool released(const QMouseEvent&) { return false; }
+    virtual bool key(const QKeyEvent&) { return false; }
+    virtual bool keyReleased(const QKeyEvent&) { return false; }
+    virtual void left() {} // the pointer or the focus left
+    virtual void paint(QPainter&) {}
+    // What to say of the byte below the pointer, "" when nothing.
+    [[nodiscard]] virtual QString tip(std::size_t) const { return {}; }
+};
+
+class SceneEditor : public QsciScintilla {
+    Q_OBJECT
+public:
+    explicit SceneEditor(QWidget* parent = nullptr);
+
+    [[nodiscard]] std::string bytes() const;
+    [[nodiscard]] std::size_t length() const;
+    void replace(scene::Range range, std::string_view text);
+
+    [[nodiscard]] std::size_t caret() const;
+    [[nodiscard]] scene::Range selection() const;
+    void select(scene::Range range);                  // and shows it
+    [[nodiscard]] int lineOf(std::size_t byte) const; // from 0
+    [[nodiscard]] QString word(scene::Range range) const;
+
+    // `value`: a colour for Mark::argument, else 1.
+    void mark(Mark kind, scene::Range range, int value = 1);
+    void unmark(Mark kind);
+    void unmark(Mark kind, scene::Range range);
+    [[nodiscard]] bool isMarked(Mark kind, std::size_t byte) const;
+    [[nodiscard]] std::vector<scene::Range> marks(Mark kind) const;
+    // The marked stretch that this byte is in.
+    [[nodiscard]] std::optional<scene::Range> markAt(Mark kind, std::size_t byte) const;
+
+    // Where a byte is drawn, the height of its line.
+    [[nodiscard]] QRect rectOf(std::size_t byte) const;
+    [[nodiscard]] std::optional<std::size_t> byteAt(const QPoint& position) const;
+
+    // Not owned; forgetTools() before they go.
+    void addTool(EditorTool* tool) { tools_.push_back(tool); }
+    void forgetTools() { tools_.clear(); }
+    void adaptToPalette();
+    [[nodiscard]] bool isDark() const;
+
+protected:
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    bool viewportEvent(QEvent* event) override;
+
+private:
+    void defineMarks();
+
+    std::vector<EditorTool*> tools_;
+    bool taken_ = false; // the press was a tool's: so are moves until the release
+};
+
+} // namespace views
