@@ -257,9 +257,11 @@ void ComponentEquations::pass(const Watch& watch, bool insist, std::vector<std::
         field();
         const std::vector<double> now = out_;
         const Decision next = wholeBranch(s, now);
-        const Decision beside =
-            decisions_[member.decision] + (model_.surfaces()[s].ceiling ? 1 : -1);
-        decisions_[member.decision] = next != decisions_[member.decision] ? next : beside;
+        Decision& taken = decisions_[member.decision];
+        const double middle =
+            static_cast<double>(taken) + (model_.surfaces()[s].ceiling ? -0.5 : 0.5);
+        const Decision beside = taken + (guardRate(s, now).value > middle ? 1 : -1);
+        taken = next != taken ? next : beside;
     } else if (insist) {
         setSide(s, onSurface);
     } else if (passed.empty() || !isRight(s)) {

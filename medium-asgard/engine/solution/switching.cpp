@@ -79,8 +79,14 @@ public:
     std::optional<Violation> in(double a, double b, int depth) {
         sample(a, b);
         if (a == from_)
-            if (Violation violation = atStart(); !violation.watches.empty())
-                return violation;
+            if (Violation violation = atStart(); !violation.watches.empty()) {
+                const auto bump =
+                    depth < deepest ? endOfBump(violation.watches, a, b) : std::nullopt;
+                if (!bump)
+                    return violation;
+                const auto found = in(a, bump->time, depth + 1);
+                return found ? found : bump;
+            }
         if (depth < deepest && budget_ > 0 && !explained(a, b)) {
             const double middle = a + 0.5 * (b - a);
             if (auto found = in(a, middle, depth + 1))
@@ -115,6 +121,35 @@ private:
                 return true;
         }
         return false;
+    }
+
+    // What starts at 0 may rise for less than the samples see before it falls: an expression that
+    // grazes its surface is passed there and back within a small part of a step. The end of such a
+    // rise, where each of these watches has one.
+    std::optional<Violation> endOfBump(const std::vector<std::size_t>& falling, double a,
+                                       double b) {
+        constexpr int halvings = 40;
+        constexpr double rounding = 1e-12;
+        Violation earliest{b, {}};
+        const std::vector<Samples> samples = samples_;
+        for (const std::size_t k : falling) {
+            double largest = 0;
+            for (const double x : samples[k])
+                largest = std::max(largest, std::abs(x));
+            const double high = a + interpolationPoints()[1] * (b - a);
+            double t = high;
+            bool isAbove = false;
+            for (int i = 0; i < halvings && !isAbove && t > a; ++i) {
+                t = a + 0.5 * (t - a);
+                isAbove = watch(k, t) > rounding * largest;
+            }
+            const auto root = isAbove ? between(k, t, high) : std::nullopt;
+            if (!root)
+                return std::nullopt;
+            if (*root < earliest.time)
+                earliest = {*root, {k}};
+        }
+        return earliest;
     }
 
     // Does a polynomial of degree 8 follow the watches here? Far above 0 it need not do so closely.

@@ -55,6 +55,9 @@ struct Violation {
 // On pieces of the interval, halved until a polynomial of degree 8 agrees with the watches, its
 // Bernstein form isolates the first root; bisection on the watches themselves finishes.
 //
+// A graze: a watch that starts at 0, rises for less than the samples see and falls is followed to
+// the end of that rise, down to a 2^-40th of the interval.
+//
 // LIMIT: a watch that falls below 0 and rises again between samples that a polynomial of degree 8
 // explains otherwise is not seen; nor is a touch, nor what needs more than 500 pieces.
 [[nodiscard]] std::optional<Violation>

@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <string>
+#include <vector>
 
 using namespace solution;
 using namespace solution::testing;
@@ -251,4 +255,124 @@ TEST(Switches, AStiffContactIsLeftOnTime) {
     EXPECT_EQ(solver.histories().stop(0), nullptr);
     EXPECT_NEAR(solver.histories().value(0, 0.4), 0.2, 1e-12);
     EXPECT_LT(solver.statistics().evaluations, 60000u);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Each kind of switch, on p = sin t and q = cos t, which are integrated
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+struct Kind {
+    std::string rate;
+    std::vector<double> switches;        // all within 0 .. 6
+    std::function<double(double)> rate6; // the rate as a function of time
+};
+
+Solver solvedKind(const std::string& rate) {
+    return solved(equationsOf({{"p", "q", 0, 1}, {"q", "-p", 1}, {"x", rate, 0}}), 6,
+                  tolerance(1e-11));
+}
+
+// Between the switches by Gauss's rule of five points, on pieces.
+double integral(const Kind& kind) {
+    std::vector<double> ends{0};
+    ends.insert(ends.end(), kind.switches.begin(), kind.switches.end());
+    ends.push_back(6);
+    constexpr double at[] = {-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831,
+                             0.9061798459386640};
+    constexpr double weight[] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
+                                 0.4786286704993665, 0.2369268850561891};
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+        for (int piece = 0; piece < 16; ++piece) {
+            const double h = (ends[i + 1] - ends[i]) / 32, middle = ends[i] + (2 * piece + 1) * h;
+            for (std::size_t k = 0; k < 5; ++k)
+                sum += h * weight[k] * kind.rate6(middle + at[k] * h);
+        }
+    return sum;
+}
+
+} // namespace
+
+TEST(Switches, OfEachKindAreLocated) {
+    const double half = std::asin(0.5); // sin t = 1/2 at half and pi - half
+    const double third = std::asin(1 / 1.9);
+    const auto s = [](double t) { return std::sin(t); };
+    const auto c = [](double t) { return std::cos(t); };
+    const std::vector<Kind> kinds = {
+        {"p<0.5?1:3", {half, pi - half}, [&](double t) { return s(t) < 0.5 ? 1.0 : 3.0; }},
+        {"p<=0.5?1:3", {half, pi - half}, [&](double t) { return s(t) < 0.5 ? 1.0 : 3.0; }},
+        {"p>0.5?1:3", {half, pi - half}, [&](double t) { return s(t) > 0.5 ? 1.0 : 3.0; }},
+        {"p>=0.5?1:3", {half, pi - half}, [&](double t) { return s(t) > 0.5 ? 1.0 : 3.0; }},
+        {"(p>0.5)+q", {half, pi - half}, [&](double t) { return (s(t) > 0.5) + c(t); }},
+        {"abs(p)", {pi}, [&](double t) { return std::abs(s(t)); }},
+        {"sign(p)", {pi}, [&](double t) { return t < pi ? 1.0 : -1.0; }},
+        {"min(p,0.5)", {half, pi - half}, [&](double t) { return std::min(s(t), 0.5); }},
+        {"max(p,q)", {pi / 4, 5 * pi / 4}, [&](double t) { return std::max(s(t), c(t)); }},
+        {"floor(1.9*p)",
+         {third, pi - third, pi, pi + third, 2 * pi - third},
+         [&](double t) { return std::floor(1.9 * s(t)); }},
+        {"ceil(1.9*p)",
+         {third, pi - third, pi, pi + third, 2 * pi - third},
+         [&](double t) { return std::ceil(1.9 * s(t)); }},
+        {"p>0&&q>0?1:0", {pi / 2, pi, 3 * pi / 2}, [&](double t) { return t < pi / 2 ? 1.0 : 0; }},
+        {"p<0||q<0?1:0", {pi / 2, pi, 3 * pi / 2}, [&](double t) { return t < pi / 2 ? 0 : 1.0; }},
+        {"!(p>0)?1:2", {pi}, [&](double t) { return t < pi ? 2.0 : 1.0; }}};
+    for (const Kind& kind : kinds) {
+        const Solver solver = solvedKind(kind.rate);
+        EXPECT_NEAR(solver.histories().value(2, 6), integral(kind), 1e-8) << kind.rate;
+        const auto restarts = solver.histories().restarts(2);
+        for (const double time : kind.switches)
+            EXPECT_TRUE(
+                std::ranges::any_of(restarts, [&](double t) { return std::abs(t - time) < 1e-8; }))
+                << kind.rate << " at " << time;
+    }
+}
+
+TEST(Switches, WithinSwitchesAreLocated) {
+    const double half = std::asin(0.5), third = std::asin(1 / 1.9);
+    const auto s = [](double t) { return std::sin(t); };
+    const auto c = [](double t) { return std::cos(t); };
+    const std::vector<Kind> kinds = {
+        {"p>0?(q>0?1:2):(q>0?3:4)",
+         {pi / 2, pi, 3 * pi / 2},
+         [&](double t) {
+             return t < pi / 2 ? 1.0 : t < pi ? 2.0 : t < 3 * pi / 2 ? 4.0 : 3.0;
+         }},
+        {"min(abs(p),0.5)",
+         {half, pi - half, pi, pi + half, 2 * pi - half},
+         [&](double t) { return std::min(std::abs(s(t)), 0.5); }},
+        {"abs(abs(p)-0.5)",
+         {half, pi - half, pi, pi + half, 2 * pi - half},
+         [&](double t) { return std::abs(std::abs(s(t)) - 0.5); }},
+        {"max(p,0)>0.5?1:min(q,p)",
+         {half, pi - half, 5 * pi / 4},
+         [&](double t) { return std::max(s(t), 0.0) > 0.5 ? 1.0 : std::min(s(t), c(t)); }},
+        {"floor(abs(1.9*p))", {third, pi - third, pi + third, 2 * pi - third}, [&](double t) {
+             return std::floor(std::abs(1.9 * s(t)));
+         }}};
+    for (const Kind& kind : kinds) {
+        Kind all = kind;
+        if (kind.rate.starts_with("max")) // min(q, p) changes inside the branch too
+            all.switches = {half, pi - half, pi, 5 * pi / 4};
+        EXPECT_NEAR(solvedKind(kind.rate).histories().value(2, 6), integral(all), 1e-8)
+            << kind.rate;
+    }
+}
+
+// p comes to 1 and goes back: what switches above 1 never does, what switches a millionth below it
+// does for a moment of 2 acos(1 - 1e-6), and what only touches has no kink.
+TEST(Switches, ThatAreGrazedAreFoundAsFarAsTheyArePassed) {
+    EXPECT_EQ(solvedKind("p>1.000001?100:0").histories().value(2, 6), 0);
+    const Solver dip = solvedKind("p>0.999999?100:0");
+    EXPECT_NEAR(dip.histories().value(2, 6), 200 * std::acos(0.999999), 1e-5);
+    EXPECT_GE(dip.histories().restarts(2).size(), 2u);
+    // Whole numbers that are touched: an error of 1e-11 passes them for as long as 1e-5.
+    EXPECT_NEAR(solvedKind("floor(2*p)").histories().value(2, 6), pi - 6, 1e-6);
+    EXPECT_NEAR(solvedKind("ceil(2*p)").histories().value(2, 6), pi, 1e-6);
+    const double smooth = 6 - (1 - std::cos(6.0)); // of 1 - sin
+    EXPECT_NEAR(solvedKind("abs(p-1.0000001)").histories().value(2, 6), smooth + 6e-7, 1e-8);
+    EXPECT_NEAR(solvedKind("max(1-p,0)").histories().value(2, 6), smooth, 1e-7);
 }
