@@ -34,6 +34,9 @@ struct Target {
 // Empty: no code can be made here.
 [[nodiscard]] std::vector<std::byte> assemble(const Routine& routine, Target target);
 
+// The code as text: of each step of the routine its own line, then its instructions. Empty: none.
+[[nodiscard]] std::string listing(const Routine& routine, Target target);
+
 // Doubles that the code wants as scratch.
 [[nodiscard]] std::size_t scratchOf(const Routine& routine, Target target);
 

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <sstream>
 
 #include <asmjit/x86.h>
 
@@ -104,6 +105,7 @@ public:
         for (const Step& step : routine_.steps)
             add(step);
         end();
+        embedPool();
         if (code_.flatten() != asmjit::kErrorOk || failed_)
             return {};
         const asmjit::CodeBuffer& text = code_.textSection()->buffer();
@@ -112,7 +114,45 @@ public:
         return bytes;
     }
 
+    std::string list() {
+        asmjit::StringLogger log;
+        code_.setLogger(&log);
+        begin();
+        std::string text = instructionsOf(log, "");
+        for (const Step& step : routine_.steps) {
+            add(step);
+            text += "; " + print(step) + '\n' + instructionsOf(log, calledBy(step));
+        }
+        end();
+        text += "; end\n" + instructionsOf(log, "");
+        code_.resetLogger();
+        return failed_ ? std::string() : text;
+    }
+
 private:
+    // What was logged, a line each. The address of a function that is called is another in each
+    // process: its name says more.
+    static std::string instructionsOf(asmjit::StringLogger& log, const std::string& called) {
+        std::string text;
+        std::istringstream lines(std::string(log.data(), log.dataSize()));
+        std::size_t last = 0;
+        for (std::string line; std::getline(lines, line);) {
+            const std::size_t word = std::min(line.find_first_not_of(' '), line.size());
+            if (line.compare(word, 5, "call ") == 0)
+                text.replace(last, std::string::npos, "    mov rax, " + called + '\n');
+            last = text.size();
+            text += "    " + line.substr(word) + '\n';
+        }
+        log.clear();
+        return text;
+    }
+    static std::string calledBy(const Step& step) {
+        return step.kind == Step::Kind::frozen  ? "frozenValue"
+               : step.kind == Step::Kind::guard ? "guardValue"
+               : step.op == Op::power           ? "pow"
+                                                : std::string(nameOf(step.op));
+    }
+
     // Arguments stay where they came, unless calls would lose them.
     void begin() {
         if (!routine_.hasCalls)
@@ -137,6 +177,8 @@ private:
             for (const x86::Gp& r : {x86::r14, x86::r13, x86::r12, x86::rbp, x86::rbx})
                 emit(Inst::kIdPop, r);
         emit(Inst::kIdRet);
+    }
+    void embedPool() {
         a_.align(asmjit::AlignMode::kData, 32);
         a_.bind(pool_);
         constexpr std::uint64_t sign = std::uint64_t{1} << 63;
@@ -490,6 +532,10 @@ Ability abilityOf(Target target) { return {.rounds = target.avx, .branches = tar
 
 std::vector<std::byte> assemble(const Routine& routine, Target target) {
     return Assembler(routine, target).run();
+}
+
+std::string listing(const Routine& routine, Target target) {
+    return Assembler(routine, target).list();
 }
 
 std::size_t scratchOf(const Routine& routine, Target target) {

@@ -146,6 +146,10 @@ private:
 // Infix text that parse() reads back to the same node.
 [[nodiscard]] std::string print(const Graph& graph, Node node);
 
+// The graph as it is, a line for each operation that the roots are made of, arguments before what
+// reads them: n7 = sin n4. An operation that is read more often than once says how often.
+[[nodiscard]] std::string printNodes(const Graph& graph, std::span<const Node> roots);
+
 // d node / d symbol. Switching functions differentiate piecewise: d abs(x) = sign(x) dx,
 // d floor = d sign = 0, d min(a,b) = select(a < b, da, db).
 [[nodiscard]] Node differentiate(Graph& graph, Node node, Node symbol);

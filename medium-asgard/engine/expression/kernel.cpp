@@ -86,6 +86,13 @@ std::string Kernel::print(Purpose purpose, Width width) const {
     return makeRoutine(sequence_, purpose, abilityOf(targetOf(width))).print();
 }
 
+std::string Kernel::listing(Purpose purpose, Width width) const {
+    const Target target = targetOf(width);
+    if (!isAllowed())
+        return {};
+    return expression::listing(makeRoutine(sequence_, purpose, abilityOf(target)), target);
+}
+
 Kernel::Counts Kernel::counts() { return {kernelsMade, codesCompiled, bytesCompiled}; }
 
 } // namespace expression

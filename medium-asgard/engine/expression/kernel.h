@@ -44,6 +44,8 @@ public:
 
     // What the code does, step by step.
     [[nodiscard]] std::string print(Purpose purpose, Width width) const;
+    // The instructions for it on this processor; empty: there is no code.
+    [[nodiscard]] std::string listing(Purpose purpose, Width width) const;
 
     struct Counts {
         std::size_t made = 0;     // kernels; all others were shared

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <unordered_map>
 #include <variant>
 
 namespace expression {
@@ -188,5 +189,32 @@ private:
 } // namespace
 
 std::string print(const Graph& graph, Node node) { return Printer(graph).print(node); }
+
+std::string printNodes(const Graph& graph, std::span<const Node> roots) {
+    const std::vector<Node> nodes = reachable(graph, roots);
+    std::unordered_map<std::uint32_t, std::size_t> reads, number;
+    for (const Node n : nodes)
+        for (const Node argument : graph.arguments(n))
+            ++reads[argument.index];
+    for (const Node root : roots)
+        ++reads[root.index];
+    const auto named = [&](Node n) {
+        const auto place = number.find(n.index);
+        return place == number.end() ? print(graph, n) : "n" + std::to_string(place->second);
+    };
+    std::string text;
+    for (const Node n : nodes) {
+        if (graph.op(n) == Op::constant || graph.op(n) == Op::symbol)
+            continue;
+        const std::size_t place = number.size();
+        text += "n" + std::to_string(place) + " = " + std::string(nameOf(graph.op(n)));
+        for (const Node argument : graph.arguments(n))
+            text += ' ' + named(argument);
+        text +=
+            reads[n.index] > 1 ? "  (read " + std::to_string(reads[n.index]) + " times)\n" : "\n";
+        number.emplace(n.index, place);
+    }
+    return text;
+}
 
 } // namespace expression

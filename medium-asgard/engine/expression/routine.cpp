@@ -387,21 +387,24 @@ Routine makeRoutine(const Sequence& sequence, Purpose purpose, Ability ability) 
     return routine;
 }
 
+std::string print(const Step& s) {
+    std::string text = named(s.to).substr(1) + " =";
+    if (s.kind == Step::Kind::guard)
+        text += " guard";
+    if (s.kind != Step::Kind::load && s.kind != Step::Kind::store)
+        text += ' ' + std::string(nameOf(s.op));
+    for (const Place place : {s.a, s.b, s.c})
+        if (place.kind != Place::Kind::none)
+            text += named(place);
+    if (s.kind == Step::Kind::frozen || s.kind == Step::Kind::guard)
+        text += "  [decision " + std::to_string(s.decision) + ']';
+    return text + (s.isCall ? "  (call)" : "");
+}
+
 std::string Routine::print() const {
     std::string text;
-    for (const Step& s : steps) {
-        text += named(s.to).substr(1) + " =";
-        if (s.kind == Step::Kind::guard)
-            text += " guard";
-        if (s.kind != Step::Kind::load && s.kind != Step::Kind::store)
-            text += ' ' + std::string(nameOf(s.op));
-        for (const Place place : {s.a, s.b, s.c})
-            if (place.kind != Place::Kind::none)
-                text += named(place);
-        if (s.kind == Step::Kind::frozen || s.kind == Step::Kind::guard)
-            text += "  [decision " + std::to_string(s.decision) + ']';
-        text += s.isCall ? "  (call)\n" : "\n";
-    }
+    for (const Step& step : steps)
+        text += expression::print(step) + '\n';
     return text;
 }
 

@@ -46,6 +46,8 @@ struct Routine {
     [[nodiscard]] std::string print() const; // one line per step
 };
 
+[[nodiscard]] std::string print(const Step& step);
+
 // What the processor does itself; all else are calls.
 struct Ability {
     bool rounds = false;   // floor and ceil

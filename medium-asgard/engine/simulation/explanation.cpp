@@ -2,6 +2,7 @@
 
 #include "simulation/run.h"
 #include "solution/partition.h"
+#include "solution/phases_text.h"
 
 #include <algorithm>
 #include <map>
@@ -114,6 +115,40 @@ Explanation::Component componentOf(Equations& equations, const solution::Compone
     return component;
 }
 
+bool belongsTo(const std::string& unknown, const std::string& asked) {
+    return unknown == asked || (unknown.starts_with(asked) && unknown[asked.size()] == '.');
+}
+
+void addPhases(const Problem& problem, const Run& run, Explanation& explanation) {
+    const auto& unknowns = run.equations->unknowns;
+    for (const solution::ComponentStatistics& c : run.statistics.componentList) {
+        if (!c.bound || std::ranges::none_of(c.unknowns, [&](std::size_t u) {
+                return belongsTo(unknowns[u].name, problem.options.phasesOf);
+            }))
+            continue;
+        Explanation::Phases phases;
+        for (const std::size_t u : c.unknowns)
+            phases.unknowns.push_back(unknowns[u].name);
+        phases.text = solution::phasesText(*run.equations, c.unknowns, *c.bound);
+        explanation.phases.push_back(std::move(phases));
+    }
+}
+
+// Orientations that no motion reads, and that no meeting of bodies asked for.
+std::vector<bool> seenOnly(const Problem& problem, const Run& run) {
+    std::vector<std::size_t> asked;
+    std::vector<bool> isNear(problem.bodies->size(), false);
+    for (const auto& [a, b] : run.candidates)
+        isNear[a] = isNear[b] = true;
+    for (std::size_t b = 0; b < isNear.size(); ++b) {
+        const BodyRecord& body = (*problem.bodies)[b];
+        const std::size_t count = isNear[b] ? physics::bodyUnknowns : std::size_t{physics::qw};
+        for (std::size_t i = 0; !body.isFixed && i < count; ++i)
+            asked.push_back(body.firstUnknown + i);
+    }
+    return solution::unreadBy(asked, solution::readsOf(*run.equations, problem.start()));
+}
+
 void addZeroStates(const Problem& problem, const Run& run, Explanation& explanation) {
     const auto& zero = run.statistics.zeroStates;
     for (const physics::BodyMotion& body : problem.equations.bodies) {
@@ -178,10 +213,17 @@ void addPairs(const Problem& problem, const Run& run, Explanation& explanation) 
 Explanation explanationOf(const Problem& problem, const Run& run) {
     Explanation explanation;
     Equations equations(*run.equations, run.statistics.zeroStates, run.reached);
-    for (const solution::ComponentStatistics& c : run.statistics.componentList)
+    const std::vector<bool> isSeenOnly = seenOnly(problem, run);
+    for (const solution::ComponentStatistics& c : run.statistics.componentList) {
         explanation.components.push_back(componentOf(equations, c));
+        if (std::ranges::all_of(c.unknowns, [&](std::size_t u) { return isSeenOnly[u]; }))
+            explanation.components.back().why +=
+                "; no motion depends on it, so it is solved apart, to be seen";
+    }
     addZeroStates(problem, run, explanation);
     addPairs(problem, run, explanation);
+    if (!problem.options.phasesOf.empty())
+        addPhases(problem, run, explanation);
     return explanation;
 }
 

@@ -24,7 +24,12 @@ struct Explanation {
     struct Never { // a pair of bodies
         std::string a, b, why;
     };
+    struct Phases { // of a component that was asked for: see solution/phases_text.h
+        std::vector<std::string> unknowns;
+        std::string text;
+    };
     std::vector<Component> components;
+    std::vector<Phases> phases;
     std::vector<NotModelled> notModelled;
     std::size_t candidates = 0; // pairs that came near each other
     std::size_t tested = 0;     // tests of pairs, each over a stretch of the motion

@@ -1,6 +1,7 @@
 #include "expression/tape.h"
 #include "physics/scene_quantities.h"
 #include "simulation/computed_motion.h"
+#include "simulation/run.h"
 #include "simulation/simulation.h"
 
 #include <algorithm>
@@ -43,7 +44,35 @@ std::vector<Node> parseAll(physics::EquationsOfMotion& equations,
     return nodes;
 }
 
+// The expressions as nodes of the equations' graph, in which they are put. The number of impacts so
+// far is a symbol.
+struct Parsed {
+    std::vector<Node> nodes;
+    Node collisions;
+};
+Parsed parsedIn(physics::EquationsOfMotion& equations, const scene::Scene& scene,
+                const std::vector<std::string>& expressions, std::vector<std::string>& faults) {
+    const physics::SceneNodes nodes = physics::sceneNodes(equations, scene);
+    equations.scope->setSceneNodes(nodes);
+    return {parseAll(equations, expressions, faults), nodes.collisions};
+}
+
 } // namespace
+
+std::vector<std::size_t> unknownsRead(const scene::Scene& scene,
+                                      const std::vector<std::string>& expressions) {
+    std::vector<std::size_t> read;
+    physics::EquationsOfMotion equations(scene);
+    if (expressions.empty() || !equations.scope)
+        return read;
+    std::vector<std::string> faults;
+    const auto nodes = parsedIn(equations, scene, expressions, faults).nodes;
+    const auto symbols = expression::symbolsOf(equations.set.graph, nodes);
+    for (std::size_t u = 0; u < equations.set.unknowns.size(); ++u)
+        if (std::ranges::binary_search(symbols, equations.set.unknowns[u].symbol))
+            read.push_back(u);
+    return read;
+}
 
 Quantities::Quantities(const scene::Scene& original, const Options& options, MotionPointer motion,
                        const std::vector<std::string>& expressions,
@@ -62,12 +91,10 @@ Quantities::Quantities(const scene::Scene& original, const Options& options, Mot
     implementation_->count = expressions.size();
     if (!equations.scope || !implementation_->motion)
         return;
-    const physics::SceneNodes nodes = physics::sceneNodes(equations, scene);
-    equations.scope->setSceneNodes(nodes);
-    const std::vector<Node> outputs = parseAll(equations, expressions, faults);
+    const auto [outputs, collisionsSoFar] = parsedIn(equations, scene, expressions, faults);
     if (outputs.size() != expressions.size())
         return;
-    std::vector<Node> inputs{equations.set.time, nodes.collisions};
+    std::vector<Node> inputs{equations.set.time, collisionsSoFar};
     const auto symbols = expression::symbolsOf(equations.set.graph, outputs);
     for (std::size_t b = 0; b < equations.bodies.size(); ++b)
         for (std::size_t i = 0; !equations.bodies[b].isFixed && i < physics::bodyUnknowns; ++i) {

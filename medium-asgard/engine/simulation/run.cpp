@@ -43,8 +43,12 @@ std::string sentenceOf(const Problem& problem, const solution::Histories& histor
             const double after = part * std::max(1.0, std::abs(stop.time));
             const double before = std::max(problem.start(), stop.time - after);
             std::vector<double> state;
-            for (std::size_t i = 0; i < histories.unknowns(); ++i)
-                state.push_back(2 * histories.value(i, stop.time) - histories.value(i, before));
+            for (std::size_t i = 0; i < histories.unknowns(); ++i) {
+                const double value = 2 * histories.value(i, stop.time) - histories.value(i, before);
+                // Of what is not solved any value will do.
+                state.push_back(std::isnan(value) ? problem.equations.set.unknowns[i].initial
+                                                  : value);
+            }
             const std::string named =
                 problem.equations.whatIsNotFinite(problem.scene, state, stop.time + after, bodies);
             if (!named.empty()) {
@@ -98,6 +102,7 @@ solution::Options solverOptions(const Problem& problem, const std::vector<double
     options.eventDriven = problem.options.eventDriven;
     options.threads = static_cast<std::size_t>(std::max(problem.options.threads, 0));
     options.cancelled = observer.cancelled;
+    options.asked = problem.asked;
     for (std::size_t b = 0; b < tolerances.size(); ++b)
         if (!(*problem.bodies)[b].isFixed) {
             options.tolerances.insert(options.tolerances.end(), bodyUnknowns, tolerances[b]);
@@ -148,6 +153,17 @@ std::vector<std::size_t> readersOf(const Problem& problem) {
     return std::move(groups.parent);
 }
 
+// Places and velocities are always of interest: they tell what the motion's errors are.
+std::optional<std::vector<std::size_t>> askedOf(const Problem& problem) {
+    if (!problem.options.only || problem.collides())
+        return std::nullopt;
+    std::vector<std::size_t> asked = unknownsRead(problem.scene, *problem.options.only);
+    for (const BodyRecord& body : *problem.bodies)
+        for (std::size_t i = 0; !body.isFixed && i < physics::qw; ++i)
+            asked.push_back(body.firstUnknown + i);
+    return asked;
+}
+
 struct Cancelled {}; // thrown while a problem is posed
 
 std::variant<std::shared_ptr<const Problem>, std::vector<std::string>>
@@ -180,7 +196,9 @@ posed(const scene::Scene& original, const Options& options,
                                                      .bodies = std::move(bodies),
                                                      .options = options,
                                                      .prepared = nullptr,
-                                                     .readers = {}});
+                                                     .readers = {},
+                                                     .asked = {}});
+    problem->asked = askedOf(*problem);
     // The set is a part of the problem, which owns what was prepared of it.
     const std::shared_ptr<const expression::EquationSet> set(std::shared_ptr<const void>(),
                                                              &problem->equations.set);

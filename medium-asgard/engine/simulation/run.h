@@ -25,12 +25,18 @@ struct Problem {
     std::shared_ptr<const solution::PreparedEquations> prepared;
     // By body: the least of those that read each other, directly or through others.
     std::vector<std::size_t> readers;
+    // Unknowns that are read of the motion or by collisions; none: all.
+    std::optional<std::vector<std::size_t>> asked;
 
     [[nodiscard]] double start() const { return scene.simulator.start; }
     [[nodiscard]] double finish() const { return scene.simulator.finish; }
     [[nodiscard]] double accuracy() const { return scene.simulator.accuracy; }
     [[nodiscard]] bool collides() const;
 };
+
+// The unknowns that these expressions read, as Quantities does; faulty ones read none.
+[[nodiscard]] std::vector<std::size_t> unknownsRead(const scene::Scene& scene,
+                                                    const std::vector<std::string>& expressions);
 
 // Or the sentences that say why nothing can be computed; none at all: it was cancelled.
 [[nodiscard]] std::variant<std::shared_ptr<const Problem>, std::vector<std::string>>

@@ -26,7 +26,13 @@ struct Options {
     bool whole = false;      // one component for the whole scene (dissertation 5.2.1, 5.2.4)
     bool eventDriven = true; // false: finish each component before the next (5.2.4, case 5)
     int threads = 1;         // 0: as many as the machine has cores; the motion is the same
-    bool explain = false;    // fill Result::explanation
+    // These expressions are all that will be read of the motion, as Quantities: an orientation that
+    // neither they nor anything in the scene read is not solved. None: all may be read.
+    std::optional<std::vector<std::string>> only = std::nullopt;
+    bool explain = false; // fill Result::explanation
+    // A body or one of its unknowns ("rod1", "rod1.x"): of its components the explanation has every
+    // form of the equations, down to machine code. "": of none.
+    std::string phasesOf = "";
     std::map<std::string, double> parameters; // override the scene's values
 };
 

@@ -22,6 +22,7 @@ TEST(Simulation, AThrownBodyFollowsItsParabola) {
         distance(result.motion->at(0, 2).position, {1 + 4 * 2, 2 + 5 * 2 - 0.5 * g * 4, 3 + 6 * 2}),
         1e-12);
     EXPECT_EQ(result.statistics.errorEstimate, 0);
+    EXPECT_EQ(result.statistics.steps, 0u);
 }
 
 // What is held in the end was integrated before: then it is not exact.
@@ -122,6 +123,116 @@ TEST(Simulation, AnUnrelatedBodyCostsOnlyItself) {
     EXPECT_EQ(b.statistics.equationEvaluations, 2 * a.statistics.equationEvaluations);
     EXPECT_EQ(b.statistics.steps, 2 * a.statistics.steps);
 }
+
+// --- orientations ------------------------------------------------------------------------------
+
+// A brick on a spring, which tumbles or not.
+SceneBuilder tumbling(const Vector& spin) {
+    SceneBuilder b(5);
+    b.box("brick", {1, 0, 0}, {1, 2, 3}).initialAngularVelocity = spin;
+    b.force("brick", "-sin(brick.x)", "-sin(brick.y)", "0");
+    return b;
+}
+
+std::size_t evaluationsOf(const Result& result, std::size_t unknowns) {
+    std::size_t sum = 0;
+    for (const ComponentStatistics& c : result.statistics.componentList)
+        sum += c.unknowns == unknowns ? c.evaluations : 0;
+    return sum;
+}
+
+// What it does in space does not depend on how it turns, and costs nothing more.
+TEST(Orientation, ThatNothingReadsIsInNoSystemThatIsSolved) {
+    const Result still = simulate(tumbling({0, 0, 0}).scene);
+    const Result turns = simulate(tumbling({1, 2, 3}).scene);
+    EXPECT_GT(evaluationsOf(still, 2), 50u); // x with its velocity
+    EXPECT_EQ(evaluationsOf(turns, 2), evaluationsOf(still, 2));
+    EXPECT_GT(evaluationsOf(turns, 4), 50u); // the attitude, by itself
+    EXPECT_EQ(evaluationsOf(still, 4), 0u);
+    for (const double t : {0.5, 1.0, 2.7, 5.0})
+        EXPECT_EQ(turns.motion->at(0, t).position, still.motion->at(0, t).position);
+}
+
+// It can be seen at any time, as well as it was asked for: 1 rad/s about a principal axis.
+TEST(Orientation, ThatNothingReadsIsSeenAsItIs) {
+    const Result result = simulate(tumbling({0, 0, 1}).scene);
+    for (const double t : {0.0, 0.1, 1.7, 5.0})
+        EXPECT_LT(result.motion->at(0, t).attitude.angularDistance(
+                      Quaternion(Eigen::AngleAxisd(t, Vector::UnitZ()))),
+                  1e-12);
+}
+
+// Of expressions that are all that is asked for, it is solved where one of them reads it.
+TEST(Orientation, ThatNobodyAsksForIsNotSolved) {
+    const scene::Scene scene = tumbling({1, 2, 3}).scene;
+    Options options;
+    options.only = {"brick.x", "brick.dy^2"};
+    const Result places = simulate(scene, options);
+    EXPECT_EQ(places.statistics.equationEvaluations,
+              simulate(tumbling({0, 0, 0}).scene, options).statistics.equationEvaluations);
+    options.only = {"brick.x", "scene.energy"};
+    const Result energy = simulate(scene, options);
+    EXPECT_GT(evaluationsOf(energy, 3), 0u); // spins
+    EXPECT_EQ(evaluationsOf(energy, 4), 0u);
+    options.only = {"brick.px(1,0,0)"};
+    EXPECT_GT(evaluationsOf(simulate(scene, options), 4), 0u);
+    const Result all = simulate(scene);
+    std::vector<std::string> faults;
+    for (const Result* result : {&places, &energy})
+        for (const double t : {0.0, 1.3, 5.0})
+            EXPECT_EQ(Quantities(scene, options, result->motion, {"brick.x"}, faults).at(t),
+                      Quantities(scene, {}, all.motion, {"brick.x"}, faults).at(t));
+}
+
+// A force that reads it makes it part of what is solved, whatever is asked for; so do collisions.
+TEST(Orientation, ThatSomethingReadsIsSolved) {
+    Options options;
+    options.only = {"brick.x"};
+    SceneBuilder read = tumbling({1, 2, 3});
+    read.force("brick", "0", "0", "brick.qx");
+    EXPECT_EQ(simulate(read.scene, options).statistics.equationEvaluations,
+              simulate(read.scene).statistics.equationEvaluations);
+    SceneBuilder meets = tumbling({1, 2, 3});
+    meets.ball("other", {50, 0, 0});
+    EXPECT_EQ(simulate(meets.scene, options).statistics.equationEvaluations,
+              simulate(meets.scene).statistics.equationEvaluations);
+}
+
+// --- planes ------------------------------------------------------------------------------------
+
+// A rod that swings on a link, in the plane z = 0, and a ball that comes along z and meets it at t
+// = 1.
+SceneBuilder planarRod(double speed) {
+    SceneBuilder b(1.5, 1e-4);
+    scene::Body& rod = b.box("rod", {0, -0.5, 0}, {0.1, 1, 0.1});
+    rod.initialVelocity = {0.25, 0, 0};
+    rod.initialAngularVelocity = {0, 0, 0.5};
+    b.weight("rod");
+    scene::Link link;
+    link.first = {"rod", Vector(0, 0.5, 0)};
+    link.second = scene::PointEnd{{"0", "0", "0"}};
+    link.tightness = 400;
+    b.scene.links.push_back(link);
+    b.ball("ball", {0, -0.6, -1.15}).initialVelocity = {0, 0, speed};
+    return b;
+}
+
+// Seven of a body's thirteen unknowns move; the others cost nothing until an event wakes them.
+TEST(Planes, CostWhatAPlanarProgramCostsUntilAnEvent) {
+    Options until;
+    until.finish = 0.9;
+    const Statistics before = simulate(planarRod(1).scene, until).statistics;
+    EXPECT_EQ(before.largestComponent, 7u);
+    const Statistics alone = simulate(planarRod(-1).scene, until).statistics;
+    EXPECT_EQ(before.equationEvaluations, alone.equationEvaluations);
+    const Result result = simulate(planarRod(1).scene);
+    ASSERT_GE(result.statistics.collisions, 1u);
+    EXPECT_GT(result.statistics.largestComponent, 7u);
+    EXPECT_NE(result.motion->at(0, 1.5).position.z(), 0);
+    EXPECT_EQ(result.motion->at(0, 0.9).position.z(), 0);
+}
+
+// ------------------------------------------------------------------------------------------------
 
 TEST(Simulation, TheSameSceneGivesTheSameBits) {
     SceneBuilder b(3, 1e-4);

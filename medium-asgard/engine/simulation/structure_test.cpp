@@ -31,11 +31,12 @@ scene::Scene strikes(std::size_t others) {
 
 enum class Case { wholeWithout, partsWithout, whole, parts, partsToTheEnd };
 
-Result resultOf(Case which, std::size_t others, int threads = 1) {
+Result resultOf(Case which, std::size_t others, int threads = 1, const std::string& method = "") {
     scene::Scene scene = strikes(others);
     scene.simulator.collisions = which != Case::wholeWithout && which != Case::partsWithout;
     Options options;
     options.threads = threads;
+    options.method = method;
     options.whole = which == Case::wholeWithout || which == Case::whole;
     options.eventDriven = which != Case::partsToTheEnd;
     return simulate(scene, options);
@@ -99,6 +100,35 @@ TEST(FiveCases, CollisionsCostTheWholeAndNotItsParts) {
               3 * workOf(Case::parts, 40).equationEvaluations);
 }
 
+// The dissertation's own rule in each case: Figure 5.11's five lines, in the order in which it has
+// them. Equations evaluated with 2 and with 20 others, when this was written:
+//
+//     1 whole, no collisions   2210   10166      3 whole            8255   37973
+//     2 parts, no collisions   1086    6036      4 parts            1305    6255
+//                                                5 parts, late      1354    6304
+TEST(FiveCases, CostByTheOriginalRuleWhatTheyDidThen) {
+    const auto cost = [](Case which, std::size_t others) {
+        const Result result = resultOf(which, others, 1, "original");
+        for (const ComponentStatistics& c : result.statistics.componentList)
+            EXPECT_EQ(c.method, "original");
+        EXPECT_EQ(result.statistics.reached, 3);
+        return static_cast<double>(result.statistics.equationEvaluations);
+    };
+    for (const std::size_t others : {2u, 20u}) {
+        const double wholeWithout = cost(Case::wholeWithout, others);
+        const double partsWithout = cost(Case::partsWithout, others);
+        const double whole = cost(Case::whole, others), parts = cost(Case::parts, others);
+        const double late = cost(Case::partsToTheEnd, others);
+        EXPECT_LT(partsWithout, wholeWithout);
+        EXPECT_GT(whole, 3 * wholeWithout); // each collision restarts everything
+        EXPECT_GT(whole, 4 * parts);
+        EXPECT_GT(parts, partsWithout);
+        EXPECT_LT(parts, (1 + 1.0 / static_cast<double>(others)) * partsWithout);
+        EXPECT_GT(late, parts); // "the wasted computation becomes less significant"
+        EXPECT_LT(late - parts, 0.2 * parts / static_cast<double>(others));
+    }
+}
+
 // What a collision throws away is within a step of those who meet, whoever else there is.
 TEST(FiveCases, ThrowAwayLittle) {
     const Statistics few = workOf(Case::parts, 2), many = workOf(Case::parts, 60);
@@ -131,6 +161,8 @@ TEST(Threads, ChangeNeitherMotionNorCounts) {
         for (const int threads : {2, 4, 8, 16})
             EXPECT_EQ(written(resultOf(which, 40, threads)), one) << threads;
     }
+    const std::string original = written(resultOf(Case::parts, 40, 1, "original"));
+    EXPECT_EQ(written(resultOf(Case::parts, 40, 16, "original")), original);
 }
 
 // Balls on springs in a crowd: many meet, some at the same instant.

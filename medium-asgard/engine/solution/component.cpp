@@ -310,6 +310,8 @@ std::size_t Component::evaluations() const {
 
 ComponentStatistics Component::statistics() const {
     ComponentStatistics result = counts_;
+    if (equations_)
+        result.bound = equations_->bound();
     result.evaluations = evaluations();
     if (method_)
         result.factorisations += method_->counts().factorisations;

@@ -45,6 +45,7 @@ public:
     [[nodiscard]] const std::vector<std::size_t>& loop() const { return bound_->loop; }
     [[nodiscard]] Inputs& inputs() { return inputs_; }
     [[nodiscard]] const ComponentModel& model() const { return model_; }
+    [[nodiscard]] const std::shared_ptr<const BoundModel>& bound() const { return bound_; }
 
     // System, for the integrators.
     [[nodiscard]] std::size_t size() const override { return states().size(); }

@@ -174,6 +174,18 @@ std::string ComponentModel::print() const {
     return text;
 }
 
+std::string ComponentModel::printJacobian() const {
+    Graph graph = graph_;
+    const auto rows = expression::gradients(graph, std::span(outputs_).first(states_),
+                                            std::span(symbols_).subspan(1, states_));
+    std::string text;
+    for (std::size_t row = 0; row < states_; ++row)
+        for (const auto& [state, derivative] : rows[row])
+            text += "dy" + std::to_string(row) + "'/dy" + std::to_string(state) + " = " +
+                    expression::print(graph, derivative) + "\n";
+    return text;
+}
+
 // ---------------------------------------------------------------------------------------------
 // Models by content
 

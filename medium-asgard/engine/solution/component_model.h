@@ -85,6 +85,8 @@ public:
 
     // The equations as text, one per line: y0' = ..., then held values h0 = ...
     [[nodiscard]] std::string print() const;
+    // The entries of the Jacobian that are not 0, one per line: dy0'/dy1 = ...
+    [[nodiscard]] std::string printJacobian() const;
 
 private:
     void readKey();

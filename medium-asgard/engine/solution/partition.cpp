@@ -92,7 +92,21 @@ void connect(Partition& partition, const Reads& reads) {
 
 } // namespace
 
-Partition partitionOf(const Reads& reads, const ZeroStates& zero) {
+std::vector<bool> unreadBy(const std::vector<std::size_t>& asked, const Reads& reads) {
+    std::vector<bool> unread(reads.size(), true);
+    std::vector<std::size_t> open = asked;
+    while (!open.empty()) {
+        const std::size_t u = open.back();
+        open.pop_back();
+        if (!unread[u])
+            continue;
+        unread[u] = false;
+        open.insert(open.end(), reads[u].begin(), reads[u].end());
+    }
+    return unread;
+}
+
+Partition partitionOf(const Reads& reads, const std::vector<bool>& leftOut) {
     constexpr std::size_t unseen = std::numeric_limits<std::size_t>::max();
     const std::size_t n = reads.size();
     std::vector<std::size_t> number(n, unseen), low(n, 0), stack;
@@ -125,7 +139,7 @@ Partition partitionOf(const Reads& reads, const ZeroStates& zero) {
 
     // Arcs are followed from an equation to what it reads, so a component closes after its inputs.
     for (std::size_t start = 0; start < n; ++start) {
-        if (number[start] != unseen || zero.contains(start))
+        if (number[start] != unseen || (!leftOut.empty() && leftOut[start]))
             continue;
         enter(start);
         while (!visits.empty()) {

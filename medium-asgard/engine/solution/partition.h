@@ -54,12 +54,15 @@ struct Partition {
     std::vector<std::vector<std::size_t>> components;
     std::vector<std::vector<std::size_t>>
         reads;                            // components that each reads directly, without itself
-    std::vector<std::size_t> componentOf; // by unknown; noComponent: it stays 0
+    std::vector<std::size_t> componentOf; // by unknown; noComponent: left out
 };
 inline constexpr std::size_t noComponent = static_cast<std::size_t>(-1);
 
-// Without those that stay 0, which the reads must leave out too.
-[[nodiscard]] Partition partitionOf(const Reads& reads, const ZeroStates& zero = {});
+// Without those that are left out (by unknown; none: all take part), which the reads of the others
+// must not name.
+[[nodiscard]] Partition partitionOf(const Reads& reads, const std::vector<bool>& leftOut = {});
+// By unknown: none of `asked` is it, nor reads it, directly or through others.
+[[nodiscard]] std::vector<bool> unreadBy(const std::vector<std::size_t>& asked, const Reads& reads);
 // Everything in one component (the comparison of 5.2.4).
 [[nodiscard]] Partition wholePartition(const Reads& reads);
 

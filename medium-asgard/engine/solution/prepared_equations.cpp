@@ -13,10 +13,24 @@ ZeroStates zeroAtStart(const expression::EquationSet& set, const Preparation& ho
     return ZeroStates(set, how.start, initial);
 }
 
+// What an event wakes may be read too: nothing is taken as 0 here.
+std::vector<bool> unreadAtStart(const expression::EquationSet& set, const UnknownIndex& index,
+                                const Preparation& how) {
+    if (how.everyState || !how.asked)
+        return {};
+    return unreadBy(*how.asked, readsOf(set, index, how.start));
+}
+
 Partition partitionAtStart(const expression::EquationSet& set, const UnknownIndex& index,
-                           const ZeroStates& zero, const Preparation& how) {
+                           const ZeroStates& zero, const std::vector<bool>& unread,
+                           const Preparation& how) {
     const Reads reads = readsOf(set, index, how.start, zero);
-    return how.whole ? wholePartition(reads) : partitionOf(reads, zero);
+    if (how.whole)
+        return wholePartition(reads);
+    std::vector<bool> leftOut(reads.size());
+    for (std::size_t u = 0; u < leftOut.size(); ++u)
+        leftOut[u] = zero.contains(u) || (!unread.empty() && unread[u]);
+    return partitionOf(reads, leftOut);
 }
 
 Preparation withModels(Preparation how) {
@@ -38,7 +52,8 @@ PreparedEquations::PreparedEquations(std::shared_ptr<const expression::EquationS
                                      Preparation preparation,
                                      const std::function<void()>& meanwhile)
     : set(std::move(equations)), how(withModels(std::move(preparation))), index(*set),
-      zero(zeroAtStart(*set, how)), partition(partitionAtStart(*set, index, zero, how)) {
+      zero(zeroAtStart(*set, how)), unread(unreadAtStart(*set, index, how)),
+      partition(partitionAtStart(*set, index, zero, unread, how)) {
     for (const auto& unknowns : partition.components) {
         if (components.size() % 256 == 255 && meanwhile)
             meanwhile();

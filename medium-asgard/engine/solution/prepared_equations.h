@@ -10,14 +10,17 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace solution {
 
 struct Preparation {
     double start = 0;
-    bool whole = false;                      // one component of everything
-    bool everyState = false;                 // also those that are 0 and stay 0
+    bool whole = false;      // one component of everything
+    bool everyState = false; // also those that are 0 and stay 0, and unread ones
+    // All that will be read; none: every unknown.
+    std::optional<std::vector<std::size_t>> asked = std::nullopt;
     std::shared_ptr<ComponentModels> models; // where models are found again; none: an own place
 };
 
@@ -30,7 +33,8 @@ struct PreparedEquations {
     Preparation how;
     UnknownIndex index;
     ZeroStates zero;
-    Partition partition;
+    std::vector<bool> unread; // by unknown; none when all are asked for
+    Partition partition;      // without what stays 0 and what nobody reads
     struct Component {
         std::vector<std::size_t> phases; // in force at the start, by place in its unknowns
         std::shared_ptr<const BoundModel> bound;

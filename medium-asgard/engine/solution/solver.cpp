@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -16,7 +17,11 @@ namespace solution {
 Preparation preparationFor(const Options& options) {
     // A method that was asked for is given every state.
     const bool ladder = options.method == "auto" && !options.fixedStep && !options.whole;
-    return {.start = options.start, .whole = options.whole, .everyState = !ladder, .models = {}};
+    return {.start = options.start,
+            .whole = options.whole,
+            .everyState = !ladder,
+            .asked = options.asked,
+            .models = {}};
 }
 
 Solver::Implementation::Implementation(std::shared_ptr<const PreparedEquations> prepared,
@@ -54,7 +59,7 @@ void Solver::Implementation::place(double t) {
         components_.back()->use(prepared_->components[c]);
         addTracks(*components_.back(), t);
     }
-    addZeroTracks();
+    addConstantTracks();
     componentOf_ = parts.componentOf;
     std::vector<std::size_t> places(components_.size());
     std::iota(places.begin(), places.end(), std::size_t{0});
@@ -88,13 +93,19 @@ void Solver::Implementation::take(const std::vector<std::size_t>& unknowns) {
         histories_.tracks_[u] = options_.taken->histories->tracks_[u];
 }
 
-// One piece for all of them, from the start to the end of time.
-void Solver::Implementation::addZeroTracks() {
-    const auto history = std::make_shared<History>(1);
-    const double zero = 0;
-    history->append({options_.start, infinity, 1, true, 1, 0}, {&zero, 1});
-    for (const std::size_t u : zero_.unknowns())
-        histories_.tracks_[u].spans.push_back({options_.start, history, 0});
+// What is not solved: one piece for all that stay 0, and one for all that nobody reads, from the
+// start to the end of time.
+void Solver::Implementation::addConstantTracks() {
+    const auto constant = [this](double value) {
+        auto history = std::make_shared<History>(1);
+        history->append({options_.start, infinity, 1, true, 1, 0}, {&value, 1});
+        return history;
+    };
+    const auto zero = constant(0), unread = constant(std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t u = 0; u < histories_.tracks_.size(); ++u)
+        if (zero_.contains(u) || isUnread(u))
+            histories_.tracks_[u].spans.push_back(
+                {options_.start, zero_.contains(u) ? zero : unread, 0});
 }
 
 void Solver::Implementation::connect(const Partition& partition,

@@ -59,8 +59,9 @@ struct ComponentStatistics {
     std::size_t unconvergedSteps = 0; // of the rejected: the implicit equations were not solved
     std::size_t evaluations = 0;      // of the component's right-hand side
     std::size_t factorisations = 0;
-    std::size_t switches = 0; // switching events located
-    std::string why;          // why this model and method, one clause
+    std::size_t switches = 0;                // switching events located
+    std::string why;                         // why this model and method, one clause
+    std::shared_ptr<const BoundModel> bound; // its equations
 };
 
 // What an earlier run with the same prepared equations and options made of some unknowns, without
@@ -84,6 +85,9 @@ struct Options {
     std::vector<double> extents;
     // Values of all unknowns at the start in place of the equations' own, 0 where those are 0.
     std::vector<double> initial;
+    // All unknowns that will be read of the histories; what only others would read is not solved,
+    // and is not a number there. None: all.
+    std::optional<std::vector<std::size_t>> asked;
     std::string method = "auto"; // or a name of methodNames(): then for all components and states
     std::optional<double> fixedStep;
     std::optional<double> firstStep;

@@ -75,7 +75,12 @@ std::vector<std::size_t> Solver::Implementation::woken(const Event& event, const
     const std::vector<std::size_t> roused = this->roused(event, changes);
     if (roused.empty() && changes.equations.empty())
         return {};
-    return zero_.wake(*set_, event.time, roused);
+    std::vector<std::size_t> changed;
+    for (const auto& change : changes.equations)
+        changed.push_back(change.unknown);
+    std::vector<std::size_t> woken = zero_.wake(*set_, event.time, roused, changed);
+    std::erase_if(woken, [this](std::size_t u) { return isUnread(u); });
+    return woken;
 }
 
 // Whose equation is another from the event on: those that are given, and those that read what woke,
@@ -84,13 +89,17 @@ std::set<std::size_t> Solver::Implementation::changedBy(const Event& event, cons
                                                         const std::vector<std::size_t>& woken) {
     std::set<std::size_t> changed;
     for (const auto& change : changes.equations)
-        changed.insert(change.unknown);
-    if (woken.empty())
-        return changed;
-    const Reads all = readsOf(*set_, prepared_->index, event.time);
-    for (std::size_t u = 0; u < all.size(); ++u)
-        if (std::ranges::any_of(
-                woken, [&](std::size_t w) { return std::ranges::binary_search(all[u], w); }))
+        if (!isUnread(change.unknown))
+            changed.insert(change.unknown);
+    std::vector<std::size_t> candidates = zero_.readersOf(*set_, woken);
+    for (const std::size_t w : woken)
+        if (const auto four = prepared_->index.quaternionOf(w))
+            candidates.insert(candidates.end(), set_->quaternions[*four].begin(),
+                              set_->quaternions[*four].end());
+    const auto isWoken = [&](std::size_t u) { return std::ranges::binary_search(woken, u); };
+    for (const std::size_t u : candidates)
+        if (!isUnread(u) &&
+            std::ranges::any_of(readsOf(*set_, prepared_->index, u, event.time, {}), isWoken))
             changed.insert(u);
     return changed;
 }

@@ -33,9 +33,12 @@ public:
 private:
     [[nodiscard]] std::unique_ptr<Component> madeOf(std::vector<std::size_t> unknowns);
     void place(double t);
-    void addZeroTracks();
+    void addConstantTracks();
     [[nodiscard]] bool isTaken(const std::vector<std::size_t>& unknowns) const;
     void take(const std::vector<std::size_t>& unknowns);
+    [[nodiscard]] bool isUnread(std::size_t unknown) const {
+        return !prepared_->unread.empty() && prepared_->unread[unknown];
+    }
     [[nodiscard]] double magnitude(std::size_t unknown, double value) const;
     [[nodiscard]] std::vector<std::size_t> roused(const Event& event, const Changes& changes) const;
     [[nodiscard]] std::vector<std::size_t> woken(const Event& event, const Changes& changes);

@@ -6,13 +6,17 @@
 //
 // What a rate is follows from its expression alone (a product with a 0, a sum of zeros, ...). So
 // the answer is exact, and the set changes at events only: a jump or new equations wake some of it.
-// None that is awake falls asleep again, so that an event elsewhere changes nobody's numbers.
+// None that is awake falls asleep again, so that an event elsewhere changes nobody's numbers. An
+// event looks at what depends on those that it wakes, and at nothing else of the scene.
 #pragma once
 
 #include "expression/equations.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace solution {
@@ -33,10 +37,17 @@ public:
     // In order.
     [[nodiscard]] std::vector<std::size_t> unknowns() const;
 
-    // `roused` are no longer 0, or the equations are others from this time on. Answers with all
-    // that wake, in order.
+    // `roused` are no longer 0, and the equations of `changed` are others from this time on.
+    // Answers with all that wake, in order. The graph may have grown, all else is as it was.
     [[nodiscard]] std::vector<std::size_t> wake(const expression::EquationSet& set, double from,
-                                                std::span<const std::size_t> roused);
+                                                std::span<const std::size_t> roused,
+                                                std::span<const std::size_t> changed);
+    // Unknowns whose equations read one of these in some phase, and perhaps some that did before
+    // an event; in order.
+    [[nodiscard]] std::vector<std::size_t> readersOf(const expression::EquationSet& set,
+                                                     std::span<const std::size_t> unknowns);
+    // Nodes that wake() and readersOf() looked at so far.
+    [[nodiscard]] std::size_t looks() const { return looks_; }
 
     // The symbols that are left of these nodes; the same number means the same node. Complete for
     // nodes that the graph had at the last construction or wake().
@@ -44,11 +55,21 @@ public:
     symbolsLeft(const expression::Graph& graph, std::span<const expression::Node> nodes) const;
 
 private:
-    void settle(const expression::EquationSet& set, double from);
+    struct Readers;
+    template <class Visit> void eachReader(std::uint32_t node, const Visit& visit) const;
+    template <class Visit> void eachUnknown(std::uint32_t node, const Visit& visit) const;
+    void grow(const expression::Graph& graph);
+    void learn(const expression::Unknown& unknown, std::size_t u);
+    [[nodiscard]] std::vector<std::size_t> spread(const expression::EquationSet& set, double from,
+                                                  std::vector<std::size_t> awake);
 
     std::vector<bool> zero_;     // by unknown
     std::vector<bool> nodeZero_; // by node
-    std::size_t count_ = 0;
+    std::size_t count_ = 0, looks_ = 0;
+    // Who reads a node, and who has it as a rate or value: of the equations that there were at
+    // first, which copies share, and of those that came later.
+    std::shared_ptr<const Readers> readers_;
+    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> lateReaders_, lateUnknowns_;
 };
 
 } // namespace solution

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <random>
 
 using namespace solution;
 using namespace solution::testing;
@@ -141,6 +142,67 @@ TEST(ZeroStates, WakeWithTheSameBitsForAnyScheduleAndAlone) {
                 EXPECT_EQ(both.histories().value(u, t), alone.histories().value(u, t)) << u;
             }
         }
+}
+
+// Of a thousand pendulums an event wakes one: no other's expressions are looked at.
+TEST(ZeroStates, WakeByLookingAtWhatDependsOnThemAlone) {
+    const auto work = [](int pendulums) {
+        std::vector<Line> lines;
+        for (int i = 0; i < pendulums; ++i) {
+            const std::string n = std::to_string(i), x = "x" + n, y = "y" + n;
+            const std::string pull = "*(1-1/sqrt(" + x + "^2+" + y + "^2))*(50+" + n + ")";
+            for (const std::string& q : {x, y}) {
+                lines.push_back({q, "d" + q, q == x ? 1.0 : 0.0, 1});
+                lines.push_back({"d" + q, "-" + q + pull, 0});
+            }
+        }
+        const auto set = equationsOf(lines);
+        ZeroStates zero = zerosOf(set);
+        EXPECT_EQ(zero.unknowns().size(), 2 * static_cast<std::size_t>(pendulums));
+        const std::vector<std::size_t> roused{7};
+        EXPECT_THAT(zero.wake(set, 1, roused, {}), ElementsAre(6, 7));
+        EXPECT_THAT(zero.readersOf(set, std::vector<std::size_t>{6, 7}), ElementsAre(5, 6, 7));
+        return zero.looks();
+    };
+    const std::size_t few = work(2);
+    EXPECT_EQ(work(1000), few);
+    EXPECT_LT(few, 40u);
+}
+
+// An event gives equations: what they read and what reads them is known at the next one.
+TEST(ZeroStates, WakeByEquationsThatCameLater) {
+    auto set = equationsOf({{"a", "0", 0}, {"b", "0", 0}, {"c", "b*t", 0}, {"d", "a", 0}});
+    ZeroStates zero = zerosOf(set);
+    addPhase(set, 1, 1, "a*cos(t)");
+    EXPECT_THAT(zero.wake(set, 1, {}, std::vector<std::size_t>{1}), IsEmpty());
+    EXPECT_THAT(zero.readersOf(set, std::vector<std::size_t>{0}), ElementsAre(1, 3));
+    const std::vector<std::size_t> roused{0};
+    EXPECT_THAT(zero.wake(set, 2, roused, {}), ElementsAre(0, 1, 2, 3));
+}
+
+// Random equations: what wakes is what the greatest set loses, found again from the start.
+TEST(ZeroStates, WakeAsIfFoundAgain) {
+    std::mt19937 random(5);
+    for (int round = 0; round < 300; ++round) {
+        const std::size_t n = 3 + random() % 8;
+        const auto name = [&] { return "q" + std::to_string(random() % n); };
+        std::vector<Line> lines;
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::string a = name(), b = name(), c = name();
+            const std::string rates[] = {a + "*" + b, a + "+" + b, "sin(" + a + ")-" + c + "*t",
+                                         a + "*cos(" + b + ")", "0"};
+            lines.push_back({"q" + std::to_string(i), rates[random() % 5], 0});
+        }
+        const auto set = equationsOf(lines);
+        ZeroStates zero = zerosOf(set);
+        std::vector<double> values(n, 0.0);
+        for (int event = 0; event < 3; ++event) {
+            const std::size_t u = random() % n;
+            values[u] = 1;
+            (void)zero.wake(set, event, std::vector<std::size_t>{u}, {});
+            EXPECT_EQ(zero.unknowns(), ZeroStates(set, event, values).unknowns());
+        }
+    }
 }
 
 TEST(ZeroStates, StayWhenAnEventLeavesThemZero) {
