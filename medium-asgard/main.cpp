@@ -45,6 +45,9 @@ void addExplain(CLI::App& app, batch::ExplainArguments& a) {
     CLI::App& c = *app.add_subcommand("explain", "Tell what of a scene is modelled, how, and why");
     c.add_option("SCENE", a.scene, "the scene's file, - for standard input")->required();
     c.add_option("--json", a.json, "file for the same as JSON, - for standard output");
+    c.add_option(
+        "--expressions", a.expressions,
+        "BODY or BODY.QUANTITY: instead, its equations in every form, down to machine code");
     c.add_option("--set", a.set, "NAME=VALUE of a parameter")->take_all()->allow_extra_args(false);
 }
 

@@ -33,6 +33,7 @@ struct SimulateArguments {
 struct ExplainArguments {
     std::string scene;
     std::optional<std::string> json;
+    std::optional<std::string> expressions; // a body or one of its unknowns
     std::vector<std::string> set;
 };
 

@@ -4,6 +4,7 @@
 #include "batch/output.h"
 #include "simulation/simulation.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <set>
@@ -26,11 +27,25 @@ bool tellStops(const SceneText& scene, const simulation::Motion& motion) {
     return !said.empty();
 }
 
+// A body, or a body and one of its quantities: "rod1", "rod1.x".
+bool isNamed(const scene::Scene& scene, const std::string& name) {
+    const auto end = std::min(name.rfind('.'), name.size());
+    return std::ranges::any_of(scene.bodies, [&](const scene::Body& body) {
+        return body.name == name || body.name == name.substr(0, end);
+    });
+}
+
 int explain(const SceneText& scene, const ExplainArguments& arguments,
             const std::map<std::string, double>& parameters) {
     simulation::Options options;
     options.explain = true;
     options.parameters = parameters;
+    if (arguments.expressions) {
+        options.phasesOf = *arguments.expressions;
+        if (!isNamed(scene.reading.scene, options.phasesOf))
+            return refuse({failure, scene.file + ": error: there is no body \"" + options.phasesOf +
+                                        "\", nor a quantity of one\n"});
+    }
     const simulation::Result result = simulation::simulate(scene.reading.scene, options);
     if (!result.motion || !result.explanation) {
         std::string all;
@@ -42,7 +57,10 @@ int explain(const SceneText& scene, const ExplainArguments& arguments,
         std::fprintf(stderr, "%s: warning: %s\n", scene.file.c_str(), note.c_str());
     const bool stopped = tellStops(scene, *result.motion);
     const bool jsonOnly = arguments.json && *arguments.json == "-";
-    if (!jsonOnly && !write("-", explanationText(*result.explanation)))
+    const std::string text = arguments.expressions
+                                 ? phasesText(*result.explanation, options.phasesOf)
+                                 : explanationText(*result.explanation);
+    if (!jsonOnly && !write("-", text))
         return failure;
     if (arguments.json && !write(*arguments.json, explanationJson(*result.explanation)))
         return failure;

@@ -143,6 +143,14 @@ std::string explanationText(const Explanation& explanation) {
     return text + (pairs.empty() ? "" : "\n" + pairs);
 }
 
+std::string phasesText(const Explanation& explanation, const std::string& name) {
+    std::string text;
+    for (const Explanation::Phases& phases : explanation.phases)
+        text += (text.empty() ? "" : "\n") + listOf(phases.unknowns, phases.unknowns.size()) +
+                "\n\n" + phases.text;
+    return text.empty() ? "Nothing of " + name + " is computed: it stays as it is.\n" : text;
+}
+
 std::string explanationJson(const Explanation& explanation) {
     using Json = nlohmann::ordered_json;
     Json components = Json::array(), left = Json::array(), never = Json::array();
@@ -160,12 +168,14 @@ std::string explanationJson(const Explanation& explanation) {
         left.push_back({{"what", n.what}, {"why", n.why}});
     for (const Explanation::Never& n : explanation.never)
         never.push_back({{"a", n.a}, {"b", n.b}, {"why", n.why}});
-    const Json json = {{"components", components},
-                       {"not_modelled", left},
-                       {"pairs",
-                        {{"candidates", explanation.candidates},
-                         {"tested", explanation.tested},
-                         {"never", never}}}};
+    Json json = {{"components", components},
+                 {"not_modelled", left},
+                 {"pairs",
+                  {{"candidates", explanation.candidates},
+                   {"tested", explanation.tested},
+                   {"never", never}}}};
+    for (const Explanation::Phases& phases : explanation.phases)
+        json["expressions"].push_back({{"unknowns", phases.unknowns}, {"text", phases.text}});
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -10,6 +10,9 @@ namespace batch {
 // A paragraph for each kind of component: those with the same model, method, reason and kinds of
 // unknowns; then what is not modelled, then the pairs.
 [[nodiscard]] std::string explanationText(const simulation::Explanation& explanation);
+// The phases that were asked for of something with this name, a section for each component.
+[[nodiscard]] std::string phasesText(const simulation::Explanation& explanation,
+                                     const std::string& name);
 [[nodiscard]] std::string explanationJson(const simulation::Explanation& explanation);
 
 } // namespace batch

@@ -60,6 +60,9 @@ simulation::Options optionsOf(const SimulateArguments& arguments,
     options.eventDriven = !arguments.noEvents;
     options.threads = arguments.threads.value_or(0);
     options.parameters = std::move(parameters);
+    if (arguments.only)
+        options.only =
+            arguments.quantities ? quantitiesIn(*arguments.quantities) : std::vector<std::string>();
     return options;
 }
 

@@ -7,6 +7,7 @@ The texts are what the engine should say; --write writes them again, to be read 
 """
 import json
 import os
+import platform
 import re
 import subprocess
 import sys
@@ -54,6 +55,58 @@ class Explain(unittest.TestCase):
 
     def test_the_rods_and_the_ball_of_the_dissertation(self):
         self.compare("pend")
+
+    def test_every_form_of_an_expression_down_to_the_processors(self):
+        scene = os.path.join(HERE, "friction.al")
+        ran = run(scene, "--expressions", "block.dx")
+        self.assertEqual((ran.returncode, ran.stderr), (0, ""))
+        # What is the same on every processor is held against a text; it has no line of an instruction.
+        portable, code = [], []
+        for line in ran.stdout.split("\n"):
+            if not line.startswith(" "):
+                listed = code if line.startswith("Machine code") else portable
+            listed.append(line)
+        if WRITE:
+            with open(os.path.join(HERE, "expressions.txt"), "w", encoding="utf-8") as file:
+                file.write("\n".join(portable))
+        with open(os.path.join(HERE, "expressions.txt"), encoding="utf-8") as file:
+            self.assertEqual("\n".join(portable), file.read())
+        for heading in ("Names:", "Equations:", "Graph:", "Tape of the equations:"):
+            self.assertIn(heading, portable)
+        if platform.machine() == "x86_64":
+            self.assertIn("Machine code of the equations:", code)
+            self.assertIn("        ret", code)
+            self.assertTrue(any(re.match(r"        v?mulsd xmm|        v?movsd ", line) for line in code))
+            self.assertFalse(any(re.search(r"mov rax, \d", line) for line in code), "an address")
+        interpreted = subprocess.run([ASGARD, "explain", scene, "--expressions", "block.dx"], capture_output=True,
+                                     text=True, env={**os.environ, "ASGARD_INTERPRET": "1"})
+        self.assertEqual(interpreted.stdout.split("\n"), portable)
+
+    def test_derivatives_calls_and_a_body_that_stays(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "swing.al")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write("simulator -finish 1\nshape_set ball -desc {-sub {-sphere 1}}\nbody b ball\n"
+                           "body still ball -fixed 1\nforce -body b -x {cos(b.x)}\n")
+            told = run(path, "--expressions", "b").stdout
+            self.assertIn("    dy1'/dy0 = -(sin(y0)/c0)", told)
+            if platform.machine() == "x86_64":
+                self.assertRegex(told, r"mov rax, cos\n +call rax\n")
+                self.assertRegex(told, r"mov rax, sin\n +call rax\n")
+            self.assertIn("Nothing of still is computed", run(path, "--expressions", "still").stdout)
+            self.assertEqual(run(path, "--expressions", "nobody").returncode, 1)
+            told = json.loads(run(path, "--expressions", "b.x", "--json", "-").stdout)
+            self.assertEqual(told["expressions"][0]["unknowns"], ["b.x", "b.dx"])
+
+    def test_what_is_only_seen_is_said_to_be(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "tumble.al")
+            text = ("simulator -finish 1\nshape_set brick -desc {-sub {-box {1 2 3}}}\n"
+                    "body b brick -init_drot {1 2 3}\n")
+            for force, seen in (("{-b.y}", True), ("{-b.y*b.qw}", False)):
+                with open(path, "w", encoding="utf-8") as file:
+                    file.write(text + f"force -body b -y {force}\n")
+                self.assertEqual("to be seen" in run(path).stdout, seen)
 
     def test_json_says_the_same_with_every_component(self):
         with tempfile.TemporaryDirectory() as folder:
