@@ -66,6 +66,8 @@ private:
     [[nodiscard]] Answer insert() const;
     [[nodiscard]] Answer rewrite(const std::vector<Origin>& origins) const;
     [[nodiscard]] bool isNow() const; // nothing is to change
+    // The parameter whose value stands there and may not become that.
+    [[nodiscard]] const scene::Parameter* boundOn(scene::Range literal, double wanted) const;
     // The command and the word of the option, where they stand.
     [[nodiscard]] const Command* command() const;
     [[nodiscard]] const Word* word(const Command& command) const;
@@ -132,6 +134,10 @@ Answer Edit::rewrite(const std::vector<Origin>& origins) const {
                           origin.literal);
         const double wanted = wish_.values[i] / origin.factor;
         const double resolution = wish_.resolution / std::abs(origin.factor);
+        if (const scene::Parameter* bound = boundOn(origin.literal, wanted))
+            return refuse("comes from the parameter " + bound->name + ", which ends at " +
+                              numberText(wanted < *old ? *bound->minimum : *bound->maximum, 0),
+                          origin.literal);
         const TextEdit edit = {origin.literal.from, origin.literal.to,
                                stays || same(*old, wanted, resolution)
                                    ? before
@@ -153,6 +159,17 @@ Answer Edit::rewrite(const std::vector<Origin>& origins) const {
     });
     std::ranges::sort(answer.edits, {}, &TextEdit::from);
     return answer;
+}
+
+const scene::Parameter* Edit::boundOn(scene::Range literal, double wanted) const {
+    for (const scene::Parameter& parameter : scene_.parameters)
+        for (const scene::Argument& argument : parameter.source.arguments)
+            if (argument.option == "-value" && argument.word.from <= literal.from &&
+                literal.to <= argument.word.to &&
+                ((parameter.minimum && wanted < *parameter.minimum) ||
+                 (parameter.maximum && wanted > *parameter.maximum)))
+                return &parameter;
+    return nullptr;
 }
 
 bool Edit::isNow() const {

@@ -1,8 +1,7 @@
 // (text, gesture, text): what a gesture makes of a text, and what it refuses to touch.
 #include "editing/number_text.h"
+#include "editing/test_reading.h"
 #include "editing/value_edit.h"
-
-#include "script/reader.h"
 
 #include <gmock/gmock.h>
 
@@ -11,11 +10,6 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-script::Reader& reader() {
-    static script::Reader shared;
-    return shared;
-}
 
 const std::string ball = "shape_set s -desc {-sub {-sphere 1}}\n";
 

@@ -1,0 +1,234 @@
+#include "editing/creation.h"
+
+#include "editing/lines.h"
+
+#include "expression/parse.h"
+
+#include <algorithm>
+#include <set>
+
+namespace editing {
+
+using script::Command;
+using script::Structure;
+
+namespace {
+
+// Where elements of a kind stand in a text, by what usually precedes them.
+constexpr Kind order[] = {Kind::parameter, Kind::shapeSet, Kind::trajectory, Kind::body,
+                          Kind::force,     Kind::link,     Kind::constraint, Kind::light,
+                          Kind::view,      Kind::plot};
+
+std::size_t countOf(const scene::Scene& scene, Kind kind) {
+    std::size_t count = 0;
+    while (sourceOf(scene, {kind, count}))
+        ++count;
+    return count;
+}
+
+std::string commandOf(Kind kind) {
+    constexpr const char* names[] = {"simulator", "shape_set",  "body",      "force",
+                                     "link",      "trajectory", "constrain", "lightsource",
+                                     "view",      "parameter",  "plot"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+class Writing {
+public:
+    Writing(const std::string& text, const scene::Scene& scene)
+        : text_(text), scene_(scene), structure_(script::structureOf(text)),
+          lineBreak_(lineBreakOf(text)) {}
+
+    void add(const NewElement& element);
+    [[nodiscard]] std::vector<TextEdit> edits() const { return edits_; }
+
+private:
+    struct Place {
+        std::size_t at = 0;
+        bool newGroup = false; // nothing of its kind precedes it
+        std::string indent;
+    };
+    [[nodiscard]] Place placeFor(const NewElement& element) const;
+    [[nodiscard]] std::size_t endOfScript() const;
+    // Behind everything that has to do with an element; the script's end when that is not known.
+    [[nodiscard]] std::size_t behind(const Element& element) const;
+    [[nodiscard]] const Command* commandAt(const Element& element) const;
+    [[nodiscard]] std::string line(const NewElement& element) const;
+
+    const std::string& text_;
+    const scene::Scene& scene_;
+    Structure structure_;
+    std::string lineBreak_;
+    std::vector<TextEdit> edits_;
+};
+
+const Command* Writing::commandAt(const Element& element) const {
+    const scene::Source* source = sourceOf(scene_, element);
+    return source && source->command.known() ? structure_.startingAt(source->command.from)
+                                             : nullptr;
+}
+
+// What follows a `return` is never read.
+std::size_t Writing::endOfScript() const {
+    for (const Command& command : structure_.commands)
+        if (command.parent < 0 && command.name(text_) == "return") {
+            const std::size_t before = command.range.from == 0
+                                           ? std::string::npos
+                                           : text_.rfind('\n', command.range.from - 1);
+            return before == std::string::npos ? 0 : before + 1;
+        }
+    return text_.size();
+}
+
+std::size_t Writing::behind(const Element& element) const {
+    const Command* command = commandAt(element);
+    if (!command)
+        return endOfScript();
+    for (const Command* at = command; at->parent >= 0;) {
+        at = &structure_.commands[static_cast<std::size_t>(at->parent)];
+        if (at->name(text_) == "proc") // who knows where it is called
+            return endOfScript();
+    }
+    return std::min(afterLine(text_, structure_, outermost(structure_, *command).range.to),
+                    endOfScript());
+}
+
+Writing::Place Writing::placeFor(const NewElement& element) const {
+    Place place;
+    bool any = false;
+    const auto take = [&](const Element& one, bool ofItsKind) {
+        const std::size_t at = behind(one);
+        if (any && at <= place.at)
+            return;
+        place.at = at;
+        any = true;
+        place.newGroup = !ofItsKind;
+        if (const Command* command = commandAt(one))
+            place.indent = indentOf(text_, outermost(structure_, *command));
+    };
+    const auto last = [&](Kind kind, bool ofItsKind) {
+        if (const std::size_t count = countOf(scene_, kind))
+            take({kind, count - 1}, ofItsKind);
+    };
+    last(element.kind, true);
+    if (!any)
+        for (const Kind kind : order) {
+            if (kind == element.kind)
+                break;
+            last(kind, false);
+        }
+    for (const Element& named : element.behind)
+        take(named, false);
+    if (!any) {
+        place.at = endOfScript();
+        place.newGroup = true;
+    }
+    for (const TextEdit& edit : edits_) // what is new may name what is new
+        place.at = std::max(place.at, edit.from);
+    return place;
+}
+
+std::string Writing::line(const NewElement& element) const {
+    std::string command = commandOf(element.kind);
+    bool byOption = false;
+    if (element.kind == Kind::body && !scene_.bodies.empty()) {
+        const scene::Source& last = scene_.bodies.back().source;
+        byOption = std::ranges::find(last.arguments, "-shape", &scene::Argument::option) !=
+                   last.arguments.end();
+        if (const Command* written = commandAt({Kind::body, scene_.bodies.size() - 1}))
+            if (written->name(text_) == "instance")
+                command = "instance";
+    }
+    if (!element.name.empty())
+        command += " " + element.name;
+    if (!element.shape.empty())
+        command += (byOption ? " -shape " : " ") + element.shape;
+    for (const std::string& word : element.words)
+        command += " " + word;
+    return command;
+}
+
+void Writing::add(const NewElement& element) {
+    const Place place = placeFor(element);
+    std::string line = place.indent + this->line(element);
+    const bool opens = place.at > 0 && text_[place.at - 1] != '\n'; // the last line is not ended
+    const bool atEnd = place.at == text_.size();
+    const bool blankFollows = !atEnd && (text_[place.at] == '\n' || text_[place.at] == '\r');
+    const auto before = std::ranges::find(edits_, place.at, &TextEdit::from);
+    const bool first = before == edits_.end();
+    // A group of its own stands behind an empty line, where groups do.
+    std::string text;
+    if (place.newGroup && place.at > 0 && (atEnd || blankFollows) && first)
+        text = lineBreak_ + line;
+    else
+        text = line;
+    if (opens && first) {
+        // A backslash at the very end would go on into the new line.
+        const bool continued = text_[place.at - 1] == '\\';
+        text = lineBreak_ + (continued ? lineBreak_ : "") + text;
+    } else if (opens) {
+        text = lineBreak_ + text;
+    } else {
+        text += lineBreak_;
+    }
+    if (first)
+        edits_.push_back({place.at, place.at, text});
+    else
+        before->text += text;
+    std::ranges::sort(edits_, {}, &TextEdit::from);
+}
+
+// Whether the text has it as a word of its own anywhere, even in comments and expressions.
+bool hasWord(const std::string& text, const std::string& word) {
+    const auto isPart = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               c == '_';
+    };
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+        if ((at == 0 || !isPart(text[at - 1])) &&
+            (at + word.size() == text.size() || !isPart(text[at + word.size()])))
+            return true;
+    return false;
+}
+
+// "b" of "b12"; none when it does not end in a number.
+std::string stemOf(const std::string& name) {
+    const std::size_t end = name.find_last_not_of("0123456789");
+    return end == std::string::npos || end + 1 == name.size() ? "" : name.substr(0, end + 1);
+}
+
+} // namespace
+
+std::vector<TextEdit> created(const std::string& text, const scene::Scene& scene,
+                              const std::vector<NewElement>& elements) {
+    Writing writing(text, scene);
+    for (const NewElement& element : elements)
+        writing.add(element);
+    return writing.edits();
+}
+
+std::string unusedName(const std::string& text, const scene::Scene& scene, Kind kind,
+                       const std::string& stem, const std::vector<std::string>& taken) {
+    std::string base = stem;
+    int next = 1;
+    if (const std::size_t count = countOf(scene, kind)) {
+        const std::string last = nameOf(scene, {kind, count - 1});
+        if (const std::string row = stemOf(last); !row.empty() && last.size() - row.size() < 7) {
+            base = row;
+            next = std::stoi(last.substr(row.size())) + 1;
+        }
+    }
+    std::set<std::string> names(taken.begin(), taken.end());
+    names.insert({"t", "pi", "scene", "events"});
+    names.insert(expression::functionNames().begin(), expression::functionNames().end());
+    for (const Kind one : order)
+        for (std::size_t i = 0; i < countOf(scene, one); ++i)
+            names.insert(nameOf(scene, {one, i}));
+    std::string name;
+    do
+        name = base + std::to_string(next++);
+    while (names.contains(name) || hasWord(text, name));
+    return name;
+}
+
+} // namespace editing

@@ -1,0 +1,33 @@
+// New elements as new lines of a scene's text.
+//
+// A new element is written as its author writes such elements: behind the last of its kind, or
+// where its kind belongs, but always behind what it names; named like the others, with a name that
+// nothing in the text has. All other bytes stay.
+#pragma once
+
+#include "editing/element.h"
+#include "editing/text_edit.h"
+
+#include <string>
+#include <vector>
+
+namespace editing {
+
+struct NewElement {
+    Kind kind = Kind::body;
+    std::string name;               // "": the kind has none
+    std::vector<std::string> words; // "-init_pos", "{1 2 3}", as they are written
+    std::vector<Element> behind;    // what it names
+    std::string shape = {};         // of a body: written as the author does, with -shape or without
+};
+
+// The edits, in order; one at most for each place.
+[[nodiscard]] std::vector<TextEdit> created(const std::string& text, const scene::Scene& scene,
+                                            const std::vector<NewElement>& elements);
+
+// "b4" after b1, b2, b3; `stem` and a number where there is no such row. Avoids also `taken`.
+[[nodiscard]] std::string unusedName(const std::string& text, const scene::Scene& scene, Kind kind,
+                                     const std::string& stem,
+                                     const std::vector<std::string>& taken = {});
+
+} // namespace editing

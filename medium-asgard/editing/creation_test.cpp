@@ -1,0 +1,139 @@
+// (text, gesture, text): what is put into a text, and what is taken out.
+#include "editing/creation.h"
+#include "editing/deletion.h"
+#include "editing/preview.h"
+#include "editing/test_reading.h"
+
+namespace editing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const std::string shapes = "shape_set s -desc {-sub {-sphere 1}}\n";
+
+std::string withNew(const std::string& text, const NewElement& element) {
+    const std::string after = applied(text, created(text, *readScene(text), {element}));
+    (void)readScene(after);
+    return after;
+}
+
+NewElement weightOn(const std::string& body, std::size_t index) {
+    return {Kind::force, "", {"-body", body, "-gravitational", "{0 -1 0}"}, {{Kind::body, index}}};
+}
+
+TEST(Creation, PutsABodyBehindTheLastOneInTheAuthorsStyle) {
+    const NewElement body{Kind::body, "b3", {"-init_pos", "{1 2 3}"}, {{Kind::shapeSet, 0}}, "s"};
+    EXPECT_EQ(withNew(shapes + "body b1 s\nbody b2 s ;# two\n\n# forces\n", body),
+              shapes + "body b1 s\nbody b2 s ;# two\nbody b3 s -init_pos {1 2 3}\n\n# forces\n");
+    EXPECT_EQ(withNew(shapes + "  instance b1 \\\n    -shape s; # one", body),
+              shapes + "  instance b1 \\\n    -shape s; # one\n"
+                       "  instance b3 -shape s -init_pos {1 2 3}");
+    EXPECT_EQ(withNew(shapes, body), shapes + "\nbody b3 s -init_pos {1 2 3}\n");
+}
+
+TEST(Creation, KeepsLineBreaksAsTheyAre) {
+    const std::string text = "shape_set s -desc {-sub {-sphere 1}}\r\nbody b1 s\r\n";
+    EXPECT_EQ(withNew(text, weightOn("b1", 0)),
+              text + "\r\nforce -body b1 -gravitational {0 -1 0}\r\n");
+}
+
+TEST(Creation, GoesBehindWhatItNamesEvenWhenItsKindStandsBefore) {
+    const std::string text = shapes + "body a s\nforce -body a -y 1\nbody b s\n# end\n";
+    EXPECT_EQ(withNew(text, weightOn("b", 1)),
+              shapes + "body a s\nforce -body a -y 1\nbody b s\n"
+                       "force -body b -gravitational {0 -1 0}\n# end\n");
+}
+
+TEST(Creation, GoesBehindLoopsAndCallsOfProcedures) {
+    const std::string loop = shapes + "foreach i {1 2} {\n  body b$i s\n}\nset x 1\n";
+    EXPECT_EQ(withNew(loop, weightOn("b2", 1)),
+              shapes + "foreach i {1 2} {\n  body b$i s\n}\n"
+                       "force -body b2 -gravitational {0 -1 0}\nset x 1\n");
+    const std::string procedure = shapes + "proc p {n} {body $n s}\n\np a\n";
+    EXPECT_EQ(withNew(procedure, weightOn("a", 0)),
+              procedure + "\nforce -body a -gravitational {0 -1 0}\n");
+}
+
+TEST(Creation, MindsContinuedLinesAndTheEndOfTheScript) {
+    EXPECT_EQ(withNew(shapes + "body a s \\\n\nset x 1", weightOn("a", 0)),
+              shapes + "body a s \\\n\nforce -body a -gravitational {0 -1 0}\nset x 1");
+    EXPECT_EQ(withNew("# no\\", {Kind::parameter, "g", {"-value", "1"}, {}}),
+              "# no\\\n\n\nparameter g -value 1");
+    EXPECT_EQ(withNew(shapes + "return\nnonsense", {Kind::parameter, "g", {"-value", "1"}, {}}),
+              shapes + "parameter g -value 1\nreturn\nnonsense");
+}
+
+TEST(Creation, NamesAreLikeTheOthersAndNowhereElse) {
+    const std::string text = shapes + "body b1 s\nbody b2 s\n# b3 was here\nset b4 1\n";
+    EXPECT_EQ(unusedName(text, *readScene(text), Kind::body, "ball"), "b5");
+    EXPECT_EQ(unusedName(shapes, *readScene(shapes), Kind::body, "ball", {"ball1"}), "ball2");
+}
+
+struct Taken {
+    const char* name;
+    const char* before;
+    const char* after;
+};
+class Deletions : public testing::TestWithParam<Taken> {};
+
+// Body "a" is taken out, which is the first.
+TEST_P(Deletions, TakeLinesAndWhatDependsOnThem) {
+    const std::string text = shapes + GetParam().before;
+    const Deletion deletion = deletionOf(text, *readScene(text), {{Kind::body, 0}});
+    const std::string after = deletion.possible() ? applied(text, deletion.edits) : deletion.reason;
+    EXPECT_EQ(after, deletion.possible() ? shapes + GetParam().after : GetParam().after);
+    if (deletion.possible())
+        (void)readScene(after);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Deletions,
+    testing::Values(
+        Taken{"Line", "# one\n  body a s ;# its\n\nbody b s\n", "# one\n\nbody b s\n"},
+        Taken{
+            "Forces",
+            "body a s\nbody b s\nforce -body a -y 1\nforce -body b -y {a.x}\nforce -body b -y 2\n",
+            "body b s\nforce -body b -y 2\n"},
+        Taken{"Links", "body a s\nbody b s\nlink -body1 b -body2 a -tightness 1\n", "body b s\n"},
+        Taken{"Plots", "body a s\nbody b s\nplot p -values {a.x b.x}\nplot q -values {b.x}\n",
+              "body b s\nplot q -values {b.x}\n"},
+        Taken{"LastOnALine", "set x 1; body a s", "set x 1; "},
+        Taken{"TwoOnALine", "body a s; body b s; # both\n", "body b s; # both\n"},
+        Taken{"Continued", "body a \\\n  s \\\n  -mass 1\nbody b s\n", "body b s\n"},
+        Taken{"Braces", "if {1} {body a s}\nbody b s\n", "if {1} {}\nbody b s\n"},
+        Taken{"InAScript", "if {1} {\n  body a s\n}\nbody b s\n", "if {1} {\n}\nbody b s\n"},
+        Taken{"Loop", "foreach i {a b} {body $i s}\n", "Body \"a\" is one of 2 that line 2 makes."},
+        Taken{"DependentsOfALoop", "body a s\nforeach i {1 2} {force -body a -y $i}\n",
+              "The force of line 3 would have to go too, and is one of 2 that line 3 makes."},
+        Taken{"Substituted", "set x [body a s]\n", "Body \"a\" is made within another command."}),
+    [](const auto& one) { return std::string(one.param.name); });
+
+TEST(Deletion, OfAShapeTakesItsBodiesAndTheirForces) {
+    const std::string text = shapes + "body a s\nforce -body a -y 1\nsimulator -finish 1\n";
+    const Deletion deletion = deletionOf(text, *readScene(text), {{Kind::shapeSet, 0}});
+    EXPECT_THAT(deletion.along, ElementsAre(Element{Kind::body, 0}, Element{Kind::force, 0}));
+    EXPECT_EQ(applied(text, deletion.edits), "simulator -finish 1\n");
+}
+
+TEST(Deletion, OfAParameterThatTheScriptReadsIsRefused) {
+    const std::string text = "parameter h -value 1\n" + shapes + "body a s -init_pos \"0 $h 0\"\n";
+    EXPECT_EQ(deletionOf(text, *readScene(text), {{Kind::parameter, 0}}).reason,
+              "Parameter \"h\" is read as $h in line 3.");
+}
+
+TEST(Preview, ShowsTheLinesThatChange) {
+    const std::string text = "one\n  two 2 #\nthree\n";
+    const auto changed = changedLines(text, {{10, 11, "2.5"}});
+    ASSERT_EQ(changed.size(), 1U);
+    EXPECT_EQ(changed[0].line, 2);
+    EXPECT_EQ(changed[0].before, "two 2 #");
+    EXPECT_EQ(changed[0].after, "two 2.5 #");
+    const auto added = changedLines(text, {{4, 4, "new\n"}});
+    ASSERT_EQ(added.size(), 1U);
+    EXPECT_EQ(added[0].before, "");
+    EXPECT_EQ(added[0].after, "new");
+}
+
+} // namespace
+} // namespace editing

@@ -1,0 +1,31 @@
+// Elements taken out of a scene's text, with what cannot be without them.
+//
+// A body takes the forces, links and constraints that name it along, and every element whose
+// expression reads it; a shape set its bodies; a trajectory and a parameter what uses them. What a
+// loop, a procedure called twice or a computed command makes is not taken out alone: then nothing
+// is, and the reason says what and where.
+#pragma once
+
+#include "editing/element.h"
+#include "editing/text_edit.h"
+
+#include <string>
+#include <vector>
+
+namespace editing {
+
+struct Deletion {
+    std::vector<TextEdit> edits;
+    std::vector<Element> along; // what goes too, in the order in which it was found
+    std::string reason;         // why nothing can go: one sentence
+    scene::Range cause;
+    [[nodiscard]] bool possible() const { return reason.empty(); }
+};
+
+[[nodiscard]] Deletion deletionOf(const std::string& text, const scene::Scene& scene,
+                                  const std::vector<Element>& elements);
+
+// What names this element, directly.
+[[nodiscard]] std::vector<Element> dependents(const scene::Scene& scene, const Element& element);
+
+} // namespace editing

@@ -1,0 +1,27 @@
+// What the tests of this folder share: texts read by the real evaluator.
+#pragma once
+
+#include "script/reader.h"
+
+#include <gmock/gmock.h>
+
+#include <memory>
+#include <string>
+
+namespace editing {
+
+inline script::Reader& reader() {
+    static script::Reader shared;
+    return shared;
+}
+
+inline std::shared_ptr<const scene::Scene> readScene(const std::string& text) {
+    const auto result = reader().read(text);
+    EXPECT_TRUE(result.usable) << (result.diagnostics.empty() ? ""
+                                                              : result.diagnostics.front().message)
+                               << "\n"
+                               << text;
+    return std::make_shared<const scene::Scene>(result.scene);
+}
+
+} // namespace editing
