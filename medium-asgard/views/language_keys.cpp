@@ -11,7 +11,7 @@ QString languageKeys() {
             .arg(keys, what);
     };
     const auto tr = [](const char* text) { return QObject::tr(text); };
-    return QStringLiteral("<table>") +
+    return QStringLiteral("<table width=\"620\">") +
            row(tr("Ctrl+Return"), tr("Update: the draft becomes the scene's text, in every view")) +
            row(tr("Ctrl+S"), tr("Update, and write the file")) +
            row(tr("Ctrl+Z, Ctrl+Shift+Z"), tr("take back what was typed; without a draft, the "
@@ -21,8 +21,8 @@ QString languageKeys() {
            row(tr("Ctrl+F, Ctrl+H"), tr("find, replace; F3 and Shift+F3 go on")) +
            row(tr("Alt+Up, Alt+Down"),
                tr("count the number at the caret up or down; with Shift ten times as much")) +
-           row(tr("Alt+drag, or the grip below a number"),
-               tr("the same with the pointer; Escape brings the number back")) +
+           row(tr("Alt and drag"),
+               tr("the same with the pointer, as the grip below a number; Escape brings it back")) +
            row(tr("Ctrl+E, right button"), tr("show or hide a long list of points")) +
            row(tr("Ctrl+Shift+E"), tr("hide all long lists of points")) +
            row(tr("F7, Ctrl+Shift+M, Ctrl+Shift+T"),

@@ -204,6 +204,10 @@ void NumberDrag::left() {
 // --- keys ----------------------------------------------------------------------------------
 
 bool NumberDrag::key(const QKeyEvent& event) {
+    if (hovered_ && !gesture_) { // the grip would cover what is typed
+        hovered_.reset();
+        editor_.viewport()->update();
+    }
     if (gesture_ && event.key() == Qt::Key_Escape) {
         cancel();
         return true;
