@@ -248,7 +248,8 @@ public:
             return "";
         scene::Simulator& simulator = s.simulator;
         const double span = simulator.finish - simulator.start;
-        simulator.finish = simulator.start + span * (once(2) ? 0.9 : 1 / 0.9);
+        const double factor = once(3) ? between(0.2, 2.2) : once(2) ? 0.9 : 1 / 0.9;
+        simulator.finish = simulator.start + span * factor;
         return "end time";
     }
     std::string accuracy() {
@@ -357,9 +358,9 @@ const std::vector<std::string>& kindsOfEdits() {
     return names;
 }
 
-Made randomEdit(Scene& scene, Random& random) {
+Made randomEdit(Scene& scene, Random& random, std::optional<std::size_t> mostly) {
     Editor editor(scene, random);
-    const std::size_t kind = editor.below(kinds().size());
+    const std::size_t kind = mostly && editor.once(2) ? *mostly : editor.below(kinds().size());
     return {kind, (editor.*kinds()[kind].edit)()};
 }
 

@@ -3,6 +3,7 @@
 
 #include "scene/scene.h"
 
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -15,7 +16,9 @@ struct Made {
     std::size_t kind = 0; // in kindsOfEdits()
     std::string what;     // in words; "": there is nothing to be edited that way, this time
 };
-[[nodiscard]] Made randomEdit(scene::Scene& scene, Random& random);
+// `mostly`: every other one is of this kind.
+[[nodiscard]] Made randomEdit(scene::Scene& scene, Random& random,
+                              std::optional<std::size_t> mostly = {});
 
 [[nodiscard]] const std::vector<std::string>& kindsOfEdits();
 

@@ -130,7 +130,8 @@ bool CollisionSource::meetInFlight(const Histories& histories, const Pair& pair,
          .second = pair.second,
          .point = contact->point,
          .normal = contact->normal,
-         .impulse = impulse});
+         .impulse = impulse},
+        time);
     return true;
 }
 

@@ -33,7 +33,7 @@ CollisionSource::CollisionSource(const scene::Scene& scene,
       bodies_(movingBodies(records_, shapes)), start_(start), finish_(finish), limits_(limits),
       cancelled_(std::move(cancelled)),
       resting_(equations, records_, bodies_, start, finish, limits),
-      search_(scene, equations, records_, bodies_, resting_, start, finish, 4 * limits.gap),
+      search_(scene, equations, records_, bodies_, resting_, start, 4 * limits.gap),
       meetings_(records_.size()) {
     findDependents();
 }
@@ -55,7 +55,9 @@ std::optional<Event> CollisionSource::next(const Histories& histories, double kn
         const EncounterSearch::Next next = search_.next();
         const auto change =
             resting_.firstChange(histories, std::min(next.time, until), until, search_);
-        if (change && !(next.isHit && next.time <= change->time))
+        // What holds to the finish holds at the finish.
+        const bool changes = change && change->time < finish_;
+        if (changes && !(next.isHit && next.time <= change->time))
             return announced(stir(histories, change->body, change->time));
         if (next.isHit ? next.time > until : next.time >= until)
             return std::nullopt;
@@ -80,13 +82,44 @@ void CollisionSource::renew(const Histories& histories) {
             if (resting_.isResting(body))
                 resting_.lookAgain(std::span(&body, 1), time);
     for (const Pair& pair : search_.takeOverlaps())
-        noteOnce(pair, "Bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
-                           quoted(scene_.bodies[pair.second].name) +
-                           " overlap without having met; they can collide once they are apart.");
+        noteOnce(pair, time,
+                 "Bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
+                     quoted(scene_.bodies[pair.second].name) +
+                     " overlap without having met; they can collide once they are apart.");
+}
+
+void CollisionSource::lengthen(double finish) {
+    finish_ = finish;
+    resting_.lengthen(finish);
+}
+
+std::vector<Impact> CollisionSource::impacts(double until) const {
+    std::vector<Impact> found;
+    found.reserve(impacts_.size());
+    for (const Recorded& recorded : impacts_)
+        if (recorded.found <= until) {
+            found.push_back(recorded.impact);
+            found.back().time = std::min(found.back().time, until);
+        }
+    return found;
+}
+
+std::vector<std::string> CollisionSource::notes(double until) const {
+    std::vector<std::string> sentences;
+    for (const Note& note : notes_)
+        if (note.time <= until)
+            sentences.push_back(note.sentence);
+    return sentences;
+}
+
+bool CollisionSource::hasEventAt(double time) const {
+    return std::ranges::binary_search(events_, time);
 }
 
 std::optional<Event> CollisionSource::announced(Event event) {
     forgetAfterEvent(event);
+    if (events_.empty() || events_.back() < event.time)
+        events_.push_back(event.time);
     return event;
 }
 

@@ -14,11 +14,10 @@
 // Bouncing under restitution < 1 whose next hop is lower than RestLimits::hopHeight ends in a
 // plastic impact, and then the body rests; so does one that is pressed onto what it touches. Where
 // meeting has no end in finite time (a ball between walls that close in), the motion ends with a
-// sentence after a thousand meetings within 1e-5 of the motion's length; within 1e-9 of it where
-// some of them were with a body that gives way, which turns back after however many (Galperin's
-// billiard).
-// encounters.cpp has what happens, ball_encounters.cpp the same for balls in flight in closed form,
-// collision_source.cpp when.
+// sentence after a thousand meetings within 1e-5 of the time since the start; within 1e-9 of it
+// where some of them were with a body that gives way, which turns back after however many
+// (Galperin's billiard). encounters.cpp has what happens, ball_encounters.cpp the same for balls in
+// flight in closed form, collision_source.cpp when.
 #pragma once
 
 #include "physics/equations_of_motion.h"
@@ -49,8 +48,13 @@ public:
     void apply(const solution::Histories& histories, const solution::Event& event,
                solution::EquationsInForce& equations, solution::Changes& changes) override;
 
-    [[nodiscard]] const std::vector<Impact>& impacts() const { return impacts_; }
-    [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+    // The motion is wanted for longer than before; next() goes on from where it was.
+    void lengthen(double finish);
+    // What happened up to a time.
+    [[nodiscard]] std::vector<Impact> impacts(double until) const;
+    [[nodiscard]] std::vector<std::string> notes(double until) const;
+    // An event happened at this very time.
+    [[nodiscard]] bool hasEventAt(double time) const;
     [[nodiscard]] std::size_t pairTests() const { return search_.pairTests(); }
     // Pairs of bodies, the lesser first, that came near each other; in order.
     [[nodiscard]] std::vector<collision::Pair> candidates() { return search_.pairs(); }
@@ -120,8 +124,8 @@ private:
                                                  std::size_t body, double time) const;
     void record(const Cluster& cluster, const physics::ImpactResult& result, double time,
                 double settling);
-    void add(const Impact& impact);
-    void noteOnce(const Pair& pair, const std::string& sentence);
+    void add(const Impact& impact, double time);
+    void noteOnce(const Pair& pair, double time, const std::string& sentence);
 
     const scene::Scene& scene_;
     const physics::EquationsOfMotion& equations_;
@@ -142,8 +146,17 @@ private:
     std::vector<std::size_t> cut_; // by the last event
     std::vector<Meetings> meetings_;
     Outcome outcome_;
-    std::vector<Impact> impacts_;
-    std::vector<std::string> notes_;
+    struct Recorded { // an impact, and when it was found: hops that were cut off count later
+        Impact impact;
+        double found = 0;
+    };
+    struct Note {
+        double time = 0;
+        std::string sentence;
+    };
+    std::vector<Recorded> impacts_; // in order of their own times
+    std::vector<Note> notes_;
+    std::vector<double> events_; // times
 };
 
 } // namespace simulation

@@ -93,10 +93,14 @@ MotionPointer composeDraft(const KnownMotion& kept, const ComputedMotion& draft,
     const Contents& grown = draft.contents();
     contents.parts.insert(contents.parts.end(), grown.parts.begin(), grown.parts.end());
     for (std::size_t i = 0; i < bodies.size(); ++i)
-        contents.places[bodies[i]] = {contents.parts.size() - 1, grown.places[i].body};
+        if (bodies[i] != scene::noElement)
+            contents.places[bodies[i]] = {contents.parts.size() - 1, grown.places[i].body};
     for (const auto& [place, stop] : grown.stops)
-        contents.stops.emplace(bodies[place], stop);
+        if (bodies[place] != scene::noElement)
+            contents.stops.emplace(bodies[place], stop);
     for (Impact impact : grown.impacts) {
+        if (bodies[impact.first] == scene::noElement || bodies[impact.second] == scene::noElement)
+            continue;
         impact.first = bodies[impact.first];
         impact.second = bodies[impact.second];
         contents.impacts.push_back(impact);

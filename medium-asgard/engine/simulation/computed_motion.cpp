@@ -7,8 +7,9 @@ namespace simulation {
 
 ComputedMotion::ComputedMotion(Contents contents) : c_(std::move(contents)) {
     double known = solution::infinity;
-    for (const Part& part : c_.parts)
-        known = std::min(known, part.histories->known());
+    for (const Place& place : c_.places) // what is fixed is known for ever
+        if (const Part& part = c_.parts[place.part]; !(*part.bodies)[place.body].isFixed)
+            known = std::min(known, part.histories->known());
     computed_ = std::clamp(known, c_.start, c_.finish);
 }
 
@@ -50,7 +51,8 @@ std::vector<double> ComputedMotion::jumps(std::size_t body) const {
         for (const double t : histories.restarts(unknown)) {
             const double before = histories.pieceBefore(unknown, t).value(t);
             const double after = histories.value(unknown, t);
-            if (t > c_.start && std::abs(after - before) > 1e-6 * record.radius)
+            const bool isWithin = t > c_.start && t <= c_.finish;
+            if (isWithin && std::abs(after - before) > 1e-6 * record.radius)
                 times.push_back(t);
         }
     }

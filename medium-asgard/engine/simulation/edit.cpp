@@ -91,12 +91,6 @@ bool Edit::hasChanged(const Unit& unit) const {
     return false;
 }
 
-bool Edit::mayMeet(std::size_t a, std::size_t b) const {
-    const auto& one = scene_.bodies[a].collisionGroup;
-    const auto& other = scene_.bodies[b].collisionGroup;
-    return !(one && other && *one == *other);
-}
-
 bool Edit::markWhoComesNear(const SolvedPart& part, const std::vector<std::size_t>& bodies) {
     std::vector<std::size_t> near;
     for (std::size_t p = 0; p < bodies.size(); ++p) {
@@ -108,7 +102,7 @@ bool Edit::markWhoComesNear(const SolvedPart& part, const std::vector<std::size_
                 continue;
             const Home& home = known_.homes[was];
             const std::size_t other = difference_.after[was];
-            if (mayMeet(bodies[p], other) && meet(part, p, *home.part, home.place))
+            if (mayMeet(scene_, bodies[p], other) && meet(part, p, *home.part, home.place))
                 near.push_back(other);
         }
     }

@@ -34,7 +34,6 @@ private:
     void drop(std::size_t unit, std::vector<std::size_t>& open);
     void dropUnits();
     [[nodiscard]] bool hasChanged(const Unit& unit) const;
-    [[nodiscard]] bool mayMeet(std::size_t a, std::size_t b) const;
 
     const KnownMotion& known_;
     const scene::Version& now_;

@@ -15,7 +15,8 @@ using solution::Histories;
 using solution::infinity;
 
 constexpr double firstWay = 3;     // of the body's radius, in the first window after a cut
-constexpr int mostDoublings = 40;  // of that way
+constexpr double firstSpan = 16;   // s, of that window at most
+constexpr int mostDoublings = 40;  // of both
 constexpr double roomAround = 0.5; // of the radius, about boxes of short windows
 constexpr double mostRoom = 4;     // a box in the tree is at most so much larger than needed
 constexpr double rounding = 1e-12; // of coordinates, in boxes
@@ -84,12 +85,10 @@ EncounterSearch::EncounterSearch(const scene::Scene& scene,
                                  const physics::EquationsOfMotion& equations,
                                  const std::vector<BodyRecord>& records,
                                  const std::vector<MovingBody>& bodies,
-                                 const RestingBodies& resting, double start, double finish,
-                                 double slack)
-    : records_(records), bodies_(bodies), resting_(resting), finish_(finish), slack_(slack),
-      tree_(records.size()), windows_(records.size()), version_(records.size(), 0),
-      schedule_(records.size(), 0), partners_(records.size()), ended_(records.size(), false),
-      recentPairs_(recentPairs, 0) {
+                                 const RestingBodies& resting, double start, double slack)
+    : records_(records), bodies_(bodies), resting_(resting), slack_(slack), tree_(records.size()),
+      windows_(records.size()), version_(records.size(), 0), schedule_(records.size(), 0),
+      partners_(records.size()), ended_(records.size(), false), recentPairs_(recentPairs, 0) {
     std::map<std::string, std::size_t> indices;
     for (std::size_t b = 0; b < records.size(); ++b) {
         const bool isFixed = records[b].isFixed;
@@ -104,7 +103,7 @@ EncounterSearch::EncounterSearch(const scene::Scene& scene,
             windows_[b] = {.from = -infinity,
                            .until = infinity,
                            .number = 0,
-                           .box = collision::boundsDuring(bodies[b], start, finish),
+                           .box = collision::boundsDuring(bodies[b], start, start),
                            .isFlight = false,
                            .flight = {},
                            .pieceEnd = infinity};
@@ -240,6 +239,7 @@ void EncounterSearch::openWindow(const Histories& histories, std::size_t body, d
     window.number = std::min(window.number + 1, mostDoublings);
     window.from = time;
     const double way = firstWay * records_[body].radius * std::ldexp(1, window.number);
+    const double latest = time + std::ldexp(firstSpan, window.number);
     bodies_[body].forget();
     window.isFlight = openFlight(histories, body, window);
     if (window.isFlight) {
@@ -247,12 +247,12 @@ void EncounterSearch::openWindow(const Histories& histories, std::size_t body, d
             geometry::Vector::Zero(), window.flight.velocityAt(time), window.flight.half};
         const std::size_t terms = window.flight.half.isZero(0) ? 2 : 3;
         window.until = std::min(time + timeForWay(std::span(path).first(terms), 1, way),
-                                std::min(window.pieceEnd, finish_));
+                                std::min(window.pieceEnd, latest));
         window.box = boxOf(window.flight, time, window.until);
         return;
     }
     const collision::MotionPiece& piece = bodies_[body].pieceAt(time);
-    const double end = piece.until > time ? std::min(piece.until, finish_) : finish_;
+    const double end = piece.until > time ? std::min(piece.until, latest) : latest;
     const double longest =
         timeForWay(shifted(piece.position, (time - piece.from) / piece.scale), piece.scale, way);
     window.until = std::min(time + longest, end);
@@ -282,8 +282,7 @@ void EncounterSearch::renew(const Histories& histories, Renewal& renewal) {
     }
     openWindow(histories, body, time);
     grow(windows_[body].box, slack_ * records_[body].radius);
-    if (windows_[body].until < finish_)
-        schedule(body, windows_[body].until);
+    schedule(body, windows_[body].until);
     findPartners(body, renewal);
     for (const std::size_t other : partners_[body])
         search(std::minmax(body, other), time);
@@ -388,7 +387,7 @@ bool EncounterSearch::searchFlights(const Pair& pair, Interval during) {
 
 void EncounterSearch::search(const Pair& pair, double from) {
     const Window &a = windows_[pair.first], &b = windows_[pair.second];
-    const Interval during{std::max({from, a.from, b.from}), std::min({a.until, b.until, finish_})};
+    const Interval during{std::max({from, a.from, b.from}), std::min(a.until, b.until)};
     // A window that is about to be renewed has nothing to say.
     if (!(during.from < during.to) || !a.box.intersects(b.box) || isPassing(pair, during.from))
         return;

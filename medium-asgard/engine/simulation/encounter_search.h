@@ -1,7 +1,8 @@
 // Which bodies meet next, and when?
 //
 // Every body is looked at in windows of its own: no longer than a piece of its motion, nor than it
-// takes to go a few of its sizes, twice as far in each window in which nothing cut its motion. The
+// takes to go a few of its sizes, nor than some seconds, twice as far and as long in each window in
+// which nothing cut its motion. The
 // box that holds the body during its window lies in a tree (collision/box_tree.h); whoever's box
 // overlaps it is a partner, and partners are searched for hits during what their windows share:
 //
@@ -12,7 +13,8 @@
 //
 // So a hit costs the search of the two bodies that it turned, among their neighbours, however many
 // bodies there are. Windows and hits follow from the motion of the bodies concerned alone, not from
-// who else is there, nor from how far the motion was known when it was asked for: what a body does
+// who else is there, nor from how far the motion was known when it was asked for, nor from when it
+// is to end: what a body does
 // far away moves no bit of a hit here, which lets an edit keep what it does not concern. Balls in
 // flight and faces that stand still are searched in closed form (collision/ball_flight.h), all else
 // by collision/time_of_impact.h.
@@ -49,7 +51,7 @@ public:
     // All must outlive this. Boxes hold what comes as near as `slack` of the body's radius.
     EncounterSearch(const scene::Scene& scene, const physics::EquationsOfMotion& equations,
                     const std::vector<BodyRecord>& records, const std::vector<MovingBody>& bodies,
-                    const RestingBodies& resting, double start, double finish, double slack);
+                    const RestingBodies& resting, double start, double slack);
 
     // The next thing to be done; it is done by takeHit() or renew().
     [[nodiscard]] Next next();
@@ -135,7 +137,7 @@ private:
     const std::vector<BodyRecord>& records_;
     const std::vector<MovingBody>& bodies_;
     const RestingBodies& resting_;
-    double finish_, slack_;
+    double slack_;
 
     std::vector<std::optional<std::size_t>> groups_;
     std::vector<std::vector<std::size_t>> linked_; // sorted

@@ -28,9 +28,10 @@ std::optional<Event> CollisionSource::handle(const Histories& histories,
                                              const EncounterSearch::Found& hit) {
     const Pair& pair = hit.pair;
     if (!resting_.canGiveWay(pair.first, hit.time) && !resting_.canGiveWay(pair.second, hit.time)) {
-        noteOnce(pair, "Bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
-                           quoted(scene_.bodies[pair.second].name) +
-                           " are both held where they meet, so they pass through each other.");
+        noteOnce(pair, hit.time,
+                 "Bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
+                     quoted(scene_.bodies[pair.second].name) +
+                     " are both held where they meet, so they pass through each other.");
         double until = infinity;
         for (const double time : equations_.breakpoints)
             if (time > hit.time)
@@ -85,7 +86,7 @@ bool CollisionSource::isWithoutEnd(std::size_t body, std::size_t other, double t
     if (++met.count % manyMeetings == 0) {
         const double since = std::exchange(met.markedAt, time);
         const double least = std::exchange(met.isGivenWay, false) ? shorterWhile : shortWhile;
-        if (time - since < least * (finish_ - start_))
+        if (time - since < least * (time - start_))
             return true;
     }
     return met.atOnce > manyAtOnce;
@@ -340,21 +341,22 @@ void CollisionSource::record(const Cluster& cluster, const physics::ImpactResult
         if (settling > 0 && contact.restitution == 0) {
             const double e =
                 std::min(scene_.bodies[first].restitution, scene_.bodies[second].restitution);
-            impact.time = std::min(time + settling, finish_);
+            impact.time = time + settling;
             impact.impulse *= (1 + e) / (1 - e);
         }
-        add(impact);
+        add(impact, time);
     }
 }
 
-void CollisionSource::add(const Impact& impact) {
-    const auto place = std::ranges::upper_bound(impacts_, impact.time, {}, &Impact::time);
-    impacts_.insert(place, impact);
+void CollisionSource::add(const Impact& impact, double time) {
+    const auto timeOf = [](const Recorded& recorded) { return recorded.impact.time; };
+    const auto place = std::ranges::upper_bound(impacts_, impact.time, {}, timeOf);
+    impacts_.insert(place, {impact, time});
 }
 
-void CollisionSource::noteOnce(const Pair& pair, const std::string& sentence) {
+void CollisionSource::noteOnce(const Pair& pair, double time, const std::string& sentence) {
     if (noted_.insert(pair).second)
-        notes_.push_back(sentence);
+        notes_.push_back({time, sentence});
 }
 
 void CollisionSource::apply(const Histories& histories, const Event& event,

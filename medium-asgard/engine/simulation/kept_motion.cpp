@@ -42,7 +42,8 @@ std::vector<std::size_t> rootsOf(const SolvedPart& part, const Solved& solved,
     for (std::size_t p = 0; p < records.size(); ++p) {
         if (records[p].isFixed)
             continue;
-        join(parent, p, first.try_emplace(group[bodies[p]], p).first->second);
+        if (bodies[p] != scene::noElement)
+            join(parent, p, first.try_emplace(group[bodies[p]], p).first->second);
         // LIMIT: a note does not say whose it is, so that bodies of one stay together.
         if (!solved.run.notes.empty())
             join(parent, p, noted ? *noted : *(noted = p));
@@ -184,6 +185,12 @@ bool boxesMeet(const MovingBody& a, const MovingBody& b, double from, double to,
 }
 
 } // namespace
+
+bool mayMeet(const scene::Scene& scene, std::size_t a, std::size_t b) {
+    const auto& one = scene.bodies[a].collisionGroup;
+    const auto& other = scene.bodies[b].collisionGroup;
+    return !(one && other && *one == *other);
+}
 
 // Those that touch without pressing count too: they take part in each other's impacts.
 bool meet(const SolvedPart& one, std::size_t first, const SolvedPart& other, std::size_t second) {

@@ -11,6 +11,14 @@
 
 namespace simulation {
 
+// What a part can be solved further with: its problem, whose finish is that of the last search, and
+// the runs over it.
+struct Reserve {
+    explicit Reserve(std::shared_ptr<Problem> posed) : problem(std::move(posed)) {}
+    std::shared_ptr<Problem> problem;
+    KeptRuns runs{KeptRuns::Keep::yes};
+};
+
 // One solution of some bodies, the fixed ones around them among these.
 struct SolvedPart {
     SolvedPart(const Problem& problem, const Solved& solved);
@@ -19,6 +27,7 @@ struct SolvedPart {
     std::vector<MovingBody> bodies;   // of the motion; for one thread
     std::vector<double> until;        // by body: what comes after is no motion
     std::vector<geometry::Box> reach; // by body: holds its shape at all times
+    std::shared_ptr<Reserve> reserve; // none: it was too large to keep
 };
 using PartPointer = std::shared_ptr<const SolvedPart>;
 
@@ -47,6 +56,13 @@ struct Home {
     std::size_t place = 0;
 };
 
+// A part with the places of its bodies in the scene; noElement: such a body is not there any more,
+// or it moves otherwise now.
+struct PlacedPart {
+    PartPointer part;
+    std::vector<std::size_t> bodies;
+};
+
 // A version of a scene whose motion is known.
 struct KnownMotion {
     std::shared_ptr<const scene::Version> version;
@@ -54,15 +70,20 @@ struct KnownMotion {
     std::vector<UnitPointer> units;
     std::vector<std::size_t> unitOf; // by body; noElement: fixed
     std::vector<Home> homes;         // by body
+    std::vector<PlacedPart> parts;   // that units are of
 
     // Fills unitOf.
     void index();
 };
 
-// `bodies`: those of the part in the scene; group: of the scene's bodies (connections.h).
+// `bodies`: those of the part in the scene, as in PlacedPart; group: of the scene's bodies
+// (connections.h).
 [[nodiscard]] std::vector<UnitPointer> unitsOf(const PartPointer& part, const Solved& solved,
                                                const std::vector<std::size_t>& bodies,
                                                const std::vector<std::size_t>& group);
+
+// By their collision groups.
+[[nodiscard]] bool mayMeet(const scene::Scene& scene, std::size_t a, std::size_t b);
 
 // Do these come so near each other that they cannot be solved apart?
 [[nodiscard]] bool meet(const SolvedPart& one, std::size_t first, const SolvedPart& other,

@@ -4,11 +4,15 @@
 #include "simulation/composition.h"
 #include "simulation/cpu_seconds.h"
 #include "simulation/edit.h"
+#include "simulation/new_finish.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace simulation {
 namespace {
+
+constexpr std::size_t mostBytes = std::size_t{256} << 20; // of a part's runs that are kept
 
 using scene::noElement;
 using VersionPointer = std::shared_ptr<const scene::Version>;
@@ -76,6 +80,32 @@ void add(const Statistics& more, Statistics& sum) {
                              more.componentList.end());
 }
 
+Result cancelledAt(const MotionPointer& motion, const Statistics& work) {
+    Result result;
+    result.cancelled = true;
+    result.motion = motion;
+    result.statistics = work;
+    result.statistics.reached = motion->computed();
+    return result;
+}
+
+// A body of a part that is solved again elsewhere is not of it any more.
+void addKeptParts(const KnownMotion& before, const Edit& edit, KnownMotion& kept) {
+    const scene::Difference& difference = edit.difference();
+    for (const PlacedPart& placed : before.parts) {
+        if (std::ranges::find(kept.units, placed.part, [](const UnitPointer& unit) {
+                return unit->part;
+            }) == kept.units.end())
+            continue;
+        PlacedPart& now = kept.parts.emplace_back(placed);
+        for (std::size_t& body : now.bodies) {
+            body = body == noElement ? noElement : difference.after[body];
+            if (body != noElement && (edit.isAgain(body) || difference.changed[body]))
+                body = noElement;
+        }
+    }
+}
+
 // What is kept of the motion before; the homes of what is solved again are empty.
 KnownMotion keptOf(const KnownMotion& before, const Edit& edit, const VersionPointer& version) {
     const scene::Difference& difference = edit.difference();
@@ -103,15 +133,24 @@ KnownMotion keptOf(const KnownMotion& before, const Edit& edit, const VersionPoi
         if (const std::size_t was = difference.before[b];
             was != noElement && !edit.isAgain(b) && !difference.changed[b])
             kept.homes[b] = before.homes[was];
+    addKeptParts(before, edit, kept);
     return kept;
 }
 
 void addPart(KnownMotion& known, const PartPointer& part, const Solved& solved,
              const std::vector<std::size_t>& bodies) {
+    known.parts.push_back({part, bodies});
     for (UnitPointer& unit : unitsOf(part, solved, bodies, known.version->connections.group))
         known.units.push_back(std::move(unit));
     for (std::size_t p = 0; p < bodies.size(); ++p)
         known.homes[bodies[p]] = {part, p};
+}
+
+PartPointer partOf(const std::shared_ptr<Reserve>& reserve, const Solved& solved) {
+    auto part = std::make_shared<SolvedPart>(*reserve->problem, solved);
+    if (reserve->runs.bytes() <= mostBytes)
+        part->reserve = reserve;
+    return part;
 }
 
 } // namespace
@@ -120,11 +159,13 @@ struct Resimulation::Implementation {
     Result update(const VersionPointer& version, const Options& options, const Observer& observer);
     Result solveWhole(const VersionPointer& version, const Options& options,
                       const Observer& observer);
-    std::optional<Result> solveParts(const VersionPointer& version, const Options& options,
+    std::optional<Result> solveParts(const KnownMotion& before,
+                                     const std::vector<std::size_t>& unclear, Statistics sum,
+                                     const VersionPointer& version, const Options& options,
                                      const Observer& observer);
-    std::optional<Result> solvePart(const VersionPointer& version, const Options& options,
-                                    const Observer& observer, Edit& edit, Statistics& sum,
-                                    KnownMotion& next, bool& open);
+    std::optional<Result> solvePart(const KnownMotion& before, const VersionPointer& version,
+                                    const Options& options, const Observer& observer, Edit& edit,
+                                    Statistics& sum, KnownMotion& next, bool& open);
 
     std::optional<KnownMotion> known;
     Options knownOptions;
@@ -137,12 +178,20 @@ Result Resimulation::Implementation::update(const VersionPointer& version, const
     const bool inParts =
         known && isSolvedInParts(*version, options) &&
         areKnown(options.parameters, *version->scene) && sameMethods(knownOptions, options) &&
-        scene::sameButFinish(known->version->scene->simulator, version->scene->simulator) &&
-        known->version->scene->simulator.finish == version->scene->simulator.finish;
-    if (inParts)
-        if (auto result = solveParts(version, options, observer))
-            return std::move(*result);
-    return solveWhole(version, options, observer);
+        scene::sameButFinish(known->version->scene->simulator, version->scene->simulator);
+    const double finish = version->scene->simulator.finish;
+    if (!inParts || !(finish >= version->scene->simulator.start) || !std::isfinite(finish))
+        return solveWhole(version, options, observer);
+    std::optional<Result> result;
+    if (finish == known->version->scene->simulator.finish) {
+        result = solveParts(*known, {}, {}, version, options, observer);
+    } else {
+        NewFinish there = atFinish(*known, finish, observer, add);
+        if (there.cancelled)
+            return cancelledAt(there.draft, there.work);
+        result = solveParts(there.motion, there.unclear, there.work, version, options, observer);
+    }
+    return result ? std::move(*result) : solveWhole(version, options, observer);
 }
 
 Result Resimulation::Implementation::solveWhole(const VersionPointer& version,
@@ -159,9 +208,10 @@ Result Resimulation::Implementation::solveWhole(const VersionPointer& version,
         result.refusal = std::move(*refusal);
         return result;
     }
-    const auto& posed = *std::get<std::shared_ptr<const Problem>>(problem);
+    const auto reserve =
+        std::make_shared<Reserve>(std::get<std::shared_ptr<Problem>>(std::move(problem)));
     const double posing = cpuSeconds() - begin;
-    Solved solved = solve(posed, observer);
+    Solved solved = solve(*reserve->problem, observer, reserve->runs);
     solved.result.statistics.secondsSettingUp += posing;
     std::vector<std::size_t> bodies;
     for (std::size_t b = 0; b < version->scene->bodies.size(); ++b) {
@@ -175,7 +225,7 @@ Result Resimulation::Implementation::solveWhole(const VersionPointer& version,
             known.emplace().version = version;
             known->isEstimated = solved.result.statistics.errorEstimate.has_value();
             known->homes.resize(bodies.size());
-            addPart(*known, std::make_shared<const SolvedPart>(posed, solved), solved, bodies);
+            addPart(*known, partOf(reserve, solved), solved, bodies);
             known->index();
             knownOptions = options;
         }
@@ -185,17 +235,16 @@ Result Resimulation::Implementation::solveWhole(const VersionPointer& version,
 
 // One round: what the edit marks is solved, and who came near it is marked. An answer ends it all:
 // it was cancelled.
-std::optional<Result> Resimulation::Implementation::solvePart(const VersionPointer& version,
-                                                              const Options& options,
-                                                              const Observer& observer, Edit& edit,
-                                                              Statistics& sum, KnownMotion& next,
-                                                              bool& open) {
+std::optional<Result> Resimulation::Implementation::solvePart(
+    const KnownMotion& before, const VersionPointer& version, const Options& options,
+    const Observer& observer, Edit& edit, Statistics& sum, KnownMotion& next, bool& open) {
     const std::vector<std::size_t> bodies = edit.chosen();
-    next = keptOf(*known, edit, version);
+    next = keptOf(before, edit, version);
     auto problem = problemOf(scene::partOf(*version, bodies), ofParts(options), observer);
     if (std::holds_alternative<std::vector<std::string>>(problem))
         return std::nullopt;
-    const auto& posed = *std::get<std::shared_ptr<const Problem>>(problem);
+    const auto reserve =
+        std::make_shared<Reserve>(std::get<std::shared_ptr<Problem>>(std::move(problem)));
     Observer drafts{.cancelled = observer.cancelled, .progress = {}};
     const auto beside = [&](const MotionPointer& motion) {
         return composeDraft(next, dynamic_cast<const ComputedMotion&>(*motion), bodies);
@@ -203,17 +252,11 @@ std::optional<Result> Resimulation::Implementation::solvePart(const VersionPoint
     if (observer.progress)
         drafts.progress = [&](const MotionPointer& motion) { observer.progress(beside(motion)); };
     ++work.rounds;
-    Solved solved = solve(posed, drafts);
+    Solved solved = solve(*reserve->problem, drafts, reserve->runs);
     add(solved.result.statistics, sum);
-    if (solved.result.cancelled) {
-        Result result;
-        result.cancelled = true;
-        result.motion = beside(solved.result.motion);
-        result.statistics = sum;
-        result.statistics.reached = result.motion->computed();
-        return result;
-    }
-    const auto part = std::make_shared<const SolvedPart>(posed, solved);
+    if (solved.result.cancelled)
+        return cancelledAt(beside(solved.result.motion), sum);
+    const PartPointer part = partOf(reserve, solved);
     open = version->scene->simulator.collisions && edit.markWhoComesNear(*part, bodies);
     if (!open)
         addPart(next, part, solved, bodies);
@@ -221,17 +264,19 @@ std::optional<Result> Resimulation::Implementation::solvePart(const VersionPoint
 }
 
 // None: it cannot be done in parts.
-std::optional<Result> Resimulation::Implementation::solveParts(const VersionPointer& version,
-                                                               const Options& options,
-                                                               const Observer& observer) {
-    Edit edit(*known, *version);
-    Statistics sum;
-    KnownMotion next = keptOf(*known, edit, version);
+std::optional<Result> Resimulation::Implementation::solveParts(
+    const KnownMotion& before, const std::vector<std::size_t>& unclear, Statistics sum,
+    const VersionPointer& version, const Options& options, const Observer& observer) {
+    Edit edit(before, *version);
+    for (const std::size_t body : unclear)
+        if (const std::size_t now = edit.difference().after[body]; now != noElement)
+            edit.mark(now);
+    KnownMotion next = keptOf(before, edit, version);
     for (bool open = !edit.solvesNothing(); open;) {
         if (!edit.isPossible())
             return std::nullopt;
         const std::size_t rounds = work.rounds;
-        if (auto result = solvePart(version, options, observer, edit, sum, next, open))
+        if (auto result = solvePart(before, version, options, observer, edit, sum, next, open))
             return result;
         if (work.rounds == rounds) // a refusal: all of them are wanted
             return std::nullopt;

@@ -12,12 +12,21 @@ namespace {
 using solution::Histories;
 using solution::infinity;
 
-constexpr double looks = 4096;         // at the forces, over the motion
+// Between looks at the forces, in the first two seconds, and then how many in a doubling of the
+// time.
+constexpr double firstStride = 0x1p-11, looks = 2048;
+constexpr double sparse = 64;          // times that, where forces are constant
 constexpr double notableChange = 0.02; // of a force, since it was looked at
 
 std::array<double, physics::bodyUnknowns> unknownsOf(const physics::BodyMotion& body,
                                                      const BodyState& state) {
     return body.unknownsOf({state.position, state.velocity, state.attitude, state.angularVelocity});
+}
+
+// To the next look at forces, so long after the start. It does not depend on when the motion ends.
+double strideAfter(double elapsed) {
+    const double octave = elapsed > 0 ? std::exp2(std::ceil(std::log2(elapsed))) : 0;
+    return std::max(octave / (2 * looks), firstStride);
 }
 
 } // namespace
@@ -184,7 +193,7 @@ void RestingBodies::set(std::size_t body, double time, const Rest& rest) {
     for (const std::size_t b : concerned)
         for (std::size_t i = 0; i < physics::bodyUnknowns; ++i)
             for (const auto& phase : equations_.set.unknowns[records_[b].firstUnknown + i].phases)
-                if (phase.from > time && phase.from < finish_)
+                if (phase.from > time)
                     watch.ends = std::min(watch.ends, phase.from);
     resting_.insert_or_assign(body, std::move(watch));
 }
@@ -217,8 +226,9 @@ std::vector<double> RestingBodies::timesOf(const Histories& histories, std::size
     std::vector<double> times;
     const std::size_t first = records_[body].firstUnknown;
     const bool isConstant = free_.contains(body) && free_.at(body).isConstant;
-    const double stride = (finish_ - start_) / (isConstant ? looks / 64 : looks);
-    for (double t = from + stride; t < until; t += stride)
+    const double factor = isConstant ? sparse : 1;
+    for (double t = from + factor * strideAfter(from - start_); t < until;
+         t += factor * strideAfter(t - start_))
         times.push_back(t);
     for (const std::size_t unknown : {physics::dx, physics::dy, physics::dz, physics::w1}) {
         for (double t = from; t < until;) {

@@ -6,8 +6,9 @@
 // solver's steps, and wherever the forces have changed by more than a little since it was asked
 // last; between an answer that agrees and one that does not, the instant is found by bisection.
 //
-// LIMIT: forces are looked at 4096 times over the motion: what lifts a body for less than that and
-// puts it down again between two looks is passed over.
+// LIMIT: forces are looked at every half millisecond, from 2 s on 2048 times while the time
+// doubles: what lifts a body for less than that and puts it down again between two looks is passed
+// over.
 #pragma once
 
 #include "expression/tape.h"
@@ -27,6 +28,8 @@ public:
     RestingBodies(const physics::EquationsOfMotion& equations,
                   const std::vector<BodyRecord>& records, const std::vector<MovingBody>& bodies,
                   double start, double finish, const RestLimits& limits);
+    // The motion is wanted for longer than before.
+    void lengthen(double finish) { finish_ = finish; }
 
     [[nodiscard]] bool isAnyResting() const { return !resting_.empty(); }
     [[nodiscard]] bool isResting(std::size_t body) const { return resting_.contains(body); }

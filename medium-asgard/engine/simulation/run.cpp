@@ -1,8 +1,6 @@
 #include "simulation/run.h"
 
 #include "scene/shape_of.h"
-#include "simulation/cpu_seconds.h"
-#include "simulation/nudge.h"
 #include "solution/partition.h"
 
 #include <algorithm>
@@ -14,67 +12,6 @@ namespace simulation {
 namespace {
 
 using physics::bodyUnknowns;
-
-// Which body each unknown belongs to: bodies have their unknowns in a row.
-std::vector<std::size_t> ownersOf(const Problem& problem) {
-    std::vector<std::size_t> owners(problem.equations.set.unknowns.size());
-    for (std::size_t b = 0; b < problem.bodies->size(); ++b)
-        if (const BodyRecord& body = (*problem.bodies)[b]; !body.isFixed)
-            std::fill_n(owners.begin() + static_cast<std::ptrdiff_t>(body.firstUnknown),
-                        bodyUnknowns, b);
-    return owners;
-}
-
-std::string timeText(double time) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.6g", time);
-    return text;
-}
-
-std::string sentenceOf(const Problem& problem, const solution::Histories& histories,
-                       const std::vector<std::size_t>& owners, const solution::Stop& stop) {
-    std::string reason = stop.sentence;
-    if (stop.reason == solution::Stop::Reason::notFinite) {
-        std::vector<std::size_t> bodies;
-        for (const std::size_t unknown : stop.unknowns)
-            bodies.push_back(owners[unknown]);
-        // The motion ends at the last time that is finite: what is not, is so just after.
-        for (const double part : {0.0, 1e-12, 1e-9, 1e-6}) {
-            const double after = part * std::max(1.0, std::abs(stop.time));
-            const double before = std::max(problem.start(), stop.time - after);
-            std::vector<double> state;
-            for (std::size_t i = 0; i < histories.unknowns(); ++i) {
-                const double value = 2 * histories.value(i, stop.time) - histories.value(i, before);
-                // Of what is not solved any value will do.
-                state.push_back(std::isnan(value) ? problem.equations.set.unknowns[i].initial
-                                                  : value);
-            }
-            const std::string named =
-                problem.equations.whatIsNotFinite(problem.scene, state, stop.time + after, bodies);
-            if (!named.empty()) {
-                reason = named;
-                break;
-            }
-        }
-    }
-    return "Stopped at t = " + timeText(stop.time) + " s: " + reason + ".";
-}
-
-std::map<std::size_t, Stop> stopsOf(const Problem& problem, const solution::Histories& histories) {
-    std::map<std::size_t, Stop> stops;
-    if (histories.stops().empty())
-        return stops;
-    const std::vector<std::size_t> owners = ownersOf(problem);
-    for (const solution::Stop& stop : histories.stops())
-        for (const std::size_t unknown : stop.unknowns) {
-            const std::size_t body = owners[unknown];
-            const auto place = stops.find(body);
-            if (place == stops.end() || stop.time < place->second.time)
-                stops[body] = {.time = stop.time,
-                               .sentence = sentenceOf(problem, histories, owners, stop)};
-        }
-    return stops;
-}
 
 struct Groups { // union-find
     std::vector<std::size_t> parent;
@@ -90,27 +27,6 @@ struct Groups { // union-find
         parent[std::max(a, b)] = std::min(a, b);
     }
 };
-
-solution::Options solverOptions(const Problem& problem, const std::vector<double>& tolerances,
-                                const Observer& observer) {
-    solution::Options options;
-    options.start = problem.start();
-    options.method = problem.scene.simulator.method;
-    options.fixedStep = problem.options.fixedStep;
-    options.firstStep = problem.scene.simulator.firstStep;
-    options.whole = problem.options.whole;
-    options.eventDriven = problem.options.eventDriven;
-    options.threads = static_cast<std::size_t>(std::max(problem.options.threads, 0));
-    options.cancelled = observer.cancelled;
-    options.asked = problem.asked;
-    for (std::size_t b = 0; b < tolerances.size(); ++b)
-        if (!(*problem.bodies)[b].isFixed) {
-            options.tolerances.insert(options.tolerances.end(), bodyUnknowns, tolerances[b]);
-            options.extents.insert(options.extents.end(), bodyUnknowns,
-                                   2 * (*problem.bodies)[b].radius);
-        }
-    return options;
-}
 
 void applyOptions(scene::Scene& scene, const Options& options, std::vector<std::string>& faults) {
     if (options.accuracy)
@@ -166,7 +82,7 @@ std::optional<std::vector<std::size_t>> askedOf(const Problem& problem) {
 
 struct Cancelled {}; // thrown while a problem is posed
 
-std::variant<std::shared_ptr<const Problem>, std::vector<std::string>>
+std::variant<std::shared_ptr<Problem>, std::vector<std::string>>
 posed(const scene::Scene& original, const Options& options,
       const std::function<void()>& meanwhile) {
     std::vector<std::string> faults;
@@ -203,12 +119,40 @@ posed(const scene::Scene& original, const Options& options,
     const std::shared_ptr<const expression::EquationSet> set(std::shared_ptr<const void>(),
                                                              &problem->equations.set);
     problem->prepared = std::make_shared<const solution::PreparedEquations>(
-        set, solution::preparationFor(solverOptions(*problem, {}, {})), meanwhile);
+        set, solution::preparationFor(solverOptions(*problem, {})), meanwhile);
     problem->readers = readersOf(*problem);
     return problem;
 }
 
 } // namespace
+
+std::vector<std::size_t> ownersOf(const Problem& problem) {
+    std::vector<std::size_t> owners(problem.equations.set.unknowns.size());
+    for (std::size_t b = 0; b < problem.bodies->size(); ++b)
+        if (const BodyRecord& body = (*problem.bodies)[b]; !body.isFixed)
+            std::fill_n(owners.begin() + static_cast<std::ptrdiff_t>(body.firstUnknown),
+                        bodyUnknowns, b);
+    return owners;
+}
+
+solution::Options solverOptions(const Problem& problem, const std::vector<double>& tolerances) {
+    solution::Options options;
+    options.start = problem.start();
+    options.method = problem.scene.simulator.method;
+    options.fixedStep = problem.options.fixedStep;
+    options.firstStep = problem.scene.simulator.firstStep;
+    options.whole = problem.options.whole;
+    options.eventDriven = problem.options.eventDriven;
+    options.threads = static_cast<std::size_t>(std::max(problem.options.threads, 0));
+    options.asked = problem.asked;
+    for (std::size_t b = 0; b < tolerances.size(); ++b)
+        if (!(*problem.bodies)[b].isFixed) {
+            options.tolerances.insert(options.tolerances.end(), bodyUnknowns, tolerances[b]);
+            options.extents.insert(options.extents.end(), bodyUnknowns,
+                                   2 * (*problem.bodies)[b].radius);
+        }
+    return options;
+}
 
 std::vector<std::size_t> islandsOf(const Problem& problem, const std::vector<Impact>& impacts) {
     Groups groups(problem.readers);
@@ -223,7 +167,7 @@ std::vector<std::size_t> islandsOf(const Problem& problem, const std::vector<Imp
 
 bool Problem::collides() const { return scene.simulator.collisions && bodies->size() > 1; }
 
-std::variant<std::shared_ptr<const Problem>, std::vector<std::string>>
+std::variant<std::shared_ptr<Problem>, std::vector<std::string>>
 problemOf(const scene::Scene& original, const Options& options, const Observer& observer) {
     try {
         return posed(original, options, [&observer] {
@@ -270,138 +214,6 @@ MotionPointer Run::motion(const Problem& problem, bool draft, std::optional<doub
                                  .notes = std::move(told),
                                  .errorEstimate = errorEstimate,
                                  .predictableUntil = predictableUntil});
-}
-
-namespace {
-
-Run runWith(const Problem& problem, solution::Options options, const Observer& observer,
-            Rounding rounding) {
-    const double begin = cpuSeconds();
-    // A hop that is lower than this moves nothing by more than the accuracy allows. The nudged run
-    // follows lower ones, to show what they do.
-    const double hop = rounding == Rounding::nudged ? 1e-4 : 1e-3;
-    const RestLimits limits{.gap = std::clamp(1e-2 * problem.accuracy(), 1e-8, 1e-6),
-                            .hopHeight = hop * problem.accuracy()};
-    std::optional<CollisionSource> collisions;
-    if (problem.collides())
-        collisions.emplace(problem.scene, problem.equations, problem.shapes, problem.start(),
-                           problem.finish(), limits, observer.cancelled);
-    const solution::Solver* current = nullptr;
-    double published = problem.start();
-    const auto collect = [&](const solution::Solver& solver) {
-        Run run;
-        run.histories = solver.snapshot();
-        run.stops = stopsOf(problem, *run.histories);
-        if (collisions) {
-            run.impacts = collisions->impacts();
-            run.notes = collisions->notes();
-            run.pairTests = collisions->pairTests();
-        }
-        return run;
-    };
-    if (observer.progress)
-        options.progress = [&](double known) {
-            // A little soon, so that something moves at once; then a tenth more each time, as what
-            // is collected grows.
-            const double span = problem.finish() - problem.start();
-            const double more = std::clamp((known - problem.start()) / 10, span / 2000, span / 50);
-            if (current && known >= published + more) {
-                published = known;
-                observer.progress(collect(*current).motion(problem, true, {}, {}));
-            }
-        };
-    solution::EventSource* source = collisions ? &*collisions : nullptr;
-    std::optional<NudgedSource> nudgedSource;
-    if (rounding == Rounding::nudged) {
-        options.initial = nudgedStart(problem.equations.set);
-        if (source)
-            source = &nudgedSource.emplace(*source);
-    }
-    solution::Solver solver(problem.prepared, options, source);
-    current = &solver;
-    const double ready = cpuSeconds();
-    const solution::Advance advance = solver.advanceTo(problem.finish());
-    Run run = collect(solver);
-    run.secondsSettingUp = ready - begin;
-    run.secondsMoving = cpuSeconds() - ready;
-    run.statistics = solver.statistics();
-    run.reached = advance.reached;
-    run.cancelled = advance.cancelled;
-    run.isDisturbed = advance.disturbed;
-    if (problem.options.explain)
-        run.equations = std::make_shared<const expression::EquationSet>(solver.equations());
-    run.island = islandsOf(problem, run.impacts);
-    run.isIntegrated.assign(problem.bodies->size(), false);
-    const std::vector<std::size_t> owners = ownersOf(problem);
-    for (const std::size_t unknown : run.statistics.integrated)
-        run.isIntegrated[owners[unknown]] = true;
-    if (collisions)
-        run.candidates = collisions->candidates();
-    return run;
-}
-
-// Islands in which nothing was hit, nothing stopped and nothing is to be solved again.
-std::vector<bool> takenFrom(const Problem& problem, const Run& before,
-                            const std::vector<bool>& again) {
-    const std::size_t bodies = problem.bodies->size();
-    std::vector<bool> islands(bodies, true);
-    for (const Impact& impact : before.impacts)
-        for (const std::size_t body : {impact.first, impact.second})
-            islands[before.island[body]] = false;
-    for (const auto& [body, stop] : before.stops)
-        islands[before.island[body]] = false;
-    for (std::size_t b = 0; b < bodies; ++b)
-        if (again[b])
-            islands[before.island[b]] = false;
-    std::vector<bool> taken(bodies);
-    for (std::size_t b = 0; b < bodies; ++b)
-        taken[b] = islands[before.island[b]] && !(*problem.bodies)[b].isFixed;
-    return taken;
-}
-
-std::shared_ptr<const solution::TakenMotion> motionOf(const Problem& problem, const Run& before,
-                                                      const std::vector<bool>& taken) {
-    auto motion = std::make_shared<solution::TakenMotion>();
-    motion->histories = before.histories;
-    motion->components = before.statistics.componentList;
-    for (const std::size_t owner : ownersOf(problem))
-        motion->unknowns.push_back(taken[owner]);
-    return motion;
-}
-
-// What the motion that was taken has cost: its part of all evaluations then.
-double secondsOf(const Run& before, const solution::TakenMotion& taken) {
-    double all = 1, part = 0;
-    for (const auto& component : before.statistics.componentList) {
-        const auto evaluations = static_cast<double>(component.evaluations);
-        all += evaluations;
-        part += taken.unknowns[component.unknowns[0]] ? evaluations : 0;
-    }
-    return before.secondsMoving * part / all;
-}
-
-} // namespace
-
-Run runAt(const Problem& problem, const std::vector<double>& tolerances, const Observer& observer,
-          Rounding rounding) {
-    return runWith(problem, solverOptions(problem, tolerances, observer), observer, rounding);
-}
-
-Run runAgain(const Problem& problem, const std::vector<double>& tolerances,
-             const Observer& observer, const Run& before, const std::vector<bool>& again) {
-    const std::vector<bool> taken = takenFrom(problem, before, again);
-    solution::Options options = solverOptions(problem, tolerances, observer);
-    if (std::ranges::find(taken, true) != taken.end()) {
-        options.taken = motionOf(problem, before, taken);
-        Run run = runWith(problem, options, observer, Rounding::asItIs);
-        if (!run.isDisturbed) {
-            run.secondsMoving += secondsOf(before, *options.taken);
-            run.isTaken = taken;
-            return run;
-        }
-        options.taken = nullptr;
-    }
-    return runWith(problem, options, observer, Rounding::asItIs);
 }
 
 } // namespace simulation

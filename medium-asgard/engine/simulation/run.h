@@ -39,7 +39,7 @@ struct Problem {
                                                     const std::vector<std::string>& expressions);
 
 // Or the sentences that say why nothing can be computed; none at all: it was cancelled.
-[[nodiscard]] std::variant<std::shared_ptr<const Problem>, std::vector<std::string>>
+[[nodiscard]] std::variant<std::shared_ptr<Problem>, std::vector<std::string>>
 problemOf(const scene::Scene& scene, const Options& options, const Observer& observer = {});
 
 struct Run {
@@ -48,7 +48,8 @@ struct Run {
     std::vector<Impact> impacts;
     std::vector<std::string> notes;
     solution::Statistics statistics;
-    std::size_t pairTests = 0;
+    solution::Statistics before; // what was counted of it before it went on
+    std::size_t pairTests = 0;   // since then
     std::vector<std::pair<std::size_t, std::size_t>> candidates; // pairs that were tested; in order
     std::shared_ptr<const expression::EquationSet> equations;    // at the end; when to be explained
     double reached = 0;
@@ -75,17 +76,11 @@ struct Run {
 [[nodiscard]] std::vector<std::size_t> islandsOf(const Problem& problem,
                                                  const std::vector<Impact>& impacts);
 
-// tolerances: of one step, relative, by body. Progress is published as a draft. A nudged run shows
-// what rounding does (nudge.h).
-enum class Rounding { asItIs, nudged };
-[[nodiscard]] Run runAt(const Problem& problem, const std::vector<double>& tolerances,
-                        const Observer& observer, Rounding rounding = Rounding::asItIs);
+// By unknown: its body.
+[[nodiscard]] std::vector<std::size_t> ownersOf(const Problem& problem);
 
-// The same motion as runAt() gives, bit for bit, from the motion at other tolerances: islands that
-// `again` does not mark, whose tolerances are the same as then, are taken from it where nothing hit
-// anything. `taken` tells which.
-[[nodiscard]] Run runAgain(const Problem& problem, const std::vector<double>& tolerances,
-                           const Observer& observer, const Run& before,
-                           const std::vector<bool>& again);
+// tolerances: of one step, relative, by body.
+[[nodiscard]] solution::Options solverOptions(const Problem& problem,
+                                              const std::vector<double>& tolerances);
 
 } // namespace simulation

@@ -15,18 +15,21 @@
 namespace simulation {
 namespace {
 
+using Kind = KeptRuns::Kind;
+
 void addWork(const Run& run, Solved& solved) {
     std::vector<std::pair<std::size_t, std::size_t>> near;
     std::ranges::set_union(solved.near, run.candidates, std::back_inserter(near));
     solved.near = std::move(near);
     Statistics& sum = solved.result.statistics;
-    sum.steps += run.statistics.steps;
-    sum.rejectedSteps += run.statistics.rejectedSteps;
-    sum.unconvergedSteps += run.statistics.unconvergedSteps;
-    sum.discardedSteps += run.statistics.discardedSteps;
-    sum.evaluations += run.statistics.evaluations;
-    sum.equationEvaluations += run.statistics.equationEvaluations;
-    sum.factorisations += run.statistics.factorisations;
+    const solution::Statistics &all = run.statistics, &before = run.before;
+    sum.steps += all.steps - before.steps;
+    sum.rejectedSteps += all.rejectedSteps - before.rejectedSteps;
+    sum.unconvergedSteps += all.unconvergedSteps - before.unconvergedSteps;
+    sum.discardedSteps += all.discardedSteps - before.discardedSteps;
+    sum.evaluations += all.evaluations - before.evaluations;
+    sum.equationEvaluations += all.equationEvaluations - before.equationEvaluations;
+    sum.factorisations += all.factorisations - before.factorisations;
     sum.pairTests += run.pairTests;
     sum.secondsSettingUp += run.secondsSettingUp;
 }
@@ -75,10 +78,10 @@ void deliver(const Problem& problem, Run run, Solved& solved) {
 }
 
 // Another method than the engine's choice is taken as it is: one run.
-Solved solvePlainly(const Problem& problem, const Observer& observer) {
+Solved solvePlainly(const Problem& problem, const Observer& observer, KeptRuns& runs) {
     const std::vector<double> tolerances(problem.bodies->size(), problem.accuracy());
     Solved solved;
-    Run run = runAt(problem, tolerances, observer);
+    Run run = *runs.next(problem, Kind::compared, tolerances, observer);
     addWork(run, solved);
     deliver(problem, std::move(run), solved);
     return solved;
@@ -99,14 +102,19 @@ std::vector<bool> amplifyRounding(const Problem& problem, const Run& run) {
 
 // Where there are no integration errors, what is left is rounding, which impacts amplify.
 void judgeRounding(const Problem& problem, const Run& run, const Observer& silent,
-                   const std::vector<double>& tolerances, Solved& solved) {
+                   const std::vector<double>& tolerances, KeptRuns& runs, Solved& solved) {
     const std::vector<bool> islands = amplifyRounding(problem, run);
     if (std::ranges::find(islands, true) == islands.end())
         return;
-    const Run nudged = runAt(problem, tolerances, silent, Rounding::nudged);
-    addWork(nudged, solved);
-    solved.result.cancelled = nudged.cancelled;
-    const auto differences = compareRuns(problem, run, nudged, problem.accuracy());
+    const auto nudged = runs.next(problem, Kind::nudged, tolerances, silent);
+    for (std::size_t b = 0; b < solved.errors.size() && !nudged; ++b)
+        if (islands[run.island[b]])
+            runs.mark(b);
+    if (!nudged)
+        return;
+    addWork(*nudged, solved);
+    solved.result.cancelled = nudged->cancelled;
+    const auto differences = compareRuns(problem, run, *nudged, problem.accuracy());
     for (std::size_t b = 0; b < solved.errors.size(); ++b)
         if (islands[run.island[b]])
             solved.errors[b] = {.estimate = std::min(differences[b].largest, 1.0),
@@ -115,47 +123,60 @@ void judgeRounding(const Problem& problem, const Run& run, const Observer& silen
 
 // Runs that are equal, by rounding, say nothing. A rougher one does.
 void compareRougher(const Problem& problem, const Run& run, const Observer& silent,
-                    Tightening& search, std::vector<IslandError>& differences, Solved& solved) {
+                    Tightening& search, std::vector<IslandError>& differences, KeptRuns& runs,
+                    Solved& solved) {
+    const std::vector<double> before = search.loose();
     search.roughen(differences);
-    const Run rough = runAt(problem, search.loose(), silent);
-    addWork(rough, solved);
-    solved.result.cancelled = rough.cancelled;
-    const auto rougher = compareRuns(problem, rough, run, problem.accuracy());
+    const auto rough = runs.next(problem, Kind::rougher, search.loose(), silent);
+    for (std::size_t b = 0; b < before.size() && !rough; ++b)
+        if (search.loose()[b] != before[b])
+            runs.mark(b);
+    if (!rough)
+        return;
+    addWork(*rough, solved);
+    solved.result.cancelled = rough->cancelled;
+    const auto rougher = compareRuns(problem, *rough, run, problem.accuracy());
     for (std::size_t b = 0; b < differences.size(); ++b)
         if (differences[b].largest == 0)
             differences[b] = rougher[b];
 }
 
-Solved solveToAccuracy(const Problem& problem, const Observer& observer) {
+Solved solveToAccuracy(const Problem& problem, const Observer& observer, KeptRuns& runs) {
     Solved solved;
     Tightening search(problem.accuracy(), problem.bodies->size());
     const Observer silent{.cancelled = observer.cancelled, .progress = {}};
-    Run run = runAt(problem, search.loose(), observer);
+    Run run = *runs.next(problem, Kind::compared, search.loose(), observer);
     addWork(run, solved);
     if (run.cancelled) {
         deliver(problem, std::move(run), solved);
         return solved;
     }
     solved.errors.resize(problem.bodies->size());
-    judgeRounding(problem, run, silent, search.loose(), solved);
+    judgeRounding(problem, run, silent, search.loose(), runs, solved);
     if (observer.progress && !isExact(run))
         observer.progress(run.motion(problem, true, {}, {}));
     search.leaveExact(run);
     while (search.goesOn() && !solved.result.cancelled) {
-        Run tight = runAgain(problem, search.tight(), silent, run, search.runsAgain());
-        addWork(tight, solved);
-        solved.result.cancelled = tight.cancelled;
-        if (!tight.cancelled) {
-            auto differences =
-                compareRuns(problem, run, tight, problem.accuracy(), observer.cancelled);
-            solved.result.cancelled = observer.cancelled && observer.cancelled();
-            if (solved.result.cancelled)
-                break;
-            if (search.needsRougher(differences))
-                compareRougher(problem, tight, silent, search, differences, solved);
-            search.judge(differences, tight.island, solved.errors);
-            run = std::move(tight);
-        }
+        auto tight = runs.next(problem, Kind::compared, search.tight(), silent,
+                               KeptRuns::Base{run, search.runsAgain()});
+        for (std::size_t b = 0; b < solved.errors.size() && !tight; ++b)
+            if (!search.isSettled(b))
+                runs.mark(b);
+        if (!tight)
+            break;
+        addWork(*tight, solved);
+        solved.result.cancelled = tight->cancelled;
+        if (tight->cancelled)
+            break;
+        auto differences =
+            compareRuns(problem, run, *tight, problem.accuracy(), observer.cancelled);
+        solved.result.cancelled = observer.cancelled && observer.cancelled();
+        if (solved.result.cancelled)
+            break;
+        if (search.needsRougher(differences))
+            compareRougher(problem, *tight, silent, search, differences, runs, solved);
+        search.judge(differences, tight->island, solved.errors);
+        run = std::move(*tight);
     }
     solved.isEstimated = !solved.result.cancelled;
     deliver(problem, std::move(run), solved);
@@ -164,11 +185,13 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer) {
 
 } // namespace
 
-Solved solve(const Problem& problem, const Observer& observer) {
+Solved solve(const Problem& problem, const Observer& observer, KeptRuns& runs) {
     const double begin = cpuSeconds();
+    runs.begin(problem.bodies->size());
     Solved solved = problem.scene.simulator.method == "auto" && !problem.options.fixedStep
-                        ? solveToAccuracy(problem, observer)
-                        : solvePlainly(problem, observer);
+                        ? solveToAccuracy(problem, observer, runs)
+                        : solvePlainly(problem, observer, runs);
+    solved.marked = runs.marked();
     solved.result.statistics.predictableUntil = solved.result.motion->predictableUntil();
     solved.result.statistics.secondsSolving = cpuSeconds() - begin;
     return solved;
@@ -184,7 +207,8 @@ Result simulate(const scene::Scene& scene, const Options& options, const Observe
         return result;
     }
     const double posing = cpuSeconds() - begin;
-    Result result = solve(*std::get<std::shared_ptr<const Problem>>(problem), observer).result;
+    KeptRuns runs(KeptRuns::Keep::no);
+    Result result = solve(*std::get<std::shared_ptr<Problem>>(problem), observer, runs).result;
     result.statistics.seconds = posing + result.statistics.secondsSolving;
     result.statistics.secondsSettingUp += posing;
     return result;

@@ -2,7 +2,7 @@
 // of it (resimulation.h).
 #pragma once
 
-#include "simulation/run.h"
+#include "simulation/kept_runs.h"
 
 #include <utility>
 #include <vector>
@@ -22,8 +22,10 @@ struct Solved {
     // Pairs of bodies that came near each other in any of the runs. Who is not joined by these, and
     // reads nothing of each other, did not change each other's numbers.
     std::vector<std::pair<std::size_t, std::size_t>> near;
+    // By body: the runs that were repeated do not tell how it moves (kept_runs.h).
+    std::vector<bool> marked;
 };
 
-[[nodiscard]] Solved solve(const Problem& problem, const Observer& observer);
+[[nodiscard]] Solved solve(const Problem& problem, const Observer& observer, KeptRuns& runs);
 
 } // namespace simulation

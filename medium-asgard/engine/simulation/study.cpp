@@ -66,7 +66,7 @@ bool Study::prepare(StudyResult& result) {
         result.refusal = std::move(*refusal);
         return false;
     }
-    problem_ = std::get<std::shared_ptr<const Problem>>(problem);
+    problem_ = std::get<std::shared_ptr<Problem>>(problem);
     for (const double accuracy : referenceAccuracies) {
         if (cancelled())
             return false;

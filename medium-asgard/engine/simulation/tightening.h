@@ -46,6 +46,7 @@ public:
     void judge(const std::vector<IslandError>& differences, const std::vector<std::size_t>& island,
                std::vector<BodyError>& errors);
     [[nodiscard]] bool goesOn() const;
+    [[nodiscard]] bool isSettled(std::size_t body) const { return bodies_[body].isSettled; }
 
 private:
     struct Body {

@@ -224,6 +224,7 @@ void Component::finish(double to) {
     }
     ++counts_.steps;
     ++counts_.integratedSteps;
+    counts_.integratedFrom = std::min(counts_.integratedFrom, time_);
     const double until = found ? found->time : to;
     y_.assign(method_->state().begin(), method_->state().end());
     if (found)

@@ -1,6 +1,7 @@
 #include "solution/histories.h"
 
 #include <algorithm>
+#include <map>
 
 namespace solution {
 
@@ -100,6 +101,18 @@ std::shared_ptr<const History> History::freeze() const {
     return frozen_;
 }
 
+std::shared_ptr<const History> History::upTo(double t) const {
+    auto copy = std::make_shared<History>(columns_);
+    copy->size_ = size_;
+    const auto isAfter = [t](const Step& s) { return s.origin > t || (s.origin == t && !s.fresh); };
+    while (copy->size_ > 1 && isAfter(step(copy->size_ - 1)))
+        --copy->size_;
+    const std::size_t chunks = (copy->size_ + stepsPerChunk - 1) / stepsPerChunk;
+    copy->chunks_.assign(chunks_.begin(), chunks_.begin() + static_cast<std::ptrdiff_t>(chunks));
+    copy->sharedChunks_ = chunks;
+    return copy;
+}
+
 std::size_t History::bytes() const {
     std::size_t total = 0;
     for (const auto& chunk : chunks_)
@@ -186,6 +199,28 @@ std::vector<double> Histories::restarts(std::size_t unknown) const {
                 times.push_back(history.step(k).origin);
     }
     return times;
+}
+
+std::shared_ptr<const Histories> Histories::upTo(double t) const {
+    auto copy = std::make_shared<Histories>(*this);
+    copy->known_ = std::min(known_, t);
+    std::map<const History*, std::shared_ptr<const History>> shorter;
+    for (Track& track : copy->tracks_) {
+        track.stop.reset();
+        while (track.spans.size() > 1 && track.spans.back().from > t)
+            track.spans.pop_back();
+        for (Span& span : track.spans) {
+            auto& made = shorter[span.history.get()];
+            if (!made)
+                made = span.history->upTo(t);
+            span.history = made;
+        }
+    }
+    std::erase_if(copy->stops_, [t](const Stop& stop) { return stop.time >= t; });
+    for (std::size_t s = 0; s < copy->stops_.size(); ++s)
+        for (const std::size_t unknown : copy->stops_[s].unknowns)
+            copy->tracks_[unknown].stop = s;
+    return copy;
 }
 
 std::size_t Histories::bytes() const {

@@ -76,6 +76,9 @@ public:
     std::size_t cut(double t);
     // A copy that shares all chunks; what is shared is never written again.
     [[nodiscard]] std::shared_ptr<const History> freeze() const;
+    // The same without what goes on after t: no step begins there but at an event, nor later. Of a
+    // frozen one; the first step is kept.
+    [[nodiscard]] std::shared_ptr<const History> upTo(double t) const;
 
 private:
     static constexpr std::size_t stepsPerChunk = 64;
@@ -123,6 +126,9 @@ public:
     // jump).
     [[nodiscard]] std::vector<double> restarts(std::size_t unknown) const;
     [[nodiscard]] std::size_t bytes() const;
+
+    // What is known up to t, as it was before anything after t was solved. Of a snapshot.
+    [[nodiscard]] std::shared_ptr<const Histories> upTo(double t) const;
 
 private:
     friend class Solver;

@@ -93,6 +93,13 @@ void Solver::Implementation::take(const std::vector<std::size_t>& unknowns) {
         histories_.tracks_[u] = options_.taken->histories->tracks_[u];
 }
 
+void Solver::Implementation::takeLonger(std::shared_ptr<const TakenMotion> taken) {
+    options_.taken = std::move(taken);
+    for (const std::vector<std::size_t>& unknowns : prepared_->partition.components)
+        if (isTaken(unknowns))
+            take(unknowns);
+}
+
 // What is not solved: one piece for all that stay 0, and one for all that nobody reads, from the
 // start to the end of time.
 void Solver::Implementation::addConstantTracks() {
@@ -228,6 +235,7 @@ Advance Solver::Implementation::advanceTo(double finish) {
     run(finish, advance);
     histories_.known_ = std::min(known(), finish);
     advance.reached = histories_.known_;
+    workers_.rest();
     return advance;
 }
 
@@ -410,6 +418,12 @@ void Solver::Implementation::noteStops() {
 // ---------------------------------------------------------------------------------------------
 // Reading
 
+void Statistics::addIntegrated(const ComponentStatistics& component) {
+    if (component.integratedSteps > 0)
+        for (const std::size_t unknown : component.unknowns)
+            integrated.push_back({unknown, component.integratedFrom});
+}
+
 std::shared_ptr<const Histories> Solver::Implementation::snapshot() const {
     auto copy = std::make_shared<Histories>(histories_);
     std::map<const History*, std::shared_ptr<const History>> frozen;
@@ -428,8 +442,7 @@ Statistics Solver::Implementation::statistics() const {
     const auto list = [&total](const ComponentStatistics& s) {
         ++total.components;
         total.integratedSteps += s.integratedSteps;
-        if (s.integratedSteps > 0)
-            total.integrated.insert(total.integrated.end(), s.unknowns.begin(), s.unknowns.end());
+        total.addIntegrated(s);
         total.largestComponent = std::max(total.largestComponent, s.unknowns.size());
         total.componentList.push_back(s);
     };
@@ -471,6 +484,9 @@ Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
 
 Advance Solver::advanceTo(double finish) { return implementation_->advanceTo(finish); }
+void Solver::takeLonger(std::shared_ptr<const TakenMotion> taken) {
+    implementation_->takeLonger(std::move(taken));
+}
 const Histories& Solver::histories() const { return implementation_->histories_; }
 std::shared_ptr<const Histories> Solver::snapshot() const { return implementation_->snapshot(); }
 const expression::EquationSet& Solver::equations() const { return *implementation_->set_; }

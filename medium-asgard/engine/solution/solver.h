@@ -56,6 +56,7 @@ struct ComponentStatistics {
     std::size_t order = 0;
     std::size_t steps = 0, rejectedSteps = 0, discardedSteps = 0;
     std::size_t integratedSteps = 0;  // of the steps those that a method made
+    double integratedFrom = infinity; // when the first of these began
     std::size_t unconvergedSteps = 0; // of the rejected: the implicit equations were not solved
     std::size_t evaluations = 0;      // of the component's right-hand side
     std::size_t factorisations = 0;
@@ -119,7 +120,12 @@ struct Statistics {
     // Those in force, also those that were taken, which are not in the sums; ended ones are.
     std::vector<ComponentStatistics> componentList;
     std::vector<std::size_t> zeroStates; // unknowns that stayed 0 all the time
-    std::vector<std::size_t> integrated; // unknowns of components that a method stepped
+    struct Integrated {
+        std::size_t unknown = 0;
+        double from = 0; // the first time at which a method stepped it
+    };
+    std::vector<Integrated> integrated; // of components that a method stepped
+    void addIntegrated(const ComponentStatistics& component);
 };
 
 struct Advance {
@@ -140,6 +146,8 @@ public:
     Solver& operator=(Solver&&) noexcept;
 
     [[nodiscard]] Advance advanceTo(double finish);
+    // The motion that was taken, known for longer.
+    void takeLonger(std::shared_ptr<const TakenMotion> taken);
 
     // What is solved now; valid until the next call of advanceTo(). On the solver's thread only.
     [[nodiscard]] const Histories& histories() const;

@@ -18,8 +18,7 @@ void Solver::Implementation::retire(Component& component) {
     const ComponentStatistics s = component.statistics();
     past_.steps += s.steps;
     past_.integratedSteps += s.integratedSteps;
-    if (s.integratedSteps > 0)
-        past_.integrated.insert(past_.integrated.end(), s.unknowns.begin(), s.unknowns.end());
+    past_.addIntegrated(s);
     past_.rejectedSteps += s.rejectedSteps;
     past_.unconvergedSteps += s.unconvergedSteps;
     past_.discardedSteps += s.discardedSteps;

@@ -24,6 +24,7 @@ public:
                    EventSource* source);
 
     Advance advanceTo(double finish);
+    void takeLonger(std::shared_ptr<const TakenMotion> taken);
     [[nodiscard]] std::shared_ptr<const Histories> snapshot() const;
     [[nodiscard]] Statistics statistics() const;
 

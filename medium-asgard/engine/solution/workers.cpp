@@ -10,7 +10,9 @@ namespace solution {
 Workers::Workers(std::size_t threads)
     : threads_(threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency())) {}
 
-Workers::~Workers() {
+Workers::~Workers() { rest(); }
+
+void Workers::rest() {
     {
         const std::scoped_lock lock(mutex_);
         ends_ = true;
@@ -18,6 +20,8 @@ Workers::~Workers() {
     begin_.notify_all();
     for (std::thread& thread : others_)
         thread.join();
+    others_.clear();
+    ends_ = false;
 }
 
 // Where the system gives no more threads, those that there are do the work.

@@ -2,7 +2,7 @@
 //
 // Which thread does which piece is left to chance: a piece may touch only what no other does, and
 // then the result is the same for any number of threads. Threads are started when first needed and
-// sleep in between.
+// sleep in between, until they are told to rest.
 #pragma once
 
 #include <atomic>
@@ -25,6 +25,8 @@ public:
     Workers& operator=(const Workers&) = delete;
 
     [[nodiscard]] std::size_t threads() const { return threads_; }
+    // Ends the threads until they are needed again.
+    void rest();
 
     // Calls work(i) for each i < count, once; `meanwhile` every millisecond on the calling thread
     // while it waits for the others. What a piece throws is thrown here, when all are done.

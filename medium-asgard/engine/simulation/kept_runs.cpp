@@ -1,0 +1,64 @@
+#include "simulation/kept_runs.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace simulation {
+
+void KeptRuns::begin(std::size_t bodies) {
+    isRepeated_ = !runs_[static_cast<std::size_t>(Kind::compared)].empty();
+    asked_.fill(0);
+    marked_.assign(bodies, false);
+}
+
+std::unique_ptr<OpenRun> KeptRuns::made(const Problem& problem, Kind kind,
+                                        const std::vector<double>& tolerances,
+                                        const std::optional<Base>& base) const {
+    std::vector<bool> taken;
+    if (base)
+        taken = untouchedIn(problem, base->before, base->again);
+    if (std::ranges::find(taken, true) == taken.end())
+        taken.clear();
+    return std::make_unique<OpenRun>(
+        problem, tolerances, kind == Kind::nudged ? Rounding::nudged : Rounding::asItIs,
+        keep_ == Keep::no ? OpenRun::Use::once : OpenRun::Use::again, std::move(taken));
+}
+
+std::optional<Run> KeptRuns::next(const Problem& problem, Kind kind,
+                                  const std::vector<double>& tolerances, const Observer& observer,
+                                  const std::optional<Base>& base) {
+    const Run* const before = base ? &base->before : nullptr;
+    auto& runs = runs_[static_cast<std::size_t>(kind)];
+    const std::size_t index = asked_[static_cast<std::size_t>(kind)]++;
+    if (index >= runs.size()) {
+        if (isRepeated_)
+            return std::nullopt;
+        runs.resize(index + 1);
+        runs[index] = made(problem, kind, tolerances, base);
+    }
+    std::unique_ptr<OpenRun>& open = runs[index];
+    for (std::size_t b = 0; b < tolerances.size(); ++b)
+        if (open->tolerances()[b] != tolerances[b] || (base && open->takes(b) && base->again[b]))
+            mark(b);
+    const std::vector<double> own = open->tolerances();
+    if (!open->canGoOn(before))
+        open = made(problem, kind, own, {});
+    std::optional<Run> run = open->upToFinish(observer, before);
+    if (run->isDisturbed) {
+        open = made(problem, kind, own, {});
+        run = open->upToFinish(observer, nullptr);
+    }
+    if (keep_ == Keep::no)
+        open.reset();
+    return run;
+}
+
+std::size_t KeptRuns::bytes() const {
+    std::size_t sum = 0;
+    for (const auto& runs : runs_)
+        for (const auto& run : runs)
+            sum += run ? run->bytes() : 0;
+    return sum;
+}
+
+} // namespace simulation

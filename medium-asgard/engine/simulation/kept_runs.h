@@ -1,0 +1,52 @@
+// The runs that the search for an accuracy makes, for when the motion is wanted for longer or for
+// less long.
+//
+// The search asks for its runs in an order that the motion decides. When it is repeated to another
+// finish, the runs that it asked for before are taken further, or are read up to the new finish. A
+// body that it would have at another tolerance now, or in a run that was not made then, is not in
+// order any more: it is marked, the search goes on with what there is, and what it says of that
+// body is not used.
+#pragma once
+
+#include "simulation/open_run.h"
+
+#include <array>
+
+namespace simulation {
+
+class KeptRuns {
+public:
+    enum class Keep { no, yes }; // no: a run is forgotten as soon as it was made
+    explicit KeptRuns(Keep keep) : keep_(keep) {}
+
+    // Before each search.
+    void begin(std::size_t bodies);
+    enum class Kind { compared, rougher, nudged };
+    // The next run of this kind; none when the search before made no such run.
+    // Islands that `again` does not mark, whose tolerances are the same as in the run before, are
+    // taken from it where nothing hit anything.
+    struct Base {
+        const Run& before;
+        std::vector<bool> again;
+    };
+    [[nodiscard]] std::optional<Run> next(const Problem& problem, Kind kind,
+                                          const std::vector<double>& tolerances,
+                                          const Observer& observer,
+                                          const std::optional<Base>& base = {});
+    void mark(std::size_t body) { marked_[body] = true; }
+    [[nodiscard]] const std::vector<bool>& marked() const { return marked_; }
+    [[nodiscard]] std::size_t bytes() const; // of their motion
+
+private:
+    [[nodiscard]] std::unique_ptr<OpenRun> made(const Problem& problem, Kind kind,
+                                                const std::vector<double>& tolerances,
+                                                const std::optional<Base>& base) const;
+
+    Keep keep_;
+    bool isRepeated_ = false;
+    std::array<std::vector<std::unique_ptr<OpenRun>>, 3> runs_; // by kind
+    std::array<std::size_t, 3> asked_{};
+    std::vector<bool> marked_; // by body
+};
+
+} // namespace simulation

@@ -1,0 +1,29 @@
+// The motion that is known, to another finish.
+//
+// Runs are taken further, or read up to where the motion ends now (kept_runs.h). What they do not
+// tell is left to be solved again: bodies whose accuracy asks for other tolerances over the new
+// time, that meet in the time that was added without having been solved together, that meet what
+// they were solved with and what is not there any more, or whose runs were too large to keep.
+#pragma once
+
+#include "simulation/kept_motion.h"
+
+#include <functional>
+
+namespace simulation {
+
+struct NewFinish {
+    KnownMotion motion;               // of the same scene, which ends at the new time
+    std::vector<std::size_t> unclear; // bodies that move, to be solved again
+    Statistics work;
+    // Then the rest says nothing, but for the work, and what there was by then.
+    bool cancelled = false;
+    MotionPointer draft;
+};
+
+// `work` of one solution is added to the second.
+using AddWork = std::function<void(const Statistics&, Statistics&)>;
+[[nodiscard]] NewFinish atFinish(const KnownMotion& known, double finish, const Observer& observer,
+                                 const AddWork& add);
+
+} // namespace simulation

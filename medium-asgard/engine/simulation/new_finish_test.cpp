@@ -1,0 +1,172 @@
+// An edit of the end time, told as work, and that the motion is that of a run from scratch. Random
+// ones over all scenes: tests/edits.
+#include "simulation/resimulation_testing.h"
+
+namespace simulation::testing {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+void expectNoWork(const Result& result) {
+    EXPECT_EQ(result.statistics.steps, 0u);
+    EXPECT_EQ(result.statistics.rejectedSteps, 0u);
+    EXPECT_EQ(result.statistics.evaluations, 0u);
+    EXPECT_EQ(result.statistics.pairTests, 0u);
+}
+
+TEST(NewFinish, AnEarlierOneSolvesNothing) {
+    SceneBuilder b = row(20);
+    Resimulation kept;
+    (void)kept.update(shared(b.scene));
+    b.scene.simulator.finish = 1.3;
+    expectNoWork(updated(kept, b.scene));
+    EXPECT_EQ(kept.work().print(), "solved:; kept: 20; rounds: 0");
+    b.scene.simulator.finish = 2; // what there was
+    expectNoWork(updated(kept, b.scene));
+}
+
+TEST(NewFinish, ALaterOneGoesOnFromWhereTheMotionStood) {
+    SceneBuilder b = row(20);
+    Resimulation kept;
+    Result result = kept.update(shared(b.scene));
+    std::size_t steps = result.statistics.steps, evaluations = result.statistics.evaluations;
+    for (const double finish : {2.3, 2.31, 3.0, 5.0}) {
+        b.scene.simulator.finish = finish;
+        result = updated(kept, b.scene);
+        EXPECT_EQ(kept.work().print(), "solved:; kept: 20; rounds: 0");
+        const Result scratch = simulate(b.scene);
+        steps += result.statistics.steps;
+        evaluations += result.statistics.evaluations;
+        EXPECT_EQ(steps, scratch.statistics.steps) << finish;
+        EXPECT_EQ(evaluations, scratch.statistics.evaluations) << finish;
+    }
+}
+
+TEST(NewFinish, ComesWithOtherEdits) {
+    SceneBuilder b = row(5);
+    Resimulation kept;
+    (void)kept.update(shared(b.scene));
+    b.scene.simulator.finish = 1.5;
+    b.scene.bodies[2].initialVelocity = {0, 2, 0};
+    (void)updated(kept, b.scene);
+    EXPECT_EQ(kept.work().print(), "solved: ball2; kept: 4; rounds: 1");
+    b.scene.simulator.finish = 2.5; // two parts go on
+    (void)updated(kept, b.scene);
+    EXPECT_EQ(kept.work().print(), "solved:; kept: 5; rounds: 0");
+}
+
+TEST(NewFinish, BouncesGoOn) {
+    SceneBuilder b(1);
+    b.floor();
+    b.ball("ball", {0, 1, 0}).restitution = 0.8;
+    b.weight("ball");
+    Resimulation kept;
+    const std::size_t first = kept.update(shared(b.scene)).motion->impacts().size();
+    b.scene.simulator.finish = 3;
+    EXPECT_GT(updated(kept, b.scene).motion->impacts().size(), first);
+    EXPECT_EQ(kept.work().print(), "solved:; kept: 1; rounds: 0");
+    b.scene.simulator.finish = 1;
+    EXPECT_THAT(updated(kept, b.scene).motion->impacts(), SizeIs(first));
+}
+
+TEST(NewFinish, WhoMeetsInTheTimeThatIsAddedIsSolvedTogether) {
+    SceneBuilder b = row(4);
+    Resimulation kept;
+    (void)kept.update(shared(b.scene));
+    b.scene.bodies[0].initialVelocity = {2, 1, 0}; // it would be there after 5 s
+    EXPECT_THAT(updated(kept, b.scene).motion->impacts(), IsEmpty());
+    EXPECT_EQ(kept.work().print(), "solved: ball0; kept: 3; rounds: 1");
+    b.scene.simulator.finish = 6;
+    EXPECT_THAT(updated(kept, b.scene).motion->impacts(), SizeIs(1));
+    EXPECT_EQ(kept.work().print(), "solved: ball0 ball1; kept: 2; rounds: 1");
+}
+
+// What was solved with the others once and moves otherwise now goes on in their part, unseen.
+TEST(NewFinish, WhoWouldHaveMetTheMotionBeforeAnEditIsSolvedAgain) {
+    SceneBuilder b = row(4);
+    b.scene.bodies[0].initialVelocity = {2, 1, 0};
+    Resimulation kept;
+    (void)kept.update(shared(b.scene));
+    b.scene.bodies[0].initialVelocity = {-2, 1, 0};
+    (void)updated(kept, b.scene);
+    EXPECT_EQ(kept.work().print(), "solved: ball0; kept: 3; rounds: 1");
+    b.scene.simulator.finish = 6;
+    EXPECT_THAT(updated(kept, b.scene).motion->impacts(), IsEmpty());
+    EXPECT_EQ(kept.work().print(), "solved: ball1; kept: 3; rounds: 1");
+}
+
+TEST(NewFinish, AFixedBodyThatCameLaterIsMetInTheTimeThatIsAdded) {
+    SceneBuilder b = row(2);
+    Resimulation kept;
+    (void)kept.update(shared(b.scene));
+    b.box("wall", {10, 2.4, 0}, {1, 1, 1}).fixed = true; // ball1 does not get there in 2 s
+    EXPECT_THAT(updated(kept, b.scene).motion->impacts(), IsEmpty());
+    EXPECT_EQ(kept.work().print(), "solved:; kept: 2; rounds: 1");
+    b.scene.simulator.finish = 5;
+    EXPECT_THAT(updated(kept, b.scene).motion->impacts(), SizeIs(1));
+    EXPECT_EQ(kept.work().print(), "solved: ball1; kept: 1; rounds: 1");
+}
+
+// Rounding grows with each hit until nothing is left of the accuracy: other tolerances are wanted.
+TEST(NewFinish, OnlyWhoseAccuracyAsksForItIsSolvedAgain) {
+    SceneBuilder b = row(3);
+    b.scene.simulator.accuracy = 1e-3;
+    b.force("ball1", "60*sin(7*ball1.x)", "0", "0"); // runs away from its neighbours
+    Resimulation kept;
+    bool isSeen = false;
+    (void)kept.update(shared(b.scene));
+    for (int i = 1; i <= 12; ++i) {
+        b.scene.simulator.finish = 2 + 0.25 * i;
+        (void)updated(kept, b.scene);
+        const std::string work = kept.work().print();
+        EXPECT_TRUE(work.starts_with("solved:; kept: 3") ||
+                    work.starts_with("solved: ball1; kept: 2"))
+            << work;
+        isSeen = isSeen || !kept.work().solved.empty();
+    }
+    EXPECT_TRUE(isSeen);
+}
+
+TEST(NewFinish, WhatWasCancelledOnTheWayGoesOnToo) {
+    SceneBuilder b = row(10);
+    Resimulation kept;
+    std::size_t steps = kept.update(shared(b.scene)).statistics.steps;
+    b.scene.simulator.finish = 4;
+    std::size_t cuts = 0;
+    for (int polls = 1; polls <= 31; polls += 10) {
+        int asked = 0;
+        const auto stop = [&] { return ++asked > polls; };
+        const Result cut = kept.update(shared(b.scene), {}, {.cancelled = stop, .progress = {}});
+        cuts += cut.cancelled ? 1 : 0;
+        EXPECT_EQ(cut.motion->draft(), cut.cancelled);
+        steps += cut.statistics.steps;
+    }
+    EXPECT_GE(cuts, 3u);
+    const Result result = updated(kept, b.scene);
+    steps += result.statistics.steps;
+    EXPECT_EQ(steps, simulate(b.scene).statistics.steps);
+    b.scene.simulator.finish = 1;
+    expectNoWork(updated(kept, b.scene));
+}
+
+TEST(NewFinish, DraftsGrowFromWhatWasKnown) {
+    SceneBuilder b = row(3);
+    Resimulation kept;
+    (void)kept.update(shared(b.scene));
+    b.scene.simulator.finish = 6;
+    const Result whole = simulate(b.scene);
+    std::vector<double> reached;
+    const auto watch = [&](const MotionPointer& motion) {
+        reached.push_back(motion->computed());
+        EXPECT_TRUE(motion->draft());
+        EXPECT_LT(distance(motion->at(1, 1).position, whole.motion->at(1, 1).position), 1e-3);
+    };
+    (void)kept.update(shared(b.scene), {}, {.cancelled = {}, .progress = watch});
+    ASSERT_FALSE(reached.empty());
+    EXPECT_GE(reached.front(), 2);
+    EXPECT_TRUE(std::ranges::is_sorted(reached));
+}
+
+} // namespace
+} // namespace simulation::testing

@@ -1,0 +1,244 @@
+#include "simulation/open_run.h"
+
+#include "simulation/cpu_seconds.h"
+#include "simulation/nudge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace simulation {
+namespace {
+
+std::string timeText(double time) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.6g", time);
+    return text;
+}
+
+std::string sentenceOf(const Problem& problem, const solution::Histories& histories,
+                       const std::vector<std::size_t>& owners, const solution::Stop& stop) {
+    std::string reason = stop.sentence;
+    if (stop.reason == solution::Stop::Reason::notFinite) {
+        std::vector<std::size_t> bodies;
+        for (const std::size_t unknown : stop.unknowns)
+            bodies.push_back(owners[unknown]);
+        // The motion ends at the last time that is finite: what is not, is so just after.
+        for (const double part : {0.0, 1e-12, 1e-9, 1e-6}) {
+            const double after = part * std::max(1.0, std::abs(stop.time));
+            const double before = std::max(problem.start(), stop.time - after);
+            std::vector<double> state;
+            for (std::size_t i = 0; i < histories.unknowns(); ++i) {
+                const double value = 2 * histories.value(i, stop.time) - histories.value(i, before);
+                // Of what is not solved any value will do.
+                state.push_back(std::isnan(value) ? problem.equations.set.unknowns[i].initial
+                                                  : value);
+            }
+            const std::string named =
+                problem.equations.whatIsNotFinite(problem.scene, state, stop.time + after, bodies);
+            if (!named.empty()) {
+                reason = named;
+                break;
+            }
+        }
+    }
+    return "Stopped at t = " + timeText(stop.time) + " s: " + reason + ".";
+}
+
+std::map<std::size_t, Stop> stopsOf(const Problem& problem, const solution::Histories& histories) {
+    std::map<std::size_t, Stop> stops;
+    if (histories.stops().empty())
+        return stops;
+    const std::vector<std::size_t> owners = ownersOf(problem);
+    for (const solution::Stop& stop : histories.stops())
+        for (const std::size_t unknown : stop.unknowns) {
+            const std::size_t body = owners[unknown];
+            const auto place = stops.find(body);
+            if (place == stops.end() || stop.time < place->second.time)
+                stops[body] = {.time = stop.time,
+                               .sentence = sentenceOf(problem, histories, owners, stop)};
+        }
+    return stops;
+}
+
+std::shared_ptr<const solution::TakenMotion> motionOf(const Problem& problem, const Run& before,
+                                                      const std::vector<bool>& taken) {
+    auto motion = std::make_shared<solution::TakenMotion>();
+    motion->histories = before.histories;
+    motion->components = before.statistics.componentList;
+    for (const std::size_t owner : ownersOf(problem))
+        motion->unknowns.push_back(taken[owner]);
+    return motion;
+}
+
+// What the motion that was taken has cost: its part of all evaluations then.
+double secondsOf(const Run& before, const solution::TakenMotion& taken) {
+    double all = 1, part = 0;
+    for (const auto& component : before.statistics.componentList) {
+        const auto evaluations = static_cast<double>(component.evaluations);
+        all += evaluations;
+        part += taken.unknowns[component.unknowns[0]] ? evaluations : 0;
+    }
+    return before.secondsMoving * part / all;
+}
+
+} // namespace
+
+// Islands in which nothing was hit, nothing stopped and nothing is to be solved again.
+std::vector<bool> untouchedIn(const Problem& problem, const Run& before,
+                              const std::vector<bool>& again) {
+    const std::size_t bodies = problem.bodies->size();
+    std::vector<bool> islands(bodies, true);
+    for (const Impact& impact : before.impacts)
+        for (const std::size_t body : {impact.first, impact.second})
+            islands[before.island[body]] = false;
+    for (const auto& [body, stop] : before.stops)
+        islands[before.island[body]] = false;
+    for (std::size_t b = 0; b < bodies; ++b)
+        if (again[b])
+            islands[before.island[b]] = false;
+    std::vector<bool> taken(bodies);
+    for (std::size_t b = 0; b < bodies; ++b)
+        taken[b] = islands[before.island[b]] && !(*problem.bodies)[b].isFixed;
+    return taken;
+}
+
+struct OpenRun::Machinery {
+    std::optional<CollisionSource> collisions;
+    std::optional<NudgedSource> nudged;
+    std::optional<solution::Solver> solver;
+};
+
+OpenRun::OpenRun(const Problem& problem, std::vector<double> tolerances, Rounding rounding, Use use,
+                 std::vector<bool> taken)
+    : problem_(problem), tolerances_(std::move(tolerances)), rounding_(rounding), use_(use),
+      taken_(std::move(taken)), published_(problem.start()) {}
+
+OpenRun::~OpenRun() = default;
+
+void OpenRun::makeMachinery(const std::shared_ptr<const solution::TakenMotion>& taken) {
+    machinery_ = std::make_unique<Machinery>();
+    // A hop that is lower than this moves nothing by more than the accuracy allows. The nudged run
+    // follows lower ones, to show what they do.
+    const double hop = rounding_ == Rounding::nudged ? 1e-4 : 1e-3;
+    const RestLimits limits{.gap = std::clamp(1e-2 * problem_.accuracy(), 1e-8, 1e-6),
+                            .hopHeight = hop * problem_.accuracy()};
+    solution::Options options = solverOptions(problem_, tolerances_);
+    options.taken = taken;
+    if (use_ == Use::again || observer_.cancelled)
+        options.cancelled = [this] { return observer_.cancelled && observer_.cancelled(); };
+    if (use_ == Use::again || observer_.progress)
+        options.progress = [this](double known) { publish(known); };
+    if (problem_.collides())
+        machinery_->collisions.emplace(problem_.scene, problem_.equations, problem_.shapes,
+                                       problem_.start(), problem_.finish(), limits,
+                                       options.cancelled);
+    solution::EventSource* source = machinery_->collisions ? &*machinery_->collisions : nullptr;
+    if (rounding_ == Rounding::nudged) {
+        options.initial = nudgedStart(problem_.equations.set);
+        if (source)
+            source = &machinery_->nudged.emplace(*source);
+    }
+    machinery_->solver.emplace(problem_.prepared, std::move(options), source);
+}
+
+bool OpenRun::canGoOn(const Run* before) const {
+    const double finish = problem_.finish();
+    if (!taken_.empty() && machinery_ && finish > advanced_) {
+        const auto untouched = untouchedIn(problem_, *before, std::vector<bool>(taken_.size()));
+        for (std::size_t b = 0; b < taken_.size(); ++b)
+            if (taken_[b] && !untouched[b])
+                return false;
+    }
+    if (!machinery_ || !machinery_->collisions)
+        return true;
+    const CollisionSource& source = *machinery_->collisions;
+    const bool isBack = finish < furthest_ && source.hasEventAt(finish);
+    const bool isOnward = finish > advanced_ && source.hasEventAt(advanced_);
+    return !isBack && !isOnward;
+}
+
+void OpenRun::publish(double known) {
+    if (!observer_.progress)
+        return;
+    // A little soon, so that something moves at once; then a tenth more each time, as what is
+    // collected grows.
+    const double span = problem_.finish() - problem_.start();
+    const double more = std::clamp((known - problem_.start()) / 10, span / 2000, span / 50);
+    if (known < published_ + more)
+        return;
+    published_ = known;
+    Run run;
+    run.histories = machinery_->solver->snapshot();
+    run.stops = stopsOf(problem_, *run.histories);
+    if (machinery_->collisions) {
+        run.impacts = machinery_->collisions->impacts(problem_.finish());
+        run.notes = machinery_->collisions->notes(problem_.finish());
+    }
+    observer_.progress(run.motion(problem_, true, {}, {}));
+}
+
+Run OpenRun::collect(double until) {
+    Run run;
+    run.histories = machinery_->solver->snapshot();
+    if (furthest_ > until)
+        run.histories = run.histories->upTo(until);
+    run.stops = stopsOf(problem_, *run.histories);
+    run.statistics = machinery_->solver->statistics();
+    run.before = std::exchange(counted_, run.statistics);
+    if (machinery_->collisions) {
+        CollisionSource& collisions = *machinery_->collisions;
+        run.impacts = collisions.impacts(until);
+        run.notes = collisions.notes(until);
+        const std::size_t tests = collisions.pairTests();
+        run.pairTests = tests - std::exchange(countedPairTests_, tests);
+        run.candidates = collisions.candidates();
+    }
+    if (problem_.options.explain)
+        run.equations =
+            std::make_shared<const expression::EquationSet>(machinery_->solver->equations());
+    run.island = islandsOf(problem_, run.impacts);
+    run.isIntegrated.assign(problem_.bodies->size(), false);
+    const std::vector<std::size_t> owners = ownersOf(problem_);
+    for (const solution::Statistics::Integrated& integrated : run.statistics.integrated)
+        if (integrated.from < until)
+            run.isIntegrated[owners[integrated.unknown]] = true;
+    return run;
+}
+
+Run OpenRun::upToFinish(const Observer& observer, const Run* before) {
+    const double begin = cpuSeconds(), finish = problem_.finish();
+    observer_ = observer;
+    std::shared_ptr<const solution::TakenMotion> taken;
+    if (!taken_.empty() && !(finish <= advanced_))
+        taken = motionOf(problem_, *before, taken_);
+    if (machinery_ && machinery_->collisions)
+        machinery_->collisions->lengthen(finish);
+    if (!machinery_)
+        makeMachinery(taken);
+    else if (taken)
+        machinery_->solver->takeLonger(taken);
+    const double ready = cpuSeconds();
+    solution::Advance advance{.reached = finish, .cancelled = false, .disturbed = false};
+    if (!(finish <= advanced_)) {
+        furthest_ = std::max(furthest_, finish);
+        advance = machinery_->solver->advanceTo(finish);
+        if (!advance.cancelled)
+            advanced_ = finish;
+    }
+    Run run = collect(finish);
+    run.reached = run.histories->known();
+    run.cancelled = advance.cancelled;
+    run.secondsSettingUp = ready - begin;
+    run.secondsMoving = cpuSeconds() - ready + (taken ? secondsOf(*before, *taken) : 0);
+    run.isDisturbed = advance.disturbed;
+    run.isTaken = taken_;
+    observer_ = {};
+    return run;
+}
+
+std::size_t OpenRun::bytes() const {
+    return machinery_ ? machinery_->solver->histories().bytes() : 0;
+}
+
+} // namespace simulation
