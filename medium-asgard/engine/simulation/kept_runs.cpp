@@ -24,6 +24,13 @@ std::unique_ptr<OpenRun> KeptRuns::made(const Problem& problem, Kind kind,
         keep_ == Keep::no ? OpenRun::Use::once : OpenRun::Use::again, std::move(taken));
 }
 
+bool KeptRuns::saysNothing(const Problem& problem) const {
+    for (std::size_t b = 0; b < marked_.size(); ++b)
+        if (!marked_[b] && !(*problem.bodies)[b].isFixed)
+            return false;
+    return std::ranges::find(marked_, true) != marked_.end();
+}
+
 std::optional<Run> KeptRuns::next(const Problem& problem, Kind kind,
                                   const std::vector<double>& tolerances, const Observer& observer,
                                   const std::optional<Base>& base) {
@@ -40,6 +47,8 @@ std::optional<Run> KeptRuns::next(const Problem& problem, Kind kind,
     for (std::size_t b = 0; b < tolerances.size(); ++b)
         if (open->tolerances()[b] != tolerances[b] || (base && open->takes(b) && base->again[b]))
             mark(b);
+    if (saysNothing(problem))
+        return std::nullopt;
     const std::vector<double> own = open->tolerances();
     if (!open->canGoOn(before))
         open = made(problem, kind, own, {});

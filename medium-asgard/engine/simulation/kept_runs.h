@@ -22,7 +22,7 @@ public:
     // Before each search.
     void begin(std::size_t bodies);
     enum class Kind { compared, rougher, nudged };
-    // The next run of this kind; none when the search before made no such run.
+    // The next run of this kind; none when the search before made no such run, or all is marked.
     // Islands that `again` does not mark, whose tolerances are the same as in the run before, are
     // taken from it where nothing hit anything.
     struct Base {
@@ -41,6 +41,8 @@ private:
     [[nodiscard]] std::unique_ptr<OpenRun> made(const Problem& problem, Kind kind,
                                                 const std::vector<double>& tolerances,
                                                 const std::optional<Base>& base) const;
+    // All that moves is marked.
+    [[nodiscard]] bool saysNothing(const Problem& problem) const;
 
     Keep keep_;
     bool isRepeated_ = false;
