@@ -42,7 +42,7 @@ std::shared_ptr<const scene::Scene> inForce(std::shared_ptr<const scene::Scene> 
 }
 
 bool isSolvedInParts(const scene::Version& version, const Options& options) {
-    return !options.whole && options.eventDriven && !options.explain &&
+    return !options.whole && options.eventDriven && !options.explain && !options.only &&
            !version.connections.isBroken;
 }
 
