@@ -270,13 +270,28 @@ void Handles::addTrajectories(HandleSet& set) const {
         };
         for (const auto& [time, place] : trajectory.points)
             add(place, number(time, "s"));
-        if (trajectory.points.empty())
-            for (const scene::BezierCurve& curve : trajectory.curves)
-                for (std::size_t j = 0; j < curve.control.size(); ++j)
-                    add(curve.control[j], j == 0                          ? number(curve.from, "s")
-                                          : j + 1 == curve.control.size() ? number(curve.to, "s")
-                                                                          : "");
+        if (!trajectory.points.empty())
+            continue;
+        for (std::size_t c = 0; c < trajectory.curves.size(); ++c) {
+            const scene::BezierCurve& curve = trajectory.curves[c];
+            const std::size_t last = curve.control.size() - 1;
+            // Where one curve ends as the next begins there is one point.
+            const bool continues = c > 0 && trajectory.curves[c - 1].to == curve.from &&
+                                   trajectory.curves[c - 1].control.size() > 1 && last > 0 &&
+                                   trajectory.curves[c - 1].control.back() == curve.control[0];
+            for (std::size_t j = continues ? 1 : 0; j <= last; ++j)
+                add(curve.control[j], j == 0      ? number(curve.from, "s")
+                                      : j == last ? number(curve.to, "s")
+                                                  : "");
+        }
     }
+}
+
+double Handles::arrowLength(HandleKind kind) const {
+    const bool couple = kind == HandleKind::torqueHead;
+    const bool some = std::ranges::any_of(
+        scene_.forces, [&](const scene::Force& force) { return force.couple == couple; });
+    return some ? (couple ? torqueScale_ : forceScale_) : scaleFor(1, extent_.size);
 }
 
 HandleSet Handles::at(double time, const Display& display) {

@@ -30,7 +30,7 @@ enum class HandleKind : std::uint8_t {
     linkEnd, // part: 0 or 1
     lightPlace,
     lightDirection,
-    trajectoryPoint, // part: which of -points, or of all control points of -bezier
+    trajectoryPoint, // part: which of -points, or of -bezier's control points (editing/)
 };
 
 struct Handle {
@@ -87,9 +87,10 @@ public:
 
     // Of the kinds that the display shows; bodies that are fixed have no velocities.
     [[nodiscard]] HandleSet at(double time, const Display& display);
+    // How long the arrow of a force, or a torque, of 1 is or would be.
+    [[nodiscard]] double arrowLength(HandleKind kind) const;
 
 private:
-    using Values = std::optional<std::array<double, 3>>;
     void addBody(HandleSet& set, std::size_t index, const Display& display) const;
     void addForces(HandleSet& set, double time, const Display& display);
     void addLinks(HandleSet& set, double time);

@@ -1,5 +1,7 @@
 #include "views/graphical_viewer.h"
 
+#include "views/create_menu.h"
+
 #include <QActionGroup>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -52,6 +54,8 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document,
     setCentralWidget(whole);
     buildMenus();
 
+    connect(&display_->creating(), &Creating::created, this, &GraphicalViewer::showCreated);
+    connect(&display_->creating(), &Creating::needs, panel_, &StatusPanel::show);
     connect(panel_, &StatusPanel::displayChanged, display_, &SceneDisplay::setDisplay);
     connect(&playback_, &Playback::timeChanged, this, [this] {
         display_->setTime(playback_.time(), playback_.isPlaying() || timeBar_->isSliderDown());
@@ -150,6 +154,10 @@ void GraphicalViewer::buildMenus() {
         undoAction_->setEnabled(true); // shortcuts work while the menu is closed
         redoAction_->setEnabled(true);
     });
+    edit->addSeparator();
+    edit->addAction(tr("&Delete"), this, [this] { display_->editing().deleteMarked(); });
+    edit->addAction(tr("E&xact Value…"), this, [this] { display_->editing().openEntry(); });
+    buildCreateMenu(menuBar()->addMenu(tr("&Create")), document_, *display_);
     buildViewMenu();
 
     QMenu* motion = menuBar()->addMenu(tr("&Motion"));
@@ -198,6 +206,11 @@ void GraphicalViewer::buildViewMenu() {
         view->addAction(direction.label, direction.key, this,
                         [this, toward = direction.toward] { display_->lookAlong(toward); });
     view->addSeparator();
+    view->addAction(tr("&Centre of Rotation in the Middle"), this,
+                    [this] { display_->centerAt(QRectF(display_->rect()).center()); });
+    view->addAction(tr("&Keep This View"), QKeySequence(Qt::CTRL | Qt::Key_K), this,
+                    [this] { keepView(); });
+    view->addSeparator();
     for (const StatusPanel::Switch& one : panel_->switches()) {
         QAction* action = view->addAction(one.box->text());
         action->setCheckable(true);
@@ -205,6 +218,19 @@ void GraphicalViewer::buildViewMenu() {
         connect(action, &QAction::toggled, one.box, &QCheckBox::setChecked);
         connect(one.box, &QCheckBox::toggled, action, &QAction::setChecked);
     }
+}
+
+// A `view` of the scene; turning alone is no edit.
+void GraphicalViewer::keepView() {
+    const Sight sight = display_->sight();
+    display_->creating().start(keptView(sight.camera, sight.pixelLength(sight.camera.center)));
+}
+
+// What is new is shown with its handles, and marked.
+void GraphicalViewer::showCreated(editing::Element element, HandleSwitch handles) {
+    if (handles)
+        panel_->show(handles);
+    display_->editing().expect(element);
 }
 
 void GraphicalViewer::fillViewsMenu() {

@@ -51,6 +51,8 @@ private:
     void updateIcons();
     void updateTitle();
     void togglePlaying();
+    void keepView();
+    void showCreated(editing::Element element, HandleSwitch handles);
 
     SceneDocument& document_;
     Windows windows_;

@@ -1,6 +1,7 @@
 #include "views/handle_drag.h"
 
 #include "views/handle_meaning.h"
+#include "views/new_point.h"
 
 #include <cmath>
 
@@ -36,6 +37,8 @@ HandleDrag::HandleDrag(SceneDocument& document, const Sight& sight, const render
         // One that does not lie on the surface is not drawn to it.
         follows_ = isOnSurface(handle_.place);
     }
+    if (handle_.kind == render::HandleKind::trajectoryPoint)
+        path_.emplace(text_, scene_, handle_.element);
     // Why it cannot be moved is told before it is.
     auto asked = wishes();
     for (editing::Wish& wish : asked)
@@ -90,6 +93,24 @@ std::vector<editing::Wish> HandleDrag::wishes() const {
     return wishesFor(*scene_, handle_, place_, pixelLength_, quaternion_);
 }
 
+// What it asks of the text. A point that ends one curve and begins the next moves in both.
+editing::Answer HandleDrag::asked() const {
+    if (!path_)
+        return mapper_.answer(wishes());
+    const editing::Wish wish = wishes().front();
+    const std::size_t point = pointOf(*path_, handle_);
+    Vector place;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double value = wish.values[wish.values.size() - 3 + i];
+        place[static_cast<Eigen::Index>(i)] =
+            wish.resolution > 0 // in the digits of the gesture
+                ? QString::number(std::round(value / wish.resolution) * wish.resolution, 'g', 12)
+                      .toDouble()
+                : value;
+    }
+    return path_->move(point, path_->points()[point].time, place, 0);
+}
+
 void HandleDrag::update() {
     moved_ = true;
     const bool followed = follows_ && !free_;
@@ -98,7 +119,7 @@ void HandleDrag::update() {
         plane_ = place_; // freed, it goes on from here
     else if (surface_ && !free_)
         follows_ = isOnSurface(place_);
-    answer_ = mapper_.answer(wishes());
+    answer_ = asked();
     if (answer_.possible())
         document_.preview(editing::applied(text_, answer_.edits));
 }

@@ -8,6 +8,7 @@
 // cannot be changed says why.
 #pragma once
 
+#include "editing/trajectory_edit.h"
 #include "editing/value_edit.h"
 #include "views/picking.h"
 #include "views/scene_document.h"
@@ -44,6 +45,7 @@ private:
     [[nodiscard]] geometry::Vector wanted() const;
     [[nodiscard]] geometry::Vector onSphere() const;
     [[nodiscard]] std::optional<geometry::Vector> onSurface() const;
+    [[nodiscard]] editing::Answer asked() const;
     [[nodiscard]] bool isOnSurface(const geometry::Vector& place) const;
     void update();
 
@@ -59,6 +61,7 @@ private:
     geometry::Vector place_, plane_; // plane_: a point of the screen's plane that it moves in
     Eigen::Vector2d held_, grip_;    // pixels: of the pointer, and from it to the handle
     bool moved_ = false;
+    std::optional<editing::TrajectoryEdits> path_; // of a trajectory's point
     std::optional<geometry::Shape> surface_;
     bool follows_ = false, free_ = false;
     editing::Answer answer_;

@@ -1,15 +1,17 @@
 #include "views/picture_editing.h"
 
+#include "editing/deletion.h"
 #include "views/handle_meaning.h"
 #include "views/scene_display.h"
 #include "views/value_entry.h"
 
 #include <QKeyEvent>
 #include <QMenu>
+#include <QMessageBox>
 #include <QMouseEvent>
-#include <QPainter>
 
-#include <cmath>
+#include <algorithm>
+#include <utility>
 
 namespace views {
 
@@ -18,12 +20,16 @@ namespace {
 constexpr double reach = 14;  // pixels, of a handle
 constexpr double keyStep = 6; // pixels, for a press of a key
 
-QColor toColor(const scene::Color& c) { return QColor::fromRgbF(c.red, c.green, c.blue); }
-
 } // namespace
 
 PictureEditing::PictureEditing(SceneDocument& document, SceneDisplay& display)
-    : document_(document), display_(display) {}
+    : document_(document), display_(display) {
+    connect(&document_, &SceneDocument::selectionChanged, this, &PictureEditing::followSelection);
+    connect(&document_, &SceneDocument::sceneChanged, this, [this] {
+        if (const auto expected = std::exchange(expected_, std::nullopt))
+            document_.select({*expected});
+    });
+}
 
 PictureEditing::~PictureEditing() = default;
 
@@ -44,22 +50,41 @@ void PictureEditing::begin(const render::Handle& handle,
     Q_EMIT changed();
 }
 
+// On a trajectory's point: the middle button draws a new one out of it, the right one removes it.
+bool PictureEditing::pressOnPoint(const render::Handle& handle, const QPointF&) {
+    if (handle.kind != render::HandleKind::trajectoryPoint)
+        return false;
+    mark(handle);
+    if (button_ == Qt::MiddleButton) {
+        display_.keepCamera();
+        newPoint_ = std::make_unique<NewPoint>(document_, display_.sight(), handle);
+        Q_EMIT changed();
+    } else {
+        removePoint(handle);
+    }
+    return true;
+}
+
 bool PictureEditing::press(QMouseEvent& event) {
-    if (drag_)
+    if (dragging())
         return true;
+    say({});
     const bool shifted = event.modifiers() & Qt::ShiftModifier;
     if (!shifted || !document_.sceneIsCurrent())
         return shifted;
     button_ = event.button();
     const Eigen::Vector2d pixels = display_.inPixels(event.position());
-    if (const auto handle = handleUnder(event.position()); handle && button_ == Qt::LeftButton) {
-        begin(*handle, pixels);
+    const auto handle = handleUnder(event.position());
+    if (handle && button_ == Qt::LeftButton)
+        return begin(*handle, pixels), true;
+    if (handle && pressOnPoint(*handle, event.position()))
         return true;
-    }
     const render::Drawing drawing = display_.drawing();
     const auto picked = bodyAt(drawing, display_.sight(), pixels);
-    if (!picked)
+    if (!picked) {
+        document_.select({});
         return true;
+    }
     const scene::Body& body = drawing.scene->bodies[picked->body];
     if (button_ == Qt::LeftButton) {
         begin({render::HandleKind::position, picked->body, 0, body.initialPosition,
@@ -76,6 +101,11 @@ bool PictureEditing::press(QMouseEvent& event) {
 }
 
 bool PictureEditing::move(QMouseEvent& event) {
+    if (newPoint_) {
+        newPoint_->move(display_.inPixels(event.position()));
+        Q_EMIT changed();
+        return true;
+    }
     if (!drag_ || byKeys_)
         return drag_ != nullptr;
     drag_->move(display_.inPixels(event.position()));
@@ -84,6 +114,12 @@ bool PictureEditing::move(QMouseEvent& event) {
 }
 
 bool PictureEditing::release(QMouseEvent& event) {
+    if (newPoint_ && event.button() == button_) {
+        newPoint_->finish();
+        newPoint_.reset();
+        Q_EMIT changed();
+        return true;
+    }
     if (!drag_ || byKeys_ || event.button() != button_)
         return drag_ != nullptr;
     const std::unique_ptr<HandleDrag> drag = std::move(drag_);
@@ -142,15 +178,45 @@ void PictureEditing::offerOthers(const QPoint& global, const HandleDrag& drag) {
 
 void PictureEditing::mark(const render::Handle& handle) {
     mark_ = {handle.kind, handle.element, handle.part};
+    document_.select({elementOf(handle)});
+}
+
+// What another view selects is marked here too.
+void PictureEditing::followSelection() {
+    const auto& selected = document_.selected();
+    render::Handle handle;
+    if (mark_) {
+        handle.kind = mark_->kind;
+        handle.element = mark_->element;
+    }
+    const bool among = mark_ && std::ranges::find(selected, elementOf(handle)) != selected.end();
+    if (!among && !drag_) {
+        mark_.reset();
+        if (!selected.empty())
+            markElement(selected.front());
+    }
+    Q_EMIT changed();
 }
 
 std::optional<render::Handle> PictureEditing::marked() const {
     if (mark_)
         for (const render::Handle& handle : display_.handles().handles)
             if (handle.kind == mark_->kind && handle.element == mark_->element &&
-                handle.part == mark_->part && handle.movable)
+                handle.part == mark_->part)
                 return handle;
-    return std::nullopt;
+    // A body is there without its handle.
+    return mark_ && mark_->kind == render::HandleKind::position ? positionOf(mark_->element)
+                                                                : std::nullopt;
+}
+
+std::optional<render::Handle> PictureEditing::positionOf(std::size_t body) const {
+    const auto& bodies = document_.shown().scene->bodies;
+    if (body >= bodies.size())
+        return std::nullopt;
+    render::Handle handle;
+    handle.element = body;
+    handle.base = handle.place = bodies[body].initialPosition;
+    return handle;
 }
 
 void PictureEditing::markNext(int step) {
@@ -165,6 +231,12 @@ void PictureEditing::markNext(int step) {
             at = all.size();
         all.push_back(handle);
     }
+    if (all.empty()) // no handles are shown: from body to body
+        for (std::size_t i = 0; const auto body = positionOf(i); ++i) {
+            if (now && now->kind == body->kind && now->element == i)
+                at = i;
+            all.push_back(*body);
+        }
     if (all.empty())
         return;
     const auto count = all.size();
@@ -207,8 +279,16 @@ bool PictureEditing::dragKey(QKeyEvent& event) {
 }
 
 bool PictureEditing::keyPress(QKeyEvent& event) {
+    if (newPoint_ && event.key() == Qt::Key_Escape) {
+        newPoint_->cancel();
+        newPoint_.reset();
+        Q_EMIT changed();
+    }
+    if (newPoint_)
+        return true;
     if (drag_)
         return dragKey(event) || !byKeys_;
+    say({});
     const bool shifted = event.modifiers() == Qt::ShiftModifier;
     if (event.key() == Qt::Key_H && (shifted || event.modifiers() == Qt::NoModifier)) {
         markNext(shifted ? -1 : 1);
@@ -218,6 +298,18 @@ bool PictureEditing::keyPress(QKeyEvent& event) {
     if (!handle || !document_.sceneIsCurrent())
         return false;
     const int key = event.key();
+    if (key == Qt::Key_Delete || key == Qt::Key_Backspace) {
+        deleteMarked();
+        return true;
+    }
+    if (key == Qt::Key_Insert && handle->kind == render::HandleKind::trajectoryPoint) {
+        NewPoint point(document_, display_.sight(), *handle);
+        point.after();
+        if (!point.answer().possible())
+            say(point.words());
+        point.finish();
+        return true;
+    }
     if (key == Qt::Key_Return || key == Qt::Key_Enter) {
         openEntry();
         return true;
@@ -241,6 +333,92 @@ void PictureEditing::keyRelease(QKeyEvent& event) {
         finish();
 }
 
+// --- taking out -----------------------------------------------------------------------------
+
+void PictureEditing::say(const QString& sentence) {
+    if (sentence == said_)
+        return;
+    said_ = sentence;
+    Q_EMIT changed();
+}
+
+void PictureEditing::markElement(const editing::Element& element) {
+    using editing::Kind;
+    using render::HandleKind;
+    mark_.reset();
+    const auto& scene = *document_.shown().scene;
+    if (element.kind == Kind::body)
+        mark_ = {HandleKind::position, element.index, 0};
+    else if (element.kind == Kind::force)
+        mark_ = {HandleKind::forceHead, element.index, 0};
+    else if (element.kind == Kind::link)
+        mark_ = {HandleKind::linkEnd, element.index, 0};
+    else if (element.kind == Kind::light)
+        mark_ = {HandleKind::lightPlace, element.index, 0};
+    else if (element.kind == Kind::trajectory)
+        mark_ = {HandleKind::trajectoryPoint, element.index, 0};
+    if (element.kind == Kind::force && element.index < scene.forces.size() &&
+        scene.forces[element.index].couple)
+        mark_->kind = HandleKind::torqueHead;
+}
+
+void PictureEditing::take(const std::vector<editing::TextEdit>& edits, const QString& label) {
+    mark_.reset();
+    document_.setText(editing::applied(document_.text(), edits), label);
+    Q_EMIT changed();
+}
+
+// The last but one goes with the whole trajectory.
+void PictureEditing::removePoint(const render::Handle& handle) {
+    const editing::TrajectoryEdits edits(document_.text(), document_.shown().scene, handle.element);
+    const editing::Answer answer = edits.remove(pointOf(edits, handle));
+    const std::size_t left = document_.shown().scene->trajectories[handle.element].points.size();
+    if (answer.possible())
+        take(answer.edits, tr("Remove a point"));
+    else if (left == 2 || edits.points().size() == 1)
+        deleteMarked();
+    else
+        say(QString::fromStdString(answer.reason));
+}
+
+void PictureEditing::deleteMarked() {
+    const auto handle = marked();
+    if (!handle || !document_.sceneIsCurrent())
+        return;
+    const scene::Scene& scene = *document_.shown().scene;
+    const editing::Element element = elementOf(*handle);
+    const bool onPath = handle->kind == render::HandleKind::trajectoryPoint;
+    if (onPath) {
+        const editing::TrajectoryEdits edits(document_.text(), document_.shown().scene,
+                                             handle->element);
+        const auto answer = edits.remove(pointOf(edits, *handle));
+        if (answer.possible())
+            return take(answer.edits, tr("Remove a point"));
+    }
+    std::vector<editing::Element> elements = document_.selected();
+    if (std::ranges::find(elements, element) == elements.end())
+        elements = {element};
+    const auto deletion = editing::deletionOf(document_.text(), scene, elements);
+    if (!deletion.possible())
+        return say(QString::fromStdString(deletion.reason));
+    const QString name = elements.size() == 1
+                             ? QString::fromStdString(editing::describe(scene, element))
+                             : tr("%1 elements").arg(elements.size());
+    QString question = tr("Delete %1, and with it what cannot be without it?").arg(name);
+    for (const editing::Element& one : deletion.along)
+        question += "\n    " + QString::fromStdString(editing::describe(scene, one));
+    if (!deletion.along.empty()) {
+        const bool taken =
+            confirm_
+                ? confirm_(question)
+                : QMessageBox::question(&display_, tr("Delete"), question,
+                                        QMessageBox::Yes | QMessageBox::Cancel) == QMessageBox::Yes;
+        if (!taken)
+            return;
+    }
+    take(deletion.edits, tr("Delete %1").arg(name));
+}
+
 // --- exact values ----------------------------------------------------------------------------
 
 void PictureEditing::openEntry() {
@@ -251,54 +429,6 @@ void PictureEditing::openEntry() {
     entry_ = new ValueEntry(document_, *handle, display_.time(), &display_);
     entry_->openAt(display_.fromPixels(display_.sight().pixels(handle->place)).toPoint());
     Q_EMIT changed();
-}
-
-// --- what is painted over the picture ---------------------------------------------------------
-
-QString PictureEditing::words() const { return drag_ ? drag_->words() : QString(); }
-
-void PictureEditing::paintLabels(QPainter& painter) const {
-    QFont font = painter.font();
-    font.setPointSizeF(font.pointSizeF() * 0.9);
-    painter.setFont(font);
-    for (const render::Handle& handle : display_.handles().handles) {
-        if (handle.label.empty() || (handle.kind == render::HandleKind::spin && !handle.isArrow()))
-            continue;
-        const QPointF at = display_.fromPixels(display_.sight().pixels(handle.place));
-        const QString text = QString::fromStdString(handle.label);
-        const QRectF box = painter.boundingRect(QRectF(at + QPointF(9, -20), QSizeF(1, 1)),
-                                                Qt::AlignLeft | Qt::TextDontClip, text);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(QColor(255, 255, 255, 190));
-        painter.drawRoundedRect(box.adjusted(-3, -1, 3, 1), 3, 3);
-        painter.setPen(toColor(render::colorOf(handle.kind)).darker(160));
-        painter.drawText(box, Qt::AlignLeft | Qt::TextDontClip, text);
-    }
-}
-
-void PictureEditing::paintWords(QPainter& painter, const QString& words, bool possible) const {
-    const QRect space = display_.rect().adjusted(display_.width() / 3, 10, -12, -10);
-    const QRect needed = painter.boundingRect(space, Qt::AlignRight | Qt::TextWordWrap, words);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(255, 255, 255, 225));
-    painter.drawRoundedRect(needed.adjusted(-8, -4, 8, 4), 4, 4);
-    painter.setPen(possible ? QColor(30, 35, 45) : QColor(170, 30, 20));
-    painter.drawText(space, Qt::AlignRight | Qt::TextWordWrap, words);
-}
-
-void PictureEditing::paint(QPainter& painter) const {
-    painter.setRenderHint(QPainter::Antialiasing);
-    paintLabels(painter);
-    const bool possible = !drag_ || drag_->answer().possible();
-    const auto handle = marked();
-    if (drag_ || (handle && display_.hasFocus())) {
-        const Vector place = drag_ ? drag_->place() : handle->place;
-        painter.setPen(QPen(possible ? QColor(20, 90, 200) : QColor(190, 40, 30), 2));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawEllipse(display_.fromPixels(display_.sight().pixels(place)), 11, 11);
-    }
-    if (drag_)
-        paintWords(painter, drag_->words(), possible);
 }
 
 } // namespace views

@@ -1,17 +1,22 @@
 // What the pointer and the keys change in a picture (dissertation 4.1.3).
 //
 // Shifted buttons: the left one drags the handle nearest to the pointer, or the body under it;
-// the middle one turns the body. Keys: `H` goes from handle to handle (Shift: back), Shift and the
+// the middle one turns the body, or draws a new point out of a trajectory's point, which the right
+// one removes. Delete takes out what is marked, with what depends on it; Insert puts a point after
+// the marked one. Keys: `H` goes from handle to handle (Shift: back), Shift and the
 // arrows move the one that is marked, `z` and `x` push it away and bring it nearer, Return asks for
 // its exact value as a double click does. While the end of a link is dragged, `a` frees it from its
 // body's surface. Escape gives the old text back.
 #pragma once
 
 #include "views/handle_drag.h"
+#include "views/new_point.h"
 #include "views/value_entry.h"
 
 #include <QObject>
 #include <QPointer>
+
+#include <functional>
 
 class QKeyEvent;
 class QMouseEvent;
@@ -37,9 +42,17 @@ public:
     void finish(); // what is dragged stays where it is
 
     void paint(QPainter& painter) const;
-    [[nodiscard]] bool dragging() const { return drag_ != nullptr; }
+    [[nodiscard]] bool dragging() const { return drag_ || newPoint_; }
     // What a drag says of itself, "" when there is none.
     [[nodiscard]] QString words() const;
+    // A sentence in the picture until something else is done.
+    void say(const QString& sentence);
+    [[nodiscard]] const QString& said() const { return said_; }
+    // Selects the element that a scene yet to be read will have.
+    void expect(editing::Element element) { expected_ = element; }
+    void deleteMarked();
+    // Asked before more than one element is taken out; a message box otherwise.
+    void setConfirm(std::function<bool(const QString&)> confirm) { confirm_ = std::move(confirm); }
     [[nodiscard]] ValueEntry* entry() const { return entry_; }
     // The handle that keys move.
     [[nodiscard]] std::optional<render::Handle> marked() const;
@@ -50,8 +63,15 @@ Q_SIGNALS:
 
 private:
     void begin(const render::Handle& handle, const std::optional<Eigen::Vector2d>& pixels);
+    bool pressOnPoint(const render::Handle& handle, const QPointF& position);
+    void removePoint(const render::Handle& handle);
+    void take(const std::vector<editing::TextEdit>& edits, const QString& label);
+    void followSelection();
+    [[nodiscard]] std::optional<render::Handle> positionOf(std::size_t body) const;
+    void paintSelection(QPainter& painter) const;
     [[nodiscard]] std::optional<render::Handle> handleUnder(const QPointF& position) const;
     void mark(const render::Handle& handle);
+    void markElement(const editing::Element& element);
     void markNext(int step);
     bool dragKey(QKeyEvent& event);
     void offerOthers(const QPoint& global, const HandleDrag& drag);
@@ -66,6 +86,10 @@ private:
     SceneDocument& document_;
     SceneDisplay& display_;
     std::unique_ptr<HandleDrag> drag_;
+    std::unique_ptr<NewPoint> newPoint_;
+    QString said_;
+    std::optional<editing::Element> expected_; // of a scene yet to be read
+    std::function<bool(const QString&)> confirm_;
     bool byKeys_ = false;
     Qt::MouseButton button_ = Qt::NoButton;
     std::optional<Mark> mark_;

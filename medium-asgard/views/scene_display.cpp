@@ -35,7 +35,7 @@ std::optional<Button> buttonOf(Qt::MouseButton button) {
 SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<render::Renderer> renderer,
                            QString reason, QWidget* parent)
     : QWidget(parent), document_(document), renderer_(std::move(renderer)),
-      reason_(std::move(reason)), editing_(document, *this) {
+      reason_(std::move(reason)), editing_(document, *this), creating_(document, *this) {
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMouseTracking(false);
@@ -47,6 +47,8 @@ SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<render::Rend
     connect(&settle_, &QTimer::timeout, this, [this] { redraw(false); });
     connect(&document_, &SceneDocument::sceneChanged, this, &SceneDisplay::sceneChanged);
     connect(&document_, &SceneDocument::motionChanged, this, &SceneDisplay::motionChanged);
+    connect(&creating_, &Creating::changed, this, [this] { update(); });
+    connect(&creating_, &Creating::refused, &editing_, &PictureEditing::say);
     connect(&editing_, &PictureEditing::changed, this, [this] {
         Q_EMIT handleDragged();
         update();
@@ -185,13 +187,22 @@ const render::HandleSet& SceneDisplay::handles() const {
     static const render::HandleSet none;
     if (!render::showsHandles(display_))
         return none;
+    Prepared& all = prepared();
+    if (!all.set)
+        all.set = std::make_shared<const render::HandleSet>(all.handles.at(time_, display_));
+    return *all.set;
+}
+
+double SceneDisplay::arrowLength(bool couple) const {
+    return prepared().handles.arrowLength(couple ? render::HandleKind::torqueHead
+                                                 : render::HandleKind::forceHead);
+}
+
+SceneDisplay::Prepared& SceneDisplay::prepared() const {
     const Shown& shown = document_.shown();
     if (!prepared_ || prepared_->of.scene != shown.scene || prepared_->of.motion != shown.motion)
         prepared_.reset(new Prepared{shown, render::Handles(*shown.scene, shown.motion), nullptr});
-    if (!prepared_->set)
-        prepared_->set =
-            std::make_shared<const render::HandleSet>(prepared_->handles.at(time_, display_));
-    return *prepared_->set;
+    return *prepared_;
 }
 
 void SceneDisplay::keepCamera() { framesItself_ = false; }
@@ -236,29 +247,42 @@ void SceneDisplay::mousePressEvent(QMouseEvent* event) {
     updateCamera();
     if (!button)
         event->ignore();
-    else if (!editing_.press(*event))
+    else if (creating_.active() && *button == Button::left) {
+        pressed_ = event->position();
+        control_.press(*button, inPixels(event->position()), pixelSize());
+    } else if (!editing_.press(*event))
         control_.press(*button, inPixels(event->position()), pixelSize());
 }
 
 void SceneDisplay::mouseMoveEvent(QMouseEvent* event) {
+    constexpr double still = 4; // pixels: not yet a drag
+    if (creating_.active() && control_.active() &&
+        (event->position() - pressed_).manhattanLength() < still)
+        return;
     if (!editing_.move(*event) && control_.active() &&
         control_.move(inPixels(event->position()), pixelSize()))
         movedByUser();
 }
 
 void SceneDisplay::mouseReleaseEvent(QMouseEvent* event) {
-    editing_.release(*event);
+    constexpr double still = 4;
+    if (creating_.active() && event->button() == Qt::LeftButton) {
+        if ((event->position() - pressed_).manhattanLength() < still)
+            creating_.click(event->position());
+    } else {
+        editing_.release(*event);
+    }
     control_.release();
 }
 
 void SceneDisplay::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (!editing_.doubleClick(*event))
+    if (creating_.active() || !editing_.doubleClick(*event))
         mousePressEvent(event);
 }
 
 // While a handle is dragged its keys are no shortcuts.
 bool SceneDisplay::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride && editing_.dragging()) {
+    if (event->type() == QEvent::ShortcutOverride && (editing_.dragging() || creating_.active())) {
         event->accept();
         return true;
     }
@@ -274,7 +298,7 @@ void SceneDisplay::wheelEvent(QWheelEvent* event) {
 
 void SceneDisplay::keyPressEvent(QKeyEvent* event) {
     updateCamera();
-    if (editing_.keyPress(*event))
+    if (creating_.key(*event) || editing_.keyPress(*event))
         return;
     if (event->key() == Qt::Key_C && event->modifiers() == Qt::NoModifier)
         centerAt(mapFromGlobal(QPointF(QCursor::pos())));
@@ -329,6 +353,7 @@ void SceneDisplay::paintEvent(QPaintEvent*) {
     if (renderer_) {
         painter.drawImage(QPointF(0, 0), image_);
         editing_.paint(painter);
+        creating_.paint(painter);
         return;
     }
     painter.fillRect(rect(), palette().base());

@@ -10,6 +10,7 @@
 #include "render/extent.h"
 #include "render/renderer.h"
 #include "render/view.h"
+#include "views/creating.h"
 #include "views/picking.h"
 #include "views/picture_editing.h"
 #include "views/scene_document.h"
@@ -50,6 +51,9 @@ public:
 
     // --- for those who edit in it
     [[nodiscard]] PictureEditing& editing() { return editing_; }
+    [[nodiscard]] Creating& creating() { return creating_; }
+    // How long the arrow of a force, or a torque, of 1 is drawn.
+    [[nodiscard]] double arrowLength(bool couple) const;
     [[nodiscard]] QString words() const { return editing_.words(); }
     // What the display shows of the scene at this time.
     [[nodiscard]] const render::HandleSet& handles() const;
@@ -100,6 +104,8 @@ private:
     QString followed_;
     std::optional<render::SceneView> view_; // the followed view, prepared
     PictureEditing editing_;
+    Creating creating_;
+    QPointF pressed_; // where the left button was, while something is created
     // Of the scene, motion, time and kinds that are shown; made when they are asked for.
     struct Prepared {
         Shown of;
@@ -107,6 +113,7 @@ private:
         std::shared_ptr<const render::HandleSet> set;
     };
     mutable std::unique_ptr<Prepared> prepared_;
+    Prepared& prepared() const;
     bool cameraIsOld_ = true;
     QImage image_;
     bool imageIsOld_ = true;

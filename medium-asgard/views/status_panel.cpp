@@ -1,6 +1,7 @@
 #include "views/status_panel.h"
 
 #include "render/handles.h"
+#include "views/parameters_panel.h"
 
 #include <QFormLayout>
 #include <QGroupBox>
@@ -72,6 +73,7 @@ StatusPanel::StatusPanel(SceneDocument& document, Playback& playback,
     state_->setAccessibleName(tr("State"));
     form->addRow(state_);
     column->addWidget(status);
+    column->addWidget(new ParametersPanel(document_));
     addSwitches(display);
     column->addStretch();
     setFixedWidth(190);
@@ -139,6 +141,12 @@ void StatusPanel::addSwitches(const render::Display& display) {
         switches_.back().box->setIcon(ballIcon(render::colorOf(kind.kind)));
     }
     layout()->addWidget(group);
+}
+
+void StatusPanel::show(bool render::Display::*what) {
+    for (const Switch& one : switches_)
+        if (one.what == what)
+            one.box->setChecked(true);
 }
 
 void StatusPanel::showTime() {

@@ -27,6 +27,9 @@ public:
     };
     [[nodiscard]] const std::vector<Switch>& switches() const { return switches_; }
 
+    // Switches it on.
+    void show(bool render::Display::*what);
+
 Q_SIGNALS:
     void displayChanged(const render::Display& display);
 

@@ -126,11 +126,12 @@ QString ValueEntry::preview(const std::vector<editing::TextEdit>& edits) const {
             return escaped(s.substr(0, from)) + "<b>" + escaped(s.substr(from, to - from)) +
                    "</b>" + escaped(s.substr(to));
         };
-        text += QStringLiteral("<div><span style='color:#888'>%1&nbsp; </span>"
-                               "<code><s>%2</s></code></div><div><code>%3</code></div>")
-                    .arg(line.line)
-                    .arg(marked(line.before, line.from, line.beforeTo),
-                         marked(line.after, line.from, line.afterTo));
+        text +=
+            QStringLiteral("<div><span style='color:#888'>%1&nbsp; </span>"
+                           "<code style='color:#a05048'>%2</code></div><div><code>%3</code></div>")
+                .arg(line.line)
+                .arg(marked(line.before, line.from, line.beforeTo),
+                     marked(line.after, line.from, line.afterTo));
     }
     return text;
 }

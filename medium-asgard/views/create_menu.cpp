@@ -1,0 +1,124 @@
+#include "views/create_menu.h"
+
+#include "script/numbers.h"
+#include "views/scene_display.h"
+
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QInputDialog>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+
+#include <cctype>
+
+namespace views {
+
+namespace {
+
+// A name that expressions can read: letters, digits, underscores, no digit first.
+bool isName(const std::string& text) {
+    const auto isPart = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+    return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])) == 0 &&
+           std::ranges::all_of(text, isPart);
+}
+
+void askForParameter(SceneDocument& document, SceneDisplay& display) {
+    QDialog dialog(&display);
+    dialog.setWindowTitle(QObject::tr("New Parameter"));
+    auto* form = new QFormLayout(&dialog);
+    auto* name = new QLineEdit(QString::fromStdString(editing::unusedName(
+        document.text(), *document.shown().scene, editing::Kind::parameter, "p")));
+    auto* value = new QLineEdit(QStringLiteral("1"));
+    auto* minimum = new QLineEdit(QStringLiteral("0"));
+    auto* maximum = new QLineEdit(QStringLiteral("2"));
+    form->addRow(QObject::tr("&Name"), name);
+    form->addRow(QObject::tr("&Value"), value);
+    form->addRow(QObject::tr("From"), minimum);
+    form->addRow(QObject::tr("To"), maximum);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    form->addRow(buttons);
+    const auto number = [](const QLineEdit* field) {
+        return script::decimalNumber(field->text().toStdString());
+    };
+    const auto check = [=] {
+        const auto now = number(value), least = number(minimum), most = number(maximum);
+        buttons->button(QDialogButtonBox::Ok)
+            ->setEnabled(isName(name->text().toStdString()) && now && least && most &&
+                         *least <= *now && *now <= *most);
+    };
+    for (QLineEdit* field : {name, value, minimum, maximum})
+        QObject::connect(field, &QLineEdit::textChanged, &dialog, check);
+    QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    check();
+    if (dialog.exec() == QDialog::Accepted)
+        display.creating().start(newParameter(
+            name->text().toStdString(), value->text().trimmed().toStdString(),
+            minimum->text().trimmed().toStdString(), maximum->text().trimmed().toStdString()));
+}
+
+void askForPlot(SceneDocument& document, SceneDisplay& display) {
+    const auto& bodies = document.shown().scene->bodies;
+    bool taken = false;
+    const QString expression = QInputDialog::getText(
+        &display, QObject::tr("New Plot"),
+        QObject::tr("What is charted against time, an expression:"), QLineEdit::Normal,
+        bodies.empty() ? QStringLiteral("t") : QString::fromStdString(bodies[0].name + ".y"),
+        &taken);
+    if (taken && !expression.trimmed().isEmpty())
+        display.creating().start(newPlot(expression.trimmed().toStdString()));
+}
+
+void fillBodies(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
+    menu->clear();
+    for (const scene::ShapeSet& set : document.shown().scene->shapeSets)
+        menu->addAction(QString::fromStdString(set.name), &display,
+                        [&display, name = set.name] { display.creating().start(newBody(name)); });
+    menu->addSeparator();
+    menu->addAction(QObject::tr("New &Sphere"), &display,
+                    [&display] { display.creating().start(newBody(BasicShape::sphere)); });
+    menu->addAction(QObject::tr("New &Box"), &display,
+                    [&display] { display.creating().start(newBody(BasicShape::box)); });
+}
+
+} // namespace
+
+void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
+    QMenu* bodies = menu->addMenu(QObject::tr("&Body"));
+    QObject::connect(menu, &QMenu::aboutToShow, bodies,
+                     [bodies, &document, &display] { fillBodies(bodies, document, display); });
+    fillBodies(bodies, document, display);
+    const auto add = [&](QMenu* to, const QString& label, std::function<Recipe()> recipe) {
+        to->addAction(label, &display, [&display, recipe = std::move(recipe)] {
+            display.creating().start(recipe());
+        });
+    };
+    QMenu* forces = menu->addMenu(QObject::tr("&Force"));
+    add(forces, QObject::tr("&Constant"),
+        [&display] { return newForce(false, display.arrowLength(false)); });
+    add(forces, QObject::tr("&Gravitational"), newWeight);
+    add(forces, QObject::tr("By a &Trajectory"), [] { return newTrajectoryForce(false); });
+    QMenu* torques = menu->addMenu(QObject::tr("&Torque"));
+    add(torques, QObject::tr("&Constant"),
+        [&display] { return newForce(true, display.arrowLength(true)); });
+    add(torques, QObject::tr("By a &Trajectory"), [] { return newTrajectoryForce(true); });
+    QMenu* links = menu->addMenu(QObject::tr("&Link"));
+    add(links, QObject::tr("Body to &Body"), [] { return newLink(Wanted::body); });
+    add(links, QObject::tr("Body to &Point"), [] { return newLink(Wanted::point); });
+    add(links, QObject::tr("Body to &Trajectory"), [] { return newLink(Wanted::trajectory); });
+    QMenu* lights = menu->addMenu(QObject::tr("Light &Source"));
+    add(lights, QObject::tr("&Directional"), [] { return newLight(false); });
+    add(lights, QObject::tr("&Point"), [] { return newLight(true); });
+    menu->addSeparator();
+    add(menu, QObject::tr("Tra&jectory"), newTrajectory);
+    add(menu, QObject::tr("&Attach Trajectory"), attachTrajectory);
+    menu->addSeparator();
+    menu->addAction(QObject::tr("&Parameter…"), &display,
+                    [&document, &display] { askForParameter(document, display); });
+    menu->addAction(QObject::tr("Pl&ot…"), &display,
+                    [&document, &display] { askForPlot(document, display); });
+}
+
+} // namespace views

@@ -1,0 +1,213 @@
+#include "views/creating.h"
+
+#include "views/scene_display.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace views {
+
+namespace {
+
+constexpr double reach = 12; // pixels
+
+} // namespace
+
+Creating::Creating(SceneDocument& document, SceneDisplay& display)
+    : document_(document), display_(display) {}
+
+const Step& Creating::step() const {
+    return recipe_->steps[std::min(shown_.size(), recipe_->steps.size() - 1)];
+}
+
+void Creating::start(Recipe recipe) {
+    cancel();
+    if (!document_.sceneIsCurrent()) {
+        Q_EMIT refused(tr("The text has errors; the scene that is shown is an older one."));
+        return;
+    }
+    recipe_ = std::move(recipe);
+    if (recipe_->steps.empty())
+        return finish();
+    display_.keepCamera();
+    display_.setFocus();
+    for (const Step& one : recipe_->steps)
+        if (one.wanted == Wanted::trajectory)
+            Q_EMIT needs(&render::Display::trajectories);
+    Q_EMIT changed();
+}
+
+void Creating::cancel() {
+    recipe_.reset();
+    shown_.clear();
+    fault_.clear();
+    cross_.reset();
+    Q_EMIT changed();
+}
+
+std::optional<Indicated> Creating::indicated(const QPointF& position) {
+    const Sight sight = display_.sight();
+    const Eigen::Vector2d pixels = display_.inPixels(position);
+    const render::Drawing drawing = display_.drawing();
+    Indicated found;
+    found.given = true;
+    if (step().wanted == Wanted::trajectory) {
+        found.trajectory =
+            trajectoryAt(*drawing.scene, sight, pixels, reach * display_.devicePixelRatioF());
+        if (!found.trajectory)
+            fault_ = tr("There is no trajectory.");
+        return found.trajectory ? std::optional(found) : std::nullopt;
+    }
+    if (step().wanted == Wanted::point) {
+        const Vector depth =
+            shown_.empty() || !shown_.back().given ? sight.camera.center : shown_.back().point;
+        found.point = sight.beside(pixels, depth);
+        found.resolution = sight.pixelLength(found.point);
+        return found;
+    }
+    const auto picked = bodyAt(drawing, sight, pixels);
+    if (!picked) {
+        fault_ = tr("There is no body.");
+        return std::nullopt;
+    }
+    const geometry::Pose pose =
+        render::poseOf(*drawing.scene, drawing.motion.get(), picked->body, drawing.time);
+    const bool known = drawing.motion && picked->body < drawing.motion->bodies();
+    const Vector center =
+        pose.toWorld(known ? drawing.motion->centroid(picked->body) : Vector::Zero());
+    found.atCenter =
+        (sight.pixels(center) - pixels).norm() <= 0.7 * reach * display_.devicePixelRatioF();
+    found.body = picked->body;
+    found.point = found.atCenter ? center : picked->point;
+    found.onBody = pose.toLocal(found.point);
+    found.resolution = sight.pixelLength(found.point);
+    return found;
+}
+
+void Creating::click(const QPointF& position) {
+    fault_.clear();
+    if (const auto found = indicated(position))
+        take(*found);
+    Q_EMIT changed();
+}
+
+void Creating::take(const Indicated& found) {
+    const bool repeats = step().repeats;
+    shown_.push_back(found);
+    if (!repeats && shown_.size() == recipe_->steps.size())
+        finish();
+}
+
+void Creating::otherwise() {
+    fault_.clear();
+    if (step().repeats)
+        return finish();
+    if (!step().otherwise.isEmpty())
+        take({});
+    else
+        fault_ = tr("Click, or go there with the arrow keys.");
+    Q_EMIT changed();
+}
+
+void Creating::finish() {
+    if (!document_.sceneIsCurrent()) {
+        cancel();
+        Q_EMIT refused(tr("The text was changed meanwhile."));
+        return;
+    }
+    const Recipe recipe = *recipe_;
+    const scene::Scene& scene = *document_.shown().scene;
+    const auto made = recipe.make(document_.text(), scene, shown_);
+    cancel();
+    if (made.empty())
+        return;
+    const editing::Kind kind = made.back().kind;
+    std::size_t count = 0;
+    while (editing::sourceOf(scene, {kind, count}))
+        ++count;
+    const auto edits = editing::created(document_.text(), scene, made);
+    // LIMIT: a new element that is not the last of its kind is not the one that is marked.
+    Q_EMIT created({kind, count}, recipe.handles);
+    document_.setText(editing::applied(document_.text(), edits), recipe.label);
+}
+
+bool Creating::key(const QKeyEvent& event) {
+    if (!recipe_)
+        return false;
+    const double stride = event.modifiers() & Qt::ControlModifier ? 2 : 12;
+    const auto cross = [&](double x, double y) {
+        const QPointF now = cross_.value_or(QRectF(display_.rect()).center());
+        cross_ = QPointF(std::clamp(now.x() + x, 0.0, display_.width() - 1.0),
+                         std::clamp(now.y() + y, 0.0, display_.height() - 1.0));
+        Q_EMIT changed();
+    };
+    switch (event.key()) {
+    case Qt::Key_Escape:
+        cancel();
+        return true;
+    case Qt::Key_Left:
+        cross(-stride, 0);
+        return true;
+    case Qt::Key_Right:
+        cross(stride, 0);
+        return true;
+    case Qt::Key_Up:
+        cross(0, -stride);
+        return true;
+    case Qt::Key_Down:
+        cross(0, stride);
+        return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        if (cross_)
+            click(*std::exchange(cross_, std::nullopt));
+        else
+            otherwise();
+        return true;
+    default:
+        return false;
+    }
+}
+
+QString Creating::prompt() const {
+    if (!recipe_ || recipe_->steps.empty())
+        return {};
+    QString text = tr("%1: %2").arg(recipe_->label, step().prompt);
+    if (!step().otherwise.isEmpty())
+        text += " " + step().otherwise;
+    return fault_.isEmpty() ? text : fault_ + " " + text;
+}
+
+void Creating::paint(QPainter& painter) const {
+    if (!recipe_)
+        return;
+    const Sight sight = display_.sight();
+    const auto at = [&](const Indicated& one) {
+        return display_.fromPixels(sight.pixels(one.point));
+    };
+    painter.setPen(QPen(QColor(20, 90, 200), 2));
+    painter.setBrush(QColor(255, 255, 255, 200));
+    for (std::size_t i = 0; i < shown_.size(); ++i) {
+        if (!shown_[i].given || shown_[i].trajectory)
+            continue;
+        if (i > 0 && shown_[i - 1].given)
+            painter.drawLine(at(shown_[i - 1]), at(shown_[i]));
+        painter.drawEllipse(at(shown_[i]), 4, 4);
+    }
+    if (cross_) {
+        painter.drawLine(*cross_ - QPointF(9, 0), *cross_ + QPointF(9, 0));
+        painter.drawLine(*cross_ - QPointF(0, 9), *cross_ + QPointF(0, 9));
+    }
+    const QRect space = display_.rect().adjusted(12, 10, -12, -10);
+    const QString text = prompt();
+    const QRect needed = painter.boundingRect(space, Qt::AlignLeft | Qt::TextWordWrap, text);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(20, 90, 200, 230));
+    painter.drawRoundedRect(needed.adjusted(-6, -4, 6, 4), 4, 4);
+    painter.setPen(Qt::white);
+    painter.drawText(space, Qt::AlignLeft | Qt::TextWordWrap, text);
+}
+
+} // namespace views

@@ -1,0 +1,60 @@
+// A Create command on its way: it asks for clicks, one step after another, and then writes the new
+// element into the text as one step of undo.
+//
+// A click is the left button, shifted or not, let go where it was pressed; dragging turns the view
+// meanwhile, so that what is to be clicked on can be brought to the front. With the keys: the
+// arrows move a cross through the picture, Return takes what is under it - or, before it was moved,
+// what the step offers instead. Escape gives up.
+#pragma once
+
+#include "views/picking.h"
+#include "views/recipes.h"
+#include "views/scene_document.h"
+
+#include <QObject>
+
+class QKeyEvent;
+class QPainter;
+
+namespace views {
+
+class SceneDisplay;
+
+class Creating : public QObject {
+    Q_OBJECT
+public:
+    Creating(SceneDocument& document, SceneDisplay& display);
+
+    void start(Recipe recipe);
+    [[nodiscard]] bool active() const { return recipe_.has_value(); }
+    void cancel();
+    void click(const QPointF& position);
+    bool key(const QKeyEvent& event); // false: not theirs
+    // What is asked for, and what was wrong with the last click.
+    [[nodiscard]] QString prompt() const;
+    void paint(QPainter& painter) const;
+
+Q_SIGNALS:
+    void changed();
+    // It is in the text: what it is, and whose handles to show.
+    void created(editing::Element element, HandleSwitch handles);
+    // To be shown before one can click on it.
+    void needs(HandleSwitch what);
+    void refused(const QString& why);
+
+private:
+    [[nodiscard]] const Step& step() const;
+    [[nodiscard]] std::optional<Indicated> indicated(const QPointF& position);
+    void take(const Indicated& indicated);
+    void otherwise();
+    void finish();
+
+    SceneDocument& document_;
+    SceneDisplay& display_;
+    std::optional<Recipe> recipe_;
+    std::vector<Indicated> shown_;
+    QString fault_;
+    std::optional<QPointF> cross_; // moved by the keys
+};
+
+} // namespace views

@@ -1,0 +1,266 @@
+// (text, gesture, text) of the Create commands, by clicks and by keys, and of Delete.
+#include "views/editor.h"
+#include "views/parameters_panel.h"
+#include "views/test_workshop.h"
+
+#include <gmock/gmock.h>
+
+namespace views {
+namespace {
+
+using geometry::Vector;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const std::string balls = "simulator -finish 2\n"
+                          "shape_set ball -desc {-sub {-sphere 0.5}}\n"
+                          "body b1 ball -init_pos {-1 0 0}\n"
+                          "body b2 ball -init_pos {1 0 0}\n";
+
+class CreatingTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() { theApplication(); }
+    void open(const std::string& text) {
+        editor.document().setText(text, "Edit");
+        ASSERT_TRUE(settle(editor.document()));
+        viewer = editor.openGraphicalViewer();
+        viewer->display().lookAlong(Vector::UnitZ());
+        viewer->display().grab();
+    }
+    SceneDisplay& display() { return viewer->display(); }
+    const std::string& text() { return editor.document().text(); }
+    const scene::Scene& scene() { return *editor.document().shown().scene; }
+    void click(const Vector& world) {
+        QTest::mouseClick(&display(), Qt::LeftButton, {},
+                          display().fromPixels(display().sight().pixels(world)).toPoint());
+    }
+    void key(Qt::Key which) { QTest::keyClick(&display(), which); }
+    void done() { ASSERT_TRUE(settle(editor.document())) << text(); }
+
+    TestWorkshop made;
+    Editor editor{made.workshop()};
+    GraphicalViewer* viewer = nullptr;
+};
+
+TEST_F(CreatingTest, ABodyStandsWhereOneClicksOrAtTheOrigin) {
+    open(balls);
+    display().creating().start(newBody("ball"));
+    EXPECT_THAT(display().creating().prompt().toStdString(), StartsWith("New Body: Click where"));
+    click({0, 1, 0});
+    done();
+    EXPECT_THAT(text(), StartsWith(balls + "body b3 ball -init_pos {"));
+    EXPECT_LT((scene().bodies[2].initialPosition - Vector(0, 1, 0)).norm(), 0.05);
+    EXPECT_TRUE(display().display().positionHandles);
+    display().creating().start(newBody("ball"));
+    key(Qt::Key_Return);
+    done();
+    EXPECT_EQ(scene().bodies[3].initialPosition, Vector::Zero().eval());
+    editor.document().undo();
+    editor.document().undo();
+    EXPECT_EQ(text(), balls);
+}
+
+TEST_F(CreatingTest, AnEmptySceneGetsItsFirstBodyWithAShape) {
+    open("# nothing yet\n");
+    display().creating().start(newBody(BasicShape::box));
+    key(Qt::Key_Return);
+    done();
+    ASSERT_EQ(scene().bodies.size(), 1U);
+    EXPECT_EQ(text(), "# nothing yet\n\nshape_set block1 -desc {-sub {-box {1 1 1}}}\n"
+                      "body body1 block1 -init_pos {0 0 0}\n");
+}
+
+TEST_F(CreatingTest, AForceIsAUnitDownwardsOrWhatASecondClickShows) {
+    open(balls);
+    display().creating().start(newForce(false, 1));
+    click({-1, 0, 0});
+    key(Qt::Key_Return);
+    done();
+    EXPECT_EQ(text(), balls + "\nforce -body b1 -x 0 -y -1 -z 0\n");
+    EXPECT_TRUE(display().display().forceHandles);
+    display().creating().start(newForce(false, 1));
+    click({5, 5, 0}); // nothing there
+    EXPECT_THAT(display().creating().prompt().toStdString(), StartsWith("There is no body."));
+    click({1.3, 0, 0});
+    click({1.3, 1, 0});
+    done();
+    ASSERT_EQ(scene().forces.size(), 2U);
+    EXPECT_GT(scene().forces[1].offset->x(), 0.15);
+    EXPECT_NEAR(scene().forces[1].offset->norm(), 0.5, 0.01); // on the surface
+    EXPECT_NEAR(std::stod(std::get<scene::ComponentForce>(scene().forces[1].kind).components[1]), 1,
+                0.1);
+}
+
+TEST_F(CreatingTest, WeightTorqueAndForcesByTrajectories) {
+    open(balls + "trajectory T -points {{0 0 2 0} {2 2 2 0}}\n");
+    display().creating().start(newWeight());
+    click({1, 0, 0});
+    done();
+    EXPECT_THAT(text(), HasSubstr("force -body b2 -gravitational {0 -1 0}\n"));
+    display().creating().start(newForce(true, 1));
+    click({-1, 0, 0});
+    key(Qt::Key_Return);
+    done();
+    EXPECT_THAT(text(), HasSubstr("force -torque 1 -body b1 -x 0 -y 0 -z 1\n"));
+    display().creating().start(newTrajectoryForce(false));
+    EXPECT_TRUE(display().display().trajectories);
+    click({-1, 0, 0});
+    click({1, 2, 0});
+    done();
+    EXPECT_THAT(text(), HasSubstr("force -body b1 -trajectory T\n"));
+    display().creating().start(newTrajectoryForce(true));
+    click({-1, 0, 0});
+    key(Qt::Key_Return);
+    done();
+    EXPECT_THAT(text(), HasSubstr("force -torque 1 -body b1 -trajectory path1\n"));
+}
+
+TEST_F(CreatingTest, LinksOfAllKinds) {
+    open(balls + "trajectory T -points {{0 0 2 0} {2 2 2 0}}\n");
+    display().creating().start(newLink(Wanted::body));
+    click({-0.7, 0, 0});
+    click({1, 0, 0});
+    done();
+    ASSERT_EQ(scene().links.size(), 1U);
+    EXPECT_NEAR(scene().links[0].first.offset->norm(), 0.5, 0.02); // on the surface
+    EXPECT_EQ(std::get<scene::BodyEnd>(scene().links[0].second).body, "b2");
+    EXPECT_EQ(scene().links[0].tightness, 100);
+    display().creating().start(newLink(Wanted::point));
+    click({1, 0, 0});
+    click({1, 1, 0});
+    done();
+    EXPECT_NEAR(std::stod(std::get<scene::PointEnd>(scene().links[1].second).coordinates[1]), 1,
+                0.05);
+    display().creating().start(newLink(Wanted::trajectory));
+    click({1, 0, 0});
+    click({0.5, 2, 0});
+    done();
+    EXPECT_EQ(std::get<scene::TrajectoryEnd>(scene().links[2].second).trajectory, "T");
+}
+
+TEST_F(CreatingTest, ATrajectoryIsDrawnAndABodyLedByIt) {
+    open(balls);
+    display().creating().start(newTrajectory());
+    for (const Vector& point : {Vector(-1, 0, 0), Vector(0, 0.5, 0), Vector(1, 1, 0)})
+        click(point);
+    key(Qt::Key_Return);
+    done();
+    ASSERT_EQ(scene().trajectories.size(), 1U);
+    EXPECT_EQ(scene().trajectories[0].points.size(), 3U);
+    EXPECT_EQ(scene().trajectories[0].points[1].first, 1);
+    display().creating().start(attachTrajectory());
+    click({-1, 0, 0});
+    click({0, 0.5, 0});
+    done();
+    EXPECT_THAT(text(), HasSubstr("\nconstrain b1 -pos path1\n"));
+}
+
+TEST_F(CreatingTest, LightsParametersPlotsAndViews) {
+    open(balls);
+    display().creating().start(newLight(false));
+    click({0, 1, 0});
+    done();
+    EXPECT_THAT(text(), HasSubstr("lightsource light1 -pos {"));
+    display().creating().start(newParameter("g", "1", "0", "2"));
+    done();
+    EXPECT_THAT(text(), HasSubstr("parameter g -value 1 -min 0 -max 2\n"));
+    display().creating().start(newPlot("b1.y + 1"));
+    done();
+    EXPECT_THAT(text(), HasSubstr("plot plot1 -values {{b1.y + 1}}\n"));
+    ASSERT_EQ(scene().plots.size(), 1U);
+    EXPECT_EQ(scene().plots[0].values, std::vector<std::string>{"b1.y + 1"});
+    render::Camera camera = display().camera();
+    camera.rotation = geometry::fromRotationVector(Vector(0.3, 0.4, 0.1));
+    display().setCamera(camera);
+    const std::string before = text();
+    display().creating().start(keptView(display().camera(), 0.01));
+    done();
+    ASSERT_EQ(scene().views.size(), 1U);
+    display().followView("view1");
+    display().grab();
+    EXPECT_LT(display().camera().rotation.angularDistance(camera.rotation), 1e-3);
+    EXPECT_NEAR(display().camera().scale, camera.scale, 1e-3 * camera.scale);
+}
+
+TEST_F(CreatingTest, AParametersSliderIsItsNumberInTheText) {
+    open("parameter g -value 1.0 -min 0 -max 4 -label pull -unit N ;# drag me\n" + balls);
+    const std::string before = text();
+    auto* panel = viewer->findChild<ParametersPanel*>();
+    ASSERT_NE(panel, nullptr);
+    QSlider* slider = panel->slider("g");
+    ASSERT_NE(slider, nullptr);
+    EXPECT_EQ(slider->value(), 250);
+    slider->setSliderDown(true);
+    slider->setSliderPosition(500);
+    slider->setSliderPosition(750);
+    EXPECT_THAT(text(), StartsWith("parameter g -value 3.0 -min 0 -max 4 -label pull"));
+    slider->setSliderDown(false);
+    done();
+    EXPECT_EQ(scene().parameters[0].value, 3);
+    QTest::keyClick(slider, Qt::Key_Right);
+    done();
+    EXPECT_NEAR(scene().parameters[0].value, 3.04, 1e-9);
+    editor.document().undo();
+    editor.document().undo();
+    EXPECT_EQ(text(), before);
+}
+
+TEST_F(CreatingTest, TheKeysAloneMakeALink) {
+    open(balls);
+    display().setFocus();
+    display().creating().start(newLink(Wanted::body));
+    const auto go = [&](const Vector& to, QPointF& from) {
+        const QPointF at = display().fromPixels(display().sight().pixels(to));
+        while (std::abs(at.x() - from.x()) > 7) {
+            key(at.x() > from.x() ? Qt::Key_Right : Qt::Key_Left);
+            from.rx() += at.x() > from.x() ? 12 : -12;
+        }
+        key(Qt::Key_Return);
+        from = QRectF(display().rect()).center();
+    };
+    QPointF cross = QRectF(display().rect()).center();
+    go({-1, 0, 0}, cross);
+    go({1, 0, 0}, cross);
+    done();
+    ASSERT_EQ(scene().links.size(), 1U) << text();
+}
+
+TEST_F(CreatingTest, EscapeLeavesTheTextAsItIs) {
+    open(balls);
+    display().creating().start(newLink(Wanted::body));
+    click({-1, 0, 0});
+    key(Qt::Key_Escape);
+    EXPECT_FALSE(display().creating().active());
+    EXPECT_EQ(text(), balls);
+}
+
+TEST_F(CreatingTest, DeleteTakesWhatDependsOnItAfterAsking) {
+    open(balls + "force -body b1 -y 1\n");
+    QString asked;
+    bool answer = false;
+    display().editing().setConfirm([&](const QString& question) {
+        asked = question;
+        return answer;
+    });
+    key(Qt::Key_H); // the first body
+    key(Qt::Key_Delete);
+    EXPECT_THAT(asked.toStdString(), HasSubstr("the force of line 5"));
+    EXPECT_EQ(text(), balls + "force -body b1 -y 1\n");
+    answer = true;
+    key(Qt::Key_Delete);
+    EXPECT_EQ(text(), "simulator -finish 2\nshape_set ball -desc {-sub {-sphere 0.5}}\n"
+                      "body b2 ball -init_pos {1 0 0}\n");
+}
+
+TEST_F(CreatingTest, WhatALoopMakesIsNotDeletedAlone) {
+    const std::string loop = "shape_set s -desc {-sub {-sphere 1}}\n"
+                             "foreach i {1 2} {body b$i s -init_pos \"$i 0 0\"}\n";
+    open(loop);
+    key(Qt::Key_H);
+    key(Qt::Key_Delete);
+    EXPECT_EQ(display().editing().said(), "Body \"b1\" is one of 2 that line 2 makes.");
+    EXPECT_EQ(text(), loop);
+}
+
+} // namespace
+} // namespace views

@@ -1,0 +1,46 @@
+// A new point of a trajectory, dragged out of one that is there: before or after it, by the
+// direction in which the pointer goes (dissertation 4.1.4). One step of undo, as HandleDrag.
+#pragma once
+
+#include "editing/trajectory_edit.h"
+#include "views/picking.h"
+#include "views/scene_document.h"
+
+#include <QString>
+
+namespace views {
+
+// Which of editing/'s points a handle is.
+[[nodiscard]] std::size_t pointOf(const editing::TrajectoryEdits& edits,
+                                  const render::Handle& handle);
+
+class NewPoint {
+public:
+    NewPoint(SceneDocument& document, const Sight& sight, const render::Handle& from);
+
+    void move(const Eigen::Vector2d& pixels);
+    // As the keys do it: halfway to the next point.
+    void after();
+    void finish();
+    void cancel();
+    [[nodiscard]] QString words() const;
+    [[nodiscard]] const geometry::Vector& place() const { return place_; }
+    [[nodiscard]] const editing::Answer& answer() const { return answer_; }
+
+private:
+    [[nodiscard]] double timeTowards(bool later) const;
+    void update();
+
+    SceneDocument& document_;
+    std::string text_;
+    std::shared_ptr<const scene::Scene> scene_;
+    editing::TrajectoryEdits edits_;
+    Sight sight_;
+    std::size_t from_, trajectory_;
+    geometry::Vector place_;
+    double time_ = 0;
+    std::optional<bool> later_; // once the direction is clear
+    editing::Answer answer_;
+};
+
+} // namespace views

@@ -1,0 +1,74 @@
+// The Create commands: what each asks to be shown in the picture, and what it writes then
+// (dissertation 4.1.2, 4.1.4 to 4.1.8).
+#pragma once
+
+#include "editing/creation.h"
+#include "geometry/pose.h"
+#include "render/renderer.h"
+
+#include <QString>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace views {
+
+using geometry::Vector;
+
+using HandleSwitch = bool render::Display::*; // one kind of handle shown or not
+
+// What a click is to show.
+enum class Wanted {
+    point,      // in the plane of the screen through what was shown before
+    body,       // the front-most one, and where on its surface
+    trajectory, // the nearest line
+};
+
+struct Step {
+    Wanted wanted = Wanted::point;
+    QString prompt;       // "Click on the body that it acts on."
+    QString otherwise;    // what Return does instead, "" when there is no such thing
+    bool repeats = false; // again and again, until Return
+};
+
+// What was shown for one step; nothing of it: Return.
+struct Indicated {
+    bool given = false;
+    Vector point = Vector::Zero(); // world
+    std::optional<std::size_t> body;
+    Vector onBody = Vector::Zero(); // in the body's frame
+    bool atCenter = false;          // of mass, as near as the pointer can tell
+    std::optional<std::size_t> trajectory;
+    double resolution = 0; // what the pointer tells apart there
+};
+
+struct Recipe {
+    QString label; // "New Force": for the undo stack and the prompt
+    std::vector<Step> steps;
+    std::function<std::vector<editing::NewElement>(
+        const std::string& text, const scene::Scene& scene, const std::vector<Indicated>& shown)>
+        make;
+    HandleSwitch handles = nullptr; // shown afterwards
+};
+
+enum class BasicShape { sphere, box };
+
+// Of a shape that is there, or of a new one.
+[[nodiscard]] Recipe newBody(const std::string& shape);
+[[nodiscard]] Recipe newBody(BasicShape shape);
+// `perUnit`: how long the arrow of a force of 1 is drawn.
+[[nodiscard]] Recipe newForce(bool couple, double perUnit);
+[[nodiscard]] Recipe newWeight();
+[[nodiscard]] Recipe newTrajectoryForce(bool couple);
+[[nodiscard]] Recipe newLink(Wanted second);
+[[nodiscard]] Recipe newLight(bool point);
+[[nodiscard]] Recipe newTrajectory();
+[[nodiscard]] Recipe attachTrajectory();
+// Without steps: what a dialog has asked for.
+[[nodiscard]] Recipe newParameter(const std::string& name, const std::string& value,
+                                  const std::string& minimum, const std::string& maximum);
+[[nodiscard]] Recipe newPlot(const std::string& expression);
+[[nodiscard]] Recipe keptView(const render::Camera& camera, double resolution);
+
+} // namespace views
