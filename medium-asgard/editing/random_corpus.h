@@ -12,6 +12,8 @@ struct CorpusScene {
     std::string text;
     // "body \"b1\"": all of it; "body \"b1\" -init_pos": that option.
     std::set<std::string> readOnly;
+    // Of these the first two values are one number of the text: it may become another, for both.
+    std::set<std::string> oneNumberTwice = {};
 };
 
 [[nodiscard]] inline std::vector<CorpusScene> corpus() {
@@ -46,7 +48,8 @@ struct CorpusScene {
                   "body b1 s -init_pos [list $a 0 0]\nbody b2 s -init_pos $v\n"
                   "body b3 s -init_pos \"$x $x 1\"\nbody b4 s -init_pos {0 0 0};body b5 s\n"
                   "incr y\nbody b6 s -init_pos \"$y 0 0\" -init_drot {0 0 1}\n",
-         {"body \"b1\" -init_pos", "body \"b3\" -init_pos", "body \"b6\" -init_pos"}},
+         {"body \"b1\" -init_pos", "body \"b3\" -init_pos", "body \"b6\" -init_pos"},
+         {"body \"b3\" -init_pos"}},
         {"eval \"shape_set s -desc {-sub {-box {1 1 1}}}\"\r\nbody b1 s -init_pos {1 2 3}\r\n"
          "eval {body b2 s}\r\neval \"body b3 s -init_pos {1 1 1}\"\r\n"
          "trajectory P -points [list {0 0 0 0} {1 1 1 1}]\r\n",

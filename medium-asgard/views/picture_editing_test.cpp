@@ -216,6 +216,35 @@ TEST_F(PictureEditingTest, LightsAreMovedAndShineElsewhere) {
     EXPECT_LT(scene().lights[0].direction->y(), -1.5);
 }
 
+// Its points along x, a second apart.
+TEST_F(PictureEditingTest, PointsOfATrajectoryAreMovedDrawnOutAndRemoved) {
+    open(ball + "body b1 ball\n"
+                "trajectory T -points {{0 -1 0 0} {1 0 0 0} {2 1 0 0}} ;# along x\n",
+         {&render::Display::trajectories});
+    const std::string before = text();
+    drag(pixels({1, 0, 0}), pixels({1, 0.5, 0}));
+    EXPECT_NEAR(scene().trajectories[0].points[2].second.y(), 0.5, 0.02);
+    EXPECT_EQ(scene().trajectories[0].points[2].first, 2);
+    editor.document().undo();
+    ASSERT_TRUE(settle(editor.document()));
+    // To the left of the middle one: before it in time.
+    drag(pixels({0, 0, 0}), pixels({-0.4, 0.3, 0}), Qt::MiddleButton);
+    ASSERT_EQ(scene().trajectories[0].points.size(), 4U) << text();
+    EXPECT_EQ(scene().trajectories[0].points[1].first, 0.5);
+    EXPECT_NEAR(scene().trajectories[0].points[1].second.x(), -0.4, 0.02);
+    drag(pixels({1, 0, 0}), pixels({1.4, 0, 0}), Qt::MiddleButton); // beyond the end
+    ASSERT_EQ(scene().trajectories[0].points.size(), 5U) << text();
+    EXPECT_EQ(scene().trajectories[0].points[4].first, 3);
+    editor.document().undo();
+    editor.document().undo();
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_EQ(text(), before);
+    drag(pixels({0, 0, 0}), pixels({0, 0, 0}), Qt::RightButton);
+    EXPECT_THAT(text(), HasSubstr("trajectory T -points {{0 -1 0 0} {2 1 0 0}} ;# along x\n"));
+    drag(pixels({1, 0, 0}), pixels({1, 0, 0}), Qt::RightButton); // the last two go with it
+    EXPECT_EQ(text(), ball + "body b1 ball\n");
+}
+
 TEST_F(PictureEditingTest, TheKeysMoveTheMarkedHandleInOneStep) {
     open(ball + "body b1 ball -init_pos {-1 0 0}\nbody b2 ball -init_pos {1 0 0}\n");
     const std::string before = text();
