@@ -13,8 +13,8 @@
 //     put the motion together
 //
 // Colours, lights, views, plots and places in the text are no part of motion: then nothing is
-// solved. Another finish takes what is kept further, or reads less of it (new_finish.h). Where bodies
-// are not independent of each other by the options (`whole`, no event-driven scheduling), or
+// solved. Another finish takes what is kept further, or reads less of it (new_finish.h). Where
+// bodies are not independent of each other by the options (`whole`, no event-driven scheduling), or
 // something is said of the whole scene (another accuracy, method, start; a refusal; an explanation
 // that is asked for), all is solved again.
 #pragma once
