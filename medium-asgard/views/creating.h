@@ -12,6 +12,7 @@
 #include "views/scene_document.h"
 
 #include <QObject>
+#include <QPointF>
 
 class QKeyEvent;
 class QPainter;
