@@ -106,7 +106,7 @@ double CoupledStages::correct(Stages& z) {
 }
 
 CoupledStages::Outcome CoupledStages::solve(double t, double h, std::span<const double> y,
-                                            Stages& z) {
+                                            Stages& z, bool isFixed) {
     constexpr std::size_t mostIterations = 12, mayGrow = 5, mostStalls = 2;
     constexpr double mostGrowth = 10, slow = 0.1, far = 0.1;
     t_ = t;
@@ -114,7 +114,7 @@ CoupledStages::Outcome CoupledStages::solve(double t, double h, std::span<const 
     y_ = y;
     z_ = &z;
     counts_ = {};
-    const double kappa = control_.newtonTolerance(), noise = control_.newtonNoise();
+    const double kappa = control_.newtonTolerance(), noise = control_.newtonNoise(!isFixed);
     double last = 0, rate = 1;
     double least = infinity, displacedThere = 0; // where the Jacobian stands
     std::size_t stalls = 0;

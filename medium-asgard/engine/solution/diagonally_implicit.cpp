@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::size_t mostIterations = 12, mayGrow = 5;
 constexpr double mostGrowth = 5, slow = 0.1;
+constexpr double far =
+    0.1; // of the extent, that what is missing moves something (coupled_stages.h)
 constexpr std::size_t fewIterations = 3, manyIterations = 6; // of the dissertation's rule
 
 } // namespace
@@ -50,8 +52,8 @@ bool DiagonallyImplicit::linearizeAt(std::size_t i) {
     return factored_;
 }
 
-// One Newton correction of z; `size` is its norm.
-bool DiagonallyImplicit::correct(std::size_t i, double& size) {
+// What z misses of its equation, into correction_; `displacement`: how far that moves something.
+bool DiagonallyImplicit::missing(std::size_t i, double& displacement) {
     for (std::size_t n = 0; n < at_.size(); ++n)
         at_[n] = base_[n] + z_[n];
     if (!rates(t_ + tableau_.c[i] * h_, at_, correction_))
@@ -59,24 +61,36 @@ bool DiagonallyImplicit::correct(std::size_t i, double& size) {
     const double shift = 1 / (h_ * tableau_.diagonal());
     for (std::size_t n = 0; n < at_.size(); ++n)
         correction_[n] -= shift * z_[n];
+    displacement = control_.displacement(correction_, h_);
+    return std::isfinite(displacement);
+}
+
+// One Newton correction of z; its norm.
+double DiagonallyImplicit::correct() {
     solver_->solve(correction_);
     for (std::size_t n = 0; n < at_.size(); ++n)
         z_[n] += correction_[n];
-    size = control_.norm(correction_);
-    return std::isfinite(size);
+    return control_.norm(correction_);
 }
 
-DiagonallyImplicit::Newton DiagonallyImplicit::iterate(std::size_t i, bool full) {
+DiagonallyImplicit::Newton DiagonallyImplicit::iterate(std::size_t i, bool full, bool isNew) {
     const double kappa = control_.newtonTolerance();
-    constexpr double negligible = 1e-3; // whatever the rate: rounding has none
-    double last = 0;
+    const double negligible = std::max(1e-3, control_.newtonNoise(!fixed_)); // whatever the rate
+    const double trusted = tableau_.stepByNewton ? infinity : far;
+    double last = 0, rate = 1;
     for (iterations_ = 1; iterations_ <= mostIterations; ++iterations_) {
-        if (full && !linearizeAt(i))
+        double displaced = 0;
+        if (!missing(i, displaced))
             return Newton::notFinite;
-        double size = 0;
-        if (!correct(i, size))
+        const bool isSlow = iterations_ > 2 && rate > slow;
+        const bool isAnew = full || isSlow || (iterations_ > 1 && displacedThere_ > trusted);
+        if (isAnew && !linearizeAt(i))
             return Newton::notFinite;
-        double rate = 1;
+        if (isAnew || (isNew && iterations_ == 1))
+            displacedThere_ = displaced;
+        const double size = correct();
+        if (!std::isfinite(size))
+            return Newton::notFinite;
         if (last > 0) {
             rate = size / last;
             if (rate >= (iterations_ <= mayGrow ? mostGrowth : 1) && size > negligible)
@@ -84,10 +98,9 @@ DiagonallyImplicit::Newton DiagonallyImplicit::iterate(std::size_t i, bool full)
             rate_ = std::min(rate, 1.0);
         }
         last = size;
-        if (size <= negligible || (rate < 1 && rate / (1 - rate) * size < kappa))
+        if (displacedThere_ <= trusted &&
+            (size <= negligible || (rate < 1 && rate / (1 - rate) * size < kappa)))
             return Newton::converged;
-        if (!full && iterations_ > 1 && rate > slow && !linearizeAt(i))
-            return Newton::notFinite;
     }
     return Newton::failed;
 }
@@ -107,11 +120,11 @@ DiagonallyImplicit::Newton DiagonallyImplicit::solveStage(std::size_t i) {
         if (!linearizeAt(i))
             return Newton::notFinite;
     }
-    Newton result = iterate(i, tableau_.stepByNewton);
+    Newton result = iterate(i, tableau_.stepByNewton, !keep);
     if (result == Newton::failed && !tableau_.stepByNewton) {
         for (std::size_t n = 0; n < z_.size(); ++n)
             z_[n] = start_[n] - base_[n];
-        result = iterate(i, true);
+        result = iterate(i, true, true);
     }
     for (std::size_t n = 0; n < z_.size(); ++n)
         k_[i][n] = z_[n] / g;

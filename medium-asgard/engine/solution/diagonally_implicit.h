@@ -7,7 +7,8 @@
 // too: an evaluation there would multiply what Newton left by the stiffness.
 //
 // Newton policy as Radau's (radau.h): J at the predicted stage, simplified iterations while they
-// contract by 0.1 or better, else a new J at the current value; corrections may grow at first. When
+// contract by 0.1 or better, else a new J at the current value; corrections may grow at first; none
+// counts whose Jacobian stands where links are far stretched (coupled_stages.h). When
 // that fails, once more from the start's value with a new J for each iteration.
 // With `stepByNewton` there is no error control: the step follows the number of iterations, as
 // dissertation 5.2 has it (halved when Newton fails or takes many, doubled when it takes few),
@@ -59,8 +60,9 @@ private:
 
     [[nodiscard]] Newton stages();
     [[nodiscard]] Newton solveStage(std::size_t i);
-    [[nodiscard]] Newton iterate(std::size_t i, bool full);
-    [[nodiscard]] bool correct(std::size_t i, double& size);
+    [[nodiscard]] Newton iterate(std::size_t i, bool full, bool isNew);
+    [[nodiscard]] bool missing(std::size_t i, double& displacement);
+    [[nodiscard]] double correct();
     [[nodiscard]] bool linearizeAt(std::size_t i);
     [[nodiscard]] Attempt judge();
     [[nodiscard]] Attempt judgeByNewton() const;
@@ -69,8 +71,8 @@ private:
     std::unique_ptr<LinearSolver> solver_;
     std::vector<double> jacobian_;
     bool factored_ = false;
-    double factoredStep_ = 0;
-    double rate_ = 1; // contraction of Newton's last iteration
+    double factoredStep_ = 0, displacedThere_ = 0; // where the Jacobian stands
+    double rate_ = 1;                              // contraction of Newton's last iteration
     std::size_t iterations_ = 0, mostIterations_ = 0;
 
     std::vector<std::vector<double>> k_;

@@ -66,6 +66,11 @@ double ErrorControl::magnitude(std::size_t i) const {
     return std::max({seen_[i].high, -seen_[i].low, 1e-3 * other_});
 }
 
+double ErrorControl::newtonNoise(bool isControlled) const {
+    constexpr double most = 0.1, uncontrolled = 8;
+    return isControlled ? std::min(noise_, most) : uncontrolled * noise_;
+}
+
 double ErrorControl::rounding(std::size_t i) const {
     const bool isPosition = scales_[i].kind == UnknownScale::Kind::position;
     return isPosition ? rounding_ / scales_[i].lengthPerUnit : 0;
@@ -117,7 +122,6 @@ void ErrorControl::prepare(std::span<const double> y, double h) {
 
 // Rounding of a position moves a stiff end as far, and its velocity by that over the step.
 void ErrorControl::measureNoise(double h) {
-    constexpr double most = 0.1;
     const double rounding = units * rounding_;
     noise_ = 0;
     for (std::size_t i = 0; i < scales_.size(); ++i) {
@@ -127,7 +131,6 @@ void ErrorControl::measureNoise(double h) {
         else if (length > 0)
             noise_ = std::max(noise_, rounding / length / h / weights_[i]);
     }
-    noise_ = std::min(noise_, most);
 }
 
 double ErrorControl::norm(std::span<const double> error) const {

@@ -40,8 +40,9 @@ public:
     // What a Newton iteration may leave, in units of the tolerance; never below rounding.
     [[nodiscard]] double newtonTolerance() const;
     // What rounding of positions leaves of a correction in the step last prepared, in the same
-    // units: no correction below this says how an iteration converges.
-    [[nodiscard]] double newtonNoise() const { return noise_; }
+    // units: no correction below this says how an iteration converges. At fixed steps nothing is
+    // gained by less.
+    [[nodiscard]] double newtonNoise(bool isControlled = true) const;
     // Accepted values widen ranges and largest values.
     void observe(std::span<const double> y);
     // Scales for a step of length h to `y`, the values seen so far and these.

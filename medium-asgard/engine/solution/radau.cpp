@@ -189,7 +189,7 @@ bool Radau::linearizeMiddle() {
 Radau::Newton Radau::iterate() {
     constexpr std::size_t mostIterations = 12, mayGrow = 5;
     constexpr double mostGrowth = 5, slow = 0.1;
-    const double kappa = control_.newtonTolerance(), noise = control_.newtonNoise();
+    const double kappa = control_.newtonTolerance(), noise = control_.newtonNoise(!fixed_);
     double last = 0;
     // With fixed steps Newton goes to rounding, which stiffness magnifies: no further than that.
     const auto isRounding = [this, noise](double size) {
@@ -228,7 +228,7 @@ Radau::Newton Radau::solveTogether() {
     predict();
     factored_ = false;
     rate_ = 1; // says nothing of the other iteration
-    const Newton result = coupled_->solve(t_, h_, start_, z_);
+    const Newton result = coupled_->solve(t_, h_, start_, z_, fixed_);
     counts_ += coupled_->counts();
     iterations_ = coupled_->counts().iterations;
     if (result != Newton::converged)
