@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdio>
 #include <map>
 #include <string_view>
 #include <tuple>
@@ -149,6 +150,16 @@ std::string phasesText(const Explanation& explanation, const std::string& name) 
         text += (text.empty() ? "" : "\n") + listOf(phases.unknowns, phases.unknowns.size()) +
                 "\n\n" + phases.text;
     return text.empty() ? "Nothing of " + name + " is computed: it stays as it is.\n" : text;
+}
+
+std::string accuracyText(double accuracy, std::optional<double> estimate) {
+    char text[160];
+    if (!estimate)
+        return "\nThe error of a method that is asked for by name is not estimated.\n";
+    std::snprintf(text, sizeof text, "\nAccuracy: %.1g asked; the error is estimated at %.1g%s.\n",
+                  accuracy, *estimate,
+                  *estimate == 0 ? ", since nothing is integrated" : " of the size of what moves");
+    return text;
 }
 
 std::string explanationJson(const Explanation& explanation) {

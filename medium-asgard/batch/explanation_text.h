@@ -3,6 +3,7 @@
 
 #include "simulation/explanation.h"
 
+#include <optional>
 #include <string>
 
 namespace batch {
@@ -13,6 +14,8 @@ namespace batch {
 // The phases that were asked for of something with this name, a section for each component.
 [[nodiscard]] std::string phasesText(const simulation::Explanation& explanation,
                                      const std::string& name);
+// What was asked, and how far off the motion is; none: not estimated.
+[[nodiscard]] std::string accuracyText(double accuracy, std::optional<double> estimate);
 [[nodiscard]] std::string explanationJson(const simulation::Explanation& explanation);
 
 } // namespace batch

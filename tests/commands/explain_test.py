@@ -28,6 +28,7 @@ def without_counts(text):
         return text
     text = re.sub(r"\d+ steps?, \d+ evaluations?", "# steps, # evaluations", text)
     text = re.sub(r"in \d+ tests?\.", "in # tests.", text)
+    text = re.sub(r"estimated at [1-9]\S*", "estimated at #", text)
     return re.sub(r"integrated by \S+ \(order \d+\)", "integrated by #", text)
 
 
