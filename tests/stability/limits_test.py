@@ -275,6 +275,11 @@ class Limits(unittest.TestCase):
         self.assertEqual(self.status(SWING, "rodas4", 0.05), "unstable")
         self.assertEqual(self.status(SWING, "tr-bdf2", 0.001), "ok")
 
+    # Steps at the edge of stability leave an error that goes to and fro, within the accuracy.
+    def test_study_calls_no_adaptive_explicit_method_ringing(self):
+        for row in self.study(SWING, "--methods", "dop853,tsit5", "--accuracies", "1e-2,1e-4", "--steps", ""):
+            self.assertEqual(row["status"], "ok", row)
+
     # Energy is the scene's own only where it knows the potential: a pendulum on gravity alone.
     def test_study_sees_energy_drift(self):
         kepler = """simulator -start 0 -finish 20 -collisions 0

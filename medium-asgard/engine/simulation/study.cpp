@@ -125,6 +125,9 @@ void Study::judge(const Options& options, const Result& run, StudyRow& row) cons
     const double error = scaledError(*problem_, island_, truth_, *motion);
     if (std::isfinite(error))
         row.error = error;
+    // At the edge of stability, where control keeps an explicit method, fast parts go to and fro
+    // within what was asked.
+    const bool isAtTheEdge = row.accuracy && run.statistics.factorisations == 0;
     const bool refused = run.statistics.unconvergedSteps > run.statistics.steps;
     if (stoppedBy(Reason::overflow) || stoppedBy(Reason::notFinite))
         row.status = Status::unstable;
@@ -134,8 +137,8 @@ void Study::judge(const Options& options, const Result& run, StudyRow& row) cons
         row.status = Status::notReached;
     else if (error > 1)
         row.status = Status::unstable;
-    else if (rings(*motion, *reference_, *problem_->bodies,
-                   std::max(visible, row.accuracy.value_or(0))))
+    else if (!isAtTheEdge && rings(*motion, *reference_, *problem_->bodies,
+                                   std::max(visible, promise * row.accuracy.value_or(0))))
         row.status = Status::ringing;
     else if (const auto energy = energyCourse(scene_, options, run.motion, *problem_->bodies);
              energyIsKept_ && energy && std::abs(energy->drift) > drifted)

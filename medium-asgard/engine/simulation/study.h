@@ -4,9 +4,10 @@
 //     unstable     it left all bounds, or its error is larger than what moves
 //     newton       the implicit equations were not solved: it stopped there, or more steps were
 //                  refused for that than were made
-//     ringing      increments of a velocity alternate over twelve steps without halving, by more
-//                  than 1e-6 of the velocity's largest and than the accuracy asked, where the
-//                  reference's are smaller
+//     ringing      what a velocity is off at the ends of steps goes to and fro over twelve of them
+//                  without halving, by more than 1e-6 of the largest speed; with an accuracy,
+//                  by more than ten times that, and not of an explicit method, whose steps such an
+//                  accuracy keeps at the edge of stability
 //     drift        energy that the reference keeps has moved by more than a hundredth of the
 //                  largest kinetic energy, between the first quarter of the motion and the last
 //     not_reached  it ended early, or, with an accuracy, its error is over ten times that
