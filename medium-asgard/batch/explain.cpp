@@ -57,11 +57,11 @@ int explain(const SceneText& scene, const ExplainArguments& arguments,
         std::fprintf(stderr, "%s: warning: %s\n", scene.file.c_str(), note.c_str());
     const bool stopped = tellStops(scene, *result.motion);
     const bool jsonOnly = arguments.json && *arguments.json == "-";
-    const std::string text =
-        arguments.expressions
-            ? phasesText(*result.explanation, options.phasesOf)
-            : explanationText(*result.explanation) +
-                  accuracyText(scene.reading.scene.simulator.accuracy, result.motion->errorEstimate());
+    const std::string text = arguments.expressions
+                                 ? phasesText(*result.explanation, options.phasesOf)
+                                 : explanationText(*result.explanation) +
+                                       accuracyText(scene.reading.scene.simulator.accuracy,
+                                                    result.motion->errorEstimate());
     if (!jsonOnly && !write("-", text))
         return failure;
     if (arguments.json && !write(*arguments.json, explanationJson(*result.explanation)))
