@@ -46,6 +46,8 @@ void applyOptions(scene::Scene& scene, const Options& options, std::vector<std::
     }
     if (scene.simulator.finish < scene.simulator.start)
         faults.push_back("The motion would finish before it starts.");
+    if (!(std::abs(scene.simulator.finish) <= 1e100))
+        faults.push_back("The motion would finish after 1e100: nothing is that long.");
     for (const auto& [name, value] : options.parameters) {
         const auto parameter = std::ranges::find(scene.parameters, name, &scene::Parameter::name);
         if (parameter == scene.parameters.end())
@@ -184,12 +186,12 @@ std::string shortfallOf(double accuracy, double estimate, std::optional<double> 
     char text[200];
     if (predictableUntil && estimate > lost)
         std::snprintf(text, sizeof text,
-                      "From t = %.4g s on the motion is not predictable to %.1g of its size, since "
+                      "From t = %.4g s on the motion is not predictable to %.3g of its size, since "
                       "it amplifies even rounding beyond that.",
                       *predictableUntil, accuracy);
     else
         std::snprintf(text, sizeof text,
-                      "An accuracy of %.1g is not reached: rounding, and what the motion makes of "
+                      "An accuracy of %.3g is not reached: rounding, and what the motion makes of "
                       "it, leave an error of about %.1g of its size.",
                       accuracy, estimate);
     return text;

@@ -100,6 +100,17 @@ std::vector<bool> amplifyRounding(const Problem& problem, const Run& run) {
     return islands;
 }
 
+// By body, unless it is cancelled meanwhile.
+std::vector<IslandError> differencesOf(const Problem& problem, const Run& first, const Run& second,
+                                       const Observer& silent, Solved& solved) {
+    std::vector<IslandError> differences;
+    solved.result.cancelled = second.cancelled;
+    if (!second.cancelled)
+        differences = compareRuns(problem, first, second, problem.accuracy(), silent.cancelled);
+    solved.result.cancelled = solved.result.cancelled || (silent.cancelled && silent.cancelled());
+    return differences;
+}
+
 // Where there are no integration errors, what is left is rounding, which impacts amplify.
 void judgeRounding(const Problem& problem, const Run& run, const Observer& silent,
                    const std::vector<double>& tolerances, KeptRuns& runs, Solved& solved) {
@@ -113,8 +124,9 @@ void judgeRounding(const Problem& problem, const Run& run, const Observer& silen
     if (!nudged)
         return;
     addWork(*nudged, solved);
-    solved.result.cancelled = nudged->cancelled;
-    const auto differences = compareRuns(problem, run, *nudged, problem.accuracy());
+    const auto differences = differencesOf(problem, run, *nudged, silent, solved);
+    if (solved.result.cancelled)
+        return;
     for (std::size_t b = 0; b < solved.errors.size(); ++b)
         if (islands[run.island[b]])
             solved.errors[b] = {.estimate = std::min(differences[b].largest, 1.0),
@@ -134,10 +146,9 @@ void compareRougher(const Problem& problem, const Run& run, const Observer& sile
     if (!rough)
         return;
     addWork(*rough, solved);
-    solved.result.cancelled = rough->cancelled;
-    const auto rougher = compareRuns(problem, *rough, run, problem.accuracy());
-    for (std::size_t b = 0; b < differences.size(); ++b)
-        if (differences[b].largest == 0)
+    const auto rougher = differencesOf(problem, *rough, run, silent, solved);
+    for (std::size_t b = 0; b < differences.size() && !solved.result.cancelled; ++b)
+        if (search.loose()[b] != before[b])
             differences[b] = rougher[b];
 }
 
@@ -165,16 +176,11 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer, KeptRun
         if (!tight)
             break;
         addWork(*tight, solved);
-        solved.result.cancelled = tight->cancelled;
-        if (tight->cancelled)
-            break;
-        auto differences =
-            compareRuns(problem, run, *tight, problem.accuracy(), observer.cancelled);
-        solved.result.cancelled = observer.cancelled && observer.cancelled();
+        auto differences = differencesOf(problem, run, *tight, silent, solved);
+        if (!solved.result.cancelled && search.needsRougher(differences))
+            compareRougher(problem, *tight, silent, search, differences, runs, solved);
         if (solved.result.cancelled)
             break;
-        if (search.needsRougher(differences))
-            compareRougher(problem, *tight, silent, search, differences, runs, solved);
         search.judge(differences, tight->island, solved.errors);
         run = std::move(*tight);
     }

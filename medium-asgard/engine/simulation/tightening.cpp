@@ -15,14 +15,22 @@ constexpr double tightening = 1.0 / 8;     // between the first two runs
 constexpr double enough = 0.625;           // of the accuracy: the estimate that is accepted
 constexpr double aim = 0.15;               // and what is aimed at when it is not
 constexpr double rougher = 512;            // of a third run, when the first two are equal
-constexpr double largestStep = 1e-3;       // of tolerances, from run to run
+constexpr double leastStep = 1e-3;         // of tolerances from run to run, and of errors
+constexpr double mostStep = 0.25;          // of tolerances, where a run was not enough
 constexpr double caution = 2.5, lag = 0.9; // errors fall a little less than tolerances do
 constexpr double plausible = 0.03;         // larger differences say nothing of how errors behave
 constexpr double nearby = 3, far = 100;    // times the accuracy: differences that can be trusted
-constexpr int patience = 2; // pairs of runs that come no closer, before tightening is given up
+// Orders that two pairs of runs can show, where errors follow tolerances; what is measured outside
+// counts as the nearest that is believed, and is not trusted.
+constexpr double orderly = 0.1; // the largest difference that shows an order
+constexpr double leastOrder = 0.7, mostOrder = 1.45, leastBelieved = 0.5, mostBelieved = 1.5;
+constexpr double closer = 0.5; // of the difference before: what comes closer
+constexpr double later = 1.02; // than wrong runs parted before: what comes closer, too
+constexpr int patience = 2;    // pairs of runs that come no closer, before tightening is given up
 // What rounding does in a step, as a tolerance: where errors of the reference scenes stop falling.
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double roundingUnits = 64, leastUnits = 4;
+constexpr double landing = 1.01; // what is no farther from the last tolerance is there
 
 // Coordinates have more digits after the point the nearer they are to the origin.
 double coarseness(const IslandError& difference) {
@@ -40,18 +48,18 @@ Tightening::Outlook Tightening::outlook(std::size_t b, const IslandError& differ
     const Body& body = bodies_[b];
     const double error = difference.largest;
     Outlook outlook{.order = 1, .gain = 1, .estimate = 1, .isMeasured = false};
-    if (error > 0 && error < body.before && body.before < 0.1 && loose_[b] < body.looser) {
+    if (error > 0 && error < body.before && body.before < orderly && loose_[b] < body.looser) {
         outlook.order = std::log(error / body.before) / std::log(loose_[b] / body.looser);
-        outlook.isMeasured = outlook.order > 0.7 && outlook.order < 1.45;
-        outlook.order = std::clamp(outlook.order, 0.5, 1.5);
+        outlook.isMeasured = outlook.order > leastOrder && outlook.order < mostOrder;
+        outlook.order = std::clamp(outlook.order, leastBelieved, mostBelieved);
     }
     const double ratio = std::max(tight_[b], rounding) / std::max(loose_[b], rounding);
-    outlook.gain = std::max(std::pow(ratio, lag * outlook.order), largestStep);
+    outlook.gain = std::max(std::pow(ratio, lag * outlook.order), leastStep);
     if (error == 0 && body.before > 0) // equal runs, by rounding: those before say more
         outlook.estimate = std::min(body.before, 1.0);
     else if (std::isfinite(error))
-        outlook.estimate = caution * outlook.gain * error +
-                           (error > 0 ? leastUnits * epsilon * coarseness(difference) : 0);
+        outlook.estimate =
+            caution * outlook.gain * error + leastUnits * epsilon * coarseness(difference);
     return outlook;
 }
 
@@ -82,8 +90,8 @@ double Tightening::next(std::size_t b, const IslandError& difference, BodyError&
     // Two wrong runs may differ as much as a wrong and a right one do: then they part later.
     const bool isWrong = !(error <= plausible);
     const double beyond = difference.beyondFrom(accuracy_);
-    const bool isNoCloser = body.before >= 0 && !(error < 0.5 * body.before) &&
-                            !(isWrong && beyond > 1.02 * body.beyondBefore);
+    const bool isNoCloser = body.before >= 0 && !(error < closer * body.before) &&
+                            !(isWrong && beyond > later * body.beyondBefore);
     const double unsettled = std::max(ahead.estimate, std::min(error, 1.0));
     body.failures += isNoCloser ? 1 : 0;
     body.before = error;
@@ -100,10 +108,10 @@ double Tightening::next(std::size_t b, const IslandError& difference, BodyError&
         return tight;
     const double left = error * ahead.gain; // the error of the tighter run
     const double wanted =
-        tight * std::clamp(std::isfinite(left) ? aim * accuracy_ / left : 0, largestStep, 0.25);
+        tight * std::clamp(std::isfinite(left) ? aim * accuracy_ / left : 0, leastStep, mostStep);
     // Where motion becomes unpredictable is best seen by two runs that are both as good as can be.
     const double last = rounding / tightening;
-    return isWrong && tight > 1.01 * last ? std::max(wanted, last) : std::max(wanted, rounding);
+    return isWrong && tight > landing * last ? std::max(wanted, last) : std::max(wanted, rounding);
 }
 
 void Tightening::leaveExact(const Run& run) {

@@ -10,7 +10,7 @@ Component::Component(const Surroundings& surroundings, std::vector<std::size_t> 
     : around_(surroundings), set_(surroundings.set), histories_(surroundings.histories),
       options_(surroundings.options), unknowns_(std::move(unknowns)),
       history_(std::make_shared<History>(unknowns_.size())), tolerance_(options_.tolerance),
-      values_(unknowns_.size()) {
+      values_(unknowns_.size()), watched_(options_.start) {
     if (!options_.tolerances.empty()) {
         tolerance_ = infinity;
         for (const std::size_t u : unknowns_)
@@ -220,6 +220,7 @@ void Component::begin() {
     model_ = Model::undecided;
     proposed_ = 0;
     fresh_ = true;
+    suspect_ = -infinity;
     immediate_ = 0;
     choice_ = choice_.restarted();
     equations_->inputs().window(infinity);
@@ -232,6 +233,8 @@ void Component::begin() {
     control_.observe(stateValues());
     remember();
     placeAnchor();
+    takeStates(y_);
+    (void)overflows();
 }
 
 void Component::placeAnchor() {

@@ -16,6 +16,7 @@
 #include "solution/equations_in_force.h"
 #include "solution/linear_motion.h"
 #include "solution/method_choice.h"
+#include "solution/oversight.h"
 #include "solution/prepared_equations.h"
 #include "solution/solver.h"
 
@@ -31,6 +32,8 @@ namespace solution {
 [[nodiscard]] inline double landingOf(const Options& options) {
     return options.fixedStep ? 1 + 1e-9 : 1.01;
 }
+
+inline constexpr double largestValue = 1e100; // of anything; beyond it motion ends
 
 // Below this a step does not move time by more than rounding.
 [[nodiscard]] inline double shortestStep(double t) {
@@ -117,6 +120,9 @@ private:
     [[nodiscard]] std::unique_ptr<Method> chooseMethod();
     void endWithoutRate(double t, std::span<const double> y);
     void finish(double to);
+    [[nodiscard]] double longest() const; // that the next step may be, by what is watched
+    [[nodiscard]] std::optional<double> overlooked(double h, double until);
+    void lookCloser(double at, double h);
     [[nodiscard]] bool overflows();
     void refuse(const Attempt& attempt, double h);
     void stopAtUnderflow(Attempt::Outcome outcome, double h);
@@ -176,7 +182,9 @@ private:
     double limit_ = infinity;         // where the next step must end at the latest
     bool limitRestarts_ = false;      // an input restarts at limit_
     std::optional<std::size_t> ends_; // an input's motion ends at limit_
-    bool fresh_ = true;               // the next piece begins at an event
+    WatchedTimes watched_;
+    double suspect_ = -infinity; // a watched time that a step passed over
+    bool fresh_ = true;          // the next piece begins at an event
 
     std::size_t immediate_ = 0; // switches since time last advanced
     std::deque<double> recentSwitches_;

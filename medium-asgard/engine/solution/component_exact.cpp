@@ -161,7 +161,8 @@ void Component::stepClosedForm() {
     setStates(y);
     normalize();
     takeHeldValues();
-    if (stop_)
+    takeStates(y_);
+    if (stop_ || overflows())
         return;
     control_.observe(stateValues());
     immediate_ = 0;

@@ -1,6 +1,7 @@
 #include "solution/component_model.h"
 
 #include "expression/operation.h"
+#include "solution/oversight.h"
 
 #include <algorithm>
 #include <bit>
@@ -73,6 +74,13 @@ void ComponentModel::findStructure() {
             integrals_.emplace_back(x, *v);
     const std::vector<Node> read = expression::symbolsOf(graph_, outputs_);
     readsStates_ = std::ranges::any_of(read, [&](Node n) { return stateOf(n).has_value(); });
+    std::vector<Node> attitudes;
+    for (const std::size_t state : configuration_)
+        if (std::ranges::find(integrals_, state, &std::pair<std::size_t, std::size_t>::first) ==
+            integrals_.end())
+            attitudes.push_back(symbols_[1 + state]);
+    canPeak_ =
+        solution::canPeak(graph_, outputs_, std::span(symbols_).subspan(variables()), attitudes);
     surfaces_ = surfacesOf(graph_, outputs_);
     switches_ = switchesOf(graph_, outputs_);
     gradients_.resize(surfaces_.size());

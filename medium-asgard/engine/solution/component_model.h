@@ -49,6 +49,7 @@ public:
     [[nodiscard]] const expression::Function& function() const { return function_; }
     [[nodiscard]] std::optional<std::size_t> placeOf(expression::Node symbol) const;
     [[nodiscard]] bool readsStates() const { return readsStates_; } // other than in guards
+    [[nodiscard]] bool canPeak() const { return canPeak_; }         // oversight.h
 
     // Pairs of states (x, v) with x' = v, and the states that are positions or attitudes.
     [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& integrals() const {
@@ -102,7 +103,7 @@ private:
     std::vector<expression::Node> symbols_, outputs_;
     std::unordered_map<std::uint32_t, std::size_t> places_; // of symbols
     expression::Function function_;
-    bool readsStates_ = false;
+    bool readsStates_ = false, canPeak_ = false;
     std::vector<std::pair<std::size_t, std::size_t>> integrals_, ownGuards_;
     std::vector<std::size_t> configuration_;
     std::vector<expression::Node> switches_;

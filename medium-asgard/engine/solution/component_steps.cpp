@@ -8,7 +8,6 @@ namespace solution {
 
 namespace {
 
-constexpr double largestValue = 1e100;
 // A step crosses at most so many joints of an input: dense output is only as smooth as its joints
 // allow, and upstream components need not be solved far beyond what anyone asked for.
 constexpr std::size_t mostJoints = 8;
@@ -146,7 +145,7 @@ void Component::integrate() {
     if (!method_ && !beginMethod())
         return;
     for (;;) { // every refusal shortens the step, until it cannot be
-        const double wanted = std::max(proposed_, shortestStep(time_));
+        const double wanted = std::max(std::min(proposed_, longest()), shortestStep(time_));
         const bool lands = time_ + landingOf(options_) * wanted >= limit_;
         const double to = lands ? limit_ : time_ + wanted;
         const double h = to - time_;
@@ -222,10 +221,14 @@ void Component::finish(double to) {
         pass(*found, true);
         return;
     }
+    const double until = found ? found->time : to;
+    if (const auto at = overlooked(h, until)) {
+        lookCloser(*at, h);
+        return;
+    }
     ++counts_.steps;
     ++counts_.integratedSteps;
     counts_.integratedFrom = std::min(counts_.integratedFrom, time_);
-    const double until = found ? found->time : to;
     y_.assign(method_->state().begin(), method_->state().end());
     if (found)
         for (std::size_t i = 0; i < y_.size(); ++i)

@@ -92,6 +92,7 @@ struct Options {
     std::string method = "auto"; // or a name of methodNames(): then for all components and states
     std::optional<double> fixedStep;
     std::optional<double> firstStep;
+    bool isWatched = true;   // long steps are watched for what they might pass over (oversight.h)
     bool whole = false;      // one component of everything
     bool eventDriven = true; // false: run each component to the end before the next
     std::size_t threads = 1; // 0: as many as the machine has cores; the motion is the same

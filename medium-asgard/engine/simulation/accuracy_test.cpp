@@ -1,0 +1,174 @@
+// How far apart two motions are, where that is known by construction; and real scenes in which
+// nothing may be off silently.
+#include "simulation/accuracy.h"
+
+#include "simulation/open_run.h"
+#include "simulation/testing.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace simulation::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::shared_ptr<const Problem> posed(const SceneBuilder& builder, const Options& options = {}) {
+    return std::get<std::shared_ptr<Problem>>(problemOf(builder.scene, options));
+}
+
+Run runOf(const Problem& problem) {
+    return OpenRun(problem, std::vector<double>(problem.bodies->size(), 1e-6))
+        .upToFinish({}, nullptr);
+}
+
+SceneBuilder flying(double speed) {
+    SceneBuilder b(10);
+    b.ball("ball", {0, 0, 0}, 0.5).initialVelocity = {speed, 0, 0};
+    return b;
+}
+
+TEST(CompareRuns, ScalesByTheBoxOfWhatMovesAndTellsWhenItPartsByMore) {
+    const auto truth = posed(flying(1)), other = posed(flying(1.01));
+    const auto errors = compareRuns(*truth, runOf(*other), runOf(*truth), 1e-3);
+    ASSERT_EQ(errors.size(), 1u);
+    const double size = 10 + 2 * 0.5;
+    EXPECT_NEAR(errors[0].size, size, 1e-12);
+    EXPECT_NEAR(errors[0].far, 10.5, 1e-12);
+    EXPECT_NEAR(errors[0].largest, 0.1 / size, 1e-12);
+    EXPECT_EQ(errors[0].beyondFrom(0.1 / size * 1.001), solution::infinity);
+    EXPECT_NEAR(errors[0].beyondFrom(0.05 / size), 5, 1);
+}
+
+TEST(CompareRuns, AnAngleCountsByTheRadius) {
+    SceneBuilder b = flying(0);
+    b.scene.bodies[0].initialAngularVelocity = {0, 0, 0.3};
+    SceneBuilder c = flying(0);
+    c.scene.bodies[0].initialAngularVelocity = {0, 0, 0.301};
+    const auto truth = posed(b), other = posed(c);
+    const auto errors = compareRuns(*truth, runOf(*other), runOf(*truth), 1);
+    EXPECT_NEAR(errors[0].largest, 0.01 * 0.5 / 1, 1e-9);
+}
+
+TEST(CompareRuns, SaysNothingOfFixedBodiesAndOfWhatTheSecondTookFromTheFirst) {
+    const auto truth = posed(flying(1)), other = posed(flying(2));
+    auto second = runOf(*truth);
+    second.isTaken = {true};
+    EXPECT_EQ(compareRuns(*truth, runOf(*other), second, 1)[0].largest, 0);
+}
+
+// A body that falls out of step after more than 100,000 of its steps, and only then: the finish,
+// and all before, do not show it.
+TEST(CompareRuns, SeesWhatHappensAfterAHundredThousandSteps) {
+    const auto stepped = [](const std::string& kick) {
+        SceneBuilder b(13);
+        b.ball("ball", {1, 0, 0});
+        b.force("ball", "-ball.mass*ball.x" + kick, "0", "0");
+        Options options;
+        options.method = "rk4";
+        options.fixedStep = 1e-4;
+        return posed(b, options);
+    };
+    const auto truth = stepped(""), other = stepped("+(t>10.5&&t<10.6?3:0)");
+    const auto second = runOf(*truth);
+    ASSERT_GT(second.statistics.steps, 120'000u);
+    const IslandError error = compareRuns(*truth, runOf(*other), second, 1e-6)[0];
+    EXPECT_GT(error.largest, 0.01);
+    EXPECT_GT(error.beyondFrom(1e-4), 10.5);
+    EXPECT_LT(error.beyondFrom(1e-4), 10.6);
+}
+
+TEST(Trace, HasSoManyEqualPartsOfTheMotionAndItsPlaces) {
+    const Result result = simulate(flying(3).scene);
+    const Trace trace = traceOf(*result.motion, 4);
+    ASSERT_EQ(trace.times, (std::vector<double>{0, 2.5, 5, 7.5, 10}));
+    for (std::size_t i = 0; i < trace.times.size(); ++i) {
+        ASSERT_EQ(trace.places[i].size(), 1u);
+        EXPECT_NEAR(trace.places[i][0]->position.x(), 3 * trace.times[i], 1e-12);
+        EXPECT_TRUE(trace.places[i][0]->attitude);
+    }
+}
+
+TEST(ScaledError, IsTheLargestOfTheIslandsEachByItsOwnSize) {
+    SceneBuilder b = flying(1);
+    b.ball("slow", {0, 0, 50}, 0.5).initialVelocity = {0.1, 0, 0};
+    const auto problem = posed(b);
+    const Result result = simulate(b.scene);
+    Trace truth = traceOf(*result.motion, 10);
+    EXPECT_EQ(scaledError(*problem, {0, 1}, truth, *result.motion), 0);
+    truth.places[5][0]->position.y() += 0.22; // of 11
+    truth.places[5][1]->position.y() += 0.1;  // of 2
+    const double alone = scaledError(*problem, {0, 1}, truth, *result.motion);
+    EXPECT_NEAR(alone, 0.05, 1e-9);
+    // Together they are as large as what holds both.
+    EXPECT_NEAR(scaledError(*problem, {0, 0}, truth, *result.motion), 0.22 / 51, 1e-9);
+    truth.places[5] = {std::nullopt, std::nullopt};
+    EXPECT_EQ(scaledError(*problem, {0, 1}, truth, *result.motion), 0) << "nothing is said there";
+}
+
+TEST(ScaledError, IsInfiniteWhereTheMotionIsNotKnown) {
+    const auto problem = posed(flying(1));
+    Trace truth = traceOf(*simulate(flying(1).scene).motion, 10);
+    SceneBuilder shorter = flying(1);
+    shorter.scene.simulator.finish = 5;
+    const Result result = simulate(shorter.scene);
+    EXPECT_EQ(scaledError(*problem, {0}, truth, *result.motion), solution::infinity);
+}
+
+// --- nothing is off silently ------------------------------------------------------------------
+
+TEST(Silence, APushThatLastsAMomentIsNotPassedOver) {
+    for (const double accuracy : {1e-2, 1e-4, 1e-6})
+        for (const double width : {1.0, 0.7, 0.3, 0.1, 0.05}) {
+            SceneBuilder b(10, accuracy);
+            b.ball("cart", {0, 0, 0});
+            b.force("cart", "5*exp(-((t-4)/" + std::to_string(width) + ")^2)", "0", "0");
+            const Result result = simulate(b.scene);
+            const double speed = 5 * width * std::sqrt(std::numbers::pi);
+            const Vector place = result.motion->at(0, 10).position;
+            EXPECT_NEAR(place.x(), 6 * speed, accuracy * (6 * speed + 0.2)) << width;
+            EXPECT_GT(*result.statistics.errorEstimate, 0) << width;
+            EXPECT_THAT(result.motion->notes(), IsEmpty()) << width;
+        }
+}
+
+TEST(Silence, AMagnetThatABodyFliesPastIsNotPassedOver) {
+    SceneBuilder b(20, 1e-4);
+    b.ball("ball", {0, 0, 0}).initialVelocity = {1, 0, 0};
+    b.force("ball", "0", "2*exp(-((ball.x-9)/0.4)^2)", "0.5*ball.dy-ball.z");
+    const Result result = simulate(b.scene);
+    const double speed = 0.8 * std::sqrt(std::numbers::pi);
+    EXPECT_NEAR(result.motion->at(0, 20).position.y(), 11 * speed, 20.2 * 1e-4);
+}
+
+TEST(Silence, APushWithFewStepsElsewhereIsTheSameBesideOtherBodies) {
+    const auto place = [](bool others) {
+        SceneBuilder b(10);
+        b.ball("cart", {0, 0, 0});
+        b.force("cart", "5*exp(-((t-4)/0.3)^2)", "0", "0");
+        if (others) {
+            b.ball("far", {0, 50, 0});
+            b.force("far", "sin(7*t)*far.x", "1/(1+(t-6)^2)", "0");
+        }
+        return rows(*simulate(b.scene).motion, 0);
+    };
+    EXPECT_EQ(place(false), place(true));
+}
+
+TEST(Silence, WhatIsOverTheLargestNumbersStops) {
+    SceneBuilder b(10);
+    b.ball("far", {1e300, 0, 0});
+    const Result result = simulate(b.scene);
+    ASSERT_TRUE(result.motion->stop(0));
+    EXPECT_THAT(result.motion->stop(0)->sentence, HasSubstr("far.x grows over 1e100"));
+}
+
+TEST(Silence, AFinishThatIsOutOfReachIsRefused) {
+    SceneBuilder b(1e300);
+    b.ball("planet", {1, 0, 0});
+    EXPECT_THAT(simulate(b.scene).refusal[0], HasSubstr("after 1e100"));
+}
+
+} // namespace
+} // namespace simulation::testing
