@@ -107,6 +107,7 @@ private:
         double noise; // what rounding may make of a rate of 0
         double near;  // and of a guard of 0, where its root was located
         double value; // the guard
+        bool still;   // constant on the branches in force, whatever moves
     };
     // On the branches that are in force for the equations.
     void evaluate(const ComponentModel::Derived& derived, std::span<double> out);
@@ -119,6 +120,7 @@ private:
     [[nodiscard]] expression::Decision wholeBranch(std::size_t surface,
                                                    std::span<const double> rates);
     void follow(const std::vector<std::size_t>& passed);
+    [[nodiscard]] bool follow(std::size_t surface, std::span<const double> rates, bool passed);
     void pass(const Watch& watch, bool insist, std::vector<std::size_t>& passed);
     [[nodiscard]] bool settleWeights(double t, std::span<const double> y);
     void project(double t, std::span<double> y);

@@ -38,10 +38,11 @@ ComponentEquations::Slope ComponentEquations::guardRate(std::size_t surface,
     evaluate(model_.gradient(surface).derivatives, partial);
     std::copy_n(rates.begin(), states().size(), change.begin() + 1);
     inputs_.rates(in_[0], std::span(change).subspan(1 + states().size()));
-    Slope slope{0, 0, 0, partial.back()};
+    Slope slope{0, 0, 0, partial.back(), true};
     for (std::size_t i = 0; i < variables; ++i) {
         if (partial[i] == 0)
             continue;
+        slope.still = false;
         slope.rate += partial[i] * change[i];
         slope.noise += 1e-12 * std::abs(partial[i] * change[i]);
         slope.near += 1e-11 * std::abs(partial[i] * in_[i]);
@@ -112,15 +113,19 @@ void ComponentEquations::watch(double t, std::span<const double> y, std::span<do
     }
 }
 
-// The side to take when a state starts exactly on a surface.
+// The side to take when a state starts exactly on a surface. While the guard is constant there is
+// none: what lies on the surface holds, also where it makes no difference yet.
 void ComponentEquations::settleOn(std::size_t surface) {
     std::vector<double> above(out_.size()), below(out_.size()), on(out_.size());
+    setSide(surface, onSurface);
+    evaluate(on);
+    if (guardRate(surface, on).still)
+        return;
     setSide(surface, +1);
     evaluate(above);
     setSide(surface, -1);
     evaluate(below);
     setSide(surface, onSurface);
-    evaluate(on);
     const auto signOf = [this, surface](std::span<const double> field) {
         const Slope slope = guardRate(surface, field);
         return slope.rate > slope.noise ? 1 : slope.rate < -slope.noise ? -1 : 0;
@@ -158,6 +163,8 @@ void ComponentEquations::decide(double t, std::span<double> y) {
     }
     for (const std::size_t s : touching)
         settleOn(s);
+    if (!touching.empty())
+        follow({}); // what was decided by values on surfaces that are left at once
     if (!settleWeights(t, y))
         sliding_.clear();
     project(t, y);
@@ -272,36 +279,43 @@ void ComponentEquations::pass(const Watch& watch, bool insist, std::vector<std::
     }
 }
 
-// Guards that jumped when other surfaces were passed: their sides follow their values.
+// Guards that jumped when other surfaces were passed: their sides follow their values. One that is
+// constant now, like floor(t) - 3, may stay at 0 for a while; there what lies on the surface holds.
 void ComponentEquations::follow(const std::vector<std::size_t>& passed) {
+    const auto in = [](const std::vector<std::size_t>& list, std::size_t s) {
+        return std::find(list.begin(), list.end(), s) != list.end();
+    };
     for (std::size_t round = 0; round < model_.surfaces().size(); ++round) {
         bool changed = false;
         field();
         const std::vector<double> now = out_;
-        model_.function().guards(in_, guards_, scratch_, decisions_);
-        const std::vector<double> guards = guards_;
-        for (std::size_t s = 0; s < model_.surfaces().size() && !changed; ++s) {
-            const auto in = [s](const std::vector<std::size_t>& list) {
-                return std::find(list.begin(), list.end(), s) != list.end();
-            };
-            Decision& decision = decisions_[model_.surfaces()[s].members[0].decision];
-            if (in(passed) || in(sliding_) || decision == expression::noBranch)
-                continue;
-            if (model_.surfaces()[s].whole) {
-                const Decision next = wholeBranch(s, now);
-                changed = next != decision;
-                decision = next;
-                continue;
-            }
-            const double g = guard(s);
-            if (g * sides_[s] < 0 && std::abs(g) > guardRate(s, now).near) {
-                setSide(s, g > 0 ? 1 : -1);
-                changed = true;
-            }
-        }
+        for (std::size_t s = 0; s < model_.surfaces().size() && !changed; ++s)
+            if (!in(sliding_, s))
+                changed = follow(s, now, in(passed, s));
         if (!changed)
             return;
     }
+}
+
+// True: its branch is another now.
+bool ComponentEquations::follow(std::size_t surface, std::span<const double> rates, bool passed) {
+    Decision& decision = decisions_[model_.surfaces()[surface].members[0].decision];
+    const Decision before = decision;
+    const Slope slope = guardRate(surface, rates);
+    if (model_.surfaces()[surface].whole) {
+        if (!passed && before != expression::noBranch)
+            decision = wholeBranch(surface, rates);
+        return decision != before;
+    }
+    model_.function().guards(in_, guards_, scratch_, decisions_);
+    const double g = guard(surface);
+    if (before == expression::noBranch || (passed && !slope.still))
+        return false;
+    if (g == 0 && (slope.still || sides_[surface] == onSurface))
+        settleOn(surface);
+    else if ((g * sides_[surface] < 0 || sides_[surface] == onSurface) && std::abs(g) > slope.near)
+        setSide(surface, g > 0 ? 1 : -1);
+    return decision != before;
 }
 
 ComponentEquations::Crossing ComponentEquations::cross(const Violation& violation, double t,

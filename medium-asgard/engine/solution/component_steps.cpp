@@ -298,11 +298,12 @@ std::optional<Violation> Component::violation(double from, double to, double sca
 void Component::pass(const Violation& violation, bool immediate) {
     constexpr std::size_t window = 100;
     std::vector<std::size_t> flipping = equations_->unknownsOf(violation.watches);
+    const std::string with = flipping.empty() ? "the time" : names(flipping);
     if (flipping.empty())
         flipping = {0};
     const auto giveUp = [&] {
         end(Stop::Reason::decisions, flipping,
-            "expressions that switch with " + names(flipping) +
+            "expressions that switch with " + with +
                 " change their branches without end, and no motion keeps between them");
     };
     ++counts_.switches;

@@ -87,7 +87,7 @@ public:
                 const auto found = in(a, bump->time, depth + 1);
                 return found ? found : bump;
             }
-        if (depth < deepest && budget_ > 0 && !explained(a, b)) {
+        if (depth < deepest && budget_ > 0 && (!explained(a, b) || almostTouches())) {
             const double middle = a + 0.5 * (b - a);
             if (auto found = in(a, middle, depth + 1))
                 return found;
@@ -169,6 +169,24 @@ private:
             }
         }
         return true;
+    }
+
+    // Above 0 at all samples, and its curve comes so near 0 between them that it may be below
+    // there.
+    bool almostTouches() const {
+        constexpr int looks = 40;
+        for (const Samples& samples : samples_) {
+            const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
+            if (!(*low > 0) || *low > 0.1 * *high)
+                continue;
+            const Coefficients curve = interpolate(samples);
+            for (int i = 1; i < looks; ++i) {
+                const double value = evaluate(curve, static_cast<double>(i) / looks);
+                if (value > 0 && value < 1e-3 * *high)
+                    return true;
+            }
+        }
+        return false;
     }
 
     // The earliest root of any watch in this piece, on the watches themselves.
