@@ -94,6 +94,29 @@ TEST(Tightening, AnIslandIsJudgedByItselfAlone) {
 
 // --- real scenes ------------------------------------------------------------------------------
 
+// Pendulums in their angles, of these squared frequencies.
+SceneBuilder pendulums(const std::vector<int>& stiffness) {
+    SceneBuilder b(10, 1e-4);
+    b.scene.simulator.collisions = false;
+    for (std::size_t i = 0; i < stiffness.size(); ++i) {
+        const std::string name = "p" + std::to_string(stiffness[i]);
+        b.ball(name, {0.5, 0, 0});
+        b.force(name, "-" + std::to_string(stiffness[i]) + "*sin(" + name + ".x)", "0", "0");
+    }
+    return b;
+}
+
+// The dissertation's Figure 5.7: a fast one does not make the slow ones dearer.
+TEST(Islands, AreSolvedAsOftenAsTheyWouldBeAlone) {
+    std::size_t apart = 0;
+    for (const int stiffness : {10, 20, 40000})
+        apart += simulate(pendulums({stiffness}).scene).statistics.evaluations;
+    const Result together = simulate(pendulums({10, 40000, 20}).scene);
+    EXPECT_EQ(together.statistics.evaluations, apart);
+    const Result slow = simulate(pendulums({10}).scene);
+    EXPECT_EQ(rows(*together.motion, 0), rows(*slow.motion, 0));
+}
+
 // A ball between a fixed one and a wall: each bounce off the round one multiplies what is off.
 SceneBuilder pinball(double finish, double accuracy) {
     SceneBuilder b(finish, accuracy);

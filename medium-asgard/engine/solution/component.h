@@ -113,6 +113,7 @@ private:
     void stepClosedForm();
     [[nodiscard]] bool tryLinear();
     void stepLinear();
+    [[nodiscard]] bool isUnseen(double h);
     void findPlainRate();
     void stepHeld();
     void integrate();

@@ -240,7 +240,8 @@ void Component::finish(double to) {
     takeHeldValues();
     if (stop_ || overflows())
         return;
-    takeStates(y_);
+    if (!quaternions_.empty())
+        takeStates(y_);
     control_.observe(y_);
     immediate_ = 0;
     if (found) {
@@ -342,11 +343,11 @@ void Component::pass(const Violation& violation, bool immediate) {
 void Component::reconsider(double h) {
     if (options_.method != "auto" || counts_.model == "quadrature")
         return;
-    const MethodChoice before = choice_.restarted();
+    const bool wasTrial = choice_.isTrial();
     if (choice_.changesAfter(*method_, h, control_.crossing()) ||
         (choice_.wantsSpectralRadius() && choice_.changesFor(spectralRadius(), h)))
         changeMethod();
-    else if (!(choice_.restarted() == before)) // a trial was won
+    else if (wasTrial && !choice_.isTrial()) // it was won
         remember();
 }
 

@@ -13,12 +13,25 @@ void lines(std::span<Coefficients> columns, const StepEnds& ends) {
     }
 }
 
+namespace {
+
+Coefficients cubic(const StepEnds& ends, std::size_t n) {
+    const double rise = ends.end[n] - ends.start[n];
+    const double first = ends.h * ends.startSlope[n], last = ends.h * ends.endSlope[n];
+    return {ends.start[n], first, 3 * rise - 2 * first - last, first + last - 2 * rise};
+}
+
+} // namespace
+
 void cubics(std::span<Coefficients> columns, const StepEnds& ends) {
-    for (std::size_t n = 0; n < columns.size(); ++n) {
-        const double rise = ends.end[n] - ends.start[n];
-        const double first = ends.h * ends.startSlope[n], last = ends.h * ends.endSlope[n];
-        columns[n] = {ends.start[n], first, 3 * rise - 2 * first - last, first + last - 2 * rise};
-    }
+    for (std::size_t n = 0; n < columns.size(); ++n)
+        columns[n] = cubic(ends, n);
+}
+
+void cubics(std::span<Coefficients> columns, const StepEnds& ends,
+            std::span<const std::size_t> places) {
+    for (const std::size_t n : places)
+        columns[n] = cubic(ends, n);
 }
 
 void quintics(std::span<Coefficients> columns,

@@ -19,6 +19,8 @@ struct StepEnds {
 void lines(std::span<Coefficients> columns, const StepEnds& ends);
 // Cubic Hermite: local error h^4.
 void cubics(std::span<Coefficients> columns, const StepEnds& ends);
+void cubics(std::span<Coefficients> columns, const StepEnds& ends,
+            std::span<const std::size_t> places);
 
 // Quintic Hermite for positions, from place, velocity and acceleration at both ends, and its
 // derivative for their velocities: local errors h^6 and h^5. Pairs are (x, v).

@@ -214,15 +214,16 @@ void ExplicitRungeKutta::dense(std::span<Coefficients> columns) {
     const bool needsStages = tableau_.a.size() > tableau_.stages + 1;
     if (extensible && (!needsStages || fixed_) && extend(columns))
         return;
-    cubics(columns, ends());
     if (!extensible) {
+        cubics(columns, ends());
         integratePositions(columns, system_.integrals(), ends());
         return;
     }
+    cubics(columns, ends(), unpaired_);
     quintics(columns, system_.integrals(), ends());
     if (!needsStages || fixed_ || correct(columns) || endsSuffice(columns) || extend(columns))
         return;
-    cubics(columns, ends());
+    cubics(columns, ends(), unpaired_);
     quintics(columns, system_.integrals(), ends());
 }
 

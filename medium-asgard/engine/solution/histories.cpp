@@ -57,10 +57,22 @@ void History::append(const Step& step, std::span<const double> rows) {
     std::ranges::copy(rows, append(step).begin());
 }
 
+// Most have one step for all time; who has several has many. Rows are much of one length.
+void History::Chunk::grow(std::size_t row) {
+    const std::size_t more = steps.size() < 2    ? steps.size() + 1
+                             : steps.size() < 16 ? 16
+                                                 : stepsPerChunk;
+    steps.reserve(more);
+    if (more > 2)
+        values.reserve(more * row);
+}
+
 std::span<double> History::append(const Step& step) {
     if (size_ % stepsPerChunk == 0)
         chunks_.push_back(std::make_shared<Chunk>());
     Chunk& chunk = writableTail();
+    if (chunk.steps.size() == chunk.steps.capacity())
+        chunk.grow(columns_ * step.coefficients);
     Step placed = step;
     placed.offset = static_cast<std::uint32_t>(chunk.values.size());
     chunk.steps.push_back(placed);

@@ -12,8 +12,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace solution {
@@ -82,9 +84,18 @@ public:
 
 private:
     static constexpr std::size_t stepsPerChunk = 64;
+    // Leaves numbers as they are that are written at once.
+    template <class Value> struct Unwritten : std::allocator<Value> {
+        template <class Other> struct rebind { using other = Unwritten<Other>; };
+        void construct(Value* place) noexcept { ::new (static_cast<void*>(place)) Value; }
+        template <class... From> void construct(Value* place, From&&... from) {
+            ::new (static_cast<void*>(place)) Value(std::forward<From>(from)...);
+        }
+    };
     struct Chunk {
         std::vector<Step> steps;
-        std::vector<double> values;
+        std::vector<double, Unwritten<double>> values;
+        void grow(std::size_t row);
     };
     [[nodiscard]] Chunk& writableTail();
     void dropLast();

@@ -20,13 +20,22 @@ const std::array<double, degree + 1> interpolationPoint = [] {
     return p;
 }();
 
+// [level][i]: 1 / (p[i] - p[i - level])
+const auto inverseSpan = [] {
+    std::array<std::array<double, degree + 1>, degree + 1> inverse{};
+    for (std::size_t level = 1; level <= degree; ++level)
+        for (std::size_t i = level; i <= degree; ++i)
+            inverse[level][i] = 1 / (interpolationPoint[i] - interpolationPoint[i - level]);
+    return inverse;
+}();
+
 // Newton's divided differences, expanded from the highest.
 Coefficients through(const std::array<double, degree + 1>& values) {
     const auto& p = interpolationPoint;
     std::array<double, degree + 1> difference = values;
     for (std::size_t level = 1; level <= degree; ++level)
         for (std::size_t i = degree; i >= level; --i)
-            difference[i] = (difference[i] - difference[i - 1]) / (p[i] - p[i - level]);
+            difference[i] = (difference[i] - difference[i - 1]) * inverseSpan[level][i];
     Coefficients result{};
     for (std::size_t i = degree + 1; i-- > 0;) {
         for (std::size_t k = degree; k > 0; --k)
@@ -47,6 +56,7 @@ LinearMotion::LinearMotion(const LinearForm& form) : until_(form.until) {
         for (Eigen::Index column = 0; column < columns; ++column)
             m_(row, column) = form.matrix[static_cast<std::size_t>(row * columns + column)];
     largest_ = Vector::Zero(columns);
+    balance();
     constexpr double shortEnough = 0.25;
     Matrix power = m_.topLeftCorner(columns - 1, columns - 1);
     double logarithm = 0; // of what was divided out of the power
@@ -65,39 +75,73 @@ LinearMotion::LinearMotion(const LinearForm& form) : until_(form.until) {
 
 double LinearMotion::lengthOf(int level) const { return std::ldexp(base_, level); }
 
-LinearMotion::Matrix LinearMotion::exponential(double h) const {
-    constexpr int terms = 14;
+// The last row is 0: the constant 1 keeps its unit.
+void LinearMotion::balance() {
+    constexpr int rounds = 20;
+    unit_ = Vector::Ones(m_.rows());
+    bool changes = true;
+    for (int round = 0; round < rounds && changes; ++round) {
+        changes = false;
+        for (Eigen::Index i = 0; i + 1 < m_.rows(); ++i) {
+            const double column = m_.col(i).cwiseAbs().sum() - std::abs(m_(i, i));
+            const double row = m_.row(i).cwiseAbs().sum() - std::abs(m_(i, i));
+            if (!(column > 0 && row > 0) || !std::isfinite(column) || !std::isfinite(row))
+                continue;
+            const int power = static_cast<int>(std::lround(0.5 * std::log2(row / column)));
+            if (power == 0)
+                continue;
+            changes = true;
+            const double unit = std::ldexp(1, power);
+            unit_(i) *= unit;
+            m_.col(i) *= unit;
+            m_.row(i) /= unit;
+        }
+    }
+}
+
+LinearMotion::Propagators LinearMotion::exponentials(double h) const {
+    constexpr std::size_t terms = 14;
     const double size = (m_ * h).cwiseAbs().rowwise().sum().maxCoeff();
     const int halvings = size > 0.25 ? static_cast<int>(std::ceil(std::log2(size / 0.25))) : 0;
     const Matrix part = m_ * std::ldexp(h, -halvings);
-    const Matrix one = Matrix::Identity(m_.rows(), m_.cols());
-    Matrix result = one;
-    for (int k = terms; k > 0; --k)
-        result = one + (part * result).eval() / k;
-    for (int k = 0; k < halvings; ++k)
-        result = (result * result).eval();
-    return result;
+    std::array<Matrix, terms + 1> power; // over the factorial
+    power[0] = Matrix::Identity(m_.rows(), m_.cols());
+    for (std::size_t k = 1; k <= terms; ++k)
+        power[k] = part.lazyProduct(power[k - 1]) / static_cast<double>(k);
+    const auto at = [&](double point) {
+        Matrix result = power[terms];
+        for (std::size_t k = terms; k-- > 0;)
+            result = result * point + power[k];
+        for (int k = 0; k < halvings; ++k)
+            result = result.lazyProduct(result).eval();
+        return result;
+    };
+    Propagators all;
+    std::ranges::transform(interpolationPoint, all.to.begin(), at);
+    std::ranges::transform(checkPoints, all.check.begin(), at);
+    return all;
 }
 
 const LinearMotion::Propagators& LinearMotion::propagators(int level) {
-    const auto [place, isNew] = made_.try_emplace(level);
-    if (isNew) {
-        const double h = lengthOf(level);
-        for (std::size_t i = 0; i < points; ++i)
-            place->second.to[i] = exponential(interpolationPoint[i] * h);
-        for (std::size_t i = 0; i < checks; ++i)
-            place->second.check[i] = exponential(checkPoints[i] * h);
-    }
-    return place->second;
+    if (const auto known = made_.find(level); known != made_.end())
+        return known->second;
+    if (level <= 0)
+        return made_.emplace(level, exponentials(lengthOf(level))).first->second;
+    Propagators all = propagators(level - 1);
+    for (Matrix& matrix : all.to)
+        matrix = matrix.lazyProduct(matrix).eval();
+    for (Matrix& matrix : all.check)
+        matrix = matrix.lazyProduct(matrix).eval();
+    return made_.emplace(level, std::move(all)).first->second;
 }
 
-bool LinearMotion::fits(const Propagators& propagators, const Vector& start,
-                        std::span<Coefficients> columns, Vector& end) {
+double LinearMotion::misfit(const Propagators& propagators, const Vector& start,
+                            std::span<Coefficients> columns, Vector& end) {
     constexpr double rounding = 1e-13;
     std::array<Vector, points> at;
     Vector largest = largest_;
     for (std::size_t i = 0; i < points; ++i) {
-        at[i] = propagators.to[i] * start;
+        at[i] = propagators.to[i].lazyProduct(start);
         largest = largest.cwiseMax(at[i].cwiseAbs());
     }
     for (std::size_t n = 0; n < columns.size(); ++n) {
@@ -106,39 +150,46 @@ bool LinearMotion::fits(const Propagators& propagators, const Vector& start,
             values[i] = at[i](static_cast<Eigen::Index>(n));
         columns[n] = through(values);
     }
+    double worst = 0;
     for (std::size_t i = 0; i < checks; ++i) {
-        const Vector exact = propagators.check[i] * start;
+        const Vector exact = propagators.check[i].lazyProduct(start);
         for (std::size_t n = 0; n < columns.size(); ++n) {
             const auto row = static_cast<Eigen::Index>(n);
             const double off = std::abs(evaluate(columns[n], checkPoints[i]) - exact(row));
-            if (!(off <= rounding * largest(row)))
-                return false;
+            const double allowed = rounding * largest(row);
+            if (!(off <= allowed))
+                return infinity;
+            if (off > 0)
+                worst = std::max(worst, off / allowed);
         }
     }
     end = at[points - 1];
     largest_ = largest;
-    return true;
+    return worst;
 }
 
 double LinearMotion::advance(std::span<double> y, std::span<Coefficients> columns) {
     constexpr int mostPatience = 1024, range = 60, shortest = -6;
     Vector start(m_.rows()), end;
     for (std::size_t i = 0; i < y.size(); ++i)
-        start(static_cast<Eigen::Index>(i)) = y[i];
+        start(static_cast<Eigen::Index>(i)) = y[i] / unit_(static_cast<Eigen::Index>(i));
     start(m_.rows() - 1) = 1;
-    if (waiting_ > 0)
-        --waiting_;
-    else if (level_ < range)
+    constexpr double twiceAsLong = 400; // the misfit of it, a little over 2^8
+    waiting_ = std::max(waiting_ - 1, 0);
+    if (level_ < range && (waiting_ == 0 || twiceAsLong * misfit_ < 1))
         ++level_;
-    while (!fits(propagators(level_), start, columns, end)) {
+    while ((misfit_ = misfit(propagators(level_), start, columns, end)) == infinity) {
         if (--level_ < shortest)
             return 0;
         waiting_ = patience_;
         patience_ = std::min(2 * patience_, mostPatience);
     }
     for (std::size_t i = 0; i < y.size(); ++i) {
-        y[i] = end(static_cast<Eigen::Index>(i));
-        columns[i][0] = start(static_cast<Eigen::Index>(i));
+        const auto row = static_cast<Eigen::Index>(i);
+        for (double& coefficient : columns[i])
+            coefficient *= unit_(row);
+        columns[i][0] = y[i];
+        y[i] = end(row) * unit_(row);
     }
     return lengthOf(level_);
 }

@@ -4,11 +4,16 @@
 //     (y, 1)(t + h) = e^{Mh} (y, 1),   M = | A b |     by scaling, Taylor's series and squaring
 //                                          | 0 0 |
 //
+// Pieces are powers of 2 long: what leads through one is the square of what leads through half of
+// it. M is balanced first (Parlett and Reinsch 1969): unknowns are counted in units, powers of 2,
+// in which its rows and columns are alike, so that a stiff spring needs no more squarings than its
+// frequency asks for.
+//
 // and between them the polynomial of degree 7 through the exact values at Chebyshev's points,
 // within 1e-13 of the largest value of each unknown, which is checked at four points more. (Degree
-// 7, so that what integrates it still is a polynomial that a history can keep.) Pieces grow while
-// they pass and shrink when they do not: an oscillation has some 25 in each period, what has
-// decayed has few.
+// 7, so that what integrates it still is a polynomial that a history can keep.) The misfit grows
+// with the eighth power of the length, which says when pieces of twice the length will do; now and
+// then they are tried without. An oscillation has some 25 in each period, what has decayed few.
 #pragma once
 
 #include "solution/closed_form.h"
@@ -42,18 +47,22 @@ private:
         std::array<Matrix, checks> check;
     };
 
-    [[nodiscard]] Matrix exponential(double h) const;
+    void balance();
+    [[nodiscard]] Propagators exponentials(double h) const;
     [[nodiscard]] const Propagators& propagators(int level);
     [[nodiscard]] double lengthOf(int level) const;
-    [[nodiscard]] bool fits(const Propagators& propagators, const Vector& start,
-                            std::span<Coefficients> columns, Vector& end);
+    // What the polynomial errs by over what it may; `end`: the values at its end.
+    [[nodiscard]] double misfit(const Propagators& propagators, const Vector& start,
+                                std::span<Coefficients> columns, Vector& end);
 
     double until_;
     Matrix m_;
+    Vector unit_;       // of each unknown
     double base_ = 1;   // length of level 0
     int level_ = 0;     // lengths are powers of 2 of it
     int waiting_ = 16;  // pieces until a longer one is tried
     int patience_ = 32; // and how many that are after the next failure
+    double misfit_ = 1; // of the last piece
     Vector largest_;    // of each unknown so far
     std::map<int, Propagators> made_;
 };

@@ -23,6 +23,7 @@ namespace solution {
 class MethodChoice {
 public:
     [[nodiscard]] bool implicit() const { return implicit_; }
+    [[nodiscard]] bool isTrial() const { return trial_; }
     // What holds after an event: a trial that was not decided counts for nothing.
     [[nodiscard]] MethodChoice restarted() const;
     [[nodiscard]] bool operator==(const MethodChoice&) const = default;

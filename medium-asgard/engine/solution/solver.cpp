@@ -143,6 +143,8 @@ void Solver::Implementation::poll() {
 
 void Solver::Implementation::advanceGroup(std::size_t group, double until) {
     const bool isCaller = std::this_thread::get_id() == caller_;
+    if (schedule_.components(group).size() == 1)
+        return advanceAlone(schedule_.components(group)[0], until, isCaller);
     for (bool any = true; !cancelled_; any = false) {
         if (isCaller)
             poll();
@@ -157,6 +159,22 @@ void Solver::Implementation::advanceGroup(std::size_t group, double until) {
             return;
         }
     }
+}
+
+// It reads no other: nobody need be asked whose turn it is.
+void Solver::Implementation::advanceAlone(std::size_t place, double until, bool isCaller) {
+    Component& component = *components_[place];
+    for (bool any = options_.eventDriven; !cancelled_; any = false) {
+        if (isCaller)
+            poll();
+        if (cancelled_ || component.ended() || !(any || component.time() < until))
+            break;
+        (void)readyFor(component);
+        component.step();
+        if (component.ended())
+            stopsChanged_ = true;
+    }
+    schedule_.stepped(place);
 }
 
 // Starting threads costs more than a few small steps do.

@@ -50,6 +50,7 @@ private:
     [[nodiscard]] double roundsEnd(double finish) const;
     void doRound(double until);
     void advanceGroup(std::size_t group, double until);
+    void advanceAlone(std::size_t place, double until, bool isCaller);
     void poll();
     [[nodiscard]] Component& readyFor(Component& component);
     [[nodiscard]] double known() const { return schedule_.known(); }

@@ -80,12 +80,107 @@ TEST(Solver, APositionFollowsItsVelocityExactly) {
               1e-8);
 }
 
-// So stiff that rounding is all that a matrix exponential could give: a method takes over.
-TEST(Solver, BadlyScaledLinearMotionIsIntegrated) {
+// In seconds and metres its numbers are 14 powers of 10 apart: it is balanced first.
+TEST(Solver, StiffLinearMotionIsExactToo) {
     const Solver solver =
         solved(equationsOf({{"x", "dx", 1, 1}, {"dx", "-1e14*x-2e7*dx", 0}}), 10, tolerance(1e-6));
-    EXPECT_FALSE(solver.histories().stop(0));
-    EXPECT_NEAR(solver.histories().value(0, 10), 0, 1e-6);
+    const Statistics statistics = solver.statistics();
+    EXPECT_EQ(statistics.componentList[0].model, "linear");
+    EXPECT_LT(statistics.evaluations, 200u);
+    const auto exact = [](double t) { return (1 + 1e7 * t) * std::exp(-1e7 * t); };
+    EXPECT_LT(worst(solver.histories(), 0, 0, 5e-6, exact), 1e-12);
+    EXPECT_NEAR(solver.histories().value(0, 10), 0, 1e-12);
+}
+
+// Hardly damped, and moved by no more than what a step may err by: a method strides over it.
+TEST(Solver, LinearMotionThatDoesNotShowIsIntegrated) {
+    Options options = tolerance(1e-6);
+    options.extents = {1, 1};
+    const Solver solver = solved(equationsOf({{"x", "dx", 1e-9, 1}, {"dx", "-1e12*x-1e3*dx", 0}}),
+                                 1, std::move(options));
+    const Statistics statistics = solver.statistics();
+    EXPECT_EQ(statistics.componentList[0].model, "implicit");
+    EXPECT_LT(statistics.evaluations, 20'000u); // for a million periods
+    EXPECT_NEAR(solver.histories().value(0, 1), 0, 1e-6);
+}
+
+// --- motion of an earlier run -----------------------------------------------------------------
+
+namespace {
+
+struct TwoPendulums {
+    std::shared_ptr<const PreparedEquations> prepared = std::make_shared<const PreparedEquations>(
+        std::make_shared<const expression::EquationSet>(equationsOf({{"x", "dx", 1, 1},
+                                                                     {"dx", "-9*sin(x)", 0},
+                                                                     {"u", "du", 1, 1},
+                                                                     {"du", "-4*sin(u)", 0}})),
+        preparationFor({}));
+    Options options;
+    EventSource* source = nullptr;
+    Advance advance;
+
+    Solver run(double first, double second) {
+        options.tolerances = {first, first, second, second};
+        Solver solver(prepared, options, source);
+        advance = solver.advanceTo(10);
+        return solver;
+    }
+    void takeFirstFrom(const Solver& solver) {
+        options.taken = std::make_shared<const TakenMotion>(
+            TakenMotion{.histories = solver.snapshot(),
+                        .unknowns = {true, true, false, false},
+                        .components = solver.statistics().componentList});
+    }
+};
+
+class Kick final : public EventSource {
+public:
+    explicit Kick(std::size_t unknown) : unknown_(unknown) {}
+    std::optional<Event> next(const Histories&, double known) override {
+        if (known < 3 || done_)
+            return std::nullopt;
+        done_ = true;
+        return Event{.time = 3, .touched = {unknown_}, .tag = 0};
+    }
+    void apply(const Histories&, const Event&, EquationsInForce&, Changes& changes) override {
+        changes.jumps.push_back({unknown_, 1});
+    }
+
+private:
+    std::size_t unknown_;
+    bool done_ = false;
+};
+
+} // namespace
+
+TEST(TakenMotion, IsWhatSolvingItAgainGives) {
+    TwoPendulums pendulums;
+    const Solver loose = pendulums.run(1e-6, 1e-6), tight = pendulums.run(1e-6, 1e-9);
+    pendulums.takeFirstFrom(loose);
+    const Solver taking = pendulums.run(1e-6, 1e-9);
+    const Statistics all = tight.statistics(), some = taking.statistics();
+    for (std::size_t u = 0; u < 4; ++u)
+        for (double t = 0; t <= 10; t += 0.01)
+            ASSERT_EQ(taking.histories().value(u, t), tight.histories().value(u, t)) << u;
+    ASSERT_EQ(some.componentList.size(), 2u);
+    EXPECT_EQ(some.integratedSteps, all.integratedSteps);
+    EXPECT_EQ(some.evaluations + some.componentList[0].evaluations, all.evaluations);
+    EXPECT_EQ(some.historyBytes, all.historyBytes);
+}
+
+TEST(TakenMotion, EventsElsewhereLeaveItAndOneOnItDisturbsIt) {
+    TwoPendulums pendulums;
+    const Solver loose = pendulums.run(1e-6, 1e-6);
+    pendulums.takeFirstFrom(loose);
+    Kick onOther(3), onTaken(1);
+    pendulums.source = &onOther;
+    const Solver left = pendulums.run(1e-6, 1e-6);
+    EXPECT_FALSE(pendulums.advance.disturbed);
+    EXPECT_EQ(pendulums.advance.reached, 10);
+    EXPECT_EQ(left.histories().value(3, 3), 1);
+    pendulums.source = &onTaken;
+    (void)pendulums.run(1e-6, 1e-6);
+    EXPECT_TRUE(pendulums.advance.disturbed);
 }
 
 TEST(Solver, AFunctionOfTimeIsQuadrature) {
