@@ -50,7 +50,7 @@ bool Component::tryLinear() {
 // strides over what a stiff spring still trembles by, which has to be followed here.
 bool Component::isUnseen(double h) {
     constexpr std::size_t interval = 512;
-    if (counts_.evaluations % interval != 0)
+    if (history_->size() % interval != 0) // what events throw away does not count
         return false;
     control_.prepare(y_, h);
     for (std::size_t i = 0; i < columns_.size(); ++i) {

@@ -68,8 +68,13 @@ void History::Chunk::grow(std::size_t row) {
 }
 
 std::span<double> History::append(const Step& step) {
-    if (size_ % stepsPerChunk == 0)
+    if (size_ % stepsPerChunk == 0) {
         chunks_.push_back(std::make_shared<Chunk>());
+        if (size_ > 0) {
+            chunks_.back()->steps.reserve(stepsPerChunk);
+            chunks_.back()->values.reserve(stepsPerChunk * columns_ * step.coefficients);
+        }
+    }
     Chunk& chunk = writableTail();
     if (chunk.steps.size() == chunk.steps.capacity())
         chunk.grow(columns_ * step.coefficients);
