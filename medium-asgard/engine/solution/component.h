@@ -82,6 +82,17 @@ public:
     // from `jump`. False: it is none of these, and nothing was done. What it reads must go on so
     // already.
     [[nodiscard]] bool resume(double t, std::optional<double> jump);
+    // Of a single unknown in closed form that goes on for ever: its rate is a constant, or another
+    // unknown.
+    struct PlainRate {
+        double constant = 0;
+        std::optional<std::size_t> unknown; // it is that one
+    };
+    [[nodiscard]] const PlainRate* plainRate() const;
+    // Others keep its motion from t on, until it goes on by itself along this polynomial of t -
+    // origin.
+    void leave(double t);
+    void goOn(double origin, std::span<const double> coefficients);
     void end(Stop::Reason reason, const std::vector<std::size_t>& culprits,
              const std::string& sentence);
 
@@ -171,10 +182,6 @@ private:
     std::vector<std::vector<std::size_t>> quaternions_; // places; without entries that stay 0
 
     Model model_ = Model::undecided;
-    struct PlainRate { // of a closed form
-        double constant = 0;
-        std::optional<std::size_t> unknown; // it is that one
-    };
     std::optional<PlainRate> plainRate_;
     std::unique_ptr<LinearMotion> linear_;
     std::unique_ptr<Method> method_;

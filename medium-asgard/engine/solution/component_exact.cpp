@@ -106,6 +106,20 @@ void Component::findPlainRate() {
         plainRate_ = PlainRate{0, equations_->inputs().unknowns()[*input]};
 }
 
+const Component::PlainRate* Component::plainRate() const {
+    return model_ == Model::closedForm && plainRate_ && !stop_ && time_ == infinity ? &*plainRate_
+                                                                                    : nullptr;
+}
+
+void Component::leave(double t) { counts_.discardedSteps += history_->cut(t); }
+
+void Component::goOn(double origin, std::span<const double> coefficients) {
+    while (coefficients.size() > 1 && coefficients.back() == 0)
+        coefficients = coefficients.first(coefficients.size() - 1);
+    history_->append({origin, infinity, 1, true, static_cast<std::uint8_t>(coefficients.size()), 0},
+                     coefficients);
+}
+
 // Bit for bit what backTo(), restart() and stepClosedForm() do, without their anchor.
 bool Component::resume(double t, std::optional<double> jump) {
     if (model_ != Model::closedForm || !plainRate_ || stop_ || time_ != infinity ||
@@ -125,7 +139,10 @@ bool Component::resume(double t, std::optional<double> jump) {
         if (rate.until != infinity || rate.origin > t || count > row.size())
             return false;
         scale = rate.scale;
-        const Coefficients c = reparametrize(rate.coefficients, (t - rate.origin) / scale, 1);
+        Coefficients shifted;
+        std::span<const double> c = rate.coefficients;
+        if (rate.origin != t)
+            c = shifted = reparametrize(c, (t - rate.origin) / scale, 1);
         for (std::size_t k = 0; k + 1 < count; ++k)
             row[k + 1] = c[k] * scale / static_cast<double>(k + 1);
     }

@@ -23,8 +23,10 @@
 #include "solution/equations_in_force.h"
 #include "solution/histories.h"
 
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,9 +61,28 @@ struct Changes {
     std::vector<End> ends;
 };
 
+// What flies: places whose rates are the velocities, and velocities whose rates are constants; and
+// nothing else reads them. An event of it needs no more than new values, so that within next() a
+// source may settle such an event at once and go on to the next one.
+struct Turn {
+    std::array<std::size_t, 3> places, velocities; // unknowns
+    std::array<bool, 3> jumps;                     // these velocities become others
+    std::array<double, 3> place, velocity;         // after it: velocities as the source wants them
+};
+
+class Turns {
+public:
+    virtual ~Turns() = default;
+    // At `time`, which is that of an event. True: it is done, and the values are what they became.
+    // False: the source must announce the event, as if it had not asked.
+    [[nodiscard]] virtual bool turn(double time, std::span<Turn> turns) = 0;
+};
+
 class EventSource {
 public:
     virtual ~EventSource() = default;
+    // What takes turns during next(), from now on.
+    virtual void use(Turns& /*turns*/) {}
     [[nodiscard]] virtual std::optional<Event> next(const Histories& histories, double known) = 0;
     // New nodes go into the graph of `equations`; what is in force now is read there too.
     virtual void apply(const Histories& histories, const Event& event, EquationsInForce& equations,

@@ -15,6 +15,10 @@ const History::Step& History::step(std::size_t index) const {
 Piece History::piece(std::size_t index, std::size_t column) const {
     const Chunk& chunk = *chunks_[index / stepsPerChunk];
     const Step& s = chunk.steps[index % stepsPerChunk];
+    if (column >= columns_) { // c1 + 2 c2 s
+        const double* place = chunk.values.data() + s.offset + (column - columns_) * s.coefficients;
+        return {s.origin, s.until, 0.5, {place + 1, s.coefficients - std::size_t{1}}};
+    }
     const double* first = chunk.values.data() + s.offset + column * s.coefficients;
     return {s.origin, s.until, s.scale, {first, s.coefficients}};
 }
@@ -70,7 +74,7 @@ void History::Chunk::grow(std::size_t row) {
 std::span<double> History::append(const Step& step) {
     if (size_ % stepsPerChunk == 0) {
         chunks_.push_back(std::make_shared<Chunk>());
-        if (size_ > 0) {
+        if (size_ > 0) { // there will be more
             chunks_.back()->steps.reserve(stepsPerChunk);
             chunks_.back()->values.reserve(stepsPerChunk * columns_ * step.coefficients);
         }
@@ -142,10 +146,10 @@ std::size_t History::bytes() const {
 
 const Histories::Span& Histories::spanAt(std::size_t unknown, double t) const {
     const std::vector<Span>& spans = tracks_[unknown].spans;
-    std::size_t i = spans.size() - 1;
-    while (i > 0 && t < spans[i].from)
-        --i;
-    return spans[i];
+    if (spans.size() == 1 || spans.back().from <= t)
+        return spans.back();
+    const auto after = std::ranges::upper_bound(spans, t, {}, &Span::from);
+    return after == spans.begin() ? spans.front() : *(after - 1);
 }
 
 Histories::Place Histories::place(std::size_t unknown, double t) const {
@@ -212,7 +216,8 @@ std::vector<double> Histories::restarts(std::size_t unknown) const {
         const double end = i + 1 < spans.size() ? spans[i + 1].from : infinity;
         const History& history = *spans[i].history;
         for (std::size_t k = 0; k < history.size() && history.step(k).origin < end; ++k)
-            if (history.step(k).fresh && history.step(k).origin > start_)
+            if (history.step(k).fresh && history.step(k).origin >= spans[i].from &&
+                history.step(k).origin > start_)
                 times.push_back(history.step(k).origin);
     }
     return times;

@@ -41,7 +41,9 @@ struct Stop {
     std::string sentence; // with names of unknowns as in the equation set; no time in it
 };
 
-// Steps of one component: breakpoints and, per step, a row of coefficients for each column.
+// Steps of one component: breakpoints and, per step, a row of coefficients for each column. Columns
+// beyond columns() are the rates of the first ones, of which they need no coefficients of their own
+// as long as these are parabolas over a scale of 1: a flight is kept so.
 class History {
 public:
     explicit History(std::size_t columns) : columns_(columns) {}

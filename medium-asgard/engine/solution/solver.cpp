@@ -38,6 +38,8 @@ Solver::Implementation::Implementation(std::shared_ptr<const PreparedEquations> 
             options_.initial.empty() ? set_->unknowns[u].initial : options_.initial[u];
     place(options_.start);
     noteStops();
+    if (source_)
+        source_->use(*this);
 }
 
 std::unique_ptr<Component> Solver::Implementation::madeOf(std::vector<std::size_t> unknowns) {
@@ -296,6 +298,7 @@ void Solver::Implementation::apply(const Event& event) {
     disturbed_ = std::ranges::any_of(touched, [this](std::size_t c) { return !components_[c]; });
     if (disturbed_)
         return;
+    land(touched);
     resume(event, changes, touched);
     if (touched.empty())
         return;
@@ -343,7 +346,8 @@ std::vector<std::size_t> Solver::Implementation::touchedBy(const Event& event,
 // which may read them.
 void Solver::Implementation::resume(const Event& event, const Changes& changes,
                                     std::vector<std::size_t>& touched) {
-    if (!changes.equations.empty() || !changes.ends.empty() || !roused(event, changes).empty())
+    if (!changes.equations.empty() || !changes.ends.empty() ||
+        !roused(event.time, changes.jumps).empty())
         return;
     std::size_t done = 0;
     for (; done < touched.size(); ++done) {

@@ -50,20 +50,19 @@ double Solver::Implementation::magnitude(std::size_t unknown, double value) cons
 
 // What no longer stays 0, since the event moves it or its new equations do. An impact is computed
 // in three dimensions; what its rounding leaves out of the plane moves nothing.
-std::vector<std::size_t> Solver::Implementation::roused(const Event& event,
-                                                        const Changes& changes) const {
+std::vector<std::size_t>
+Solver::Implementation::roused(double time, std::span<const Changes::Jump> jumps) const {
     std::vector<std::size_t> roused;
-    if (std::ranges::none_of(changes.jumps, [this](const Changes::Jump& jump) {
+    if (std::ranges::none_of(jumps, [this](const Changes::Jump& jump) {
             return zero_.contains(jump.unknown) && jump.value != 0;
         }))
         return roused;
     double largest = 0;
-    for (const auto& jump : changes.jumps)
+    for (const auto& jump : jumps)
         if (set_->unknowns[jump.unknown].lengthPerUnit == 0)
-            largest =
-                std::max({largest, magnitude(jump.unknown, jump.value),
-                          magnitude(jump.unknown, histories_.value(jump.unknown, event.time))});
-    for (const auto& jump : changes.jumps)
+            largest = std::max({largest, magnitude(jump.unknown, jump.value),
+                                magnitude(jump.unknown, histories_.value(jump.unknown, time))});
+    for (const auto& jump : jumps)
         if (zero_.contains(jump.unknown) && jump.value != 0 &&
             !(magnitude(jump.unknown, jump.value) <= rounding * largest))
             roused.push_back(jump.unknown);
@@ -71,7 +70,7 @@ std::vector<std::size_t> Solver::Implementation::roused(const Event& event,
 }
 
 std::vector<std::size_t> Solver::Implementation::woken(const Event& event, const Changes& changes) {
-    const std::vector<std::size_t> roused = this->roused(event, changes);
+    const std::vector<std::size_t> roused = this->roused(event.time, changes.jumps);
     if (roused.empty() && changes.equations.empty())
         return {};
     std::vector<std::size_t> changed;
@@ -179,6 +178,7 @@ std::vector<std::size_t> Solver::Implementation::replace(const Event& event, con
     std::vector<std::size_t> places, isNew;
     std::vector<std::vector<double>> values;
     std::set<std::size_t> old(region.components.begin(), region.components.end());
+    land(region.components);
     for (const std::size_t group : region.groups)
         schedule_.disband(group);
     for (const auto& unknowns : region.partition.components) {

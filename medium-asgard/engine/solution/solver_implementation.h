@@ -18,7 +18,7 @@
 
 namespace solution {
 
-class Solver::Implementation {
+class Solver::Implementation final : private Turns {
 public:
     Implementation(std::shared_ptr<const PreparedEquations> prepared, Options options,
                    EventSource* source);
@@ -41,7 +41,8 @@ private:
         return !prepared_->unread.empty() && prepared_->unread[unknown];
     }
     [[nodiscard]] double magnitude(std::size_t unknown, double value) const;
-    [[nodiscard]] std::vector<std::size_t> roused(const Event& event, const Changes& changes) const;
+    [[nodiscard]] std::vector<std::size_t> roused(double time,
+                                                  std::span<const Changes::Jump> jumps) const;
     [[nodiscard]] std::vector<std::size_t> woken(const Event& event, const Changes& changes);
     void change(const Event& event, const Changes& changes);
     void addTracks(const Component& component, double t);
@@ -57,6 +58,23 @@ private:
 
     [[nodiscard]] bool handleEvents(double finish);
     void apply(const Event& event);
+    // What flies, in solver_flights.cpp.
+    struct Flight {
+        struct Axis {                            // that is not 0 for ever
+            std::size_t place = 0, velocity = 0; // components; a velocity may stay 0
+            std::size_t coordinate = 0;
+        };
+        std::vector<Axis> axes;
+        std::shared_ptr<History> history; // a column for each axis, then the rates of these
+        bool isOn = false;                // else the components go on by themselves
+    };
+    [[nodiscard]] bool turn(double time, std::span<Turn> turns) override;
+    [[nodiscard]] bool staysInPlane(double time, std::span<Turn> turns) const;
+    [[nodiscard]] bool turn(double time, Turn& turn);
+    [[nodiscard]] std::optional<std::vector<Flight::Axis>> axesOf(const Turn& turn) const;
+    [[nodiscard]] Flight* takeOff(double time, Turn& turn);
+    void land(std::span<const std::size_t> components);
+    void land(Flight& flight);
     [[nodiscard]] std::vector<std::size_t> touchedBy(const Event& event,
                                                      const Changes& changes) const;
     void resume(const Event& event, const Changes& changes, std::vector<std::size_t>& touched);
@@ -79,6 +97,9 @@ private:
     void retire(Component& component);
     void stopFor(const Event& event, Stop::Reason reason, const std::string& sentence);
     void noteStops();
+
+    std::vector<Flight> flights_;
+    std::vector<std::uint32_t> flightOf_; // by unknown; 0: none, else one more than its place
 
     std::shared_ptr<const PreparedEquations> prepared_;
     Options options_;

@@ -1,0 +1,179 @@
+// What flies: solution/event_source.h says what that is.
+//
+// The six components of a body's flight, single unknowns in closed form, share one history from
+// their first turn on: a step for each turn, with place, velocity and half the acceleration along
+// each axis. The first event of another kind gives each of them its own again, from the last turn
+// on. So a turn costs one step however many axes there are, and nothing else is looked at.
+#include "solution/solver_implementation.h"
+
+#include <cmath>
+
+namespace solution {
+
+// The same as handleEvents() does of such an event.
+bool Solver::Implementation::turn(double time, std::span<Turn> turns) {
+    const std::size_t atOnce = time > lastEvent_ ? 1 : eventsAtOnce_ + 1;
+    if (!(time >= lastEvent_ && time >= options_.start) || atOnce >= options_.maximumEventsAtOnce ||
+        !staysInPlane(time, turns))
+        return false;
+    for (Turn& one : turns) // those before one that cannot are turned again by the event
+        if (!turn(time, one))
+            return false;
+    eventsAtOnce_ = atOnce;
+    lastEvent_ = asked_ = time;
+    ++past_.events;
+    return true;
+}
+
+// What is 0 for ever stays so, up to rounding.
+bool Solver::Implementation::staysInPlane(double time, std::span<Turn> turns) const {
+    bool leaves = false;
+    for (const Turn& turn : turns)
+        for (std::size_t k = 0; k < 3; ++k)
+            leaves = leaves || (turn.velocity[k] != 0 && zero_.contains(turn.velocities[k]));
+    if (!leaves)
+        return true;
+    std::vector<Changes::Jump> jumps;
+    for (const Turn& turn : turns)
+        for (std::size_t k = 0; k < 3; ++k)
+            jumps.push_back({turn.velocities[k], turn.velocity[k]});
+    if (!roused(time, jumps).empty())
+        return false;
+    for (Turn& turn : turns)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (zero_.contains(turn.velocities[k]))
+                turn.velocity[k] = 0;
+    return true;
+}
+
+bool Solver::Implementation::turn(double time, Turn& turn) {
+    const std::uint32_t known = flightOf_.empty() ? 0 : flightOf_[turn.places[0]];
+    Flight* flight = known != 0 ? &flights_[known - 1] : nullptr;
+    std::array<double, 9> row{};
+    if (flight && flight->isOn) {
+        const std::size_t last = flight->history->size() - 1;
+        turn.place = {};
+        for (std::size_t i = 0; i < flight->axes.size(); ++i) {
+            const Piece piece = flight->history->piece(last, i);
+            if (piece.origin > time)
+                return false;
+            turn.place[flight->axes[i].coordinate] = piece.value(time);
+            row[3 * i + 2] = piece.coefficients[2];
+        }
+    } else {
+        flight = takeOff(time, turn);
+        if (!flight)
+            return false;
+        for (std::size_t i = 0; i < flight->axes.size(); ++i)
+            if (const std::size_t v = flight->axes[i].velocity; v != noComponent)
+                row[3 * i + 2] = components_[v]->plainRate()->constant / 2;
+    }
+    for (std::size_t i = 0; i < flight->axes.size(); ++i) {
+        row[3 * i] = turn.place[flight->axes[i].coordinate];
+        row[3 * i + 1] = turn.velocity[flight->axes[i].coordinate];
+    }
+    (void)flight->history->cut(time);
+    flight->history->append({time, infinity, 1, true, 3, 0},
+                            std::span(row).first(3 * flight->axes.size()));
+    return true;
+}
+
+// None: it does not fly.
+std::optional<std::vector<Solver::Implementation::Flight::Axis>>
+Solver::Implementation::axesOf(const Turn& turn) const {
+    std::vector<Flight::Axis> axes;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t x = componentOf_[turn.places[k]], v = componentOf_[turn.velocities[k]];
+        if (x == noComponent && v == noComponent)
+            continue;
+        if (x == noComponent || !components_[x] || !readers_[x].empty())
+            return std::nullopt;
+        const Component::PlainRate* rate = components_[x]->plainRate();
+        if (!rate)
+            return std::nullopt;
+        if (v == noComponent) { // a place that stays
+            if (rate->unknown || rate->constant != 0)
+                return std::nullopt;
+        } else {
+            const Component::PlainRate* bend =
+                components_[v] ? components_[v]->plainRate() : nullptr;
+            if (rate->unknown != turn.velocities[k] || !bend || bend->unknown ||
+                readers_[v] != std::vector<std::size_t>{x})
+                return std::nullopt;
+        }
+        axes.push_back({.place = x, .velocity = v, .coordinate = k});
+    }
+    return axes;
+}
+
+// Takes the components' motion over; null: they do not fly.
+Solver::Implementation::Flight* Solver::Implementation::takeOff(double time, Turn& turn) {
+    auto axes = axesOf(turn);
+    if (!axes || axes->empty())
+        return nullptr;
+    turn.place = {};
+    for (const Flight::Axis& axis : *axes) {
+        const History& history = *components_[axis.place]->history();
+        const Piece piece = history.piece(history.size() - 1, 0);
+        if (piece.origin > time)
+            return nullptr;
+        turn.place[axis.coordinate] = piece.value(time);
+    }
+    flightOf_.resize(set_->unknowns.size(), 0);
+    if (flightOf_[turn.places[0]] == 0) {
+        flights_.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k)
+            flightOf_[turn.places[k]] = flightOf_[turn.velocities[k]] =
+                static_cast<std::uint32_t>(flights_.size());
+    }
+    Flight& flight = flights_[flightOf_[turn.places[0]] - 1];
+    if (!flight.history || flight.history->columns() != axes->size())
+        flight.history = std::make_shared<History>(axes->size());
+    flight.axes = std::move(*axes);
+    flight.isOn = true;
+    const auto follow = [&](std::size_t unknown, std::size_t column) {
+        auto& spans = histories_.tracks_[unknown].spans;
+        while (!spans.empty() && spans.back().from >= time)
+            spans.pop_back();
+        spans.push_back({time, flight.history, column});
+    };
+    for (std::size_t i = 0; i < flight.axes.size(); ++i) {
+        const Flight::Axis& axis = flight.axes[i];
+        components_[axis.place]->leave(time);
+        follow(turn.places[axis.coordinate], i);
+        if (axis.velocity == noComponent)
+            continue;
+        components_[axis.velocity]->leave(time);
+        follow(turn.velocities[axis.coordinate], flight.axes.size() + i);
+    }
+    return &flight;
+}
+
+void Solver::Implementation::land(std::span<const std::size_t> components) {
+    if (flights_.empty())
+        return;
+    for (const std::size_t c : components)
+        if (components_[c])
+            if (const std::uint32_t flight = flightOf_[components_[c]->unknowns()[0]]; flight != 0)
+                land(flights_[flight - 1]);
+}
+
+void Solver::Implementation::land(Flight& flight) {
+    if (!std::exchange(flight.isOn, false))
+        return;
+    const std::size_t last = flight.history->size() - 1;
+    const double origin = flight.history->step(last).origin;
+    for (std::size_t i = 0; i < flight.axes.size(); ++i) {
+        const Piece place = flight.history->piece(last, i);
+        const std::array<double, 2> rate{place.coefficients[1], 2 * place.coefficients[2]};
+        components_[flight.axes[i].place]->goOn(origin, place.coefficients);
+        addTracks(*components_[flight.axes[i].place], origin);
+        if (flight.axes[i].velocity == noComponent)
+            continue;
+        components_[flight.axes[i].velocity]->goOn(origin, rate);
+        addTracks(*components_[flight.axes[i].velocity], origin);
+    }
+    (void)flight.history->cut(origin);
+}
+
+} // namespace solution
