@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace simulation {
 namespace {
@@ -12,13 +13,24 @@ using collision::FlightContact;
 using solution::Event;
 using solution::Histories;
 
+constexpr double timeResolution = 8 * std::numeric_limits<double>::epsilon();
 constexpr double approachThreshold = 1e-12; // of the speeds that enter, as in physics/impact.h
+
+// By more than any tolerance, for what a formula without roots says.
+bool areApart(const collision::BallFlight& a, const collision::BallFlight& b, double time) {
+    const double far = 1.001 * (a.radius + b.radius);
+    const double speeds = a.velocityAt(time).lpNorm<1>() + b.velocityAt(time).lpNorm<1>();
+    return (a.centreAt(time) - b.centreAt(time)).squaredNorm() > far * far &&
+           timeResolution * std::abs(time) * speeds < 1e-4 * far;
+}
 
 } // namespace
 
 FlightContact CollisionSource::flightContact(const Pair& pair, double time) const {
     const collision::BallFlight* a = search_.flight(pair.first);
     const collision::BallFlight* b = search_.flight(pair.second);
+    if (a && b && areApart(*a, *b, time))
+        return {};
     const double tolerance = contactTolerance(pair, time);
     if (a && b)
         return collision::contactOf(*a, *b, time, tolerance);
@@ -43,28 +55,30 @@ FlightContact CollisionSource::flightContact(const Pair& pair, double time) cons
 // None: they do not touch, or something else touches one of them, or that is not clear.
 std::optional<FlightContact> CollisionSource::onlyContact(const Histories& histories,
                                                           const Pair& pair, double time) {
-    FlightContact found;
+    const FlightContact found = flightContact(pair, time);
+    if (found.kind != FlightContact::Kind::contact)
+        return std::nullopt;
+    bool isOnly = true;
     for (const std::size_t body : {pair.first, pair.second})
-        for (const std::size_t other : search_.partners(body)) {
+        search_.forEachPartner(body, [&](std::size_t other) {
             const Pair met = std::minmax(body, other);
-            if (met == pair && body == pair.second && !records_[pair.first].isFixed)
-                continue; // seen
+            if (!isOnly || met == pair)
+                return;
             const FlightContact contact = flightContact(met, time);
-            if (contact.kind == FlightContact::Kind::none)
-                continue;
-            if (contact.kind == FlightContact::Kind::unclear && met != pair) {
-                // Whoever is near without touching leaves no trace in the result.
-                Cluster others;
-                if (!search_.hasEnded(other))
-                    addContacts(histories, others, met.first, met.second, time);
-                if (others.contacts.empty())
-                    continue;
-            }
-            if (contact.kind == FlightContact::Kind::unclear || met != pair)
-                return std::nullopt;
-            found = contact;
-        }
-    return found.kind == FlightContact::Kind::contact ? std::optional(found) : std::nullopt;
+            isOnly = contact.kind == FlightContact::Kind::none ||
+                     (contact.kind == FlightContact::Kind::unclear &&
+                      !touchesClosely(histories, met, other, time));
+        });
+    return isOnly ? std::optional(found) : std::nullopt;
+}
+
+// Whoever is near without touching leaves no trace in the result.
+bool CollisionSource::touchesClosely(const Histories& histories, const Pair& pair,
+                                     std::size_t other, double time) {
+    Cluster cluster;
+    if (!search_.hasEnded(other))
+        addContacts(histories, cluster, pair.first, pair.second, time);
+    return !cluster.contacts.empty();
 }
 
 // softenLastHops() would end the bouncing here, or is near to it.
@@ -84,47 +98,71 @@ bool CollisionSource::isLastHop(const Pair& pair, const Vector& normal, double s
     return push < 0 && speed * speed / (-2 * push) < 2 * lowest;
 }
 
-bool CollisionSource::meetInFlight(const Histories& histories, const Pair& pair, double time,
-                                   std::optional<Event>& event) {
+Vector CollisionSource::velocityOf(const Histories& histories, std::size_t body,
+                                   double time) const {
+    if (records_[body].isFixed)
+        return Vector::Zero();
+    if (search_.isFollowed(body))
+        return search_.flight(body)->velocityAt(time);
+    const std::size_t first = records_[body].firstUnknown + physics::dx;
+    return {histories.value(first, time), histories.value(first + 1, time),
+            histories.value(first + 2, time)};
+}
+
+// On the spot, where the solver agrees and nobody reads them.
+bool CollisionSource::turn(const Pair& pair, double time, const std::array<Vector, 2>& before,
+                           const std::array<Vector, 2>& after) {
+    std::array<solution::Turn, 2> turns;
+    std::array<std::size_t, 2> turned{};
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::size_t body = i == 0 ? pair.first : pair.second;
+        if (records_[body].isFixed)
+            continue;
+        if (!turns_ || !search_.isFollowed(body) || !dependents_[body].empty())
+            return false;
+        turned[count] = body;
+        solution::Turn& turn = turns[count++];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto axis = static_cast<Eigen::Index>(k);
+            turn.places[k] = records_[body].firstUnknown + physics::x + k;
+            turn.velocities[k] = records_[body].firstUnknown + physics::dx + k;
+            turn.jumps[k] = after[i][axis] != before[i][axis];
+            turn.velocity[k] = after[i][axis];
+        }
+    }
+    if (!turns_->turn(time, std::span(turns).first(count)))
+        return false;
+    for (std::size_t i = 0; i < count; ++i)
+        search_.turn(turned[i], turns[i], time);
+    search_.goOn(pair, time);
+    noteEvent(time);
+    return true;
+}
+
+std::optional<CollisionSource::Handled>
+CollisionSource::meetInFlight(const Histories& histories, const Pair& pair, double time) {
     const auto contact = onlyContact(histories, pair, time);
     const double restitution =
         std::min(scene_.bodies[pair.first].restitution, scene_.bodies[pair.second].restitution);
     if (!contact || restitution == 0)
-        return false;
-    std::array<Vector, 2> velocities{Vector::Zero(), Vector::Zero()};
-    std::array<double, 2> inverseMasses{};
-    for (std::size_t i = 0; i < 2; ++i) {
-        const BodyRecord& record = records_[i == 0 ? pair.first : pair.second];
-        if (record.isFixed)
-            continue;
-        inverseMasses[i] = 1 / record.mass;
-        for (std::size_t k = 0; k < 3; ++k)
-            velocities[i][static_cast<Eigen::Index>(k)] =
-                histories.value(record.firstUnknown + physics::dx + k, time);
-    }
+        return std::nullopt;
+    const std::array<Vector, 2> velocities{velocityOf(histories, pair.first, time),
+                                           velocityOf(histories, pair.second, time)};
+    const std::array<double, 2> inverseMasses{1 / records_[pair.first].mass,
+                                              1 / records_[pair.second].mass};
     const double speed = contact->normal.dot(velocities[0] - velocities[1]);
     if (!(speed < -approachThreshold * (velocities[0].norm() + velocities[1].norm())) ||
         isLastHop(pair, contact->normal, restitution * speed, time))
-        return false;
+        return std::nullopt;
     const double impulse =
         physics::centralImpulse(speed, restitution, inverseMasses[0] + inverseMasses[1]);
-    event = Event{.time = time, .touched = {}, .tag = 0};
-    outcome_ = {};
-    for (std::size_t i = 0; i < 2; ++i) {
-        const double sign = i == 0 ? 1 : -1;
-        const std::size_t first = records_[i == 0 ? pair.first : pair.second].firstUnknown;
-        const Vector change = (sign * impulse * inverseMasses[i]) * contact->normal;
-        for (std::size_t k = 0; k < 3 && inverseMasses[i] > 0; ++k) {
-            const auto axis = static_cast<Eigen::Index>(k);
-            const double then = velocities[i][axis] + change[axis];
-            if (then == velocities[i][axis])
-                continue;
-            outcome_.jumps.push_back({first + physics::dx + k, then});
-            event->touched.push_back(first + physics::dx + k);
-        }
-    }
-    if (event->touched.empty())
-        return false;
+    std::array<Vector, 2> then;
+    for (std::size_t i = 0; i < 2; ++i)
+        then[i] =
+            velocities[i] + ((i == 0 ? impulse : -impulse) * inverseMasses[i]) * contact->normal;
+    if (then == velocities)
+        return std::nullopt;
     add({.time = time,
          .first = pair.first,
          .second = pair.second,
@@ -132,7 +170,19 @@ bool CollisionSource::meetInFlight(const Histories& histories, const Pair& pair,
          .normal = contact->normal,
          .impulse = impulse},
         time);
-    return true;
+    if (turn(pair, time, velocities, then))
+        return Handled{.event = {}, .isDone = true};
+    Event event{.time = time, .touched = {}, .tag = 0};
+    outcome_ = {};
+    for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (const auto axis = static_cast<Eigen::Index>(k);
+                then[i][axis] != velocities[i][axis]) {
+                const std::size_t body = i == 0 ? pair.first : pair.second;
+                event.touched.push_back(records_[body].firstUnknown + physics::dx + k);
+                outcome_.jumps.push_back({event.touched.back(), then[i][axis]});
+            }
+    return Handled{.event = std::move(event), .isDone = false};
 }
 
 } // namespace simulation

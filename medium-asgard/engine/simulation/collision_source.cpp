@@ -66,9 +66,11 @@ std::optional<Event> CollisionSource::next(const Histories& histories, double kn
             continue;
         }
         const EncounterSearch::Found hit = search_.takeHit();
-        if (auto event = handle(histories, hit))
-            return announced(std::move(*event));
-        search_.searchOn(hit.pair, hit.time);
+        Handled handled = handle(histories, hit);
+        if (handled.event)
+            return announced(std::move(*handled.event));
+        if (!handled.isDone)
+            search_.searchOn(hit.pair, hit.time);
     }
 }
 
@@ -118,9 +120,13 @@ bool CollisionSource::hasEventAt(double time) const {
 
 std::optional<Event> CollisionSource::announced(Event event) {
     forgetAfterEvent(event);
-    if (events_.empty() || events_.back() < event.time)
-        events_.push_back(event.time);
+    noteEvent(event.time);
     return event;
+}
+
+void CollisionSource::noteEvent(double time) {
+    if (events_.empty() || events_.back() < time)
+        events_.push_back(time);
 }
 
 // An event cuts the bodies that it touches and all that read them: what was found beyond it for
@@ -158,7 +164,7 @@ void CollisionSource::findDependents() {
             const std::size_t next = open.back();
             open.pop_back();
             for (const std::size_t reader : readers[next])
-                if (dependents_[b].insert(reader).second)
+                if (reader != b && dependents_[b].insert(reader).second)
                     open.push_back(reader);
         }
     }

@@ -43,6 +43,7 @@ public:
                     const RestLimits& limits, std::function<bool()> cancelled = {});
     ~CollisionSource() override;
 
+    void use(solution::Turns& turns) override { turns_ = &turns; }
     [[nodiscard]] std::optional<solution::Event> next(const solution::Histories& histories,
                                                       double known) override;
     void apply(const solution::Histories& histories, const solution::Event& event,
@@ -84,21 +85,34 @@ private:
 
     void read(const solution::Histories& histories);
     [[nodiscard]] std::optional<solution::Event> announced(solution::Event event);
+    void noteEvent(double time);
     void forgetAfterEvent(const solution::Event& event);
     void findDependents();
     void renew(const solution::Histories& histories);
-    [[nodiscard]] std::optional<solution::Event> handle(const solution::Histories& histories,
-                                                        const EncounterSearch::Found& hit);
+    // What a hit came to: an event to be announced, or none, and the search goes on from there; or
+    // all is done.
+    struct Handled {
+        std::optional<solution::Event> event;
+        bool isDone = false;
+    };
+    [[nodiscard]] Handled handle(const solution::Histories& histories,
+                                 const EncounterSearch::Found& hit);
     [[nodiscard]] std::optional<solution::Event> meet(const solution::Histories& histories,
                                                       const Pair& pair, double time);
-    // Two balls, or a ball and a face, that touch nothing else. False: meet() must answer.
-    [[nodiscard]] bool meetInFlight(const solution::Histories& histories, const Pair& pair,
-                                    double time, std::optional<solution::Event>& event);
+    // Two balls, or a ball and a face, that touch nothing else. None: meet() must answer.
+    [[nodiscard]] std::optional<Handled> meetInFlight(const solution::Histories& histories,
+                                                      const Pair& pair, double time);
+    [[nodiscard]] bool turn(const Pair& pair, double time, const std::array<Vector, 2>& before,
+                            const std::array<Vector, 2>& after);
+    [[nodiscard]] Vector velocityOf(const solution::Histories& histories, std::size_t body,
+                                    double time) const;
     // Nearer than this they touch at an impact: it is as far off as times are resolved, too.
     [[nodiscard]] double contactTolerance(const Pair& pair, double time) const;
     [[nodiscard]] collision::FlightContact flightContact(const Pair& pair, double time) const;
     [[nodiscard]] std::optional<collision::FlightContact>
     onlyContact(const solution::Histories& histories, const Pair& pair, double time);
+    [[nodiscard]] bool touchesClosely(const solution::Histories& histories, const Pair& pair,
+                                      std::size_t other, double time);
     [[nodiscard]] bool isLastHop(const Pair& pair, const Vector& normal, double speed,
                                  double time) const;
     [[nodiscard]] std::optional<solution::Event> press(const solution::Histories& histories,
@@ -135,10 +149,12 @@ private:
     RestLimits limits_;
     std::function<bool()> cancelled_; // then next() answers early, and nobody reads it
 
+    solution::Turns* turns_ = nullptr;
     const solution::Histories* read_ = nullptr;
     std::set<Pair> noted_;
-    std::vector<std::set<std::size_t>> dependents_; // bodies that read a body, also through others
-    std::vector<std::size_t> bodyOf_;               // by unknown
+    std::vector<std::set<std::size_t>>
+        dependents_;                  // other bodies that read a body, also through others
+    std::vector<std::size_t> bodyOf_; // by unknown
 
     RestingBodies resting_;
     EncounterSearch search_;

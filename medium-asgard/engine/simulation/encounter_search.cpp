@@ -4,63 +4,19 @@
 #include <cmath>
 #include <map>
 #include <string>
-#include <tuple>
+#include <utility>
 
 namespace simulation {
 namespace {
 
 using collision::FlightMeeting;
 using collision::Interval;
-using solution::Histories;
 using solution::infinity;
 
-constexpr double firstWay = 3;     // of the body's radius, in the first window after a cut
-constexpr double firstSpan = 16;   // s, of that window at most
-constexpr int mostDoublings = 40;  // of both
-constexpr double roomAround = 0.5; // of the radius, about boxes of short windows
-constexpr double mostRoom = 4;     // a box in the tree is at most so much larger than needed
-constexpr double rounding = 1e-12; // of coordinates, in boxes
 constexpr std::size_t recentPairs = 4096;
 constexpr std::size_t shortQueue = 64;
-
-void grow(geometry::Box& box, double by) {
-    box.min() -= geometry::Vector::Constant(by);
-    box.max() += geometry::Vector::Constant(by);
-}
-
-// The time in which c1 s + c2 s^2 + ... goes `way` at most, s = time / scale.
-double timeForWay(std::span<const geometry::Vector> coefficients, double scale, double way) {
-    const double terms = static_cast<double>(coefficients.size()) - 1;
-    double least = infinity;
-    for (std::size_t k = 1; k < coefficients.size(); ++k)
-        if (const double size = coefficients[k].norm(); size > 0) {
-            const double power = way / (terms * size);
-            least = std::min(least, k == 1   ? power
-                                    : k == 2 ? std::sqrt(power)
-                                             : std::pow(power, 1 / static_cast<double>(k)));
-        }
-    return least * scale;
-}
-
-// About s0 instead of 0.
-std::vector<geometry::Vector> shifted(std::vector<geometry::Vector> c, double s0) {
-    for (std::size_t i = 0; s0 != 0 && i + 1 < c.size(); ++i)
-        for (std::size_t k = c.size() - 1; k-- > i;)
-            c[k] += s0 * c[k + 1];
-    return c;
-}
-
-geometry::Box boxOf(const collision::BallFlight& flight, double from, double to) {
-    const geometry::Vector a = flight.centreAt(from), b = flight.centreAt(to);
-    geometry::Box box(a.cwiseMin(b), a.cwiseMax(b));
-    // A parabola leaves the box of its ends by at most |h| (to - from)^2 / 4.
-    const geometry::Vector bulge = flight.half.cwiseAbs() * ((to - from) * (to - from) / 4);
-    const double reach =
-        flight.radius + rounding * (a.cwiseAbs().maxCoeff() + b.cwiseAbs().maxCoeff());
-    box.min() -= bulge + geometry::Vector::Constant(reach);
-    box.max() += bulge + geometry::Vector::Constant(reach);
-    return box;
-}
+constexpr double apart = 2;    // radii: flights that pass each other by so much are no encounter
+constexpr double farOff = 1e6; // radii: there the formulas must tell
 
 bool isBall(const geometry::Shape& shape, const geometry::Vector& centroid) {
     return shape.parts.size() == 1 && shape.parts[0].isSphere() &&
@@ -79,6 +35,28 @@ std::vector<collision::StandingPart> standingOf(const MovingBody& body, const Bo
     return parts;
 }
 
+// Their centres never come as near as a few radii, by a formula that does for that: with p and v
+// the difference of places and of velocities, |p + v s| > R for all s > 0.
+bool passApart(const collision::BallFlight& a, const collision::BallFlight& b) {
+    const double from = std::max(a.from, b.from), sa = from - a.from, sb = from - b.from;
+    double distance = 0, along = 0, speed = 0;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        const double ha = a.half[i], hb = b.half[i];
+        if (ha != hb)
+            return false;
+        const double p = a.place[i] - b.place[i] + sa * (a.velocity[i] + sa * ha) -
+                         sb * (b.velocity[i] + sb * hb);
+        const double v = a.velocity[i] - b.velocity[i] + 2 * (sa - sb) * ha;
+        distance += p * p;
+        along += p * v;
+        speed += v * v;
+    }
+    const double radius = apart * (a.radius + b.radius), square = radius * radius;
+    if (!(distance > square) || distance > square * (farOff * farOff))
+        return false;
+    return along >= 0 || (distance - square) * speed > along * along;
+}
+
 } // namespace
 
 EncounterSearch::EncounterSearch(const scene::Scene& scene,
@@ -87,8 +65,9 @@ EncounterSearch::EncounterSearch(const scene::Scene& scene,
                                  const std::vector<MovingBody>& bodies,
                                  const RestingBodies& resting, double start, double slack)
     : records_(records), bodies_(bodies), resting_(resting), slack_(slack), tree_(records.size()),
-      windows_(records.size()), version_(records.size(), 0), schedule_(records.size(), 0),
-      partners_(records.size()), ended_(records.size(), false), recentPairs_(recentPairs, 0) {
+      cells_(records.size()), windows_(records.size()), version_(records.size(), 0),
+      ends_(records.size()), partners_(records.size()), unclear_(records.size()),
+      ended_(records.size(), false), recentPairs_(recentPairs, 0) {
     std::map<std::string, std::size_t> indices;
     for (std::size_t b = 0; b < records.size(); ++b) {
         const bool isFixed = records[b].isFixed;
@@ -100,18 +79,16 @@ EncounterSearch::EncounterSearch(const scene::Scene& scene,
         standing_.push_back(isFixed ? standingOf(bodies[b], records[b])
                                     : std::vector<collision::StandingPart>{});
         if (isFixed) {
-            windows_[b] = {.from = -infinity,
-                           .until = infinity,
-                           .number = 0,
-                           .box = collision::boundsDuring(bodies[b], start, start),
-                           .isFlight = false,
-                           .flight = {},
-                           .pieceEnd = infinity};
-            grow(windows_[b].box, slack * records[b].radius);
+            windows_[b].from = -infinity;
+            windows_[b].until = windows_[b].pieceEnd = infinity;
+            windows_[b].box = collision::boundsDuring(bodies_[b], start, start);
+            const double more = slack * records[b].radius;
+            windows_[b].box.min().array() -= more;
+            windows_[b].box.max().array() += more;
             tree_.put(b, windows_[b].box);
         } else {
             windows_[b].from = windows_[b].until = start;
-            schedule(b, start);
+            ends_.set(b, start);
         }
     }
     linked_.resize(records.size());
@@ -133,21 +110,20 @@ bool EncounterSearch::mayMeet(std::size_t a, std::size_t b) const {
 
 // --- the queue ------------------------------------------------------------------------------
 
-bool EncounterSearch::Later::operator()(const Item& a, const Item& b) const {
+bool EncounterSearch::Later::operator()(const Hit& a, const Hit& b) const {
     if (a.time != b.time)
         return a.time > b.time;
-    return std::tuple(a.isWindow(), a.first, a.second) >
-           std::tuple(b.isWindow(), b.first, b.second);
+    return std::pair(a.first, a.second) > std::pair(b.first, b.second);
 }
 
 // What is outdated lies in the queue until its time comes, or until it is most of the queue.
-void EncounterSearch::push(const Item& item) {
+void EncounterSearch::push(const Hit& hit) {
     if (queue_.size() > queueLimit_) {
-        std::erase_if(queue_, [this](const Item& i) { return isOutdated(i); });
+        std::erase_if(queue_, [this](const Hit& h) { return isOutdated(h); });
         std::ranges::make_heap(queue_, Later{});
         queueLimit_ = 2 * queue_.size() + shortQueue;
     }
-    queue_.push_back(item);
+    queue_.push_back(hit);
     std::ranges::push_heap(queue_, Later{});
 }
 
@@ -156,29 +132,22 @@ void EncounterSearch::drop() {
     queue_.pop_back();
 }
 
-bool EncounterSearch::isOutdated(const Item& item) const {
-    if (item.isWindow())
-        return schedule_[item.first] != item.versionFirst;
-    return version_[item.first] != item.versionFirst || version_[item.second] != item.versionSecond;
-}
-
-void EncounterSearch::schedule(std::size_t body, double time) {
-    const auto index = static_cast<std::uint32_t>(body);
-    push({time, index, index, ++schedule_[body], 0});
+bool EncounterSearch::isOutdated(const Hit& hit) const {
+    return version_[hit.first] != hit.versionFirst || version_[hit.second] != hit.versionSecond;
 }
 
 EncounterSearch::Next EncounterSearch::next() {
     while (!queue_.empty() && isOutdated(queue_.front()))
         drop();
-    if (queue_.empty())
-        return {infinity, false};
-    return {queue_.front().time, !queue_.front().isWindow()};
+    if (!queue_.empty() && queue_.front().time <= ends_.time())
+        return {queue_.front().time, true};
+    return {ends_.time(), false};
 }
 
 EncounterSearch::Found EncounterSearch::takeHit() {
-    const Item item = queue_.front();
+    const Hit hit = queue_.front();
     drop();
-    return {item.time, {item.first, item.second}, item.pressing, item.isLost};
+    return {hit.time, {hit.first, hit.second}, hit.pressing, hit.isLost};
 }
 
 void EncounterSearch::cut(std::size_t body, double time) {
@@ -187,135 +156,12 @@ void EncounterSearch::cut(std::size_t body, double time) {
     ++version_[body];
     windows_[body].number = -1;
     windows_[body].until = time;
-    windows_[body].isFlight = false;
+    windows_[body].isFlight = windows_[body].isFollowed = false;
     bodies_[body].forget();
-    schedule(body, time);
+    ends_.set(body, time);
 }
 
-// --- windows --------------------------------------------------------------------------------
-
-bool EncounterSearch::isOver(const Histories& histories, std::size_t body, double time) const {
-    if (histories.stops().empty())
-        return false;
-    for (std::size_t i = 0; i < physics::bodyUnknowns; ++i)
-        if (const auto* stop = histories.stop(records_[body].firstUnknown + i))
-            if (stop->time <= time)
-                return true;
-    return false;
-}
-
-bool EncounterSearch::openFlight(const Histories& histories, std::size_t body,
-                                 Window& window) const {
-    if (!isFreeBall_[body] || resting_.isResting(body))
-        return false;
-    const std::size_t first = records_[body].firstUnknown;
-    double origin = -infinity, end = infinity;
-    std::array<solution::Piece, 6> pieces; // x y z dx dy dz
-    for (std::size_t i = 0; i < 6; ++i) {
-        pieces[i] = histories.piece(first + i, window.from);
-        if (pieces[i].coefficients.size() > (i < 3 ? 3u : 2u))
-            return false;
-        origin = std::max(origin, pieces[i].origin);
-        if (pieces[i].until > window.from)
-            end = std::min(end, pieces[i].until);
-    }
-    collision::BallFlight& flight = window.flight;
-    flight.from = origin;
-    flight.radius = bodies_[body].shape().parts[0].radius;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto axis = static_cast<Eigen::Index>(i);
-        const solution::Piece& speed = pieces[3 + i];
-        flight.place[axis] = pieces[i].value(origin);
-        flight.velocity[axis] = speed.value(origin);
-        flight.half[axis] =
-            speed.coefficients.size() > 1 ? speed.coefficients[1] / speed.scale / 2 : 0;
-    }
-    window.pieceEnd = end;
-    return true;
-}
-
-void EncounterSearch::openWindow(const Histories& histories, std::size_t body, double time) {
-    Window& window = windows_[body];
-    window.number = std::min(window.number + 1, mostDoublings);
-    window.from = time;
-    const double way = firstWay * records_[body].radius * std::ldexp(1, window.number);
-    const double latest = time + std::ldexp(firstSpan, window.number);
-    bodies_[body].forget();
-    window.isFlight = openFlight(histories, body, window);
-    if (window.isFlight) {
-        const std::array<geometry::Vector, 3> path{
-            geometry::Vector::Zero(), window.flight.velocityAt(time), window.flight.half};
-        const std::size_t terms = window.flight.half.isZero(0) ? 2 : 3;
-        window.until = std::min(time + timeForWay(std::span(path).first(terms), 1, way),
-                                std::min(window.pieceEnd, latest));
-        window.box = boxOf(window.flight, time, window.until);
-        return;
-    }
-    const collision::MotionPiece& piece = bodies_[body].pieceAt(time);
-    const double end = piece.until > time ? std::min(piece.until, latest) : latest;
-    const double longest =
-        timeForWay(shifted(piece.position, (time - piece.from) / piece.scale), piece.scale, way);
-    window.until = std::min(time + longest, end);
-    window.box = collision::boundsDuring(bodies_[body], time, window.until);
-}
-
-void EncounterSearch::leave(std::size_t body) {
-    ended_[body] = true;
-    ++version_[body];
-    ++schedule_[body];
-    if (tree_.contains(body))
-        tree_.remove(body);
-    for (const std::size_t other : partners_[body])
-        std::erase(partners_[other], body);
-    partners_[body].clear();
-}
-
-void EncounterSearch::renew(const Histories& histories, Renewal& renewal) {
-    const std::size_t body = queue_.front().first;
-    const double time = queue_.front().time;
-    drop();
-    renewal = {.body = body, .ended = false, .joined = {}};
-    if (isOver(histories, body, time)) {
-        leave(body);
-        renewal.ended = true;
-        return;
-    }
-    openWindow(histories, body, time);
-    grow(windows_[body].box, slack_ * records_[body].radius);
-    schedule(body, windows_[body].until);
-    findPartners(body, renewal);
-    for (const std::size_t other : partners_[body])
-        search(std::minmax(body, other), time);
-}
-
-// The box in the tree may be larger than the window's, so that short windows seldom change it.
-void EncounterSearch::findPartners(std::size_t body, Renewal& renewal) {
-    const geometry::Box& box = windows_[body].box;
-    const double room = roomAround * records_[body].radius;
-    const bool isShort = box.diagonal().norm() < 4 * records_[body].radius;
-    if (tree_.contains(body) && tree_.box(body).contains(box) &&
-        tree_.box(body).diagonal().norm() < box.diagonal().norm() + mostRoom * room)
-        return;
-    geometry::Box leaf = box;
-    if (isShort && !windows_[body].isFlight)
-        grow(leaf, room);
-    before_ = partners_[body];
-    for (const std::size_t other : before_)
-        if (!records_[other].isFixed)
-            std::erase(partners_[other], body);
-    tree_.put(body, leaf);
-    found_.clear();
-    tree_.overlapping(leaf, found_);
-    std::erase_if(found_, [&](std::size_t other) { return !mayMeet(body, other); });
-    std::ranges::sort(found_);
-    partners_[body] = found_;
-    for (const std::size_t other : found_) {
-        if (!records_[other].isFixed)
-            partners_[other].insert(std::ranges::lower_bound(partners_[other], body), body);
-        if (resting_.isAnyResting() && !std::ranges::binary_search(before_, other))
-            renewal.joined.push_back(other);
-    }
-}
+// --- hits -----------------------------------------------------------------------------------
 
 void EncounterSearch::remember(const Pair& pair) {
     const std::uint64_t key = (static_cast<std::uint64_t>(pair.first) << 32) + pair.second;
@@ -343,19 +189,27 @@ std::vector<EncounterSearch::Pair> EncounterSearch::pairs() {
     return pairs;
 }
 
-// --- hits -----------------------------------------------------------------------------------
-
 bool EncounterSearch::isPassing(const Pair& pair, double time) const {
     return std::ranges::any_of(passing_,
                                [&](const Passing& p) { return p.pair == pair && p.until > time; });
 }
 
 void EncounterSearch::keep(const Pair& pair, double time, bool pressing, bool isLost) {
-    push({time, static_cast<std::uint32_t>(pair.first), static_cast<std::uint32_t>(pair.second),
-          version_[pair.first], version_[pair.second], pressing, isLost});
+    push({.time = time,
+          .first = static_cast<std::uint32_t>(pair.first),
+          .second = static_cast<std::uint32_t>(pair.second),
+          .versionFirst = version_[pair.first],
+          .versionSecond = version_[pair.second],
+          .pressing = pressing,
+          .isLost = isLost});
 }
 
-void EncounterSearch::searchOn(const Pair& pair, double time) { search(pair, time); }
+void EncounterSearch::searchOn(const Pair& pair, double time) {
+    if (cells_.contains(pair.first) && cells_.contains(pair.second))
+        searchFlight(pair.first, pair.second, time);
+    else
+        search(pair, time);
+}
 
 FlightMeeting EncounterSearch::flightMeeting(const Pair& pair, Interval during) const {
     const collision::BallFlight *a = flight(pair.first), *b = flight(pair.second);
@@ -395,6 +249,28 @@ void EncounterSearch::search(const Pair& pair, double from) {
     remember(pair);
     if (searchFlights(pair, during))
         return;
+    searchGenerally(pair, during);
+}
+
+// Two balls in cells, for as long as they fly.
+void EncounterSearch::searchFlight(std::size_t body, std::size_t other, double time) {
+    const Window &a = windows_[body], &b = windows_[other];
+    // One that was cut is searched when its next window begins.
+    if (!a.isFlight || !b.isFlight || !mayMeet(body, other) || passApart(a.flight, b.flight))
+        return;
+    const Pair pair = std::minmax(body, other);
+    ++pairTests_;
+    remember(pair);
+    if (searchFlights(pair, {time, std::min(a.pieceEnd, b.pieceEnd)}))
+        return;
+    for (const auto& [one, two] : {pair, Pair(pair.second, pair.first)})
+        if (std::ranges::find(unclear_[one], two) == unclear_[one].end())
+            unclear_[one].push_back(two);
+    if (const double until = std::min(a.until, b.until); time < until)
+        searchGenerally(pair, {time, until});
+}
+
+void EncounterSearch::searchGenerally(const Pair& pair, Interval during) {
     collision::PartFilter footing;
     if (resting_.hasFooting(pair.first, pair.second))
         footing = [&](std::size_t i, std::size_t j) {

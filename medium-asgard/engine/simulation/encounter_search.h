@@ -18,16 +18,26 @@
 // far away moves no bit of a hit here, which lets an edit keep what it does not concern. Balls in
 // flight and faces that stand still are searched in closed form (collision/ball_flight.h), all else
 // by collision/time_of_impact.h.
+//
+// Balls in flight are not in the tree but in cells (collision/ball_cells.h), and a window of theirs
+// is the way through a cell. Two of them are searched once for as long as they fly: when one turns,
+// or comes into the cells about the other. Where the solver settles their hits on the spot
+// (solution/event_source.h), the search knows their flights without reading them again:
+//
+//     turn(b, ...), goOn(pair):   what cut() of both and renew() would do
 #pragma once
 
-#include "collision/ball_flight.h"
+#include "collision/ball_cells.h"
 #include "collision/box_tree.h"
 #include "collision/broad_phase.h"
 #include "collision/time_of_impact.h"
 #include "physics/equations_of_motion.h"
 #include "scene/scene.h"
+#include "simulation/earliest.h"
 #include "simulation/resting_bodies.h"
+#include "solution/event_source.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -66,14 +76,28 @@ public:
 
     // The motion of the body was cut at `time`.
     void cut(std::size_t body, double time);
+    // A ball in flight that flies on for ever, if nobody turns it: turn() tells who does.
+    [[nodiscard]] bool isFollowed(std::size_t body) const { return windows_[body].isFollowed; }
+    void turn(std::size_t body, const solution::Turn& turn, double time);
+    // After both of a pair: what cut() of both and renew() would do.
+    void goOn(const Pair& turned, double time);
     // The pair's hit at `time` was none, or is let pass: search it from there on.
     void searchOn(const Pair& pair, double time);
     // They let each other pass until then.
     void letPass(const Pair& pair, double until) { passing_.push_back({pair, until}); }
 
-    // Bodies whose boxes overlap this one's; none for fixed bodies, whom the others list.
-    [[nodiscard]] std::span<const std::size_t> partners(std::size_t body) const {
-        return partners_[body];
+    // Bodies that this one may meet during its window, in order; none for fixed bodies, whom the
+    // others list.
+    [[nodiscard]] std::vector<std::size_t> partners(std::size_t body) const;
+    // The same, in no order.
+    template <typename Visit> void forEachPartner(std::size_t body, Visit&& visit) const {
+        for (const std::size_t other : partners_[body])
+            visit(other);
+        if (cells_.contains(body))
+            cells_.forEachNear(body, [&](std::size_t other) {
+                if (mayMeet(body, other))
+                    visit(other);
+            });
     }
     [[nodiscard]] bool hasEnded(std::size_t body) const { return ended_[body]; }
     // The motion from the front on that was looked at.
@@ -98,33 +122,46 @@ private:
         double from = 0, until = 0;
         int number = 0; // since the last cut
         geometry::Box box;
-        bool isFlight = false;
+        bool isFlight = false, isFollowed = false;
         collision::BallFlight flight;
         double pieceEnd = 0; // of the flight
+        int growth = 0;      // of its cell
+        collision::BallCells::Exit exit, crossed;
     };
-    struct Item { // of the queue; ordered by time, hits first
+    struct Hit { // in the queue; ordered by time
         double time = 0;
-        std::uint32_t first = 0, second = 0; // second == first: the window of that body ends
-        std::uint32_t versionFirst = 0, versionSecond = 0;
+        std::uint32_t first = 0, second = 0, versionFirst = 0, versionSecond = 0;
         bool pressing = false, isLost = false;
-        [[nodiscard]] bool isWindow() const { return first == second; }
     };
     struct Later {
-        bool operator()(const Item& a, const Item& b) const;
+        bool operator()(const Hit& a, const Hit& b) const;
     };
+    using Crossing = collision::BallCells::Crossing;
+    enum class Around {
+        all,
+        beyond
+    }; // balls near one in its cell: beyond the face it came through
 
     [[nodiscard]] bool mayMeet(std::size_t a, std::size_t b) const;
-    [[nodiscard]] bool isOutdated(const Item& item) const;
-    void push(const Item& item);
+    [[nodiscard]] bool isOutdated(const Hit& hit) const;
+    void push(const Hit& hit);
     void drop();
-    void schedule(std::size_t body, double time);
     void leave(std::size_t body);
     [[nodiscard]] bool isOver(const solution::Histories& histories, std::size_t body,
                               double time) const;
     [[nodiscard]] bool openFlight(const solution::Histories& histories, std::size_t body,
                                   Window& window) const;
-    void openWindow(const solution::Histories& histories, std::size_t body, double time);
-    void findPartners(std::size_t body, Renewal& renewal);
+    void openWindow(const solution::Histories& histories, std::size_t body, double time,
+                    Renewal& renewal);
+    void openFlightWindow(std::size_t body, double time);
+    [[nodiscard]] Crossing enterCell(std::size_t body, double time, bool isNew);
+    void boxFlight(std::size_t body);
+    [[nodiscard]] geometry::Box leafOfBlock(std::size_t body) const;
+    void enterTree(std::size_t body, Renewal& renewal);
+    void findPartners(std::size_t body, const geometry::Box& leaf, Renewal& renewal);
+    void searchAround(std::size_t body, double time, std::optional<std::size_t> but = {});
+    void searchFlight(std::size_t body, std::size_t other, double time);
+    void searchGenerally(const Pair& pair, collision::Interval during);
     void search(const Pair& pair, double from);
     [[nodiscard]] bool searchFlights(const Pair& pair, collision::Interval during);
     [[nodiscard]] collision::FlightMeeting flightMeeting(const Pair& pair,
@@ -145,18 +182,22 @@ private:
     std::vector<std::vector<collision::StandingPart>> standing_;
 
     collision::BoxTree tree_;
+    collision::BallCells cells_;
     std::vector<Window> windows_;
-    std::vector<std::uint32_t> version_;  // of the motion: one more with each cut
-    std::vector<std::uint32_t> schedule_; // number of the window's end that is in force
-    std::vector<std::vector<std::size_t>> partners_;
+    std::vector<std::uint32_t> version_;             // of the motion: one more with each cut
+    Earliest ends_;                                  // of windows
+    std::vector<std::vector<std::size_t>> partners_; // but for balls in cells near one in a cell
+    std::vector<std::vector<std::size_t>> unclear_;  // balls in flight that formulas do not answer
     std::vector<bool> ended_;
-    std::vector<Item> queue_;
+    std::vector<Hit> queue_;
     std::size_t queueLimit_ = 0; // longer, and what is outdated is taken out
     struct Passing {
         Pair pair;
         double until = 0;
     };
     std::vector<Passing> passing_; // pairs that cannot give way
+    Around around_ = Around::all;  // of the ball that entered a cell last
+    Renewal renewal_;              // of what goes on
     std::vector<Pair> overlaps_;
     std::size_t pairTests_ = 0;
     std::vector<std::uint64_t> pairs_;        // as numbers; some several times

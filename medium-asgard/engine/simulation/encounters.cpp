@@ -24,8 +24,8 @@ std::string quoted(const std::string& name) { return "\"" + name + "\""; }
 
 } // namespace
 
-std::optional<Event> CollisionSource::handle(const Histories& histories,
-                                             const EncounterSearch::Found& hit) {
+CollisionSource::Handled CollisionSource::handle(const Histories& histories,
+                                                 const EncounterSearch::Found& hit) {
     const Pair& pair = hit.pair;
     if (!resting_.canGiveWay(pair.first, hit.time) && !resting_.canGiveWay(pair.second, hit.time)) {
         noteOnce(pair, hit.time,
@@ -37,14 +37,14 @@ std::optional<Event> CollisionSource::handle(const Histories& histories,
             if (time > hit.time)
                 until = std::min(until, time);
         search_.letPass(pair, until);
-        return std::nullopt;
+        return {};
     }
     if (hit.isLost)
-        return end(pair, hit.time,
-                   "bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
-                       quoted(scene_.bodies[pair.second].name) +
-                       " go on touching while they turn, which is modelled only where one of them "
-                       "is fixed or held and the other is pushed onto it");
+        return {end(pair, hit.time,
+                    "bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
+                        quoted(scene_.bodies[pair.second].name) +
+                        " go on touching while they turn, which is modelled only where one of them "
+                        "is fixed or held and the other is pushed onto it")};
     if (isWithoutEnd(pair.first, pair.second, hit.time) ||
         isWithoutEnd(pair.second, pair.first, hit.time)) {
         for (const std::size_t body : {pair.first, pair.second})
@@ -53,22 +53,21 @@ std::optional<Event> CollisionSource::handle(const Histories& histories,
                     !touchesOf(resting_.placed(histories, body, hit.time),
                                resting_.placed(histories, other, hit.time), limits_.gap)
                          .empty())
-                    return end(std::minmax(body, other), hit.time, leaning(body, other));
-        return end(pair, hit.time,
-                   "bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
-                       quoted(scene_.bodies[pair.second].name) +
-                       " meet again and again in ever shorter time; more room between them would "
-                       "end that");
+                    return {end(std::minmax(body, other), hit.time, leaning(body, other))};
+        return {end(pair, hit.time,
+                    "bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
+                        quoted(scene_.bodies[pair.second].name) +
+                        " meet again and again in ever shorter time; more room between them would "
+                        "end that")};
     }
     if (hit.pressing)
         if (auto event = press(histories, pair, hit.time))
-            return event;
-    std::optional<Event> event;
-    if (meetInFlight(histories, pair, hit.time, event))
-        return event;
-    if (event = meet(histories, pair, hit.time); event)
-        return event;
-    return press(histories, pair, hit.time);
+            return {std::move(event)};
+    if (auto handled = meetInFlight(histories, pair, hit.time))
+        return std::move(*handled);
+    if (auto event = meet(histories, pair, hit.time))
+        return {std::move(event)};
+    return {press(histories, pair, hit.time)};
 }
 
 std::string CollisionSource::leaning(std::size_t a, std::size_t b) const {
@@ -349,6 +348,10 @@ void CollisionSource::record(const Cluster& cluster, const physics::ImpactResult
 }
 
 void CollisionSource::add(const Impact& impact, double time) {
+    if (impacts_.empty() || impacts_.back().impact.time <= impact.time) {
+        impacts_.push_back({impact, time});
+        return;
+    }
     const auto timeOf = [](const Recorded& recorded) { return recorded.impact.time; };
     const auto place = std::ranges::upper_bound(impacts_, impact.time, {}, timeOf);
     impacts_.insert(place, {impact, time});

@@ -44,6 +44,14 @@ std::vector<double> nudgedStart(const expression::EquationSet& equations) {
     return values;
 }
 
+bool NudgedSource::turn(double time, std::span<solution::Turn> turns) {
+    for (solution::Turn& turn : turns)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (turn.jumps[k])
+                turn.velocity[k] = nudged(turn.velocity[k], turn.velocities[k]);
+    return turns_->turn(time, turns);
+}
+
 void NudgedSource::apply(const solution::Histories& histories, const solution::Event& event,
                          solution::EquationsInForce& equations, solution::Changes& changes) {
     source_.apply(histories, event, equations, changes);

@@ -18,10 +18,14 @@ namespace simulation {
 // Values of all unknowns at the start.
 [[nodiscard]] std::vector<double> nudgedStart(const expression::EquationSet& equations);
 
-class NudgedSource final : public solution::EventSource {
+class NudgedSource final : public solution::EventSource, private solution::Turns {
 public:
     explicit NudgedSource(solution::EventSource& source) : source_(source) {}
 
+    void use(solution::Turns& turns) override {
+        turns_ = &turns;
+        source_.use(*this);
+    }
     [[nodiscard]] std::optional<solution::Event> next(const solution::Histories& histories,
                                                       double known) override {
         return source_.next(histories, known);
@@ -30,7 +34,10 @@ public:
                solution::EquationsInForce& equations, solution::Changes& changes) override;
 
 private:
+    [[nodiscard]] bool turn(double time, std::span<solution::Turn> turns) override;
+
     solution::EventSource& source_;
+    solution::Turns* turns_ = nullptr;
 };
 
 } // namespace simulation
