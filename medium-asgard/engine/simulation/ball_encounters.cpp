@@ -16,21 +16,28 @@ using solution::Histories;
 constexpr double timeResolution = 8 * std::numeric_limits<double>::epsilon();
 constexpr double approachThreshold = 1e-12; // of the speeds that enter, as in physics/impact.h
 
-// By more than any tolerance, for what a formula without roots says.
-bool areApart(const collision::BallFlight& a, const collision::BallFlight& b, double time) {
-    const double far = 1.001 * (a.radius + b.radius);
-    const double speeds = a.velocityAt(time).lpNorm<1>() + b.velocityAt(time).lpNorm<1>();
-    return (a.centreAt(time) - b.centreAt(time)).squaredNorm() > far * far &&
-           timeResolution * std::abs(time) * speeds < 1e-4 * far;
-}
+// A ball in flight at an instant, to see that another does not touch it by more than any tolerance.
+struct At {
+    const collision::BallFlight* flight; // may be null: then nothing is known
+    double time;
+    Vector centre = flight ? flight->centreAt(time) : Vector::Zero();
+    double speeds = flight ? flight->velocityAt(time).lpNorm<1>() : 0;
+
+    [[nodiscard]] bool isApartFrom(const collision::BallFlight* other) const {
+        if (!flight || !other)
+            return false;
+        const double far = 1.001 * (flight->radius + other->radius);
+        return (centre - other->centreAt(time)).squaredNorm() > far * far &&
+               timeResolution * std::abs(time) * (speeds + other->velocityAt(time).lpNorm<1>()) <
+                   1e-4 * far;
+    }
+};
 
 } // namespace
 
 FlightContact CollisionSource::flightContact(const Pair& pair, double time) const {
     const collision::BallFlight* a = search_.flight(pair.first);
     const collision::BallFlight* b = search_.flight(pair.second);
-    if (a && b && areApart(*a, *b, time))
-        return {};
     const double tolerance = contactTolerance(pair, time);
     if (a && b)
         return collision::contactOf(*a, *b, time, tolerance);
@@ -59,16 +66,18 @@ std::optional<FlightContact> CollisionSource::onlyContact(const Histories& histo
     if (found.kind != FlightContact::Kind::contact)
         return std::nullopt;
     bool isOnly = true;
-    for (const std::size_t body : {pair.first, pair.second})
+    for (const std::size_t body : {pair.first, pair.second}) {
+        const At here{.flight = search_.flight(body), .time = time};
         search_.forEachPartner(body, [&](std::size_t other) {
             const Pair met = std::minmax(body, other);
-            if (!isOnly || met == pair)
+            if (!isOnly || met == pair || here.isApartFrom(search_.flight(other)))
                 return;
             const FlightContact contact = flightContact(met, time);
             isOnly = contact.kind == FlightContact::Kind::none ||
                      (contact.kind == FlightContact::Kind::unclear &&
                       !touchesClosely(histories, met, other, time));
         });
+    }
     return isOnly ? std::optional(found) : std::nullopt;
 }
 

@@ -122,6 +122,8 @@ private:
     void settle(const solution::Histories& histories, std::size_t body, double time,
                 const RestingBodies::States& states, solution::Event& event);
     [[nodiscard]] std::string leaning(std::size_t a, std::size_t b) const;
+    // As canGiveWay(), known at once of what flies.
+    [[nodiscard]] bool givesWay(std::size_t body, double time) const;
     [[nodiscard]] bool isWithoutEnd(std::size_t body, std::size_t other, double time);
     [[nodiscard]] solution::Event end(const Pair& pair, double time, const std::string& sentence);
     [[nodiscard]] std::vector<std::size_t> unknownsOf(const Pair& pair, double time) const;

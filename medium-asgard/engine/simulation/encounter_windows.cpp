@@ -17,7 +17,7 @@ constexpr int mostDoublings = 40;  // of both
 constexpr double roomAround = 0.5; // of the radius, about boxes of short windows
 constexpr double mostRoom = 4;     // a box in the tree is at most so much larger than needed
 constexpr double rounding = 1e-12; // of coordinates, in boxes
-constexpr int windowsPerSize = 16; // that nothing cut, before a ball's cells are twice as large
+constexpr int smallWindows = 16;   // that nothing cut; from then on a ball takes larger cells
 
 void grow(geometry::Box& box, double by) {
     box.min() -= geometry::Vector::Constant(by);
@@ -168,7 +168,7 @@ void EncounterSearch::openWindow(const Histories& histories, std::size_t body, d
 
 EncounterSearch::Crossing EncounterSearch::enterCell(std::size_t body, double time, bool isNew) {
     Window& window = windows_[body];
-    const int growth = window.number / windowsPerSize;
+    const int growth = std::max(0, (window.number - smallWindows + 2) / 2);
     if (!isNew && cells_.contains(body) && growth == window.growth && time == window.exit.time) {
         around_ = Around::beyond;
         window.crossed = window.exit;

@@ -24,10 +24,14 @@ std::string quoted(const std::string& name) { return "\"" + name + "\""; }
 
 } // namespace
 
+bool CollisionSource::givesWay(std::size_t body, double time) const {
+    return search_.isFollowed(body) || resting_.canGiveWay(body, time);
+}
+
 CollisionSource::Handled CollisionSource::handle(const Histories& histories,
                                                  const EncounterSearch::Found& hit) {
     const Pair& pair = hit.pair;
-    if (!resting_.canGiveWay(pair.first, hit.time) && !resting_.canGiveWay(pair.second, hit.time)) {
+    if (!givesWay(pair.first, hit.time) && !givesWay(pair.second, hit.time)) {
         noteOnce(pair, hit.time,
                  "Bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
                      quoted(scene_.bodies[pair.second].name) +
@@ -76,10 +80,10 @@ std::string CollisionSource::leaning(std::size_t a, std::size_t b) const {
 }
 
 bool CollisionSource::isWithoutEnd(std::size_t body, std::size_t other, double time) {
-    if (!resting_.canGiveWay(body, time))
+    if (!givesWay(body, time))
         return false;
     Meetings& met = meetings_[body];
-    met.isGivenWay = met.isGivenWay || (other != body && resting_.canGiveWay(other, time));
+    met.isGivenWay = met.isGivenWay || (other != body && givesWay(other, time));
     met.atOnce = time == met.last ? met.atOnce + 1 : 1;
     met.last = time;
     if (++met.count % manyMeetings == 0) {

@@ -121,6 +121,14 @@ private:
                                                   std::size_t joints);
     void decideModel();
     [[nodiscard]] bool tryClosedForm();
+    struct PlainPiece {
+        std::array<double, maximumCoefficients> row{};
+        std::size_t count = 2;
+        double scale = 1;
+    };
+    [[nodiscard]] std::optional<PlainPiece> plainPiece(double t, double value) const;
+    void append(double t, const PlainPiece& piece);
+    [[nodiscard]] bool stepPlainly();
     void stepClosedForm();
     [[nodiscard]] bool tryLinear();
     void stepLinear();

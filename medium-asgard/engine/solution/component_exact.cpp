@@ -12,9 +12,9 @@ namespace solution {
 
 void Component::decideModel() {
     const bool ladder = options_.method == "auto";
-    if ((ladder || equations_->states().empty()) && tryClosedForm()) {
+    findPlainRate();
+    if ((ladder || equations_->states().empty()) && (stepPlainly() || tryClosedForm())) {
         model_ = Model::closedForm;
-        findPlainRate();
         counts_.model = "closed-form";
         counts_.method = "exact";
         counts_.why = "polynomials in time";
@@ -120,24 +120,17 @@ void Component::goOn(double origin, std::span<const double> coefficients) {
                      coefficients);
 }
 
-// Bit for bit what backTo(), restart() and stepClosedForm() do, without their anchor.
-bool Component::resume(double t, std::optional<double> jump) {
-    if (model_ != Model::closedForm || !plainRate_ || stop_ || time_ != infinity ||
-        history_->empty())
-        return false;
-    const Piece last = history_->piece(history_->size() - 1, 0);
-    if (last.origin > t)
-        return false;
-    std::array<double, maximumCoefficients> row{};
-    row[0] = jump.value_or(last.value(t));
-    std::size_t count = 2;
-    double scale = 1;
+// From t on for ever, when its rate goes on so too.
+std::optional<Component::PlainPiece> Component::plainPiece(double t, double value) const {
+    PlainPiece piece;
+    auto& [row, count, scale] = piece;
+    row[0] = value;
     row[1] = plainRate_->constant;
     if (plainRate_->unknown) {
         const Piece rate = histories_.piece(*plainRate_->unknown, t);
         count = rate.coefficients.size() + 1;
         if (rate.until != infinity || rate.origin > t || count > row.size())
-            return false;
+            return std::nullopt;
         scale = rate.scale;
         Coefficients shifted;
         std::span<const double> c = rate.coefficients;
@@ -149,11 +142,42 @@ bool Component::resume(double t, std::optional<double> jump) {
     while (count > 1 && row[count - 1] == 0)
         --count;
     if (!std::all_of(row.begin(), row.end(), [](double c) { return std::isfinite(c); }))
-        return false;
+        return std::nullopt;
+    return piece;
+}
+
+void Component::append(double t, const PlainPiece& piece) {
     ++counts_.evaluations;
+    history_->append({t, infinity, piece.scale, true, static_cast<std::uint8_t>(piece.count), 0},
+                     std::span(piece.row).first(piece.count));
+}
+
+// Bit for bit what backTo(), restart() and stepClosedForm() do, without their anchor.
+bool Component::resume(double t, std::optional<double> jump) {
+    if (!plainRate() || history_->empty())
+        return false;
+    const Piece last = history_->piece(history_->size() - 1, 0);
+    if (last.origin > t)
+        return false;
+    const auto piece = plainPiece(t, jump.value_or(last.value(t)));
+    if (!piece)
+        return false;
     counts_.discardedSteps += history_->cut(t);
-    history_->append({t, infinity, scale, true, static_cast<std::uint8_t>(count), 0},
-                     std::span(row).first(count));
+    append(t, *piece);
+    return true;
+}
+
+// What goes on for ever needs no look at its equations: bit for bit what closedForm() makes of it.
+bool Component::stepPlainly() {
+    if (!plainRate_ || limit_ < infinity || options_.method != "auto")
+        return false;
+    const auto piece = plainPiece(time_, values_[0]);
+    if (!piece)
+        return false;
+    history_->dropAnchor();
+    append(time_, *piece);
+    fresh_ = false;
+    time_ = infinity;
     return true;
 }
 

@@ -98,7 +98,7 @@ void Component::step() {
     }
     if (model_ == Model::undecided)
         decideModel();
-    if (stop_)
+    if (stop_ || time_ == infinity)
         return;
     if (model_ == Model::closedForm)
         stepClosedForm();
