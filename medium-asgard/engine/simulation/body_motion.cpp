@@ -108,15 +108,17 @@ const collision::MotionPiece& MovingBody::pieceAt(double t) const {
 
 collision::MotionPiece MovingBody::solvedPiece(double t) const {
     const Quaternion& q = record_.start.attitude;
+    const Eigen::Vector4d atStart(q.w(), q.x(), q.y(), q.z());
     if (record_.isFixed)
         return {.from = 0,
                 .until = solution::infinity,
                 .scale = 1,
                 .position = {record_.start.position},
-                .attitude = {Eigen::Vector4d(q.w(), q.x(), q.y(), q.z())}};
+                .attitude = {atStart}};
+    const std::size_t count = isBall_ ? 3 : 7;
     std::array<solution::Piece, 7> pieces;
     double from = -solution::infinity, until = solution::infinity;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         const std::size_t which = i < 3 ? physics::x + i : physics::qw + (i - 3);
         pieces[i] = histories_->piece(record_.firstUnknown + which, t);
         from = std::max(from, pieces[i].origin);
@@ -129,13 +131,15 @@ collision::MotionPiece MovingBody::solvedPiece(double t) const {
         until = solution::infinity;
     const double scale = std::isfinite(until) ? until - from : 1;
     std::array<solution::Coefficients, 7> columns;
-    for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (std::size_t i = 0; i < count; ++i)
         columns[i] = inTermsOf(pieces[i], from, scale);
     collision::MotionPiece piece{
         .from = from, .until = until, .scale = scale, .position = {}, .attitude = {}};
     for (std::size_t k = 0; k < lengthOf(std::span(columns).first(3)); ++k)
         piece.position.emplace_back(columns[0][k], columns[1][k], columns[2][k]);
-    for (std::size_t k = 0; k < lengthOf(std::span(columns).subspan(3)); ++k)
+    if (isBall_)
+        piece.attitude = {atStart};
+    for (std::size_t k = 0; !isBall_ && k < lengthOf(std::span(columns).subspan(3)); ++k)
         piece.attitude.emplace_back(columns[3][k], columns[4][k], columns[5][k], columns[6][k]);
     return piece;
 }

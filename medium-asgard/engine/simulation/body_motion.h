@@ -41,7 +41,9 @@ struct Acceleration {
 class MovingBody final : public collision::MovingShape {
 public:
     MovingBody(const BodyRecord& record, geometry::Shape shape)
-        : record_(record), shape_(std::move(shape)) {}
+        : record_(record), shape_(std::move(shape)),
+          isBall_(shape_.parts.size() == 1 && shape_.parts[0].isSphere() &&
+                  shape_.parts[0].center() == record_.centroid) {}
 
     // The histories that pieceAt() reads; they must outlive its calls. Forgets pieces read before.
     void read(const solution::Histories& histories);
@@ -50,6 +52,9 @@ public:
 
     [[nodiscard]] const geometry::Shape& shape() const override { return shape_; }
     [[nodiscard]] Vector pivot() const override { return record_.centroid; }
+    // One sphere about the centre of mass: its pieces do not turn, and end where those of its place
+    // do, however far its attitude is known.
+    [[nodiscard]] bool isBall() const { return isBall_; }
     [[nodiscard]] const collision::MotionPiece& pieceAt(double t) const override;
 
 private:
@@ -57,6 +62,7 @@ private:
 
     BodyRecord record_;
     geometry::Shape shape_;
+    bool isBall_;
     const solution::Histories* histories_ = nullptr;
     mutable std::optional<collision::MotionPiece> piece_;
     mutable bool isContinued_ = false; // beyond its end, where more may be known soon

@@ -18,11 +18,6 @@ constexpr std::size_t shortQueue = 64;
 constexpr double apart = 2;    // radii: flights that pass each other by so much are no encounter
 constexpr double farOff = 1e6; // radii: there the formulas must tell
 
-bool isBall(const geometry::Shape& shape, const geometry::Vector& centroid) {
-    return shape.parts.size() == 1 && shape.parts[0].isSphere() &&
-           shape.parts[0].center() == centroid;
-}
-
 std::vector<collision::StandingPart> standingOf(const MovingBody& body, const BodyRecord& record) {
     std::vector<collision::StandingPart> parts;
     const geometry::Pose pose{record.start.position - record.start.attitude * record.centroid,
@@ -74,8 +69,8 @@ EncounterSearch::EncounterSearch(const scene::Scene& scene,
         const auto& held = equations.bodies[b].held;
         indices.emplace(scene.bodies[b].name, b);
         groups_.push_back(scene.bodies[b].collisionGroup);
-        isFreeBall_.push_back(!isFixed && isBall(bodies[b].shape(), records[b].centroid) &&
-                              held.size() == 1 && !std::ranges::count(held[0].position, true));
+        isFreeBall_.push_back(!isFixed && bodies[b].isBall() && held.size() == 1 &&
+                              !std::ranges::count(held[0].position, true));
         standing_.push_back(isFixed ? standingOf(bodies[b], records[b])
                                     : std::vector<collision::StandingPart>{});
         if (isFixed) {
