@@ -103,7 +103,12 @@ def main():
         for number, (name, scene) in enumerate(grid_scenes.scenes()):
             if number % options.every != options.first % options.every or options.only not in name:
                 continue
-            truth = scene.places(options.truth)
+            try:
+                truth = scene.places(options.truth)
+            except subprocess.CalledProcessError as why:
+                counts["without truth"] = counts.get("without truth", 0) + 1
+                print(f"without truth: {name}: {why.stderr.strip()}", flush=True)
+                continue
             for accuracy in (float(a) for a in options.accuracies.split(",")):
                 begin, told = cpu_seconds(), {}
                 try:
