@@ -18,15 +18,14 @@ public:
         physics::x,      physics::y,      physics::z,     physics::qw,
         physics::qw + 1, physics::qw + 2, physics::qw + 3};
 
-    PlaceReader(const BodyRecord& body, const solution::Histories& histories, double from,
-                double until)
+    PlaceReader(const BodyRecord& body, const solution::Histories& histories, double from)
         : body_(body), histories_(histories) {
         for (std::size_t i = 0; i < kinds.size(); ++i) {
             const std::size_t unknown = body.firstUnknown + kinds[i];
             const auto [history, column] = histories.place(unknown, from);
             values_[i] = histories.value(unknown, from);
-            if (history->empty() || histories.place(unknown, until).history != history)
-                others_.push_back(i); // it has several components
+            if (history->empty() || !histories.isInOnePlace(unknown))
+                others_.push_back(i); // it has, or had, several components
             else if (history->size() > 1 || history->step(0).coefficients > 1)
                 columns_.push_back({.kind = i, .steps = stepsOf(history), .column = column});
             else
@@ -170,8 +169,8 @@ void compareBody(const Problem& problem, std::size_t b, const Run& first, const 
     const double from = problem.start();
     const double until = std::min({problem.finish(), knownUntil(body, *first.histories),
                                    knownUntil(body, *second.histories)});
-    PlaceReader before(body, *first.histories, from, until);
-    PlaceReader after(body, *second.histories, from, until);
+    PlaceReader before(body, *first.histories, from);
+    PlaceReader after(body, *second.histories, from);
     // What turns in neither run has the attitude of the start in both.
     before.tellsAttitude = after.tellsAttitude = before.turns() || after.turns();
     for (const double t : after.times(from, until))

@@ -134,6 +134,10 @@ public:
         std::size_t column;
     };
     [[nodiscard]] Place place(std::size_t unknown, double t) const;
+    // The same place at all times.
+    [[nodiscard]] bool isInOnePlace(std::size_t unknown) const {
+        return tracks_[unknown].spans.size() == 1;
+    }
 
     // Times, in order, at which the unknown was restarted by an event (value or derivative may
     // jump).
