@@ -98,6 +98,8 @@ void PlaceReader::addTimes(std::size_t unknown, double from, double until,
     bool isEnd = true;
     for (double t = from; t < until; isEnd = !isEnd) {
         const solution::History* const here = histories_.place(unknown, t).history;
+        if (!here)
+            return;
         step = here->find(t, here == history ? step : 0);
         history = here;
         double next = here->empty() ? solution::infinity : here->step(step).until;
