@@ -1,17 +1,11 @@
 // Which element of the text after an edit is which of the text before.
 #include "editing/changes.h"
-
-#include "script/reader.h"
+#include "editing/test_reading.h"
 
 #include <gtest/gtest.h>
 
 namespace editing {
 namespace {
-
-script::Reader& reader() {
-    static script::Reader shared;
-    return shared;
-}
 
 // "body b1: kept", "force 1 -> 0: modified", ... one line for each element that is not as it was.
 std::string story(const std::string& before, const std::string& after) {

@@ -2,8 +2,7 @@
 #include "editing/shape_edit.h"
 #include "editing/shape_library.h"
 #include "editing/shape_points.h"
-
-#include "script/reader.h"
+#include "editing/test_reading.h"
 
 #include <gmock/gmock.h>
 
@@ -15,23 +14,10 @@ namespace {
 using geometry::Vector;
 using ::testing::HasSubstr;
 
-script::Reader& reader() {
-    static script::Reader shared;
-    return shared;
-}
-
-std::shared_ptr<const scene::Scene> read(const std::string& text) {
-    const auto result = reader().read(text);
-    EXPECT_TRUE(result.usable) << text
-                               << (result.diagnostics.empty() ? ""
-                                                              : result.diagnostics.front().message);
-    return std::make_shared<const scene::Scene>(result.scene);
-}
-
 // The text when the draft of its first shape set is changed so; or the reason why not.
 std::string after(const std::string& text,
                   const std::function<void(std::vector<DraftPart>&)>& change) {
-    const auto scene = read(text);
+    const auto scene = readScene(text);
     auto draft = draftOf(scene->shapeSets.at(0));
     change(draft);
     const Answer answer = become(text, scene, 0, draft);
@@ -145,7 +131,7 @@ TEST(ShapeEditTest, AVariableIsChangedWhereItIsSet) {
 
 TEST(ShapeEditTest, WhatIsComputedSaysSoAndCanBeWrittenOut) {
     const std::string text = "set r 1\nshape_set s -desc \"-sub {-sphere [expr {2 * $r}]}\"\n";
-    const auto scene = read(text);
+    const auto scene = readScene(text);
     auto draft = draftOf(scene->shapeSets.at(0));
     draft[0].part.shape = scene::SphereShape{3};
     const Answer answer = become(text, scene, 0, draft);
@@ -163,7 +149,7 @@ TEST(ShapePointsTest, AreWhatOneTakesHoldOf) {
     EXPECT_EQ(std::get<scene::SphereShape>(withPoint(ball, 1, {1, 3, 0}).shape).radius, 3);
     EXPECT_EQ(withPoint(ball, 0, {5, 5, 5}).position, Vector(5, 5, 5));
     // A vertex of four faces is one point, and moves in all.
-    const auto cut = read(faces)->shapeSets[0].parts[0];
+    const auto cut = readScene(faces)->shapeSets[0].parts[0];
     ASSERT_EQ(pointsOf(cut).size(), 4U);
     const scene::Part moved = withPoint(cut, 3, {0, 0, 5});
     EXPECT_EQ(std::ranges::count(std::get<scene::HullShape>(moved.shape).points, Vector(0, 0, 5)),
@@ -192,7 +178,7 @@ TEST(ShapePointsTest, InnerPointsAreFoundAndDropped) {
 
 TEST(ShapeLibraryTest, EveryShapeIsOneThatTheLanguageTakes) {
     for (const LibraryShape& shape : shapeLibrary()) {
-        const auto parts = read(shapeSetText("s", shape.parts))->shapeSets.at(0).parts;
+        const auto parts = readScene(shapeSetText("s", shape.parts))->shapeSets.at(0).parts;
         EXPECT_EQ(parts, shape.parts) << shape.name;
         for (const scene::Part& part : parts) {
             const std::vector<bool> inner = innerPoints(part);
@@ -210,7 +196,7 @@ TEST(ShapeEditTest, RandomChangesReadAsTheParts) {
     const auto vector = [&] { return Vector(number(), number(), number()); };
     for (std::string text : {tetra, faces}) {
         for (int k = 0; k < 150; ++k) {
-            const auto scene = read(text);
+            const auto scene = readScene(text);
             auto draft = draftOf(scene->shapeSets.at(0));
             DraftPart& one = draft[random() % draft.size()];
             auto* hull = std::get_if<scene::HullShape>(&one.part.shape);

@@ -1,8 +1,8 @@
 // (text, gesture, text) of trajectories; and that what is drawn meanwhile is what the text becomes.
+#include "editing/test_reading.h"
 #include "editing/trajectory_edit.h"
 
 #include "scene/curves.h"
-#include "script/reader.h"
 
 #include <gmock/gmock.h>
 
@@ -14,23 +14,11 @@ namespace {
 using geometry::Vector;
 using ::testing::HasSubstr;
 
-script::Reader& reader() {
-    static script::Reader shared;
-    return shared;
-}
-
-std::shared_ptr<const scene::Scene> read(const std::string& text) {
-    const auto result = reader().read(text);
-    EXPECT_TRUE(result.usable) << text
-                               << (result.diagnostics.empty() ? ""
-                                                              : result.diagnostics.front().message);
-    return std::make_shared<const scene::Scene>(result.scene);
-}
-
 struct Edited {
     std::string text;
     TrajectoryEdits edits;
-    explicit Edited(const std::string& source) : text(source), edits(source, read(source), 0) {}
+    explicit Edited(const std::string& source)
+        : text(source), edits(source, readScene(source), 0) {}
     [[nodiscard]] std::string with(const Answer& answer) const {
         return answer.possible() ? applied(text, answer.edits) : answer.reason;
     }
@@ -68,7 +56,7 @@ TEST(TrajectoryEditTest, ATangentOfPointsRewritesTheListAsCurves) {
     const std::string after = it.with(it.edits.move(1, 0, tangent.place + Vector(0, 1, 0), least));
     EXPECT_THAT(after, HasSubstr("trajectory path -bezier {{0 1 {0 0 0} {"));
     EXPECT_THAT(after, HasSubstr(";# led\n"));
-    const auto scene = read(after);
+    const auto scene = readScene(after);
     auto wanted = it.edits.moved(1, 0, tangent.place + Vector(0, 1, 0), least, false);
     EXPECT_EQ(scene->trajectories[0].curves, wanted); // to the last bit
 }
@@ -116,15 +104,16 @@ TEST(TrajectoryEditTest, AddsAPointInTheStyleOfItsNeighbours) {
 
 TEST(TrajectoryEditTest, ACurveThatIsSplitStaysWhereItWas) {
     const Edited it(curve);
-    const auto before = read(curve)->trajectories[0].curves;
+    const auto before = readScene(curve)->trajectories[0].curves;
     const auto on = scene::valueAt(before, 2);
     ASSERT_TRUE(on);
-    const auto after = read(it.with(it.edits.add(2, *on)))->trajectories[0].curves;
+    const auto after = readScene(it.with(it.edits.add(2, *on)))->trajectories[0].curves;
     ASSERT_EQ(after.size(), 3U);
     for (double t = 0; t <= 3; t += 0.125)
         EXPECT_LT((*scene::valueAt(before, t) - *scene::valueAt(after, t)).norm(), 1e-14) << t;
-    EXPECT_EQ(read(it.with(it.edits.add(4, {1, 1, 1})))->trajectories[0].curves.back().to, 4);
-    EXPECT_EQ(read(it.with(it.edits.add(-4, {1, 1, 1})))->trajectories[0].curves.front().from, -4);
+    EXPECT_EQ(readScene(it.with(it.edits.add(4, {1, 1, 1})))->trajectories[0].curves.back().to, 4);
+    EXPECT_EQ(readScene(it.with(it.edits.add(-4, {1, 1, 1})))->trajectories[0].curves.front().from,
+              -4);
 }
 
 TEST(TrajectoryEditTest, RemovesAPointAndTheSpaceBeforeIt) {
@@ -189,7 +178,7 @@ TEST(TrajectoryEditTest, RandomGesturesReadAsTheCurvesThatWereShown) {
         if (!answer.possible())
             continue;
         const std::string after = it.with(answer);
-        const auto scene = read(after);
+        const auto scene = readScene(after);
         ASSERT_EQ(scene->trajectories.size(), 1U) << text << after;
         if (moves) {
             EXPECT_EQ(scene->trajectories[0].curves,

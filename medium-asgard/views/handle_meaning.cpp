@@ -1,5 +1,7 @@
 #include "views/handle_meaning.h"
 
+#include "views/scale.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,11 +15,6 @@ using render::HandleKind;
 
 namespace {
 
-// The largest power of ten that is not above: what a gesture of that length writes.
-double roundStep(double length) {
-    return length > 0 ? std::pow(10, std::floor(std::log10(length))) : 0;
-}
-
 std::vector<double> listed(const Vector& v) { return {v.x(), v.y(), v.z()}; }
 
 Wish one(const Handle& handle, const char* option, const Vector& value, const Vector& now,
@@ -26,7 +23,7 @@ Wish one(const Handle& handle, const char* option, const Vector& value, const Ve
     wish.element = elementOf(handle);
     wish.option = option;
     wish.values = listed(value);
-    wish.resolution = roundStep(resolution);
+    wish.resolution = decimalStep(resolution);
     wish.absent = wish.now = listed(now);
     return wish;
 }

@@ -1,5 +1,7 @@
 #include "views/recipes.h"
 
+#include "views/scale.h"
+
 #include "editing/number_text.h"
 
 #include <QObject>
@@ -15,14 +17,10 @@ using editing::NewElement;
 
 namespace {
 
-double roundStep(double length) {
-    return length > 0 ? std::pow(10, std::floor(std::log10(length) + 1e-9)) : 0;
-}
-
 std::string listed(const Vector& v, double resolution) {
     std::string text = "{";
     for (int i = 0; i < 3; ++i)
-        text += (i == 0 ? "" : " ") + editing::numberText(v[i], roundStep(resolution));
+        text += (i == 0 ? "" : " ") + editing::numberText(v[i], decimalStep(resolution));
     return text + "}";
 }
 
@@ -43,7 +41,7 @@ void addComponents(NewElement& element, const Vector& v, double resolution) {
     constexpr const char* options[] = {"-x", "-y", "-z"};
     for (int i = 0; i < 3; ++i)
         element.words.insert(element.words.end(),
-                             {options[i], editing::numberText(v[i], roundStep(resolution))});
+                             {options[i], editing::numberText(v[i], decimalStep(resolution))});
 }
 
 double tightnessOf(const scene::Scene& scene) {
