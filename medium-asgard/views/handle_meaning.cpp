@@ -2,6 +2,8 @@
 
 #include "views/scale.h"
 
+#include <QObject>
+
 #include <algorithm>
 #include <cmath>
 
