@@ -210,7 +210,7 @@ QString valuesOf(const std::vector<Wish>& wishes) {
     for (const Wish& wish : wishes) {
         const int digits =
             wish.resolution > 0
-                ? std::clamp(static_cast<int>(-std::log10(wish.resolution) + 0.5), 0, 9)
+                ? std::clamp(static_cast<int>(std::lround(-std::log10(wish.resolution))), 0, 9)
                 : 6;
         for (const double value : wish.values) {
             const double shown = std::abs(value) < 0.5 * std::pow(10, -digits) ? 0 : value;
