@@ -29,7 +29,7 @@ std::optional<double> Component::overlooked(double h, double until) {
     const double spacing = watched_.spacing(until);
     const bool isSuspect = time_ < suspect_ && suspect_ < until;
     if (!options_.isWatched || options_.fixedStep || method_->implicit() ||
-        (h <= spacing && !isSuspect))
+        !equations_->model().canPeak() || (h <= spacing && !isSuspect))
         return std::nullopt;
     std::vector<double> y(columns_.size()), rates(y.size());
     for (const double t : watched_.between(time_, until)) {

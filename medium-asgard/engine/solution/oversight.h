@@ -4,9 +4,11 @@
 //
 // Against this times are watched. From one to the next it is about a 64th of the time since the
 // start, and never the same. They depend on the start alone: not on steps, nor on what else moves,
-// nor on when motion is to end. Inside long steps the rates there are held against the polynomials
-// that the step left. Where they differ by more than the step may err, the step is refused, and
-// halved until they do not. No step is longer than all the time before it, once it is over 1.
+// nor on when motion is to end. Inside long steps of equations that can peak the rates there are
+// held against the polynomials that the step left. Where they differ by more than the step may err,
+// the step is refused, and halved until they do not. What only reads others that peak is kept from
+// long steps by their short ones: a step crosses few joints of what it reads. No step is longer
+// than all the time before it, once it is over 1.
 //
 // LIMIT: what acts for less than a 25th of the time since the start, from its beginning to its end,
 // can lie between two such times, and the first 64th of a unit of time is left to error control; a

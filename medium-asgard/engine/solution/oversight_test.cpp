@@ -57,7 +57,7 @@ TEST(Oversight, APlaceThatPushesIsFoundByWhoFliesPast) {
 }
 
 TEST(Oversight, CostsAnEvaluationForEachWatchedTimeAndNoStepWhereThereIsNothing) {
-    const auto set = [] { return equationsOf({{"x", "dx", 1, 1}, {"dx", "-x^3", 0}}); };
+    const auto set = [] { return equationsOf({{"x", "dx", 1, 1}, {"dx", "-x*exp(-0.1*x^2)", 0}}); };
     const Statistics with = solved(set(), 10, watched(1e-6)).statistics();
     Options unwatched = tolerance(1e-6);
     unwatched.isWatched = false;
@@ -66,6 +66,27 @@ TEST(Oversight, CostsAnEvaluationForEachWatchedTimeAndNoStepWhereThereIsNothing)
     EXPECT_EQ(with.rejectedSteps, without.rejectedSteps);
     EXPECT_LE(with.evaluations, without.evaluations + 500);
     EXPECT_GT(with.evaluations, without.evaluations);
+}
+
+TEST(Oversight, CostsNothingWhereNothingCanPeak) {
+    const auto set = [] { return equationsOf({{"x", "dx", 1, 1}, {"dx", "-sin(x)", 0}}); };
+    Options unwatched = tolerance(1e-6);
+    unwatched.isWatched = false;
+    EXPECT_EQ(solved(set(), 10, watched(1e-6)).statistics().evaluations,
+              solved(set(), 10, unwatched).statistics().evaluations);
+}
+
+// The reader's own equation is a sum; what it reads is kicked for a moment, and shows it by the
+// steps that it takes.
+TEST(Oversight, AKickOfWhatIsReadIsSeenByWhoReadsIt) {
+    for (const double at : {4.4, 5.3, 6.1, 6.9, 7.7}) {
+        std::vector<Line> lines = pushed("5*exp(-((t-" + std::to_string(at) + ")/0.1)^2)-40*dx");
+        lines.push_back({"y", "dy", 0, 1});
+        lines.push_back({"dy", "10*dx-1e-3*sin(y)", 0});
+        const Solver s = solved(equationsOf(lines), 10, watched(1e-6));
+        const Solver truth = solved(equationsOf(lines), 10, tolerance(1e-12));
+        EXPECT_NEAR(s.histories().value(3, 10), truth.histories().value(3, 10), 1e-5) << at;
+    }
 }
 
 TEST(CanPeak, IsSaidOfExponentialsAndQuotientsOfWhatMoves) {
