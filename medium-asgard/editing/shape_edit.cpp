@@ -172,6 +172,16 @@ void Description::changeSub(const Item& value, const scene::Part& before,
     };
     vector("-pos", before.position, after.position);
     vector("-rot", before.rotation, after.rotation);
+    if (before.appearance.color != after.appearance.color) {
+        const auto& color = after.appearance.color;
+        const Item* item = find("-color");
+        if (item && color)
+            put(item->range, colourText(*color));
+        else if (item)
+            removeWords({*(item - 1), *item});
+        else if (color)
+            inserted += "-color " + colourText(*color) + " ";
+    }
     if (!inserted.empty() && !items.empty())
         put({items.front().range.from, items.front().range.from}, inserted);
     if (before.shape == after.shape)
@@ -288,11 +298,15 @@ std::string partText(const scene::Part& part) {
     return text + option + " " + value + "}";
 }
 
-std::string shapeSetText(const std::string& name, const std::vector<scene::Part>& parts) {
-    std::string text = "shape_set " + name + " -desc {";
+std::string descriptionText(const std::vector<scene::Part>& parts) {
+    std::string text = "{";
     for (const scene::Part& part : parts)
         text += (parts.size() > 1 ? "\n    " : "") + partText(part);
-    return text + (parts.size() > 1 ? "\n}\n" : "}\n");
+    return text + (parts.size() > 1 ? "\n}" : "}");
+}
+
+std::string shapeSetText(const std::string& name, const std::vector<scene::Part>& parts) {
+    return "shape_set " + name + " -desc " + descriptionText(parts) + "\n";
 }
 
 Answer become(const std::string& text, std::shared_ptr<const scene::Scene> scene,
@@ -324,13 +338,10 @@ Answer become(const std::string& text, std::shared_ptr<const scene::Scene> scene
                 std::vector<scene::Part> parts;
                 for (const DraftPart& one : draft)
                     parts.push_back(one.part);
-                const std::string whole = shapeSetText(set.name, parts);
-                const std::size_t list = whole.find('{');
                 answer.reason = subject + literal.reason + ".";
                 answer.cause = literal.cause;
                 answer.offers = {{"Write the parts of " + set.name + " out",
-                                  {{word.range.from, word.range.to,
-                                    whole.substr(list, whole.size() - list - 1)}}}};
+                                  {{word.range.from, word.range.to, descriptionText(parts)}}}};
                 return answer;
             }
             Description written(text, literal.content);
@@ -355,6 +366,51 @@ Answer become(const std::string& text, std::shared_ptr<const scene::Scene> scene
         }
     answer.reason = subject + "is not in the text.";
     answer.cause = set.source.command;
+    return answer;
+}
+
+namespace {
+
+// Of a body the shape: by -shape, or the second word that has no option.
+const scene::Argument* shapeWordOf(const scene::Body& body) {
+    const scene::Argument* byPlace = nullptr;
+    for (const scene::Argument& one : body.source.arguments) {
+        if (one.option == "-shape")
+            return &one;
+        if (one.option.empty())
+            byPlace = &one;
+    }
+    return byPlace;
+}
+
+} // namespace
+
+Answer renamed(const std::string& text, const scene::Scene& scene, std::size_t shapeSet,
+               const std::string& name) {
+    const scene::ShapeSet& set = scene.shapeSets[shapeSet];
+    Answer answer;
+    const auto rename = [&](const scene::Argument* word, const std::string& what) {
+        if (!answer.reason.empty())
+            return;
+        if (!word || !word->literal || !word->word.known() || word->word.to > text.size()) {
+            answer.reason = what + " is computed; its name can be changed in the text.";
+            answer.cause = word ? word->word : scene::Range{};
+            return;
+        }
+        const TextEdit edit{word->word.from, word->word.to, name};
+        if (std::ranges::find(answer.edits, edit) == answer.edits.end())
+            answer.edits.push_back(edit);
+    };
+    const auto own = std::ranges::find(set.source.arguments, "", &scene::Argument::option);
+    rename(own == set.source.arguments.end() ? nullptr : &*own,
+           "The name of shape set \"" + set.name + "\"");
+    for (const scene::Body& body : scene.bodies)
+        if (body.shape == set.name)
+            rename(shapeWordOf(body), "The shape of body \"" + body.name + "\" in line " +
+                                          std::to_string(body.source.line));
+    std::ranges::sort(answer.edits, {}, &TextEdit::from);
+    if (!answer.reason.empty())
+        answer.edits.clear();
     return answer;
 }
 

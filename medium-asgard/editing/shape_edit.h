@@ -29,8 +29,14 @@ struct DraftPart {
 [[nodiscard]] Answer become(const std::string& text, std::shared_ptr<const scene::Scene> scene,
                             std::size_t shapeSet, const std::vector<DraftPart>& draft);
 
-// A new command for a shape set at the end of the text.
+// Parts as a -desc of their own, in braces; several on a line each.
+[[nodiscard]] std::string descriptionText(const std::vector<scene::Part>& parts);
+// A new command for a shape set.
 [[nodiscard]] std::string shapeSetText(const std::string& name,
                                        const std::vector<scene::Part>& parts);
+
+// Another name for a shape set, where it is made and where bodies name it.
+[[nodiscard]] Answer renamed(const std::string& text, const scene::Scene& scene,
+                             std::size_t shapeSet, const std::string& name);
 
 } // namespace editing

@@ -141,6 +141,31 @@ TEST(ShapeEditTest, WhatIsComputedSaysSoAndCanBeWrittenOut) {
               "set r 1\nshape_set s -desc {-sub {-sphere 3}}\n");
 }
 
+TEST(ShapeEditTest, AColourIsWrittenChangedAndTakenAway) {
+    const auto colour = [](std::optional<scene::Color> color) {
+        return [color](auto& draft) { draft[0].part.appearance.color = color; };
+    };
+    EXPECT_THAT(after(tetra, colour(scene::Color{0, 0.5, 1})),
+                HasSubstr("  -sub {-color {0 0.5 1}  -points {{0"));
+    EXPECT_THAT(after(tetra, colour(std::nullopt)), HasSubstr("  -sub {  -points {{0"));
+    EXPECT_EQ(after("shape_set s -desc {-sub {-sphere 1}}\n", colour(scene::Color{1, 0, 0})),
+              "shape_set s -desc {-sub {-color {1 0 0} -sphere 1}}\n");
+}
+
+TEST(ShapeEditTest, ANameChangesWhereItIsUsed) {
+    const auto rename = [](const std::string& text) {
+        const Answer answer = renamed(text, *readScene(text), 0, "n");
+        return answer.possible() ? applied(text, answer.edits) : answer.reason;
+    };
+    EXPECT_EQ(rename("shape_set {s} -desc {-sub {-sphere 1}} ;# s\nbody a s\n"
+                     "foreach i {1 2} {body b$i -init_pos \"0 0 $i\" -shape s}\n"),
+              "shape_set n -desc {-sub {-sphere 1}} ;# s\nbody a n\n"
+              "foreach i {1 2} {body b$i -init_pos \"0 0 $i\" -shape n}\n");
+    EXPECT_EQ(rename("set k s\nshape_set s -desc {-sub {-sphere 1}}\nbody a $k\n"),
+              "The shape of body \"a\" in line 3 is computed; its name can be changed in the "
+              "text.");
+}
+
 TEST(ShapePointsTest, AreWhatOneTakesHoldOf) {
     scene::Part ball = sphere(2);
     ball.position = {1, 0, 0};

@@ -46,10 +46,6 @@ Part withCorner(Part part, BoxShape box, std::size_t index, const Vector& place)
     return part;
 }
 
-bool isSolid(const std::vector<Vector>& points) {
-    return std::holds_alternative<geometry::Hull>(geometry::convexHull(points));
-}
-
 } // namespace
 
 std::vector<Vector> pointsOf(const Part& part) {
@@ -102,7 +98,12 @@ Part withoutPoint(const Part& part, std::size_t point) {
     if (!hull)
         return part;
     std::erase(hull->points, Vector(distinct(hull->points).at(point)));
-    return isSolid(hull->points) ? result : part;
+    return isSolid(result) ? result : part;
+}
+
+bool isSolid(const Part& part) {
+    const auto* hull = std::get_if<HullShape>(&part.shape);
+    return !hull || std::holds_alternative<geometry::Hull>(geometry::convexHull(hull->points));
 }
 
 std::vector<bool> innerPoints(const Part& part) {

@@ -21,6 +21,9 @@ namespace editing {
 // A polyhedron keeps four points, that bound a solid; `part` itself when it could not.
 [[nodiscard]] scene::Part withoutPoint(const scene::Part& part, std::size_t point);
 
+// False for points that lie in one plane.
+[[nodiscard]] bool isSolid(const scene::Part& part);
+
 // Which of the points are no vertices of the hull.
 [[nodiscard]] std::vector<bool> innerPoints(const scene::Part& part);
 [[nodiscard]] scene::Part withoutInnerPoints(const scene::Part& part);

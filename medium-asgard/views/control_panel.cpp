@@ -95,6 +95,8 @@ void ControlPanel::buildMenus() {
                      [this] { windows_.openGraphicalViewer(); });
     scene->addAction(tr("New &Language Viewer"), QKeySequence(Qt::CTRL | Qt::Key_L), this,
                      [this] { windows_.openLanguageViewer(); });
+    scene->addAction(tr("S&hape Editor"), QKeySequence(Qt::CTRL | Qt::Key_E), this,
+                     [this] { windows_.openShapeEditor({}); });
     scene->addAction(tr("&Trajectory Editor"), QKeySequence(Qt::CTRL | Qt::Key_T), this,
                      [this] { windows_.openTrajectoryEditor(); });
 }

@@ -6,6 +6,8 @@
 #include "views/control_panel.h"
 #include "views/icons.h"
 #include "views/recent_files.h"
+#include "views/shape_editor.h"
+#include "views/shape_names.h"
 #include "views/study_window.h"
 #include "views/trajectory_editor.h"
 
@@ -66,6 +68,7 @@ Editor::~Editor() {
     for (StudyWindow* study : alive(studies_))
         delete study;
     delete trajectoryEditor_;
+    delete shapeEditor_;
     delete controlPanel_;
 }
 
@@ -74,6 +77,8 @@ Windows Editor::windows() {
     windows.openGraphicalViewer = [this] { openGraphicalViewer(); };
     windows.openLanguageViewer = [this] { openLanguageViewer(); };
     windows.openTrajectoryEditor = [this] { openTrajectoryEditor(); };
+    windows.openShapeEditor = [this](const QString& name) { openShapeEditor(name); };
+    windows.newShape = [this] { openShapeEditor()->askForNewShape(); };
     windows.openStudy = [this] { openStudy(); };
     windows.closeViewers = [this] { return closeViewers(); };
     if (!document_.hasHost())
@@ -130,6 +135,17 @@ TrajectoryEditor* Editor::openTrajectoryEditor() {
     return trajectoryEditor_;
 }
 
+ShapeEditor* Editor::openShapeEditor(const QString& name) {
+    if (!shapeEditor_)
+        shapeEditor_ = new ShapeEditor(document_);
+    if (const QString wanted = name.isEmpty() ? selectedShape(document_) : name; !wanted.isEmpty())
+        shapeEditor_->showShape(wanted);
+    shapeEditor_->show();
+    shapeEditor_->raise();
+    shapeEditor_->activateWindow();
+    return shapeEditor_;
+}
+
 StudyWindow* Editor::openStudy() {
     const auto& scene = document_.shown().scene;
     auto* study = new StudyWindow(scene, simulation::usualPlan(*scene), document_.name());
@@ -153,6 +169,8 @@ bool Editor::closeViewers() {
         study->close();
     if (trajectoryEditor_)
         trajectoryEditor_->close();
+    if (shapeEditor_)
+        shapeEditor_->close();
     return true;
 }
 

@@ -19,6 +19,7 @@ class Reader;
 namespace views {
 
 class ControlPanel;
+class ShapeEditor;
 class StudyWindow;
 class TrajectoryEditor;
 
@@ -37,6 +38,8 @@ public:
     LanguageViewer* openLanguageViewer();
     ControlPanel* openControlPanel();
     TrajectoryEditor* openTrajectoryEditor(); // one at a time
+    // One at a time. "": with the shape of what is selected, else the one that it shows.
+    ShapeEditor* openShapeEditor(const QString& name = {});
     // How the methods do on the scene that is shown.
     StudyWindow* openStudy();
     [[nodiscard]] QList<GraphicalViewer*> graphicalViewers() const;
@@ -55,6 +58,7 @@ private:
     QString noRenderer_;
     QPointer<ControlPanel> controlPanel_;
     QPointer<TrajectoryEditor> trajectoryEditor_;
+    QPointer<ShapeEditor> shapeEditor_;
     QList<QPointer<GraphicalViewer>> graphical_;
     QList<QPointer<LanguageViewer>> language_;
     QList<QPointer<StudyWindow>> studies_;

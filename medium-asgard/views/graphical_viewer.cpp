@@ -1,6 +1,7 @@
 #include "views/graphical_viewer.h"
 
 #include "views/create_menu.h"
+#include "views/shapes_menu.h"
 
 #include <QActionGroup>
 #include <QHBoxLayout>
@@ -157,6 +158,7 @@ void GraphicalViewer::buildMenus() {
     edit->addSeparator();
     edit->addAction(tr("&Delete"), this, [this] { display_->editing().deleteMarked(); });
     edit->addAction(tr("E&xact Value…"), this, [this] { display_->editing().openEntry(); });
+    buildShapesMenu(menuBar()->addMenu(tr("&Shapes")), document_, windows_);
     buildCreateMenu(menuBar()->addMenu(tr("&Create")), document_, *display_);
     buildViewMenu();
 

@@ -20,6 +20,9 @@ namespace views {
 // What a window can ask for beyond its own document.
 struct Windows {
     std::function<void()> openGraphicalViewer, openLanguageViewer, openTrajectoryEditor, openStudy;
+    // "": that of what is selected, else the one that was shown last.
+    std::function<void(const QString& name)> openShapeEditor;
+    std::function<void()> newShape; // asks for a name
     std::function<void()> save;         // none: under a host, which saves
     std::function<bool()> closeViewers; // false: the user wants to stay
 };

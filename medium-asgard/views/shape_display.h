@@ -1,0 +1,103 @@
+// The parts of a shape in a shape editor: balls at their points, the chosen part in colour with its
+// edges, the others grey (dissertation 4.1.1). Draws and takes gestures; what they change is the
+// editor's.
+//
+// Unshifted buttons move the view as in the graphical viewer. With Shift: left drags a point,
+// middle adds one to the chosen part, right deletes the one under the pointer; z and x push what is
+// dragged away and towards the viewer.
+#pragma once
+
+#include "geometry/polyhedron.h"
+#include "render/camera.h"
+#include "scene/scene.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+namespace views {
+
+class ShapeDisplay : public QWidget {
+    Q_OBJECT
+public:
+    explicit ShapeDisplay(QWidget* parent = nullptr);
+
+    // `another`: of another shape than before.
+    void setParts(std::vector<scene::Part> parts, bool another = false);
+    // All parts in colours of their own, balls and gestures left away: to be looked at only.
+    void setForLooking();
+    void choose(std::optional<std::size_t> part, std::optional<std::size_t> point = {});
+    [[nodiscard]] std::optional<std::size_t> chosenPart() const { return part_; }
+    [[nodiscard]] std::optional<std::size_t> chosenPoint() const { return point_; }
+    void setGrid(double step); // 0: none; else places are its multiples
+    [[nodiscard]] double grid() const { return grid_; }
+    void frame(); // all of it
+    void lookAlong(const geometry::Vector& toward);
+    // The shape's axis that is seen best to the right (0), upwards (1), and the third (2).
+    [[nodiscard]] geometry::Vector screenAxis(int which) const;
+    // Where the chosen point is: a sphere's surface is taken hold of where it was dragged to.
+    [[nodiscard]] std::optional<geometry::Vector> chosenPlace() const;
+
+    // Where a place of the shape is in this widget, and what a pixel is worth there.
+    [[nodiscard]] QPointF position(const geometry::Vector& place) const;
+    [[nodiscard]] double pixelLength() const;
+    // The place under the pointer, as deep in the picture as `like`; on the grid.
+    [[nodiscard]] geometry::Vector placeAt(const QPointF& position,
+                                           const geometry::Vector& like) const;
+
+    [[nodiscard]] QSize sizeHint() const override { return {560, 480}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 200}; }
+
+Q_SIGNALS:
+    void chosen(std::size_t part, std::size_t point);
+    void dragged(const geometry::Vector& place); // of the chosen point
+    void released();
+    void cancelled();
+    void addWanted(const geometry::Vector& place);
+    void removeWanted(std::size_t part, std::size_t point);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    struct Drawn {                    // a part as it is drawn
+        geometry::Polyhedron solid;   // empty for a sphere, or where the points bound none
+        std::optional<double> radius; // of a sphere
+        std::vector<geometry::Vector> points;
+        std::vector<bool> inner;
+    };
+    struct Hit {
+        std::size_t part, point;
+    };
+    [[nodiscard]] static Drawn drawn(const scene::Part& part);
+    [[nodiscard]] render::Size pixels() const { return {width(), height()}; }
+    [[nodiscard]] double depth(const geometry::Vector& place) const;
+    [[nodiscard]] std::optional<Hit> pointAt(const QPointF& position) const;
+    [[nodiscard]] QColor colourOf(std::size_t part) const;
+    [[nodiscard]] bool isColoured(std::size_t part) const { return forLooking_ || part_ == part; }
+    void dragTo(const QPointF& position);
+    void paintLines(QPainter& painter) const;
+    void paintSphere(QPainter& painter, std::size_t part) const;
+    void paintGrid(QPainter& painter) const;
+    void paintFaces(QPainter& painter) const;
+    void paintEdges(QPainter& painter, std::size_t part) const;
+    void paintPoints(QPainter& painter) const;
+
+    std::vector<scene::Part> parts_;
+    std::vector<Drawn> drawn_;
+    std::vector<geometry::Vector> surface_; // of spheres: the direction of the point on them
+    std::optional<std::size_t> part_, point_;
+    double grid_ = 0;
+    bool forLooking_ = false;
+    render::CameraControl control_;
+    std::optional<geometry::Vector> grip_; // the place that is dragged
+    QPointF offset_, pointer_;
+};
+
+} // namespace views

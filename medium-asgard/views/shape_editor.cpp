@@ -1,0 +1,630 @@
+#include "views/shape_editor.h"
+
+#include "editing/preview.h"
+#include "editing/shape_library.h"
+#include "editing/shape_points.h"
+#include "views/scale.h"
+#include "views/shape_fields.h"
+#include "views/shape_names.h"
+#include "views/shape_panel.h"
+#include "views/undo_actions.h"
+
+#include <QCloseEvent>
+#include <QColorDialog>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QInputDialog>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace views {
+
+using editing::DraftPart;
+using geometry::Vector;
+
+namespace {
+
+QString flatness() { return ShapeEditor::tr("There the part would be flat."); }
+
+std::vector<DraftPart> withoutInner(std::vector<DraftPart> draft,
+                                    const std::function<bool(std::size_t)>& which) {
+    for (std::size_t i = 0; i < draft.size(); ++i)
+        if (which(i))
+            draft[i].part = editing::withoutInnerPoints(draft[i].part);
+    return draft;
+}
+
+bool sameParts(const std::vector<DraftPart>& a, const std::vector<DraftPart>& b) {
+    return std::ranges::equal(a, b, {}, &DraftPart::part, &DraftPart::part);
+}
+
+} // namespace
+
+ShapeEditor::ShapeEditor(SceneDocument& document)
+    : document_(document), names_(new QComboBox), display_(new ShapeDisplay),
+      panel_(new ShapePanel), fields_(new ShapeFields), words_(new QLabel) {
+    setAttribute(Qt::WA_DeleteOnClose);
+    auto* whole = new QWidget;
+    auto* column = new QVBoxLayout(whole);
+    column->setContentsMargins(12, 10, 12, 10);
+    auto* top = new QHBoxLayout;
+    buildTop(top);
+    column->addLayout(top);
+    auto* middle = new QHBoxLayout;
+    middle->addWidget(display_, 1);
+    middle->addWidget(panel_);
+    column->addLayout(middle, 1);
+    column->addWidget(fields_);
+    words_->setWordWrap(true);
+    words_->setMinimumHeight(2 * words_->fontMetrics().height());
+    words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    words_->setAccessibleName(tr("Hint"));
+    column->addWidget(words_);
+    setCentralWidget(whole);
+    buildMenus();
+    connectDisplay();
+    connectPanel();
+    connect(names_, &QComboBox::currentTextChanged, this, &ShapeEditor::followScene);
+    connect(&document_, &SceneDocument::sceneChanged, this, &ShapeEditor::followScene);
+    // Until it is read, a text with no faults is shown as what was made of it.
+    connect(&document_, &SceneDocument::diagnosticsChanged, this, [this] {
+        if (document_.hasErrors() || document_.sceneIsCurrent())
+            followScene();
+    });
+    const auto name = [this] {
+        setWindowTitle(tr("%1[*] – Shape Editor").arg(document_.name()));
+        setWindowModified(!document_.hasHost() && document_.isModified());
+    };
+    connect(&document_, &SceneDocument::nameChanged, this, name);
+    name();
+    followScene();
+    display_->setFocus();
+    resize(860, 680);
+}
+
+void ShapeEditor::buildTop(QHBoxLayout* row) {
+    names_->setAccessibleName(tr("Shape"));
+    names_->setMinimumContentsLength(12);
+    names_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    auto* fresh = new QToolButton;
+    fresh->setText(tr("New…"));
+    fresh->setToolTip(tr("A new shape (Ctrl+N)"));
+    connect(fresh, &QToolButton::clicked, this, &ShapeEditor::askForNewShape);
+    rename_ = new QToolButton;
+    rename_->setText(tr("Rename…"));
+    rename_->setToolTip(tr("Another name, here and where the shape is used (F2)"));
+    connect(rename_, &QToolButton::clicked, this, &ShapeEditor::askForName);
+    row->addWidget(names_);
+    row->addWidget(fresh);
+    row->addWidget(rename_);
+    row->addStretch();
+}
+
+void ShapeEditor::buildMenus() {
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    file->addAction(tr("&New Shape…"), QKeySequence::New, this, &ShapeEditor::askForNewShape);
+    file->addAction(tr("&Rename Shape…"), QKeySequence(Qt::Key_F2), this, &ShapeEditor::askForName);
+    file->addSeparator();
+    file->addAction(tr("&Close"), QKeySequence::Close, this, &QWidget::close);
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    addUndoActions(edit, document_);
+    edit->addSeparator();
+    edit->addAction(tr("&Add Vertex"), QKeySequence(Qt::Key_Insert), this,
+                    &ShapeEditor::addPointByKey);
+    removePoint_ =
+        edit->addAction(tr("Delete &Vertex"), QKeySequence(Qt::Key_Delete), this, [this] {
+            if (display_->chosenPart() && display_->chosenPoint())
+                removePoint(*display_->chosenPart(), *display_->chosenPoint());
+        });
+    removePart_ = edit->addAction(tr("Delete &Part"), QKeySequence(Qt::SHIFT | Qt::Key_Delete),
+                                  this, &ShapeEditor::removePart);
+    edit->addAction(tr("Convex &Hull"), QKeySequence(Qt::CTRL | Qt::Key_H), this,
+                    [this] { dropInnerPoints(false); });
+    edit->addSeparator();
+    edit->addAction(tr("Ne&xt Vertex"), QKeySequence(Qt::Key_PageDown), this,
+                    [this] { chooseNext(1); });
+    edit->addAction(tr("P&revious Vertex"), QKeySequence(Qt::Key_PageUp), this,
+                    [this] { chooseNext(-1); });
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    view->addAction(tr("&Frame All"), QKeySequence(Qt::Key_F), display_, &ShapeDisplay::frame);
+    view->addSeparator();
+    const std::tuple<QString, Vector, int> sides[] = {
+        {tr("Along &z: the Plane x y"), Vector::UnitZ(), Qt::Key_3},
+        {tr("Along &x: the Plane y z"), Vector::UnitX(), Qt::Key_1},
+        {tr("Along &y: the Plane x z"), Vector::UnitY(), Qt::Key_2}};
+    for (const auto& [text, toward, key] : sides)
+        view->addAction(text, QKeySequence(key), display_,
+                        [this, side = toward] { display_->lookAlong(side); });
+}
+
+void ShapeEditor::connectDisplay() {
+    display_->installEventFilter(this);
+    connect(display_, &ShapeDisplay::chosen, this, [this](std::size_t part, std::size_t point) {
+        choose(part, point);
+        tell({});
+    });
+    connect(display_, &ShapeDisplay::dragged, this, &ShapeEditor::drag);
+    connect(display_, &ShapeDisplay::released, this, [this] { finish(tr("Move Vertex")); });
+    connect(display_, &ShapeDisplay::cancelled, this, &ShapeEditor::cancel);
+    connect(display_, &ShapeDisplay::addWanted, this, &ShapeEditor::addPoint);
+    connect(display_, &ShapeDisplay::removeWanted, this, &ShapeEditor::removePoint);
+}
+
+void ShapeEditor::connectPanel() {
+    connect(panel_, &ShapePanel::chosen, this, [this](std::size_t part) {
+        if (display_->chosenPart() != part)
+            choose(part);
+    });
+    connect(panel_, &ShapePanel::addWanted, this, &ShapeEditor::addParts);
+    connect(panel_, &ShapePanel::hullWanted, this, [this] { dropInnerPoints(false); });
+    connect(panel_, &ShapePanel::colourWanted, this, &ShapeEditor::askForColour);
+    connect(panel_, &ShapePanel::removeWanted, this, &ShapeEditor::removePart);
+    connect(panel_, &ShapePanel::gridChanged, display_, &ShapeDisplay::setGrid);
+    connect(fields_, &ShapeFields::placeTaken, this, &ShapeEditor::movePoint);
+    connect(fields_, &ShapeFields::sizesTaken, this, &ShapeEditor::resizePart);
+    connect(fields_, &ShapeFields::refused, this, [this](const QString& why) {
+        tell(why, true);
+        showFields();
+    });
+}
+
+// --- what is shown -----------------------------------------------------------------------------
+
+QString ShapeEditor::shape() const { return names_->currentText(); }
+
+QString ShapeEditor::words() const { return words_->text(); }
+
+std::optional<std::size_t> ShapeEditor::index() const {
+    const auto& all = document_.shown().scene->shapeSets;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (QString::fromStdString(all[i].name) == names_->currentText())
+            return i;
+    return std::nullopt;
+}
+
+std::vector<scene::Part> ShapeEditor::parts() const {
+    std::vector<scene::Part> parts;
+    for (const DraftPart& one : draft_)
+        parts.push_back(one.part);
+    return parts;
+}
+
+void ShapeEditor::showShape(const QString& name) {
+    if (const int row = names_->findText(name); row >= 0)
+        names_->setCurrentIndex(row);
+    else
+        wantedName_ = name;
+}
+
+void ShapeEditor::fillNames() {
+    QStringList names, shown;
+    for (const scene::ShapeSet& one : document_.shown().scene->shapeSets)
+        names << QString::fromStdString(one.name);
+    for (int i = 0; i < names_->count(); ++i)
+        shown << names_->itemText(i);
+    if (names == shown)
+        return;
+    const QString before = names_->currentText();
+    const QSignalBlocker quiet(names_);
+    names_->clear();
+    names_->addItems(names);
+    const bool arrived = names.contains(wantedName_);
+    names_->setCurrentIndex(
+        std::max(0, static_cast<int>(names.indexOf(arrived ? wantedName_ : before))));
+    if (arrived)
+        wantedName_.clear();
+}
+
+void ShapeEditor::followScene() {
+    if (gesture_)
+        return; // its own steps; what it ends with is followed
+    fillNames();
+    const bool another = shownName_ != names_->currentText();
+    if (another)
+        leaveShape(std::exchange(shownName_, names_->currentText()));
+    const auto here = index();
+    const bool hadNone = !panel_->isEnabled();
+    for (QWidget* one : std::initializer_list<QWidget*>{names_, panel_, fields_, rename_})
+        one->setEnabled(here.has_value());
+    draft_ = here ? editing::draftOf(document_.shown().scene->shapeSets[*here])
+                  : std::vector<DraftPart>();
+    showDraft(another);
+    if (another)
+        choose(draft_.empty() ? std::nullopt : std::optional<std::size_t>(0));
+    if (wantedPart_ && *wantedPart_ < draft_.size() && document_.sceneIsCurrent())
+        choose(std::exchange(wantedPart_, std::nullopt));
+    if (!here)
+        tell(tr("This scene has no shapes yet. New makes one."));
+    else if (words_->text().isEmpty() || hadNone)
+        tell({});
+    if (!document_.sceneIsCurrent())
+        return;
+    if (nudged_ != Vector::Zero())
+        nudge(std::exchange(nudged_, Vector::Zero()));
+    if (closing_)
+        close();
+}
+
+void ShapeEditor::showDraft(bool another) {
+    display_->setParts(parts(), another);
+    panel_->setParts(parts(), display_->chosenPart());
+    showFields();
+}
+
+void ShapeEditor::choose(std::optional<std::size_t> part, std::optional<std::size_t> point) {
+    display_->choose(part, point);
+    panel_->choose(display_->chosenPart());
+    showFields();
+}
+
+void ShapeEditor::showFields() {
+    const auto part = display_->chosenPart();
+    removePart_->setEnabled(part.has_value());
+    removePoint_->setEnabled(display_->chosenPoint().has_value());
+    fields_->show(part ? &draft_[*part].part : nullptr, display_->chosenPlace());
+}
+
+void ShapeEditor::tell(const QString& words, bool isFault) {
+    words_->setForegroundRole(isFault ? QPalette::WindowText : QPalette::PlaceholderText);
+    words_->setText(
+        words.isEmpty()
+            ? tr("With Shift the left button drags a vertex, the middle one adds one to the chosen "
+                 "part, the right one deletes one. Page Up and Page Down go from vertex to vertex, "
+                 "the arrow keys move it. White vertices lie inside; they go when the shape is "
+                 "left.")
+            : words);
+}
+
+// --- gestures ----------------------------------------------------------------------------------
+
+bool ShapeEditor::begin() {
+    if (gesture_)
+        return true;
+    const auto here = index();
+    if (!here || !document_.sceneIsCurrent()) {
+        tell(tr("The text has faults, or is being read: what is shown is not what it says."), true);
+        return false;
+    }
+    gesture_ = std::make_unique<ShapeGesture>(document_, *here);
+    return true;
+}
+
+void ShapeEditor::preview() {
+    if (!gesture_->show(draft_))
+        tell(QString::fromStdString(gesture_->answer().reason), true);
+    showDraft();
+}
+
+void ShapeEditor::finish(const QString& label) {
+    if (!gesture_)
+        return;
+    const auto gesture = std::exchange(gesture_, nullptr);
+    const editing::Answer& answer = gesture->answer();
+    if (answer.possible() && !answer.edits.empty())
+        edited_.insert(names_->currentText());
+    gesture->finish(tr("%1 of %2").arg(label, names_->currentText()));
+    if (!answer.possible())
+        offer(answer, label);
+    if (document_.sceneIsCurrent())
+        followScene(); // it may have come before the gesture ended
+}
+
+void ShapeEditor::cancel() {
+    if (!gesture_)
+        return;
+    std::exchange(gesture_, nullptr)->cancel();
+    if (document_.sceneIsCurrent())
+        followScene();
+}
+
+// What cannot be changed as it stands says why, and what could be done instead.
+void ShapeEditor::offer(const editing::Answer& answer, const QString& label) {
+    tell(QString::fromStdString(answer.reason), true);
+    if (answer.offers.empty())
+        return;
+    const editing::Offer one = answer.offers.front();
+    const std::string text = document_.text();
+    QString changed;
+    for (const editing::LineChange& line : editing::changedLines(text, one.edits))
+        changed +=
+            tr("Line %1:\n%2\nbecomes\n%3\n")
+                .arg(line.line)
+                .arg(QString::fromStdString(line.before), QString::fromStdString(line.after));
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Shape Editor"),
+                                QString::fromStdString(answer.reason), QMessageBox::Cancel, this);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setInformativeText(changed.trimmed());
+    QAbstractButton* accept =
+        box->addButton(QString::fromStdString(one.label), QMessageBox::AcceptRole);
+    connect(box, &QMessageBox::buttonClicked, this, [=, this](QAbstractButton* button) {
+        if (button == accept && document_.text() == text)
+            document_.setText(editing::applied(text, one.edits),
+                              tr("%1 of %2").arg(label, names_->currentText()));
+    });
+    box->open();
+}
+
+bool ShapeEditor::change(const QString& label, const Change& how) {
+    if (!begin())
+        return false;
+    how();
+    preview();
+    const bool possible = gesture_->answer().possible();
+    finish(label);
+    return possible;
+}
+
+void ShapeEditor::drag(const Vector& place) {
+    const auto part = display_->chosenPart(), point = display_->chosenPoint();
+    if (!part || !point || !begin())
+        return;
+    // A drag is from where it began: what it has passed leaves no trace.
+    const scene::Part& before = gesture_->before()[*part].part;
+    const double length = display_->grid() > 0 ? 0 : display_->pixelLength();
+    scene::Part moved = tidied(before, editing::withPoint(before, *point, decimal(place, length)),
+                               display_->grid() > 0 ? display_->grid() / 1000 : length);
+    if (!editing::isSolid(moved))
+        return tell(flatness(), true);
+    draft_[*part].part = std::move(moved);
+    preview();
+}
+
+void ShapeEditor::movePoint(const Vector& place) {
+    const auto part = display_->chosenPart(), point = display_->chosenPoint();
+    if (!part || !point)
+        return;
+    const scene::Part& before = draft_[*part].part;
+    const scene::Part moved =
+        tidied(before, editing::withPoint(before, *point, place), display_->pixelLength() / 1000);
+    if (!editing::isSolid(moved)) {
+        tell(flatness(), true);
+        return showFields();
+    }
+    if (moved != before)
+        change(tr("Move Vertex"), [&] { draft_[*part].part = moved; });
+}
+
+void ShapeEditor::resizePart(const std::vector<double>& sizes) {
+    if (const auto part = display_->chosenPart())
+        change(tr("Resize Part"),
+               [&] { draft_[*part].part = withSizes(draft_[*part].part, sizes); });
+}
+
+// By keys: the grid's step, or some pixels' worth, each one step of undo. Those that come while the
+// text is being read are made together when it has been.
+void ShapeEditor::nudge(const Vector& direction) {
+    const auto place = display_->chosenPlace();
+    if (!place)
+        return;
+    if (!document_.sceneIsCurrent() && !document_.hasErrors()) {
+        nudged_ += direction;
+        return;
+    }
+    const double step =
+        display_->grid() > 0 ? display_->grid() : decimalStep(10 * display_->pixelLength());
+    movePoint(decimal(Vector(*place + step * direction), step / 10));
+}
+
+void ShapeEditor::addPoint(const Vector& place) {
+    const auto part = display_->chosenPart();
+    if (!part)
+        return tell(tr("Choose a part first, by Shift and the left button on one of its vertices."),
+                    true);
+    const scene::Part& before = draft_[*part].part;
+    if (!std::holds_alternative<scene::HullShape>(before.shape))
+        return tell(tr("A sphere has its two points and a box its corners; Polyhedron adds a part "
+                       "that can have more."),
+                    true);
+    const double length = display_->grid() > 0 ? 0 : display_->pixelLength();
+    const scene::Part more = editing::withNewPoint(before, decimal(place, length));
+    const std::size_t count = editing::pointsOf(more).size();
+    if (change(tr("Add Vertex"), [&] { draft_[*part].part = tidied(before, more, length); }))
+        choose(part, count - 1);
+}
+
+// Outside of the part: beyond its vertex that is furthest from its middle.
+void ShapeEditor::addPointByKey() {
+    const auto part = display_->chosenPart();
+    if (!part)
+        return tell(tr("Choose a part first, with Page Down."), true);
+    const auto points = editing::pointsOf(draft_[*part].part);
+    Vector middle = Vector::Zero(), far = Vector::Zero();
+    for (const Vector& p : points)
+        middle += p / static_cast<double>(points.size());
+    for (const Vector& p : points)
+        if ((p - middle).norm() > far.norm())
+            far = p - middle;
+    addPoint(middle + 1.25 * far);
+}
+
+void ShapeEditor::addParts(const std::vector<scene::Part>& parts, const QString& label) {
+    const std::size_t first = draft_.size();
+    if (!change(label, [&] {
+            for (const scene::Part& part : parts)
+                draft_.push_back({part, std::nullopt});
+        }))
+        return;
+    wantedPart_ = first;
+    choose(first);
+    display_->frame();
+}
+
+void ShapeEditor::setColour(std::size_t part, std::optional<scene::Color> color) {
+    change(tr("Colour Part"), [&] { draft_[part].part.appearance.color = color; });
+}
+
+void ShapeEditor::removePart() {
+    const auto part = display_->chosenPart();
+    if (!part)
+        return;
+    if (draft_.size() == 1)
+        return tell(tr("A shape has one part at least."), true);
+    change(tr("Delete Part"), [&] {
+        draft_.erase(draft_.begin() + static_cast<std::ptrdiff_t>(*part));
+        choose(std::nullopt);
+    });
+}
+
+void ShapeEditor::removePoint(std::size_t part, std::size_t point) {
+    const scene::Part less = editing::withoutPoint(draft_[part].part, point);
+    if (less == draft_[part].part)
+        return tell(std::holds_alternative<scene::HullShape>(less.shape)
+                        ? tr("A polyhedron needs four vertices that are not in one plane. Delete "
+                             "Part deletes it.")
+                        : tr("A sphere and a box keep their points. Delete Part deletes them."),
+                    true);
+    change(tr("Delete Vertex"), [&] {
+        draft_[part].part = less;
+        choose(part);
+    });
+}
+
+void ShapeEditor::dropInnerPoints(bool ofAll) {
+    const auto part = display_->chosenPart();
+    const auto outer = withoutInner(draft_, [&](std::size_t i) { return ofAll || part == i; });
+    if (!sameParts(outer, draft_))
+        change(tr("Convex Hull"), [&] { draft_ = outer; });
+}
+
+// The vertices inside its parts go, when it was edited here.
+void ShapeEditor::leaveShape(const QString& name) {
+    if (!edited_.contains(name) || !document_.sceneIsCurrent())
+        return;
+    edited_.erase(name);
+    const auto& all = document_.shown().scene->shapeSets;
+    const auto left = std::ranges::find(all, name.toStdString(), &scene::ShapeSet::name);
+    if (left == all.end())
+        return;
+    ShapeGesture gesture(document_, static_cast<std::size_t>(left - all.begin()));
+    const auto outer = withoutInner(gesture.before(), [](std::size_t) { return true; });
+    if (!sameParts(outer, gesture.before()) && gesture.show(outer))
+        gesture.finish(tr("%1 of %2").arg(tr("Convex Hull"), name));
+}
+
+void ShapeEditor::chooseNext(int direction) {
+    std::vector<std::pair<std::size_t, std::size_t>> all;
+    for (std::size_t i = 0; i < draft_.size(); ++i)
+        for (std::size_t k = 0; k < editing::pointsOf(draft_[i].part).size(); ++k)
+            all.emplace_back(i, k);
+    if (all.empty())
+        return;
+    const auto part = display_->chosenPart(), point = display_->chosenPoint();
+    const auto count = static_cast<std::ptrdiff_t>(all.size());
+    std::ptrdiff_t at = direction > 0 ? 0 : count - 1;
+    if (part) {
+        const auto here = std::ranges::find(all, std::pair(*part, point.value_or(0)));
+        at = here - all.begin() + (point ? direction : 0);
+    }
+    const auto& [nextPart, nextPoint] = all[static_cast<std::size_t>((at + count) % count)];
+    choose(nextPart, nextPoint);
+}
+
+bool ShapeEditor::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != display_ || event->type() != QEvent::KeyPress)
+        return QMainWindow::eventFilter(watched, event);
+    // Along the axes that are seen best to the right and upwards; with Control along the third.
+    const auto* keys = static_cast<QKeyEvent*>(event);
+    const bool third = keys->modifiers() & Qt::ControlModifier;
+    const double many = keys->modifiers() & Qt::ShiftModifier ? 10 : 1;
+    switch (keys->key()) {
+    case Qt::Key_Left:
+        nudge(-many * display_->screenAxis(third ? 2 : 0));
+        return true;
+    case Qt::Key_Right:
+        nudge(many * display_->screenAxis(third ? 2 : 0));
+        return true;
+    case Qt::Key_Up:
+        nudge(many * display_->screenAxis(third ? 2 : 1));
+        return true;
+    case Qt::Key_Down:
+        nudge(-many * display_->screenAxis(third ? 2 : 1));
+        return true;
+    default:
+        return QMainWindow::eventFilter(watched, event);
+    }
+}
+
+// --- shapes ------------------------------------------------------------------------------------
+
+QString ShapeEditor::newShape(const QString& name) {
+    const QString fault =
+        makeShape(document_, name, {editing::tetrahedron(1)}, tr("New Shape %1").arg(name));
+    if (fault.isEmpty())
+        wantedName_ = name;
+    return fault;
+}
+
+QString ShapeEditor::renameShape(const QString& name) {
+    const auto here = index();
+    const QString before = names_->currentText();
+    if (name == before || !here)
+        return {};
+    const QString fault = views::renameShape(document_, *here, name);
+    if (!fault.isEmpty())
+        return fault;
+    if (edited_.erase(before) > 0)
+        edited_.insert(name);
+    shownName_ = wantedName_ = name;
+    return {};
+}
+
+void ShapeEditor::askForNewShape() {
+    bool ok = false;
+    const QString name = QInputDialog::getText(this, tr("New Shape"), tr("Name of the shape:"),
+                                               QLineEdit::Normal, unusedShapeName(document_), &ok);
+    if (!ok)
+        return;
+    if (const QString fault = newShape(name.trimmed()); !fault.isEmpty())
+        QMessageBox::warning(this, tr("New Shape"), fault);
+}
+
+void ShapeEditor::askForName() {
+    if (!index())
+        return;
+    bool ok = false;
+    const QString name = QInputDialog::getText(this, tr("Rename Shape"), tr("Name of the shape:"),
+                                               QLineEdit::Normal, names_->currentText(), &ok);
+    if (!ok)
+        return;
+    if (const QString fault = renameShape(name.trimmed()); !fault.isEmpty())
+        QMessageBox::warning(this, tr("Rename Shape"), fault);
+}
+
+void ShapeEditor::askForColour() {
+    const auto part = display_->chosenPart();
+    if (!part)
+        return;
+    const auto now = draft_[*part].part.appearance.color.value_or(scene::Color{});
+    const QColor chosen = QColorDialog::getColor(QColor::fromRgbF(static_cast<float>(now.red),
+                                                                  static_cast<float>(now.green),
+                                                                  static_cast<float>(now.blue)),
+                                                 this, tr("Colour of the Part"));
+    if (chosen.isValid() && part == display_->chosenPart())
+        setColour(*part,
+                  scene::Color{decimal(chosen.redF(), 0.001), decimal(chosen.greenF(), 0.001),
+                               decimal(chosen.blueF(), 0.001)});
+}
+
+void ShapeEditor::closeEvent(QCloseEvent* event) {
+    cancel();
+    const bool waits = edited_.contains(shownName_) && !document_.sceneIsCurrent() &&
+                       !document_.hasErrors() && !closing_;
+    closing_ = true;
+    if (waits) { // for what was just done to be read
+        hide();
+        return event->ignore();
+    }
+    leaveShape(shownName_);
+    event->accept();
+}
+
+} // namespace views

@@ -1,0 +1,273 @@
+#include "editing/shape_library.h"
+#include "editing/shape_points.h"
+#include "views/shape_editor.h"
+#include "views/test_workshop.h"
+
+#include <gtest/gtest.h>
+
+#include "views/editor.h"
+#include "views/shape_names.h"
+
+#include <QLineEdit>
+#include <QMessageBox>
+
+namespace views {
+namespace {
+
+using geometry::Vector;
+
+const std::string text = "shape_set corner -desc {\n"
+                         "  -sub {-points {{0 0 0} {1 0 0} {0 1 0} {0 0 1}}}\n"
+                         "  -sub {-pos {2 0 0} -sphere 0.5}\n}\nbody b1 corner\n";
+
+class ShapeEditorTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() { theApplication(); }
+
+    void SetUp() override { open(text); }
+
+    void open(const std::string& scene) {
+        document.setText(scene, "Edit");
+        ASSERT_TRUE(settle(document));
+        editor = std::make_unique<ShapeEditor>(document);
+        editor->setAttribute(Qt::WA_DeleteOnClose, false);
+        editor->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(editor.get()));
+    }
+
+    [[nodiscard]] QPoint at(const Vector& place) const {
+        return editor->display().position(place).toPoint();
+    }
+    void drag(QPoint from, QPoint by) {
+        ShapeDisplay& display = editor->display();
+        QTest::mousePress(&display, Qt::LeftButton, Qt::ShiftModifier, from);
+        for (int k = 1; k <= 4; ++k) {
+            const QPoint now = from + by * k / 4;
+            QMouseEvent move(QEvent::MouseMove, now, display.mapToGlobal(now), Qt::NoButton,
+                             Qt::LeftButton, Qt::ShiftModifier);
+            QCoreApplication::sendEvent(&display, &move);
+        }
+        QTest::mouseRelease(&display, Qt::LeftButton, Qt::ShiftModifier, from + by);
+        ASSERT_TRUE(settle(document));
+    }
+    void type(const QString& name, const QString& value) {
+        for (QLineEdit* field : editor->findChildren<QLineEdit*>())
+            if (field->accessibleName() == name) {
+                field->setFocus();
+                field->selectAll();
+                QTest::keyClicks(field, value);
+                QTest::keyClick(field, Qt::Key_Return);
+            }
+        ASSERT_TRUE(settle(document));
+    }
+    [[nodiscard]] const scene::Part& part(std::size_t index) const {
+        return document.shown().scene->shapeSets.at(0).parts.at(index);
+    }
+
+    TestWorkshop made;
+    SceneDocument document{made.workshop()};
+    std::unique_ptr<ShapeEditor> editor;
+};
+
+TEST_F(ShapeEditorTest, ADraggedVertexChangesItsNumbersInOneStepOfUndo) {
+    drag(at({0, 1, 0}), {30, -40});
+    const Vector moved = editing::pointsOf(part(0))[2];
+    EXPECT_GT(moved.y(), 1.05);
+    EXPECT_NE(document.text().find("-points {{0 0 0} {1 0 0} {"), std::string::npos);
+    EXPECT_NE(document.text().find("{0 0 1}}}\n  -sub {-pos {2 0 0} -sphere 0.5}\n}\nbody b1"),
+              std::string::npos);
+    EXPECT_EQ(document.undoLabel(), "Move Vertex of corner");
+    document.undo();
+    EXPECT_EQ(document.text(), text);
+}
+
+TEST_F(ShapeEditorTest, ASphereHasItsCentreAndAPointOfItsSurface) {
+    drag(at({2.5, 0, 0}), {40, 0});
+    EXPECT_GT(std::get<scene::SphereShape>(part(1).shape).radius, 0.55);
+    EXPECT_EQ(part(1).position, Vector(2, 0, 0));
+    EXPECT_EQ(editor->display().chosenPart(), 1U);
+}
+
+TEST_F(ShapeEditorTest, VerticesAreAddedAndDeleted) {
+    QTest::mouseClick(&editor->display(), Qt::LeftButton, Qt::ShiftModifier, at({0, 0, 1}));
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(document.text(), text); // choosing changes nothing
+    QTest::mousePress(&editor->display(), Qt::MiddleButton, Qt::ShiftModifier, at({1, 1, 1}));
+    ASSERT_TRUE(settle(document));
+    ASSERT_EQ(editing::pointsOf(part(0)).size(), 5U);
+    const Vector added = editing::pointsOf(part(0))[4];
+    QTest::mousePress(&editor->display(), Qt::RightButton, Qt::ShiftModifier, at(added));
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(document.text(), text);
+    QTest::mousePress(&editor->display(), Qt::RightButton, Qt::ShiftModifier, at({1, 0, 0}));
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(document.text(), text);
+    EXPECT_NE(editor->words().indexOf("needs four vertices"), -1);
+}
+
+TEST_F(ShapeEditorTest, ThePartCannotBecomeFlat) {
+    Q_EMIT editor->display().chosen(0, 3);
+    type("z of the vertex", "0");
+    EXPECT_EQ(document.text(), text);
+    EXPECT_EQ(editor->words(), "There the part would be flat.");
+}
+
+TEST_F(ShapeEditorTest, EscapeGivesTheOldTextBack) {
+    ShapeDisplay& display = editor->display();
+    const QPoint from = at({0, 1, 0});
+    QTest::mousePress(&display, Qt::LeftButton, Qt::ShiftModifier, from);
+    QMouseEvent move(QEvent::MouseMove, from + QPoint(20, 20), QPointF(), Qt::NoButton,
+                     Qt::LeftButton, Qt::ShiftModifier);
+    QCoreApplication::sendEvent(&display, &move);
+    EXPECT_NE(document.text(), text); // it follows at once
+    QTest::keyClick(&display, Qt::Key_Escape);
+    EXPECT_EQ(document.text(), text);
+    EXPECT_EQ(document.undoLabel(), "Edit");
+}
+
+TEST_F(ShapeEditorTest, PlacesSnapToTheGrid) {
+    editor->display().setGrid(0.25);
+    drag(at({0, 1, 0}), {17, -43});
+    const Vector moved = editing::pointsOf(part(0))[2];
+    EXPECT_EQ(Vector((moved / 0.25).array().round() * 0.25), moved);
+    EXPECT_NE(moved, Vector(0, 1, 0));
+}
+
+TEST_F(ShapeEditorTest, PartsAreAddedChosenAndDeleted) {
+    editor->addParts({editing::box({1, 2, 3})}, "Add Box");
+    ASSERT_TRUE(settle(document));
+    EXPECT_NE(document.text().find("-sphere 0.5}\n  -sub {-box {1 2 3}}\n}"), std::string::npos);
+    EXPECT_EQ(editor->display().chosenPart(), 2U);
+    QTest::keyClick(editor.get(), Qt::Key_Delete, Qt::ShiftModifier);
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(document.text(), text);
+}
+
+TEST_F(ShapeEditorTest, InnerVerticesGoWhenAShapeThatWasEditedIsLeft) {
+    QTest::mouseClick(&editor->display(), Qt::LeftButton, Qt::ShiftModifier, at({0, 0, 1}));
+    editor->display().choose(0, 3);
+    Q_EMIT editor->display().addWanted({0.1, 0.1, 0.1});
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(editing::pointsOf(part(0)).size(), 5U); // white until then
+    editor->close();
+    EXPECT_EQ(document.text(), text);
+    EXPECT_EQ(document.undoLabel(), "Convex Hull of corner");
+}
+
+TEST_F(ShapeEditorTest, LookingAtAShapeChangesNothing) {
+    const std::string inner = "shape_set c -desc {-sub {-points {{0 0 0} {1 0 0} {0 1 0} {0 0 1} "
+                              "{0.1 0.1 0.1}}}}\n";
+    document.setText(inner, "Edit");
+    ASSERT_TRUE(settle(document));
+    editor->close();
+    EXPECT_EQ(document.text(), inner);
+}
+
+TEST_F(ShapeEditorTest, TheButtonMakesTheHullOfTheChosenPart) {
+    document.setText("shape_set c -desc {-sub {-points {{0 0 0} {1 0 0} {0 1 0} {0 0 1} {0.1 0.1 "
+                     "0.1}}}}\n",
+                     "Edit");
+    ASSERT_TRUE(settle(document));
+    editor->display().choose(0);
+    QTest::keyClick(editor.get(), Qt::Key_H, Qt::ControlModifier);
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(document.text(),
+              "shape_set c -desc {-sub {-points {{0 0 0} {1 0 0} {0 1 0} {0 0 1}}}}\n");
+}
+
+TEST_F(ShapeEditorTest, SizesAndColoursAreTheTexts) {
+    Q_EMIT editor->display().chosen(1, 0);
+    type("Radius or first edge", "0.75");
+    EXPECT_NE(document.text().find("-sub {-pos {2 0 0} -sphere 0.75}"), std::string::npos);
+    editor->setColour(1, scene::Color{1, 0.5, 0});
+    ASSERT_TRUE(settle(document));
+    EXPECT_NE(document.text().find("-sub {-color {1 0.5 0} -pos {2 0 0} -sphere 0.75}"),
+              std::string::npos)
+        << document.text();
+    document.undo();
+    document.undo();
+    EXPECT_EQ(document.text(), text);
+}
+
+TEST_F(ShapeEditorTest, ARenamedShapeIsRenamedWhereItIsUsed) {
+    EXPECT_EQ(editor->renameShape("edge"), "");
+    ASSERT_TRUE(settle(document));
+    EXPECT_NE(document.text().find("shape_set edge -desc"), std::string::npos);
+    EXPECT_NE(document.text().find("body b1 edge\n"), std::string::npos);
+    EXPECT_EQ(editor->shape(), "edge");
+    EXPECT_EQ(document.undoLabel(), "Rename corner to edge");
+}
+
+TEST_F(ShapeEditorTest, WhatALoopMakesSaysSo) {
+    const std::string loop = "foreach r {1 2} {\n  shape_set s$r -desc {-sub {-sphere 1}}\n}\n";
+    document.setText(loop, "Edit");
+    ASSERT_TRUE(settle(document));
+    drag(at({1, 0, 0}), {30, 0});
+    EXPECT_EQ(document.text(), loop);
+    EXPECT_NE(editor->words().indexOf("made by the command of line 2, which makes several"), -1)
+        << qPrintable(editor->words());
+}
+
+TEST_F(ShapeEditorTest, OpensWithTheShapeOfWhatIsSelected) {
+    Editor all(made.workshop());
+    all.document().setText("shape_set a -desc {-sub {-sphere 1}}\nshape_set b -desc {-sub {-sphere "
+                           "1}}\nbody one a\nbody two b -init_pos {3 0 0}\n",
+                           "Edit");
+    ASSERT_TRUE(settle(all.document()));
+    all.document().select({{editing::Kind::body, 1}});
+    ShapeEditor* opened = all.openShapeEditor();
+    EXPECT_EQ(opened->shape(), "b");
+    EXPECT_EQ(all.openShapeEditor("a"), opened); // one at a time
+    EXPECT_EQ(opened->shape(), "a");
+}
+
+TEST_F(ShapeEditorTest, EverythingIsDoneByKeysToo) {
+    editor->display().setFocus();
+    QTest::keyClick(editor.get(), Qt::Key_PageDown);
+    QTest::keyClick(editor.get(), Qt::Key_PageDown);
+    ASSERT_EQ(editor->display().chosenPoint(), 1U);
+    QTest::keyClick(&editor->display(), Qt::Key_Right);
+    ASSERT_TRUE(settle(document));
+    EXPECT_GT(editing::pointsOf(part(0))[1].x(), 1);
+    QTest::keyClick(editor.get(), Qt::Key_Insert);
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(editing::pointsOf(part(0)).size(), 5U);
+}
+
+TEST_F(ShapeEditorTest, ExactValuesAreTyped) {
+    Q_EMIT editor->display().chosen(0, 1);
+    type("z of the vertex", "0.125");
+    EXPECT_NE(document.text().find("{1 0 0.125}"), std::string::npos) << document.text();
+}
+
+TEST_F(ShapeEditorTest, ANewShapeIsShownToBeEdited) {
+    EXPECT_EQ(editor->newShape("corner"), "There is a shape corner already.");
+    EXPECT_NE(editor->newShape("two words"), "");
+    EXPECT_EQ(editor->newShape("wedge"), "");
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(editor->shape(), "wedge");
+    EXPECT_EQ(editor->draft().size(), 1U);
+    document.undo();
+    EXPECT_EQ(document.text(), text);
+}
+
+TEST_F(ShapeEditorTest, WhatIsComputedSaysSoAndOffersToBeWrittenOut) {
+    const std::string computed =
+        "set r 1\nshape_set s -desc \"-sub {-sphere [expr {2 * $r}]}\"\nbody b s\n";
+    document.setText(computed, "Edit");
+    ASSERT_TRUE(settle(document));
+    drag(at({2, 0, 0}), {30, 0});
+    EXPECT_EQ(document.text(), computed);
+    EXPECT_NE(editor->words().indexOf("is computed"), -1) << qPrintable(editor->words());
+    auto* box = editor->findChild<QMessageBox*>();
+    ASSERT_NE(box, nullptr);
+    for (QAbstractButton* button : box->buttons())
+        if (box->buttonRole(button) == QMessageBox::AcceptRole)
+            button->click();
+    ASSERT_TRUE(settle(document));
+    EXPECT_NE(document.text().find("shape_set s -desc {-sub {-sphere 2."), std::string::npos)
+        << document.text();
+}
+
+} // namespace
+} // namespace views

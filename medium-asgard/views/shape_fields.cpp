@@ -1,0 +1,122 @@
+#include "views/shape_fields.h"
+
+#include "script/numbers.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+
+#include <algorithm>
+
+namespace views {
+
+using geometry::Vector;
+
+namespace {
+
+QString plain(double value) { return QString::fromStdString(script::numberText(value, true)); }
+
+// The first `count`, or nothing when one is no number.
+std::optional<std::vector<double>> numbersOf(const std::array<QLineEdit*, 3>& fields,
+                                             std::size_t count) {
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < count; ++i) {
+        fields[i]->setModified(false);
+        const auto number = script::decimalNumber(fields[i]->text().toStdString());
+        if (!number)
+            return std::nullopt;
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+void fill(const std::array<QLineEdit*, 3>& fields, const std::vector<double>& values) {
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        fields[i]->setEnabled(i < values.size());
+        if (!fields[i]->isModified() || !fields[i]->hasFocus())
+            fields[i]->setText(i < values.size() ? plain(values[i]) : QString());
+    }
+}
+
+} // namespace
+
+std::vector<double> sizesOf(const scene::Part& part) {
+    if (const auto* sphere = std::get_if<scene::SphereShape>(&part.shape))
+        return {sphere->radius};
+    if (const auto* box = std::get_if<scene::BoxShape>(&part.shape))
+        return {box->edges.x(), box->edges.y(), box->edges.z()};
+    return {};
+}
+
+scene::Part withSizes(scene::Part part, const std::vector<double>& sizes) {
+    if (sizes.size() == 1)
+        part.shape = scene::SphereShape{sizes.front()};
+    else if (sizes.size() == 3)
+        part.shape = scene::BoxShape{Vector(sizes.data())};
+    return part;
+}
+
+ShapeFields::ShapeFields(QWidget* parent) : QWidget(parent) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    const QString axes[] = {tr("x"), tr("y"), tr("z")};
+    row->addWidget(new QLabel(tr("Vertex")));
+    for (std::size_t i = 0; i < 3; ++i) {
+        place_[i] = field(row, new QLabel(axes[i]), tr("%1 of the vertex").arg(axes[i]));
+        connect(place_[i], &QLineEdit::editingFinished, this, [this, i] {
+            if (place_[i]->isModified())
+                takePlace();
+        });
+    }
+    row->addSpacing(16);
+    for (std::size_t i = 0; i < 3; ++i) {
+        sizeNames_[i] = new QLabel(QStringLiteral("×"));
+        sizes_[i] = field(row, sizeNames_[i], i == 0 ? tr("Radius or first edge") : tr("Edge"));
+        connect(sizes_[i], &QLineEdit::editingFinished, this, [this, i] {
+            if (sizes_[i]->isModified())
+                takeSizes();
+        });
+    }
+    row->addStretch();
+    show(nullptr, std::nullopt);
+}
+
+QLineEdit* ShapeFields::field(QHBoxLayout* row, QLabel* label, const QString& accessible) {
+    auto* edit = new QLineEdit;
+    edit->setAccessibleName(accessible);
+    edit->setMaximumWidth(100);
+    label->setBuddy(edit);
+    row->addWidget(label);
+    row->addWidget(edit);
+    return edit;
+}
+
+void ShapeFields::show(const scene::Part* part, const std::optional<Vector>& place) {
+    fill(place_,
+         place ? std::vector<double>{place->x(), place->y(), place->z()} : std::vector<double>());
+    const auto sizes = part ? sizesOf(*part) : std::vector<double>();
+    sizeCount_ = sizes.size();
+    fill(sizes_, sizes);
+    sizeNames_[0]->setText(sizeCount_ == 1 ? tr("Radius") : tr("Edges"));
+    for (std::size_t i = 0; i < 3; ++i) {
+        sizeNames_[i]->setVisible(i < sizeCount_);
+        sizes_[i]->setVisible(i < sizeCount_);
+    }
+}
+
+void ShapeFields::takePlace() {
+    if (const auto place = numbersOf(place_, 3))
+        Q_EMIT placeTaken(Vector(place->data()));
+    else
+        Q_EMIT refused(tr("A place is three numbers."));
+}
+
+void ShapeFields::takeSizes() {
+    const auto sizes = numbersOf(sizes_, sizeCount_);
+    if (sizes && std::ranges::all_of(*sizes, [](double x) { return x > 0; }))
+        Q_EMIT sizesTaken(*sizes);
+    else
+        Q_EMIT refused(tr("A size is a number above 0."));
+}
+
+} // namespace views

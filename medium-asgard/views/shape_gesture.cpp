@@ -1,0 +1,69 @@
+#include "views/shape_gesture.h"
+
+#include "views/scale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace views {
+
+using geometry::Vector;
+
+ShapeGesture::ShapeGesture(SceneDocument& document, std::size_t shapeSet)
+    : document_(document), text_(document.text()), scene_(document.shown().scene),
+      shapeSet_(shapeSet), before_(editing::draftOf(scene_->shapeSets[shapeSet])) {}
+
+bool ShapeGesture::show(const std::vector<editing::DraftPart>& draft) {
+    answer_ = editing::become(text_, scene_, shapeSet_, draft);
+    if (answer_.possible())
+        document_.preview(editing::applied(text_, answer_.edits));
+    return answer_.possible();
+}
+
+void ShapeGesture::finish(const QString& label) {
+    document_.finishPreview(answer_.possible() ? editing::applied(text_, answer_.edits) : text_,
+                            label);
+}
+
+void ShapeGesture::cancel() { document_.finishPreview(text_, {}); }
+
+double decimal(double value, double length) {
+    const double step = decimalStep(length);
+    if (step <= 0)
+        return value;
+    if (step >= 1)
+        return std::round(value / step) * step;
+    const int digits = std::clamp(static_cast<int>(std::lround(-std::log10(step))), 0, 15);
+    return QString::number(value, 'f', digits).toDouble() + 0.0; // and no -0
+}
+
+Vector decimal(const Vector& value, double length) {
+    return value.unaryExpr([length](double x) { return decimal(x, length); });
+}
+
+scene::Part tidied(const scene::Part& before, scene::Part after, double length) {
+    // A box that grows at a corner moves by half of that.
+    const double half = length / 10;
+    if (after.position != before.position)
+        after.position = decimal(after.position, half);
+    const auto* oldSphere = std::get_if<scene::SphereShape>(&before.shape);
+    if (auto* sphere = std::get_if<scene::SphereShape>(&after.shape)) {
+        if (!oldSphere || sphere->radius != oldSphere->radius)
+            sphere->radius = std::max(decimal(sphere->radius, length), decimalStep(length));
+    } else if (auto* box = std::get_if<scene::BoxShape>(&after.shape)) {
+        const auto* old = std::get_if<scene::BoxShape>(&before.shape);
+        for (int k = 0; k < 3; ++k)
+            if (!old || box->edges[k] != old->edges[k])
+                box->edges[k] = std::max(decimal(box->edges[k], half), decimalStep(half));
+    } else if (auto* hull = std::get_if<scene::HullShape>(&after.shape)) {
+        const auto* old = std::get_if<scene::HullShape>(&before.shape);
+        const bool turned = after.rotation != Vector::Zero();
+        for (std::size_t i = 0; i < hull->points.size(); ++i)
+            if (!old || i >= old->points.size() || hull->points[i] != old->points[i])
+                hull->points[i] = decimal(hull->points[i], turned ? half : length);
+    }
+    return after;
+}
+
+} // namespace views
