@@ -22,7 +22,9 @@ double reach(double gap, double v, double h) {
 }
 
 std::int32_t cellAt(double coordinate, double edge) {
-    const double cell = std::clamp(coordinate / edge, -2 * farthest + 1, 2 * farthest - 1);
+    // Whole blocks end before the last number, so that what counts through them ends, too.
+    constexpr double last = 2 * farthest - 8;
+    const double cell = std::clamp(coordinate / edge, -last, last);
     const auto towardsZero = static_cast<std::int32_t>(cell);
     return towardsZero - static_cast<std::int32_t>(cell < towardsZero);
 }
@@ -103,6 +105,12 @@ void BallCells::rehash(Level& level) {
         link(member);
 }
 
+geometry::Box BallCells::cellBefore(const Ball& ball, const Exit& exit) const {
+    Ball before = ball;
+    before.place[exit.axis] -= exit.isUp ? 1 : -1;
+    return cell(before);
+}
+
 geometry::Box BallCells::cell(const Ball& ball) const {
     const double edge = levels_[ball.level].edge;
     const Vector low(ball.place[0], ball.place[1], ball.place[2]);
@@ -125,6 +133,13 @@ BallCells::Range BallCells::rangeAbout(const geometry::Box& box, double more, co
         range.high[i] = cellAt(box.max()[axis] + more, level.edge);
     }
     return range;
+}
+
+// Of another level: whether it was so near before a crossing is not told by ranges, which have room
+// to spare for the largest of a level, other room for each of the two.
+bool BallCells::mayTouch(const geometry::Box& cellOfOne, double radius, const Ball& other) const {
+    const double reach = radius + other.radius;
+    return cellOfOne.squaredExteriorDistance(cell(other)) <= reach * reach;
 }
 
 BallCells::Range BallCells::rangeAround(const Ball& ball, const Level& level) const {
@@ -164,8 +179,8 @@ BallCells::Crossing BallCells::cross(std::size_t owner, const Exit& exit) {
     const std::int32_t from = place;
     place += exit.isUp ? 1 : -1;
     link(static_cast<std::uint32_t>(owner));
-    return from / blockCells == place / blockCells && (from ^ place) >= 0 ? Crossing::withinBlock
-                                                                          : Crossing::toOtherBlock;
+    return firstOfBlock(from) == firstOfBlock(place) ? Crossing::withinBlock
+                                                     : Crossing::toOtherBlock;
 }
 
 } // namespace collision

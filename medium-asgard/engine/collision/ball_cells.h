@@ -11,6 +11,7 @@
 
 #include "collision/ball_flight.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -46,7 +47,7 @@ public:
             if (!level.members.empty())
                 visitIn(level, rangeAround(ball, level), owner, visit);
     }
-    // Of these, those that were not before it crossed (perhaps some that were).
+    // Of these, those that were not before it crossed.
     template <typename Visit>
     void forEachBeyond(std::size_t owner, const Exit& exit, Visit&& visit) const {
         const Ball& ball = balls_[owner];
@@ -54,10 +55,17 @@ public:
             if (level.members.empty())
                 continue;
             Range range = rangeAround(ball, level);
-            if (&level == &levels_[ball.level])
+            if (&level == &levels_[ball.level]) {
                 (exit.isUp ? range.low : range.high)[exit.axis] =
                     (exit.isUp ? range.high : range.low)[exit.axis];
-            visitIn(level, range, owner, visit);
+                visitIn(level, range, owner, visit);
+                continue;
+            }
+            const geometry::Box before = cellBefore(ball, exit);
+            visitIn(level, range, owner, [&](std::size_t other) {
+                if (!mayTouch(before, ball.radius, balls_[other]))
+                    visit(other);
+            });
         }
     }
     // Balls that come into the box while they stay in their blocks, and some more.
@@ -95,9 +103,12 @@ private:
         }
     };
 
+    [[nodiscard]] static std::int32_t firstOfBlock(std::int32_t cell) {
+        return cell & ~(blockCells - 1);
+    }
     [[nodiscard]] static Range blocksOf(Range range) {
         for (std::size_t i = 0; i < 3; ++i) {
-            range.low[i] &= ~(blockCells - 1);
+            range.low[i] = firstOfBlock(range.low[i]);
             range.high[i] |= blockCells - 1;
         }
         return range;
@@ -140,6 +151,9 @@ private:
     [[nodiscard]] static Range rangeAbout(const geometry::Box& box, double more,
                                           const Level& level);
     [[nodiscard]] geometry::Box cell(const Ball& ball) const;
+    [[nodiscard]] geometry::Box cellBefore(const Ball& ball, const Exit& exit) const;
+    [[nodiscard]] bool mayTouch(const geometry::Box& cellOfOne, double radius,
+                                const Ball& other) const;
     [[nodiscard]] std::uint32_t levelOf(int exponent);
     void link(std::uint32_t owner);
     void unlink(std::uint32_t owner);

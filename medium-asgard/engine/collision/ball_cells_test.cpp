@@ -97,6 +97,53 @@ TEST(BallCells, FindWhoComesIntoABox) {
     }
 }
 
+// Up and down through many blocks, on both sides of the origin.
+TEST(BallCells, TellWhenABallComesIntoAnotherBlock) {
+    BallCells cells(1);
+    for (const bool isUp : {false, true}) {
+        const double side = isUp ? -1 : 1;
+        ASSERT_TRUE(cells.put(0, {0.5, side * 20.5, 0.5}, 0.4, 0)); // edge 1
+        std::size_t blocks = 0;
+        for (int i = 0; i < 40; ++i) {
+            const geometry::Box before = cells.block(0);
+            const auto crossing = cells.cross(0, {.time = 0, .axis = 1, .isUp = isUp});
+            const bool isOther = !before.isApprox(cells.block(0));
+            EXPECT_EQ(crossing == BallCells::Crossing::toOtherBlock, isOther) << i;
+            blocks += isOther ? 1 : 0;
+        }
+        EXPECT_EQ(blocks, 10u);
+    }
+}
+
+// A small ball passes a large one, cell by cell: it is told of it when it comes near, once.
+TEST(BallCells, TellOfABallOfAnotherSizeOnce) {
+    BallCells cells(2);
+    ASSERT_TRUE(cells.put(0, {0.5, 0.5, 0.5}, 20, 0));
+    ASSERT_TRUE(cells.put(1, {-200.5, 0.5, 0.5}, 0.4, 0));
+    std::size_t told = 0;
+    cells.forEachNear(1, [&](std::size_t) { ++told; });
+    for (int i = 0; i < 400; ++i) {
+        const BallCells::Exit exit{.time = 0, .axis = 0, .isUp = true};
+        ASSERT_NE(cells.cross(1, exit), BallCells::Crossing::nowhere);
+        cells.forEachBeyond(1, exit, [&](std::size_t) { ++told; });
+    }
+    EXPECT_EQ(told, 1u);
+}
+
+// Many balls, so that cells are counted through, and a box beyond the last of them.
+TEST(BallCells, CountToTheEndOfTheirNumbers) {
+    constexpr std::size_t count = 1000;
+    BallCells cells(count);
+    for (std::size_t i = 0; i < count; ++i)
+        ASSERT_TRUE(cells.put(i, {0.01 * static_cast<double>(i), 0, 0}, 1e-3, 0));
+    for (const double far : {1e7, -1e7, 1e300}) {
+        std::size_t found = 0;
+        const Vector corner(far, far, far);
+        cells.forEachIn({corner, corner + Vector::Ones()}, [&](std::size_t) { ++found; });
+        EXPECT_EQ(found, 0u);
+    }
+}
+
 TEST(BallCells, EndWhereTheirNumbersDo) {
     BallCells cells(1);
     EXPECT_FALSE(cells.put(0, {1e12, 0, 0}, 1e-3, 0));

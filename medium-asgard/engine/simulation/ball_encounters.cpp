@@ -144,7 +144,8 @@ bool CollisionSource::turn(const Pair& pair, double time, const std::array<Vecto
         return false;
     for (std::size_t i = 0; i < count; ++i)
         search_.turn(turned[i], turns[i], time);
-    search_.goOn(pair, time);
+    search_.goOn(pair, time, renewal_);
+    lookAtJoined(time);
     noteEvent(time);
     return true;
 }

@@ -79,15 +79,20 @@ void CollisionSource::renew(const Histories& histories) {
     search_.renew(histories, renewal_);
     if (renewal_.ended)
         resting_.forget(renewal_.body);
-    for (const std::size_t joined : renewal_.joined)
-        for (const std::size_t body : {renewal_.body, joined})
-            if (resting_.isResting(body))
-                resting_.lookAgain(std::span(&body, 1), time);
+    lookAtJoined(time);
     for (const Pair& pair : search_.takeOverlaps())
         noteOnce(pair, time,
                  "Bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
                      quoted(scene_.bodies[pair.second].name) +
                      " overlap without having met; they can collide once they are apart.");
+}
+
+// What rests looks at who came near it.
+void CollisionSource::lookAtJoined(double time) {
+    for (const std::size_t joined : renewal_.joined)
+        for (const std::size_t body : {renewal_.body, joined})
+            if (resting_.isResting(body))
+                resting_.lookAgain(std::span(&body, 1), time);
 }
 
 void CollisionSource::lengthen(double finish) {

@@ -89,6 +89,7 @@ private:
     void forgetAfterEvent(const solution::Event& event);
     void findDependents();
     void renew(const solution::Histories& histories);
+    void lookAtJoined(double time);
     // What a hit came to: an event to be announced, or none, and the search goes on from there; or
     // all is done.
     struct Handled {

@@ -2,9 +2,9 @@
 //
 // Every body is looked at in windows of its own: no longer than a piece of its motion, nor than it
 // takes to go a few of its sizes, nor than some seconds, twice as far and as long in each window in
-// which nothing cut its motion. The
-// box that holds the body during its window lies in a tree (collision/box_tree.h); whoever's box
-// overlaps it is a partner, and partners are searched for hits during what their windows share:
+// which nothing cut its motion. The box that holds the body during its window lies in a tree
+// (collision/box_tree.h); whoever's box overlaps it is a partner, and partners are searched for
+// hits during what their windows share:
 //
 //     next():   the earliest of   a window that ends   ->   renew(): its next window and box, new
 //                                                           partners, one search with each
@@ -39,7 +39,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace simulation {
@@ -80,7 +82,7 @@ public:
     [[nodiscard]] bool isFollowed(std::size_t body) const { return windows_[body].isFollowed; }
     void turn(std::size_t body, const solution::Turn& turn, double time);
     // After both of a pair: what cut() of both and renew() would do.
-    void goOn(const Pair& turned, double time);
+    void goOn(const Pair& turned, double time, Renewal& renewal);
     // The pair's hit at `time` was none, or is let pass: search it from there on.
     void searchOn(const Pair& pair, double time);
     // They let each other pass until then.
@@ -137,10 +139,8 @@ private:
         bool operator()(const Hit& a, const Hit& b) const;
     };
     using Crossing = collision::BallCells::Crossing;
-    enum class Around {
-        all,
-        beyond
-    }; // balls near one in its cell: beyond the face it came through
+    // Balls near one in its cell; beyond: beyond the face that it came through.
+    enum class Around { all, beyond };
 
     [[nodiscard]] bool mayMeet(std::size_t a, std::size_t b) const;
     [[nodiscard]] bool isOutdated(const Hit& hit) const;
@@ -177,7 +177,7 @@ private:
     double slack_;
 
     std::vector<std::optional<std::size_t>> groups_;
-    std::vector<std::vector<std::size_t>> linked_; // sorted
+    std::vector<std::vector<std::size_t>> linked_;
     std::vector<bool> isFreeBall_;
     std::vector<std::vector<collision::StandingPart>> standing_;
 
@@ -197,7 +197,6 @@ private:
     };
     std::vector<Passing> passing_; // pairs that cannot give way
     Around around_ = Around::all;  // of the ball that entered a cell last
-    Renewal renewal_;              // of what goes on
     std::vector<Pair> overlaps_;
     std::size_t pairTests_ = 0;
     std::vector<std::uint64_t> pairs_;        // as numbers; some several times

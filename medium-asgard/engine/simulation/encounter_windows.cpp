@@ -13,11 +13,13 @@ using solution::infinity;
 
 constexpr double firstWay = 3;     // of the body's radius, in the first window after a cut
 constexpr double firstSpan = 16;   // s, of that window at most
-constexpr int mostDoublings = 40;  // of both
+constexpr int mostDoublings = 40;  // of both; cells go on to grow
 constexpr double roomAround = 0.5; // of the radius, about boxes of short windows
 constexpr double mostRoom = 4;     // a box in the tree is at most so much larger than needed
 constexpr double rounding = 1e-12; // of coordinates, in boxes
 constexpr int smallWindows = 16;   // that nothing cut; from then on a ball takes larger cells
+
+double doublings(int number) { return std::ldexp(1, std::min(number, mostDoublings)); }
 
 void grow(geometry::Box& box, double by) {
     box.min() -= geometry::Vector::Constant(by);
@@ -106,12 +108,12 @@ bool EncounterSearch::openFlight(const Histories& histories, std::size_t body,
 // Without one the flight is looked at no further than cells and boxes say.
 void EncounterSearch::openFlightWindow(std::size_t body, double time) {
     Window& window = windows_[body];
-    window.until = std::min(window.pieceEnd, time + std::ldexp(firstSpan, window.number));
+    window.until = std::min(window.pieceEnd, time + firstSpan * doublings(window.number));
     if (cells_.contains(body)) {
         window.exit = cells_.exitOf(body, window.flight, time);
         window.until = std::min(window.until, window.exit.time);
     } else {
-        const double way = firstWay * records_[body].radius * std::ldexp(1, window.number);
+        const double way = firstWay * records_[body].radius * doublings(window.number);
         const std::array<geometry::Vector, 3> path{
             geometry::Vector::Zero(), window.flight.velocityAt(time), window.flight.half};
         const std::size_t terms = window.flight.half.isZero(0) ? 2 : 3;
@@ -132,7 +134,7 @@ void EncounterSearch::boxFlight(std::size_t body) {
 void EncounterSearch::openWindow(const Histories& histories, std::size_t body, double time,
                                  Renewal& renewal) {
     Window& window = windows_[body];
-    window.number = std::min(window.number + 1, mostDoublings);
+    ++window.number;
     window.from = time;
     bodies_[body].forget();
     const bool isNew = !window.isFlight || time >= window.pieceEnd;
@@ -152,9 +154,9 @@ void EncounterSearch::openWindow(const Histories& histories, std::size_t body, d
     if (window.isFlight) {
         openFlightWindow(body, time);
     } else {
-        const double way = firstWay * records_[body].radius * std::ldexp(1, window.number);
+        const double way = firstWay * records_[body].radius * doublings(window.number);
         const collision::MotionPiece& piece = bodies_[body].pieceAt(time);
-        const double latest = time + std::ldexp(firstSpan, window.number);
+        const double latest = time + firstSpan * doublings(window.number);
         const double end = piece.until > time ? std::min(piece.until, latest) : latest;
         const double longest = timeForWay(
             shifted(piece.position, (time - piece.from) / piece.scale), piece.scale, way);
@@ -226,8 +228,9 @@ void EncounterSearch::searchAround(std::size_t body, double time, std::optional<
             searchFlight(body, other, time);
     };
     if (around_ == Around::all) {
+        // Who searched it just now has put itself there.
+        std::erase_if(unclear_[body], [&](std::size_t other) { return other != but; });
         cells_.forEachNear(body, look);
-        unclear_[body].clear();
         return;
     }
     const std::vector<std::size_t> unclear = std::exchange(unclear_[body], {});
@@ -252,7 +255,8 @@ void EncounterSearch::turn(std::size_t body, const solution::Turn& turn, double 
     }
 }
 
-void EncounterSearch::goOn(const Pair& turned, double time) {
+void EncounterSearch::goOn(const Pair& turned, double time, Renewal& renewal) {
+    renewal = {.body = turned.first, .ended = false, .joined = {}};
     const std::array<std::size_t, 2> two{turned.first, turned.second};
     for (const std::size_t body : two) {
         if (records_[body].isFixed)
@@ -267,11 +271,11 @@ void EncounterSearch::goOn(const Pair& turned, double time) {
         const bool entered =
             stays || (isInCell && enterCell(body, time, true) != Crossing::nowhere);
         if (entered && !stays)
-            findPartners(body, leafOfBlock(body), renewal_);
+            findPartners(body, leafOfBlock(body), renewal);
         openFlightWindow(body, time);
         ends_.set(body, windows_[body].until);
         if (!entered)
-            enterTree(body, renewal_);
+            enterTree(body, renewal);
     }
     around_ = Around::all;
     const bool areTwo = !records_[turned.first].isFixed && !records_[turned.second].isFixed;
