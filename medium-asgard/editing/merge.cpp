@@ -138,6 +138,7 @@ std::vector<Hunk> differences(std::string_view before, std::string_view after) {
         found = {{{0, a.size()}, {0, b.size()}}};
     const auto startsA = startsOf(a, skipped), startsB = startsOf(b, skipped);
     std::vector<Hunk> hunks;
+    hunks.reserve(found.size());
     for (const auto& [inA, inB] : found)
         hunks.push_back(
             {{startsA[inA.from], startsA[inA.to]}, {startsB[inB.from], startsB[inB.to]}});

@@ -79,8 +79,10 @@ std::optional<Offer> allOfThem(const Making& making, const Wish& wish, const Ori
         const auto old = script::decimalNumber(before);
         if (!old || std::abs(*old - wish.values[i]) <= 0.5 * wish.resolution)
             continue;
-        offer.edits.push_back({from[i].literal.from, from[i].literal.to,
-                               numberText(wish.values[i], wish.resolution, before)});
+        // One number in two places cannot become two.
+        if (!join(offer.edits, {from[i].literal.from, from[i].literal.to,
+                                numberText(wish.values[i], wish.resolution, before)}))
+            return std::nullopt;
     }
     if (offer.edits.empty())
         return std::nullopt;

@@ -6,6 +6,7 @@
 #include "script/numbers.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace editing {
 
@@ -84,10 +85,7 @@ public:
     void change(std::size_t index, const scene::Part& before, const scene::Part& after);
     void remove(std::size_t index);
     void append(const scene::Part& part);
-    [[nodiscard]] std::vector<TextEdit> edits() {
-        std::ranges::stable_sort(edits_, {}, &TextEdit::from);
-        return edits_;
-    }
+    [[nodiscard]] std::vector<TextEdit> edits();
 
 private:
     void put(scene::Range range, std::string text) {
@@ -109,12 +107,15 @@ private:
                    const std::vector<Vector>& after);
     void changeSub(const Item& value, const scene::Part& before, const scene::Part& after);
     void changeFaces(const WrittenPart& faces, const scene::Part& before, const scene::Part& after);
-    void removeWords(const std::pair<Item, Item>& words);
+    void removeWithin(const std::vector<Item>& items, const Item* value);
+    void removeWhole(const std::pair<Item, Item>& words);
 
     const std::string& text_;
     scene::Range content_;
     std::vector<Item> items_;
     std::vector<WrittenPart> parts_;
+    std::vector<std::size_t> removed_; // places in items_ of option words that go with their values
+    std::string appended_;
     std::vector<TextEdit> edits_;
 };
 
@@ -178,7 +179,7 @@ void Description::changeSub(const Item& value, const scene::Part& before,
         if (item && color)
             put(item->range, colourText(*color));
         else if (item)
-            removeWords({*(item - 1), *item});
+            removeWithin(items, item);
         else if (color)
             inserted += "-color " + colourText(*color) + " ";
     }
@@ -231,7 +232,7 @@ void Description::changeFaces(const WrittenPart& faces, const scene::Part& befor
     put({faces.words.front().first.range.from, faces.words.front().second.range.to},
         partText(after));
     for (std::size_t i = 1; i < faces.words.size(); ++i)
-        removeWords(faces.words[i]);
+        removeWhole(faces.words[i]);
 }
 
 void Description::change(std::size_t index, const scene::Part& before, const scene::Part& after) {
@@ -242,35 +243,58 @@ void Description::change(std::size_t index, const scene::Part& before, const sce
         changeSub(written.words.front().second, before, after);
 }
 
-// With the space before it; the first with that after it.
-void Description::removeWords(const std::pair<Item, Item>& words) {
-    std::size_t from = words.first.range.from, to = words.second.range.to;
-    const std::size_t before = text_.find_last_not_of(" \t\r\n", from - 1) + 1;
-    if (before > content_.from)
-        from = before;
-    else
-        to = std::min(text_.find_first_not_of(" \t\r\n", to), content_.to);
-    edits_.push_back({from, to, ""});
+// An option and its value of a part, with the space before them; the first without.
+void Description::removeWithin(const std::vector<Item>& items, const Item* value) {
+    const Item* option = value - 1;
+    const std::size_t from = option == items.data() ? option->range.from : (option - 1)->range.to;
+    edits_.push_back({from, value->range.to, ""});
+}
+
+void Description::removeWhole(const std::pair<Item, Item>& words) {
+    const auto same = [&](const Item& item) { return item.range == words.first.range; };
+    removed_.push_back(
+        static_cast<std::size_t>(std::ranges::find_if(items_, same) - items_.begin()));
 }
 
 void Description::remove(std::size_t index) {
     for (const auto& words : parts_[index].words)
-        removeWords(words);
+        removeWhole(words);
 }
 
 // Apart from the last as that is from the one before.
 void Description::append(const scene::Part& part) {
-    if (items_.empty()) {
-        edits_.push_back({content_.from, content_.from, partText(part)});
-        return;
-    }
     std::string space = " ";
     if (items_.size() >= 4) {
         const std::size_t from = items_[items_.size() - 3].range.to;
         space = text_.substr(from, items_[items_.size() - 2].range.from - from);
     }
-    const std::size_t at = items_.back().range.to;
-    edits_.push_back({at, at, space + partText(part)});
+    appended_ += space + partText(part);
+}
+
+// What is removed one after another is one stretch: with the space before it, or at the beginning
+// with that after it. What is added comes in the place of a stretch at the end.
+std::vector<TextEdit> Description::edits() {
+    std::ranges::sort(removed_);
+    for (std::size_t i = 0; i < removed_.size();) {
+        std::size_t next = i + 1;
+        while (next < removed_.size() && removed_[next] == removed_[next - 1] + 2)
+            ++next;
+        const std::size_t first = removed_[i], last = removed_[next - 1] + 1;
+        const bool isLast = last + 1 >= items_.size();
+        const std::size_t from = first > 0 ? items_[first - 1].range.to : items_.front().range.from;
+        const std::size_t to =
+            first > 0 || isLast ? items_[last].range.to : items_[last + 1].range.from;
+        edits_.push_back({from, to, isLast ? std::exchange(appended_, {}) : ""});
+        if (first == 0 && isLast)
+            edits_.back().text.erase(0, edits_.back().text.find_first_not_of(" \t\r\n\\"));
+        i = next;
+    }
+    const std::size_t end = items_.empty() ? content_.from : items_.back().range.to;
+    if (!appended_.empty())
+        edits_.push_back({end, end, appended_});
+    // What is put in before what is removed or replaced comes first.
+    std::ranges::stable_sort(edits_, {}, [](const TextEdit& e) { return std::pair(e.from, e.to); });
+    return edits_;
 }
 
 } // namespace
@@ -336,6 +360,7 @@ Answer become(const std::string& text, std::shared_ptr<const scene::Scene> scene
             const Origins::Literal literal = origins.literalOf(*command, word);
             if (!literal.content.known()) {
                 std::vector<scene::Part> parts;
+                parts.reserve(draft.size());
                 for (const DraftPart& one : draft)
                     parts.push_back(one.part);
                 answer.reason = subject + literal.reason + ".";

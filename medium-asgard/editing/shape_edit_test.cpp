@@ -4,6 +4,8 @@
 #include "editing/shape_points.h"
 #include "editing/test_reading.h"
 
+#include "geometry/hull.h"
+
 #include <gmock/gmock.h>
 
 #include <random>
@@ -96,6 +98,48 @@ TEST(ShapeEditTest, PartsAreAddedInTheStyleOfTheOthersAndDeleted) {
               "# four corners\nshape_set t -desc {\n"
               "  -sub {-color red  -points {{0 0 0} {1.50 0 0} {0 1 0}  {0 0 1}}}\n}\nbody b t\n");
     EXPECT_THAT(after(tetra, [](auto& draft) { draft.clear(); }), HasSubstr("one part at least"));
+}
+
+// What goes together is one stretch of the text, wherever it stands.
+TEST(ShapeEditTest, NeighboursAreDeletedTogether) {
+    scene::Part box;
+    box.shape = scene::BoxShape{{1, 2, 3}};
+    const std::string three =
+        "shape_set s -desc {-sub {-sphere 1} -sub {-sphere 2}\n -sub {-sphere 3}}\n";
+    EXPECT_EQ(after(three, [](auto& draft) { draft.erase(draft.begin(), draft.begin() + 2); }),
+              "shape_set s -desc {-sub {-sphere 3}}\n");
+    EXPECT_EQ(after(three, [](auto& draft) { draft.erase(draft.begin() + 1, draft.end()); }),
+              "shape_set s -desc {-sub {-sphere 1}}\n");
+    EXPECT_EQ(after(three,
+                    [&](auto& draft) {
+                        draft = {{box, std::nullopt}};
+                    }),
+              "shape_set s -desc {-sub {-box {1 2 3}}}\n");
+    EXPECT_EQ(after("shape_set s -desc { -sub {-sphere 1} }\n",
+                    [&](auto& draft) {
+                        draft = {{box, std::nullopt}};
+                    }),
+              "shape_set s -desc { -sub {-box {1 2 3}} }\n");
+    EXPECT_EQ(after(three,
+                    [&](auto& draft) {
+                        draft.pop_back();
+                        draft.push_back({box, std::nullopt});
+                    }),
+              "shape_set s -desc {-sub {-sphere 1} -sub {-sphere 2}\n -sub {-box {1 2 3}}}\n");
+    const std::string hull = "-face {{0 0 0} {1 0 0} {0 1 0}} -face {{0 0 0} {0 0 1} {1 0 0}} "
+                             "-face {{0 0 0} {0 1 0} {0 0 1}} -face {{1 0 0} {0 0 1} {0 1 0}}";
+    EXPECT_EQ(after("shape_set f -desc {" + hull + " -sub {-sphere 1}}\n",
+                    [](auto& draft) { draft.erase(draft.begin()); }),
+              "shape_set f -desc {-sub {-sphere 1}}\n");
+}
+
+TEST(ShapeEditTest, AColourGoesWhileAPlaceComes) {
+    EXPECT_EQ(after("shape_set s -desc {-sub { -color red -sphere 1}}\n",
+                    [](auto& draft) {
+                        draft[0].part.appearance.color.reset();
+                        draft[0].part.position = {0, 1, 0};
+                    }),
+              "shape_set s -desc {-sub { -pos {0 1 0}  -sphere 1}}\n");
 }
 
 const std::string faces = "shape_set f -desc {-face {-color red {0 0 0} {1 0 0} {0 1 0}} -face {{0 "
@@ -212,6 +256,12 @@ TEST(ShapeLibraryTest, EveryShapeIsOneThatTheLanguageTakes) {
     }
 }
 
+// Its points do not lie in one plane.
+bool isSolid(const DraftPart& one) {
+    const auto* hull = std::get_if<scene::HullShape>(&one.part.shape);
+    return !hull || std::holds_alternative<geometry::Hull>(geometry::convexHull(hull->points));
+}
+
 // Whatever becomes of the parts: the text reads as them, and the rest of it stays.
 TEST(ShapeEditTest, RandomChangesReadAsTheParts) {
     std::mt19937 random(20261120);
@@ -225,7 +275,7 @@ TEST(ShapeEditTest, RandomChangesReadAsTheParts) {
             auto draft = draftOf(scene->shapeSets.at(0));
             DraftPart& one = draft[random() % draft.size()];
             auto* hull = std::get_if<scene::HullShape>(&one.part.shape);
-            switch (random() % 7) {
+            switch (random() % 8) {
             case 0:
                 if (hull)
                     hull->points[random() % hull->points.size()] = vector();
@@ -255,17 +305,25 @@ TEST(ShapeEditTest, RandomChangesReadAsTheParts) {
                 draft.push_back({part, std::nullopt});
                 break;
             }
-            default:
-                if (draft.size() > 1)
-                    draft.erase(draft.begin() +
-                                static_cast<std::ptrdiff_t>(random() % draft.size()));
+            case 6:
+                one.part.appearance.color =
+                    random() % 2 == 0 ? std::optional(scene::Color{0, 0.5, 1}) : std::nullopt;
+                one.part.position = vector();
+                break;
+            default: // some that stand one after another, or all but one
+                const std::size_t first = random() % draft.size();
+                const std::size_t end = first + 1 + random() % (draft.size() - first);
+                if (end - first < draft.size())
+                    draft.erase(draft.begin() + static_cast<std::ptrdiff_t>(first),
+                                draft.begin() + static_cast<std::ptrdiff_t>(end));
             }
+            if (!std::ranges::all_of(draft, isSolid))
+                continue; // refused, as it would be in any text
             const Answer answer = become(text, scene, 0, draft);
             ASSERT_TRUE(answer.possible()) << answer.reason << text;
             const std::string now = applied(text, answer.edits);
             const auto result = reader().read(now);
-            if (!result.usable)
-                continue; // points in one plane are refused, as they would be in any text
+            ASSERT_TRUE(result.usable) << result.diagnostics.front().message << text << now;
             const auto& parts = result.scene.shapeSets.at(0).parts;
             ASSERT_EQ(parts.size(), draft.size()) << text << now;
             for (std::size_t i = 0; i < parts.size(); ++i)

@@ -16,5 +16,7 @@ struct TextEdit {
 
 // Edits are of the text as it was, in order and apart from each other.
 [[nodiscard]] std::string applied(const std::string& text, const std::vector<TextEdit>& edits);
+// Takes the edit into the list, once. False: another of the list changes the same bytes otherwise.
+[[nodiscard]] bool join(std::vector<TextEdit>& edits, const TextEdit& edit);
 
 } // namespace editing

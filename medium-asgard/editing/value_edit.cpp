@@ -8,6 +8,7 @@
 #include "script/numbers.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <set>
 
@@ -20,10 +21,24 @@ std::string applied(const std::string& text, const std::vector<TextEdit>& edits)
     std::string result;
     std::size_t at = 0;
     for (const TextEdit& edit : edits) {
+        assert(edit.from >= at && edit.to >= edit.from && "edits are in order and apart");
         result += text.substr(at, edit.from - at) + edit.text;
         at = edit.to;
     }
     return result + text.substr(at);
+}
+
+bool join(std::vector<TextEdit>& edits, const TextEdit& edit) {
+    for (const TextEdit& other : edits) {
+        const bool putsIn = edit.from == edit.to || other.from == other.to;
+        if (putsIn ? edit.from < other.to && other.from < edit.to
+                   : edit.from < other.to && other.from < edit.to && !(other == edit))
+            return false;
+        if (!putsIn && other == edit)
+            return true;
+    }
+    edits.push_back(edit);
+    return true;
 }
 
 namespace {
@@ -376,11 +391,11 @@ std::vector<Offer> together(const std::vector<Answer>& answers) {
             const auto found = std::ranges::find(answer.offers, first.label, &Offer::label);
             if (!answer.possible() && found == answer.offers.end())
                 return false;
-            const auto& edits = answer.possible() ? answer.edits : found->edits;
-            whole.edits.insert(whole.edits.end(), edits.begin(), edits.end());
-            return true;
+            return std::ranges::all_of(
+                answer.possible() ? answer.edits : found->edits,
+                [&](const TextEdit& edit) { return join(whole.edits, edit); });
         });
-        std::ranges::sort(whole.edits, {}, &TextEdit::from);
+        std::ranges::stable_sort(whole.edits, {}, &TextEdit::from);
         if (all)
             offers.push_back(std::move(whole));
     }
@@ -392,6 +407,7 @@ std::vector<Offer> together(const std::vector<Answer>& answers) {
 Answer Mapper::answer(const std::vector<Wish>& wishes) const {
     Answer whole;
     std::vector<Answer> answers;
+    answers.reserve(wishes.size());
     for (const Wish& wish : wishes)
         answers.push_back(answer(wish));
     const auto refused = std::ranges::find_if_not(answers, &Answer::possible);

@@ -186,6 +186,46 @@ TEST(Offers, ForAnOptionThatIsNotThereStartFromWhatItWas) {
     EXPECT_EQ(one->bodies[1].initialPosition, geometry::Vector(0, 0, 0));
 }
 
+// "All 2" would have to make two numbers of one: it is not offered.
+TEST(Offers, DoNotChangeOneNumberTwice) {
+    const Mapped scene(ball + "set x 1\nforeach i {1 2} {body b$i s -init_pos \"$x $x $i\"}\n");
+    const Answer apart = scene.mapper.answer(move(0, {2, 3, 1}));
+    ASSERT_FALSE(apart.possible());
+    for (const Offer& offer : apart.offers)
+        EXPECT_NE(offer.label, "All 2");
+    const Answer same = scene.mapper.answer(move(0, {2, 2, 1}));
+    const auto all = std::ranges::find(same.offers, "All 2", &Offer::label);
+    ASSERT_NE(all, same.offers.end());
+    EXPECT_EQ(applied(scene.text, all->edits),
+              ball + "set x 2\nforeach i {1 2} {body b$i s -init_pos \"$x $x $i\"}\n");
+}
+
+TEST(Offers, OfSeveralOptionsDoNotChangeOneNumberTwice) {
+    const Mapped scene(ball + "set v 1\nforeach i {1 2} {body b$i s\n"
+                              "force -body b$i -x $v -y $v -z 0}\n");
+    const auto offered = [&](double x, double y) {
+        const Answer answer = scene.mapper.answer(std::vector<Wish>{push("-x", x), push("-y", y)});
+        EXPECT_FALSE(answer.possible());
+        const auto all = std::ranges::find(answer.offers, "All 2", &Offer::label);
+        return all == answer.offers.end() ? "" : applied(scene.text, all->edits);
+    };
+    EXPECT_EQ(offered(2, 3), "");
+    EXPECT_THAT(offered(2, 2), HasSubstr("set v 2\nforeach"));
+}
+
+TEST(TextEdits, AreJoinedOnceAndNeverOverlap) {
+    std::vector<TextEdit> edits;
+    EXPECT_TRUE(join(edits, {3, 5, "a"}));
+    EXPECT_TRUE(join(edits, {3, 5, "a"}));
+    EXPECT_EQ(edits.size(), 1u);
+    EXPECT_FALSE(join(edits, {3, 5, "b"}));
+    EXPECT_FALSE(join(edits, {4, 4, "b"}));
+    EXPECT_FALSE(join(edits, {4, 7, "b"}));
+    EXPECT_TRUE(join(edits, {5, 5, "c"}));
+    EXPECT_TRUE(join(edits, {5, 7, "d"}));
+    EXPECT_EQ(edits.size(), 3u);
+}
+
 TEST(Forces, AreDraggedByTheFactorOfTheirExpression) {
     const std::string head = ball + "body b s -mass 2\n";
     EXPECT_EQ(Mapped(head + "force -body b -x 0 -y {-10 * b.mass} -z 0").after(push("-y", -25)),
