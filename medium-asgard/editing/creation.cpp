@@ -72,10 +72,10 @@ const Command* Writing::commandAt(const Element& element) const {
 std::size_t Writing::endOfScript() const {
     for (const Command& command : structure_.commands)
         if (command.parent < 0 && command.name(text_) == "return") {
-            const std::size_t before = command.range.from == 0
-                                           ? std::string::npos
-                                           : text_.rfind('\n', command.range.from - 1);
-            return before == std::string::npos ? 0 : before + 1;
+            const std::size_t at = command.range.from;
+            const std::size_t blank = text_.find_last_not_of(" \t", at == 0 ? 0 : at - 1);
+            const bool opensItsLine = at == 0 || blank == std::string::npos || text_[blank] == '\n';
+            return !opensItsLine ? at : blank == std::string::npos || at == 0 ? 0 : blank + 1;
         }
     return text_.size();
 }
@@ -151,26 +151,22 @@ std::string Writing::line(const NewElement& element) const {
 void Writing::add(const NewElement& element) {
     const Place place = placeFor(element);
     std::string line = place.indent + this->line(element);
-    const bool opens = place.at > 0 && text_[place.at - 1] != '\n'; // the last line is not ended
+    const bool onLine = place.at > 0 && text_[place.at - 1] != '\n'; // something stands before it
     const bool atEnd = place.at == text_.size();
     const bool blankFollows = !atEnd && (text_[place.at] == '\n' || text_[place.at] == '\r');
     const auto before = std::ranges::find(edits_, place.at, &TextEdit::from);
     const bool first = before == edits_.end();
-    // A group of its own stands behind an empty line, where groups do.
     std::string text;
-    if (place.newGroup && place.at > 0 && (atEnd || blankFollows) && first)
-        text = lineBreak_ + line;
-    else
-        text = line;
-    if (opens && first) {
-        // A backslash at the very end would go on into the new line.
-        const bool continued = text_[place.at - 1] == '\\';
-        text = lineBreak_ + (continued ? lineBreak_ : "") + text;
-    } else if (opens) {
-        text = lineBreak_ + text;
-    } else {
+    if (onLine && first)
+        text = lineBreak_;
+    // A backslash at the very end would go on into the new line.
+    if (first && place.at > 0 && atEnd && isContinued(text_, onLine ? place.at : place.at - 1))
         text += lineBreak_;
-    }
+    // A group of its own stands behind an empty line, where groups do.
+    if (place.newGroup && place.at > 0 && (atEnd || blankFollows) && first)
+        text += lineBreak_;
+    const bool staysOpen = onLine && atEnd; // as the text's last line was
+    text += staysOpen ? (first ? "" : lineBreak_) + line : line + lineBreak_;
     if (first)
         edits_.push_back({place.at, place.at, text});
     else
@@ -222,7 +218,7 @@ std::string unusedName(const std::string& text, const scene::Scene& scene, Kind 
     names.insert({"t", "pi", "scene", "events"});
     names.insert(expression::functionNames().begin(), expression::functionNames().end());
     for (const Kind one : order)
-        for (std::size_t i = 0; i < countOf(scene, one); ++i)
+        for (std::size_t i = 0; sourceOf(scene, {one, i}); ++i)
             names.insert(nameOf(scene, {one, i}));
     std::string name;
     do

@@ -64,6 +64,29 @@ TEST(Creation, MindsContinuedLinesAndTheEndOfTheScript) {
               shapes + "parameter g -value 1\nreturn\nnonsense");
 }
 
+TEST(Creation, EndsALineThatABackslashContinues) {
+    for (const std::string end : {"\n", "\r\n"}) {
+        const std::string text =
+            "shape_set s -desc {-sub {-sphere 1}}" + end + "body b1 s -mass 2 \\" + end;
+        const std::string after = withNew(text, weightOn("b1", 0));
+        EXPECT_TRUE(after.starts_with(text)) << after;
+        EXPECT_EQ(readScene(after)->forces.size(), 1U) << after;
+        // The blank line that ends the body goes with it.
+        const std::string two = text + end + "body b2 s" + end;
+        const Element first{Kind::body, 0};
+        const Deletion deletion = deletionOf(two, *readScene(two), {first});
+        ASSERT_TRUE(deletion.possible());
+        EXPECT_EQ(readScene(applied(two, deletion.edits))->bodies.size(), 1U);
+        const std::string between = withNew(two, weightOn("b1", 0));
+        EXPECT_EQ(readScene(between)->forces.size(), 1U) << between;
+    }
+}
+
+TEST(Creation, GoesBeforeAReturnThatSharesItsLine) {
+    EXPECT_EQ(withNew(shapes + "body b1 s; return\nnonsense", weightOn("b1", 0)),
+              shapes + "body b1 s; \nforce -body b1 -gravitational {0 -1 0}\nreturn\nnonsense");
+}
+
 TEST(Creation, NamesAreLikeTheOthersAndNowhereElse) {
     const std::string text = shapes + "body b1 s\nbody b2 s\n# b3 was here\nset b4 1\n";
     EXPECT_EQ(unusedName(text, *readScene(text), Kind::body, "ball"), "b5");

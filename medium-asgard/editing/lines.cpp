@@ -11,13 +11,6 @@ namespace {
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-bool isContinued(std::string_view text, std::size_t newline) {
-    std::size_t slashes = 0;
-    while (slashes < newline && text[newline - 1 - slashes] == '\\')
-        ++slashes;
-    return slashes % 2 == 1;
-}
-
 std::size_t lineStart(std::string_view text, std::size_t offset) {
     const std::size_t before = offset == 0 ? std::string_view::npos : text.rfind('\n', offset - 1);
     return before == std::string_view::npos ? 0 : before + 1;
@@ -30,8 +23,9 @@ std::optional<std::size_t> endOfBareLine(std::string_view text, const Structure&
         const char c = text[at];
         if (c == '\n')
             return at + 1;
-        if (c == '\\' && at + 1 < text.size() && text[at + 1] == '\n') {
-            at += 2; // a continued line that holds nothing
+        if (const std::string_view rest = text.substr(at);
+            rest.starts_with("\\\n") || rest.starts_with("\\\r\n")) {
+            at += rest[1] == '\n' ? 2 : 3; // a continued line that holds nothing
             continue;
         }
         if (c == '#') {
@@ -49,6 +43,16 @@ std::optional<std::size_t> endOfBareLine(std::string_view text, const Structure&
 }
 
 } // namespace
+
+bool isContinued(std::string_view text, std::size_t lineBreak) {
+    if (lineBreak > 0 && lineBreak < text.size() && text[lineBreak] == '\n' &&
+        text[lineBreak - 1] == '\r')
+        --lineBreak;
+    std::size_t slashes = 0;
+    while (slashes < lineBreak && text[lineBreak - 1 - slashes] == '\\')
+        ++slashes;
+    return slashes % 2 == 1;
+}
 
 const Command& outermost(const Structure& structure, const Command& command) {
     const Command* at = &command;

@@ -13,6 +13,9 @@ namespace editing {
 [[nodiscard]] std::size_t afterLine(std::string_view text, const script::Structure& structure,
                                     std::size_t offset);
 
+// A backslash before the line break at that place, or the text's end there, goes on to the next.
+[[nodiscard]] bool isContinued(std::string_view text, std::size_t lineBreak);
+
 // What goes when that command goes: its line or lines, with the comment behind it, when nothing
 // else stands there; otherwise the command, with the semicolon behind it.
 [[nodiscard]] scene::Range wholeOf(std::string_view text, const script::Structure& structure,

@@ -85,5 +85,52 @@ TEST(Merge, OfOneSideIsThatSide) {
     }
 }
 
+// Two who change other words make one text, whoever merges.
+TEST(Merge, OfChangesApartIsBothEitherWay) {
+    std::mt19937 random(13);
+    for (int i = 0; i < 1000; ++i) {
+        std::string base, mine, theirs, both;
+        for (int k = 0; k < 40; ++k) {
+            const std::string word = "w" + std::to_string(k) + " ";
+            const std::string other =
+                random() % 3 == 0 ? "" : "n" + std::to_string(random() % 1000) + "\n{} ";
+            const unsigned who = k % 3 == 1 ? random() % 3 : 2; // every other third word stays
+            base += word;
+            mine += who == 0 ? other : word;
+            theirs += who == 1 ? other : word;
+            both += who < 2 ? other : word;
+        }
+        EXPECT_EQ(show(base, mine, theirs), both);
+        EXPECT_EQ(show(base, theirs, mine), both);
+    }
+}
+
+// Whatever both did: what is marked is what I wrote in the place of something, and mine is all
+// there.
+TEST(Merge, ConflictsAreMine) {
+    std::mt19937 random(17);
+    int conflicts = 0;
+    for (int i = 0; i < 2000; ++i) {
+        std::string base, mine, theirs;
+        for (int k = 0; k < 12; ++k) {
+            const std::string word = "w" + std::to_string(k) + " ";
+            base += word;
+            mine += random() % 4 == 0 ? "m" + std::to_string(k) + " " : word;
+            theirs += random() % 4 == 0 ? (random() % 2 == 0 ? "" : "t ") : word;
+        }
+        const Merge merge = merged(base, mine, theirs);
+        const std::string text = applied(mine, merge.edits);
+        for (const scene::Range& range : merge.conflicts) {
+            const std::string marked = text.substr(range.from, range.to - range.from);
+            EXPECT_NE(mine.find(marked), std::string::npos) << base << mine << theirs;
+            EXPECT_EQ(marked.front(), 'm') << marked << "\n" << base << mine << theirs;
+            ++conflicts;
+        }
+        for (std::size_t at = mine.find('m'); at != std::string::npos; at = mine.find('m', at + 1))
+            EXPECT_NE(text.find(mine.substr(at, mine.find(' ', at) - at + 1)), std::string::npos);
+    }
+    EXPECT_GT(conflicts, 1000);
+}
+
 } // namespace
 } // namespace editing

@@ -6,6 +6,8 @@
 #include "scene/curves.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 
 namespace editing {
@@ -63,12 +65,32 @@ bool meetSmoothly(const BezierCurve& before, const BezierCurve& after) {
     return (a - b).norm() <= 1e-9 * std::max(a.norm(), b.norm()); // as numbers are written
 }
 
+// A sum as an author would write it, 0.3 for 0.1 + 0.2: to 15 digits of the larger of the two.
+double sum(double a, double b) {
+    const double scale = std::max(std::abs(a), std::abs(b));
+    const int decimals = scale > 0 ? 14 - static_cast<int>(std::floor(std::log10(scale))) : 0;
+    if (a == 0 || b == 0 || decimals < 0)
+        return a + b;
+    std::array<char, 700> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), a + b,
+                                   std::chars_format::fixed, decimals)
+                         .ptr;
+    double result = a + b;
+    std::from_chars(text.data(), end, result);
+    return result + 0.0; // no minus of a zero
+}
+
+Vector sum(const Vector& a, const Vector& b) {
+    return {sum(a.x(), b.x()), sum(a.y(), b.y()), sum(a.z(), b.z())};
+}
+
 // A tangent keeps its slope over an interval of another length.
 void stretch(BezierCurve& curve, double from, double to) {
-    if (curve.control.size() == 4) {
-        const double share = (to - from) / (curve.to - curve.from);
-        curve.control[1] = curve.control[0] + share * (curve.control[1] - curve.control[0]);
-        curve.control[2] = curve.control[3] + share * (curve.control[2] - curve.control[3]);
+    const double share = (to - from) / (curve.to - curve.from);
+    if (curve.control.size() == 4 && share != 1) {
+        auto& p = curve.control;
+        p[1] = sum(p[0], share * (p[1] - p[0]));
+        p[2] = sum(p[3], share * (p[2] - p[3]));
     }
     curve.from = from;
     curve.to = to;
@@ -90,6 +112,16 @@ std::vector<ControlPoint> controlPointsOf(const std::vector<BezierCurve>& curves
     return points;
 }
 
+Wish TrajectoryEdits::wishOf(std::size_t point) const {
+    const ControlPoint& p = points_[point];
+    Wish wish = fromPoints_ ? this->wish("-points", {knotOf(point)},
+                                         {p.time, p.place.x(), p.place.y(), p.place.z()})
+                            : this->wish("-bezier", {placeInText(p.curve), 2 + p.index},
+                                         {p.place.x(), p.place.y(), p.place.z()});
+    wish.now = wish.values;
+    return wish;
+}
+
 TrajectoryEdits::TrajectoryEdits(std::string text, std::shared_ptr<const scene::Scene> scene,
                                  std::size_t trajectory)
     : text_(std::move(text)), scene_(std::move(scene)), trajectory_(trajectory),
@@ -98,12 +130,21 @@ TrajectoryEdits::TrajectoryEdits(std::string text, std::shared_ptr<const scene::
 
 // --- moving ------------------------------------------------------------------------------------
 
+// A curve of one point stays there from its beginning to its end.
 double TrajectoryEdits::allowedTime(std::size_t point, double time, double leastInterval) const {
+    if (time == points_[point].time)
+        return time; // however near its neighbours are
+    const auto constantUntil = [&](std::size_t i) {
+        const BezierCurve& curve = trajectory().curves[points_[i].curve];
+        return curve.control.size() == 1 ? std::optional(curve.to) : std::nullopt;
+    };
     for (std::size_t i = point; i-- > 0;)
         if (points_[i].onCurve) {
-            time = std::max(time, points_[i].time + leastInterval);
+            time = std::max(time, constantUntil(i).value_or(points_[i].time + leastInterval));
             break;
         }
+    if (const auto end = constantUntil(point))
+        time = std::min(time, *end - leastInterval);
     for (std::size_t i = point + 1; i < points_.size(); ++i)
         if (points_[i].onCurve) {
             time = std::min(time, points_[i].time - leastInterval);
@@ -127,9 +168,9 @@ TrajectoryEdits::Curves TrajectoryEdits::moved(std::size_t point, double time, c
             const double length = (other.to - other.from) / n;
             if (before)
                 other.control[other.control.size() - 2] =
-                    other.control.back() - length * slopeAtStart(changed);
+                    sum(other.control.back(), -length * slopeAtStart(changed));
             else
-                other.control[1] = other.control.front() + length * slopeAtEnd(changed);
+                other.control[1] = sum(other.control.front(), length * slopeAtEnd(changed));
         };
         const Curves& old = trajectory().curves;
         if (!breaks && delta != Vector::Zero()) {
@@ -151,7 +192,7 @@ TrajectoryEdits::Curves TrajectoryEdits::moved(std::size_t point, double time, c
     const Vector delta = place - p.place;
     const auto carry = [&](BezierCurve& one, std::size_t end, std::size_t tangent) {
         if (one.control.size() == 4)
-            one.control[tangent] += delta;
+            one.control[tangent] = sum(one.control[tangent], delta);
         one.control[end] = place;
     };
     if (last == 0) {
@@ -201,22 +242,12 @@ Wish TrajectoryEdits::wish(std::string option, std::vector<std::size_t> path,
             .values = std::move(values)};
 }
 
-Answer TrajectoryEdits::together(const std::vector<Wish>& wishes) const {
-    Answer all;
-    for (const Wish& one : wishes) {
-        Answer answer = mapper_.answer(one);
-        if (!answer.possible())
-            return answer;
-        all.edits.insert(all.edits.end(), answer.edits.begin(), answer.edits.end());
-    }
-    std::ranges::sort(all.edits, {}, &TextEdit::from);
-    return all;
-}
-
 Answer TrajectoryEdits::numbersOf(const Curves& curves) const {
     const Curves& old = trajectory().curves;
     std::vector<Wish> wishes;
     for (std::size_t c = 0; c < curves.size(); ++c) {
+        if (curves[c] == old[c])
+            continue;
         const std::size_t there = placeInText(c);
         if (curves[c].from != old[c].from || curves[c].to != old[c].to)
             wishes.push_back(wish("-bezier", {there}, {curves[c].from, curves[c].to}));
@@ -224,7 +255,7 @@ Answer TrajectoryEdits::numbersOf(const Curves& curves) const {
             if (const Vector& p = curves[c].control[i]; p != old[c].control[i])
                 wishes.push_back(wish("-bezier", {there, 2 + i}, {p.x(), p.y(), p.z()}));
     }
-    return together(wishes);
+    return mapper_.answer(wishes);
 }
 
 // --- lists that become others ------------------------------------------------------------------
@@ -232,12 +263,16 @@ Answer TrajectoryEdits::numbersOf(const Curves& curves) const {
 std::size_t TrajectoryEdits::placeInText(std::size_t curve) const {
     const Curves& curves = trajectory().curves;
     const double from = curves[curve].from;
-    for (std::size_t c = 0; c < curves.size(); ++c) {
-        // A wish for what it is already changes nothing; of no other curve is this the start.
+    // A wish for what it is already changes nothing; of no other curve is this the start.
+    const auto isAt = [&](std::size_t c) {
         const Answer answer = mapper_.answer(wish("-bezier", {c}, {from}));
-        if (answer.possible() && answer.edits.empty())
+        return answer.possible() && answer.edits.empty();
+    };
+    if (isAt(curve)) // as most are written
+        return curve;
+    for (std::size_t c = 0; c < curves.size(); ++c)
+        if (c != curve && isAt(c))
             return c;
-    }
     return curve;
 }
 

@@ -7,7 +7,7 @@
 // curve. Where one curve ends as the next begins there is one point, which belongs to both.
 //
 // -points says the points alone; its tangents follow from them. Who drags such a tangent wants
-// what only -bezier can say: then the whole list is rewritten, and the answer says so.
+// what only -bezier can say: then the whole list is rewritten.
 //
 // Reference: dissertation 4.1.4; docs/scene-language.md, `trajectory`.
 #pragma once
@@ -38,6 +38,10 @@ public:
     // Written as -points: moving a tangent rewrites the list.
     [[nodiscard]] bool hasOwnTangents() const { return !fromPoints_; }
 
+    // What the point is now, as numbers of the text: of -points with its time. Of a point on the
+    // curve between -points, or a control point of -bezier.
+    [[nodiscard]] Wish wishOf(std::size_t point) const;
+
     // The point goes there; its tangents go with it. Between two curves that meet smoothly a
     // dragged tangent turns its opposite, unless `breaks`. Times stay in order, with
     // `leastInterval` between two points; tangents keep theirs. Values are taken as they are.
@@ -63,7 +67,6 @@ private:
     [[nodiscard]] double allowedTime(std::size_t point, double time, double leastInterval) const;
     [[nodiscard]] Wish wish(std::string option, std::vector<std::size_t> path,
                             std::vector<double> values) const;
-    [[nodiscard]] Answer together(const std::vector<Wish>& wishes) const;
     [[nodiscard]] Answer numbersOf(const Curves& curves) const;
     [[nodiscard]] Answer rewritten(const Curves& curves) const;
     // Where element `index` of the option's list stands, with its braces; unknown: it cannot be

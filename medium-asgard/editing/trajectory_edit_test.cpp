@@ -156,6 +156,43 @@ TEST(TrajectoryEditTest, CurvesWrittenOutOfOrderAreFound) {
               "trajectory path -bezier {{5 6 {1 1 1}} {0 1 {9 0 0} {1 0 0}}}\n");
 }
 
+TEST(TrajectoryEditTest, TangentsThatAreCarriedAreWrittenAsAnAuthorWould) {
+    const Edited it("trajectory path -bezier {{0 1 {0 0 0} {1 0 0} {2 0.1 0} {3 0.3 0}}}\n");
+    EXPECT_EQ(it.with(it.edits.move(3, 1, {3, 0.5, 0}, least)),
+              "trajectory path -bezier {{0 1 {0 0 0} {1 0 0} {2 0.3 0} {3 0.5 0}}}\n");
+    EXPECT_EQ(it.with(it.edits.move(3, 1, {3, 0.2, 0}, least)),
+              "trajectory path -bezier {{0 1 {0 0 0} {1 0 0} {2 0 0} {3 0.2 0}}}\n");
+}
+
+// Where points are nearer than what a gesture leaves between them, only times that are dragged
+// move.
+TEST(TrajectoryEditTest, ATimeThatIsNotDraggedStays) {
+    const Edited it("trajectory path -points {{0 0 0 0} {5 0 0 0} {5.005 1 0 0} {10 0 0 0}}\n");
+    EXPECT_EQ(it.with(it.edits.move(3, 5, {0, 2, 0}, least)),
+              "trajectory path -points {{0 0 0 0} {5 0 2 0} {5.005 1 0 0} {10 0 0 0}}\n");
+}
+
+TEST(TrajectoryEditTest, AConstantCurveEndsAfterItBegins) {
+    const Edited it("trajectory path -bezier {{0 1 {0 0 0} {1 0 0}} {2 3 {5 5 5}} "
+                    "{3 4 {1 0 0} {2 0 0}}}\n");
+    ASSERT_EQ(it.edits.points()[2].place, Vector(5, 5, 5));
+    EXPECT_THAT(it.with(it.edits.move(2, 4, {5, 5, 5}, least)), HasSubstr("{2.99 3 {5 5 5}}"));
+    EXPECT_THAT(it.with(it.edits.move(3, 1, {1, 0, 0}, least)), HasSubstr("{3 4 {1 0 0}"));
+    (void)readScene(it.with(it.edits.move(3, 2.5, {1, 0, 0}, least)));
+}
+
+TEST(TrajectoryEditTest, APointIsAWishOfItsPlaceInTheText) {
+    const Edited it("trajectory path -bezier {{1 2 {3 0 0} {3 0 0} {5 0 0} {6 0 0}} "
+                    "{0 1 {0 0 0} {1 0 0} {2 0 0} {3 0 0}}}\n");
+    const Wish joint = it.edits.wishOf(3), tangent = it.edits.wishOf(4);
+    EXPECT_EQ(joint.path, (std::vector<std::size_t>{1, 5}));
+    EXPECT_EQ(tangent.path, (std::vector<std::size_t>{0, 3}));
+    EXPECT_EQ(tangent.values, (std::vector<double>{3, 0, 0}));
+    const Edited points(path);
+    EXPECT_EQ(points.edits.wishOf(3).values, (std::vector<double>{1, 2, 0, 0}));
+    EXPECT_EQ(points.edits.wishOf(3).path, (std::vector<std::size_t>{1}));
+}
+
 // Whatever is moved, added and removed: the text reads as the curves that were promised.
 TEST(TrajectoryEditTest, RandomGesturesReadAsTheCurvesThatWereShown) {
     std::mt19937 random(20261120);
