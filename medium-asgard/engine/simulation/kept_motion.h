@@ -15,6 +15,9 @@ namespace simulation {
 // the runs over it.
 struct Reserve {
     explicit Reserve(std::shared_ptr<Problem> posed) : problem(std::move(posed)) {}
+    // Too large to be kept: solving again costs less than what this would hold for ever.
+    [[nodiscard]] bool isTooLarge() const { return runs.bytes() > mostBytes; }
+    static constexpr std::size_t mostBytes = std::size_t{256} << 20;
     std::shared_ptr<Problem> problem;
     KeptRuns runs{KeptRuns::Keep::yes};
 };

@@ -35,7 +35,7 @@ public:
                                           const std::optional<Base>& base = {});
     void mark(std::size_t body) { marked_[body] = true; }
     [[nodiscard]] const std::vector<bool>& marked() const { return marked_; }
-    [[nodiscard]] std::size_t bytes() const; // of their motion
+    [[nodiscard]] std::size_t bytes() const; // of all that they hold
 
 private:
     [[nodiscard]] std::unique_ptr<OpenRun> made(const Problem& problem, Kind kind,

@@ -34,7 +34,9 @@ private:
     void addUnits(const PartPointer& part, const Solved& solved,
                   const std::vector<std::size_t>& bodies);
     void markMeetings();
-    void markMeetings(std::size_t body, const PlacedPart& part, std::size_t place);
+    void markMeetings(std::size_t body, const PlacedPart& part, std::size_t place,
+                      const std::vector<std::size_t>& beside);
+    [[nodiscard]] std::vector<std::size_t> besides(const PlacedPart& part) const;
     void markUnit(std::size_t body);
     void mark(std::size_t body) {
         if (body != noElement && !scene().bodies[body].fixed)
@@ -84,7 +86,8 @@ bool Continuation::takePart(const PlacedPart& placed) {
         return false;
     }
     auto part = std::make_shared<SolvedPart>(*reserve.problem, solved);
-    part->reserve = placed.part->reserve;
+    if (!reserve.isTooLarge())
+        part->reserve = placed.part->reserve;
     addUnits(part, solved, placed.bodies);
     motion.parts.push_back({part, placed.bodies});
     for (std::size_t p = 0; p < placed.bodies.size(); ++p)
@@ -116,14 +119,12 @@ void Continuation::markUnit(std::size_t body) {
             mark(other);
 }
 
-void Continuation::markMeetings(std::size_t body, const PlacedPart& part, std::size_t place) {
-    std::vector<bool> isBeside(scene().bodies.size());
-    for (const std::size_t other : part.bodies)
-        if (other != noElement)
-            isBeside[other] = true;
-    for (std::size_t other = 0; other < isBeside.size(); ++other) {
+// `beside`: bodies of other parts.
+void Continuation::markMeetings(std::size_t body, const PlacedPart& part, std::size_t place,
+                                const std::vector<std::size_t>& beside) {
+    for (const std::size_t other : beside) {
         const Home& home = made_.motion.homes[other];
-        if (isBeside[other] || !home.part || !mayMeet(scene(), body, other))
+        if (!home.part || !mayMeet(scene(), body, other))
             continue;
         if (meet(*part.part, place, *home.part, home.place)) {
             markUnit(body);
@@ -132,13 +133,27 @@ void Continuation::markMeetings(std::size_t body, const PlacedPart& part, std::s
     }
 }
 
+std::vector<std::size_t> Continuation::besides(const PlacedPart& part) const {
+    std::vector<bool> isInPart(scene().bodies.size());
+    for (const std::size_t body : part.bodies)
+        if (body != noElement)
+            isInPart[body] = true;
+    std::vector<std::size_t> found;
+    for (std::size_t body = 0; body < isInPart.size(); ++body)
+        if (!isInPart[body])
+            found.push_back(body);
+    return found;
+}
+
 // Of bodies that were not solved together.
 void Continuation::markMeetings() {
     made_.motion.index();
-    for (const PlacedPart& part : made_.motion.parts)
+    for (const PlacedPart& part : made_.motion.parts) {
+        const std::vector<std::size_t> beside = besides(part);
         for (std::size_t p = 0; p < part.bodies.size(); ++p)
             if (part.bodies[p] != noElement && !scene().bodies[part.bodies[p]].fixed)
-                markMeetings(part.bodies[p], part, p);
+                markMeetings(part.bodies[p], part, p, beside);
+    }
 }
 
 NewFinish Continuation::made() {

@@ -237,8 +237,6 @@ Run OpenRun::upToFinish(const Observer& observer, const Run* before) {
     return run;
 }
 
-std::size_t OpenRun::bytes() const {
-    return machinery_ ? machinery_->solver->histories().bytes() : 0;
-}
+std::size_t OpenRun::bytes() const { return machinery_ ? machinery_->solver->bytes() : 0; }
 
 } // namespace simulation

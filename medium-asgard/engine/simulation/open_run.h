@@ -37,7 +37,7 @@ public:
     // `before`: the run that something is taken from, to the same finish. When it is disturbed
     // another run must be made that takes nothing.
     [[nodiscard]] Run upToFinish(const Observer& observer, const Run* before);
-    [[nodiscard]] std::size_t bytes() const; // of the motion
+    [[nodiscard]] std::size_t bytes() const; // of the motion, and of what takes it further
 
 private:
     struct Machinery;

@@ -12,8 +12,6 @@
 namespace simulation {
 namespace {
 
-constexpr std::size_t mostBytes = std::size_t{256} << 20; // of a part's runs that are kept
-
 using scene::noElement;
 using VersionPointer = std::shared_ptr<const scene::Version>;
 
@@ -148,7 +146,7 @@ void addPart(KnownMotion& known, const PartPointer& part, const Solved& solved,
 
 PartPointer partOf(const std::shared_ptr<Reserve>& reserve, const Solved& solved) {
     auto part = std::make_shared<SolvedPart>(*reserve->problem, solved);
-    if (reserve->runs.bytes() <= mostBytes)
+    if (!reserve->isTooLarge())
         part->reserve = reserve;
     return part;
 }

@@ -307,6 +307,13 @@ void Component::keepCounts() {
     method_.reset();
 }
 
+// A method holds some thirty rows of its states.
+std::size_t Component::bytes() const {
+    constexpr std::size_t rows = 30;
+    return sizeof *this + (linear_ ? linear_->bytes() : 0) +
+           (method_ ? rows * columns_.size() * sizeof(double) : 0);
+}
+
 std::size_t Component::evaluations() const {
     return counts_.evaluations + (method_ ? method_->counts().evaluations : 0);
 }

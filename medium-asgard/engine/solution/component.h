@@ -98,6 +98,7 @@ public:
 
     [[nodiscard]] ComponentStatistics statistics() const;
     [[nodiscard]] std::size_t evaluations() const;
+    [[nodiscard]] std::size_t bytes() const; // beside its history, about
 
 private:
     enum class Model { undecided, closedForm, linear, held, integrated };

@@ -53,8 +53,12 @@ void Component::lookCloser(double at, double h) {
     suspect_ = at;
     proposed_ = 0.5 * h;
     keepCounts();
-    if (proposed_ <= shortestStep(time_))
-        stopAtUnderflow(Attempt::Outcome::notFinite, h);
+    if (proposed_ > shortestStep(time_))
+        return;
+    std::vector<double> rates(columns_.size());
+    stopAtUnderflow(equations_->rates(at, stateValues(), rates) ? Attempt::Outcome::errorTooLarge
+                                                                : Attempt::Outcome::notFinite,
+                    h);
 }
 
 } // namespace solution

@@ -6,10 +6,9 @@
 //     known advances                       all unknowns that did not stop are known up to `known`
 //     next(histories, known) -> none       nothing happens up to `known`: the source need never
 //                                          look at that interval again
-//     next(histories, known) -> event      event.time in [time of the last event, known]. The
-//     solver
-//                                          cuts what the event touches, and what reads that, at its
-//                                          time and asks apply()
+//     next(histories, known) -> event      event.time in [time of the last event, known]: what it
+//                                          touches, and what reads that, is cut at its time, and
+//                                          apply() is asked
 //     apply(histories, event, changes)     states just before the event are still there
 //                                          (pieceBefore, and piece too); write jumps and equations
 //                                          into `changes`

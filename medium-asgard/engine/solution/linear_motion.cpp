@@ -184,6 +184,7 @@ double LinearMotion::advance(std::span<double> y, std::span<Coefficients> column
         waiting_ = patience_;
         patience_ = std::min(2 * patience_, mostPatience);
     }
+    std::erase_if(made_, [this](const auto& made) { return std::abs(made.first - level_) > 1; });
     for (std::size_t i = 0; i < y.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
         for (double& coefficient : columns[i])

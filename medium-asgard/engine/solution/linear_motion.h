@@ -30,6 +30,9 @@ public:
 
     explicit LinearMotion(const LinearForm& form);
     [[nodiscard]] double until() const { return until_; }
+    [[nodiscard]] std::size_t bytes() const {
+        return sizeof *this + made_.size() * sizeof(Propagators);
+    }
 
     // The next piece from y: its length. Columns are polynomials of (t - t0)/length; y becomes the
     // values at its end. 0: there is none, since values are not finite or rounding is worse than
@@ -57,14 +60,14 @@ private:
 
     double until_;
     Matrix m_;
-    Vector unit_;       // of each unknown
-    double base_ = 1;   // length of level 0
-    int level_ = 0;     // lengths are powers of 2 of it
-    int waiting_ = 16;  // pieces until a longer one is tried
-    int patience_ = 32; // and how many that are after the next failure
-    double misfit_ = 1; // of the last piece
-    Vector largest_;    // of each unknown so far
-    std::map<int, Propagators> made_;
+    Vector unit_;                     // of each unknown
+    double base_ = 1;                 // length of level 0
+    int level_ = 0;                   // lengths are powers of 2 of it
+    int waiting_ = 16;                // pieces until a longer one is tried
+    int patience_ = 32;               // and how many that are after the next failure
+    double misfit_ = 1;               // of the last piece
+    Vector largest_;                  // of each unknown so far
+    std::map<int, Propagators> made_; // of this level and those beside it
 };
 
 } // namespace solution

@@ -10,9 +10,10 @@
 // long steps by their short ones: a step crosses few joints of what it reads. No step is longer
 // than all the time before it, once it is over 1.
 //
-// LIMIT: what acts for less than a 25th of the time since the start, from its beginning to its end,
-// can lie between two such times, and the first 64th of a unit of time is left to error control; a
-// first step says more of what comes early.
+// LIMIT: high powers that are built of low ones, by squaring squares, are not seen to peak. What
+// acts for less than a 25th of the time since the start, from its beginning to its end, can lie
+// between two such times, and the first 64th of a unit of time is left to error control; a first
+// step says more of what comes early.
 #pragma once
 
 #include "expression/graph.h"

@@ -446,6 +446,13 @@ void Statistics::addIntegrated(const ComponentStatistics& component) {
             integrated.push_back({unknown, component.integratedFrom});
 }
 
+std::size_t Solver::Implementation::bytes() const {
+    std::size_t sum = histories_.bytes();
+    for (const auto& component : components_)
+        sum += component ? component->bytes() : 0;
+    return sum;
+}
+
 std::shared_ptr<const Histories> Solver::Implementation::snapshot() const {
     auto copy = std::make_shared<Histories>(histories_);
     std::map<const History*, std::shared_ptr<const History>> frozen;
@@ -510,6 +517,7 @@ void Solver::takeLonger(std::shared_ptr<const TakenMotion> taken) {
     implementation_->takeLonger(std::move(taken));
 }
 const Histories& Solver::histories() const { return implementation_->histories_; }
+std::size_t Solver::bytes() const { return implementation_->bytes(); }
 std::shared_ptr<const Histories> Solver::snapshot() const { return implementation_->snapshot(); }
 const expression::EquationSet& Solver::equations() const { return *implementation_->set_; }
 Statistics Solver::statistics() const { return implementation_->statistics(); }

@@ -152,6 +152,8 @@ public:
 
     // What is solved now; valid until the next call of advanceTo(). On the solver's thread only.
     [[nodiscard]] const Histories& histories() const;
+    // That it holds, histories and all, about.
+    [[nodiscard]] std::size_t bytes() const;
     // The same, never to change again.
     [[nodiscard]] std::shared_ptr<const Histories> snapshot() const;
 

@@ -25,6 +25,7 @@ public:
 
     Advance advanceTo(double finish);
     void takeLonger(std::shared_ptr<const TakenMotion> taken);
+    [[nodiscard]] std::size_t bytes() const;
     [[nodiscard]] std::shared_ptr<const Histories> snapshot() const;
     [[nodiscard]] Statistics statistics() const;
 
