@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <clocale>
+#include <utility>
 
 namespace asgard {
 namespace {
@@ -36,6 +37,13 @@ public:
         link.redo = [this] { ask(ipc::EditRedo{}); };
         link.recompute = [this] {
             subdocument().recompute(Clock::now());
+            attend();
+        };
+        link.preview = [this](const std::string& text) {
+            if (text == subdocument().text())
+                subdocument().endPreview(Clock::now());
+            else
+                subdocument().preview(text, Clock::now());
             attend();
         };
         document().setHostLink(std::move(link));
@@ -89,9 +97,13 @@ private:
         const QString title = QString::fromStdString(connection_.session().title());
         if (!title.isEmpty() && title != document().name())
             document().setName(title);
-        if (!proposed_ && subdocument().revision() != followed_) {
+        // A handle that is dragged in the document moves the numbers in the windows too.
+        const bool previewed = subdocument().previewing();
+        if (!proposed_ && (subdocument().revision() != followed_ || previewed ||
+                           std::exchange(preview_, false))) {
             followed_ = subdocument().revision();
-            document().setTextFromHost(subdocument().text());
+            preview_ = previewed;
+            document().setTextFromHost(subdocument().shownText());
         }
         followSession();
     }
@@ -113,7 +125,7 @@ private:
         computed.diagnostics = from.faults();
         computed.statistics = from.statistics();
         computed.work = now.work;
-        computed.current = from.upToDate() && document().text() == from.text();
+        computed.current = from.upToDate() && document().text() == from.shownText();
         document().setComputed(std::move(computed));
     }
 
@@ -157,8 +169,11 @@ private:
 
     void answered(const std::optional<std::string>& refusal) {
         followed_ = subdocument().revision();
+        if (!refusal && document().isPreview())
+            return; // a gesture that began meanwhile; it asks when it ends
         if (!refusal)
             return propose();
+        subdocument().endPreview(Clock::now());
         std::fprintf(stderr, "asgard: the host refused \"%s\": %s\n", qPrintable(label_),
                      refusal->c_str());
         document().didRefuse(subdocument().text(), QString::fromStdString(*refusal));
@@ -176,7 +191,8 @@ private:
     QTimer due_;
     ipc::Integer followed_ = -1; // the revision whose text the windows show
     bool proposed_ = false;
-    QString label_; // of the last change
+    bool preview_ = false; // the windows show a gesture's text
+    QString label_;        // of the last change
     struct Followed {
         service::ScenePointer scene;
         simulation::MotionPointer motion;

@@ -101,7 +101,9 @@ void DocumentView::mouseReleaseEvent(QMouseEvent* event) {
     const auto held = shown_.find(grabbed_);
     if (held != shown_.end() && held->second.rendition) {
         held->second.rendition->input(inputOf(*event, pixelsIn(held->second, event->position())));
-        if (event->button() == Qt::RightButton && !wasDragged_)
+        // With Shift it is the medium's, as where it edits its picture.
+        if (event->button() == Qt::RightButton && !wasDragged_ &&
+            !(event->modifiers() & Qt::ShiftModifier))
             Q_EMIT contextMenuWanted(grabbed_, event->globalPosition().toPoint());
     } else if (event->button() == Qt::LeftButton && !wasDragged_) {
         if (const document::Run* link = linkAt(event->position()))
@@ -135,7 +137,7 @@ void DocumentView::wheelEvent(QWheelEvent* event) {
 }
 
 void DocumentView::keyPressEvent(QKeyEvent* event) {
-    if (chosen_ && event->key() == Qt::Key_Escape)
+    if (chosen_ && event->key() == Qt::Key_Escape && !grabbed_) // else what is dragged is given up
         choose(document::noSubdocument);
     else if (media::Rendition* of = rendition(chosen_))
         of->input(inputOf(*event));

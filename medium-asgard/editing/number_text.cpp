@@ -124,4 +124,23 @@ std::optional<scene::Range> numberAt(std::string_view text, std::size_t place) {
     return std::nullopt;
 }
 
+double decimalStep(double length) {
+    return length > 0 ? std::pow(10, std::floor(std::log10(length) + 1e-9)) : 0;
+}
+
+double roundedTo(double value, double step) {
+    if (step <= 0)
+        return value;
+    const std::string text = inDigits(std::round(value / step) * step, 12);
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+std::string inDigits(double value, int digits) {
+    char buffer[400];
+    return {buffer,
+            std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits)
+                .ptr};
+}
+
 } // namespace editing

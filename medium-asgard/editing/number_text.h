@@ -18,4 +18,12 @@ namespace editing {
 // names and colours ("b1", "#102030").
 [[nodiscard]] std::optional<scene::Range> numberAt(std::string_view text, std::size_t place);
 
+// The largest power of ten that is not above `length`, up to rounding: what a gesture that tells so
+// much apart writes. 0 for 0: exactly.
+[[nodiscard]] double decimalStep(double length);
+// The multiple of `step` next to the value, as few decimals give it; 0: the value.
+[[nodiscard]] double roundedTo(double value, double step);
+// In so many digits, without zeros at the end.
+[[nodiscard]] std::string inDigits(double value, int digits);
+
 } // namespace editing

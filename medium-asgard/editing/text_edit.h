@@ -19,4 +19,7 @@ struct TextEdit {
 // Takes the edit into the list, once. False: another of the list changes the same bytes otherwise.
 [[nodiscard]] bool join(std::vector<TextEdit>& edits, const TextEdit& edit);
 
+// The smallest one that makes `after` of `before`, at character boundaries of UTF-8.
+[[nodiscard]] TextEdit editBetween(const std::string& before, const std::string& after);
+
 } // namespace editing

@@ -9,10 +9,18 @@ struct Switch {
     const char* id;
     const char* label;
     bool render::Display::*value;
+    const char* group = "";
 };
 constexpr Switch switches[] = {
-    {"position-handles", "Show Position Handles", &render::Display::positionHandles},
-    {"velocity-handles", "Show Velocity Handles", &render::Display::velocityHandles},
+    {"position-handles", "Positions", &render::Display::positionHandles, "Handles"},
+    {"orientation-handles", "Orientations", &render::Display::orientationHandles, "Handles"},
+    {"velocity-handles", "Velocities", &render::Display::velocityHandles, "Handles"},
+    {"spin-handles", "Angular Velocities", &render::Display::spinHandles, "Handles"},
+    {"force-handles", "Forces", &render::Display::forceHandles, "Handles"},
+    {"torque-handles", "Torques", &render::Display::torqueHandles, "Handles"},
+    {"link-handles", "Links", &render::Display::linkHandles, "Handles"},
+    {"light-handles", "Lights", &render::Display::lightHandles, "Handles"},
+    {"trajectories", "Trajectories", &render::Display::trajectories, "Handles"},
     {"wireframe", "Wireframe", &render::Display::wireframe},
     {"axes", "Axes", &render::Display::axes},
     {"grid", "Grid", &render::Display::grid},
@@ -75,8 +83,10 @@ std::vector<ipc::MenuEntry> menuOf(const MenuState& state) {
     }
     menu.push_back(checkable("loop", "Loop", state.loops, ipc::Scope::subdocument));
     menu.back().icon = "media-playlist-repeat";
-    for (const Switch& s : switches)
+    for (const Switch& s : switches) {
         menu.push_back(checkable(s.id, s.label, state.display.*s.value, ipc::Scope::rendition));
+        menu.back().group = s.group;
+    }
     menu.push_back(entry("reset-view", "Reset View"));
     menu.back().scope = ipc::Scope::rendition;
     menu.push_back(entry("recompute", "Recompute Motion", "view-refresh"));

@@ -7,6 +7,38 @@
 namespace service {
 namespace {
 
+bool same(const render::Camera& a, const render::Camera& b) {
+    return a.center == b.center && a.rotation.coeffs() == b.rotation.coeffs() &&
+           a.scale == b.scale && a.position == b.position;
+}
+
+constexpr const char* stateFormat = "asgard-2";
+constexpr bool render::Display::*switches[] = {&render::Display::wireframe,
+                                               &render::Display::axes,
+                                               &render::Display::grid,
+                                               &render::Display::trails,
+                                               &render::Display::positionHandles,
+                                               &render::Display::orientationHandles,
+                                               &render::Display::velocityHandles,
+                                               &render::Display::spinHandles,
+                                               &render::Display::forceHandles,
+                                               &render::Display::torqueHandles,
+                                               &render::Display::linkHandles,
+                                               &render::Display::lightHandles,
+                                               &render::Display::trajectories};
+
+bool same(const render::Display& a, const render::Display& b) {
+    return a.background == b.background &&
+           std::ranges::all_of(switches, [&](auto which) { return a.*which == b.*which; });
+}
+
+bool sound(const render::Camera& camera) {
+    return camera.center.allFinite() && camera.position.allFinite() && camera.scale > 0 &&
+           std::isfinite(camera.scale) && std::abs(camera.rotation.norm() - 1) < 1e-6;
+}
+
+} // namespace
+
 std::optional<render::CameraControl::Button> buttonOf(ipc::Button button) {
     switch (button) {
     case ipc::Button::left:
@@ -20,36 +52,10 @@ std::optional<render::CameraControl::Button> buttonOf(ipc::Button button) {
     }
 }
 
-bool same(const render::Camera& a, const render::Camera& b) {
-    return a.center == b.center && a.rotation.coeffs() == b.rotation.coeffs() &&
-           a.scale == b.scale && a.position == b.position;
-}
-
-bool same(const render::Display& a, const render::Display& b) {
-    return a.wireframe == b.wireframe && a.axes == b.axes && a.grid == b.grid &&
-           a.trails == b.trails && a.positionHandles == b.positionHandles &&
-           a.velocityHandles == b.velocityHandles && a.background == b.background;
-}
-
-constexpr const char* stateFormat = "asgard-1";
-constexpr bool render::Display::*switches[] = {&render::Display::wireframe,
-                                               &render::Display::axes,
-                                               &render::Display::grid,
-                                               &render::Display::trails,
-                                               &render::Display::positionHandles,
-                                               &render::Display::velocityHandles};
-
-bool sound(const render::Camera& camera) {
-    return camera.center.allFinite() && camera.position.allFinite() && camera.scale > 0 &&
-           std::isfinite(camera.scale) && std::abs(camera.rotation.norm() - 1) < 1e-6;
-}
-
-} // namespace
-
 bool covers(const Look& shown, const Look& wanted) {
     return shown.generation == wanted.generation && shown.time == wanted.time &&
            same(shown.camera, wanted.camera) && same(shown.display, wanted.display) &&
-           shown.display.samples >= wanted.display.samples;
+           shown.handles == wanted.handles && shown.display.samples >= wanted.display.samples;
 }
 
 void Rendition::shape(const ipc::RenditionGeometry& geometry,
@@ -84,6 +90,13 @@ render::Camera Rendition::camera(double time) const {
     if (turned_ || !view_)
         return control_.camera();
     return view_->at(time);
+}
+
+void Rendition::holdView(double time) {
+    if (turned_ || !viewName_.empty())
+        return;
+    control_.set(camera(time));
+    turned_ = true;
 }
 
 std::string Rendition::state() const {

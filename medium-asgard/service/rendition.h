@@ -21,9 +21,12 @@ struct Look {
     double time = 0;
     render::Camera camera;
     render::Display display;
+    unsigned handles = 0; // generation of what a gesture makes of them
 };
 // A picture of one look is as good as one of the other, or better: it may have more samples.
 [[nodiscard]] bool covers(const Look& shown, const Look& wanted);
+
+[[nodiscard]] std::optional<render::CameraControl::Button> buttonOf(ipc::Button button);
 
 class Rendition {
 public:
@@ -42,6 +45,8 @@ public:
     [[nodiscard]] render::Camera camera(double time) const;
     // True when the picture changed.
     bool input(const ipc::Input& input, double time);
+    // The picture stays as it is while what is in it moves.
+    void holdView(double time);
     [[nodiscard]] bool beingTurned() const { return control_.active(); }
     // All of that in words that another process understands: the host hands them back to it. What
     // are not such words changes nothing.

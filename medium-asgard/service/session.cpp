@@ -63,11 +63,12 @@ void Session::attend(Instant now) {
     if (changes.motion || changes.scene)
         for (auto& [id, subscription] : subscriptions_)
             subscription.quantities.reset();
-    if (changes.diagnostics)
+    if (changes.diagnostics && !subdocument_.previewing())
         tellDiagnostics();
     subdocument_.playback.advance(now);
     shownTime_ = subdocument_.playback.time(now);
     tellProgress();
+    tellGesture();
     answerWaiting();
     tellTime();
     tellValues();
@@ -257,7 +258,7 @@ bool Session::anyVisible() const {
 
 bool Session::moving(const Rendition& rendition) const {
     return subdocument_.playback.playing() || now_ < calmAt_ || now_ < rendition.calmAt ||
-           rendition.beingTurned();
+           rendition.beingTurned() || handles_.active();
 }
 
 const scene::Scene& Session::drawnScene() const {
@@ -274,7 +275,18 @@ Look Session::lookOf(Rendition& rendition) const {
         look.display.grid = false;
     look.display.samples = moving(rendition) ? movingSamples : stillSamples;
     look.camera = rendition.camera(shownTime_);
+    look.handles = render::showsHandles(look.display) ? handles_.generation() : 0;
     return look;
+}
+
+render::Drawing Session::drawingOf(const Look& look) const {
+    render::Drawing drawing;
+    drawing.scene = &drawnScene();
+    drawing.motion = subdocument_.motion();
+    drawing.time = look.time;
+    drawing.camera = look.camera;
+    drawing.display = look.display;
+    return drawing;
 }
 
 void Session::drawOwed() {
@@ -318,12 +330,9 @@ void Session::useSpareTime() {
 
 bool Session::draw(Rendition& rendition, const Look& look) {
     Rendition::Frame frame = rendition.begin(look);
-    render::Drawing drawing;
-    drawing.scene = &drawnScene();
-    drawing.motion = subdocument_.motion();
-    drawing.time = look.time;
-    drawing.camera = look.camera;
-    drawing.display = look.display;
+    render::Drawing drawing = drawingOf(look);
+    if (subdocument_.scene())
+        drawing.handles = handles_.handles(subdocument_.scene(), drawing);
     if (!platform_.draw(drawing, frame.into)) {
         rendition.acknowledge(frame.message.serial);
         platform_.draw = nullptr;

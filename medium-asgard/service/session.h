@@ -12,6 +12,7 @@
 #pragma once
 
 #include "ipc/channel.h"
+#include "service/handle_editing.h"
 #include "service/menu.h"
 #include "service/rendition.h"
 #include "service/subdocument.h"
@@ -99,6 +100,12 @@ private:
     void hear(const ipc::ProgressCancel&) { subdocument_.cancel(); }
     void hear(const ipc::Exit&) { over_ = true; }
 
+    // --- session_gestures.cpp: handles that the pointer drags in a rendition
+    bool edit(Rendition& rendition, const ipc::Input& input); // false: it is for the view
+    [[nodiscard]] gestures::Ground ground();
+    void finishGesture(const std::string& text, const std::string& label);
+    void tellGesture();
+
     std::optional<std::string> shape(Rendition& rendition, const ipc::RenditionGeometry& geometry);
     Reply<ipc::Taken> take(const ipc::RenditionSnapshot& call);
     std::optional<ipc::Error> noPicture(ipc::Integer width, ipc::Integer height) const;
@@ -130,6 +137,7 @@ private:
     void drawOwed();
     void useSpareTime();
     [[nodiscard]] Look lookOf(Rendition& rendition) const;
+    [[nodiscard]] render::Drawing drawingOf(const Look& look) const;
     bool draw(Rendition& rendition, const Look& look);
     [[nodiscard]] const scene::Scene& drawnScene() const;
     // Something is due then, if nothing happens before.
@@ -152,6 +160,10 @@ private:
     render::Display display_; // that new renditions start with
     std::map<ipc::Integer, Subscription> subscriptions_;
     std::vector<Waiting> waiting_;
+    HandleEditing handles_;
+    ipc::Integer editedIn_ = 0;               // the rendition whose handle is held
+    std::string toldWords_, refusedWords_;    // of a gesture
+    std::optional<ipc::Integer> gestureTold_; // token of what is told of it
     bool over_ = false;
 
     Instant now_{};        // of the call that is being served

@@ -57,6 +57,7 @@ auto Session::serve(const ipc::Initialize& call) -> Reply<ipc::Initialized> {
 
 auto Session::serve(const ipc::SubdocumentLoad& call) -> Reply<ipc::Done> {
     title_ = call.title;
+    handles_.drop();
     subdocument_.load(call.text, call.revision, now_);
     return ipc::Done{};
 }
@@ -64,6 +65,7 @@ auto Session::serve(const ipc::SubdocumentLoad& call) -> Reply<ipc::Done> {
 auto Session::serve(const ipc::SubdocumentEdit& call) -> Reply<ipc::Done> {
     if (const auto sentence = subdocument_.edit(call.edits, call.revision, now_))
         return notPossible(*sentence);
+    handles_.drop();
     return ipc::Done{};
 }
 
@@ -161,6 +163,8 @@ auto Session::serve(const ipc::RenditionResize& call) -> Reply<ipc::Done> {
 auto Session::serve(const ipc::RenditionDestroy& call) -> Reply<ipc::Done> {
     if (renditions_.erase(call.rendition) == 0)
         return unknownRendition;
+    if (handles_.active() && editedIn_ == call.rendition)
+        handles_.cancel();
     return ipc::Done{};
 }
 
@@ -241,6 +245,8 @@ void Session::hear(const ipc::RenditionAck& call) {
 void Session::hear(const ipc::RenditionInput& call) {
     if (call.type == ipc::InputType::keyPress || call.type == ipc::InputType::keyRelease) {
         const bool press = call.type == ipc::InputType::keyPress;
+        if (handles_.key(call.key, press))
+            return;
         if (!call.modifiers.empty() || !(press ? key(call.key) : usesKey(call.key)))
             channel_.notify(ipc::RenditionUnhandled{call});
         return;
@@ -249,6 +255,8 @@ void Session::hear(const ipc::RenditionInput& call) {
     if (found == renditions_.end())
         return;
     Rendition& rendition = found->second;
+    if (edit(rendition, call))
+        return;
     const bool before = rendition.beingTurned();
     if (rendition.input(call, subdocument_.playback.time(now_)))
         rendition.calmAt = now_ + settling;

@@ -1,6 +1,7 @@
 #include "service/subdocument.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace service {
 namespace {
@@ -62,7 +63,22 @@ bool anyStop(const simulation::Motion& motion) {
 void Subdocument::load(std::string text, ipc::Integer revision, Instant now) {
     text_ = std::move(text);
     revision_ = revision;
+    preview_.reset();
     start(now);
+}
+
+void Subdocument::preview(std::string text, Instant now) {
+    if (text == shownText())
+        return;
+    if (awaited_.motion) // one that moves on without a rest sees each that got so far
+        takeOver(now);
+    preview_ = std::move(text);
+    start(now);
+}
+
+void Subdocument::endPreview(Instant now) {
+    if (std::exchange(preview_, std::nullopt))
+        start(now);
 }
 
 std::optional<std::string> Subdocument::edit(const std::vector<ipc::TextEdit>& edits,
@@ -103,7 +119,7 @@ bool Subdocument::setParameter(const std::string& name, double value, Instant no
 void Subdocument::recompute(Instant now) { start(now); }
 
 void Subdocument::start(Instant now) {
-    worker_.start(text_, parameters_);
+    worker_.start(shownText(), parameters_);
     started_ = now;
     read_.reset();
     awaited_ = {};

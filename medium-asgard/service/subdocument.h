@@ -29,6 +29,13 @@ public:
     // All or none of the edits; the sentence says why not.
     [[nodiscard]] std::optional<std::string> edit(const std::vector<ipc::TextEdit>& edits,
                                                   ipc::Integer revision, Instant now);
+    // While a gesture lasts: this text is read and shown, and is that of no revision. What the host
+    // sends ends it, as endPreview() does: then the text is shown as it is.
+    void preview(std::string text, Instant now);
+    void endPreview(Instant now);
+    [[nodiscard]] bool previewing() const { return preview_.has_value(); }
+    // What is being shown: the text, or a gesture's.
+    [[nodiscard]] const std::string& shownText() const { return preview_ ? *preview_ : text_; }
     // Overrides a parameter of the scene, within its bounds. False: there is none of that name.
     bool setParameter(const std::string& name, double value, Instant now);
     void recompute(Instant now);
@@ -55,7 +62,7 @@ public:
     [[nodiscard]] unsigned viewGeneration() const { return viewGeneration_; }
 
     [[nodiscard]] bool computing() const { return worker_.busy(); }
-    // What is shown is what the text says.
+    // What is shown is what shownText() says.
     [[nodiscard]] bool upToDate() const { return !awaited_.scene && read_ && !faulty_; }
     // The motion of the text as it is now is known up to here; none: not yet, or it has none.
     [[nodiscard]] std::optional<double> knownUntil() const;
@@ -83,6 +90,7 @@ private:
 
     Worker worker_;
     std::string text_;
+    std::optional<std::string> preview_;
     ipc::Integer revision_ = 0;
     ParameterValues parameters_;
     Version shown_, awaited_; // awaited: of the newest text, not shown yet

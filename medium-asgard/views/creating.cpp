@@ -48,14 +48,14 @@ void Creating::cancel() {
 }
 
 std::optional<Indicated> Creating::indicated(const QPointF& position) {
-    const Sight sight = display_.sight();
+    const gestures::Sight sight = display_.sight();
     const Eigen::Vector2d pixels = display_.inPixels(position);
     const render::Drawing drawing = display_.drawing();
     Indicated found;
     found.given = true;
     if (step().wanted == Wanted::trajectory) {
-        found.trajectory =
-            trajectoryAt(*drawing.scene, sight, pixels, reach * display_.devicePixelRatioF());
+        found.trajectory = gestures::trajectoryAt(*drawing.scene, sight, pixels,
+                                                  reach * display_.devicePixelRatioF());
         if (!found.trajectory)
             fault_ = tr("There is no trajectory.");
         return found.trajectory ? std::optional(found) : std::nullopt;
@@ -67,7 +67,7 @@ std::optional<Indicated> Creating::indicated(const QPointF& position) {
         found.resolution = sight.pixelLength(found.point);
         return found;
     }
-    const auto picked = bodyAt(drawing, sight, pixels);
+    const auto picked = gestures::bodyAt(drawing, sight, pixels);
     if (!picked) {
         fault_ = tr("There is no body.");
         return std::nullopt;
@@ -183,7 +183,7 @@ QString Creating::prompt() const {
 void Creating::paint(QPainter& painter) const {
     if (!recipe_)
         return;
-    const Sight sight = display_.sight();
+    const gestures::Sight sight = display_.sight();
     const auto at = [&](const Indicated& one) {
         return display_.fromPixels(sight.pixels(one.point));
     };

@@ -7,7 +7,7 @@
 // what the step offers instead. Escape gives up.
 #pragma once
 
-#include "views/picking.h"
+#include "gestures/picking.h"
 #include "views/recipes.h"
 #include "views/scene_document.h"
 

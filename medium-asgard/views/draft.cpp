@@ -37,6 +37,7 @@ void Draft::take(const std::string& text) {
         editor_.replace({edit.from, edit.to}, edit.text);
     editor_.SendScintilla(QsciScintillaBase::SCI_EMPTYUNDOBUFFER);
     taking_ = false;
+    forgetTyped();
     base_ = text;
     edited_ = false;
     editor_.unmark(Mark::conflict);
@@ -46,6 +47,7 @@ void Draft::take(const std::string& text) {
 void Draft::typed() {
     if (taking_)
         return;
+    future_.clear();
     edited_ = editor_.bytes() != base_;
     if (!edited_)
         editor_.unmark(Mark::conflict);
@@ -64,19 +66,23 @@ void Draft::follow() {
     Q_EMIT changed();
 }
 
-// OPTIMIZATION: what was typed before can then not be undone step by step; the steps would bring
-// back what the others replaced.
 void Draft::merge() {
+    keepTyped();
     const std::string mine = editor_.bytes();
     const editing::Merge merge = editing::merged(base_, mine, document_.text());
     taking_ = true;
     for (auto edit = merge.edits.rbegin(); edit != merge.edits.rend(); ++edit)
         editor_.replace({edit->from, edit->to}, edit->text);
-    if (!merge.edits.empty())
-        editor_.SendScintilla(QsciScintillaBase::SCI_EMPTYUNDOBUFFER);
+    editor_.SendScintilla(QsciScintillaBase::SCI_EMPTYUNDOBUFFER);
     taking_ = false;
     base_ = document_.text();
-    for (const Range& conflict : merge.conflicts) {
+    showConflicts(merge.conflicts);
+    edited_ = editor_.bytes() != base_;
+    markLines();
+}
+
+void Draft::showConflicts(const std::vector<Range>& conflicts) {
+    for (const Range& conflict : conflicts) {
         // What the draft left out has no bytes of its own: then the byte beside it is marked.
         const std::size_t end = editor_.length();
         Range range = conflict;
@@ -86,8 +92,77 @@ void Draft::merge() {
             --range.from;
         editor_.mark(Mark::conflict, range);
     }
-    edited_ = editor_.bytes() != base_;
+}
+
+// --- what was typed --------------------------------------------------------------------------
+
+// The editor's own steps would bring back what others replaced: they are kept as texts.
+// LIMIT: what was undone and not done again before others' changes came in is forgotten; of long
+// typing the oldest steps are.
+void Draft::keepTyped() {
+    constexpr std::size_t most = 200;
+    std::vector<Typed> steps;
+    const Range selection = editor_.selection();
+    const std::size_t caret = editor_.caret();
+    taking_ = true;
+    while (editor_.isUndoAvailable() && steps.size() < most) {
+        editor_.undo();
+        steps.push_back({base_, editor_.bytes()});
+    }
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        editor_.redo();
+    taking_ = false;
+    if (!steps.empty()) {
+        const std::size_t anchor = caret == selection.from ? selection.to : selection.from;
+        editor_.SendScintilla(QsciScintillaBase::SCI_SETSEL, anchor, static_cast<long>(caret));
+    }
+    past_.insert(past_.end(), steps.rbegin(), steps.rend());
+    if (past_.size() > most)
+        past_.erase(past_.begin(), past_.end() - most);
+}
+
+void Draft::forgetTyped() {
+    past_.clear();
+    future_.clear();
+}
+
+bool Draft::canUndo() const { return edited_ && (editor_.isUndoAvailable() || !past_.empty()); }
+
+bool Draft::canRedo() const { return editor_.isRedoAvailable() || !future_.empty(); }
+
+void Draft::undo() {
+    if (editor_.isUndoAvailable())
+        editor_.undo();
+    else
+        bring(past_, future_);
+}
+
+void Draft::redo() {
+    if (editor_.isRedoAvailable())
+        editor_.redo();
+    else
+        bring(future_, past_);
+}
+
+void Draft::bring(std::vector<Typed>& from, std::vector<Typed>& to) {
+    if (from.empty())
+        return;
+    const Typed step = std::move(from.back());
+    from.pop_back();
+    to.push_back({base_, editor_.bytes()});
+    const editing::Merge merge = editing::merged(step.base, step.text, base_);
+    const std::string text = editing::applied(step.text, merge.edits);
+    const TextEdit edit = editBetween(editor_.bytes(), text);
+    taking_ = true;
+    editor_.replace({edit.from, edit.to}, edit.text);
+    editor_.SendScintilla(QsciScintillaBase::SCI_EMPTYUNDOBUFFER);
+    taking_ = false;
+    editor_.unmark(Mark::conflict);
+    edited_ = text != base_;
+    if (edited_)
+        showConflicts(merge.conflicts);
     markLines();
+    Q_EMIT changed();
 }
 
 void Draft::submit() {

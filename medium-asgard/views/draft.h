@@ -4,6 +4,9 @@
 // comes into the draft at once where it changed nothing; where both did something the draft's own
 // words stay, marked as a conflict that can be settled one way or the other. So a draft is never
 // lost, and holds back no one.
+//
+// Typing can be undone step by step whatever came in since: a step back is the draft as it was
+// then, with what others have done since merged into it.
 #pragma once
 
 #include "editing/merge.h"
@@ -29,6 +32,11 @@ public:
 
     void submit(); // it becomes everyone's text
     void drop();   // it becomes the document's text
+    // Of what was typed.
+    [[nodiscard]] bool canUndo() const;
+    [[nodiscard]] bool canRedo() const;
+    void undo();
+    void redo();
     void keepMine(scene::Range conflict);
     void takeTheirs(scene::Range conflict);
 
@@ -37,6 +45,14 @@ Q_SIGNALS:
     void followed(); // the editor's text is the document's, or took something from it
 
 private:
+    // What was typed once, upon the document's text of then.
+    struct Typed {
+        std::string base, text;
+    };
+    void keepTyped();
+    void bring(std::vector<Typed>& from, std::vector<Typed>& to);
+    void showConflicts(const std::vector<scene::Range>& conflicts);
+    void forgetTyped();
     void typed();
     void follow();
     void refused(const QString& why);
@@ -52,6 +68,8 @@ private:
     std::string base_;                     // the document's text that the draft is a draft of
     std::optional<std::string> submitted_; // until the host has accepted it
     QString refusal_;
+    // Older than what the editor can undo, the newest last; and what was undone of them.
+    std::vector<Typed> past_, future_;
 };
 
 } // namespace views

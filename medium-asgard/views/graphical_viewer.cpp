@@ -224,7 +224,7 @@ void GraphicalViewer::buildViewMenu() {
 
 // A `view` of the scene; turning alone is no edit.
 void GraphicalViewer::keepView() {
-    const Sight sight = display_->sight();
+    const gestures::Sight sight = display_->sight();
     display_->creating().start(keptView(sight.camera, sight.pixelLength(sight.camera.center)));
 }
 

@@ -155,10 +155,10 @@ void LanguageViewer::buildEditMenu() {
     connect(edit, &QMenu::aboutToShow, this, [this, undo, redo] {
         undo->setText(typingIsUndone() ? tr("&Undo Typing")
                                        : tr("&Undo %1").arg(document_.undoLabel()));
-        redo->setText(editor_->isRedoAvailable() ? tr("&Redo Typing")
+        redo->setText(draft_->canRedo() ? tr("&Redo Typing")
                                                  : tr("&Redo %1").arg(document_.redoLabel()));
         undo->setEnabled(typingIsUndone() || document_.canUndo());
-        redo->setEnabled(editor_->isRedoAvailable() || (!draft_->edited() && document_.canRedo()));
+        redo->setEnabled(draft_->canRedo() || (!draft_->edited() && document_.canRedo()));
     });
     connect(edit, &QMenu::aboutToHide, this, [undo, redo] { // their keys work at any time
         undo->setEnabled(true);
@@ -244,20 +244,20 @@ void LanguageViewer::dropDraft() {
 
 // While there is a draft, undo takes back what was typed; else the scene's last change.
 bool LanguageViewer::typingIsUndone() const {
-    return draft_->edited() && editor_->isUndoAvailable();
+    return draft_->canUndo();
 }
 
 void LanguageViewer::undo() {
     numbers_->finish();
     if (typingIsUndone())
-        editor_->undo();
+        draft_->undo();
     else
         document_.undo();
 }
 
 void LanguageViewer::redo() {
-    if (editor_->isRedoAvailable())
-        editor_->redo();
+    if (draft_->canRedo())
+        draft_->redo();
     else if (!draft_->edited())
         document_.redo();
 }

@@ -1,7 +1,7 @@
 #include "views/picture_editing.h"
 
 #include "editing/deletion.h"
-#include "views/handle_meaning.h"
+#include "gestures/handle_meaning.h"
 #include "views/scene_display.h"
 #include "views/value_entry.h"
 
@@ -17,8 +17,14 @@ namespace views {
 
 namespace {
 
-constexpr double reach = 14;  // pixels, of a handle
 constexpr double keyStep = 6; // pixels, for a press of a key
+
+render::CameraControl::Button cameraButton(Qt::MouseButton button) {
+    using Button = render::CameraControl::Button;
+    return button == Qt::LeftButton     ? Button::left
+           : button == Qt::MiddleButton ? Button::middle
+                                        : Button::right;
+}
 
 } // namespace
 
@@ -35,8 +41,8 @@ PictureEditing::~PictureEditing() = default;
 
 std::optional<render::Handle> PictureEditing::handleUnder(const QPointF& position) const {
     const render::HandleSet& set = display_.handles();
-    const auto index = handleAt(set, display_.sight(), display_.inPixels(position),
-                                reach * display_.devicePixelRatioF());
+    const auto index = gestures::handleAt(set, display_.sight(), display_.inPixels(position),
+                                          gestures::handleReach * display_.devicePixelRatioF());
     return index ? std::optional(set.handles[*index]) : std::nullopt;
 }
 
@@ -45,24 +51,27 @@ void PictureEditing::begin(const render::Handle& handle,
     delete entry_;
     display_.keepCamera(); // the picture stays while what is in it moves
     mark(handle);
-    drag_ = std::make_unique<HandleDrag>(document_, display_.sight(), handle, pixels);
+    drag_ = std::make_unique<gestures::HandleDrag>(document_.ground(), display_.sight(), handle,
+                                                   pixels);
     byKeys_ = !pixels;
     Q_EMIT changed();
 }
 
-// On a trajectory's point: the middle button draws a new one out of it, the right one removes it.
-bool PictureEditing::pressOnPoint(const render::Handle& handle, const QPointF&) {
-    if (handle.kind != render::HandleKind::trajectoryPoint)
-        return false;
-    mark(handle);
-    if (button_ == Qt::MiddleButton) {
-        display_.keepCamera();
-        newPoint_ = std::make_unique<NewPoint>(document_, display_.sight(), handle);
-        Q_EMIT changed();
-    } else {
-        removePoint(handle);
+void PictureEditing::take(const gestures::Grasp& grasp, const Eigen::Vector2d& pixels) {
+    using What = gestures::Grasp::What;
+    if (grasp.what == What::drag || grasp.what == What::roll) {
+        begin(grasp.handle, pixels);
+        if (grasp.what == What::roll)
+            drag_->setRolls();
+        return;
     }
-    return true;
+    mark(grasp.handle);
+    if (grasp.what == What::removePoint)
+        return removePoint(grasp.handle);
+    display_.keepCamera();
+    newPoint_ =
+        std::make_unique<gestures::NewPoint>(document_.ground(), display_.sight(), grasp.handle);
+    Q_EMIT changed();
 }
 
 bool PictureEditing::press(QMouseEvent& event) {
@@ -74,29 +83,13 @@ bool PictureEditing::press(QMouseEvent& event) {
         return shifted;
     button_ = event.button();
     const Eigen::Vector2d pixels = display_.inPixels(event.position());
-    const auto handle = handleUnder(event.position());
-    if (handle && button_ == Qt::LeftButton)
-        return begin(*handle, pixels), true;
-    if (handle && pressOnPoint(*handle, event.position()))
-        return true;
-    const render::Drawing drawing = display_.drawing();
-    const auto picked = bodyAt(drawing, display_.sight(), pixels);
-    if (!picked) {
+    const auto grasp = gestures::graspAt(display_.drawing(), display_.handles(), display_.sight(),
+                                         cameraButton(button_), pixels,
+                                         gestures::handleReach * display_.devicePixelRatioF());
+    if (grasp)
+        take(*grasp, pixels);
+    else
         document_.select({});
-        return true;
-    }
-    const scene::Body& body = drawing.scene->bodies[picked->body];
-    if (button_ == Qt::LeftButton) {
-        begin({render::HandleKind::position, picked->body, 0, body.initialPosition,
-               body.initialPosition},
-              pixels);
-    } else if (button_ == Qt::MiddleButton) {
-        const geometry::Pose pose =
-            render::poseOf(*drawing.scene, drawing.motion.get(), picked->body, drawing.time);
-        begin({render::HandleKind::orientation, picked->body, 0, pose.position, picked->point,
-               (picked->point - pose.position).norm(), pose},
-              pixels);
-    }
     return true;
 }
 
@@ -122,7 +115,7 @@ bool PictureEditing::release(QMouseEvent& event) {
     }
     if (!drag_ || byKeys_ || event.button() != button_)
         return drag_ != nullptr;
-    const std::unique_ptr<HandleDrag> drag = std::move(drag_);
+    const std::unique_ptr<gestures::HandleDrag> drag = std::move(drag_);
     drag->finish();
     Q_EMIT changed();
     if (drag->moved() && !drag->answer().offers.empty())
@@ -147,7 +140,7 @@ bool PictureEditing::doubleClick(QMouseEvent& event) {
 void PictureEditing::finish() {
     if (!drag_)
         return;
-    const std::unique_ptr<HandleDrag> drag = std::move(drag_);
+    const std::unique_ptr<gestures::HandleDrag> drag = std::move(drag_);
     drag->finish();
     Q_EMIT changed();
     if (byKeys_ && !drag->answer().offers.empty())
@@ -157,9 +150,9 @@ void PictureEditing::finish() {
 }
 
 // It cannot be moved as it stands: what could be done instead?
-void PictureEditing::offerOthers(const QPoint& global, const HandleDrag& drag) {
+void PictureEditing::offerOthers(const QPoint& global, const gestures::HandleDrag& drag) {
     QMenu menu(&display_);
-    menu.addSection(drag.words());
+    menu.addSection(QString::fromStdString(drag.words()));
     for (const editing::Offer& offer : drag.answer().offers) {
         QString preview;
         for (const editing::TextEdit& edit : offer.edits)
@@ -168,7 +161,8 @@ void PictureEditing::offerOthers(const QPoint& global, const HandleDrag& drag) {
         QAction* action = menu.addAction(
             tr("%1: %2").arg(QString::fromStdString(offer.label), preview.replace("&", "&&")));
         connect(action, &QAction::triggered, this, [&] {
-            document_.setText(editing::applied(drag.text(), offer.edits), drag.label());
+            document_.setText(editing::applied(drag.text(), offer.edits),
+                              QString::fromStdString(drag.label()));
         });
     }
     menu.exec(global);
@@ -178,7 +172,7 @@ void PictureEditing::offerOthers(const QPoint& global, const HandleDrag& drag) {
 
 void PictureEditing::mark(const render::Handle& handle) {
     mark_ = {handle.kind, handle.element, handle.part};
-    document_.select({elementOf(handle)});
+    document_.select({gestures::elementOf(handle)});
 }
 
 // What another view selects is marked here too.
@@ -189,7 +183,8 @@ void PictureEditing::followSelection() {
         handle.kind = mark_->kind;
         handle.element = mark_->element;
     }
-    const bool among = mark_ && std::ranges::find(selected, elementOf(handle)) != selected.end();
+    const bool among =
+        mark_ && std::ranges::find(selected, gestures::elementOf(handle)) != selected.end();
     if (!among && !drag_) {
         mark_.reset();
         if (!selected.empty())
@@ -303,10 +298,10 @@ bool PictureEditing::keyPress(QKeyEvent& event) {
         return true;
     }
     if (key == Qt::Key_Insert && handle->kind == render::HandleKind::trajectoryPoint) {
-        NewPoint point(document_, display_.sight(), *handle);
+        gestures::NewPoint point(document_.ground(), display_.sight(), *handle);
         point.after();
         if (!point.answer().possible())
-            say(point.words());
+            say(QString::fromStdString(point.words()));
         point.finish();
         return true;
     }
@@ -371,7 +366,7 @@ void PictureEditing::take(const std::vector<editing::TextEdit>& edits, const QSt
 // The last but one goes with the whole trajectory.
 void PictureEditing::removePoint(const render::Handle& handle) {
     const editing::TrajectoryEdits edits(document_.text(), document_.shown().scene, handle.element);
-    const editing::Answer answer = edits.remove(pointOf(edits, handle));
+    const editing::Answer answer = edits.remove(gestures::pointOf(edits, handle));
     const std::size_t left = document_.shown().scene->trajectories[handle.element].points.size();
     if (answer.possible())
         take(answer.edits, tr("Remove a point"));
@@ -386,12 +381,12 @@ void PictureEditing::deleteMarked() {
     if (!handle || !document_.sceneIsCurrent())
         return;
     const scene::Scene& scene = *document_.shown().scene;
-    const editing::Element element = elementOf(*handle);
+    const editing::Element element = gestures::elementOf(*handle);
     const bool onPath = handle->kind == render::HandleKind::trajectoryPoint;
     if (onPath) {
         const editing::TrajectoryEdits edits(document_.text(), document_.shown().scene,
                                              handle->element);
-        const auto answer = edits.remove(pointOf(edits, *handle));
+        const auto answer = edits.remove(gestures::pointOf(edits, *handle));
         if (answer.possible())
             return take(answer.edits, tr("Remove a point"));
     }

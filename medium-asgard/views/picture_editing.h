@@ -9,8 +9,9 @@
 // body's surface. Escape gives the old text back.
 #pragma once
 
-#include "views/handle_drag.h"
-#include "views/new_point.h"
+#include "gestures/grasp.h"
+#include "gestures/handle_drag.h"
+#include "gestures/new_point.h"
 #include "views/value_entry.h"
 
 #include <QObject>
@@ -63,7 +64,7 @@ Q_SIGNALS:
 
 private:
     void begin(const render::Handle& handle, const std::optional<Eigen::Vector2d>& pixels);
-    bool pressOnPoint(const render::Handle& handle, const QPointF& position);
+    void take(const gestures::Grasp& grasp, const Eigen::Vector2d& pixels);
     void removePoint(const render::Handle& handle);
     void take(const std::vector<editing::TextEdit>& edits, const QString& label);
     void followSelection();
@@ -74,7 +75,7 @@ private:
     void markElement(const editing::Element& element);
     void markNext(int step);
     bool dragKey(QKeyEvent& event);
-    void offerOthers(const QPoint& global, const HandleDrag& drag);
+    void offerOthers(const QPoint& global, const gestures::HandleDrag& drag);
     void paintLabels(QPainter& painter) const;
     void paintWords(QPainter& painter, const QString& words, bool possible) const;
 
@@ -85,8 +86,8 @@ private:
 
     SceneDocument& document_;
     SceneDisplay& display_;
-    std::unique_ptr<HandleDrag> drag_;
-    std::unique_ptr<NewPoint> newPoint_;
+    std::unique_ptr<gestures::HandleDrag> drag_;
+    std::unique_ptr<gestures::NewPoint> newPoint_;
     QString said_;
     std::optional<editing::Element> expected_; // of a scene yet to be read
     std::function<bool(const QString&)> confirm_;

@@ -1,5 +1,5 @@
 // What is painted over a picture: labels, what is selected, what is said.
-#include "views/handle_meaning.h"
+#include "gestures/handle_meaning.h"
 #include "views/picture_editing.h"
 #include "views/scene_display.h"
 
@@ -14,7 +14,9 @@ QColor toColor(const scene::Color& c) { return QColor::fromRgbF(c.red, c.green, 
 } // namespace
 
 QString PictureEditing::words() const {
-    return drag_ ? drag_->words() : newPoint_ ? newPoint_->words() : QString();
+    return QString::fromStdString(drag_       ? drag_->words()
+                                  : newPoint_ ? newPoint_->words()
+                                              : std::string());
 }
 
 // A dashed frame about each body that is selected, a ring about the handles of the others.
@@ -22,10 +24,10 @@ void PictureEditing::paintSelection(QPainter& painter) const {
     painter.setPen(QPen(QColor(20, 90, 200, 200), 1.3, Qt::DashLine));
     painter.setBrush(Qt::NoBrush);
     const render::Drawing drawing = display_.drawing();
-    const Sight sight = display_.sight();
+    const gestures::Sight sight = display_.sight();
     for (const editing::Element& element : document_.selected()) {
         for (const render::Handle& handle : display_.handles().handles)
-            if (element.kind != editing::Kind::body && elementOf(handle) == element)
+            if (element.kind != editing::Kind::body && gestures::elementOf(handle) == element)
                 painter.drawEllipse(display_.fromPixels(sight.pixels(handle.place)), 9, 9);
         if (element.kind != editing::Kind::body || element.index >= drawing.scene->bodies.size())
             continue;

@@ -1,7 +1,5 @@
 #include "views/recipes.h"
 
-#include "views/scale.h"
-
 #include "editing/number_text.h"
 
 #include <QObject>
@@ -20,7 +18,7 @@ namespace {
 std::string listed(const Vector& v, double resolution) {
     std::string text = "{";
     for (int i = 0; i < 3; ++i)
-        text += (i == 0 ? "" : " ") + editing::numberText(v[i], decimalStep(resolution));
+        text += (i == 0 ? "" : " ") + editing::numberText(v[i], editing::decimalStep(resolution));
     return text + "}";
 }
 
@@ -40,8 +38,9 @@ std::string bodyName(const scene::Scene& scene, const Indicated& shown) {
 void addComponents(NewElement& element, const Vector& v, double resolution) {
     constexpr const char* options[] = {"-x", "-y", "-z"};
     for (int i = 0; i < 3; ++i)
-        element.words.insert(element.words.end(),
-                             {options[i], editing::numberText(v[i], decimalStep(resolution))});
+        element.words.insert(
+            element.words.end(),
+            {options[i], editing::numberText(v[i], editing::decimalStep(resolution))});
 }
 
 double tightnessOf(const scene::Scene& scene) {

@@ -15,10 +15,4 @@ namespace views {
     return 10 * power;
 }
 
-// The largest power of ten that is not above, up to rounding: what a gesture of that length writes.
-// 0 for 0: exactly.
-[[nodiscard]] inline double decimalStep(double length) {
-    return length > 0 ? std::pow(10, std::floor(std::log10(length) + 1e-9)) : 0;
-}
-
 } // namespace views

@@ -7,11 +7,11 @@
 // at rest, finely.
 #pragma once
 
+#include "gestures/picking.h"
 #include "render/extent.h"
 #include "render/renderer.h"
 #include "render/view.h"
 #include "views/creating.h"
-#include "views/picking.h"
 #include "views/picture_editing.h"
 #include "views/scene_document.h"
 
@@ -58,7 +58,7 @@ public:
     // What the display shows of the scene at this time.
     [[nodiscard]] const render::HandleSet& handles() const;
     [[nodiscard]] render::Drawing drawing() const;
-    [[nodiscard]] Sight sight() const { return {control_.camera(), pixelSize()}; }
+    [[nodiscard]] gestures::Sight sight() const { return {control_.camera(), pixelSize()}; }
     [[nodiscard]] Eigen::Vector2d inPixels(const QPointF& position) const;
     [[nodiscard]] QPointF fromPixels(const Eigen::Vector2d& pixels) const;
     void keepCamera(); // it does not frame the scene by itself any more

@@ -14,8 +14,6 @@ namespace views {
 
 namespace {
 
-bool continuesCharacter(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
-
 std::string applied(const std::string& text, std::size_t from, std::size_t to,
                     const std::string& replacement) {
     return text.substr(0, from) + replacement + text.substr(to);
@@ -28,23 +26,6 @@ bool same(const scene::Diagnostic& a, const scene::Diagnostic& b) {
 }
 
 } // namespace
-
-TextEdit editBetween(const std::string& before, const std::string& after) {
-    const std::size_t shorter = std::min(before.size(), after.size());
-    std::size_t head = 0;
-    while (head < shorter && before[head] == after[head])
-        ++head;
-    while (head > 0 && ((head < before.size() && continuesCharacter(before[head])) ||
-                        (head < after.size() && continuesCharacter(after[head]))))
-        --head;
-    std::size_t tail = 0;
-    while (tail < shorter - head &&
-           before[before.size() - 1 - tail] == after[after.size() - 1 - tail])
-        ++tail;
-    while (tail > 0 && continuesCharacter(before[before.size() - tail]))
-        --tail;
-    return {head, before.size() - tail, after.substr(head, after.size() - tail - head)};
-}
 
 struct SceneDocument::Worker {
     explicit Worker(Workshop workshop) : thread(std::move(workshop)) {}
@@ -119,12 +100,15 @@ void SceneDocument::setText(const std::string& text, const QString& label) {
 }
 
 void SceneDocument::preview(const std::string& text) {
-    if (host_.changed || (gesture_ && gesture_->revision != revision_) || text == text_)
+    const bool silent = host_.changed && !host_.preview;
+    if (silent || (gesture_ && gesture_->revision != revision_) || text == text_)
         return;
     if (!gesture_)
         gesture_ = Gesture{text_, revision_};
     replaceText(text);
     gesture_->revision = revision_;
+    if (host_.preview)
+        host_.preview(text);
 }
 
 void SceneDocument::finishPreview(const std::string& text, const QString& label) {
@@ -134,12 +118,24 @@ void SceneDocument::finishPreview(const std::string& text, const QString& label)
     if (gesture->revision != revision_)
         return;
     const TextEdit edit = editBetween(gesture->before, text);
-    if (gesture->before != text) {
+    const bool changes = gesture->before != text;
+    if (changes && !host_.changed) {
         done_.push_back({edit, gesture->before.substr(edit.from, edit.to - edit.from), label});
         undone_.clear();
     }
     if (text != text_)
         replaceText(text);
+    if (host_.preview)
+        host_.preview(text);
+    if (changes && host_.changed)
+        host_.changed(edit, label);
+}
+
+gestures::Ground SceneDocument::ground() {
+    return {text_, shown_.scene, shown_.motion, [this](const std::string& text) { preview(text); },
+            [this](const std::string& text, const std::string& label) {
+                finishPreview(text, QString::fromStdString(label));
+            }};
 }
 
 void SceneDocument::setTextFromHost(const std::string& text) {

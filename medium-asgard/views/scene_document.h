@@ -13,6 +13,7 @@
 
 #include "editing/text_edit.h"
 #include "editing/value_edit.h"
+#include "gestures/ground.h"
 #include "scene/diagnostic.h"
 #include "script/reader.h"
 #include "simulation/simulation.h"
@@ -38,15 +39,16 @@ struct Workshop {
         simulate;
 };
 
+using editing::editBetween;
 using editing::TextEdit;
-
-// The smallest one that makes `after` of `before`, at character boundaries of UTF-8.
-[[nodiscard]] TextEdit editBetween(const std::string& before, const std::string& after);
 
 struct HostLink {
     std::function<void(const TextEdit& edit, const QString& label)> changed;
     std::function<void()> undo, redo;
     std::function<void()> recompute = nullptr; // where the motion is computed by another
+    // The text as a gesture has it, to be read and shown; it is no change. None: it waits for the
+    // gesture's end.
+    std::function<void(const std::string& text)> preview = nullptr;
 };
 
 // A good scene and the motion that belongs to it; no motion while the first bit is computed, or
@@ -95,9 +97,12 @@ public:
     void setText(const std::string& text, const QString& label);
     // While a gesture lasts, texts are shown and read that are no steps of undo; what it ends with
     // is one. A change from elsewhere meanwhile ends the gesture: then nothing more of it is taken.
-    // LIMIT: under a host the text follows at the end only.
     void preview(const std::string& text);
     void finishPreview(const std::string& text, const QString& label);
+    // The text is a gesture's, which has not ended.
+    [[nodiscard]] bool isPreview() const { return gesture_ && gesture_->revision == revision_; }
+    // What a gesture in one of the windows is made on.
+    [[nodiscard]] gestures::Ground ground();
     // Computes the motion again from the current text.
     void recompute();
 

@@ -1,9 +1,9 @@
 #include "views/shape_editor.h"
 
+#include "editing/number_text.h"
 #include "editing/preview.h"
 #include "editing/shape_library.h"
 #include "editing/shape_points.h"
-#include "views/scale.h"
 #include "views/shape_fields.h"
 #include "views/shape_names.h"
 #include "views/shape_panel.h"
@@ -409,8 +409,8 @@ void ShapeEditor::nudge(const Vector& direction) {
         nudged_ += direction;
         return;
     }
-    const double step =
-        display_->grid() > 0 ? display_->grid() : decimalStep(10 * display_->pixelLength());
+    const double step = display_->grid() > 0 ? display_->grid()
+                                             : editing::decimalStep(10 * display_->pixelLength());
     movePoint(decimal(Vector(*place + step * direction), step / 10));
 }
 

@@ -1,6 +1,6 @@
 #include "views/shape_gesture.h"
 
-#include "views/scale.h"
+#include "editing/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ void ShapeGesture::finish(const QString& label) {
 void ShapeGesture::cancel() { document_.finishPreview(text_, {}); }
 
 double decimal(double value, double length) {
-    const double step = decimalStep(length);
+    const double step = editing::decimalStep(length);
     if (step <= 0)
         return value;
     if (step >= 1)
@@ -50,12 +50,13 @@ scene::Part tidied(const scene::Part& before, scene::Part after, double length) 
     const auto* oldSphere = std::get_if<scene::SphereShape>(&before.shape);
     if (auto* sphere = std::get_if<scene::SphereShape>(&after.shape)) {
         if (!oldSphere || sphere->radius != oldSphere->radius)
-            sphere->radius = std::max(decimal(sphere->radius, length), decimalStep(length));
+            sphere->radius =
+                std::max(decimal(sphere->radius, length), editing::decimalStep(length));
     } else if (auto* box = std::get_if<scene::BoxShape>(&after.shape)) {
         const auto* old = std::get_if<scene::BoxShape>(&before.shape);
         for (int k = 0; k < 3; ++k)
             if (!old || box->edges[k] != old->edges[k])
-                box->edges[k] = std::max(decimal(box->edges[k], half), decimalStep(half));
+                box->edges[k] = std::max(decimal(box->edges[k], half), editing::decimalStep(half));
     } else if (auto* hull = std::get_if<scene::HullShape>(&after.shape)) {
         const auto* old = std::get_if<scene::HullShape>(&before.shape);
         const bool turned = after.rotation != Vector::Zero();

@@ -1,7 +1,7 @@
 #include "views/trajectory_editor.h"
 
+#include "editing/number_text.h"
 #include "scene/curves.h"
-#include "views/scale.h"
 #include "views/undo_actions.h"
 
 #include <QAction>
@@ -26,7 +26,7 @@ double rounded(double value, double step) { return std::round(value / step) * st
 
 // To a decimal that the pointer can tell apart, free of the digits that rounding leaves.
 double decimal(double value, double pixel) {
-    const double step = decimalStep(pixel);
+    const double step = editing::decimalStep(pixel);
     const int digits = std::clamp(static_cast<int>(std::lround(-std::log10(step))), 0, 15);
     return step >= 1 ? rounded(value, step) : QString::number(value, 'f', digits).toDouble();
 }
@@ -395,8 +395,8 @@ void TrajectoryEditor::nudge(int component, double times, double values) {
         return;
     const TrajectoryGraph& graph = *graphs_[at(component)];
     const auto& point = gesture_->edits().points()[*chosen_];
-    const double timeStep = decimalStep(graph.timeStep() * 10);
-    const double valueStep = decimalStep(graph.valueStep() * 10);
+    const double timeStep = editing::decimalStep(graph.timeStep() * 10);
+    const double valueStep = editing::decimalStep(graph.valueStep() * 10);
     Place place = point.place;
     place[component] = decimal(place[component] + values * valueStep, valueStep);
     gesture_->move(*chosen_,

@@ -1,8 +1,8 @@
 #include "views/value_entry.h"
 
 #include "editing/preview.h"
+#include "gestures/handle_meaning.h"
 #include "script/numbers.h"
-#include "views/handle_meaning.h"
 
 #include <QFontDatabase>
 #include <QGridLayout>
@@ -39,15 +39,16 @@ ValueEntry::ValueEntry(SceneDocument& document, const render::Handle& handle, do
     setFrameStyle(QFrame::StyledPanel | QFrame::Raised);
     setAutoFillBackground(true);
     setFocusPolicy(Qt::StrongFocus);
-    wishes_ = wishesFor(*scene_, handle_, handle_.place, 0, false);
+    wishes_ = gestures::wishesFor(*scene_, handle_, handle_.place, 0, false);
     if (handle_.kind == render::HandleKind::orientation && mapper_.count(wishes_.front()) == 4)
-        wishes_ = wishesFor(*scene_, handle_, handle_.place, 0, true);
+        wishes_ = gestures::wishesFor(*scene_, handle_, handle_.place, 0, true);
     now_ = allOf(wishes_, &editing::Wish::values);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 8, 10, 8);
     column->setSpacing(6);
-    auto* title =
-        new QLabel(tr("%1: %2").arg(subjectOf(*scene_, handle_), quantityOf(*scene_, handle_)));
+    auto* title = new QLabel(
+        tr("%1: %2").arg(QString::fromStdString(gestures::subjectOf(*scene_, handle_)),
+                         QString::fromStdString(gestures::quantityOf(*scene_, handle_))));
     QFont bold = title->font();
     bold.setBold(true);
     title->setFont(bold);
@@ -151,7 +152,7 @@ void ValueEntry::update() {
         says_->setText(QString::fromStdString(answer_.reason).toHtmlEscaped());
         answer_.offers.clear();
     } else {
-        answer_ = mapper_.answer(withValues(wishes_, *wanted));
+        answer_ = mapper_.answer(gestures::withValues(wishes_, *wanted));
         says_->setText(answer_.possible() ? preview(answer_.edits)
                                           : QString::fromStdString(answer_.reason).toHtmlEscaped());
     }
@@ -195,7 +196,7 @@ void ValueEntry::openAt(const QPoint& handle) {
 
 void ValueEntry::take(const std::vector<editing::TextEdit>& edits) {
     const std::string text = editing::applied(text_, edits);
-    const QString label = labelOf(*scene_, handle_);
+    const QString label = QString::fromStdString(gestures::labelOf(*scene_, handle_));
     SceneDocument& document = document_;
     leave();
     document.setText(text, label);

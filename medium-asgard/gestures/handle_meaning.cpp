@@ -1,13 +1,13 @@
-#include "views/handle_meaning.h"
+#include "gestures/handle_meaning.h"
 
-#include "views/scale.h"
-
-#include <QObject>
+#include "editing/number_text.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 
-namespace views {
+namespace gestures {
 
 using editing::Kind;
 using editing::Wish;
@@ -25,7 +25,7 @@ Wish one(const Handle& handle, const char* option, const Vector& value, const Ve
     wish.element = elementOf(handle);
     wish.option = option;
     wish.values = listed(value);
-    wish.resolution = decimalStep(resolution);
+    wish.resolution = editing::decimalStep(resolution);
     wish.absent = wish.now = listed(now);
     return wish;
 }
@@ -73,6 +73,15 @@ Wish ofPoint(const scene::Scene& scene, const Handle& handle, const Vector& plac
     wish.values.insert(wish.values.begin(), time);
     wish.now.insert(wish.now.begin(), time);
     return wish;
+}
+
+// In any locale with a point.
+std::string fixed(double value, int digits) {
+    std::array<char, 400> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                   std::chars_format::fixed, digits)
+                         .ptr;
+    return {text.data(), end};
 }
 
 const scene::Force* forceOf(const scene::Scene& scene, const Handle& handle) {
@@ -154,59 +163,57 @@ std::vector<Wish> withValues(std::vector<Wish> wishes, const std::vector<double>
     return wishes;
 }
 
-QString subjectOf(const scene::Scene& scene, const Handle& handle) {
+std::string subjectOf(const scene::Scene& scene, const Handle& handle) {
     const editing::Element element = elementOf(handle);
-    const auto text = [](const std::string& s) { return QString::fromStdString(s); };
     if (const scene::Force* force = forceOf(scene, handle))
-        return (force->couple ? QObject::tr("torque on %1") : QObject::tr("force on %1"))
-            .arg(text(force->body));
+        return (force->couple ? "torque on " : "force on ") + force->body;
     if (element.kind == Kind::link)
-        return QObject::tr("link of %1").arg(text(scene.links[element.index].first.body));
+        return "link of " + scene.links[element.index].first.body;
     const std::string name = editing::nameOf(scene, element);
-    return name.empty() ? text(editing::describe(scene, element)) : text(name);
+    return name.empty() ? editing::describe(scene, element) : name;
 }
 
-QString quantityOf(const scene::Scene& scene, const Handle& handle) {
+std::string quantityOf(const scene::Scene& scene, const Handle& handle) {
     switch (handle.kind) {
     case HandleKind::position:
-        return QObject::tr("position");
+        return "position";
     case HandleKind::orientation:
-        return QObject::tr("rotation");
+        return "rotation";
     case HandleKind::velocity:
-        return QObject::tr("velocity");
+        return "velocity";
     case HandleKind::spin:
-        return QObject::tr("angular velocity");
+        return "angular velocity";
     case HandleKind::forceBase:
     case HandleKind::torqueBase:
-        return QObject::tr("offset");
+        return "offset";
     case HandleKind::forceHead:
     case HandleKind::torqueHead:
         return std::holds_alternative<scene::GravitationalForce>(scene.forces[handle.element].kind)
-                   ? QObject::tr("acceleration")
-                   : QObject::tr("components");
+                   ? "acceleration"
+                   : "components";
     case HandleKind::linkEnd:
-        return handle.part == 0 ? QObject::tr("first end") : QObject::tr("second end");
+        return handle.part == 0 ? "first end" : "second end";
     case HandleKind::lightPlace:
-        return QObject::tr("place");
+        return "place";
     case HandleKind::lightDirection:
-        return QObject::tr("direction");
+        return "direction";
     case HandleKind::trajectoryPoint:
         break;
     }
-    return QObject::tr("point %1").arg(handle.part + 1);
+    return "point " + std::to_string(handle.part + 1);
 }
 
-QString labelOf(const scene::Scene& scene, const Handle& handle) {
-    const QString subject = subjectOf(scene, handle);
+std::string labelOf(const scene::Scene& scene, const Handle& handle) {
+    const std::string subject = subjectOf(scene, handle);
     if (handle.kind == HandleKind::position || handle.kind == HandleKind::lightPlace)
-        return QObject::tr("Move %1").arg(subject);
+        return "Move " + subject;
     if (handle.kind == HandleKind::orientation)
-        return QObject::tr("Turn %1").arg(subject);
-    return QObject::tr("Change the %1 of %2").arg(quantityOf(scene, handle), subject);
+        return "Turn " + subject;
+    return "Change the " + quantityOf(scene, handle) + " of " + subject;
 }
 
-QString valuesOf(const std::vector<Wish>& wishes) {
-    QString text;
+std::string valuesOf(const std::vector<Wish>& wishes) {
+    std::string text;
     for (const Wish& wish : wishes) {
         const int digits =
             wish.resolution > 0
@@ -214,10 +221,10 @@ QString valuesOf(const std::vector<Wish>& wishes) {
                 : 6;
         for (const double value : wish.values) {
             const double shown = std::abs(value) < 0.5 * std::pow(10, -digits) ? 0 : value;
-            text += (text.isEmpty() ? "" : " ") + QString::number(shown, 'f', digits);
+            text += (text.empty() ? "" : " ") + fixed(shown, digits);
         }
     }
     return text;
 }
 
-} // namespace views
+} // namespace gestures

@@ -4,9 +4,9 @@
 #include "editing/value_edit.h"
 #include "render/handles.h"
 
-#include <QString>
+#include <string>
 
-namespace views {
+namespace gestures {
 
 [[nodiscard]] editing::Element elementOf(const render::Handle& handle);
 
@@ -21,12 +21,12 @@ namespace views {
                                                     const std::vector<double>& values);
 
 // "b1", "force on b1".
-[[nodiscard]] QString subjectOf(const scene::Scene& scene, const render::Handle& handle);
+[[nodiscard]] std::string subjectOf(const scene::Scene& scene, const render::Handle& handle);
 // "velocity"
-[[nodiscard]] QString quantityOf(const scene::Scene& scene, const render::Handle& handle);
+[[nodiscard]] std::string quantityOf(const scene::Scene& scene, const render::Handle& handle);
 // "Move b1", for undo.
-[[nodiscard]] QString labelOf(const scene::Scene& scene, const render::Handle& handle);
+[[nodiscard]] std::string labelOf(const scene::Scene& scene, const render::Handle& handle);
 // "-4.37 0 2", in the digits that the wishes tell apart.
-[[nodiscard]] QString valuesOf(const std::vector<editing::Wish>& wishes);
+[[nodiscard]] std::string valuesOf(const std::vector<editing::Wish>& wishes);
 
-} // namespace views
+} // namespace gestures

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace views {
+namespace gestures {
 
 using geometry::Vector;
 
@@ -51,4 +51,4 @@ struct Picked {
 [[nodiscard]] std::optional<geometry::Shape> shapeOf(const scene::Scene& scene,
                                                      const std::string& body);
 
-} // namespace views
+} // namespace gestures

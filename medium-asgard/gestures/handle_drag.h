@@ -10,49 +10,48 @@
 
 #include "editing/trajectory_edit.h"
 #include "editing/value_edit.h"
-#include "views/picking.h"
-#include "views/scene_document.h"
+#include "gestures/ground.h"
+#include "gestures/picking.h"
 
-#include <memory>
 #include <optional>
+#include <string>
 
-namespace views {
+namespace gestures {
 
 class HandleDrag {
 public:
-    // `pixels`: where it is held; none: by the keys, at its middle. `motion` tells masses.
-    HandleDrag(SceneDocument& document, const Sight& sight, const render::Handle& handle,
+    // `pixels`: where it is held; none: by the keys, at its middle.
+    HandleDrag(Ground ground, const Sight& sight, const render::Handle& handle,
                const std::optional<Eigen::Vector2d>& pixels);
 
     void move(const Eigen::Vector2d& pixels);
     void nudge(const Eigen::Vector2d& byPixels);
     void push(double pixels); // away from the viewer, as far as so many pixels across
     void setFree(bool free);  // does not follow the surface
-    void finish();            // the change becomes a step of undo
-    void cancel();            // the text is as it was
+    void setRolls(); // an orientation, about the line of sight, as far as one goes sideways
+    void finish();   // the change becomes a step of undo
+    void cancel();   // the text is as it was
 
     [[nodiscard]] const render::Handle& handle() const { return handle_; }
     [[nodiscard]] const geometry::Vector& place() const { return place_; }
     [[nodiscard]] const editing::Answer& answer() const { return answer_; }
     // "b1: position -4.37 0 2", or why it stays where it is.
-    [[nodiscard]] QString words() const;
-    [[nodiscard]] const std::string& text() const { return text_; } // when the drag began
-    [[nodiscard]] QString label() const;                            // "Move b1"
+    [[nodiscard]] std::string words() const;
+    [[nodiscard]] const std::string& text() const { return ground_.text; } // when the drag began
+    [[nodiscard]] std::string label() const;                               // "Move b1"
     [[nodiscard]] bool moved() const { return moved_; }
 
 private:
     [[nodiscard]] std::vector<editing::Wish> wishes() const;
     [[nodiscard]] geometry::Vector wanted() const;
     [[nodiscard]] geometry::Vector onSphere() const;
+    [[nodiscard]] geometry::Vector rolled() const;
     [[nodiscard]] std::optional<geometry::Vector> onSurface() const;
     [[nodiscard]] editing::Answer asked() const;
     [[nodiscard]] bool isOnSurface(const geometry::Vector& place) const;
     void update();
 
-    SceneDocument& document_;
-    std::string text_;
-    std::shared_ptr<const scene::Scene> scene_;
-    simulation::MotionPointer motion_;
+    Ground ground_;
     editing::Mapper mapper_;
     Sight sight_;
     render::Handle handle_;
@@ -64,7 +63,8 @@ private:
     std::optional<editing::TrajectoryEdits> path_; // of a trajectory's point
     std::optional<geometry::Shape> surface_;
     bool follows_ = false, free_ = false;
+    std::optional<double> rollsFrom_; // pixels, of where it was pressed
     editing::Answer answer_;
 };
 
-} // namespace views
+} // namespace gestures

@@ -3,12 +3,10 @@
 #pragma once
 
 #include "editing/trajectory_edit.h"
-#include "views/picking.h"
-#include "views/scene_document.h"
+#include "gestures/ground.h"
+#include "gestures/picking.h"
 
-#include <QString>
-
-namespace views {
+namespace gestures {
 
 // Which of editing/'s points a handle is.
 [[nodiscard]] std::size_t pointOf(const editing::TrajectoryEdits& edits,
@@ -16,14 +14,14 @@ namespace views {
 
 class NewPoint {
 public:
-    NewPoint(SceneDocument& document, const Sight& sight, const render::Handle& from);
+    NewPoint(Ground ground, const Sight& sight, const render::Handle& from);
 
     void move(const Eigen::Vector2d& pixels);
     // As the keys do it: halfway to the next point.
     void after();
     void finish();
     void cancel();
-    [[nodiscard]] QString words() const;
+    [[nodiscard]] std::string words() const;
     [[nodiscard]] const geometry::Vector& place() const { return place_; }
     [[nodiscard]] const editing::Answer& answer() const { return answer_; }
 
@@ -31,9 +29,7 @@ private:
     [[nodiscard]] double timeTowards(bool later) const;
     void update();
 
-    SceneDocument& document_;
-    std::string text_;
-    std::shared_ptr<const scene::Scene> scene_;
+    Ground ground_;
     editing::TrajectoryEdits edits_;
     Sight sight_;
     std::size_t from_, trajectory_;
@@ -43,4 +39,4 @@ private:
     editing::Answer answer_;
 };
 
-} // namespace views
+} // namespace gestures

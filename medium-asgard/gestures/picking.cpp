@@ -1,4 +1,4 @@
-#include "views/picking.h"
+#include "gestures/picking.h"
 
 #include "scene/shape_of.h"
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-namespace views {
+namespace gestures {
 
 double Sight::depth(const Vector& world) const {
     return (camera.rotation * (world - camera.center)).z() * camera.scale + camera.position.z();
@@ -103,4 +103,4 @@ std::optional<std::size_t> trajectoryAt(const scene::Scene& scene, const Sight& 
     return nearest;
 }
 
-} // namespace views
+} // namespace gestures

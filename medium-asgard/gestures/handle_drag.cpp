@@ -1,21 +1,23 @@
-#include "views/handle_drag.h"
+#include "gestures/handle_drag.h"
 
-#include "views/handle_meaning.h"
-#include "views/new_point.h"
+#include "editing/number_text.h"
+#include "gestures/handle_meaning.h"
+#include "gestures/new_point.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
-namespace views {
+namespace gestures {
 
 using geometry::Vector;
 
-HandleDrag::HandleDrag(SceneDocument& document, const Sight& sight, const render::Handle& handle,
+HandleDrag::HandleDrag(Ground ground, const Sight& sight, const render::Handle& handle,
                        const std::optional<Eigen::Vector2d>& pixels)
-    : document_(document), text_(document.text()), scene_(document.shown().scene),
-      motion_(document.shown().motion),
-      mapper_(text_, scene_,
+    : ground_(std::move(ground)),
+      mapper_(ground_.text, ground_.scene,
               [this](const std::string& name) {
-                  return render::constantValue(*scene_, motion_.get(), name);
+                  return render::constantValue(*ground_.scene, ground_.motion.get(), name);
               }),
       sight_(sight), handle_(handle), pixelLength_(sight.pixelLength(handle.place)),
       place_(handle.place), plane_(handle.place), held_(sight.pixels(handle.place)),
@@ -30,15 +32,15 @@ HandleDrag::HandleDrag(SceneDocument& document, const Sight& sight, const render
         quaternion_ = mapper_.count(wish) == 4;
     }
     if (handle_.kind == render::HandleKind::linkEnd) {
-        const scene::Link& link = scene_->links[handle_.element];
+        const scene::Link& link = ground_.scene->links[handle_.element];
         const auto* second = std::get_if<scene::BodyEnd>(&link.second);
         const std::string body = handle_.part == 0 ? link.first.body : second ? second->body : "";
-        surface_ = shapeOf(*scene_, body);
+        surface_ = shapeOf(*ground_.scene, body);
         // One that does not lie on the surface is not drawn to it.
         follows_ = isOnSurface(handle_.place);
     }
     if (handle_.kind == render::HandleKind::trajectoryPoint)
-        path_.emplace(text_, scene_, handle_.element);
+        path_.emplace(ground_.text, ground_.scene, handle_.element);
     // Why it cannot be moved is told before it is.
     auto asked = wishes();
     for (editing::Wish& wish : asked)
@@ -81,7 +83,22 @@ std::optional<Vector> HandleDrag::onSurface() const {
     return hit ? std::optional(handle_.frame.toWorld(hit->point)) : std::nullopt;
 }
 
+// As the view rolls (render/camera.h), about the axis that points out of the screen.
+Vector HandleDrag::rolled() const {
+    const double half = 0.5 * std::min(sight_.size.width, sight_.size.height);
+    double angle = -1.5 * (held_.x() - *rollsFrom_) / half;
+    if (std::abs(std::remainder(angle, 2 * M_PI)) > M_PI - 1e-3)
+        angle += 2e-3; // half a turn has no axis of its own
+    const geometry::Quaternion back = sight_.camera.rotation.conjugate();
+    const double reach = (handle_.place - handle_.base).norm();
+    return handle_.base + reach * (back * Vector(std::cos(angle), std::sin(angle), 0));
+}
+
+void HandleDrag::setRolls() { rollsFrom_ = held_.x(); }
+
 Vector HandleDrag::wanted() const {
+    if (rollsFrom_)
+        return rolled();
     if (handle_.kind == render::HandleKind::orientation)
         return onSphere();
     if (follows_ && !free_) // beside the body it waits where it was
@@ -90,7 +107,7 @@ Vector HandleDrag::wanted() const {
 }
 
 std::vector<editing::Wish> HandleDrag::wishes() const {
-    return wishesFor(*scene_, handle_, place_, pixelLength_, quaternion_);
+    return wishesFor(*ground_.scene, handle_, place_, pixelLength_, quaternion_);
 }
 
 // What it asks of the text. A point that ends one curve and begins the next moves in both.
@@ -102,11 +119,7 @@ editing::Answer HandleDrag::asked() const {
     Vector place;
     for (std::size_t i = 0; i < 3; ++i) {
         const double value = wish.values[wish.values.size() - 3 + i];
-        place[static_cast<Eigen::Index>(i)] =
-            wish.resolution > 0 // in the digits of the gesture
-                ? QString::number(std::round(value / wish.resolution) * wish.resolution, 'g', 12)
-                      .toDouble()
-                : value;
+        place[static_cast<Eigen::Index>(i)] = editing::roundedTo(value, wish.resolution);
     }
     return path_->move(point, path_->points()[point].time, place, 0);
 }
@@ -121,7 +134,7 @@ void HandleDrag::update() {
         follows_ = isOnSurface(place_);
     answer_ = asked();
     if (answer_.possible())
-        document_.preview(editing::applied(text_, answer_.edits));
+        ground_.preview(editing::applied(ground_.text, answer_.edits));
 }
 
 void HandleDrag::move(const Eigen::Vector2d& pixels) {
@@ -151,19 +164,20 @@ void HandleDrag::setFree(bool free) {
 }
 
 void HandleDrag::finish() {
-    document_.finishPreview(
-        answer_.possible() && moved_ ? editing::applied(text_, answer_.edits) : text_, label());
+    ground_.finish(answer_.possible() && moved_ ? editing::applied(ground_.text, answer_.edits)
+                                                : ground_.text,
+                   label());
 }
 
-void HandleDrag::cancel() { document_.finishPreview(text_, {}); }
+void HandleDrag::cancel() { ground_.finish(ground_.text, {}); }
 
-QString HandleDrag::label() const { return labelOf(*scene_, handle_); }
+std::string HandleDrag::label() const { return labelOf(*ground_.scene, handle_); }
 
-QString HandleDrag::words() const {
+std::string HandleDrag::words() const {
     if (!answer_.possible())
-        return QString::fromStdString(answer_.reason);
-    return QObject::tr("%1: %2 %3")
-        .arg(subjectOf(*scene_, handle_), quantityOf(*scene_, handle_), valuesOf(wishes()));
+        return answer_.reason;
+    return subjectOf(*ground_.scene, handle_) + ": " + quantityOf(*ground_.scene, handle_) + " " +
+           valuesOf(wishes());
 }
 
-} // namespace views
+} // namespace gestures

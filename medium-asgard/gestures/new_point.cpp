@@ -1,21 +1,16 @@
-#include "views/new_point.h"
+#include "gestures/new_point.h"
 
-#include <QObject>
+#include "editing/number_text.h"
 
-#include <cmath>
+#include <algorithm>
+#include <utility>
 
-namespace views {
+namespace gestures {
 
 using editing::ControlPoint;
 using geometry::Vector;
 
 namespace {
-
-double rounded(double value, double length) {
-    const double step = length > 0 ? std::pow(10, std::floor(std::log10(length))) : 0;
-    // Through its decimals, so that it is written in few digits.
-    return step > 0 ? QString::number(std::round(value / step) * step, 'g', 12).toDouble() : value;
-}
 
 // The neighbour on the curve, or the point itself at an end.
 std::size_t neighbour(const std::vector<ControlPoint>& points, std::size_t of, bool later) {
@@ -39,10 +34,9 @@ std::size_t pointOf(const editing::TrajectoryEdits& edits, const render::Handle&
     return 0;
 }
 
-NewPoint::NewPoint(SceneDocument& document, const Sight& sight, const render::Handle& from)
-    : document_(document), text_(document.text()), scene_(document.shown().scene),
-      edits_(text_, scene_, from.element), sight_(sight), from_(pointOf(edits_, from)),
-      trajectory_(from.element), place_(from.place) {}
+NewPoint::NewPoint(Ground ground, const Sight& sight, const render::Handle& from)
+    : ground_(std::move(ground)), edits_(ground_.text, ground_.scene, from.element), sight_(sight),
+      from_(pointOf(edits_, from)), trajectory_(from.element), place_(from.place) {}
 
 double NewPoint::timeTowards(bool later) const {
     const auto& points = edits_.points();
@@ -58,7 +52,7 @@ double NewPoint::timeTowards(bool later) const {
 void NewPoint::update() {
     answer_ = edits_.add(time_, place_);
     if (answer_.possible())
-        document_.preview(editing::applied(text_, answer_.edits));
+        ground_.preview(editing::applied(ground_.text, answer_.edits));
 }
 
 void NewPoint::move(const Eigen::Vector2d& pixels) {
@@ -83,9 +77,9 @@ void NewPoint::move(const Eigen::Vector2d& pixels) {
         time_ = timeTowards(*later_);
     }
     const Vector place = sight_.beside(pixels, from);
-    const double length = sight_.pixelLength(from);
+    const double step = editing::decimalStep(sight_.pixelLength(from));
     for (int i = 0; i < 3; ++i)
-        place_[i] = rounded(place[i], length);
+        place_[i] = editing::roundedTo(place[i], step);
     update();
 }
 
@@ -101,26 +95,23 @@ void NewPoint::after() {
 }
 
 void NewPoint::finish() {
-    document_.finishPreview(
-        later_ && answer_.possible() ? editing::applied(text_, answer_.edits) : text_,
-        QObject::tr("New point of %1")
-            .arg(QString::fromStdString(scene_->trajectories[trajectory_].name)));
+    ground_.finish(later_ && answer_.possible() ? editing::applied(ground_.text, answer_.edits)
+                                                : ground_.text,
+                   "New point of " + ground_.scene->trajectories[trajectory_].name);
 }
 
-void NewPoint::cancel() { document_.finishPreview(text_, {}); }
+void NewPoint::cancel() { ground_.finish(ground_.text, {}); }
 
-QString NewPoint::words() const {
-    const QString name = QString::fromStdString(scene_->trajectories[trajectory_].name);
+std::string NewPoint::words() const {
+    const std::string& name = ground_.scene->trajectories[trajectory_].name;
     if (!answer_.possible())
-        return QString::fromStdString(answer_.reason);
+        return answer_.reason;
     if (!later_)
-        return QObject::tr("%1: a new point, before or after by where you drag").arg(name);
-    return QObject::tr("%1: new point at %2 s: %3 %4 %5")
-        .arg(name)
-        .arg(time_, 0, 'g', 5)
-        .arg(place_.x(), 0, 'g', 5)
-        .arg(place_.y(), 0, 'g', 5)
-        .arg(place_.z(), 0, 'g', 5);
+        return name + ": a new point, before or after by where you drag";
+    std::string text = name + ": new point at " + editing::inDigits(time_, 5) + " s:";
+    for (const double x : place_)
+        text += " " + editing::inDigits(x, 5);
+    return text;
 }
 
-} // namespace views
+} // namespace gestures

@@ -1,0 +1,172 @@
+// (text, gesture, text) without a window: who drags is not known here.
+#include "gestures/grasp.h"
+#include "gestures/handle_drag.h"
+#include "gestures/handle_meaning.h"
+#include "gestures/new_point.h"
+
+#include "script/reader.h"
+
+#include <gmock/gmock.h>
+
+namespace gestures {
+namespace {
+
+using render::Handle;
+using render::HandleKind;
+using ::testing::HasSubstr;
+using Button = render::CameraControl::Button;
+
+script::Reader& reader() {
+    static script::Reader shared;
+    return shared;
+}
+
+// A scene seen along z, as large as the picture.
+class Stage {
+public:
+    explicit Stage(const std::string& text) { read(text); }
+
+    void read(const std::string& text) {
+        text_ = text;
+        const script::ReadResult result = reader().read(text);
+        EXPECT_TRUE(result.usable) << text;
+        scene_ = std::make_shared<const scene::Scene>(result.scene);
+    }
+    [[nodiscard]] const std::string& text() const { return text_; }
+    [[nodiscard]] const scene::Scene& scene() const { return *scene_; }
+    [[nodiscard]] Sight sight() const {
+        render::Camera camera;
+        camera.scale = 0.5;
+        return {camera, {800, 800}};
+    }
+    [[nodiscard]] render::Drawing drawing() const {
+        render::Drawing drawing;
+        drawing.scene = scene_.get();
+        drawing.camera = sight().camera;
+        for (bool render::Display::*kind :
+             {&render::Display::positionHandles, &render::Display::velocityHandles,
+              &render::Display::forceHandles, &render::Display::linkHandles,
+              &render::Display::trajectories})
+            drawing.display.*kind = true;
+        return drawing;
+    }
+    [[nodiscard]] render::HandleSet handles() const {
+        return render::Handles(*scene_, nullptr).at(0, drawing().display);
+    }
+    [[nodiscard]] Handle handle(HandleKind kind, std::size_t part = 0) const {
+        for (const Handle& one : handles().handles)
+            if (one.kind == kind && one.part == part)
+                return one;
+        throw std::runtime_error("no such handle");
+    }
+    Ground ground() {
+        return {text_, scene_, nullptr,
+                [this](const std::string& text) { previews.push_back(text); },
+                [this](const std::string& text, const std::string& label) {
+                    finished = text;
+                    labels.push_back(label);
+                }};
+    }
+    // In two moves, so that there is something on the way.
+    void drag(const Handle& handle, const Vector& to) {
+        const Eigen::Vector2d from = sight().pixels(handle.place), target = sight().pixels(to);
+        HandleDrag drag(ground(), sight(), handle, from);
+        drag.move((from + target) / 2);
+        drag.move(target);
+        words = drag.words();
+        drag.finish();
+        read(finished);
+    }
+    [[nodiscard]] std::optional<Grasp> grasp(Button button, const Vector& at) const {
+        return graspAt(drawing(), handles(), sight(), button, sight().pixels(at), handleReach);
+    }
+
+    std::vector<std::string> previews, labels;
+    std::string finished, words;
+
+private:
+    std::string text_;
+    std::shared_ptr<const scene::Scene> scene_;
+};
+
+const std::string ball = "shape_set ball -desc {-sub {-sphere 0.5}}\n";
+
+TEST(Gestures, ADragIsPreviewsAndOneTextWithALabel) {
+    Stage stage(ball + "body b1 ball -init_pos {-1   0 0} ;# left\n");
+    stage.drag(stage.handle(HandleKind::position), {0.5, 0.25, 0});
+    EXPECT_EQ(stage.text(), ball + "body b1 ball -init_pos {0.5   0.25 0} ;# left\n");
+    EXPECT_EQ(stage.previews.size(), 2U);
+    EXPECT_EQ(stage.labels, std::vector<std::string>{"Move b1"});
+    EXPECT_EQ(stage.words, "b1: position 0.500 0.250 0.000");
+}
+
+TEST(Gestures, WhatAnExpressionMakesStaysAndSaysWhy) {
+    const std::string before = ball + "body b1 ball -init_pos [list [expr {1 - 2}] 0 0]\n";
+    Stage stage(before);
+    stage.drag(stage.handle(HandleKind::position), {0.5, 0, 0});
+    EXPECT_EQ(stage.text(), before);
+    EXPECT_TRUE(stage.previews.empty());
+    EXPECT_THAT(stage.words, HasSubstr("is computed by [expr {1 - 2}]"));
+}
+
+TEST(Gestures, CancelledTheTextIsAsItWas) {
+    const std::string before = ball + "body b1 ball\n";
+    Stage stage(before);
+    const Handle handle = stage.handle(HandleKind::position);
+    HandleDrag drag(stage.ground(), stage.sight(), handle, std::nullopt);
+    drag.nudge({30, 0});
+    drag.push(20);
+    EXPECT_NE(drag.place().x(), 0);
+    EXPECT_LT(drag.place().z(), 0); // away from the viewer
+    drag.cancel();
+    EXPECT_EQ(stage.finished, before);
+    EXPECT_EQ(stage.labels, std::vector<std::string>{""});
+}
+
+TEST(Gestures, AForceIsDraggedByItsHeadInItsOwnForm) {
+    Stage stage(ball + "body b1 ball -mass 2\nforce -body b1 -x 0 -y {-10 * b1.mass} -z 0\n");
+    const Handle head = stage.handle(HandleKind::forceHead);
+    stage.drag(head, head.base + 0.5 * (head.place - head.base));
+    EXPECT_THAT(stage.text(), HasSubstr(" * b1.mass} -z 0\n"));
+    const auto& force = std::get<scene::ComponentForce>(stage.scene().forces[0].kind);
+    EXPECT_NEAR(std::stod(force.components[1]), -5, 0.1);
+}
+
+TEST(Gestures, TheEndOfALinkStaysOnItsBody) {
+    Stage stage(ball + "body b1 ball\n"
+                       "link -body1 b1 -offset1 {0 0 0.5} -x 1 -y 0 -z 0 -tightness 10\n");
+    stage.drag(stage.handle(HandleKind::linkEnd), {0.3, 0, 0.4});
+    EXPECT_NEAR(stage.scene().links[0].first.offset->norm(), 0.5, 0.01);
+    EXPECT_GT(stage.scene().links[0].first.offset->x(), 0.2);
+}
+
+TEST(Gestures, ButtonsTakeHoldOfHandlesBodiesAndPoints) {
+    const Stage stage(ball + "body b1 ball -init_pos {-1 0 0} -init_dpos {0 0.8 0}\n"
+                             "trajectory T -points {{0 1 0 0} {1 1 1 0}}\n");
+    EXPECT_EQ(stage.grasp(Button::left, {-1, 0.8, 0})->handle.kind, HandleKind::velocity);
+    EXPECT_EQ(stage.grasp(Button::left, {-1, 0, 0})->handle.kind, HandleKind::position);
+    // Beside the handles: the body itself.
+    EXPECT_EQ(stage.grasp(Button::left, {-1.3, 0, 0})->handle.kind, HandleKind::position);
+    EXPECT_EQ(stage.grasp(Button::middle, {-1.3, 0, 0})->handle.kind, HandleKind::orientation);
+    EXPECT_EQ(stage.grasp(Button::right, {-1.3, 0, 0})->what, Grasp::What::roll);
+    EXPECT_EQ(stage.grasp(Button::left, {1, 1, 0})->what, Grasp::What::drag);
+    EXPECT_EQ(stage.grasp(Button::middle, {1, 1, 0})->what, Grasp::What::newPoint);
+    EXPECT_EQ(stage.grasp(Button::right, {1, 1, 0})->what, Grasp::What::removePoint);
+    EXPECT_FALSE(stage.grasp(Button::left, {0, -1.5, 0}));
+}
+
+TEST(Gestures, ANewPointComesBeforeOrAfterByTheDirection) {
+    Stage stage(ball + "body b1 ball\ntrajectory T -points {{0 -1 0 0} {1 0 0 0} {2 1 0 0}}\n");
+    const Handle middle = stage.handle(HandleKind::trajectoryPoint, 1);
+    NewPoint point(stage.ground(), stage.sight(), middle);
+    point.move(stage.sight().pixels({0.5, 0.25, 0}));
+    EXPECT_EQ(point.words(), "T: new point at 1.5 s: 0.5 0.25 0");
+    point.finish();
+    stage.read(stage.finished);
+    ASSERT_EQ(stage.scene().trajectories[0].points.size(), 4U);
+    EXPECT_EQ(stage.scene().trajectories[0].points[2].first, 1.5);
+    EXPECT_EQ(stage.labels, std::vector<std::string>{"New point of T"});
+}
+
+} // namespace
+} // namespace gestures

@@ -1,0 +1,24 @@
+// What a shifted button takes hold of (dissertation 4.1.3, 4.1.4): the left one the handle nearest
+// to the pointer, or the body under it; the middle one turns the body, the right one rolls it about
+// the line of sight. Of a trajectory's point the middle one draws a new one out, the right one
+// removes it.
+#pragma once
+
+#include "gestures/picking.h"
+
+namespace gestures {
+
+constexpr double handleReach = 14; // pixels, of a handle
+
+struct Grasp {
+    enum class What { drag, roll, newPoint, removePoint } what = What::drag;
+    render::Handle handle;
+};
+
+// `handles`: those that are shown. `reach`: how far from its middle a handle is taken.
+[[nodiscard]] std::optional<Grasp> graspAt(const render::Drawing& drawing,
+                                           const render::HandleSet& handles, const Sight& sight,
+                                           render::CameraControl::Button button,
+                                           const Eigen::Vector2d& pixels, double reach);
+
+} // namespace gestures

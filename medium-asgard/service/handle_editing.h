@@ -1,0 +1,60 @@
+// Handles in the document's own picture (dissertation 6.2.4), dragged as in a graphical viewer and
+// by the same code (gestures/).
+//
+// Where a rendition shows handles, a shifted button takes hold of what is under the pointer. While
+// something is held `z` and `x` push it away and bring it nearer, `a` frees the end of a link from
+// its body, Escape gives the text back. The picture shows what is held where the pointer has it,
+// however long the motion takes.
+#pragma once
+
+#include "gestures/grasp.h"
+#include "gestures/handle_drag.h"
+#include "gestures/new_point.h"
+
+#include <memory>
+#include <string>
+
+namespace service {
+
+class HandleEditing {
+public:
+    // False: nothing is there to take hold of. `scale`: device pixels for each of the reader's.
+    bool press(gestures::Ground ground, const render::Drawing& drawing, render::Size size,
+               double scale, render::CameraControl::Button button, const Eigen::Vector2d& pixels);
+    void move(const Eigen::Vector2d& pixels);
+    void release(render::CameraControl::Button button); // the change becomes one of the document
+    bool key(const std::string& name, bool pressed);    // false: not theirs
+    void finish();
+    void cancel(); // the text is as it was
+    // What it was made on is gone: nothing more of it is taken.
+    void drop();
+
+    [[nodiscard]] bool active() const { return drag_ || newPoint_; }
+    // What a drag says of itself, or said last: "b1: position -4.37 0 2", or why it cannot be.
+    [[nodiscard]] const std::string& words() const { return words_; }
+    // Grows whenever pictures of the same scene may differ.
+    [[nodiscard]] unsigned generation() const { return generation_; }
+
+    // What a picture shows; none: its display has no handles.
+    [[nodiscard]] std::shared_ptr<const render::HandleSet>
+    handles(const std::shared_ptr<const scene::Scene>& scene, const render::Drawing& drawing);
+
+private:
+    void remove(const gestures::Ground& ground, const render::Handle& handle);
+    void say(std::string words);
+
+    std::unique_ptr<gestures::HandleDrag> drag_;
+    std::unique_ptr<gestures::NewPoint> newPoint_;
+    render::CameraControl::Button button_ = render::CameraControl::Button::left;
+    double scale_ = 1;
+    std::string words_;
+    unsigned generation_ = 0;
+    struct Prepared { // of one scene and motion, for all pictures
+        std::shared_ptr<const scene::Scene> scene;
+        simulation::MotionPointer motion;
+        render::Handles handles;
+    };
+    std::unique_ptr<Prepared> prepared_;
+};
+
+} // namespace service

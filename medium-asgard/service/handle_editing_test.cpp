@@ -1,0 +1,289 @@
+// A reader's pointer on handles in the document's picture, with the real evaluator and engine.
+#include "service/session.h"
+
+#include <gmock/gmock.h>
+
+#include <poll.h>
+
+namespace service {
+namespace {
+
+using render::Handle;
+using render::HandleKind;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+script::Reader& reader() {
+    static script::Reader shared;
+    return shared;
+}
+
+const std::string ball = "simulator -finish 2\nshape_set ball -desc {-sub {-sphere 0.5}}\n";
+
+class HandleEditingTest : public testing::Test {
+protected:
+    HandleEditingTest() {
+        Platform platform;
+        platform.tools.read = [](const std::string& text, const ParameterValues& parameters) {
+            return reader().read(text, parameters);
+        };
+        platform.tools.cancelReading = [] { reader().cancel(); };
+        platform.tools.simulate = [](const auto& scene, const auto& options, const auto& observer) {
+            return simulation::simulate(*scene, options, observer);
+        };
+        platform.draw = [this](const render::Drawing& drawing, const render::Image& image) {
+            camera = drawing.camera;
+            size = image.size;
+            handles = drawing.handles ? *drawing.handles : render::HandleSet{};
+            return true;
+        };
+        session.emplace(std::move(platform), medium);
+    }
+
+    void exchange() {
+        for (int i = 0; i < 3; ++i) {
+            medium.feed(std::string(host.outgoing()));
+            host.sent(host.outgoing().size());
+            while (const auto call = medium.next())
+                session->receive(*call, now);
+            session->attend(now);
+            host.feed(std::string(medium.outgoing()));
+            medium.sent(medium.outgoing().size());
+            while (auto call = host.next())
+                if (auto* heard = std::get_if<ipc::Told<ipc::ToHost>>(&*call))
+                    take(std::move(heard->call));
+                else
+                    asked.push_back(std::get<ipc::Asked<ipc::ToHost>>(*call));
+        }
+    }
+    void take(ipc::ToHost call) {
+        if (auto* frame = std::get_if<ipc::RenditionFrame>(&call))
+            host.notify(ipc::RenditionAck{1, frame->serial});
+        else if (auto* report = std::get_if<ipc::ProgressReport>(&call))
+            said.push_back(report->message);
+        else if (auto* end = std::get_if<ipc::ProgressEnd>(&call))
+            saidLast = end->message;
+    }
+    // Until what is shown is what is to be shown, and drawn.
+    void settle() {
+        const Instant end = Clock::now() + std::chrono::seconds(20);
+        do {
+            ASSERT_LT(Clock::now(), end) << "waited too long";
+            pollfd news{session->descriptor(), POLLIN, 0};
+            poll(&news, 1, 5);
+            now += std::chrono::milliseconds(200);
+            exchange();
+        } while (session->subdocument().computing() || !session->subdocument().upToDate());
+        now += std::chrono::seconds(1);
+        exchange();
+    }
+    template <class R> void ask(R request) {
+        host.request(std::move(request), [](const ipc::Outcome<typename R::Result>& outcome) {
+            const auto* error = std::get_if<ipc::Error>(&outcome);
+            EXPECT_EQ(error, nullptr) << R::method << ": " << error->message;
+        });
+        exchange();
+    }
+    void open(const std::string& text, const std::vector<std::string>& switches) {
+        ask(ipc::Initialize{});
+        ask(ipc::SubdocumentLoad{text, 1});
+        ipc::RenditionCreate create;
+        create.rendition = 1;
+        create.width = create.height = 400;
+        ask(create);
+        host.notify(ipc::RenditionShow{1});
+        for (const std::string& id : switches)
+            ask(ipc::MenuInvoke{id, 1});
+        settle();
+    }
+
+    Eigen::Vector2d pixels(const render::Vector& world) const {
+        return render::toPixels(camera, size, world);
+    }
+    Handle handle(HandleKind kind, std::size_t part = 0) const {
+        for (const Handle& one : handles.handles)
+            if (one.kind == kind && one.part == part)
+                return one;
+        throw std::runtime_error("no such handle");
+    }
+    void pointer(ipc::InputType type, const Eigen::Vector2d& at,
+                 ipc::Button button = ipc::Button::left, bool shifted = true) {
+        ipc::RenditionInput input;
+        input.rendition = 1;
+        input.type = type;
+        input.button = type == ipc::InputType::move ? ipc::Button::none : button;
+        if (shifted)
+            input.modifiers = {ipc::Modifier::shift};
+        input.x = at.x();
+        input.y = at.y();
+        host.notify(input);
+        exchange();
+    }
+    void key(const std::string& name) {
+        ipc::RenditionInput input;
+        input.rendition = 1;
+        input.type = ipc::InputType::keyPress;
+        input.key = name;
+        input.modifiers = {ipc::Modifier::shift};
+        host.notify(input);
+        exchange();
+    }
+    void press(const Eigen::Vector2d& at) { pointer(ipc::InputType::press, at); }
+    void move(const Eigen::Vector2d& at) { pointer(ipc::InputType::move, at); }
+    void release(const Eigen::Vector2d& at) { pointer(ipc::InputType::release, at); }
+    void drag(const render::Vector& from, const render::Vector& to) {
+        const Eigen::Vector2d start = pixels(from), end = pixels(to);
+        press(start);
+        move((start + end) / 2);
+        move(end);
+        release(end);
+    }
+    // The host takes the only change that it was asked for.
+    ipc::TextEdit accepted(const std::string& label) {
+        EXPECT_THAT(asked, SizeIs(1));
+        const auto& change = std::get<ipc::SubdocumentChanged>(asked.at(0).call);
+        EXPECT_EQ(change.label, label);
+        const ipc::TextEdit edit = change.edits.at(0);
+        host.answer(asked[0].id, ipc::Revised{change.base + 1});
+        asked.clear();
+        settle();
+        return edit;
+    }
+    const std::string& text() { return session->subdocument().text(); }
+    const scene::Scene& scene() { return *session->subdocument().scene(); }
+
+    ipc::HostChannel host;
+    ipc::MediumChannel medium;
+    std::optional<Session> session;
+    Instant now = Clock::now();
+    render::Camera camera;
+    render::Size size;
+    render::HandleSet handles;
+    std::vector<std::string> said;
+    std::string saidLast;
+    std::vector<ipc::Asked<ipc::ToHost>> asked;
+};
+
+TEST_F(HandleEditingTest, ADragIsOneChangeOfItsNumbersAndTheHostHasItWhenItEnds) {
+    const std::string before = ball + "body b1 ball -init_pos {-1   0 0} ;# left\n";
+    open(before, {"position-handles"});
+    const auto at = pixels(handle(HandleKind::position).place);
+    press(at);
+    move(at + Eigen::Vector2d(40, 0));
+    settle();
+    EXPECT_EQ(text(), before); // the document's
+    EXPECT_THAT(asked, IsEmpty());
+    EXPECT_GT(scene().bodies[0].initialPosition.x(), -0.9); // shown meanwhile
+    EXPECT_GT(handle(HandleKind::position).place.x(), -0.9);
+    ASSERT_FALSE(said.empty());
+    EXPECT_THAT(said.back(), HasSubstr("b1: position -0."));
+    release(at + Eigen::Vector2d(40, 0));
+    const ipc::TextEdit edit = accepted("Move b1");
+    const std::size_t numbers = before.find("{-1") + 1;
+    EXPECT_GE(static_cast<std::size_t>(edit.from), numbers);
+    EXPECT_LE(static_cast<std::size_t>(edit.to), before.find("} ;# left"));
+    EXPECT_EQ(text().substr(0, numbers), before.substr(0, numbers));
+    EXPECT_THAT(text(), testing::EndsWith("} ;# left\n"));
+    EXPECT_FALSE(session->subdocument().previewing());
+    EXPECT_GT(scene().bodies[0].initialPosition.x(), -0.9);
+}
+
+TEST_F(HandleEditingTest, ForcesVelocitiesLinksAndPointsAreDraggedAsInAViewer) {
+    open(ball + "body b1 ball -mass 2 -init_dpos {1 0 0} -fixed 0\n"
+                "force -body b1 -x 0 -y {-10 * b1.mass} -z 0\n"
+                "link -body1 b1 -offset1 {0 0 0.5} -x 2 -y 0 -z 0 -tightness 10\n"
+                "trajectory T -points {{0 -1 1 0} {1 0 1 0}}\n",
+         {"velocity-handles", "force-handles", "link-handles", "trajectories"});
+    const Handle velocity = handle(HandleKind::velocity);
+    drag(velocity.place, 1.5 * velocity.place);
+    accepted("Change the velocity of b1");
+    EXPECT_GT(scene().bodies[0].initialVelocity.x(), 1.3);
+    const Handle head = handle(HandleKind::forceHead);
+    drag(head.place, head.base + 0.5 * (head.place - head.base));
+    accepted("Change the components of force on b1");
+    EXPECT_THAT(text(), HasSubstr(" * b1.mass}"));
+    EXPECT_THAT(text(), testing::Not(HasSubstr("-10 *")));
+    const Handle end = handle(HandleKind::linkEnd, 1);
+    drag(end.place, end.place + render::Vector(0, 0.5, 0));
+    accepted("Change the second end of link of b1");
+    EXPECT_THAT(text(), testing::Not(HasSubstr("-x 2 -y 0 ")));
+    const Handle point = handle(HandleKind::trajectoryPoint, 1);
+    drag(point.place, point.place + render::Vector(0.5, 0, 0));
+    accepted("Change the point 2 of T");
+    EXPECT_GT(scene().trajectories[0].points[1].second.x(), 0.3);
+    pointer(ipc::InputType::press, pixels(handle(HandleKind::trajectoryPoint, 1).place),
+            ipc::Button::middle);
+    const auto beyond = pixels({1.5, 1.2, 0});
+    move(beyond);
+    pointer(ipc::InputType::release, beyond, ipc::Button::middle);
+    accepted("New point of T");
+    EXPECT_EQ(scene().trajectories[0].points.size(), 3U);
+    pointer(ipc::InputType::press, pixels(handle(HandleKind::trajectoryPoint, 2).place),
+            ipc::Button::right);
+    accepted("Remove a point");
+    EXPECT_EQ(scene().trajectories[0].points.size(), 2U);
+}
+
+TEST_F(HandleEditingTest, WithoutHandlesOrShiftThePointerTurnsTheView) {
+    const std::string before = ball + "body b1 ball\nbody b2 ball -init_pos {3 1 1}\n";
+    open(before, {});
+    const auto at = pixels({0, 0, 0});
+    const Eigen::Vector2d aside(30, 10);
+    const auto attitude = camera.rotation;
+    press(at); // no handles are shown
+    move(at + aside);
+    release(at + aside);
+    ask(ipc::MenuInvoke{"position-handles", 1});
+    pointer(ipc::InputType::press, at, ipc::Button::left, false);
+    pointer(ipc::InputType::move, at + aside, ipc::Button::left, false);
+    pointer(ipc::InputType::release, at + aside, ipc::Button::left, false);
+    settle();
+    EXPECT_GT(camera.rotation.angularDistance(attitude), 0.01);
+    EXPECT_THAT(asked, IsEmpty());
+    EXPECT_EQ(text(), before);
+}
+
+TEST_F(HandleEditingTest, EscapeGivesTheTextBackAndWhatCannotBeSaysWhy) {
+    open(ball + "body b1 ball\nbody b2 ball -init_pos [list [expr {1 + 1}] 0 0]\n",
+         {"position-handles"});
+    const auto at = pixels(handle(HandleKind::position).place);
+    press(at);
+    move(at + Eigen::Vector2d(30, 0));
+    key("Escape");
+    release(at + Eigen::Vector2d(30, 0));
+    settle();
+    EXPECT_EQ(scene().bodies[0].initialPosition.x(), 0);
+    EXPECT_THAT(asked, IsEmpty());
+    drag({2, 0, 0}, {1, 0, 0});
+    EXPECT_THAT(asked, IsEmpty());
+    EXPECT_THAT(saidLast, HasSubstr("is computed by [expr {1 + 1}]"));
+    EXPECT_FALSE(session->subdocument().previewing());
+}
+
+TEST_F(HandleEditingTest, WhatTheHostRefusesOrChangesMeanwhileIsNotKept) {
+    const std::string before = ball + "body b1 ball -init_pos {-1 0 0}\n";
+    open(before, {"position-handles"});
+    const auto at = pixels(handle(HandleKind::position).place);
+    press(at);
+    move(at + Eigen::Vector2d(30, 0));
+    release(at + Eigen::Vector2d(30, 0));
+    ASSERT_THAT(asked, SizeIs(1));
+    host.refuse(asked[0].id, {ipc::ErrorCode::notPossible, "the document cannot be edited"});
+    asked.clear();
+    settle();
+    EXPECT_EQ(saidLast, "the document cannot be edited");
+    EXPECT_EQ(scene().bodies[0].initialPosition.x(), -1);
+
+    press(pixels(handle(HandleKind::position).place));
+    move(at + Eigen::Vector2d(60, 0));
+    ask(ipc::SubdocumentLoad{before + "# theirs\n", 5});
+    release(at + Eigen::Vector2d(60, 0));
+    settle();
+    EXPECT_THAT(asked, IsEmpty());
+    EXPECT_EQ(text(), before + "# theirs\n");
+    EXPECT_EQ(scene().bodies[0].initialPosition.x(), -1);
+}
+
+} // namespace
+} // namespace service
