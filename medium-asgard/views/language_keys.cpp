@@ -14,6 +14,7 @@ QString languageKeys() {
     return QStringLiteral("<table width=\"620\">") +
            row(tr("Ctrl+Return"), tr("Update: the draft becomes the scene's text, in every view")) +
            row(tr("Ctrl+S"), tr("Update, and write the file")) +
+           row(tr("Ctrl+Shift+R"), tr("Revert: back to the text that was saved last")) +
            row(tr("Ctrl+Z, Ctrl+Shift+Z"), tr("take back what was typed; without a draft, the "
                                               "scene's last change, and bring it again")) +
            row(tr("Ctrl+Space"), tr("what can be written here: commands, options, names")) +

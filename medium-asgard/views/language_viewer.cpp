@@ -1,5 +1,6 @@
 #include "views/language_viewer.h"
 
+#include "editing/changes.h"
 #include "views/completer.h"
 #include "views/element_marks.h"
 #include "views/elision.h"
@@ -22,6 +23,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace views {
 
@@ -89,6 +91,7 @@ void LanguageViewer::connectParts() {
     });
     connect(draft_.get(), &Draft::followed, this, &LanguageViewer::followed);
     connect(&document_, &SceneDocument::diagnosticsChanged, this, &LanguageViewer::showDiagnostics);
+    connect(&document_, &SceneDocument::sceneChanged, this, &LanguageViewer::tellChanges);
     connect(&document_, &SceneDocument::sceneChanged, this, &LanguageViewer::showDiagnostics);
     connect(&document_, &SceneDocument::workChanged, this, &LanguageViewer::showState);
     connect(&document_, &SceneDocument::nameChanged, this, &LanguageViewer::updateTitle);
@@ -106,8 +109,9 @@ QWidget* LanguageViewer::buildButtons() {
     saveButton_->setVisible(static_cast<bool>(windows_.save));
     revertButton_ = new QPushButton(tr("&Revert"));
     revertButton_->setToolTip(document_.hasHost()
-                                  ? tr("Drop the draft: back to the document's text")
-                                  : tr("Back to the text that was saved last, in every view"));
+                                  ? tr("Drop the draft: back to the document's text (Ctrl+Shift+R)")
+                                  : tr("Back to the text that was saved last, in every view "
+                                       "(Ctrl+Shift+R)"));
     auto* dismiss = new QPushButton(tr("&Dismiss"));
     dismiss->setToolTip(tr("Close this viewer (Ctrl+W)"));
     state_ = new QLabel;
@@ -139,7 +143,8 @@ void LanguageViewer::buildMenus() {
                     &LanguageViewer::updateDocument);
     if (windows_.save)
         file->addAction(tr("&Save"), QKeySequence::Save, saveButton_, &QPushButton::click);
-    file->addAction(tr("&Revert"), this, &LanguageViewer::revert);
+    file->addAction(tr("&Revert"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R), this,
+                    &LanguageViewer::revert);
     file->addAction(tr("&Dismiss"), QKeySequence::Close, this, &QWidget::close);
     buildEditMenu();
     buildViewMenu();
@@ -156,7 +161,7 @@ void LanguageViewer::buildEditMenu() {
         undo->setText(typingIsUndone() ? tr("&Undo Typing")
                                        : tr("&Undo %1").arg(document_.undoLabel()));
         redo->setText(draft_->canRedo() ? tr("&Redo Typing")
-                                                 : tr("&Redo %1").arg(document_.redoLabel()));
+                                        : tr("&Redo %1").arg(document_.redoLabel()));
         undo->setEnabled(typingIsUndone() || document_.canUndo());
         redo->setEnabled(draft_->canRedo() || (!draft_->edited() && document_.canRedo()));
     });
@@ -225,6 +230,8 @@ QsciScintilla& LanguageViewer::editor() { return *editor_; }
 
 void LanguageViewer::updateDocument() {
     numbers_->finish();
+    if (draft_->edited())
+        updating_.emplace(document_.shownText(), document_.shown().scene);
     draft_->submit();
     showDiagnostics();
 }
@@ -243,9 +250,7 @@ void LanguageViewer::dropDraft() {
 }
 
 // While there is a draft, undo takes back what was typed; else the scene's last change.
-bool LanguageViewer::typingIsUndone() const {
-    return draft_->canUndo();
-}
+bool LanguageViewer::typingIsUndone() const { return draft_->canUndo(); }
 
 void LanguageViewer::undo() {
     numbers_->finish();
@@ -295,9 +300,32 @@ void LanguageViewer::showState() {
         : errors > 0 && !document_.sceneIsCurrent()
             ? (errors == 1 ? tr("1 error: the last good scene is shown")
                            : tr("%1 errors: the last good scene is shown").arg(errors))
-        : errors > 0 ? tr("The motion has faults")
-                     : tr("The scene's text");
+        : errors > 0         ? tr("The motion has faults")
+        : updated_.isEmpty() ? tr("The scene's text")
+                             : updated_;
     state_->setText(text);
+}
+
+// Elements that an Update added, modified and removed (dissertation 4.2.2).
+void LanguageViewer::tellChanges() {
+    updated_.clear();
+    const auto before = std::exchange(updating_, std::nullopt);
+    if (!before || !document_.sceneIsCurrent())
+        return;
+    const editing::Changes changes = editing::changesBetween(
+        {before->first, *before->second}, {document_.text(), *document_.shown().scene});
+    QStringList parts;
+    const auto add = [&](std::size_t count, const QString& what) {
+        if (count > 0)
+            parts += tr("%1 %2").arg(count).arg(what);
+    };
+    add(changes.added.size(), tr("added"));
+    add(static_cast<std::size_t>(std::ranges::count_if(
+            changes.kept, [](const editing::Kept& one) { return one.modified; })),
+        tr("modified"));
+    add(changes.removed.size(), tr("removed"));
+    updated_ = parts.isEmpty() ? tr("Updated: no element changed")
+                               : tr("Updated: %1").arg(parts.join(QStringLiteral(", ")));
 }
 
 void LanguageViewer::updateTitle() {

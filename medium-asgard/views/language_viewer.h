@@ -64,6 +64,7 @@ private:
     QWidget* buildButtons();
     void showDiagnostics();
     void showState();
+    void tellChanges();
     void updateTitle();
     void followed();
     [[nodiscard]] bool typingIsUndone() const;
@@ -87,6 +88,9 @@ private:
     NoticeBar* notice_;
     FindBar* findBar_;
     QLabel* state_;
+    // The scene before an Update whose scene is yet to be read, and what that Update did.
+    std::optional<std::pair<std::string, std::shared_ptr<const scene::Scene>>> updating_;
+    QString updated_;
     QPushButton *updateButton_, *saveButton_, *revertButton_;
 };
 

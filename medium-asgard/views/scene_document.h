@@ -78,6 +78,8 @@ public:
     [[nodiscard]] const std::string& text() const { return text_; }
     [[nodiscard]] int revision() const { return revision_; }
     [[nodiscard]] const Shown& shown() const { return shown_; }
+    // That the shown scene was read from.
+    [[nodiscard]] const std::string& shownText() const { return shownText_; }
     // Of the current text, by place; faults of the motion without a place at the end.
     [[nodiscard]] const std::vector<scene::Diagnostic>& diagnostics() const { return diagnostics_; }
     [[nodiscard]] bool hasErrors() const;

@@ -33,8 +33,10 @@ std::optional<std::vector<double>> numbersOf(const std::array<QLineEdit*, 3>& fi
 void fill(const std::array<QLineEdit*, 3>& fields, const std::vector<double>& values) {
     for (std::size_t i = 0; i < fields.size(); ++i) {
         fields[i]->setEnabled(i < values.size());
-        if (!fields[i]->isModified() || !fields[i]->hasFocus())
-            fields[i]->setText(i < values.size() ? plain(values[i]) : QString());
+        const QString text = i < values.size() ? plain(values[i]) : QString();
+        // The same text again would take away what is selected to be typed over.
+        if ((!fields[i]->isModified() || !fields[i]->hasFocus()) && fields[i]->text() != text)
+            fields[i]->setText(text);
     }
 }
 
