@@ -182,16 +182,22 @@ CollisionSource::meetInFlight(const Histories& histories, const Pair& pair, doub
         time);
     if (turn(pair, time, velocities, then))
         return Handled{.event = {}, .isDone = true};
+    // All axes of what could be turned restart, as they do in a turn: whether somebody reads a body
+    // changes no bit of it.
     Event event{.time = time, .touched = {}, .tag = 0};
     outcome_ = {};
-    for (std::size_t i = 0; i < 2; ++i)
-        for (std::size_t k = 0; k < 3; ++k)
-            if (const auto axis = static_cast<Eigen::Index>(k);
-                then[i][axis] != velocities[i][axis]) {
-                const std::size_t body = i == 0 ? pair.first : pair.second;
-                event.touched.push_back(records_[body].firstUnknown + physics::dx + k);
-                outcome_.jumps.push_back({event.touched.back(), then[i][axis]});
-            }
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::size_t body = i == 0 ? pair.first : pair.second;
+        for (std::size_t k = 0; k < 3 && !records_[body].isFixed; ++k) {
+            const auto axis = static_cast<Eigen::Index>(k);
+            const bool jumps = then[i][axis] != velocities[i][axis];
+            const std::size_t unknown = records_[body].firstUnknown + physics::dx + k;
+            if (jumps || search_.isFollowed(body))
+                event.touched.push_back(unknown);
+            if (jumps)
+                outcome_.jumps.push_back({unknown, then[i][axis]});
+        }
+    }
     return Handled{.event = std::move(event), .isDone = false};
 }
 

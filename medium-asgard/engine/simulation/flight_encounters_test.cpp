@@ -73,6 +73,21 @@ TEST(Flights, OfDifferentWeightsKeepApart) {
                     << one << " " << other << " " << sample;
 }
 
+// What a body does is the same to the last bit whether another reads it or not: an edit that adds a
+// reader keeps its motion.
+TEST(Flights, AreTheSameWhetherTheyAreReadOrNot) {
+    SceneBuilder b(20);
+    b.box("left", {-1.5, 0, 0}, {1, 8, 8}).fixed = true;
+    b.box("right", {1.5, 0, 0}, {1, 8, 8}).fixed = true;
+    b.ball("flies", {0.1, 0.2, 0.3}).initialVelocity = {2.3, 0.013, 0.0171};
+    const Result unread = simulate(b.scene);
+    b.ball("reads", {100, 0, 0});
+    b.force("reads", "0", "0.1*flies.dy+0.01*flies.z", "0");
+    const Result read = simulate(b.scene);
+    EXPECT_GT(unread.motion->impacts().size(), 20u);
+    EXPECT_EQ(rows(*read.motion, 2), rows(*unread.motion, 2));
+}
+
 // Cells grow with the way: a lonely ball crosses few, however far it goes.
 TEST(Flights, GoFarInFewSteps) {
     SceneBuilder b(1e6);
