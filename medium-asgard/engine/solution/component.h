@@ -34,6 +34,7 @@ namespace solution {
 }
 
 inline constexpr double largestValue = 1e100; // of anything; beyond it motion ends
+inline constexpr double heldPart = 1e-3; // of the tolerance, that polynomials of held values err by
 
 // Below this a step does not move time by more than rounding.
 [[nodiscard]] inline double shortestStep(double t) {
@@ -159,7 +160,7 @@ private:
     void appendPart(std::span<const Coefficients> states, double origin, double scale, double until,
                     int depth);
     [[nodiscard]] bool fitHeld(std::span<const Coefficients> states, double origin, double scale,
-                               double until, std::span<Coefficients> held);
+                               double until, double part, std::span<Coefficients> held);
     void appendRow(std::span<const Coefficients> states, std::span<const Coefficients> held,
                    double origin, double scale, double until);
 

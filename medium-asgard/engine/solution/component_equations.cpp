@@ -24,7 +24,7 @@ ComponentEquations::ComponentEquations(std::shared_ptr<const BoundModel> bound,
       inputs_(histories, bound_->inputs), in_(model_.symbols().size()),
       out_(model_.outputs().size()), base_(out_.size()), other_(out_.size()),
       guards_(model_.function().decisions()), sides_(model_.surfaces().size(), onSurface),
-      decisions_(model_.function().decisions()),
+      isGrazed_(model_.surfaces().size(), 0), decisions_(model_.function().decisions()),
       isPlain_(decisions_.empty() && bound_->held.empty() && bound_->loop.empty()),
       readsInputs_(!bound_->inputs.empty()) {
     std::ranges::copy(bound_->constants,

@@ -122,6 +122,7 @@ private:
     void follow(const std::vector<std::size_t>& passed);
     [[nodiscard]] bool follow(std::size_t surface, std::span<const double> rates, bool passed);
     void pass(const Watch& watch, bool insist, std::vector<std::size_t>& passed);
+    void passWhole(std::size_t surface, bool insist);
     [[nodiscard]] bool settleWeights(double t, std::span<const double> y);
     void project(double t, std::span<double> y);
     [[nodiscard]] bool differences(double t, std::span<const double> y, std::span<double> entries);
@@ -134,6 +135,9 @@ private:
     std::vector<double> out_, base_, other_, guards_;
 
     std::vector<int> sides_; // -1, 0, 1; of sliding surfaces -1
+    // Of floors and ceilings: they are passed to and fro by rounding alone, which counts for
+    // nothing.
+    std::vector<char> isGrazed_;
     std::vector<expression::Decision> decisions_;
     std::vector<std::size_t> sliding_; // surfaces
     std::vector<double> weights_;

@@ -231,10 +231,18 @@ void Component::stepClosedForm() {
         arrive();
 }
 
-// Held values alone, as polynomials of degree 8 that are halved until they fit.
+// Held values alone, as polynomials of degree 8 that are halved until they fit. No error is
+// estimated of them, so that they fit to rounding; where rounding is worse than one would think,
+// which never ends, as well as those that follow states.
 void Component::stepHeld() {
-    double h = proposed_ > 0 ? proposed_ : 1;
-    for (;;) {
+    constexpr int patience = 24;
+    const double wanted = proposed_ > 0 ? proposed_ : 1;
+    double h = wanted, part = 0;
+    for (int refused = 0;;) {
+        if (part == 0 && (refused == patience || h <= 2 * shortestStep(time_))) {
+            part = heldPart;
+            h = wanted;
+        }
         const double to = time_ + landingOf(options_) * h >= limit_ ? limit_ : time_ + h;
         if (to - time_ <= shortestStep(time_)) {
             const auto culprits = equations_->notFinite(time_ + h, {});
@@ -251,8 +259,9 @@ void Component::stepHeld() {
             return;
         }
         const double until = found ? found->time : to;
-        if (!fitHeld({}, time_, 1, until, held)) {
+        if (!fitHeld({}, time_, 1, until, part, held)) {
             ++counts_.rejectedSteps;
+            ++refused;
             h *= 0.5;
             continue;
         }

@@ -21,7 +21,8 @@ void Component::appendPart(std::span<const Coefficients> states, double origin, 
         return;
     }
     std::vector<Coefficients> held(equations_->held().size());
-    if (!held.empty() && !fitHeld(states, origin, scale, until, held) && depth < deepest) {
+    if (!held.empty() && !fitHeld(states, origin, scale, until, heldPart, held) &&
+        depth < deepest) {
         const double middle = origin + 0.5 * (until - origin);
         appendPart(states, origin, scale, middle, depth + 1);
         std::vector<Coefficients> second;
@@ -40,9 +41,10 @@ void Component::appendPart(std::span<const Coefficients> states, double origin, 
     appendRow(states, held, origin, scale, until);
 }
 
-// Polynomials of (t - origin)/(until - origin). False: they do not fit.
+// Polynomials of (t - origin)/(until - origin). False: they do not fit, by more than this part of
+// the tolerance of what they span, and by more than rounding, of time too, makes of them.
 bool Component::fitHeld(std::span<const Coefficients> states, double origin, double scale,
-                        double until, std::span<Coefficients> held) {
+                        double until, double part, std::span<Coefficients> held) {
     const auto& points = interpolationPoints();
     std::vector<double> y(states.size()), out(held.size());
     std::vector<std::array<double, maximumCoefficients>> samples(held.size());
@@ -52,6 +54,8 @@ bool Component::fitHeld(std::span<const Coefficients> states, double origin, dou
         return equations_->heldValues(t, y, out);
     };
     const double length = until - origin;
+    const double latest = std::max(std::abs(origin), std::abs(until));
+    const double late = 16 * std::numeric_limits<double>::epsilon() * latest / length;
     for (std::size_t p = 0; p < points.size(); ++p) {
         if (!valuesAt(p == maximumDegree ? until : origin + points[p] * length))
             return false;
@@ -66,7 +70,9 @@ bool Component::fitHeld(std::span<const Coefficients> states, double origin, dou
         for (std::size_t k = 0; k < held.size(); ++k) {
             const auto [low, high] = std::minmax_element(samples[k].begin(), samples[k].end());
             const double size = std::max(std::abs(*low), std::abs(*high));
-            const double allowed = std::max(1e-3 * tolerance_ * (*high - *low), 1e-13 * size);
+            const double spanned = *high - *low;
+            const double allowed =
+                std::max({part * tolerance_ * spanned, late * spanned, 1e-13 * size});
             if (!(std::abs(evaluate(held[k], s) - out[k]) <= allowed))
                 return false;
         }

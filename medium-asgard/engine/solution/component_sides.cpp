@@ -104,7 +104,8 @@ void ComponentEquations::watch(double t, std::span<const double> y, std::span<do
             const double w = weights_[static_cast<std::size_t>(place)];
             values[k] = kind == Watch::Kind::least ? w : 1 - w;
         } else if (surface.whole) {
-            values[k] = g;
+            const auto taken = static_cast<double>(decisions_[surface.members[0].decision]);
+            values[k] = g + (isGrazed_[s] ? 1e-12 * std::max(1.0, std::abs(taken)) : 0);
         } else if (sides_[s] == onSurface) {
             values[k] = 1e-12 - std::abs(g);
         } else {
@@ -147,6 +148,7 @@ void ComponentEquations::settleOn(std::size_t surface) {
 
 void ComponentEquations::decide(double t, std::span<double> y) {
     sliding_.clear();
+    isGrazed_.assign(model_.surfaces().size(), 0);
     if (model_.surfaces().empty())
         return;
     fill(t, y);
@@ -256,19 +258,11 @@ Decision ComponentEquations::wholeBranch(std::size_t surface, std::span<const do
 
 void ComponentEquations::pass(const Watch& watch, bool insist, std::vector<std::size_t>& passed) {
     const std::size_t s = watch.surface;
-    const Surface::Member& member = model_.surfaces()[s].members[0];
     if (watch.kind != Watch::Kind::side) {
         sliding_.erase(std::remove(sliding_.begin(), sliding_.end(), s), sliding_.end());
         setSide(s, watch.kind == Watch::Kind::least ? -1 : +1);
     } else if (model_.surfaces()[s].whole) {
-        field();
-        const std::vector<double> now = out_;
-        const Decision next = wholeBranch(s, now);
-        Decision& taken = decisions_[member.decision];
-        const double middle =
-            static_cast<double>(taken) + (model_.surfaces()[s].ceiling ? -0.5 : 0.5);
-        const Decision beside = taken + (guardRate(s, now).value > middle ? 1 : -1);
-        taken = next != taken ? next : beside;
+        passWhole(s, insist);
     } else if (insist) {
         setSide(s, onSurface);
     } else if (passed.empty() || !isRight(s)) {
@@ -277,6 +271,27 @@ void ComponentEquations::pass(const Watch& watch, bool insist, std::vector<std::
         setSide(s, sides_[s] == onSurface ? (g > 0) - (g < 0) : -sides_[s]);
         passed.push_back(s);
     }
+}
+
+// To and fro without end: where both branches move it the same way, rounding alone passes it, and
+// either branch will do until it is farther from the whole number.
+void ComponentEquations::passWhole(std::size_t surface, bool insist) {
+    field();
+    const std::vector<double> now = out_;
+    const Slope slope = guardRate(surface, now);
+    const bool ceiling = model_.surfaces()[surface].ceiling;
+    const Decision next = wholeBranch(surface, now);
+    Decision& taken = decisions_[model_.surfaces()[surface].members[0].decision];
+    const double middle = static_cast<double>(taken) + (ceiling ? -0.5 : 0.5);
+    const Decision beside = taken + (slope.value > middle ? 1 : -1);
+    taken = next != taken ? next : beside;
+    isGrazed_[surface] = 0;
+    if (!insist)
+        return;
+    field();
+    const std::vector<double> behind = out_;
+    const double rate = guardRate(surface, behind).rate;
+    isGrazed_[surface] = rate == slope.rate || rate * slope.rate > 0 ? 1 : 0;
 }
 
 // Guards that jumped when other surfaces were passed: their sides follow their values. One that is

@@ -45,6 +45,9 @@ Coefficients through(const std::array<double, degree + 1>& values) {
     return result;
 }
 
+// (1 + F)^2 = 1 + 2F + F^2
+constexpr auto doubled = [](auto& less1) { less1 = (2 * less1 + less1.lazyProduct(less1)).eval(); };
+
 } // namespace
 
 // The first length comes from the spectral radius, by the growth of A's powers.
@@ -99,40 +102,50 @@ void LinearMotion::balance() {
     }
 }
 
-LinearMotion::Propagators LinearMotion::exponentials(double h) const {
+LinearMotion::Precise LinearMotion::exponentials(double h) const {
     constexpr std::size_t terms = 14;
     const double size = (m_ * h).cwiseAbs().rowwise().sum().maxCoeff();
     const int halvings = size > 0.25 ? static_cast<int>(std::ceil(std::log2(size / 0.25))) : 0;
-    const Matrix part = m_ * std::ldexp(h, -halvings);
-    std::array<Matrix, terms + 1> power; // over the factorial
-    power[0] = Matrix::Identity(m_.rows(), m_.cols());
-    for (std::size_t k = 1; k <= terms; ++k)
-        power[k] = part.lazyProduct(power[k - 1]) / static_cast<double>(k);
+    const PreciseMatrix part = m_.cast<long double>() * std::ldexp(h, -halvings);
+    std::array<PreciseMatrix, terms + 1> power; // over the factorial; the first is 1
+    power[1] = part;
+    for (std::size_t k = 2; k <= terms; ++k)
+        power[k] = part.lazyProduct(power[k - 1]) / static_cast<long double>(k);
     const auto at = [&](double point) {
-        Matrix result = power[terms];
-        for (std::size_t k = terms; k-- > 0;)
-            result = result * point + power[k];
+        PreciseMatrix result = power[terms] * point;
+        for (std::size_t k = terms; k-- > 1;)
+            result = (result + power[k]) * point;
         for (int k = 0; k < halvings; ++k)
-            result = result.lazyProduct(result).eval();
+            doubled(result);
         return result;
     };
-    Propagators all;
-    std::ranges::transform(interpolationPoint, all.to.begin(), at);
-    std::ranges::transform(checkPoints, all.check.begin(), at);
+    Precise all;
+    std::ranges::transform(interpolationPoint, all.begin(), at);
+    std::ranges::transform(checkPoints, all.begin() + points, at);
     return all;
 }
 
 const LinearMotion::Propagators& LinearMotion::propagators(int level) {
     if (const auto known = made_.find(level); known != made_.end())
         return known->second;
-    if (level <= 0)
-        return made_.emplace(level, exponentials(lengthOf(level))).first->second;
-    Propagators all = propagators(level - 1);
-    for (Matrix& matrix : all.to)
-        matrix = matrix.lazyProduct(matrix).eval();
-    for (Matrix& matrix : all.check)
-        matrix = matrix.lazyProduct(matrix).eval();
-    return made_.emplace(level, std::move(all)).first->second;
+    if (level < 0)
+        return made_.emplace(level, rounded(exponentials(lengthOf(level)))).first->second;
+    if (preciseLevel_ < 0 || preciseLevel_ > level) {
+        precise_ = exponentials(lengthOf(0));
+        preciseLevel_ = 0;
+    }
+    for (; preciseLevel_ < level; ++preciseLevel_)
+        std::ranges::for_each(precise_, doubled);
+    return made_.emplace(level, rounded(precise_)).first->second;
+}
+
+LinearMotion::Propagators LinearMotion::rounded(const Precise& precise) {
+    Propagators result;
+    for (std::size_t i = 0; i < points; ++i)
+        result.to[i] = precise[i].cast<double>();
+    for (std::size_t i = 0; i < checks; ++i)
+        result.check[i] = precise[points + i].cast<double>();
+    return result;
 }
 
 double LinearMotion::misfit(const Propagators& propagators, const Vector& start,
@@ -141,7 +154,7 @@ double LinearMotion::misfit(const Propagators& propagators, const Vector& start,
     std::array<Vector, points> at;
     Vector largest = largest_;
     for (std::size_t i = 0; i < points; ++i) {
-        at[i] = propagators.to[i].lazyProduct(start);
+        at[i] = start + propagators.to[i].lazyProduct(start);
         largest = largest.cwiseMax(at[i].cwiseAbs());
     }
     for (std::size_t n = 0; n < columns.size(); ++n) {
@@ -152,7 +165,7 @@ double LinearMotion::misfit(const Propagators& propagators, const Vector& start,
     }
     double worst = 0;
     for (std::size_t i = 0; i < checks; ++i) {
-        const Vector exact = propagators.check[i].lazyProduct(start);
+        const Vector exact = start + propagators.check[i].lazyProduct(start);
         for (std::size_t n = 0; n < columns.size(); ++n) {
             const auto row = static_cast<Eigen::Index>(n);
             const double off = std::abs(evaluate(columns[n], checkPoints[i]) - exact(row));

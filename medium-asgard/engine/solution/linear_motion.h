@@ -5,7 +5,9 @@
 //                                          | 0 0 |
 //
 // Pieces are powers of 2 long: what leads through one is the square of what leads through half of
-// it. M is balanced first (Parlett and Reinsch 1969): unknowns are counted in units, powers of 2,
+// it. What is kept of each is e^{Mh} - 1, and is squared with the digits of a long double: what
+// moves slowly beside a stiff end takes twenty squarings, and each doubles what the first was off
+// by. M is balanced first (Parlett and Reinsch 1969): unknowns are counted in units, powers of 2,
 // in which its rows and columns are alike, so that a stiff spring needs no more squarings than its
 // frequency asks for.
 //
@@ -45,13 +47,17 @@ private:
         Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most>;
     using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
     static constexpr std::size_t points = 8, checks = 4;
-    struct Propagators { // of one length, to each point and check of it
+    using PreciseMatrix =
+        Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most>;
+    struct Propagators { // of one length, to each point and check of it; less 1
         std::array<Matrix, points> to;
         std::array<Matrix, checks> check;
     };
+    using Precise = std::array<PreciseMatrix, points + checks>;
 
     void balance();
-    [[nodiscard]] Propagators exponentials(double h) const;
+    [[nodiscard]] Precise exponentials(double h) const;
+    [[nodiscard]] static Propagators rounded(const Precise& precise);
     [[nodiscard]] const Propagators& propagators(int level);
     [[nodiscard]] double lengthOf(int level) const;
     // What the polynomial errs by over what it may; `end`: the values at its end.
@@ -68,6 +74,8 @@ private:
     double misfit_ = 1;               // of the last piece
     Vector largest_;                  // of each unknown so far
     std::map<int, Propagators> made_; // of this level and those beside it
+    Precise precise_;                 // of the level that was made last, if it is 0 or more
+    int preciseLevel_ = -1;
 };
 
 } // namespace solution

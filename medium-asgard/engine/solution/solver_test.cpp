@@ -92,6 +92,31 @@ TEST(Solver, StiffLinearMotionIsExactToo) {
     EXPECT_NEAR(solver.histories().value(0, 10), 0, 1e-12);
 }
 
+// A gram on a ton: what is fast is gone after a millionth of a second, and twenty doublings of what
+// leads through that must not round away how slowly the other moves.
+TEST(Solver, WhatMovesSlowlyBesideAStiffEndHasLongPieces) {
+    const std::string pull = "(1e4*(a-b)+6324.555320336759*(da-db))";
+    const Solver solver = solved(equationsOf({{"a", "da", 1, 1},
+                                              {"da", "-1000*" + pull, 0},
+                                              {"b", "db", 0, 1},
+                                              {"db", "0.001*" + pull, 0}}),
+                                 1, tolerance(1e-6));
+    const Statistics statistics = solver.statistics();
+    EXPECT_EQ(statistics.componentList[0].model, "linear");
+    EXPECT_EQ(statistics.integratedSteps, 0u);
+    EXPECT_LT(statistics.evaluations, 300u);
+    // a - b = (l1 exp(l2 t) - l2 exp(l1 t)) / (l1 - l2), of s^2 + 2 d s + w^2 = 0.
+    const double mass = 1000.001, d = 0.5 * mass * 6324.555320336759, w2 = mass * 1e4;
+    const double fast = -d - std::sqrt(d * d - w2), slow = w2 / fast;
+    const auto apart = [&](double t) {
+        return (fast * std::exp(slow * t) - slow * std::exp(fast * t)) / (fast - slow);
+    };
+    for (const double t : {1e-6, 1e-3, 0.1, 0.5, 1.0}) {
+        const double found = solver.histories().value(0, t) - solver.histories().value(2, t);
+        EXPECT_NEAR(found, apart(t), 1e-12) << t;
+    }
+}
+
 // Hardly damped, and moved by no more than what a step may err by: a method strides over it.
 TEST(Solver, LinearMotionThatDoesNotShowIsIntegrated) {
     Options options = tolerance(1e-6);
@@ -102,6 +127,35 @@ TEST(Solver, LinearMotionThatDoesNotShowIsIntegrated) {
     EXPECT_EQ(statistics.componentList[0].model, "implicit");
     EXPECT_LT(statistics.evaluations, 20'000u); // for a million periods
     EXPECT_NEAR(solver.histories().value(0, 1), 0, 1e-6);
+}
+
+// --- held values ------------------------------------------------------------------------------
+
+// No error is estimated of them; so there is none but rounding, at any accuracy.
+TEST(Solver, HeldValuesAloneFitToRounding) {
+    for (const double accuracy : {1e-2, 1e-6}) {
+        expression::EquationSet set = equationsOf({{"x", "0", 0, 1}});
+        set.unknowns[0].phases[0].given =
+            expression::testing::parsed(set.graph, "sin(5*t)+exp(-t)");
+        const Solver solver = solved(set, 10, tolerance(accuracy));
+        const auto exact = [](double t) { return std::sin(5 * t) + std::exp(-t); };
+        EXPECT_LT(worst(solver.histories(), 0, 0, 10, exact), 1e-12) << accuracy;
+        EXPECT_LT(solver.statistics().steps, 200u);
+    }
+}
+
+// At 1000 s each unit in the last place of time is 1e-7 of a turn: no polynomial fits what that
+// makes of the sine, and the motion goes on all the same.
+TEST(Solver, HeldValuesThatRoundingRoughensAreFollowedNonetheless) {
+    for (const std::string text : {"sin(1e6*t)", "sin(1e6*t+1e9)"}) {
+        Options options = tolerance(1e-4);
+        options.start = 1000;
+        expression::EquationSet set = equationsOf({{"x", "0", 0, 1}});
+        set.unknowns[0].phases[0].given = expression::testing::parsed(set.graph, text);
+        const Solver solver = solved(set, 1000.0001, std::move(options));
+        EXPECT_TRUE(solver.histories().stops().empty()) << text;
+        EXPECT_LT(solver.statistics().steps, 1000u) << text;
+    }
 }
 
 // --- motion of an earlier run -----------------------------------------------------------------
