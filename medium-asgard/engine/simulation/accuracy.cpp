@@ -10,6 +10,24 @@ namespace {
 
 constexpr std::size_t spacedTimes = 64, stepTimes = 2000;
 
+// Asks now and then whether somebody cancelled.
+class Poll {
+public:
+    explicit Poll(const std::function<bool()>& cancelled) : cancelled_(cancelled) {}
+    [[nodiscard]] bool isCancelled() {
+        if (++done_ >= comparisonsPerPoll) {
+            done_ = 0;
+            isCancelled_ = isCancelled_ || (cancelled_ && cancelled_());
+        }
+        return isCancelled_;
+    }
+
+private:
+    const std::function<bool()>& cancelled_;
+    std::size_t done_ = 0;
+    bool isCancelled_ = false;
+};
+
 // The places of one body at times in order. Unknowns of one component share their steps, and what
 // never changes, which is most of a planar motion, is read once.
 class PlaceReader {
@@ -60,7 +78,9 @@ public:
 
     // Where an error can peak: at the ends of the body's own steps, and between them, thinned when
     // there are many. Equally spaced times where there are few.
-    [[nodiscard]] std::vector<double> times(double from, double until) const;
+    [[nodiscard]] std::vector<double> times(double from, double until, Poll& poll);
+    // The most that one component had of those that times() looked at.
+    [[nodiscard]] std::size_t steps() const { return most_; }
 
 private:
     struct Steps {
@@ -79,7 +99,8 @@ private:
         }
         return static_cast<std::size_t>(known - steps_.begin());
     }
-    void addTimes(std::size_t unknown, double from, double until, std::vector<double>& times) const;
+    void addTimes(std::size_t unknown, double from, double until, Poll& poll,
+                  std::vector<double>& times) const;
 
     const BodyRecord& body_;
     const solution::Histories& histories_;
@@ -87,16 +108,17 @@ private:
     std::vector<Steps> steps_;
     std::vector<Column> columns_;
     std::vector<std::size_t> others_;
+    std::size_t most_ = 0;
     bool turns_ = false; // else its attitude is the same all the time
 };
 
 // Ends and middles of steps in turn.
-void PlaceReader::addTimes(std::size_t unknown, double from, double until,
+void PlaceReader::addTimes(std::size_t unknown, double from, double until, Poll& poll,
                            std::vector<double>& times) const {
     const solution::History* history = nullptr;
     std::size_t step = 0;
     bool isEnd = true;
-    for (double t = from; t < until; isEnd = !isEnd) {
+    for (double t = from; t < until && !poll.isCancelled(); isEnd = !isEnd) {
         const solution::History* const here = histories_.place(unknown, t).history;
         if (!here)
             return;
@@ -112,7 +134,7 @@ void PlaceReader::addTimes(std::size_t unknown, double from, double until,
     }
 }
 
-std::vector<double> PlaceReader::times(double from, double until) const {
+std::vector<double> PlaceReader::times(double from, double until, Poll& poll) {
     std::vector<double> times;
     std::vector<const solution::History*> seen;
     for (const std::size_t kind : {physics::x, physics::y, physics::z, physics::qw}) {
@@ -121,7 +143,9 @@ std::vector<double> PlaceReader::times(double from, double until) const {
         if (std::ranges::find(seen, steps) != seen.end())
             continue;
         seen.push_back(steps);
-        addTimes(unknown, from, until, times);
+        const std::size_t known = times.size();
+        addTimes(unknown, from, until, poll, times);
+        most_ = std::max(most_, times.size() - known);
     }
     const std::size_t stride = (times.size() / stepTimes + 1) | 1; // ends and middles in turn
     for (std::size_t i = 1; stride > 1 && i * stride < times.size(); ++i)
@@ -146,6 +170,23 @@ void extend(Eigen::AlignedBox3d& box, const Vector& position, double radius) {
     box.extend(Vector(position + Vector::Constant(radius)));
 }
 
+// The growth of one body's error: those that exceed all before. (What does not exceed all before of
+// its own body does not do so among all bodies.)
+class Records {
+public:
+    explicit Records(std::vector<std::pair<double, double>>& growth) : growth_(growth) {}
+    void add(double t, double error) {
+        if (error <= largest_)
+            return;
+        largest_ = std::isnan(error) ? solution::infinity : error;
+        growth_.emplace_back(t, error);
+    }
+
+private:
+    std::vector<std::pair<double, double>>& growth_;
+    double largest_ = 0;
+};
+
 // In order of time, those that exceed all before by a tenth.
 void keepRecords(std::vector<std::pair<double, double>>& growth) {
     std::ranges::sort(growth);
@@ -163,10 +204,11 @@ bool isSame(const Run& second, std::size_t body) {
     return !second.isTaken.empty() && second.isTaken[body];
 }
 
-// Calls visit(time, place in the first run, place in the second) where a body is compared.
+// Calls visit(time, place in the first run, place in the second) where a body is compared. Answers
+// how many steps the second run has of it.
 template <typename Visit>
-void compareBody(const Problem& problem, std::size_t b, const Run& first, const Run& second,
-                 const Visit& visit) {
+std::size_t compareBody(const Problem& problem, std::size_t b, const Run& first, const Run& second,
+                        Poll& poll, const Visit& visit) {
     const BodyRecord& body = (*problem.bodies)[b];
     const double from = problem.start();
     const double until = std::min({problem.finish(), knownUntil(body, *first.histories),
@@ -175,8 +217,12 @@ void compareBody(const Problem& problem, std::size_t b, const Run& first, const 
     PlaceReader after(body, *second.histories, from);
     // What turns in neither run has the attitude of the start in both.
     before.tellsAttitude = after.tellsAttitude = before.turns() || after.turns();
-    for (const double t : after.times(from, until))
+    for (const double t : after.times(from, until, poll)) {
+        if (poll.isCancelled())
+            break;
         visit(t, before.at(t), after.at(t));
+    }
+    return after.steps();
 }
 
 } // namespace
@@ -191,23 +237,26 @@ double IslandError::beyondFrom(double limit) const {
 std::vector<IslandError> compareRuns(const Problem& problem, const Run& first, const Run& second,
                                      double limit, const std::function<bool()>& cancelled) {
     const auto& bodies = *problem.bodies;
+    Poll poll(cancelled);
     std::vector<IslandError> errors(bodies.size(),
                                     {.size = 0, .far = 0, .largest = 0, .growth = {}});
     std::vector<Eigen::AlignedBox3d> boxes(bodies.size()); // by island, as errors
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        if (b % 16 == 15 && cancelled && cancelled())
+        if (poll.isCancelled())
             return errors;
         if (bodies[b].isFixed || isSame(second, b))
             continue;
         const std::size_t island = second.island[b];
         double& largest = errors[island].largest;
-        compareBody(problem, b, first, second,
-                    [&](double, const Trace::Place& place, const Trace::Place& truth) {
-                        const double error = positionError(place, truth, bodies[b].radius);
-                        if (!(error <= largest))
-                            largest = std::isnan(error) ? solution::infinity : error;
-                        extend(boxes[island], truth.position, bodies[b].radius);
-                    });
+        const std::size_t steps =
+            compareBody(problem, b, first, second, poll,
+                        [&](double, const Trace::Place& place, const Trace::Place& truth) {
+                            const double error = positionError(place, truth, bodies[b].radius);
+                            if (!(error <= largest))
+                                largest = std::isnan(error) ? solution::infinity : error;
+                            extend(boxes[island], truth.position, bodies[b].radius);
+                        });
+        errors[island].steps = std::max(errors[island].steps, steps);
     }
     for (std::size_t i = 0; i < bodies.size(); ++i)
         if (!boxes[i].isEmpty()) {
@@ -220,11 +269,14 @@ std::vector<IslandError> compareRuns(const Problem& problem, const Run& first, c
         if (bodies[b].isFixed || isSame(second, b) || !(errors[second.island[b]].largest > limit))
             continue;
         IslandError& error = errors[second.island[b]];
-        compareBody(problem, b, first, second,
-                    [&](double t, const Trace::Place& place, const Trace::Place& truth) {
-                        error.growth.emplace_back(t, positionError(place, truth, bodies[b].radius) /
-                                                         error.size);
-                    });
+        Records records(error.growth);
+        (void)compareBody(problem, b, first, second, poll,
+                          [&](double t, const Trace::Place& place, const Trace::Place& truth) {
+                              records.add(t, positionError(place, truth, bodies[b].radius) /
+                                                 error.size);
+                          });
+        if (poll.isCancelled())
+            return errors;
     }
     for (IslandError& error : errors)
         keepRecords(error.growth);

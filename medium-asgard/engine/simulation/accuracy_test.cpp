@@ -58,6 +58,34 @@ TEST(CompareRuns, SaysNothingOfFixedBodiesAndOfWhatTheSecondTookFromTheFirst) {
     EXPECT_EQ(compareRuns(*truth, runOf(*other), second, 1)[0].largest, 0);
 }
 
+// Both times that it looks at all places: for the largest difference, and for how it grows.
+TEST(CompareRuns, AsksOftenWhetherItIsCancelledAndEndsAtOnce) {
+    const auto flock = [](double speed) {
+        SceneBuilder b(10);
+        b.scene.simulator.collisions = false;
+        for (int i = 0; i < 100; ++i)
+            b.ball("ball" + std::to_string(i), {0, 3.0 * i, 0}).initialVelocity = {speed, 0, 0};
+        return posed(b);
+    };
+    const auto truth = flock(1), other = flock(2);
+    const auto first = runOf(*other), second = runOf(*truth);
+    std::size_t asked = 0, stopAt = 0;
+    const auto cancelled = [&] { return ++asked == stopAt; };
+    const std::size_t places = 100 * 65; // each at 64 times and at the end
+    (void)compareRuns(*truth, first, second, 1e3, cancelled);
+    const std::size_t once = asked;
+    EXPECT_GE(once, places / comparisonsPerPoll);
+    asked = 0;
+    (void)compareRuns(*truth, first, second, 0, cancelled);
+    const std::size_t twice = asked;
+    EXPECT_GE(twice, 2 * places / comparisonsPerPoll);
+    for (stopAt = 1; stopAt <= twice; ++stopAt) {
+        asked = 0;
+        (void)compareRuns(*truth, first, second, 0, cancelled);
+        EXPECT_EQ(asked, stopAt);
+    }
+}
+
 // A body that falls out of step after more than 100,000 of its steps, and only then: the finish,
 // and all before, do not show it.
 TEST(CompareRuns, SeesWhatHappensAfterAHundredThousandSteps) {

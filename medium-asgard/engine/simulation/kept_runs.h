@@ -21,7 +21,8 @@ public:
 
     // Before each search.
     void begin(std::size_t bodies);
-    enum class Kind { compared, rougher, nudged };
+    enum class Kind { compared, rougher, nudged, proving };
+    static constexpr std::size_t kinds = 4;
     // The next run of this kind; none when the search before made no such run, or all is marked.
     // Islands that `again` does not mark, whose tolerances are the same as in the run before, are
     // taken from it where nothing hit anything.
@@ -46,8 +47,8 @@ private:
 
     Keep keep_;
     bool isRepeated_ = false;
-    std::array<std::vector<std::unique_ptr<OpenRun>>, 3> runs_; // by kind
-    std::array<std::size_t, 3> asked_{};
+    std::array<std::vector<std::unique_ptr<OpenRun>>, kinds> runs_; // by kind
+    std::array<std::size_t, kinds> asked_{};
     std::vector<bool> marked_; // by body
 };
 

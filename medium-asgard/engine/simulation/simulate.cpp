@@ -152,6 +152,50 @@ void compareRougher(const Problem& problem, const Run& run, const Observer& sile
             differences[b] = rougher[b];
 }
 
+// Compares runs until the search ends. False: it was cancelled, or such a run was not made before.
+bool tighten(const Problem& problem, const Observer& silent, Tightening& search, KeptRuns& runs,
+             Run& run, Solved& solved) {
+    while (search.goesOn() && !solved.result.cancelled) {
+        auto tight = runs.next(problem, Kind::compared, search.tight(), silent,
+                               KeptRuns::Base{run, search.runsAgain()});
+        for (std::size_t b = 0; b < solved.errors.size() && !tight; ++b)
+            if (!search.isSettled(b))
+                runs.mark(b);
+        if (!tight)
+            return false;
+        addWork(*tight, solved);
+        auto differences = differencesOf(problem, run, *tight, silent, solved);
+        if (!solved.result.cancelled && search.needsRougher(differences))
+            compareRougher(problem, *tight, silent, search, differences, runs, solved);
+        if (solved.result.cancelled)
+            return false;
+        search.judge(differences, tight->island, solved.errors);
+        run = std::move(*tight);
+    }
+    return !solved.result.cancelled;
+}
+
+// Errors of a few steps are measured by one run more. True: the search goes on.
+bool prove(const Problem& problem, const Run& run, const Observer& silent, Tightening& search,
+           KeptRuns& runs, Solved& solved) {
+    const std::vector<bool> unproven = search.unproven();
+    if (std::ranges::find(unproven, true) == unproven.end())
+        return false;
+    const auto proof =
+        runs.next(problem, Kind::proving, search.proof(), silent, KeptRuns::Base{run, unproven});
+    for (std::size_t b = 0; b < unproven.size() && !proof; ++b)
+        if (unproven[b])
+            runs.mark(b);
+    if (!proof)
+        return false;
+    addWork(*proof, solved);
+    const auto differences = differencesOf(problem, run, *proof, silent, solved);
+    if (solved.result.cancelled)
+        return false;
+    search.prove(differences, solved.errors);
+    return search.goesOn();
+}
+
 Solved solveToAccuracy(const Problem& problem, const Observer& observer, KeptRuns& runs) {
     Solved solved;
     Tightening search(problem.accuracy(), problem.bodies->size());
@@ -167,22 +211,8 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer, KeptRun
     if (observer.progress && !isExact(run))
         observer.progress(run.motion(problem, true, {}, {}));
     search.leaveExact(run);
-    while (search.goesOn() && !solved.result.cancelled) {
-        auto tight = runs.next(problem, Kind::compared, search.tight(), silent,
-                               KeptRuns::Base{run, search.runsAgain()});
-        for (std::size_t b = 0; b < solved.errors.size() && !tight; ++b)
-            if (!search.isSettled(b))
-                runs.mark(b);
-        if (!tight)
-            break;
-        addWork(*tight, solved);
-        auto differences = differencesOf(problem, run, *tight, silent, solved);
-        if (!solved.result.cancelled && search.needsRougher(differences))
-            compareRougher(problem, *tight, silent, search, differences, runs, solved);
-        if (solved.result.cancelled)
-            break;
-        search.judge(differences, tight->island, solved.errors);
-        run = std::move(*tight);
+    while (tighten(problem, silent, search, runs, run, solved) &&
+           prove(problem, run, silent, search, runs, solved)) {
     }
     solved.isEstimated = !solved.result.cancelled;
     deliver(problem, std::move(run), solved);

@@ -14,6 +14,8 @@ constexpr double loosest = 1e-3;           // and at most this
 constexpr double tightening = 1.0 / 8;     // between the first two runs
 constexpr double enough = 0.625;           // of the accuracy: the estimate that is accepted
 constexpr double aim = 0.15;               // and what is aimed at when it is not
+constexpr std::size_t fewSteps = 24;       // whose errors follow no tolerance
+constexpr double proofCaution = 1.25;      // what a run at an eighth of the tolerance errs by
 constexpr double rougher = 512;            // of a third run, when the first two are equal
 constexpr double leastStep = 1e-3;         // of tolerances from run to run, and of errors
 constexpr double mostStep = 0.25;          // of tolerances, where a run was not enough
@@ -97,10 +99,12 @@ double Tightening::next(std::size_t b, const IslandError& difference, BodyError&
     body.before = error;
     body.beyondBefore = beyond;
     body.looser = loose_[b];
-    body.isSettled = false;
-    if (isKept(difference, ahead))
+    body.isSettled = body.wantsProof = false;
+    if (isKept(difference, ahead)) {
         settle(b, difference, ahead.estimate, growth, known);
-    else if (body.failures >= patience)
+        body.wantsProof =
+            difference.steps <= fewSteps && error > 0 && tightening * tight > rounding;
+    } else if (body.failures >= patience)
         settle(b, difference, unsettled, 1, known);
     else if (tight <= rounding)
         settle(b, difference, isWrong ? unsettled : ahead.estimate, growth, known);
@@ -165,6 +169,38 @@ void Tightening::share(const std::vector<std::size_t>& island) {
         least[island[b]] = std::min(least[island[b]], tight_[b]);
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         tight_[b] = least[island[b]];
+}
+
+std::vector<bool> Tightening::unproven() const {
+    std::vector<bool> bodies;
+    for (const Body& body : bodies_)
+        bodies.push_back(body.wantsProof);
+    return bodies;
+}
+
+std::vector<double> Tightening::proof() const {
+    std::vector<double> tolerances = tight_;
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        if (bodies_[b].wantsProof)
+            tolerances[b] *= tightening;
+    return tolerances;
+}
+
+void Tightening::prove(const std::vector<IslandError>& differences,
+                       std::vector<BodyError>& errors) {
+    const std::vector<double> proven = proof();
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        if (!std::exchange(bodies_[b].wantsProof, false))
+            continue;
+        const IslandError& difference = differences[b];
+        const double estimate =
+            proofCaution * difference.largest + leastUnits * epsilon * coarseness(difference);
+        bodies_[b].isSettled = estimate <= accuracy_;
+        if (bodies_[b].isSettled)
+            errors[b].estimate = estimate;
+        else
+            tight_[b] = proven[b];
+    }
 }
 
 bool Tightening::goesOn() const { return !std::ranges::all_of(bodies_, &Body::isSettled); }

@@ -7,6 +7,8 @@
 //         search.judge(differences of the two, islands of the tight run, errors)
 //         loose = tight
 //     while search.goesOn()
+//     search.prove(differences of the tight run and one at search.proof(), errors), where wanted;
+//     repeat if it goes on then
 //     the motion is that of the tight run, and `errors` are its
 //
 // The difference of two runs is the error of the looser one. The tighter one's is less by as much
@@ -46,6 +48,14 @@ public:
     void judge(const std::vector<IslandError>& differences, const std::vector<std::size_t>& island,
                std::vector<BodyError>& errors);
     [[nodiscard]] bool goesOn() const;
+
+    // By body: its motion has so few steps that its errors follow no tolerance. Then they are
+    // measured, by a run that is tighter still.
+    [[nodiscard]] std::vector<bool> unproven() const;
+    [[nodiscard]] std::vector<double> proof() const;
+    // Takes the differences between the runs at tight() and proof(), and writes these errors. Where
+    // they are larger than the accuracy the search goes on.
+    void prove(const std::vector<IslandError>& differences, std::vector<BodyError>& errors);
     [[nodiscard]] bool isSettled(std::size_t body) const { return bodies_[body].isSettled; }
 
 private:
@@ -55,6 +65,7 @@ private:
         double beyondBefore = 0;
         int failures = 0; // to come closer
         bool isSettled = false;
+        bool wantsProof = false;
     };
     struct Outlook { // for the tighter run
         double order = 0, gain = 0, estimate = 0;

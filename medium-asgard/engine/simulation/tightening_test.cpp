@@ -19,7 +19,7 @@ struct Island {
     }
     [[nodiscard]] IslandError difference(double loose, double tight) const {
         const double apart = std::max(errorAt(loose) - errorAt(tight), floor);
-        return {.size = 1, .far = far, .largest = apart, .growth = {{1.0, apart}}};
+        return {.size = 1, .far = far, .largest = apart, .steps = 100, .growth = {{1.0, apart}}};
     }
 };
 
@@ -84,12 +84,44 @@ TEST(Tightening, AnIslandIsJudgedByItselfAlone) {
         for (std::size_t b = 0; b < 2; ++b)
             differences.push_back(
                 both.tight()[b] == both.loose()[b]
-                    ? IslandError{.size = 1, .far = 1, .largest = 0, .growth = {}}
+                    ? IslandError{.size = 1, .far = 1, .largest = 0, .steps = 0, .growth = {}}
                     : (b == 0 ? quick : slow).difference(both.loose()[b], both.tight()[b]));
         both.judge(differences, {0, 1}, errors);
     }
     EXPECT_EQ(errors[0].estimate, search(1e-6, quick).estimate);
     EXPECT_EQ(errors[1].estimate, search(1e-6, slow).estimate);
+}
+
+TEST(Tightening, MeasuresTheErrorOfAFewSteps) {
+    const auto few = [](double apart) {
+        return IslandError{.size = 1, .far = 1, .largest = apart, .steps = 5, .growth = {}};
+    };
+    Tightening tightening(1e-6, 1);
+    std::vector<BodyError> errors(1);
+    tightening.judge({few(1e-6)}, {0}, errors);
+    ASSERT_FALSE(tightening.goesOn());
+    ASSERT_EQ(tightening.unproven(), std::vector<bool>{true});
+    EXPECT_EQ(tightening.proof()[0], tightening.tight()[0] / 8);
+    Tightening worse = tightening;
+
+    tightening.prove({few(1e-9)}, errors);
+    EXPECT_NEAR(errors[0].estimate, 1e-9, 0.3e-9);
+    EXPECT_FALSE(tightening.goesOn());
+    EXPECT_EQ(tightening.unproven(), std::vector<bool>{false});
+
+    // More than was asked for: the run that showed it takes its place.
+    worse.prove({few(2e-6)}, errors);
+    EXPECT_TRUE(worse.goesOn());
+    EXPECT_EQ(worse.runsAgain(), std::vector<bool>{true});
+    EXPECT_EQ(worse.tight()[0], worse.loose()[0] / 8);
+}
+
+TEST(Tightening, ManyStepsNeedNoProof) {
+    Tightening tightening(1e-6, 1);
+    std::vector<BodyError> errors(1);
+    tightening.judge({{.size = 1, .far = 1, .largest = 1e-6, .steps = 500, .growth = {}}}, {0},
+                     errors);
+    EXPECT_EQ(tightening.unproven(), std::vector<bool>{false});
 }
 
 // --- real scenes ------------------------------------------------------------------------------
