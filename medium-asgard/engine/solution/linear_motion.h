@@ -47,8 +47,7 @@ private:
         Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most>;
     using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
     static constexpr std::size_t points = 8, checks = 4;
-    using PreciseMatrix =
-        Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most>;
+    using PreciseMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
     struct Propagators { // of one length, to each point and check of it; less 1
         std::array<Matrix, points> to;
         std::array<Matrix, checks> check;
