@@ -33,7 +33,9 @@ public:
     explicit LinearMotion(const LinearForm& form);
     [[nodiscard]] double until() const { return until_; }
     [[nodiscard]] std::size_t bytes() const {
-        return sizeof *this + made_.size() * sizeof(Propagators);
+        const auto entries = static_cast<std::size_t>(precise_[0].size());
+        return sizeof *this + made_.size() * sizeof(Propagators) +
+               precise_.size() * entries * sizeof(long double);
     }
 
     // The next piece from y: its length. Columns are polynomials of (t - t0)/length; y becomes the
