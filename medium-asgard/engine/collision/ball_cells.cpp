@@ -80,6 +80,7 @@ void BallCells::remove(std::size_t owner) {
 }
 
 void BallCells::link(std::uint32_t owner) {
+    ++changes_;
     Ball& ball = balls_[owner];
     std::uint32_t& first = levels_[ball.level].buckets[bucketOf(levels_[ball.level], ball.place)];
     ball.previous = nothing;
@@ -90,6 +91,7 @@ void BallCells::link(std::uint32_t owner) {
 }
 
 void BallCells::unlink(std::uint32_t owner) {
+    ++changes_;
     const Ball& ball = balls_[owner];
     if (ball.previous == nothing)
         levels_[ball.level].buckets[bucketOf(levels_[ball.level], ball.place)] = ball.next;

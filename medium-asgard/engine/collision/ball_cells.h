@@ -47,6 +47,22 @@ public:
             if (!level.members.empty())
                 visitIn(level, rangeAround(ball, level), owner, visit);
     }
+    // The same as a list, which holds until the next call for another ball's but one, or until any
+    // ball changes its cell: an impact asks twice for two balls.
+    [[nodiscard]] const std::vector<std::uint32_t>& near(std::size_t owner) {
+        for (const Near& known : near_)
+            if (known.owner == owner && known.changes == changes_)
+                return known.balls;
+        Near& made = near_[nextNear_];
+        nextNear_ = 1 - nextNear_;
+        made.owner = owner;
+        made.changes = changes_;
+        made.balls.clear();
+        forEachNear(owner, [&](std::size_t ball) {
+            made.balls.push_back(static_cast<std::uint32_t>(ball));
+        });
+        return made.balls;
+    }
     // Of these, those that were not before it crossed.
     template <typename Visit>
     void forEachBeyond(std::size_t owner, const Exit& exit, Visit&& visit) const {
@@ -159,7 +175,15 @@ private:
     void unlink(std::uint32_t owner);
     void rehash(Level& level);
 
-    std::vector<Ball> balls_; // by owner
+    struct Near { // what near() answered
+        std::size_t owner = ~std::size_t{0};
+        std::uint64_t changes = 0;
+        std::vector<std::uint32_t> balls;
+    };
+    std::array<Near, 2> near_;
+    std::size_t nextNear_ = 0;
+    std::uint64_t changes_ = 1; // of cells
+    std::vector<Ball> balls_;   // by owner
     std::vector<Level> levels_;
     std::size_t members_ = 0;
 };

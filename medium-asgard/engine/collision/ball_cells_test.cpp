@@ -40,6 +40,25 @@ struct Balls {
     }
 };
 
+// The list that is kept is what a look tells, whoever asked before and whoever crossed since.
+TEST(BallCells, KeepWhoIsNearUntilSomeBallMoves) {
+    constexpr std::size_t count = 40;
+    Balls b(count);
+    std::vector<BallCells::Exit> exits;
+    for (std::size_t i = 0; i < count; ++i)
+        exits.push_back(b.cells.exitOf(i, b.flights[i], 0));
+    for (std::size_t event = 0; event < 2000; ++event) {
+        for (const std::size_t ball : {event % count, (7 * event + 3) % count, event % count}) {
+            const std::vector<std::uint32_t>& list = b.cells.near(ball);
+            EXPECT_EQ(Set(list.begin(), list.end()), b.near(ball));
+        }
+        const auto next = std::ranges::min_element(exits, {}, &BallCells::Exit::time);
+        const auto ball = static_cast<std::size_t>(next - exits.begin());
+        ASSERT_NE(b.cells.cross(ball, *next), BallCells::Crossing::nowhere);
+        *next = b.cells.exitOf(ball, b.flights[ball], next->time);
+    }
+}
+
 // Through many cells, in order of time: whoever touches a ball is near it, and whoever comes to be
 // near it when it crosses lies beyond the face.
 TEST(BallCells, KnowWhomABallTouches) {

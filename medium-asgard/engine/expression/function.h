@@ -34,6 +34,25 @@ public:
     void guards(std::span<const double> in, std::span<double> guards, Scratch& scratch,
                 std::span<const Decision> decisions) const;
 
+    // The machine code itself, for loops that evaluate nothing else; none as long as there is none.
+    // It lives as long as the function.
+    struct Code {
+        EntryPoint entry = nullptr;
+        const double* constants = nullptr;
+        void operator()(const double* in, double* out, double* scratch) const {
+            entry(in, out, constants, nullptr, scratch);
+        }
+    };
+    [[nodiscard]] Code code(Scratch& scratch) const {
+        const auto* const code =
+            used(Purpose::values, Width::one).code.load(std::memory_order_acquire);
+        if (!code)
+            return {};
+        if (scratch.size() < code->scratch)
+            scratch.resize(code->scratch);
+        return {code->entry, tape().constants().data()};
+    }
+
     // Many instances in one call, each with its own inputs: lanes() of them, in arrays with lanes()
     // entries for each index (in[i * lanes() + k] is input i of instance k; decisions likewise).
     // Instances that are not needed may repeat another. Same bits as one at a time.
@@ -58,10 +77,11 @@ private:
     };
     // Asked of the kernel only now and then, so that what is evaluated rarely costs nothing more.
     static constexpr std::uint32_t batch = 20;
+    [[nodiscard]] const Use& used(Purpose purpose, Width width) const {
+        return shared_->uses[static_cast<std::size_t>(purpose)][static_cast<std::size_t>(width)];
+    }
     [[nodiscard]] const Kernel::Code* codeFor(Purpose purpose, Width width) const {
-        const Use& use =
-            shared_->uses[static_cast<std::size_t>(purpose)][static_cast<std::size_t>(width)];
-        const auto* const code = use.code.load(std::memory_order_acquire);
+        const auto* const code = used(purpose, width).code.load(std::memory_order_acquire);
         return code ? code : askFor(purpose, width);
     }
     [[nodiscard]] const Kernel::Code* askFor(Purpose purpose, Width width) const;

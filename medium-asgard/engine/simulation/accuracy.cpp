@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace simulation {
 namespace {
@@ -43,7 +44,7 @@ public:
             const auto [history, column] = histories.place(unknown, from);
             values_[i] = histories.value(unknown, from);
             if (history->empty() || !histories.isInOnePlace(unknown))
-                others_.push_back(i); // it has, or had, several components
+                others_.push_back({i, nullptr, 0}); // it has, or had, several components
             else if (history->size() > 1 || history->step(0).coefficients > 1)
                 columns_.push_back({.kind = i, .steps = stepsOf(history), .column = column});
             else
@@ -63,8 +64,8 @@ public:
             values_[column.kind] = solution::evaluate(
                 steps.history->piece(steps.step, column.column).coefficients, steps.s);
         }
-        for (const std::size_t i : others_)
-            values_[i] = histories_.value(body_.firstUnknown + kinds[i], t);
+        for (Other& other : others_)
+            values_[other.kind] = valueOf(other, t);
         Trace::Place place;
         place.position = {values_[0], values_[1], values_[2]};
         if (tellsAttitude)
@@ -91,6 +92,20 @@ private:
     struct Column {
         std::size_t kind, steps, column;
     };
+    struct Other {
+        std::size_t kind;
+        const solution::History* history; // that was read last, and its step
+        std::size_t step;
+    };
+    [[nodiscard]] double valueOf(Other& other, double t) const {
+        const std::size_t unknown = body_.firstUnknown + kinds[other.kind];
+        const auto [history, column] = histories_.place(unknown, t);
+        if (history->empty()) // what was before goes on
+            return histories_.value(unknown, t);
+        other.step =
+            history->find(t, std::exchange(other.history, history) == history ? other.step : 0);
+        return history->piece(other.step, column).value(t);
+    }
     std::size_t stepsOf(const solution::History* history) {
         const auto known = std::ranges::find(steps_, history, &Steps::history);
         if (known == steps_.end()) {
@@ -107,7 +122,7 @@ private:
     std::array<double, 7> values_{}; // at the time asked for last
     std::vector<Steps> steps_;
     std::vector<Column> columns_;
-    std::vector<std::size_t> others_;
+    std::vector<Other> others_;
     std::size_t most_ = 0;
     bool turns_ = false; // else its attitude is the same all the time
 };

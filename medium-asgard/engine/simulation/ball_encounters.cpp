@@ -31,6 +31,17 @@ struct At {
                timeResolution * std::abs(time) * (speeds + other->velocityAt(time).lpNorm<1>()) <
                    1e-4 * far;
     }
+    // Of something that stands still, by what holds it.
+    [[nodiscard]] bool isApartFrom(const geometry::Box& box, double radius) const {
+        if (!flight)
+            return false;
+        const double tolerance = collision::touchingGap * (flight->radius + radius) +
+                                 timeResolution * std::abs(time) * speeds;
+        const double far = 1.001 * flight->radius + tolerance;
+        return ((centre.array() > box.max().array() + far) ||
+                (centre.array() < box.min().array() - far))
+            .any();
+    }
 };
 
 } // namespace
@@ -70,7 +81,9 @@ std::optional<FlightContact> CollisionSource::onlyContact(const Histories& histo
         const At here{.flight = search_.flight(body), .time = time};
         search_.forEachPartner(body, [&](std::size_t other) {
             const Pair met = std::minmax(body, other);
-            if (!isOnly || met == pair || here.isApartFrom(search_.flight(other)))
+            if (!isOnly || met == pair || here.isApartFrom(search_.flight(other)) ||
+                (records_[other].isFixed &&
+                 here.isApartFrom(search_.box(other), records_[other].radius)))
                 return;
             const FlightContact contact = flightContact(met, time);
             isOnly = contact.kind == FlightContact::Kind::none ||
@@ -94,17 +107,20 @@ bool CollisionSource::touchesClosely(const Histories& histories, const Pair& pai
 bool CollisionSource::isLastHop(const Pair& pair, const Vector& normal, double speed,
                                 double time) const {
     double push = 0, reach = 0;
+    for (const auto& [body, sign] : {std::pair{pair.first, 1.0}, std::pair{pair.second, -1.0}})
+        if (const collision::BallFlight* flight = search_.flight(body))
+            push += 2 * sign * normal.dot(flight->half);
+    if (!(push < 0))
+        return false;
     double radius = solution::infinity;
-    for (const auto& [body, sign] : {std::pair{pair.first, 1.0}, std::pair{pair.second, -1.0}}) {
+    for (const std::size_t body : {pair.first, pair.second}) {
         radius = std::min(radius, records_[body].radius);
         reach += records_[body].radius;
-        if (const collision::BallFlight* flight = search_.flight(body)) {
-            push += 2 * sign * normal.dot(flight->half);
+        if (const collision::BallFlight* flight = search_.flight(body))
             reach += flight->centreAt(time).norm();
-        }
     }
     const double lowest = std::max({limits_.hopHeight * radius, 2e-9 * radius, 1e-13 * reach});
-    return push < 0 && speed * speed / (-2 * push) < 2 * lowest;
+    return speed * speed / (-2 * push) < 2 * lowest;
 }
 
 Vector CollisionSource::velocityOf(const Histories& histories, std::size_t body,

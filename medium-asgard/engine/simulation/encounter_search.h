@@ -92,14 +92,13 @@ public:
     // others list.
     [[nodiscard]] std::vector<std::size_t> partners(std::size_t body) const;
     // The same, in no order.
-    template <typename Visit> void forEachPartner(std::size_t body, Visit&& visit) const {
+    template <typename Visit> void forEachPartner(std::size_t body, Visit&& visit) {
         for (const std::size_t other : partners_[body])
             visit(other);
         if (cells_.contains(body))
-            cells_.forEachNear(body, [&](std::size_t other) {
+            for (const std::size_t other : cells_.near(body))
                 if (mayMeet(body, other))
                     visit(other);
-            });
     }
     [[nodiscard]] bool hasEnded(std::size_t body) const { return ended_[body]; }
     // The motion from the front on that was looked at.
@@ -109,6 +108,8 @@ public:
     [[nodiscard]] const collision::BallFlight* flight(std::size_t body) const {
         return windows_[body].isFlight ? &windows_[body].flight : nullptr;
     }
+    // What holds a fixed body.
+    [[nodiscard]] const geometry::Box& box(std::size_t body) const { return windows_[body].box; }
     // The faces of a fixed body with flat faces.
     [[nodiscard]] std::span<const collision::StandingPart> standing(std::size_t body) const {
         return standing_[body];

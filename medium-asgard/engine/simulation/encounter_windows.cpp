@@ -19,7 +19,9 @@ constexpr double mostRoom = 4;     // a box in the tree is at most so much large
 constexpr double rounding = 1e-12; // of coordinates, in boxes
 constexpr int smallWindows = 16;   // that nothing cut; from then on a ball takes larger cells
 
-double doublings(int number) { return std::ldexp(1, std::min(number, mostDoublings)); }
+double doublings(int number) {
+    return static_cast<double>(std::uint64_t{1} << std::min(number, mostDoublings));
+}
 
 void grow(geometry::Box& box, double by) {
     box.min() -= geometry::Vector::Constant(by);
@@ -230,7 +232,7 @@ void EncounterSearch::searchAround(std::size_t body, double time, std::optional<
     if (around_ == Around::all) {
         // Who searched it just now has put itself there.
         std::erase_if(unclear_[body], [&](std::size_t other) { return other != but; });
-        cells_.forEachNear(body, look);
+        std::ranges::for_each(cells_.near(body), look);
         return;
     }
     const std::vector<std::size_t> unclear = std::exchange(unclear_[body], {});
@@ -239,8 +241,12 @@ void EncounterSearch::searchAround(std::size_t body, double time, std::optional<
 }
 
 std::vector<std::size_t> EncounterSearch::partners(std::size_t body) const {
-    std::vector<std::size_t> partners;
-    forEachPartner(body, [&](std::size_t other) { partners.push_back(other); });
+    std::vector<std::size_t> partners = partners_[body];
+    if (cells_.contains(body))
+        cells_.forEachNear(body, [&](std::size_t other) {
+            if (mayMeet(body, other))
+                partners.push_back(other);
+        });
     std::ranges::sort(partners);
     return partners;
 }

@@ -32,7 +32,8 @@ void orderInstant(std::span<Impact> impacts, const std::function<bool(std::size_
 } // namespace
 
 void putInOrder(std::vector<Impact>& impacts, const std::function<bool(std::size_t)>& isFixed) {
-    std::ranges::stable_sort(impacts, {}, &Impact::time);
+    if (!std::ranges::is_sorted(impacts, {}, &Impact::time)) // they mostly are
+        std::ranges::stable_sort(impacts, {}, &Impact::time);
     for (auto from = impacts.begin(); from != impacts.end();) {
         const auto to = std::find_if(
             from, impacts.end(), [&](const Impact& impact) { return impact.time > from->time; });

@@ -142,6 +142,7 @@ private:
     [[nodiscard]] std::unique_ptr<Method> chooseMethod();
     void endWithoutRate(double t, std::span<const double> y);
     void finish(double to);
+    [[nodiscard]] bool land(double to);
     [[nodiscard]] double longest() const; // that the next step may be, by what is watched
     [[nodiscard]] std::optional<double> overlooked(double h, double until);
     void lookCloser(double at, double h);
@@ -196,6 +197,7 @@ private:
     std::unique_ptr<LinearMotion> linear_;
     std::unique_ptr<Method> method_;
     MethodChoice choice_;
+    bool mayChange_ = false;          // the method, by cost
     double proposed_ = 0;             // length of the next step; 0: not known yet
     double limit_ = infinity;         // where the next step must end at the latest
     bool limitRestarts_ = false;      // an input restarts at limit_

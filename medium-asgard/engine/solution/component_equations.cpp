@@ -71,11 +71,17 @@ bool ComponentEquations::rates(double t, std::span<const double> y, std::span<do
     if (isPlain_) {
         in_[0] = t;
         double* const in = in_.data() + 1;
-        for (std::size_t i = 0; i < y.size(); ++i)
-            in[i] = y[i];
+        if (y.data() != in)
+            for (std::size_t i = 0; i < y.size(); ++i)
+                in[i] = y[i];
         if (readsInputs_)
             inputs_.values(t, std::span(in_).subspan(1 + y.size()));
-        model_.function().evaluate(in_, out, scratch_);
+        if (code_.entry) {
+            code_(in_.data(), out.data(), scratch_.data());
+        } else {
+            model_.function().evaluate(in_, out, scratch_);
+            code_ = model_.function().code(scratch_);
+        }
         return areFinite(out);
     }
     fill(t, y);

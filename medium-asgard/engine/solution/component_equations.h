@@ -50,6 +50,7 @@ public:
     // System, for the integrators.
     [[nodiscard]] std::size_t size() const override { return states().size(); }
     [[nodiscard]] bool rates(double t, std::span<const double> y, std::span<double> out) override;
+    [[nodiscard]] double* place() override { return isPlain_ ? in_.data() + 1 : nullptr; }
     [[nodiscard]] const Pattern& jacobianPattern() override;
     [[nodiscard]] bool jacobian(double t, std::span<const double> y,
                                 std::span<double> entries) override;
@@ -144,8 +145,9 @@ private:
     bool slidingFailed_ = false;
     std::vector<Watch> watches_;
     std::vector<expression::Decision> derivedDecisions_;
-    bool isPlain_;     // nothing switches and nothing is held
-    bool readsInputs_; // of other components
+    expression::Function::Code code_; // of a plain one, once there is any
+    bool isPlain_;                    // nothing switches and nothing is held
+    bool readsInputs_;                // of other components
 };
 
 } // namespace solution

@@ -80,15 +80,7 @@ void Component::stepLinear() {
         for (std::size_t i = 0; i < y_.size(); ++i)
             y_[i] = evaluate(columns_[i], (until - time_) / h);
     append(columns_, h, until);
-    time_ = until;
-    setStates(y_);
-    normalize();
-    if (overflows())
-        return;
-    takeStates(y_);
-    control_.observe(y_);
-    immediate_ = 0;
-    if (time_ >= limit_)
+    if (land(until) && time_ >= limit_)
         arrive();
 }
 
@@ -211,20 +203,15 @@ void Component::stepClosedForm() {
     const double to = found ? found->time : until;
     history_->dropAnchor();
     appendRow(states, held, time_, form->scale, to);
-    std::vector<double> y(states.size());
-    for (std::size_t i = 0; i < y.size(); ++i)
-        y[i] = evaluate(states[i], (to - time_) / form->scale);
-    time_ = to;
-    if (to == infinity)
+    if (to == infinity) {
+        time_ = to;
         return;
-    setStates(y);
-    normalize();
-    takeHeldValues();
-    takeStates(y_);
-    if (stop_ || overflows())
+    }
+    y_.resize(states.size());
+    for (std::size_t i = 0; i < y_.size(); ++i)
+        y_[i] = evaluate(states[i], (to - time_) / form->scale);
+    if (!land(to))
         return;
-    control_.observe(stateValues());
-    immediate_ = 0;
     if (found)
         pass(*found, false);
     if (!stop_ && time_ >= limit_)

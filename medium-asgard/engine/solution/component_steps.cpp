@@ -125,6 +125,7 @@ bool Component::beginMethod() {
     counts_.method = method_->name();
     counts_.order = method_->order();
     counts_.model = method_->implicit() ? "implicit" : quadrature ? "quadrature" : "explicit";
+    mayChange_ = options_.method == "auto" && counts_.model != "quadrature";
     counts_.why = options_.method != "auto" ? "asked for"
                   : method_->implicit()     ? "stiffness bounds explicit steps"
                   : quadrature              ? "a function of time and of what is solved upstream"
@@ -234,16 +235,8 @@ void Component::finish(double to) {
         for (std::size_t i = 0; i < y_.size(); ++i)
             y_[i] = evaluate(columns_[i], (until - time_) / h);
     append(columns_, h, until);
-    time_ = until;
-    setStates(y_);
-    normalize();
-    takeHeldValues();
-    if (stop_ || overflows())
+    if (!land(until))
         return;
-    if (!quaternions_.empty())
-        takeStates(y_);
-    control_.observe(y_);
-    immediate_ = 0;
     if (found) {
         pass(*found, false);
         if (!stop_ && time_ >= limit_)
@@ -257,6 +250,21 @@ void Component::finish(double to) {
     reconsider(h);
     if (time_ >= limit_)
         arrive();
+}
+
+// The states are y_ at `to`. False: the motion ends there.
+bool Component::land(double to) {
+    time_ = to;
+    setStates(y_);
+    normalize();
+    takeHeldValues();
+    if (stop_ || overflows())
+        return false;
+    if (!quaternions_.empty())
+        takeStates(y_);
+    control_.observe(y_);
+    immediate_ = 0;
+    return true;
 }
 
 bool Component::overflows() {
@@ -341,7 +349,7 @@ void Component::pass(const Violation& violation, bool immediate) {
 // Stiffness
 
 void Component::reconsider(double h) {
-    if (options_.method != "auto" || counts_.model == "quadrature")
+    if (!mayChange_)
         return;
     const bool wasTrial = choice_.isTrial();
     if (choice_.changesAfter(*method_, h, control_.crossing()) ||

@@ -61,23 +61,30 @@ void differentiate(const Coefficients& place, Coefficients& velocity, double h) 
 // Differences over much shorter steps magnify what the steps err by; much longer ones say little.
 bool usable(const StepBefore& before) { return before.ratio >= 0.3 && before.ratio <= 4; }
 
+CorrectionBasis::CorrectionBasis(double r) : ratio(r), reach(1 + r) {
+    const double u = -r * reach, du = 1 + 2 * r, inverse = 1 / u;
+    square = inverse * inverse;
+    squareSlope = 2 * u * du;
+    cube = square * inverse;
+    cubeSlope = 3 * u * u * du;
+    cubeBend = 6 * u * du * du - 6 * u * u;
+}
+
 Correction quinticCorrection(const Coefficients& place, double before, double velocity,
-                             double acceleration, double ratio) {
-    const double r = ratio, reach = 1 + r;
+                             double acceleration, const CorrectionBasis& basis) {
+    const double r = basis.ratio, reach = basis.reach;
     double value = 0, slope = 0, bend = 0; // of the quintic at -r; bend: half the second derivative
     for (std::size_t k = 6; k-- > 0;) {
         bend = bend * -r + slope;
         slope = slope * -r + value;
         value = value * -r + place[k];
     }
-    // u = s(1-s) at -r, and w = u^3 with its derivatives.
-    const double u = -r * reach, du = 1 + 2 * r;
-    const double w = u * u * u, dw = 3 * u * u * du, ddw = 6 * u * du * du - 6 * u * u;
     const double d0 = before - value, d1 = velocity - slope, d2 = acceleration - 2 * bend;
     Correction c;
-    c.terms[0] = d0 / w;
-    c.terms[1] = (d1 - dw * c.terms[0]) / w;
-    c.terms[2] = (d2 - ddw * c.terms[0] - 2 * dw * c.terms[1]) / (2 * w);
+    c.terms[0] = d0 * basis.cube;
+    c.terms[1] = (d1 - basis.cubeSlope * c.terms[0]) * basis.cube;
+    c.terms[2] =
+        (d2 - basis.cubeBend * c.terms[0] - 2 * basis.cubeSlope * c.terms[1]) * (0.5 * basis.cube);
     constexpr double largest = 1.0 / 64, steepest = 0.0537; // of w in [0, 1]
     const double first = std::abs(c.terms[0]), second = std::abs(c.terms[1]) * reach;
     const double third = std::abs(c.terms[2]) * reach * reach;
@@ -92,14 +99,13 @@ Correction quinticCorrection(const Coefficients& place, double before, double ve
 }
 
 Correction cubicCorrection(const Coefficients& column, double before, double slopeBefore,
-                           double ratio) {
-    const double r = ratio, reach = 1 + r;
+                           const CorrectionBasis& basis) {
+    const double r = basis.ratio, reach = basis.reach;
     const double value = column[0] - r * (column[1] - r * (column[2] - r * column[3]));
     const double slope = column[1] - r * (2 * column[2] - 3 * r * column[3]);
-    const double u = -r * reach, w = u * u, dw = 2 * u * (1 + 2 * r);
     Correction c;
-    c.terms[0] = (before - value) / w;
-    c.terms[1] = (slopeBefore - slope - dw * c.terms[0]) / w;
+    c.terms[0] = (before - value) * basis.square;
+    c.terms[1] = (slopeBefore - slope - basis.squareSlope * c.terms[0]) * basis.square;
     constexpr double largest = 1.0 / 16;
     c.left = largest * std::abs(c.terms[1]) * reach;
     c.whole = largest * std::abs(c.terms[0]) + c.left;

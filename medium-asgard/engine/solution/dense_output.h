@@ -47,10 +47,19 @@ struct Correction {
     double wholeSlope = 0, leftSlope = 0; // at most, times h
 };
 [[nodiscard]] bool usable(const StepBefore& before);
+// What all corrections of a step have in common: with u = s(1-s) at s = -r, w = u^3 or u^2 and its
+// derivatives.
+struct CorrectionBasis {
+    explicit CorrectionBasis(double ratio);
+    double ratio, reach;
+    double cube, cubeSlope, cubeBend; // 1/w, w', w'' of u^3
+    double square, squareSlope;       // 1/w, w' of u^2
+};
 [[nodiscard]] Correction quinticCorrection(const Coefficients& place, double before,
-                                           double velocity, double acceleration, double ratio);
+                                           double velocity, double acceleration,
+                                           const CorrectionBasis& basis);
 [[nodiscard]] Correction cubicCorrection(const Coefficients& column, double before, double slope,
-                                         double ratio);
+                                         const CorrectionBasis& basis);
 void addToQuintic(Coefficients& column, const Correction& correction, double ratio);
 void addToCubic(Coefficients& column, const Correction& correction, double ratio);
 // The velocity's polynomial from its position's; the value at the start stays.

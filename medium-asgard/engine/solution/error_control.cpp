@@ -10,7 +10,10 @@ namespace {
 
 constexpr double units = 16; // in the last place, that errors are allowed to be
 
-}
+// Most lengths are 1, and a division takes long.
+double over(double value, double length) { return length == 1 ? value : value / length; }
+
+} // namespace
 
 ErrorControl::ErrorControl(std::vector<UnknownScale> scales, double tolerance)
     : scales_(std::move(scales)), seen_(scales_.size()), weights_(scales_.size()),
@@ -26,28 +29,32 @@ double ErrorControl::newtonTolerance() const {
 }
 
 void ErrorControl::observe(std::span<const double> y) {
-    for (std::size_t i = 0; i < y.size(); ++i) {
-        seen_[i].low = any_ ? std::min(seen_[i].low, y[i]) : y[i];
-        seen_[i].high = any_ ? std::max(seen_[i].high, y[i]) : y[i];
-    }
+    if (!any_)
+        for (std::size_t i = 0; i < y.size(); ++i)
+            seen_[i] = {y[i], y[i]};
     any_ = true;
-    measure(y);
+    measure<true>(y);
 }
 
-void ErrorControl::measure(std::span<const double> y) {
-    extent_ = leastExtent_;
-    speed_ = other_ = 0;
+// With what was seen before; that and these are what was seen from now on, if it observes.
+template <bool Observes> void ErrorControl::measure(std::span<const double> y) {
+    double extent = leastExtent_, speed = 0, other = 0;
     for (std::size_t i = 0; i < scales_.size(); ++i) {
         const double low = any_ ? std::min(seen_[i].low, y[i]) : y[i];
         const double high = any_ ? std::max(seen_[i].high, y[i]) : y[i];
+        if constexpr (Observes)
+            seen_[i] = {low, high};
         const double length = scales_[i].lengthPerUnit;
         if (scales_[i].kind == UnknownScale::Kind::position)
-            extent_ = std::max(extent_, length * (high - low));
+            extent = std::max(extent, length * (high - low));
         else if (scales_[i].kind == UnknownScale::Kind::velocity)
-            speed_ = std::max(speed_, length * std::max(high, -low));
+            speed = std::max(speed, length * std::max(high, -low));
         else
-            other_ = std::max({other_, high, -low});
+            other = std::max({other, high, -low});
     }
+    extent_ = extent;
+    speed_ = speed;
+    other_ = other;
 }
 
 double ErrorControl::crossing() const {
@@ -68,7 +75,7 @@ double ErrorControl::magnitude(std::size_t i) const {
 
 double ErrorControl::newtonNoise(bool isControlled) const {
     constexpr double most = 0.1, uncontrolled = 8;
-    return isControlled ? std::min(noise_, most) : uncontrolled * noise_;
+    return isControlled ? std::min(noise(), most) : uncontrolled * noise();
 }
 
 double ErrorControl::rounding(std::size_t i) const {
@@ -95,12 +102,14 @@ double ErrorControl::displacement(std::span<const double> rates, double h) const
 
 void ErrorControl::prepare(std::span<const double> y, double h) {
     constexpr double rounding = units * std::numeric_limits<double>::epsilon();
-    measure(y);
+    measure<false>(y);
+    step_ = h;
     double coarsest = 0; // rounding of the position farthest from the origin
     for (std::size_t i = 0; i < scales_.size(); ++i)
         if (scales_[i].kind == UnknownScale::Kind::position)
             coarsest = std::max(coarsest, rounding * std::abs(y[i]) * scales_[i].lengthPerUnit);
     rounding_ = coarsest / units;
+    const double place = tolerance_ * extent_, speed = tolerance_ * speed_;
     // A speed that does not show within the step.
     const double unseen = std::max(0.01 * tolerance_ * extent_, coarsest) /
                           std::max(h, std::numeric_limits<double>::min());
@@ -108,29 +117,29 @@ void ErrorControl::prepare(std::span<const double> y, double h) {
         const double length = scales_[i].lengthPerUnit;
         double weight = std::max(rounding * std::abs(y[i]), 1e-280);
         if (scales_[i].kind == UnknownScale::Kind::position)
-            weight = std::max(weight, tolerance_ * extent_ / length);
+            weight = std::max(weight, over(place, length));
         else if (scales_[i].kind == UnknownScale::Kind::velocity)
-            weight = std::max({weight, tolerance_ * speed_ / length, unseen / length});
+            weight = std::max({weight, over(speed, length), over(unseen, length)});
         else
             weight = std::max({weight, tolerance_ * seen_[i].high, -tolerance_ * seen_[i].low,
                                tolerance_ * std::abs(y[i]), tolerance_ * 1e-3 * other_,
-                               length > 0 ? unseen / length : 0});
+                               length > 0 ? over(unseen, length) : 0});
         weights_[i] = weight;
     }
-    measureNoise(h);
 }
 
 // Rounding of a position moves a stiff end as far, and its velocity by that over the step.
-void ErrorControl::measureNoise(double h) {
+double ErrorControl::noise() const {
     const double rounding = units * rounding_;
-    noise_ = 0;
+    double noise = 0;
     for (std::size_t i = 0; i < scales_.size(); ++i) {
         const double length = scales_[i].lengthPerUnit;
         if (scales_[i].kind == UnknownScale::Kind::position)
-            noise_ = std::max(noise_, rounding / length / weights_[i]);
+            noise = std::max(noise, rounding / length / weights_[i]);
         else if (length > 0)
-            noise_ = std::max(noise_, rounding / length / h / weights_[i]);
+            noise = std::max(noise, rounding / length / step_ / weights_[i]);
     }
+    return noise;
 }
 
 double ErrorControl::norm(std::span<const double> error) const {

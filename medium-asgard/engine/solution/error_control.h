@@ -65,15 +65,16 @@ private:
     struct Seen {
         double low = 0, high = 0;
     };
-    void measure(std::span<const double> y);
-    void measureNoise(double h);
+    template <bool Observes> void measure(std::span<const double> y);
+    [[nodiscard]] double noise() const;
 
     std::vector<UnknownScale> scales_;
     std::vector<Seen> seen_;
     std::vector<double> weights_;
     double tolerance_ = 1e-6;
     bool any_ = false;
-    double leastExtent_ = 0, rounding_ = 0, noise_ = 0;
+    double leastExtent_ = 0, rounding_ = 0;
+    double step_ = 0;                           // last prepared
     double extent_ = 0, speed_ = 0, other_ = 0; // with the values last measured
 };
 

@@ -58,30 +58,48 @@ bool ExplicitRungeKutta::begin(double t, std::span<const double> y) {
     return rates(t, y, slope_);
 }
 
+namespace {
+
+// out = start + h * sum, by twos: a pair that was just summed is not taken apart.
+template <std::size_t Size>
+inline void addTo(const double* start, double h, const double* sum, std::size_t size, double* out) {
+    const std::size_t count = Size == 0 ? size : Size;
+    const Pair both = {h, h};
+    for (std::size_t n = 0; n + 1 < count; n += 2)
+        put(out + n, pairAt(start + n) + both * pairAt(sum + n));
+    if (count % 2 == 1)
+        out[count - 1] = start[count - 1] + h * sum[count - 1];
+}
+
+} // namespace
+
 // The increment is summed before it is added, and what that addition rounds away at the end of a
 // step is added to the next increment (Kahan): far from the origin a position keeps its last bits.
 template <std::size_t Size> bool ExplicitRungeKutta::stage(std::size_t i, double* at) {
     const std::size_t size = Size == 0 ? size_ : Size;
-    std::array<double, Size> known; // small ones need not go through memory
-    double* const sum = Size == 0 ? sum_.data() : known.data();
+    double* const sum = sum_.data();
     weightedSumOf<Size>(tableau_.rows[i], k_.data(), size, sum);
     const double* const start = start_.data();
-    if (i == tableau_.stages) {
-        for (std::size_t n = 0; n < size; ++n) {
-            const double increment = h_ * sum[n] + lost_[n];
-            at[n] = start[n] + increment;
-            lostNext_[n] = increment - (at[n] - start[n]);
-        }
-    } else {
-        for (std::size_t n = 0; n < size; ++n)
-            at[n] = start[n] + h_ * sum[n];
-    }
+    if (i == tableau_.stages)
+        finishStages(size);
+    else
+        addTo<Size>(start, h_, sum, size, at);
     return rates(t_ + tableau_.c[i] * h_, {at, size}, {k_.data() + i * size, size});
 }
 
+void ExplicitRungeKutta::finishStages(std::size_t size) {
+    for (std::size_t n = 0; n < size; ++n) {
+        const double increment = h_ * sum_[n] + lost_[n];
+        end_[n] = start_[n] + increment;
+        lostNext_[n] = increment - (end_[n] - start_[n]);
+    }
+}
+
 template <std::size_t Size> bool ExplicitRungeKutta::makeStages() {
+    double* const given = system_.place();
+    double* const at = given ? given : at_.data();
     for (std::size_t i = 1; i < tableau_.stages; ++i)
-        if (!stage<Size>(i, i == tableau_.stiffStage ? stiffAt_.data() : at_.data()))
+        if (!stage<Size>(i, i == tableau_.stiffStage ? stiffAt_.data() : at))
             return false;
     return stage<Size>(tableau_.stages, end_.data());
 }
@@ -235,11 +253,12 @@ bool ExplicitRungeKutta::correct(std::span<Coefficients> columns) {
     const auto within = [this](double value, std::size_t n, double part) {
         return value <= part * control_.scale(n);
     };
+    const CorrectionBasis basis(before.ratio);
     bool needed = false;
     corrections_.clear();
     for (const auto& [x, v] : system_.integrals()) {
         const Correction c = quinticCorrection(columns[x], before_[x], h_ * before_[v],
-                                               h_ * h_ * beforeSlope_[v], before.ratio);
+                                               h_ * h_ * beforeSlope_[v], basis);
         if (!within(c.left, x, pessimism * allowed) ||
             !within(c.leftSlope / h_, v, pessimism * allowedSpeed))
             return false;
@@ -248,8 +267,7 @@ bool ExplicitRungeKutta::correct(std::span<Coefficients> columns) {
         corrections_.push_back(c);
     }
     for (const std::size_t n : unpaired_) {
-        const Correction c =
-            cubicCorrection(columns[n], before_[n], h_ * beforeSlope_[n], before.ratio);
+        const Correction c = cubicCorrection(columns[n], before_[n], h_ * beforeSlope_[n], basis);
         if (!within(c.left, n, allowed))
             return false;
         needed = needed || !within(c.whole, n, allowed);

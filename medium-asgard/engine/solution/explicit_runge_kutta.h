@@ -60,6 +60,7 @@ private:
     // All stages of a step; of so many unknowns, or of any number (0).
     template <std::size_t Size> [[nodiscard]] bool makeStages();
     template <std::size_t Size> [[nodiscard]] bool stage(std::size_t i, double* at);
+    void finishStages(std::size_t size);
     using Stages = bool (ExplicitRungeKutta::*)();
     [[nodiscard]] static Stages stagesFor(std::size_t size);
     [[nodiscard]] double* slopesOf(std::size_t stage) { return k_.data() + stage * size_; }

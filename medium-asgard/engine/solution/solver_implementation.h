@@ -1,5 +1,5 @@
-// The solver's components, schedule and events; solver.cpp steps, solver_equations.cpp changes
-// equations.
+// The solver's components, schedule and events; solver.cpp steps, solver_events.cpp cuts,
+// solver_equations.cpp changes equations.
 #pragma once
 
 #include "solution/component.h"

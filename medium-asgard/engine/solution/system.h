@@ -22,6 +22,9 @@ public:
     // False: some derivative has no finite value there.
     [[nodiscard]] virtual bool rates(double t, std::span<const double> y,
                                      std::span<double> derivatives) = 0;
+    // Where y may be put for rates() to find it, which saves copying it; null: nowhere. Every call
+    // of anything here may change what lies there.
+    [[nodiscard]] virtual double* place() { return nullptr; }
     [[nodiscard]] virtual const Pattern& jacobianPattern() = 0;
     [[nodiscard]] virtual bool jacobian(double t, std::span<const double> y,
                                         std::span<double> entries) = 0;
