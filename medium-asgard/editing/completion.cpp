@@ -1,11 +1,14 @@
 #include "editing/completion.h"
 
+#include "expression/parse.h"
+#include "scene/names.h"
 #include "script/commands.h"
 #include "script/structure.h"
 #include "script/svg_colors.h"
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <set>
 
 namespace editing {
@@ -20,12 +23,6 @@ bool isWordCharacter(char c) {
            (static_cast<unsigned char>(c) & 0x80) != 0;
 }
 
-constexpr std::string_view functions[] = {
-    "sin", "cos",   "tan",  "asin", "acos", "atan",  "atan2", "sinh", "cosh", "tanh", "exp",
-    "log", "log10", "sqrt", "abs",  "sign", "floor", "ceil",  "min",  "max",  "pow",  "hypot"};
-constexpr std::string_view bodyQuantities[] = {"x",   "y",   "z",   "dx",  "dy",  "dz", "wx",
-                                               "wy",  "wz",  "qw",  "qx",  "qy",  "qz", "mass",
-                                               "ixx", "iyy", "izz", "ixy", "ixz", "iyz"};
 constexpr std::string_view trajectoryQuantities[] = {"x", "y", "z", "dx", "dy", "dz"};
 
 // The text with its open braces, brackets and quotes closed, so that it has a structure.
@@ -189,7 +186,7 @@ private:
                 return take({std::begin(trajectoryQuantities), std::end(trajectoryQuantities)},
                             hint);
             if (has(Named::body))
-                return take({std::begin(bodyQuantities), std::end(bodyQuantities)}, hint);
+                return take(scene::bodyQuantityNames(), hint);
             return {from_, {}, hint};
         }
         if (atWordEnd() || std::isdigit(static_cast<unsigned char>(before_[from_])) != 0)
@@ -199,7 +196,8 @@ private:
             auto some = names(kind);
             all.insert(all.end(), some.begin(), some.end());
         }
-        all.insert(all.end(), std::begin(functions), std::end(functions));
+        all.insert(all.end(), expression::functionNames().begin(),
+                   expression::functionNames().end());
         return take(std::move(all), hint);
     }
 
@@ -215,8 +213,9 @@ private:
         : kind == Named::trajectory ? add(scene_.trajectories)
                                     : add(scene_.parameters);
         // What is being typed here is no name yet.
-        const script::Structure whole = script::structureOf(text_);
-        for (const script::Command& command : whole.commands) {
+        if (!written_)
+            written_ = script::structureOf(text_);
+        for (const script::Command& command : written_->commands) {
             const std::string_view name = command.name(text_);
             const bool fits = kind == Named::shapeSet     ? name == "shape_set"
                               : kind == Named::body       ? name == "body" || name == "instance"
@@ -286,6 +285,7 @@ private:
     const scene::Scene& scene_;
     std::string whole_; // what stands before, with what it opens closed
     script::Structure structure_;
+    mutable std::optional<script::Structure> written_; // of all the text, when it is asked for
     std::size_t from_;
 };
 

@@ -69,9 +69,10 @@ TEST(Completion, OffersNamesOfTheSceneThatALoopMade) {
 TEST(Completion, OffersQuantitiesInExpressions) {
     EXPECT_THAT(words(two + "force -body b1 -y {-10 * b1.ma|"), ElementsAre("mass"));
     EXPECT_THAT(words(two + "force -body b1 -y {-10 * b1.ma|}"), ElementsAre("mass"));
+    EXPECT_THAT(words(two + "force -body b1 -y {b1.pd|}"), ElementsAre("pdx", "pdy", "pdz"));
     EXPECT_THAT(words(two + "force -body b1 -x {path.|}"),
                 ElementsAre("x", "y", "z", "dx", "dy", "dz"));
-    EXPECT_THAT(words(two + "force -body b1 -x {2 * si|}"), ElementsAre("sin", "sinh", "sign"));
+    EXPECT_THAT(words(two + "force -body b1 -x {2 * si|}"), ElementsAre("sign", "sin", "sinh"));
 }
 
 TEST(Completion, SaysWhatIsWanted) {

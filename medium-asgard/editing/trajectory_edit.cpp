@@ -1,5 +1,6 @@
 #include "editing/trajectory_edit.h"
 
+#include "editing/lines.h"
 #include "editing/number_text.h"
 #include "editing/origin.h"
 
@@ -358,7 +359,10 @@ Answer TrajectoryEdits::rewritten(const Curves& curves) const {
                 continue;
             std::string list;
             for (const BezierCurve& curve : curves)
-                list += (list.empty() ? "" : curves.size() > 2 ? "\n    " : " ") + curveText(curve);
+                list += (list.empty()        ? ""
+                         : curves.size() > 2 ? lineBreakOf(text_) + "    "
+                                             : " ") +
+                        curveText(curve);
             answer.edits = {
                 {command->words[w - 1].range.from, command->words[w - 1].range.to, "-bezier"},
                 {word.range.from, word.range.to, "{" + list + "}"}};

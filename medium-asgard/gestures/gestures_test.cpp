@@ -91,6 +91,18 @@ private:
 
 const std::string ball = "shape_set ball -desc {-sub {-sphere 0.5}}\n";
 
+// What lies across the line of sight is dragged, and keeps the digits that it has along it.
+TEST(Gestures, CoordinatesThatAreNotDraggedKeepTheirDigits) {
+    Stage stage("trajectory T -points {{0 -1 0.123456 0.12345} {1 0.5 0 0.12345}}\n");
+    stage.drag(stage.handle(HandleKind::trajectoryPoint), {-0.5, 0.123456, 0.12345});
+    EXPECT_EQ(stage.text(), "trajectory T -points {{0 -0.5 0.123456 0.12345} {1 0.5 0 0.12345}}\n");
+    Stage curves("trajectory T -bezier {{0 1 {-1 0 0.12345} {-0.5 0.1 0.2} {0.1 0.2 0.3} "
+                 "{0.5 0 0.12345}}}\n");
+    curves.drag(curves.handle(HandleKind::trajectoryPoint, 3), {0.5, 0.25, 0.12345});
+    EXPECT_EQ(curves.text(), "trajectory T -bezier {{0 1 {-1 0 0.12345} {-0.5 0.1 0.2} "
+                             "{0.1 0.45 0.3} {0.5 0.25 0.12345}}}\n");
+}
+
 TEST(Gestures, ADragIsPreviewsAndOneTextWithALabel) {
     Stage stage(ball + "body b1 ball -init_pos {-1   0 0} ;# left\n");
     stage.drag(stage.handle(HandleKind::position), {0.5, 0.25, 0});

@@ -43,6 +43,8 @@ HandleDrag::HandleDrag(Ground ground, const Sight& sight, const render::Handle& 
         path_.emplace(ground_.text, ground_.scene, handle_.element);
     // Why it cannot be moved is told before it is.
     auto asked = wishes();
+    if (path_)
+        asked = {path_->wishOf(pointOf(*path_, handle_))};
     for (editing::Wish& wish : asked)
         wish.now.clear();
     answer_ = mapper_.answer(asked);
@@ -116,12 +118,16 @@ editing::Answer HandleDrag::asked() const {
         return mapper_.answer(wishes());
     const editing::Wish wish = wishes().front();
     const std::size_t point = pointOf(*path_, handle_);
-    Vector place;
+    const editing::ControlPoint& now = path_->points()[point];
+    // A coordinate that was not moved keeps its digits.
+    Vector place = now.place;
     for (std::size_t i = 0; i < 3; ++i) {
         const double value = wish.values[wish.values.size() - 3 + i];
-        place[static_cast<Eigen::Index>(i)] = editing::roundedTo(value, wish.resolution);
+        double& coordinate = place[static_cast<Eigen::Index>(i)];
+        if (std::abs(value - coordinate) >= 0.5 * wish.resolution)
+            coordinate = editing::roundedTo(value, wish.resolution);
     }
-    return path_->move(point, path_->points()[point].time, place, 0);
+    return path_->move(point, now.time, place, 0);
 }
 
 void HandleDrag::update() {

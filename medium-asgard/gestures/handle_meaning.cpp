@@ -1,6 +1,7 @@
 #include "gestures/handle_meaning.h"
 
 #include "editing/number_text.h"
+#include "editing/trajectory_edit.h"
 
 #include <algorithm>
 #include <array>
@@ -60,11 +61,12 @@ Wish attitude(const scene::Scene& scene, const Handle& handle, const Vector& pla
 Wish ofPoint(const scene::Scene& scene, const Handle& handle, const Vector& place, double length) {
     const scene::Trajectory& trajectory = scene.trajectories[handle.element];
     if (trajectory.points.empty()) {
-        std::size_t curve = 0, control = handle.part;
-        while (control >= trajectory.curves[curve].control.size())
-            control -= trajectory.curves[curve++].control.size();
+        const auto points = editing::controlPointsOf(trajectory.curves);
+        const editing::ControlPoint& point = points[std::min(handle.part, points.size() - 1)];
         Wish wish = one(handle, "-bezier", place, handle.place, length);
-        wish.path = {curve, 2 + control};
+        // LIMIT: curves that are not written in the order of time have other places in the text;
+        // who has the text asks editing::TrajectoryEdits.
+        wish.path = {point.curve, 2 + point.index};
         return wish;
     }
     Wish wish = one(handle, "-points", place, handle.place, length);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace render {
 
@@ -41,7 +42,10 @@ std::array<std::string, 3> valuesOf(const std::string& trajectory) {
 } // namespace
 
 Handles::Handles(const scene::Scene& scene, simulation::MotionPointer motion)
-    : scene_(scene), motion_(std::move(motion)), extent_(extentOf(scene, motion_.get())) {
+    : scene_(scene), motion_(std::move(motion)), extent_(extentOf(scene, motion_.get())),
+      names_(scene) {
+    for (std::size_t i = 0; i < scene_.bodies.size(); ++i)
+        bodies_.emplace(scene_.bodies[i].name, i);
     setScales();
 }
 
@@ -53,8 +57,8 @@ double Handles::massOf(std::size_t body) const {
 }
 
 std::size_t Handles::indexOf(const std::string& body) const {
-    const auto found = std::ranges::find(scene_.bodies, body, &scene::Body::name);
-    return static_cast<std::size_t>(found - scene_.bodies.begin());
+    const auto found = bodies_.find(body);
+    return found == bodies_.end() ? scene_.bodies.size() : found->second;
 }
 
 Vector Handles::pointOn(std::size_t body, const std::optional<Vector>& offset,
@@ -63,13 +67,15 @@ Vector Handles::pointOn(std::size_t body, const std::optional<Vector>& offset,
     return pose.toWorld(offset.value_or(known ? motion_->centroid(body) : Vector::Zero()));
 }
 
-std::optional<Vector> Handles::constant(const std::array<std::string, 3>& texts) const {
+std::optional<Vector> Handles::constant(const std::array<std::string, 3>& texts) {
     Vector value;
     for (std::size_t i = 0; i < 3; ++i) {
-        const auto one = constantValue(scene_, motion_.get(), texts[i]);
-        if (!one)
+        const auto [one, isNew] = constants_.try_emplace(texts[i]);
+        if (isNew)
+            one->second = constantValue(names_, scene_, motion_.get(), texts[i]);
+        if (!one->second)
             return std::nullopt;
-        value[static_cast<Eigen::Index>(i)] = *one;
+        value[static_cast<Eigen::Index>(i)] = *one->second;
     }
     return value;
 }
@@ -130,11 +136,11 @@ std::optional<Vector> Handles::now(const std::array<std::string, 3>& texts, doub
     }
     if (!quantities_)
         return std::nullopt;
-    const std::vector<double> values =
-        quantities_->at(std::clamp(time, motion_->start(), motion_->computed()));
+    if (!std::exchange(known_, true))
+        values_ = quantities_->at(std::clamp(time, motion_->start(), motion_->computed()));
     Vector value;
     for (std::size_t i = 0; i < 3; ++i)
-        value[static_cast<Eigen::Index>(i)] = values[static_cast<std::size_t>(
+        value[static_cast<Eigen::Index>(i)] = values_[static_cast<std::size_t>(
             std::ranges::lower_bound(changing_, texts[i]) - changing_.begin())];
     return value.allFinite() ? std::optional(value) : std::nullopt;
 }
@@ -296,6 +302,7 @@ double Handles::arrowLength(HandleKind kind) const {
 
 HandleSet Handles::at(double time, const Display& display) {
     HandleSet set;
+    known_ = false;
     for (std::size_t i = 0; i < scene_.bodies.size(); ++i)
         addBody(set, i, display);
     if (display.forceHandles || display.torqueHandles)

@@ -94,7 +94,11 @@ double velocityTime(const scene::Scene& scene, double sceneSize) {
 
 std::optional<double> constantValue(const scene::Scene& scene, const simulation::Motion* motion,
                                     const std::string& text) {
-    const scene::Names names(scene);
+    return constantValue(scene::Names(scene), scene, motion, text);
+}
+
+std::optional<double> constantValue(const scene::Names& names, const scene::Scene& scene,
+                                    const simulation::Motion* motion, const std::string& text) {
     const auto meaning = [&](expression::Graph& graph, std::string_view name,
                              std::span<const expression::Node> arguments,
                              bool isCall) -> expression::Meaning {

@@ -9,11 +9,13 @@
 
 #include "render/extent.h"
 #include "render/renderer.h"
+#include "scene/names.h"
 #include "simulation/simulation.h"
 
 #include <array>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace render {
@@ -75,6 +77,11 @@ struct HandleSet {
 [[nodiscard]] std::optional<double> constantValue(const scene::Scene& scene,
                                                   const simulation::Motion* motion,
                                                   const std::string& expression);
+// For several of one scene: with its names.
+[[nodiscard]] std::optional<double> constantValue(const scene::Names& names,
+                                                  const scene::Scene& scene,
+                                                  const simulation::Motion* motion,
+                                                  const std::string& expression);
 
 // A trajectory as a line, fine enough to be drawn.
 [[nodiscard]] std::vector<Vector> pathOf(const scene::Trajectory& trajectory);
@@ -102,16 +109,22 @@ private:
     [[nodiscard]] Vector pointOn(std::size_t body, const std::optional<Vector>& offset,
                                  const geometry::Pose& pose) const;
     // Of three expressions, or of a trajectory: by what they are now.
-    [[nodiscard]] std::optional<Vector> constant(const std::array<std::string, 3>& texts) const;
+    [[nodiscard]] std::optional<Vector> constant(const std::array<std::string, 3>& texts);
     [[nodiscard]] std::optional<Vector> now(const std::array<std::string, 3>& texts, double time);
 
     const scene::Scene& scene_;
     simulation::MotionPointer motion_;
     Extent extent_;
+    scene::Names names_;
+    std::unordered_map<std::string, std::size_t> bodies_;
+    // What expressions are worth that do not change; none: they do.
+    std::unordered_map<std::string, std::optional<double>> constants_;
     double velocityScale_ = 1, spinScale_ = 1, forceScale_ = 1, torqueScale_ = 1;
     // The expressions of forces and links that change, in the order in which they are asked for.
     std::vector<std::string> changing_;
     std::optional<simulation::Quantities> quantities_;
+    std::vector<double> values_; // of changing_, at the time of at()
+    bool known_ = false;
     bool prepared_ = false;
 };
 

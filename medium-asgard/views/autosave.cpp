@@ -31,8 +31,8 @@ QString write(const QString& path, const QByteArray& bytes) {
     return {};
 }
 
-std::unique_ptr<QLockFile> lockOf(const QString& textFile) {
-    auto lock = std::make_unique<QLockFile>(with(textFile, lockEnding));
+std::shared_ptr<QLockFile> lockOf(const QString& textFile) {
+    auto lock = std::make_shared<QLockFile>(with(textFile, lockEnding));
     lock->setStaleLockTime(0); // held as long as its process lives, however long that is
     return lock;
 }
@@ -129,8 +129,25 @@ void Autosave::forget() {
         return;
     QFile::remove(file_);
     QFile::remove(with(file_, aboutEnding));
-    lock_.reset(); // last: with it goes the claim
+    lock_->unlock(); // last: with it goes the claim
+    lock_.reset();
     file_.clear();
+}
+
+QString Autosave::recover(const LeftBehind& left) {
+    QFile file(left.file);
+    if (!file.open(QIODevice::ReadOnly))
+        return tr("Cannot read %1: %2.").arg(left.file, file.errorString());
+    const QByteArray text = file.readAll();
+    // Without its file (it was moved, or never was) the text is a scene that was never saved.
+    if (left.scene.isEmpty() || !document_.open(left.scene).isEmpty())
+        document_.reset();
+    forget();
+    file_ = left.file;
+    lock_ = left.lock;
+    document_.setText(text.toStdString(), tr("Recover"));
+    documentChanged(); // it may be what the file has
+    return {};
 }
 
 QList<LeftBehind> leftBehind(const QString& folder) {
@@ -138,38 +155,25 @@ QList<LeftBehind> leftBehind(const QString& folder) {
     const auto files =
         QDir(folder).entryInfoList({QLatin1Char('*') + textEnding}, QDir::Files, QDir::Time);
     for (const QFileInfo& info : files) {
-        if (!lockOf(info.filePath())->tryLock())
-            continue; // its process lives
+        auto lock = lockOf(info.filePath());
+        if (!lock->tryLock() || !QFile::exists(info.filePath()))
+            continue; // its process lives, or has just recovered it
         QFile about(with(info.filePath(), aboutEnding));
         QString scene;
         if (about.open(QIODevice::ReadOnly))
             scene = QJsonDocument::fromJson(about.readAll())[QStringLiteral("scene")].toString();
-        result.push_back({info.filePath(), scene, info.lastModified()});
+        result.push_back({info.filePath(), scene, info.lastModified(), std::move(lock)});
     }
     return result;
-}
-
-QString recover(SceneDocument& document, const LeftBehind& left) {
-    QFile file(left.file);
-    if (!file.open(QIODevice::ReadOnly))
-        return Autosave::tr("Cannot read %1: %2.").arg(left.file, file.errorString());
-    const QByteArray text = file.readAll();
-    // Without its file (it was moved, or never was) the text is a scene that was never saved.
-    if (left.scene.isEmpty() || !document.open(left.scene).isEmpty())
-        document.reset();
-    document.setText(text.toStdString(), Autosave::tr("Recover"));
-    discard(left);
-    return {};
 }
 
 void discard(const LeftBehind& left) {
     QFile::remove(left.file);
     QFile::remove(with(left.file, aboutEnding));
-    QFile::remove(with(left.file, lockEnding));
+    left.lock->unlock();
 }
 
-bool offerRecovery(QWidget* over, SceneDocument& document, const QString& folder,
-                   const QString& scene) {
+bool offerRecovery(QWidget* over, Autosave& autosave, const QString& folder, const QString& scene) {
     for (const LeftBehind& left : leftBehind(folder)) {
         if (!scene.isEmpty() &&
             QFileInfo(left.scene).canonicalFilePath() != QFileInfo(scene).canonicalFilePath())
@@ -179,7 +183,7 @@ bool offerRecovery(QWidget* over, SceneDocument& document, const QString& folder
             discard(left);
         if (answer != QMessageBox::Yes)
             continue;
-        const QString fault = recover(document, left);
+        const QString fault = autosave.recover(left);
         if (fault.isEmpty())
             return true;
         QMessageBox::warning(over, Autosave::tr("Recover"), fault);

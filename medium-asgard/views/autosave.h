@@ -4,6 +4,8 @@
 // The folder has three files for each document: NAME.al is the text, byte for byte, NAME.json says
 // whose text it is, and NAME.lock is held by the process that writes them (QLockFile: what a dead
 // process held is free).
+//
+// LIMIT: drafts of language viewers are not kept; only what was made the document's text is.
 #pragma once
 
 #include "views/scene_document.h"
@@ -20,6 +22,15 @@ namespace views {
 // Where a program that was installed for a user keeps such texts.
 [[nodiscard]] QString autosaveFolder();
 
+// A text that a process which is no more has left behind. Nobody else is offered it while this one
+// lives.
+struct LeftBehind {
+    QString file;  // of the text
+    QString scene; // the path that it was opened from, "" for one that was never saved
+    QDateTime at;
+    std::shared_ptr<QLockFile> lock;
+};
+
 class Autosave : public QObject {
     Q_OBJECT
 public:
@@ -30,9 +41,13 @@ public:
     // The program ends as it should: what was to be saved is, and the rest was given up.
     ~Autosave() override;
 
-    [[nodiscard]] const QString& file() const {
-        return file_;
-    } // of the text; "" while none is kept
+    // Of the text; "" while none is kept.
+    [[nodiscard]] const QString& file() const { return file_; }
+
+    // The document becomes what was left: its file, with the text as one change that can be undone.
+    // What was left is what is kept of the document from then on: should the text end this program
+    // too, it is still there. "" or the sentence that says why not.
+    [[nodiscard]] QString recover(const LeftBehind& left);
 
 Q_SIGNALS:
     void failed(const QString& sentence); // once, until it works again
@@ -45,27 +60,16 @@ private:
 
     SceneDocument& document_;
     QString folder_, file_;
-    std::unique_ptr<QLockFile> lock_;
+    std::shared_ptr<QLockFile> lock_;
     QTimer quiet_, longest_;
     bool hasFailed_ = false;
 };
 
-// A text that a process which is no more has left behind.
-struct LeftBehind {
-    QString file;  // of the text
-    QString scene; // the path that it was opened from, "" for one that was never saved
-    QDateTime at;
-};
-
 // The newest first. What belongs to a living process is not among them.
 [[nodiscard]] QList<LeftBehind> leftBehind(const QString& folder);
-// The document becomes what was left: its file, with the text as one change that can be undone.
-// "" or the sentence that says why not; then what was left is still there.
-[[nodiscard]] QString recover(SceneDocument& document, const LeftBehind& left);
 void discard(const LeftBehind& left);
 
 // Asks about all that was left of `scene`, or of any scene for "". True: one was recovered.
-bool offerRecovery(QWidget* over, SceneDocument& document, const QString& folder,
-                   const QString& scene);
+bool offerRecovery(QWidget* over, Autosave& autosave, const QString& folder, const QString& scene);
 
 } // namespace views

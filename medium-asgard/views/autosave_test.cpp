@@ -7,11 +7,9 @@
 #include <QDir>
 #include <QFile>
 #include <QMenu>
+#include <QProcess>
 #include <QSettings>
 #include <QTemporaryDir>
-
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace views {
 namespace {
@@ -48,15 +46,21 @@ protected:
         const QString base = folder() + "/1-0";
         write(base + ".al", text);
         write(base + ".json", "{\"scene\": \"" + scene.toUtf8() + "\"}");
-        const pid_t child = fork();
-        if (child == 0) { // what it holds is never given back
-            QLockFile lock(base + ".lock");
-            _exit(lock.tryLock() ? 0 : 1);
+        const QString lock = base + ".lock";
+        QByteArray held;
+        {
+            QLockFile own(lock);
+            EXPECT_TRUE(own.tryLock());
+            held = contents(lock);
         }
-        int status = 1;
-        waitpid(child, &status, 0);
-        EXPECT_EQ(status, 0);
-        EXPECT_TRUE(QFile::exists(base + ".lock"));
+        QProcess other;
+        other.start("true", QStringList());
+        EXPECT_TRUE(other.waitForStarted());
+        const QByteArray process = QByteArray::number(other.processId());
+        EXPECT_TRUE(other.waitForFinished());
+        held.replace(0, held.indexOf('\n'),
+                     process); // a lock begins with the process that holds it
+        write(lock, held);
         const auto all = leftBehind(folder());
         EXPECT_EQ(all.size(), 1);
         return all.value(0);
@@ -116,7 +120,8 @@ TEST_F(AutosaveTest, RecoversAsOneChangeOfTheFile) {
     const LeftBehind left = killed("# lost and found\n", path_);
     EXPECT_EQ(left.scene, path_);
     SceneDocument other{made_.workshop()};
-    ASSERT_EQ(recover(other, left), "");
+    Autosave autosave(other, folder(), 5, 1000);
+    ASSERT_EQ(autosave.recover(left), "");
     EXPECT_EQ(other.text(), "# lost and found\n");
     EXPECT_EQ(other.path(), path_);
     EXPECT_TRUE(other.isModified());
@@ -128,9 +133,37 @@ TEST_F(AutosaveTest, RecoversAsOneChangeOfTheFile) {
     EXPECT_EQ(kept(), QStringList());
 }
 
+// A text that ends every program that reads it is still there for one that does not.
+TEST_F(AutosaveTest, WhatIsRecoveredIsKeptAllTheTime) {
+    const LeftBehind left = killed("# lost and found\n", path_);
+    SceneDocument other{made_.workshop()};
+    Autosave autosave(other, folder(), 5, 1000);
+    QByteArray then;
+    QObject::connect(&other, &SceneDocument::textChanged, [&] { then = contents(left.file); });
+    ASSERT_EQ(autosave.recover(left), "");
+    EXPECT_EQ(then, "# lost and found\n"); // as the reading of it begins
+    EXPECT_EQ(autosave.file(), left.file);
+    EXPECT_TRUE(leftBehind(folder()).isEmpty()); // nobody else is offered it
+    other.setText("# and more\n", "Edit");
+    ASSERT_TRUE(waitFor([&] { return contents(left.file) == "# and more\n"; }));
+    EXPECT_EQ(other.save(path_), "");
+    EXPECT_EQ(kept(), QStringList());
+}
+
+TEST_F(AutosaveTest, OneAtATimeIsOfferedWhatWasLeft) {
+    {
+        const LeftBehind left = killed("# lost and found\n", path_);
+        EXPECT_TRUE(leftBehind(folder()).isEmpty()); // while this one is being asked
+    }
+    ASSERT_EQ(leftBehind(folder()).size(), 1); // later
+    discard(leftBehind(folder()).first());
+    EXPECT_EQ(kept(), QStringList());
+}
+
 TEST_F(AutosaveTest, RecoversWhatHasNoFileAnyMore) {
     const LeftBehind left = killed("# lost and found\n", home_.filePath("gone.al"));
-    ASSERT_EQ(recover(document_, left), "");
+    Autosave autosave(document_, folder(), 5, 1000);
+    ASSERT_EQ(autosave.recover(left), "");
     EXPECT_EQ(document_.text(), "# lost and found\n");
     EXPECT_EQ(document_.path(), "");
     EXPECT_TRUE(document_.isModified());

@@ -15,7 +15,6 @@ Completer::Completer(SceneEditor& editor, SceneDocument& document)
     editor_.SendScintilla(Base::SCI_AUTOCSETORDER,
                           static_cast<unsigned long>(Base::SC_ORDER_CUSTOM));
     editor_.SendScintilla(Base::SCI_AUTOCSETMAXHEIGHT, 10UL);
-    // Words of options begin with a minus.
     editor_.SendScintilla(Base::SCI_SETWORDCHARS,
                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_");
     connect(&editor_, &QsciScintillaBase::SCN_CHARADDED, this, &Completer::typed);
@@ -26,7 +25,9 @@ editing::Completion Completer::completion() const {
 }
 
 void Completer::typed(int character) {
-    const bool word = std::isalnum(character) != 0 || character == '_';
+    // A code point, which isalnum() takes only where it is a byte.
+    const bool word =
+        character >= 0 && character < 0x80 && (std::isalnum(character) != 0 || character == '_');
     const bool opens = character == '-' || character == '.';
     if (!word && !opens)
         return;

@@ -176,6 +176,8 @@ bool ControlPanel::saveAs() {
 }
 
 bool ControlPanel::mayLeave() {
+    if (windows_.settleDrafts && !windows_.settleDrafts())
+        return false;
     if (!document_.isModified())
         return true;
     const auto answer = QMessageBox::question(

@@ -16,7 +16,15 @@ constexpr double reach = 12; // pixels
 } // namespace
 
 Creating::Creating(SceneDocument& document, SceneDisplay& display)
-    : document_(document), display_(display) {}
+    : document_(document), display_(display) {
+    // What was clicked on may be gone, or another one.
+    connect(&document_, &SceneDocument::textChanged, this, [this] {
+        if (!recipe_)
+            return;
+        cancel();
+        Q_EMIT refused(tr("The text was changed meanwhile."));
+    });
+}
 
 const Step& Creating::step() const {
     return recipe_->steps[std::min(shown_.size(), recipe_->steps.size() - 1)];
@@ -112,11 +120,6 @@ void Creating::otherwise() {
 }
 
 void Creating::finish() {
-    if (!document_.sceneIsCurrent()) {
-        cancel();
-        Q_EMIT refused(tr("The text was changed meanwhile."));
-        return;
-    }
     const Recipe recipe = *recipe_;
     const scene::Scene& scene = *document_.shown().scene;
     const auto made = recipe.make(document_.text(), scene, shown_);
@@ -165,6 +168,10 @@ bool Creating::key(const QKeyEvent& event) {
             click(*std::exchange(cross_, std::nullopt));
         else
             otherwise();
+        return true;
+    case Qt::Key_Delete: // what is selected is not meant now
+    case Qt::Key_Backspace:
+    case Qt::Key_Insert:
         return true;
     default:
         return false;

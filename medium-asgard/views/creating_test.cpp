@@ -205,6 +205,32 @@ TEST_F(CreatingTest, AParametersSliderIsItsNumberInTheText) {
     EXPECT_EQ(text(), before);
 }
 
+TEST_F(CreatingTest, UnderAHostASliderChangesTheTextToo) {
+    open("parameter g -value 1 -min 0 -max 4\n" + balls);
+    std::vector<std::string> told;
+    editor.document().setHostLink(
+        {[&](const TextEdit& edit, const QString&) { told.push_back(edit.text); }, [] {}, [] {}});
+    QSlider* slider = viewer->findChild<ParametersPanel*>()->slider("g");
+    slider->setSliderDown(true);
+    slider->setSliderPosition(500);
+    slider->setSliderPosition(750);
+    slider->setSliderDown(false);
+    EXPECT_THAT(text(), StartsWith("parameter g -value 3 -min"));
+    EXPECT_EQ(told, std::vector<std::string>{"3"});
+}
+
+TEST_F(CreatingTest, KeysOfASliderAreHeardWhileTheSceneIsRead) {
+    open("parameter g -value 1.00 -min 0 -max 4\n" + balls);
+    QSlider* slider = viewer->findChild<ParametersPanel*>()->slider("g");
+    for (int i = 0; i < 5; ++i)
+        QTest::keyClick(slider, Qt::Key_Right);
+    ASSERT_TRUE(waitFor([&] {
+        return editor.document().work() == Work::none && editor.document().sceneIsCurrent() &&
+               scene().parameters[0].value > 1.19;
+    })) << text();
+    EXPECT_NEAR(scene().parameters[0].value, 1.2, 1e-9);
+}
+
 TEST_F(CreatingTest, TheKeysAloneMakeALink) {
     open(balls);
     display().setFocus();
@@ -232,6 +258,26 @@ TEST_F(CreatingTest, EscapeLeavesTheTextAsItIs) {
     key(Qt::Key_Escape);
     EXPECT_FALSE(display().creating().active());
     EXPECT_EQ(text(), balls);
+}
+
+// What was clicked on is of one text: with another one the command is given up.
+TEST_F(CreatingTest, AChangeOfTheTextMeanwhileEndsIt) {
+    open(balls);
+    display().creating().start(newForce(false, 1));
+    click({1, 0, 0});
+    ASSERT_TRUE(display().creating().active());
+    key(Qt::Key_Delete); // not what is selected
+    EXPECT_EQ(text(), balls);
+    QString said;
+    QObject::connect(&display().creating(), &Creating::refused,
+                     [&](const QString& why) { said = why; });
+    const std::string one = balls.substr(0, balls.find("body b2"));
+    editor.document().setText(one, "Edit");
+    done();
+    EXPECT_FALSE(display().creating().active());
+    EXPECT_EQ(said, "The text was changed meanwhile.");
+    key(Qt::Key_Return);
+    EXPECT_EQ(text(), one);
 }
 
 TEST_F(CreatingTest, DeleteTakesWhatDependsOnItAfterAsking) {

@@ -1,5 +1,7 @@
 #include "views/draft.h"
 
+#include "editing/lines.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -24,7 +26,15 @@ Draft::Draft(SceneEditor& editor, SceneDocument& document)
     editor_.setMarkerBackgroundColor(QColor(0xE0, 0xA0, 0x30), draftMarker);
     connect(&editor_, &QsciScintilla::textChanged, this, &Draft::typed);
     connect(&document_, &SceneDocument::textChanged, this, &Draft::follow);
-    connect(&document_, &SceneDocument::changeAccepted, this, [this] { submitted_.reset(); });
+    connect(&document_, &SceneDocument::opened, this, [this] {
+        edited_ = false;
+        submitted_.reset();
+        goesOn_.reset();
+    });
+    connect(&document_, &SceneDocument::changeAccepted, this, [this] {
+        submitted_.reset();
+        goesOn_.reset();
+    });
     connect(&document_, &SceneDocument::changeRefused, this, &Draft::refused);
     take(document_.text());
 }
@@ -40,6 +50,8 @@ void Draft::take(const std::string& text) {
     forgetTyped();
     base_ = text;
     edited_ = false;
+    editor_.setEolMode(editing::lineBreakOf(text) == "\r\n" ? QsciScintilla::EolWindows
+                                                            : QsciScintilla::EolUnix);
     editor_.unmark(Mark::conflict);
     markLines();
 }
@@ -48,6 +60,7 @@ void Draft::typed() {
     if (taking_)
         return;
     future_.clear();
+    goesOn_.reset();
     edited_ = editor_.bytes() != base_;
     if (!edited_)
         editor_.unmark(Mark::conflict);
@@ -60,6 +73,8 @@ void Draft::follow() {
         take(document_.text());
         refusal_.clear();
     } else {
+        if (submitted_)
+            goesOn_ = editor_.bytes();
         merge();
     }
     Q_EMIT followed();
@@ -68,6 +83,8 @@ void Draft::follow() {
 
 void Draft::merge() {
     keepTyped();
+    if (conflicts().empty())
+        undisputed_ = base_;
     const std::string mine = editor_.bytes();
     const editing::Merge merge = editing::merged(base_, mine, document_.text());
     taking_ = true;
@@ -76,7 +93,10 @@ void Draft::merge() {
     editor_.SendScintilla(QsciScintillaBase::SCI_EMPTYUNDOBUFFER);
     taking_ = false;
     base_ = document_.text();
-    showConflicts(merge.conflicts);
+    if (base_ == undisputed_) // a gesture that was given up, a change that was undone
+        editor_.unmark(Mark::conflict);
+    else
+        showConflicts(merge.conflicts);
     edited_ = editor_.bytes() != base_;
     markLines();
 }
@@ -170,6 +190,8 @@ void Draft::submit() {
     edited_ = false;
     refusal_.clear();
     submitted_ = document_.hasHost() ? std::optional(text) : std::nullopt;
+    submittedOn_ = base_;
+    goesOn_.reset();
     base_ = text;
     editor_.unmark(Mark::conflict);
     document_.setText(text, tr("Edit Text"));
@@ -186,14 +208,13 @@ void Draft::drop() {
 }
 
 void Draft::refused(const QString& why) {
-    const auto mine = std::exchange(submitted_, std::nullopt);
-    if (!mine || (!edited_ && *mine == document_.text()))
+    const auto submitted = std::exchange(submitted_, std::nullopt);
+    const auto mine = goesOn_ ? std::exchange(goesOn_, std::nullopt) : submitted;
+    if (!submitted || *mine == document_.text())
         return;
-    if (!edited_) {
-        take(*mine);
-        base_ = document_.text();
-        markLines();
-    }
+    take(*mine);
+    base_ = submittedOn_;
+    merge();
     edited_ = true;
     refusal_ = why;
     Q_EMIT changed();

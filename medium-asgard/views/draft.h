@@ -67,6 +67,11 @@ private:
     bool taking_ = false;                  // the text changes because the document's did
     std::string base_;                     // the document's text that the draft is a draft of
     std::optional<std::string> submitted_; // until the host has accepted it
+    std::string submittedOn_;              // the document's text that this was a draft of
+    // What goes on after submit(), before the document's text came into it: should the host refuse,
+    // that text has lost what was submitted, and the draft has not.
+    std::optional<std::string> goesOn_;
+    std::string undisputed_; // base_ before conflicts came
     QString refusal_;
     // Older than what the editor can undo, the newest last; and what was undone of them.
     std::vector<Typed> past_, future_;

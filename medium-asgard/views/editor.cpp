@@ -81,6 +81,7 @@ Windows Editor::windows() {
     windows.newShape = [this] { openShapeEditor()->askForNewShape(); };
     windows.openStudy = [this] { openStudy(); };
     windows.closeViewers = [this] { return closeViewers(); };
+    windows.settleDrafts = [this] { return settleDrafts(); };
     if (!document_.hasHost())
         windows.save = [this] {
             if (controlPanel_)
@@ -159,6 +160,13 @@ QList<GraphicalViewer*> Editor::graphicalViewers() const { return alive(graphica
 
 QList<LanguageViewer*> Editor::languageViewers() const { return alive(language_); }
 
+bool Editor::settleDrafts() {
+    for (LanguageViewer* viewer : languageViewers())
+        if (!viewer->settleDraft())
+            return false;
+    return true;
+}
+
 bool Editor::closeViewers() {
     for (LanguageViewer* viewer : languageViewers())
         if (!viewer->close())
@@ -199,7 +207,7 @@ int runEditor(int argc, char** argv, const std::string& file, script::Reader& re
     GraphicalViewer* graphical = editor.openGraphicalViewer();
     LanguageViewer* language = editor.openLanguageViewer();
     arrange(*panel, *graphical, *language);
-    QTimer::singleShot(0, panel, [&] { offerRecovery(panel, document, autosaveFolder(), path); });
+    QTimer::singleShot(0, panel, [&] { offerRecovery(panel, autosave, autosaveFolder(), path); });
     return QApplication::exec();
 }
 

@@ -46,6 +46,7 @@ public:
     [[nodiscard]] QList<LanguageViewer*> languageViewers() const;
     // Asks about drafts; false when the user wants to stay.
     bool closeViewers();
+    bool settleDrafts();
 
 Q_SIGNALS:
     void viewersChanged(); // one was opened or closed, or has a draft or none

@@ -126,8 +126,12 @@ ElementMarks::ElementMarks(SceneEditor& editor, SceneDocument& document, Draft& 
 
 void ElementMarks::markArguments() {
     // Of a draft and of a faulty text what was good keeps its marks, which move with their words.
+    if (draft_.edited())
+        marked_ = -1;
     if (!document_.sceneIsCurrent() || draft_.edited())
         return;
+    if (std::exchange(marked_, document_.revision()) == document_.revision())
+        return; // more motion of it
     editor_.unmark(Mark::argument);
     const auto& scene = document_.shown().scene;
     for (const Editable& one : editing::editablesOf(document_.text(), scene))

@@ -37,6 +37,7 @@ private:
     Draft& draft_;
     bool selecting_ = false; // the caret did it: it need not be shown where it is
     scene::Range caret_;
+    int marked_ = -1; // the revision that has its marks
 };
 
 } // namespace views

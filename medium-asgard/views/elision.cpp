@@ -230,7 +230,9 @@ bool Elision::pressed(const QMouseEvent& event) {
 bool Elision::key(const QKeyEvent& event) {
     const bool back = event.key() == Qt::Key_Backspace, forth = event.key() == Qt::Key_Delete;
     if (editor_.selection().known()) {
-        if (back || forth || (!event.text().isEmpty() && event.text().front().isPrint()))
+        const bool breaks = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter ||
+                            event.key() == Qt::Key_Tab;
+        if (back || forth || breaks || (!event.text().isEmpty() && event.text().front().isPrint()))
             releaseSelected();
         return false;
     }

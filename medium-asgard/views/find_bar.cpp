@@ -1,5 +1,7 @@
 #include "views/find_bar.h"
 
+#include "editing/text_edit.h"
+
 #include <QCheckBox>
 #include <QGridLayout>
 #include <QKeyEvent>
@@ -162,10 +164,17 @@ void FindBar::replaceOne() {
 int FindBar::replaceAll() {
     const auto all = places(what_->text());
     const std::string with = with_->text().toStdString();
-    editor_.beginUndoAction();
-    for (auto place = all.rbegin(); place != all.rend(); ++place)
-        editor_.replace(*place, with);
-    editor_.endUndoAction();
+    if (!all.empty()) { // as one change: whoever follows the text does so once
+        const std::string text = editor_.bytes();
+        std::vector<editing::TextEdit> edits;
+        edits.reserve(all.size());
+        for (const Range& place : all)
+            edits.push_back({place.from, place.to, with});
+        const std::string after = editing::applied(text, edits);
+        const Range whole{all.front().from, all.back().to};
+        editor_.replace(
+            whole, after.substr(whole.from, after.size() - (text.size() - whole.to) - whole.from));
+    }
     say(all.empty() ? tr("Not found") : tr("%1 replaced").arg(all.size()), all.empty());
     return static_cast<int>(all.size());
 }

@@ -22,9 +22,11 @@ struct Windows {
     std::function<void()> openGraphicalViewer, openLanguageViewer, openTrajectoryEditor, openStudy;
     // "": that of what is selected, else the one that was shown last.
     std::function<void(const QString& name)> openShapeEditor;
-    std::function<void()> newShape; // asks for a name
+    std::function<void()> newShape;     // asks for a name
     std::function<void()> save;         // none: under a host, which saves
     std::function<bool()> closeViewers; // false: the user wants to stay
+    // Of each draft: it becomes the text, or is dropped. False: the user wants to stay.
+    std::function<bool()> settleDrafts = nullptr;
 };
 
 class GraphicalViewer : public QMainWindow {

@@ -256,7 +256,7 @@ void LanguageViewer::undo() {
     numbers_->finish();
     if (typingIsUndone())
         draft_->undo();
-    else
+    else if (!draft_->edited())
         document_.undo();
 }
 
@@ -381,24 +381,28 @@ bool LanguageViewer::eventFilter(QObject* watched, QEvent* event) {
     return QMainWindow::eventFilter(watched, event);
 }
 
-void LanguageViewer::closeEvent(QCloseEvent* event) {
+bool LanguageViewer::settleDraft() {
     numbers_->finish();
-    if (!draft_->edited()) {
-        event->accept();
-        return;
-    }
-    QMessageBox box(QMessageBox::Question, tr("Close the language viewer"),
+    if (!draft_->edited())
+        return true;
+    QMessageBox box(QMessageBox::Question, windowTitle(),
                     tr("The draft in this viewer was not made the scene's text."),
                     QMessageBox::NoButton, this);
-    QPushButton* update = box.addButton(tr("&Update and Close"), QMessageBox::AcceptRole);
+    QPushButton* update = box.addButton(tr("&Update"), QMessageBox::AcceptRole);
     QPushButton* drop = box.addButton(tr("&Drop the Draft"), QMessageBox::DestructiveRole);
     box.addButton(QMessageBox::Cancel);
     box.setDefaultButton(update);
     box.exec();
     if (box.clickedButton() == update)
         updateDocument();
-    event->setAccepted(box.clickedButton() == update || box.clickedButton() == drop);
+    else if (box.clickedButton() == drop)
+        dropDraft();
+    else
+        return false;
+    return true;
 }
+
+void LanguageViewer::closeEvent(QCloseEvent* event) { event->setAccepted(settleDraft()); }
 
 void LanguageViewer::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);

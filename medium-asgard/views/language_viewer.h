@@ -40,9 +40,11 @@ public:
     [[nodiscard]] QsciScintilla& editor();
     [[nodiscard]] QListWidget& messages() { return *messages_; }
 
-    void updateDocument(); // the Update button: makes the draft everyone's text
-    void revert();         // back to the last saved text, or under a host to the document's
-    void dropDraft();      // back to the document's text, which stays as it is
+    void updateDocument();
+    // Asks what becomes of a draft: the scene's text, or nothing. False: it stays as it is.
+    bool settleDraft(); // the Update button: makes the draft everyone's text
+    void revert();      // back to the last saved text, or under a host to the document's
+    void dropDraft();   // back to the document's text, which stays as it is
     // Marks and shows the text's bytes [from, to).
     void select(std::size_t from, std::size_t to);
     // Finds the next occurrence after the cursor, from the top when there is none; false: nowhere.

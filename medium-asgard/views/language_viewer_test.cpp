@@ -419,6 +419,21 @@ TEST_F(LanguageViewerTest, WholeQuantitiesStayWhole) {
     EXPECT_NE(scene().find("-ct 4"), std::string::npos);
 }
 
+TEST_F(LanguageViewerTest, WhatALoopCountsByStaysWhole) {
+    open(ballScene + "for {set i 3} {$i < 5} {incr i 1} {set h 2}\n");
+    const auto count = [&](const std::string& what, std::size_t offset) {
+        caretAt(place(what) + offset);
+        QTest::keyPress(&text(), Qt::Key_Up, Qt::AltModifier);
+        QTest::keyRelease(&text(), Qt::Key_Alt);
+    };
+    count("set i 3", 6);
+    count("< 5", 2);
+    count("incr i 1", 7);
+    count("set h 2", 6); // a length, or whatever it is
+    EXPECT_NE(scene().find("for {set i 4} {$i < 6} {incr i 2} {set h 2.1}"), std::string::npos)
+        << scene();
+}
+
 // --- completion, find and replace
 // --------------------------------------------------------------------
 

@@ -68,7 +68,7 @@ std::optional<Range> NoticeBar::current() const {
 QString NoticeBar::words(const std::vector<Range>& conflicts) const {
     if (draft_.edited() && !draft_.refusal().isEmpty())
         return tr("The document did not take this change: %1. It is kept here as a draft.")
-            .arg(draft_.refusal());
+            .arg(draft_.refusal().endsWith('.') ? draft_.refusal().chopped(1) : draft_.refusal());
     const auto here = current();
     if (!here)
         return {};

@@ -22,6 +22,22 @@ namespace {
 
 constexpr int pixelsPerStep = 2;
 
+// One of Tcl's own, without a point, that something is counted by.
+bool countsWhole(const std::string& text, const script::Structure& structure, Range number) {
+    const script::Command* command = structure.at(number.from);
+    if (!command ||
+        text.substr(number.from, number.to - number.from).find_first_of(".eE") != std::string::npos)
+        return false;
+    constexpr std::string_view counts[] = {"for",    "while",  "if",     "incr",
+                                           "lindex", "lrange", "string", "lrepeat"};
+    if (std::ranges::find(counts, command->name(text)) != std::end(counts))
+        return true;
+    if (command->name(text) != "set" || command->parent < 0)
+        return false;
+    const script::Command& loop = structure.commands[static_cast<std::size_t>(command->parent)];
+    return loop.name(text) == "for" && loop.words.size() > 1 && number.to <= loop.words[1].range.to;
+}
+
 // A tenth of the number's own size, or its last decimal; of whole quantities, one.
 double stepOf(const std::string& text, Range number, double value) {
     const script::Structure structure = script::structureOf(text);
@@ -36,6 +52,8 @@ double stepOf(const std::string& text, Range number, double value) {
                      option->wants == editing::Wants::flag))
                     return 1;
             }
+    if (countsWhole(text, structure, number))
+        return 1;
     const double tenth =
         value == 0 ? 0.1 : std::pow(10, std::floor(std::log10(std::abs(value))) - 1);
     const std::size_t point = text.find('.', number.from);
@@ -67,6 +85,7 @@ bool NumberDrag::begin(Range number) {
         return false;
     gesture_ = std::make_unique<Gesture>();
     gesture_->text = text;
+    gesture_->since = document_.revision();
     gesture_->number = number;
     gesture_->value = *value;
     gesture_->step = stepOf(text, number, *value);
@@ -94,7 +113,8 @@ void NumberDrag::set(long steps) {
         editor_.replace(old, now);
     else
         document_.preview(gesture.text.substr(0, number.from) + now +
-                          gesture.text.substr(number.to));
+                              gesture.text.substr(number.to),
+                          gesture.since);
     editor_.unmark(Mark::number);
     editor_.mark(Mark::number, {number.from, number.from + now.size()});
 }
@@ -110,7 +130,7 @@ void NumberDrag::finish() {
     else
         document_.finishPreview(gesture->text.substr(0, number.from) + gesture->now +
                                     gesture->text.substr(number.to),
-                                tr("Change a Number"));
+                                tr("Change a Number"), gesture->since);
     editor_.select({number.from, number.from + gesture->now.size()});
 }
 

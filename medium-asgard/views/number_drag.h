@@ -33,6 +33,7 @@ public:
 private:
     struct Gesture {
         std::string text; // when it began
+        int since = 0;    // its revision
         scene::Range number;
         double value = 0, step = 1;
         std::string now; // what stands there

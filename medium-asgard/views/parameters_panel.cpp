@@ -2,10 +2,12 @@
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
+#include <QToolTip>
 #include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace views {
 
@@ -108,15 +110,18 @@ void ParametersPanel::refresh() {
         show(row, value);
     }
     refreshing_ = false;
-    if (!drag_ && document_.sceneIsCurrent())
-        for (std::size_t i = 0; i < rows_.size(); ++i) {
-            const Drag now{document_.text(),
-                           document_.shown().scene,
-                           {document_.text(), document_.shown().scene}};
-            const auto answer = asked(now, i, (rows_[i].least + rows_[i].most) / 2);
-            rows_[i].slider->setEnabled(answer.possible());
-            rows_[i].slider->setToolTip(QString::fromStdString(answer.reason));
-        }
+    if (drag_ || !document_.sceneIsCurrent())
+        return;
+    const editing::Mapper now(document_.text(), document_.shown().scene);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const auto answer = asked(now, i, (rows_[i].least + rows_[i].most) / 2);
+        rows_[i].slider->setEnabled(answer.possible());
+        rows_[i].slider->setToolTip(QString::fromStdString(answer.reason));
+    }
+    // What keys asked for while the scene was being read.
+    if (const auto wanted = std::exchange(wanted_, std::nullopt);
+        wanted && wanted->first < rows_.size())
+        rows_[wanted->first].slider->setValue(wanted->second);
 }
 
 void ParametersPanel::show(Row& row, double value) {
@@ -124,14 +129,15 @@ void ParametersPanel::show(Row& row, double value) {
     row.value->setText(shortest(value, resolutionOf(row.least, row.most)) + unit);
 }
 
-editing::Answer ParametersPanel::asked(const Drag& drag, std::size_t row, double value) const {
+editing::Answer ParametersPanel::asked(const editing::Mapper& mapper, std::size_t row,
+                                       double value) const {
     editing::Wish wish;
     wish.element = {editing::Kind::parameter, row};
     wish.option = "-value";
     wish.values = {value};
     wish.absent = {0};
     wish.resolution = resolutionOf(rows_[row].least, rows_[row].most);
-    return drag.mapper.answer(wish);
+    return mapper.answer(wish);
 }
 
 // The keys of a slider are no shortcuts of the window.
@@ -150,9 +156,11 @@ bool ParametersPanel::eventFilter(QObject* watched, QEvent* event) {
 void ParametersPanel::begin() {
     drag_.reset();
     if (document_.sceneIsCurrent())
-        drag_.reset(new Drag{document_.text(),
+        drag_.reset(new Drag{document_.revision(),
+                             document_.text(),
                              document_.shown().scene,
-                             {document_.text(), document_.shown().scene}});
+                             {document_.text(), document_.shown().scene},
+                             document_.text()});
 }
 
 void ParametersPanel::moved(std::size_t index, int position) {
@@ -160,15 +168,24 @@ void ParametersPanel::moved(std::size_t index, int position) {
         return;
     Row& row = rows_[index];
     const bool dragged = row.slider->isSliderDown();
-    if (!dragged)
-        begin(); // a key or the wheel
-    if (!drag_)
+    if (!dragged || !drag_)
+        begin(); // a key or the wheel; or the scene was not the text's when it was pressed
+    if (!drag_ && document_.work() == Work::none) {
+        QToolTip::showText(row.slider->mapToGlobal(row.slider->rect().bottomLeft()),
+                           tr("The text has errors; the scene that is shown is an older one."));
+        return refresh();
+    }
+    if (!drag_) {
+        if (!dragged)
+            wanted_ = {index, position};
         return;
+    }
     const double value = row.least + (row.most - row.least) * position / whole;
-    const editing::Answer answer = asked(*drag_, index, value);
+    const editing::Answer answer = asked(drag_->mapper, index, value);
     if (answer.possible()) {
         show(row, value);
-        document_.preview(editing::applied(drag_->text, answer.edits));
+        drag_->last = editing::applied(drag_->text, answer.edits);
+        document_.preview(drag_->last, drag_->since);
     }
     if (!dragged)
         finish(index);
@@ -177,9 +194,9 @@ void ParametersPanel::moved(std::size_t index, int position) {
 void ParametersPanel::finish(std::size_t index) {
     if (!drag_)
         return;
-    drag_.reset();
-    document_.finishPreview(document_.text(),
-                            tr("Change %1").arg(QString::fromStdString(rows_[index].name)));
+    const std::unique_ptr<Drag> drag = std::move(drag_);
+    document_.finishPreview(
+        drag->last, tr("Change %1").arg(QString::fromStdString(rows_[index].name)), drag->since);
 }
 
 } // namespace views

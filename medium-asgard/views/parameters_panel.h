@@ -36,9 +36,11 @@ private:
         std::string unit;
     };
     struct Drag { // of the text as it was when it began
+        int since;
         std::string text;
         std::shared_ptr<const scene::Scene> scene;
         editing::Mapper mapper;
+        std::string last; // text of it that was answered
     };
     void refresh();
     void rebuild();
@@ -46,7 +48,8 @@ private:
     void moved(std::size_t row, int position);
     void begin();
     void finish(std::size_t row);
-    [[nodiscard]] editing::Answer asked(const Drag& drag, std::size_t row, double value) const;
+    [[nodiscard]] editing::Answer asked(const editing::Mapper& mapper, std::size_t row,
+                                        double value) const;
 
     SceneDocument& document_;
     QVBoxLayout* column_;
@@ -54,6 +57,7 @@ private:
     std::vector<Row> rows_;
     std::unique_ptr<Drag> drag_;
     bool refreshing_ = false;
+    std::optional<std::pair<std::size_t, int>> wanted_; // row and position, once the scene is read
 };
 
 } // namespace views

@@ -66,8 +66,11 @@ void PictureEditing::take(const gestures::Grasp& grasp, const Eigen::Vector2d& p
         return;
     }
     mark(grasp.handle);
-    if (grasp.what == What::removePoint)
-        return removePoint(grasp.handle);
+    if (grasp.what == What::removePoint) {
+        if (!removePoint(grasp.handle))
+            deleteMarked();
+        return;
+    }
     display_.keepCamera();
     newPoint_ =
         std::make_unique<gestures::NewPoint>(document_.ground(), display_.sight(), grasp.handle);
@@ -363,17 +366,20 @@ void PictureEditing::take(const std::vector<editing::TextEdit>& edits, const QSt
     Q_EMIT changed();
 }
 
-// The last but one goes with the whole trajectory.
-void PictureEditing::removePoint(const render::Handle& handle) {
+// The last but one goes with the whole trajectory: false, nothing was done.
+bool PictureEditing::removePoint(const render::Handle& handle) {
     const editing::TrajectoryEdits edits(document_.text(), document_.shown().scene, handle.element);
-    const editing::Answer answer = edits.remove(gestures::pointOf(edits, handle));
-    const std::size_t left = document_.shown().scene->trajectories[handle.element].points.size();
+    const std::size_t point = gestures::pointOf(edits, handle);
+    const editing::Answer answer = edits.remove(point);
+    const auto onCurve =
+        std::ranges::count_if(edits.points(), [](const auto& one) { return one.onCurve; });
     if (answer.possible())
         take(answer.edits, tr("Remove a point"));
-    else if (left == 2 || edits.points().size() == 1)
-        deleteMarked();
+    else if (edits.points()[point].onCurve && onCurve <= 2)
+        return false;
     else
         say(QString::fromStdString(answer.reason));
+    return true;
 }
 
 void PictureEditing::deleteMarked() {
@@ -383,13 +389,8 @@ void PictureEditing::deleteMarked() {
     const scene::Scene& scene = *document_.shown().scene;
     const editing::Element element = gestures::elementOf(*handle);
     const bool onPath = handle->kind == render::HandleKind::trajectoryPoint;
-    if (onPath) {
-        const editing::TrajectoryEdits edits(document_.text(), document_.shown().scene,
-                                             handle->element);
-        const auto answer = edits.remove(gestures::pointOf(edits, *handle));
-        if (answer.possible())
-            return take(answer.edits, tr("Remove a point"));
-    }
+    if (onPath && removePoint(*handle))
+        return;
     std::vector<editing::Element> elements = document_.selected();
     if (std::ranges::find(elements, element) == elements.end())
         elements = {element};

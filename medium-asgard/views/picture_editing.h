@@ -65,7 +65,7 @@ Q_SIGNALS:
 private:
     void begin(const render::Handle& handle, const std::optional<Eigen::Vector2d>& pixels);
     void take(const gestures::Grasp& grasp, const Eigen::Vector2d& pixels);
-    void removePoint(const render::Handle& handle);
+    bool removePoint(const render::Handle& handle);
     void take(const std::vector<editing::TextEdit>& edits, const QString& label);
     void followSelection();
     [[nodiscard]] std::optional<render::Handle> positionOf(std::size_t body) const;

@@ -65,6 +65,16 @@ protected:
         QTest::keyClick(&display(), static_cast<Qt::Key>(which), modifiers);
     }
 
+    void mark(std::size_t part) { // of the only element that has handles
+        display().setFocus();
+        for (int i = 0; i < 20; ++i) {
+            key(Qt::Key_H);
+            if (display().editing().marked() && display().editing().marked()->part == part)
+                return;
+        }
+        FAIL() << part;
+    }
+
     TestWorkshop made;
     Editor editor{made.workshop()};
     GraphicalViewer* viewer = nullptr;
@@ -243,6 +253,39 @@ TEST_F(PictureEditingTest, PointsOfATrajectoryAreMovedDrawnOutAndRemoved) {
     EXPECT_THAT(text(), HasSubstr("trajectory T -points {{0 -1 0 0} {2 1 0 0}} ;# along x\n"));
     drag(pixels({1, 0, 0}), pixels({1, 0, 0}), Qt::RightButton); // the last two go with it
     EXPECT_EQ(text(), ball + "body b1 ball\n");
+}
+
+const std::string curves = ball + "trajectory T -bezier {{0 1 {-1 0 0} {-0.5 0 0.5} {-0.5 0 0.5} "
+                                  "{0 0 0}} {1 2 {0 0 0} {0.5 0 0} {0.5 0 0} {1 0 0}}}\n";
+
+// Where one curve ends as the next begins there is one point: handles, fields and text count alike.
+TEST_F(PictureEditingTest, ExactValuesOfCurvesAreThoseOfTheHandle) {
+    open(curves, {&render::Display::trajectories});
+    const auto enter = [&](std::size_t part, const char* x) {
+        mark(part);
+        key(Qt::Key_Return);
+        ValueEntry* entry = display().editing().entry();
+        ASSERT_NE(entry, nullptr);
+        entry->fields()[0]->selectAll();
+        QTest::keyClicks(entry->fields()[0], x);
+        QTest::keyClick(entry->fields()[0], Qt::Key_Return);
+        ASSERT_TRUE(settle(editor.document()));
+        display().grab();
+    };
+    enter(5, "0.75"); // the second tangent behind the joint
+    EXPECT_THAT(text(), HasSubstr("{1 2 {0 0 0} {0.5 0 0} {0.75 0 0} {1 0 0}}"));
+    enter(3, "0.25"); // the joint, in both curves and with their tangents
+    EXPECT_THAT(text(), HasSubstr("{-0.25 0 0.5} {0.25 0 0}} {1 2 {0.25 0 0} {0.75 0 0} "));
+    EXPECT_FALSE(editor.document().hasErrors());
+}
+
+// What cannot be taken out says why; it is not the trajectory that goes then.
+TEST_F(PictureEditingTest, ATangentIsNotDeleted) {
+    open(curves, {&render::Display::trajectories});
+    mark(1);
+    key(Qt::Key_Delete);
+    EXPECT_EQ(text(), curves);
+    EXPECT_EQ(display().editing().said(), "A tangent goes with its point.");
 }
 
 TEST_F(PictureEditingTest, TheKeysMoveTheMarkedHandleInOneStep) {

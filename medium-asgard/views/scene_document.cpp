@@ -89,6 +89,7 @@ void SceneDocument::followSelection(const scene::Scene& before) {
 void SceneDocument::setText(const std::string& text, const QString& label) {
     if (text == text_)
         return;
+    endGesture();
     const TextEdit edit = editBetween(text_, text);
     if (!host_.changed) {
         done_.push_back({edit, text_.substr(edit.from, edit.to - edit.from), label});
@@ -99,24 +100,25 @@ void SceneDocument::setText(const std::string& text, const QString& label) {
         host_.changed(edit, label);
 }
 
-void SceneDocument::preview(const std::string& text) {
+void SceneDocument::preview(const std::string& text, int since) {
     const bool silent = host_.changed && !host_.preview;
-    if (silent || (gesture_ && gesture_->revision != revision_) || text == text_)
+    if (gesture_ && gesture_->since != since)
+        endGesture(); // its hand is gone
+    if (silent || (!gesture_ && since != revision_) || text == text_)
         return;
     if (!gesture_)
-        gesture_ = Gesture{text_, revision_};
+        gesture_ = Gesture{text_, since};
     replaceText(text);
-    gesture_->revision = revision_;
     if (host_.preview)
         host_.preview(text);
 }
 
-void SceneDocument::finishPreview(const std::string& text, const QString& label) {
-    const auto gesture = std::exchange(gesture_, std::nullopt);
-    if (!gesture)
+void SceneDocument::finishPreview(const std::string& text, const QString& label, int since) {
+    if (!gesture_ && since == revision_)
         return setText(text, label);
-    if (gesture->revision != revision_)
-        return;
+    if (!gesture_ || gesture_->since != since)
+        return; // the text was changed meanwhile
+    const auto gesture = std::exchange(gesture_, std::nullopt);
     const TextEdit edit = editBetween(gesture->before, text);
     const bool changes = gesture->before != text;
     if (changes && !host_.changed) {
@@ -131,16 +133,25 @@ void SceneDocument::finishPreview(const std::string& text, const QString& label)
         host_.changed(edit, label);
 }
 
+void SceneDocument::endGesture() {
+    if (gesture_)
+        finishPreview(text_, tr("Drag"), gesture_->since);
+}
+
 gestures::Ground SceneDocument::ground() {
-    return {text_, shown_.scene, shown_.motion, [this](const std::string& text) { preview(text); },
-            [this](const std::string& text, const std::string& label) {
-                finishPreview(text, QString::fromStdString(label));
+    const int since = revision_;
+    return {text_, shown_.scene, shown_.motion,
+            [this, since](const std::string& text) { preview(text, since); },
+            [this, since](const std::string& text, const std::string& label) {
+                finishPreview(text, QString::fromStdString(label), since);
             }};
 }
 
 void SceneDocument::setTextFromHost(const std::string& text) {
-    if (text != text_)
-        replaceText(text);
+    if (text == text_)
+        return;
+    gesture_.reset();
+    replaceText(text);
 }
 
 void SceneDocument::didAccept() { Q_EMIT changeAccepted(); }
@@ -184,6 +195,7 @@ QString SceneDocument::redoLabel() const {
 }
 
 void SceneDocument::undo() {
+    endGesture();
     if (host_.undo)
         return host_.undo();
     if (done_.empty())
@@ -196,6 +208,7 @@ void SceneDocument::undo() {
 }
 
 void SceneDocument::redo() {
+    endGesture();
     if (host_.redo)
         return host_.redo();
     if (undone_.empty())
@@ -300,10 +313,12 @@ void SceneDocument::begin(const QString& path, const std::string& text) {
     done_.clear();
     undone_.clear();
     gesture_.reset();
+    Q_EMIT opened();
     replaceText(text);
 }
 
 QString SceneDocument::save(const QString& path) {
+    endGesture();
     // Written beside it and renamed: a full disk leaves the old file as it was.
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) ||

@@ -98,11 +98,13 @@ public:
     // A view's change: one step of undo.
     void setText(const std::string& text, const QString& label);
     // While a gesture lasts, texts are shown and read that are no steps of undo; what it ends with
-    // is one. A change from elsewhere meanwhile ends the gesture: then nothing more of it is taken.
-    void preview(const std::string& text);
-    void finishPreview(const std::string& text, const QString& label);
+    // is one. A change from elsewhere meanwhile ends the gesture: what it did so far is a step
+    // then, and nothing more of it is taken. `since`: the revision that the gesture began at, which
+    // tells it from others.
+    void preview(const std::string& text, int since);
+    void finishPreview(const std::string& text, const QString& label, int since);
     // The text is a gesture's, which has not ended.
-    [[nodiscard]] bool isPreview() const { return gesture_ && gesture_->revision == revision_; }
+    [[nodiscard]] bool isPreview() const { return gesture_.has_value(); }
     // What a gesture in one of the windows is made on.
     [[nodiscard]] gestures::Ground ground();
     // Computes the motion again from the current text.
@@ -137,6 +139,7 @@ public:
     void setName(const QString& name);
 
 Q_SIGNALS:
+    void opened(); // another scene, or file: drafts and gestures of the one before are no more
     void textChanged();
     void diagnosticsChanged();
     void sceneChanged(); // another scene is shown
@@ -156,6 +159,7 @@ private:
     struct Worker;
 
     void replaceText(const std::string& text);
+    void endGesture();
     void begin(const QString& path, const std::string& text);
     void start();
     void followSelection(const scene::Scene& before); // after another scene came
@@ -180,7 +184,7 @@ private:
     std::vector<Change> done_, undone_;
     struct Gesture {
         std::string before;
-        int revision; // of the last preview
+        int since; // the revision that it began at
     };
     std::optional<Gesture> gesture_;
     std::unique_ptr<Worker> worker_;

@@ -11,22 +11,23 @@ namespace views {
 using geometry::Vector;
 
 ShapeGesture::ShapeGesture(SceneDocument& document, std::size_t shapeSet)
-    : document_(document), text_(document.text()), scene_(document.shown().scene),
-      shapeSet_(shapeSet), before_(editing::draftOf(scene_->shapeSets[shapeSet])) {}
+    : document_(document), text_(document.text()), since_(document.revision()),
+      scene_(document.shown().scene), shapeSet_(shapeSet),
+      before_(editing::draftOf(scene_->shapeSets[shapeSet])) {}
 
 bool ShapeGesture::show(const std::vector<editing::DraftPart>& draft) {
     answer_ = editing::become(text_, scene_, shapeSet_, draft);
     if (answer_.possible())
-        document_.preview(editing::applied(text_, answer_.edits));
+        document_.preview(editing::applied(text_, answer_.edits), since_);
     return answer_.possible();
 }
 
 void ShapeGesture::finish(const QString& label) {
     document_.finishPreview(answer_.possible() ? editing::applied(text_, answer_.edits) : text_,
-                            label);
+                            label, since_);
 }
 
-void ShapeGesture::cancel() { document_.finishPreview(text_, {}); }
+void ShapeGesture::cancel() { document_.finishPreview(text_, {}, since_); }
 
 double decimal(double value, double length) {
     const double step = editing::decimalStep(length);

@@ -23,6 +23,7 @@ public:
 private:
     SceneDocument& document_;
     std::string text_; // when it began
+    int since_;        // its revision
     std::shared_ptr<const scene::Scene> scene_;
     std::size_t shapeSet_;
     std::vector<editing::DraftPart> before_;

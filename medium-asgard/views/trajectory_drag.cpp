@@ -10,7 +10,7 @@ constexpr double leastShare = 1e-3;
 } // namespace
 
 TrajectoryDrag::TrajectoryDrag(SceneDocument& document, std::size_t trajectory)
-    : document_(document), text_(document.text()),
+    : document_(document), text_(document.text()), since_(document.revision()),
       name_(QString::fromStdString(document.shown().scene->trajectories[trajectory].name)),
       curves_(document.shown().scene->trajectories[trajectory].curves),
       edits_(text_, document.shown().scene, trajectory),
@@ -23,17 +23,17 @@ void TrajectoryDrag::move(std::size_t point, double time, const geometry::Vector
     if (!answer_.possible())
         return;
     curves_ = edits_.moved(point, time, place, leastInterval_, breaks);
-    document_.preview(editing::applied(text_, answer_.edits));
+    document_.preview(editing::applied(text_, answer_.edits), since_);
 }
 
 void TrajectoryDrag::finish() {
     document_.finishPreview(answer_.possible() ? editing::applied(text_, answer_.edits) : text_,
-                            QObject::tr("Change Trajectory %1").arg(name_));
+                            QObject::tr("Change Trajectory %1").arg(name_), since_);
     moves_ = false;
 }
 
 void TrajectoryDrag::cancel() {
-    document_.finishPreview(text_, {});
+    document_.finishPreview(text_, {}, since_);
     moves_ = false;
 }
 

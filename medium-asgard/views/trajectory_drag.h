@@ -31,6 +31,7 @@ private:
 
     SceneDocument& document_;
     std::string text_; // when it began
+    int since_;        // its revision
     QString name_;
     std::vector<scene::BezierCurve> curves_;
     editing::TrajectoryEdits edits_;

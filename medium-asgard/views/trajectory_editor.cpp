@@ -367,6 +367,15 @@ bool TrajectoryEditor::begin() {
     return true;
 }
 
+// What was dragged stays where it is, and the hand lets go of it.
+void TrajectoryEditor::finishGesture() {
+    if (gesture_ && gesture_->moves())
+        gesture_->finish();
+    gesture_.reset();
+    for (TrajectoryGraph* graph : graphs_)
+        graph->letGo();
+}
+
 void TrajectoryEditor::drag(int component, double time, double value,
                             Qt::KeyboardModifiers modifiers) {
     if (!chosen_ || !begin())
@@ -376,7 +385,9 @@ void TrajectoryEditor::drag(int component, double time, double value,
         graph->setHoldsValues(true);
     const TrajectoryGraph& graph = *graphs_[at(component)];
     Place place = point.place;
-    place[component] = decimal(value, graph.valueStep());
+    // What was hardly moved was not meant, and keeps its digits.
+    if (std::abs(value - place[component]) > 0.5 * graph.valueStep())
+        place[component] = decimal(value, graph.valueStep());
     if (time != point.time)
         time = decimal(time, graph.timeStep());
     gesture_->move(*chosen_, time, place, modifiers & Qt::ShiftModifier);
@@ -398,7 +409,8 @@ void TrajectoryEditor::nudge(int component, double times, double values) {
     const double timeStep = editing::decimalStep(graph.timeStep() * 10);
     const double valueStep = editing::decimalStep(graph.valueStep() * 10);
     Place place = point.place;
-    place[component] = decimal(place[component] + values * valueStep, valueStep);
+    if (values != 0)
+        place[component] = decimal(place[component] + values * valueStep, valueStep);
     gesture_->move(*chosen_,
                    times == 0 ? point.time : decimal(point.time + times * timeStep, timeStep),
                    place, false);
@@ -410,23 +422,29 @@ void TrajectoryEditor::nudge(int component, double times, double values) {
 }
 
 void TrajectoryEditor::setFromFields() {
+    if (!chosen_ || !begin())
+        return;
+    const editing::ControlPoint point = gesture_->edits().points()[*chosen_];
     bool valid = true;
-    const auto read = [&](QLineEdit* field) {
+    // What was not typed keeps all its digits.
+    const auto read = [&](QLineEdit* field, double now) {
+        if (field->text() == text(now))
+            return now;
         bool ok = false;
         const double value = field->text().toDouble(&ok);
         valid = valid && ok && std::isfinite(value);
         return value;
     };
-    const double time = read(time_);
-    const Place place(read(values_[0]), read(values_[1]), read(values_[2]));
+    const double time = read(time_, point.time);
+    const Place place(read(values_[0], point.place.x()), read(values_[1], point.place.y()),
+                      read(values_[2], point.place.z()));
     for (QLineEdit* field : {time_, values_[0], values_[1], values_[2]})
         field->setModified(false);
     if (!valid) {
         tell(tr("A point is four numbers: its time and its place."), true);
+        gesture_.reset();
         return showPoint();
     }
-    if (!chosen_ || !begin())
-        return;
     gesture_->move(*chosen_, time, place, false);
     const QString reason = gesture_->reason();
     gesture_->finish();
@@ -437,7 +455,7 @@ void TrajectoryEditor::setFromFields() {
 }
 
 void TrajectoryEditor::addAt(int component, double time, double value) {
-    gesture_.reset();
+    finishGesture();
     if (!begin())
         return;
     const TrajectoryGraph& graph = *graphs_[at(component)];
@@ -459,7 +477,7 @@ void TrajectoryEditor::addAt(int component, double time, double value) {
 
 // In the middle of the way to the next point; after the last as far again as from the one before.
 void TrajectoryEditor::addAfterChosen() {
-    gesture_.reset();
+    finishGesture();
     if (!begin())
         return;
     std::vector<editing::ControlPoint> knots;
@@ -472,15 +490,17 @@ void TrajectoryEditor::addAfterChosen() {
         if (!chosen_ || i <= *chosen_)
             after = knots.size() - 1;
     }
-    const double time = after + 1 < knots.size() ? (knots[after].time + knots[after + 1].time) / 2
-                                                 : 2 * knots[after].time - knots[after - 1].time;
+    const double now = knots[after].time;
+    const double time = after + 1 < knots.size() ? (now + knots[after + 1].time) / 2
+                        : after > 0              ? 2 * now - knots[after - 1].time
+                                                 : gesture_->curves().back().to + 1;
     const auto on = scene::valueAt(gesture_->curves(), time).value_or(knots[after].place);
     gesture_.reset();
     addAt(0, time, on.x());
 }
 
 void TrajectoryEditor::removeChosen() {
-    gesture_.reset();
+    finishGesture();
     if (!chosen_ || !begin())
         return;
     if (gesture_->remove(*chosen_))
@@ -521,7 +541,7 @@ void TrajectoryEditor::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Escape:
         if (gesture_ && gesture_->moves())
             gesture_->cancel();
-        gesture_.reset();
+        finishGesture();
         return followScene();
     default:
         QMainWindow::keyPressEvent(event);

@@ -49,6 +49,7 @@ private:
     void choose(std::optional<std::size_t> point);
     void chooseNext(int direction);
     [[nodiscard]] std::optional<std::size_t> index() const; // of the trajectory in the scene
+    void finishGesture();
     [[nodiscard]] bool begin(); // a gesture; false: the scene is not the text's
     void drag(int component, double time, double value, Qt::KeyboardModifiers modifiers);
     void nudge(int component, double times, double values);

@@ -101,6 +101,18 @@ TEST_F(TrajectoryEditorTest, PointsAreAddedAndDeleted) {
     EXPECT_EQ(document.text(), scene);
 }
 
+TEST_F(TrajectoryEditorTest, ATrajectoryOfOnePointGetsAnother) {
+    document.setText("simulator -finish 2\ntrajectory hold -bezier {{0 5 {1 2 3}}}\n", "Edit");
+    ASSERT_TRUE(settle(document));
+    editor->graph(0).setFocus();
+    QTest::keyClick(&editor->graph(0), Qt::Key_Insert);
+    ASSERT_TRUE(settle(document));
+    ASSERT_EQ(shown(0).curves.size(), 2U) << document.text();
+    EXPECT_EQ(shown(0).curves[1].from, 5);
+    EXPECT_EQ(shown(0).curves[1].to, 6);
+    EXPECT_FALSE(document.hasErrors());
+}
+
 TEST_F(TrajectoryEditorTest, EverythingIsDoneByKeysToo) {
     QTest::keyClick(editor.get(), Qt::Key_PageDown);
     ASSERT_EQ(editor->chosen(), 0U);
@@ -112,6 +124,69 @@ TEST_F(TrajectoryEditorTest, EverythingIsDoneByKeysToo) {
     ASSERT_TRUE(settle(document));
     EXPECT_EQ(shown(0).points.size(), 4U);
     EXPECT_EQ(shown(0).points[1].first, 0.5);
+}
+
+// A gesture changes the number that it moves, and no digit of the others.
+TEST_F(TrajectoryEditorTest, OtherNumbersKeepTheirDigits) {
+    const std::string exact = "simulator -finish 2\ntrajectory path -points "
+                              "{{0 0.1234567890123456 0 0} {1.0000000001 0.1234567890123456 "
+                              "0.123456789 0} {2 3 0 0}}\n";
+    const auto again = [&] {
+        document.setText(exact, "Edit");
+        ASSERT_TRUE(settle(document));
+        QTest::mouseClick(&editor->graph(1), Qt::LeftButton, {}, at(1, 1, 0.123456789));
+    };
+    again();
+    for (QLineEdit* field : editor->findChildren<QLineEdit*>())
+        if (field->accessibleName() == "z of the point") {
+            field->setFocus();
+            field->selectAll();
+            QTest::keyClicks(field, "4");
+            QTest::keyClick(field, Qt::Key_Return);
+        }
+    ASSERT_TRUE(settle(document));
+    EXPECT_NE(document.text().find("{1.0000000001 0.1234567890123456 0.123456789 4}"),
+              std::string::npos)
+        << document.text();
+    again();
+    QTest::keyClick(&editor->graph(1), Qt::Key_Right);
+    ASSERT_TRUE(settle(document));
+    EXPECT_NE(document.text(), exact);
+    EXPECT_NE(document.text().find(" 0.1234567890123456 0.123456789 0} {2"), std::string::npos)
+        << document.text();
+    again();
+    drag(1, at(1, 1, 0.123456789), at(1, 1.5, 0.123456789)); // its time alone
+    EXPECT_NE(document.text(), exact);
+    EXPECT_NE(document.text().find(" 0.1234567890123456 0.123456789 0} {2"), std::string::npos)
+        << document.text();
+}
+
+TEST_F(TrajectoryEditorTest, AfterEscapeTheHandHoldsNothing) {
+    TrajectoryGraph& graph = editor->graph(1);
+    const QPoint from = at(1, 1, 0);
+    const auto moveTo = [&](QPoint to) {
+        QMouseEvent move(QEvent::MouseMove, to, graph.mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                         {});
+        QCoreApplication::sendEvent(&graph, &move);
+    };
+    QTest::mousePress(&graph, Qt::LeftButton, {}, from);
+    moveTo(from - QPoint(0, 20));
+    ASSERT_TRUE(settle(document));
+    EXPECT_NE(document.text(), scene);
+    QTest::keyClick(&graph, Qt::Key_Escape);
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(document.text(), scene);
+    moveTo(from - QPoint(0, 40));
+    QTest::mouseRelease(&graph, Qt::LeftButton, {}, from - QPoint(0, 40));
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(document.text(), scene);
+}
+
+// The far end of the language's times: lines of the grid are fewer than what a double tells apart.
+TEST_F(TrajectoryEditorTest, AxesAreDrawnFarFromZero) {
+    TrajectoryGraph& graph = editor->graph(0);
+    graph.setTimes(1e17, 1e17 + 16);
+    EXPECT_FALSE(graph.grab().isNull());
 }
 
 TEST_F(TrajectoryEditorTest, ExactValuesAreTyped) {

@@ -98,7 +98,7 @@ double TrajectoryGraph::valueAt(double y) const {
     return low_ + (area().bottom() - y) / area().height() * (high_ - low_);
 }
 
-bool TrajectoryGraph::isNear(std::size_t point) const {
+bool TrajectoryGraph::isShown(std::size_t point) const {
     if (points_[point].onCurve || !chosen_)
         return points_[point].onCurve;
     const auto knotBefore = [&](std::size_t i) {
@@ -118,7 +118,7 @@ std::optional<std::size_t> TrajectoryGraph::pointAt(const QPointF& position) con
     std::optional<std::size_t> nearest;
     double best = reach;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-        if (!isNear(i))
+        if (!isShown(i))
             continue;
         const QPointF there = place(points_[i].time, points_[i].place[component_]);
         const double distance = std::hypot(there.x() - position.x(), there.y() - position.y()) -
@@ -159,8 +159,11 @@ void TrajectoryGraph::paintAxes(QPainter& painter) const {
     QColor line = palette().color(QPalette::WindowText), text = line;
     line.setAlpha(28);
     text.setAlpha(170);
+    // Counted: far from zero a step may be less than what numbers tell apart there.
     const double times = roundStep((to_ - from_) * 70 / a.width());
-    for (double k = std::ceil(from_ / times); k * times <= to_; ++k) {
+    const double firstTime = std::ceil(from_ / times);
+    for (int i = 0; i < 100 && (firstTime + i) * times <= to_; ++i) {
+        const double k = firstTime + i;
         const double x = place(k * times, low_).x();
         painter.setPen(line);
         painter.drawLine(QPointF(x, a.top()), QPointF(x, a.bottom()));
@@ -171,7 +174,9 @@ void TrajectoryGraph::paintAxes(QPainter& painter) const {
                          label);
     }
     const double values = roundStep((high_ - low_) * 30 / a.height());
-    for (double k = std::ceil(low_ / values); k * values <= high_; ++k) {
+    const double firstValue = std::ceil(low_ / values);
+    for (int i = 0; i < 100 && (firstValue + i) * values <= high_; ++i) {
+        const double k = firstValue + i;
         const double y = place(from_, k * values).y();
         QColor grid = line;
         grid.setAlpha(k == 0 ? 90 : 28);
@@ -230,7 +235,7 @@ void TrajectoryGraph::paintPoints(QPainter& painter) const {
         return place(points_[i].time, points_[i].place[component_]);
     };
     for (std::size_t i = 0; i < points_.size(); ++i) { // to the tangents of the chosen point
-        if (points_[i].onCurve || !isNear(i))
+        if (points_[i].onCurve || !isShown(i))
             continue;
         painter.setPen(QPen(faint, 1));
         if (i > 0 && points_[i - 1].onCurve)
@@ -239,7 +244,7 @@ void TrajectoryGraph::paintPoints(QPainter& painter) const {
             painter.drawLine(at(i), at(i + 1));
     }
     for (std::size_t i = 0; i < points_.size(); ++i) {
-        if (!isNear(i))
+        if (!isShown(i))
             continue;
         const bool isChosen = chosen_ == i;
         const double radius = points_[i].onCurve ? (isChosen ? 6 : 5) : (isChosen ? 5 : 4);
@@ -305,6 +310,12 @@ void TrajectoryGraph::mouseReleaseEvent(QMouseEvent* event) {
     setCursor(Qt::ArrowCursor);
     if (before == Grip::point)
         Q_EMIT released();
+}
+
+void TrajectoryGraph::letGo() {
+    grip_ = Grip::none;
+    holdsValues_ = false;
+    setCursor(Qt::ArrowCursor);
 }
 
 void TrajectoryGraph::wheelEvent(QWheelEvent* event) {

@@ -24,6 +24,8 @@ public:
     void setNow(std::optional<double> time);
     void setHoldsValues(bool holds) { holdsValues_ = holds; } // the axis stays while one drags
 
+    void letGo(); // of what is dragged, though the button is still down
+
     [[nodiscard]] QSize sizeHint() const override { return {560, 170}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 100}; }
 
@@ -54,7 +56,7 @@ protected:
 private:
     [[nodiscard]] QRectF area() const;
     [[nodiscard]] std::optional<std::size_t> pointAt(const QPointF& position) const;
-    [[nodiscard]] bool isNear(std::size_t point) const; // a tangent of the point that is chosen
+    [[nodiscard]] bool isShown(std::size_t point) const; // no tangent, or one of the chosen point
     void fitValues();
     void paintAxes(QPainter& painter) const;
     void paintCurve(QPainter& painter) const;

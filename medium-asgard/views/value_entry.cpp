@@ -2,6 +2,7 @@
 
 #include "editing/preview.h"
 #include "gestures/handle_meaning.h"
+#include "gestures/new_point.h"
 #include "script/numbers.h"
 
 #include <QFontDatabase>
@@ -42,6 +43,10 @@ ValueEntry::ValueEntry(SceneDocument& document, const render::Handle& handle, do
     wishes_ = gestures::wishesFor(*scene_, handle_, handle_.place, 0, false);
     if (handle_.kind == render::HandleKind::orientation && mapper_.count(wishes_.front()) == 4)
         wishes_ = gestures::wishesFor(*scene_, handle_, handle_.place, 0, true);
+    if (handle_.kind == render::HandleKind::trajectoryPoint) {
+        path_.emplace(text_, scene_, handle_.element);
+        wishes_ = {path_->wishOf(gestures::pointOf(*path_, handle_))};
+    }
     now_ = allOf(wishes_, &editing::Wish::values);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 8, 10, 8);
@@ -137,6 +142,14 @@ QString ValueEntry::preview(const std::vector<editing::TextEdit>& edits) const {
     return text;
 }
 
+// A point that ends one curve and begins the next moves in both, with its tangents.
+editing::Answer ValueEntry::asked(const std::vector<double>& wanted) const {
+    if (!path_ || !path_->hasOwnTangents())
+        return mapper_.answer(gestures::withValues(wishes_, wanted));
+    const std::size_t point = gestures::pointOf(*path_, handle_);
+    return path_->move(point, path_->points()[point].time, {wanted[0], wanted[1], wanted[2]}, 0);
+}
+
 void ValueEntry::update() {
     const auto wanted = values();
     answer_ = {};
@@ -152,7 +165,7 @@ void ValueEntry::update() {
         says_->setText(QString::fromStdString(answer_.reason).toHtmlEscaped());
         answer_.offers.clear();
     } else {
-        answer_ = mapper_.answer(gestures::withValues(wishes_, *wanted));
+        answer_ = asked(*wanted);
         says_->setText(answer_.possible() ? preview(answer_.edits)
                                           : QString::fromStdString(answer_.reason).toHtmlEscaped());
     }

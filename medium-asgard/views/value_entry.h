@@ -5,6 +5,7 @@
 // in the same way. Return takes the value, Escape leaves everything as it is.
 #pragma once
 
+#include "editing/trajectory_edit.h"
 #include "editing/value_edit.h"
 #include "render/handles.h"
 #include "views/scene_document.h"
@@ -34,6 +35,7 @@ protected:
 private:
     [[nodiscard]] std::optional<std::vector<double>> values() const;
     void addFields(QVBoxLayout* column);
+    [[nodiscard]] editing::Answer asked(const std::vector<double>& wanted) const;
     void update();
     void showOffers();
     void take(const std::vector<editing::TextEdit>& edits);
@@ -46,6 +48,7 @@ private:
     simulation::MotionPointer motion_;
     editing::Mapper mapper_;
     render::Handle handle_;
+    std::optional<editing::TrajectoryEdits> path_; // of a trajectory's point
     std::vector<editing::Wish> wishes_;
     std::vector<double> now_;
     std::vector<QLineEdit*> fields_;

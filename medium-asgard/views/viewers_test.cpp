@@ -1,5 +1,6 @@
 #include "views/control_panel.h"
 #include "views/editor.h"
+#include "views/scene_editor.h"
 #include "views/scintilla.h"
 #include "views/test_workshop.h"
 
@@ -7,8 +8,11 @@
 
 #include <QLabel>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QPushButton>
+#include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 namespace views {
 namespace {
@@ -336,6 +340,50 @@ TEST_F(ViewersTest, WhatTheHostRefusesIsADraftAgain) {
     EXPECT_EQ(two->draft(), ballScene);
 }
 
+// What was typed after Update is a draft upon what the host refuses: all of it is kept.
+TEST_F(ViewersTest, WhatGoesOnAfterAnUpdateKeepsWhatTheHostRefuses) {
+    editor.document().setHostLink({[](const TextEdit&, const QString&) {}, [] {}, [] {}});
+    LanguageViewer* viewer = editor.openLanguageViewer();
+    type(*viewer, "# one\n" + ballScene);
+    viewer->updateDocument();
+    type(*viewer, "# one\n" + ballScene + "# two\n");
+    const std::string theirs = "simulator -finish 3" + ballScene.substr(19);
+    editor.document().didRefuse(theirs, "no");
+    EXPECT_EQ(viewer->draft(), "# one\n" + theirs + "# two\n");
+    EXPECT_TRUE(viewer->hasDraft());
+    viewer->updateDocument();
+    EXPECT_EQ(editor.document().text(), "# one\n" + theirs + "# two\n");
+}
+
+// A gesture that was given up leaves no dispute behind.
+TEST_F(ViewersTest, WhatIsAsItWasIsNoConflict) {
+    LanguageViewer* viewer = editor.openLanguageViewer();
+    const auto with = [](const std::string& x) {
+        return ballScene.substr(0, ballScene.find("{-1 0")) + "{" + x +
+               ballScene.substr(ballScene.find(" 0 0} -init_dpos"));
+    };
+    type(*viewer, with("7"));
+    const auto conflicts = [&] {
+        return static_cast<SceneEditor&>(viewer->editor()).marks(Mark::conflict).size();
+    };
+    const int since = editor.document().revision();
+    editor.document().preview(with("-1.5"), since);
+    EXPECT_EQ(conflicts(), 1U);
+    editor.document().preview(with("-1.25"), since);
+    EXPECT_EQ(conflicts(), 1U);
+    editor.document().finishPreview(ballScene, {}, since);
+    EXPECT_EQ(conflicts(), 0U);
+    EXPECT_EQ(viewer->draft(), with("7"));
+}
+
+TEST_F(ViewersTest, LinesAreBrokenAsTheTextBreaksThem) {
+    editor.document().setText("# one\r\n# two\r\n", "Edit");
+    LanguageViewer* viewer = editor.openLanguageViewer();
+    EXPECT_EQ(viewer->editor().eolMode(), QsciScintilla::EolWindows);
+    editor.document().setText("# one\n", "Edit");
+    EXPECT_EQ(viewer->editor().eolMode(), QsciScintilla::EolUnix);
+}
+
 TEST_F(ViewersTest, FindGoesFromPlaceToPlaceAndRoundAgain) {
     LanguageViewer* viewer = editor.openLanguageViewer();
     EXPECT_TRUE(viewer->find("ball"));
@@ -393,6 +441,42 @@ TEST_F(ViewersTest, TheControlPanelOpensViewersAndSimulates) {
     button(*panel, "Simulate")->click();
     ASSERT_TRUE(settle(editor.document()));
     EXPECT_EQ(made.simulations, before + 1);
+}
+
+// A draft belongs to the file that it is a draft of.
+TEST_F(ViewersTest, AnotherFileIsOpenedWhenItsDraftsAreSettled) {
+    QTemporaryDir home;
+    const QString path = home.filePath("other.al");
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("# other\n");
+    file.close();
+    ASSERT_EQ(editor.document().save(home.filePath("scene.al")), "");
+    LanguageViewer* viewer = editor.openLanguageViewer();
+    ControlPanel* panel = editor.openControlPanel();
+    const auto openChoosing = [&](const QString& choice) {
+        type(*viewer, ballScene + "# mine\n");
+        QTimer::singleShot(0, [&] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            ASSERT_NE(box, nullptr);
+            QPushButton* chosen = button(*box, choice);
+            ASSERT_NE(chosen, nullptr);
+            chosen->click();
+        });
+        panel->open(path);
+    };
+    openChoosing("Cancel");
+    EXPECT_EQ(editor.document().text(), ballScene);
+    EXPECT_TRUE(viewer->hasDraft());
+    openChoosing("Drop the Draft");
+    EXPECT_EQ(editor.document().text(), "# other\n");
+    EXPECT_EQ(viewer->draft(), "# other\n");
+    EXPECT_FALSE(viewer->hasDraft());
+    // Whoever opens it: no draft goes into another file.
+    type(*viewer, "# mine\n");
+    editor.document().reset();
+    EXPECT_EQ(viewer->draft(), "");
+    EXPECT_FALSE(viewer->hasDraft());
 }
 
 TEST_F(ViewersTest, AClosedViewerIsForgotten) {
