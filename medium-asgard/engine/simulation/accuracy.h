@@ -15,8 +15,8 @@ namespace simulation {
 
 struct IslandError {
     double size = 0;
-    double far = 0;     // the largest distance from the origin along an axis
-    double largest = 0; // scaled
+    double far = 0;        // the largest distance from the origin along an axis
+    double largest = 0;    // scaled
     std::size_t steps = 0; // of the second run, the most that one of its components has
     // How it grows, where it exceeds what compareRuns() was told: times, and the largest scaled
     // error up to then.
@@ -30,8 +30,8 @@ struct IslandError {
 // second run, at their ends and middles in turn, as far as both are known. The growth of errors is
 // told of islands where the largest exceeds `limit`. Nothing is said of what the second run took
 // from the first.
-// `cancelled` is asked once in `comparisonsPerPoll` places that are compared, or oftener. When it is
-// cancelled meanwhile the answer says nothing.
+// `cancelled` is asked once in `comparisonsPerPoll` places that are compared, or oftener. When it
+// is cancelled meanwhile the answer says nothing.
 inline constexpr std::size_t comparisonsPerPoll = 1024;
 [[nodiscard]] std::vector<IslandError> compareRuns(const Problem& problem, const Run& first,
                                                    const Run& second, double limit,
