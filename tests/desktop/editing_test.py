@@ -4,6 +4,7 @@
 usage: editing_test.py PATH-TO-ENSEMBLE PATH-TO-MEMO [unittest arguments]
 """
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -123,6 +124,44 @@ class Editing(unittest.TestCase):
         self.assertIn(b"{nonsense # one", self.saved())
         self.press(one, "ctrl+z")
         self.assertEqual(self.saved(), changed)
+
+    def ball(self):
+        """The middle of the left one of the two balls, in the host's window."""
+        def seen():
+            picture = self.screen.picture(self.host)
+            spots = sorted(picture.greySpots()) if picture else []
+            left = [spot for spot in spots if spot[0] < spots[0][0] + 60]
+            return left and [sum(one) / len(left) for one in zip(*left)]
+
+        return until("a ball is seen", seen)
+
+    def test_a_body_is_dragged_in_the_documents_own_picture(self):
+        x, y = (round(c) for c in self.ball())
+        self.press(self.host, "Escape")
+        self.screen.do("mousemove", "--window", self.host, x, y, "click", 1)
+        before = set(self.screen.windows())
+        self.screen.do("click", 3)
+        until("the medium's menu opens", lambda: set(self.screen.windows()) - before)
+        menus = set(self.screen.windows())
+        self.screen.do("key", "--delay", 60, *["Up"] * 9, "Right")  # from the end: what is there is always enabled
+        until("the menu of handles opens", lambda: set(self.screen.windows()) - menus)
+        self.screen.do("key", "Return")
+        until("the menu is closed", lambda: not set(self.screen.windows()) - before)
+        time.sleep(1)
+        self.assertFalse(self.is_modified())
+        self.screen.do("mousemove", "--window", self.host, x, y, "keydown", "shift", "mousedown", 1)
+        for step in range(1, 9):
+            self.screen.do("mousemove", "--window", self.host, x + 3 * step, y - 5 * step)
+            time.sleep(0.05)
+        self.assertFalse(self.is_modified())  # not before it is let go
+        self.screen.do("mouseup", 1, "keyup", "shift")
+        changed = self.saved()
+        self.assertNotEqual(changed, self.original)
+        place = rb"(body b2 .*-init_pos) \\\{[-0-9. ]*\\\}"
+        self.assertRegex(changed, place)
+        self.assertEqual(re.sub(place, rb"\1", changed), re.sub(place, rb"\1", self.original))
+        self.press(self.host, "ctrl+z")
+        self.assertEqual(self.saved(), self.original)
 
     def test_a_dead_medium_takes_no_text_with_it(self):
         viewer = self.viewer()
