@@ -78,6 +78,7 @@ Windows Editor::windows() {
     windows.openLanguageViewer = [this] { openLanguageViewer(); };
     windows.openTrajectoryEditor = [this] { openTrajectoryEditor(); };
     windows.openShapeEditor = [this](const QString& name) { openShapeEditor(name); };
+    windows.importShape = [this] { openShapeEditor()->askToImport(); };
     windows.newShape = [this] { openShapeEditor()->askForNewShape(); };
     windows.openStudy = [this] { openStudy(); };
     windows.closeViewers = [this] { return closeViewers(); };

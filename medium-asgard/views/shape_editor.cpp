@@ -5,6 +5,7 @@
 #include "editing/shape_library.h"
 #include "editing/shape_points.h"
 #include "views/shape_fields.h"
+#include "views/shape_import.h"
 #include "views/shape_names.h"
 #include "views/shape_panel.h"
 #include "views/undo_actions.h"
@@ -99,12 +100,17 @@ void ShapeEditor::buildTop(QHBoxLayout* row) {
     fresh->setText(tr("New…"));
     fresh->setToolTip(tr("A new shape (Ctrl+N)"));
     connect(fresh, &QToolButton::clicked, this, &ShapeEditor::askForNewShape);
+    auto* import = new QToolButton;
+    import->setText(tr("Import…"));
+    import->setToolTip(tr("A new shape from an STL or OBJ file (Ctrl+I)"));
+    connect(import, &QToolButton::clicked, this, &ShapeEditor::askToImport);
     rename_ = new QToolButton;
     rename_->setText(tr("Rename…"));
     rename_->setToolTip(tr("Another name, here and where the shape is used (F2)"));
     connect(rename_, &QToolButton::clicked, this, &ShapeEditor::askForName);
     row->addWidget(names_);
     row->addWidget(fresh);
+    row->addWidget(import);
     row->addWidget(rename_);
     row->addStretch();
 }
@@ -112,6 +118,8 @@ void ShapeEditor::buildTop(QHBoxLayout* row) {
 void ShapeEditor::buildMenus() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
     file->addAction(tr("&New Shape…"), QKeySequence::New, this, &ShapeEditor::askForNewShape);
+    file->addAction(tr("&Import…"), QKeySequence(Qt::CTRL | Qt::Key_I), this,
+                    &ShapeEditor::askToImport);
     file->addAction(tr("&Rename Shape…"), QKeySequence(Qt::Key_F2), this, &ShapeEditor::askForName);
     file->addSeparator();
     file->addAction(tr("&Close"), QKeySequence::Close, this, &QWidget::close);
@@ -270,7 +278,7 @@ void ShapeEditor::showFields() {
     const auto part = display_->chosenPart();
     removePart_->setEnabled(part.has_value());
     removePoint_->setEnabled(display_->chosenPoint().has_value());
-    fields_->show(part ? &draft_[*part].part : nullptr, display_->chosenPlace());
+    fields_->showNumbers(part ? &draft_[*part].part : nullptr, display_->chosenPlace());
 }
 
 void ShapeEditor::tell(const QString& words, bool isFault) {
@@ -585,6 +593,11 @@ void ShapeEditor::askForNewShape() {
         return;
     if (const QString fault = newShape(name.trimmed()); !fault.isEmpty())
         QMessageBox::warning(this, tr("New Shape"), fault);
+}
+
+void ShapeEditor::askToImport() {
+    if (ShapeImport* dialog = importShape(document_, this))
+        connect(dialog, &ShapeImport::imported, this, &ShapeEditor::showShape);
 }
 
 void ShapeEditor::askForName() {

@@ -31,6 +31,7 @@ public:
 
     void showShape(const QString& name);
     void askForNewShape();
+    void askToImport(); // a file, shown as what it becomes
     // A shape set of that name with one polyhedron; "" or the sentence that says why not.
     QString newShape(const QString& name);
     QString renameShape(const QString& name); // the shown one, in the text and where it is used

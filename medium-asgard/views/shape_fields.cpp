@@ -80,7 +80,7 @@ ShapeFields::ShapeFields(QWidget* parent) : QWidget(parent) {
         });
     }
     row->addStretch();
-    show(nullptr, std::nullopt);
+    showNumbers(nullptr, std::nullopt);
 }
 
 QLineEdit* ShapeFields::field(QHBoxLayout* row, QLabel* label, const QString& accessible) {
@@ -93,7 +93,7 @@ QLineEdit* ShapeFields::field(QHBoxLayout* row, QLabel* label, const QString& ac
     return edit;
 }
 
-void ShapeFields::show(const scene::Part* part, const std::optional<Vector>& place) {
+void ShapeFields::showNumbers(const scene::Part* part, const std::optional<Vector>& place) {
     fill(place_,
          place ? std::vector<double>{place->x(), place->y(), place->z()} : std::vector<double>());
     const auto sizes = part ? sizesOf(*part) : std::vector<double>();

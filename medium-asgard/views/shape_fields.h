@@ -21,7 +21,7 @@ class ShapeFields : public QWidget {
 public:
     explicit ShapeFields(QWidget* parent = nullptr);
 
-    void show(const scene::Part* part, const std::optional<geometry::Vector>& place);
+    void showNumbers(const scene::Part* part, const std::optional<geometry::Vector>& place);
 
 Q_SIGNALS:
     // Typed, and Return or another field after it.

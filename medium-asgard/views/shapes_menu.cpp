@@ -37,6 +37,7 @@ void buildShapesMenu(QMenu* menu, SceneDocument& document, const Windows& window
     for (const editing::LibraryShape& shape : editing::shapeLibrary())
         library->addAction(QString::fromStdString(shape.name), menu,
                            [menu, &document, &shape] { addFromLibrary(menu, document, shape); });
+    menu->addAction(QObject::tr("&Import…"), menu, [&windows] { windows.importShape(); });
     menu->addSeparator();
     // Opens with the shape of what is selected.
     menu->addAction(QObject::tr("Shape &Editor"), QKeySequence(Qt::CTRL | Qt::Key_E), menu,
