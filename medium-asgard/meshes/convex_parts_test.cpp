@@ -1,5 +1,6 @@
 #include "meshes/clipping.h"
 #include "meshes/convex_parts.h"
+#include "meshes/hulls.h"
 #include "meshes/test_meshes.h"
 
 #include <gtest/gtest.h>
@@ -92,6 +93,17 @@ TEST(ConvexPartsTest, FewerPointsFillTheHullFromTheInside) {
     EXPECT_EQ(fewer.size(), 40U);
     EXPECT_GT(hullVolume(fewer), 0.75 * hullVolume(ball));
     EXPECT_LT(hullVolume(fewer), hullVolume(ball));
+}
+
+TEST(ConvexPartsTest, MorePointsThanAHullTakesAtOnce) {
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> any(-1, 1);
+    std::vector<Vector> many;
+    for (int i = 0; i < 50'000; ++i)
+        many.emplace_back(any(random), any(random), any(random) * (i < 20'000 ? 0 : 1));
+    const double whole = hullVolume(many);
+    EXPECT_GT(whole, 7.8);
+    EXPECT_NEAR(hullVolume(hullPoints(many)), whole, 1e-12);
 }
 
 // Both sides of a cut have the volume of the whole, wherever it passes.

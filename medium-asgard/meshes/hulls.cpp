@@ -10,6 +10,10 @@ namespace meshes {
 
 namespace {
 
+// LIMIT: of more points than `atOnce` that all are vertices of their hull, the furthest in `rounds`
+// directions are taken.
+constexpr std::size_t atOnce = 20'000, rounds = 2000;
+
 // A spiral from pole to pole: as even as it needs to be.
 Vector direction(std::size_t i, std::size_t of) {
     const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(of);
@@ -21,6 +25,18 @@ Vector direction(std::size_t i, std::size_t of) {
 } // namespace
 
 std::vector<Vector> hullPoints(const std::vector<Vector>& points) {
+    if (points.size() > atOnce) { // the hull of hulls is the hull
+        std::vector<Vector> outer;
+        for (std::size_t from = 0; from < points.size(); from += atOnce) {
+            const auto first = points.begin() + static_cast<std::ptrdiff_t>(from);
+            const std::size_t count = std::min(atOnce, points.size() - from);
+            const std::vector<Vector> some(first, first + static_cast<std::ptrdiff_t>(count));
+            const std::vector<Vector> hull = hullPoints(some);
+            const std::vector<Vector> kept = hull.empty() ? extremes(some, rounds) : hull;
+            outer.insert(outer.end(), kept.begin(), kept.end());
+        }
+        return hullPoints(outer.size() > atOnce ? extremes(outer, rounds) : outer);
+    }
     const auto made = geometry::convexHull(points);
     const auto* hull = std::get_if<geometry::Hull>(&made);
     return hull ? hull->polyhedron.vertices : std::vector<Vector>();

@@ -47,7 +47,7 @@ protected:
     void closeEvent(QCloseEvent* event) override; // inner vertices go
 
 private:
-    using Change = std::function<void()>; // of draft_
+    using Change = std::function<void()>; // of draft_; shape_changes.cpp has these
 
     void buildTop(QHBoxLayout* row);
     void buildMenus();

@@ -1,7 +1,8 @@
 #include "views/shape_import.h"
 
+#include "editing/number_text.h"
 #include "script/numbers.h"
-#include "views/scale.h"
+
 #include "views/shape_display.h"
 #include "views/shape_gesture.h"
 #include "views/shape_names.h"
@@ -230,7 +231,7 @@ std::vector<scene::Part> ShapeImport::parts() const {
     const double scale = script::decimalNumber(scale_->text().toStdString()).value_or(1);
     const Vector origin =
         centred_->isChecked() ? Vector((result.low + result.high) / 2) : Vector(Vector::Zero());
-    const double step = decimalStep(1e-6 * scale * (result.high - result.low).maxCoeff());
+    const double step = editing::decimalStep(1e-6 * scale * (result.high - result.low).maxCoeff());
     std::vector<scene::Part> parts;
     for (const auto& points : result.made.parts) {
         scene::HullShape hull;
