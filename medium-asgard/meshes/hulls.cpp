@@ -27,10 +27,11 @@ Vector direction(std::size_t i, std::size_t of) {
 std::vector<Vector> hullPoints(const std::vector<Vector>& points) {
     if (points.size() > atOnce) { // the hull of hulls is the hull
         std::vector<Vector> outer;
-        for (std::size_t from = 0; from < points.size(); from += atOnce) {
-            const auto first = points.begin() + static_cast<std::ptrdiff_t>(from);
-            const std::size_t count = std::min(atOnce, points.size() - from);
-            const std::vector<Vector> some(first, first + static_cast<std::ptrdiff_t>(count));
+        const std::size_t rows = (points.size() + atOnce - 1) / atOnce;
+        for (std::size_t row = 0; row < rows; ++row) { // from all over, lest they lie in a plane
+            std::vector<Vector> some;
+            for (std::size_t i = row; i < points.size(); i += rows)
+                some.push_back(points[i]);
             const std::vector<Vector> hull = hullPoints(some);
             const std::vector<Vector> kept = hull.empty() ? extremes(some, rounds) : hull;
             outer.insert(outer.end(), kept.begin(), kept.end());

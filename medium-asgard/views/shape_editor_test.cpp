@@ -11,6 +11,8 @@
 #include <QLineEdit>
 #include <QMessageBox>
 
+#include <random>
+
 namespace views {
 namespace {
 
@@ -267,6 +269,58 @@ TEST_F(ShapeEditorTest, WhatIsComputedSaysSoAndOffersToBeWrittenOut) {
     ASSERT_TRUE(settle(document));
     EXPECT_NE(document.text().find("shape_set s -desc {-sub {-sphere 2."), std::string::npos)
         << document.text();
+}
+
+// Whatever is done: what is shown is what the text says, undo leads to the first bytes and redo to
+// the last.
+TEST_F(ShapeEditorTest, RandomGesturesUndoToTheFirstBytes) {
+    std::mt19937 random(20261120);
+    const auto number = [&] { return std::uniform_real_distribution(-2.0, 2.0)(random); };
+    const auto place = [&] { return Vector(number(), number(), number()); };
+    ShapeDisplay& display = editor->display();
+    for (int k = 0; k < 60; ++k) {
+        const std::size_t one = random() % editor->draft().size();
+        const auto count = editing::pointsOf(editor->draft()[one].part).size();
+        Q_EMIT display.chosen(one, random() % count);
+        switch (random() % 7) {
+        case 0:
+            Q_EMIT display.addWanted(place());
+            break;
+        case 1:
+            Q_EMIT display.removeWanted(one, random() % count);
+            break;
+        case 2:
+            editor->addParts({editing::cylinder(0.25, 1, 5)}, "Add Cylinder");
+            break;
+        case 3:
+            editor->setColour(one, scene::Color{0.25, 0.5, 0.75});
+            break;
+        case 4:
+            if (editor->draft().size() > 1)
+                QTest::keyClick(editor.get(), Qt::Key_Delete, Qt::ShiftModifier);
+            break;
+        default:
+            for (int step = 0; step < 3; ++step)
+                Q_EMIT display.dragged(place());
+            Q_EMIT display.released();
+        }
+        ASSERT_TRUE(settle(document));
+        ASSERT_FALSE(document.hasErrors()) << document.text();
+        const auto& parts = document.shown().scene->shapeSets.at(0).parts;
+        ASSERT_EQ(parts.size(), editor->draft().size());
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            EXPECT_EQ(parts[i], editor->draft()[i].part);
+    }
+    const std::string last = document.text();
+    EXPECT_NE(last, text);
+    int steps = 0;
+    for (; document.undoLabel() != "Edit" && steps < 100; ++steps)
+        document.undo();
+    EXPECT_EQ(document.text(), text);
+    while (document.canRedo())
+        document.redo();
+    EXPECT_EQ(document.text(), last);
+    EXPECT_GT(steps, 30);
 }
 
 } // namespace
