@@ -135,8 +135,7 @@ std::vector<Vector> Piece::points() const {
         if (!f.cap)
             all.insert(all.end(), {f.a, f.b, f.c});
     std::ranges::sort(all, lexicographic);
-    const auto same = std::ranges::unique(all);
-    all.erase(same.begin(), same.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;
 }
 

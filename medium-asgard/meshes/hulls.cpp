@@ -77,8 +77,7 @@ std::vector<Vector> extremes(const std::vector<Vector>& points, std::size_t dire
         found.push_back(best);
     }
     std::ranges::sort(found);
-    const auto same = std::ranges::unique(found);
-    found.erase(same.begin(), same.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     std::vector<Vector> result;
     for (const std::size_t k : found)
         result.push_back(points[k]);
