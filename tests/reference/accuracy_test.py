@@ -12,6 +12,9 @@ Per scene and accuracy, from the loosest on:
             Not counted: errors under 1e-12, scenes that state an amplification of rounding, motion without integration.
   work      evaluations at A over those at 10 A (of each decade, where there are several between two accuracies), where the same methods took most steps
 
+Prints a table by accuracy (evaluations of all scenes; the largest error over the accuracy, where the scene states no floor;
+pairs in the band), and what is outside.
+
 Exit 0 when all are kept, the band holds 95 % of the pairs, and nineteen in twenty ratios of work are at most 2.
 With --methods, each of these is asked for by name instead of the engine's choice: then only work is told.
 """
@@ -58,12 +61,15 @@ def write_times(path, start, finish):
 
 
 def truth(asgard, base, folder):
-    """Our own tight run as a reference for compare.py; its estimate."""
+    """Our own tight run as a reference for compare.py, and its estimate; the scene's own times are added to NAME.all."""
     name = os.path.join(folder, "truth")
     shutil.copy(base + ".json", name + ".json")
     write_times(name + ".times", *span(asgard, base + ".al"))
     out, stats = simulate(asgard, base + ".al", name + ".times", TIGHT, folder)
     shutil.copy(out, name + ".ref.csv")
+    both = {float(line) for path in (base, name) for line in open(path + ".times", encoding="utf-8") if line.strip()}
+    with open(name + ".all", "w", encoding="utf-8") as f:
+        f.write("\n".join(repr(t) for t in sorted(both)) + "\n")
     return name, stats["error_estimate"]
 
 
@@ -78,6 +84,23 @@ class Table:
     def __init__(self):
         self.rows = ["scene,method,accuracy,error,error_of_motion,estimate,evaluations,ratio"]
         self.missed, self.sampled, self.whole, self.ratios = [], [], [], []
+        self.evaluations, self.largest = collections.Counter(), {}
+
+    def count(self, name, accuracy, error, work):
+        self.evaluations[accuracy] += work
+        if error is not None:
+            self.largest[accuracy] = max(self.largest.get(accuracy, (0, "")), (error / accuracy, name))
+
+    def by_accuracy(self):
+        def band(pairs, accuracy):
+            mine = [p[0] for p in pairs if p[2] == accuracy]
+            return f"{sum(mine)} of {len(mine)}"
+
+        for accuracy, work in sorted(self.evaluations.items(), reverse=True):
+            most, name = self.largest.get(accuracy, (0, ""))
+            print(f"{accuracy:g}: {work} evaluations; largest error / accuracy {most:.2g} ({name}); band {band(self.whole, accuracy)},"
+                  f" at the samples {band(self.sampled, accuracy)}")
+        print(f"all: {sum(self.evaluations.values())} evaluations")
 
     def judge(self, name, accuracy, error, whole, estimate):
         for true, pairs in ((error, self.sampled), (whole, self.whole)):
@@ -86,12 +109,13 @@ class Table:
 
     def summary(self):
         inside = {}
+        self.by_accuracy()
         for label, pairs in (("the whole motion", self.whole), ("the reference's samples", self.sampled)):
             kept = sum(p[0] for p in pairs)
             inside[label] = kept / len(pairs) if pairs else 1
             print(f"estimate 0.3 to 30 times the error of {label}: {kept} of {len(pairs)}, {100 * inside[label]:.1f} %")
             for p in pairs:
-                if not p[0] and label == "the whole motion":
+                if not p[0]:
                     print(f"    {p[1]} at {p[2]:g}: {p[3]:.2g} times")
         large = [r for r in self.ratios if r[3] > 2]
         print(f"work at A more than twice that at 10 A: {len(large)} of {len(self.ratios)}")
@@ -109,16 +133,18 @@ def scene_rows(asgard, base, accuracies, method, folder, table):
     states_floor = "double_precision_error_growth" in json.load(open(base + ".json", encoding="utf-8"))["reference"]
     tight, before = None, {}
     for accuracy in accuracies:
-        out, stats = simulate(asgard, base + ".al", base + ".times", accuracy, folder, more)
+        times = tight[0] + ".all" if tight else base + ".times"
+        out, stats = simulate(asgard, base + ".al", times, accuracy, folder, more)
         estimate, work = stats["error_estimate"], stats["evaluations"]
         ok, error, _ = compare.compare(base, out, accuracy, say=lambda text: None)
         if estimate is not None and not ok and estimate <= accuracy:
             table.missed.append(f"{name} at {accuracy:g}: error {error:.3g}, estimate {estimate:.3g}")
+        table.count(name, accuracy, None if states_floor else error, work)
         whole = None
         if not method and stats["steps"] > 0 and not states_floor:
             if tight is None:
                 tight = truth(asgard, base, folder)
-            out, _ = simulate(asgard, base + ".al", tight[0] + ".times", accuracy, folder)
+                out, _ = simulate(asgard, base + ".al", tight[0] + ".all", accuracy, folder)
             whole = compare.compare(tight[0], out, accuracy, say=lambda text: None)[1]
             if whole < 3 * tight[1]:
                 whole = None  # no better known than that
