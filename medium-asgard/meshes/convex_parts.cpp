@@ -197,8 +197,8 @@ private:
             const auto least = std::ranges::min_element(pairs, {}, &Pair::more);
             if (count <= wanted_.parts && surplus + least->more > allowed)
                 break;
-            const auto [a, b, added] = *least;
-            surplus += std::max(0.0, added);
+            const std::size_t a = least->a, b = least->b;
+            surplus += std::max(0.0, least->more);
             parts_[a] = joined(parts_[a], parts_[b]);
             gone[b] = true;
             --count;

@@ -20,7 +20,7 @@ using Button = render::CameraControl::Button;
 
 constexpr double reach = 10; // pixels within which a point is taken
 constexpr double ballRadius = 5;
-const QColor grey(0xA8, 0xAC, 0xB2);
+const QColor grey(0xA8, 0xAC, 0xB2), chosenRing(0xF0, 0x96, 0x14);
 
 std::optional<Button> buttonOf(Qt::MouseButton button) {
     if (button == Qt::LeftButton)
@@ -119,7 +119,7 @@ void ShapeDisplay::frame() {
     render::Camera camera = control_.camera();
     camera.center = box.isEmpty() ? Vector::Zero() : Vector(box.center());
     const double size = box.isEmpty() ? 1 : box.diagonal().norm() / 2;
-    camera.scale = 0.75 / std::max(size, 1e-9);
+    camera.scale = 0.9 / std::max(size, 1e-9);
     camera.position = Vector::Zero();
     control_.set(camera);
     update();
@@ -214,7 +214,7 @@ void ShapeDisplay::paintEvent(QPaintEvent*) {
     paintGrid(painter);
     paintFaces(painter);
     for (std::size_t i = 0; i < drawn_.size(); ++i)
-        if (part_ != i)
+        if (part_ != i && !forLooking_) // there faces have their own, and hide those behind
             paintEdges(painter, i);
     if (part_)
         paintEdges(painter, *part_);
@@ -291,8 +291,8 @@ void ShapeDisplay::paintFaces(QPainter& painter) const {
         }
     }
     std::ranges::sort(faces, {}, &Face::z);
-    painter.setPen(Qt::NoPen);
     for (const Face& face : faces) {
+        painter.setPen(forLooking_ ? QPen(face.colour.darker(130), 1) : QPen(Qt::NoPen));
         painter.setBrush(face.colour);
         painter.drawPolygon(face.outline);
     }
@@ -305,15 +305,9 @@ void ShapeDisplay::paintEdges(QPainter& painter, std::size_t part) const {
     painter.setPen(QPen(colour, part_ == part ? 1.8 : 1));
     if (one.radius)
         return paintSphere(painter, part);
-    for (const geometry::Edge& edge : one.solid.edges) {
-        // Of what is only looked at, the edges at the back would be in the way.
-        const auto faces = [&](std::size_t face) {
-            return (control_.camera().rotation * one.solid.faces[face].normal).z() >= 0;
-        };
-        if (!forLooking_ || faces(edge.left) || faces(edge.right))
-            painter.drawLine(position(one.solid.vertices[edge.from]),
-                             position(one.solid.vertices[edge.to]));
-    }
+    for (const geometry::Edge& edge : one.solid.edges)
+        painter.drawLine(position(one.solid.vertices[edge.from]),
+                         position(one.solid.vertices[edge.to]));
 }
 
 void ShapeDisplay::paintSphere(QPainter& painter, std::size_t part) const {
@@ -348,9 +342,8 @@ void ShapeDisplay::paintPoints(QPainter& painter) const {
         const Drawn& one = drawn_[ball.part];
         const bool isChosen = part_ == ball.part && point_ == ball.point;
         const QColor colour = one.inner[ball.point] ? QColor(Qt::white) : colourOf(ball.part);
-        painter.setPen(QPen(isChosen ? palette().color(QPalette::Highlight).darker(120)
-                                     : colourOf(ball.part).darker(150),
-                            isChosen ? 2.5 : 1));
+        painter.setPen(
+            QPen(isChosen ? chosenRing : colourOf(ball.part).darker(150), isChosen ? 2.5 : 1));
         painter.setBrush(colour);
         const double radius =
             (part_ == ball.part ? ballRadius : ballRadius - 1.5) + (isChosen ? 1.5 : 0);

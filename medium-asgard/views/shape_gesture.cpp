@@ -30,13 +30,7 @@ void ShapeGesture::finish(const QString& label) {
 void ShapeGesture::cancel() { document_.finishPreview(text_, {}, since_); }
 
 double decimal(double value, double length) {
-    const double step = editing::decimalStep(length);
-    if (step <= 0)
-        return value;
-    if (step >= 1)
-        return std::round(value / step) * step;
-    const int digits = std::clamp(static_cast<int>(std::lround(-std::log10(step))), 0, 15);
-    return QString::number(value, 'f', digits).toDouble() + 0.0; // and no -0
+    return editing::roundedTo(value, editing::decimalStep(length)) + 0.0; // and no -0
 }
 
 Vector decimal(const Vector& value, double length) {
