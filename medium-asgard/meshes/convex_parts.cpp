@@ -13,9 +13,17 @@ namespace {
 constexpr double exactly = 1e-9;       // of the size: how near to a plane is in it
 constexpr double nothing = 1e-7;       // of the volume: not worth a cut
 constexpr std::size_t mostPlanes = 48; // of concave edges
-// Points of which hulls are compared: roughly for all cuts, well for the best of them.
-constexpr std::size_t rough = 40, well = 200, looks = 8;
+// Points of which hulls are compared: roughly for all cuts, well for the best of them, and in
+// between for the many pairs that could be joined.
+constexpr std::size_t rough = 40, paired = 80, well = 200, looks = 8;
 constexpr double worthwhile = 0.3; // of the surplus: a cut that takes away less only divides it
+
+double squareOfLength(const std::vector<Vector>& points) {
+    Eigen::AlignedBox3d box;
+    for (const Vector& p : points)
+        box.extend(p);
+    return box.diagonal().squaredNorm();
+}
 
 // A convex part of the result, or what will be cut further.
 struct Part {
@@ -112,7 +120,9 @@ private:
     struct Trial {
         Plane plane;
         double left = 0; // surplus of both sides; and a little for each that is not convex yet
-        double held = 0; // the same, each by its share of the hulls: little where it is divided
+        // The same, each by its share of the hulls and by how long it is: little where the surplus
+        // is divided, and a ring is cut through rather than into two flat ones.
+        double held = 0;
     };
     [[nodiscard]] std::optional<Trial> tried(const Part& part, const Plane& plane,
                                              std::size_t points) const {
@@ -121,13 +131,14 @@ private:
         for (const Plane& side : {plane, plane.flipped()}) {
             const Piece piece = below(part.piece, side, *part.solid, tolerance(*part.solid));
             const double volume = piece.volume();
-            const double hull = hullVolume(extremes(piece.points(), points));
+            const std::vector<Vector> outer = extremes(piece.points(), points);
+            const double hull = hullVolume(outer);
             if (!(volume > nothing * part.volume) || !(hull > 0))
                 return std::nullopt;
             const double surplus = std::max(0.0, hull - volume);
             const bool isConvex = surplus <= nothing * part.volume;
             trial.left += surplus + (isConvex ? 0 : 0.02 * part.surplus());
-            trial.held += surplus * hull;
+            trial.held += surplus * hull * squareOfLength(outer);
             hulls += hull;
             concave += isConvex ? 0 : 1;
         }
@@ -172,7 +183,7 @@ private:
     static double more(const Part& a, const Part& b) {
         std::vector<Vector> points = a.points;
         points.insert(points.end(), b.points.begin(), b.points.end());
-        return hullVolume(extremes(points, well)) - a.hull - b.hull;
+        return hullVolume(extremes(points, paired)) - a.hull - b.hull;
     }
 
     struct Pair {

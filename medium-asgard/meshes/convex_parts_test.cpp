@@ -57,6 +57,8 @@ TEST(ConvexPartsTest, ARingIsFilledAsFarAsWanted) {
     EXPECT_LE(made.parts.size(), 16U);
     EXPECT_LE(made.partsVolume, 1.12 * volume); // joining measures on fewer points
     EXPECT_GE(made.partsVolume, 0.99 * volume);
+    for (const auto& part : made.parts) // and its hole stays open
+        EXPECT_FALSE(holds(part, {0, 0, 0}, 1e-6));
     const ConvexParts coarse = convexParts(ring, {.surplus = 0.1, .parts = 3});
     EXPECT_LE(coarse.parts.size(), 3U);
     std::mt19937 random(1);

@@ -92,7 +92,7 @@ void TrajectoryEditor::setFromFields() {
     bool valid = true;
     // What was not typed keeps all its digits.
     const auto read = [&](QLineEdit* field, double now) {
-        if (field->text() == text(now))
+        if (field->text() == QString::number(now, 'g', 12)) // as it was shown
             return now;
         bool ok = false;
         const double value = field->text().toDouble(&ok);
