@@ -5,6 +5,7 @@
 #include "expression/parse.h"
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 namespace editing {
@@ -203,6 +204,28 @@ std::vector<TextEdit> created(const std::string& text, const scene::Scene& scene
     return writing.edits();
 }
 
+namespace {
+
+// Names that the language or the scene gives to something.
+std::set<std::string> takenNames(const scene::Scene& scene) {
+    std::set<std::string> names{"t", "pi", "scene", "events"};
+    names.insert(expression::functionNames().begin(), expression::functionNames().end());
+    for (const Kind one : order)
+        for (std::size_t i = 0; sourceOf(scene, {one, i}); ++i)
+            names.insert(nameOf(scene, {one, i}));
+    return names;
+}
+
+} // namespace
+
+bool isFreeName(const scene::Scene& scene, const std::string& name) {
+    const auto isPart = [](unsigned char c) {
+        return c < 0x80 && (std::isalnum(c) != 0 || c == '_');
+    };
+    return !name.empty() && std::isdigit(static_cast<unsigned char>(name[0])) == 0 &&
+           std::ranges::all_of(name, isPart) && !takenNames(scene).contains(name);
+}
+
 std::string unusedName(const std::string& text, const scene::Scene& scene, Kind kind,
                        const std::string& stem, const std::vector<std::string>& taken) {
     std::string base = stem;
@@ -214,12 +237,8 @@ std::string unusedName(const std::string& text, const scene::Scene& scene, Kind 
             next = std::stoi(last.substr(row.size())) + 1;
         }
     }
-    std::set<std::string> names(taken.begin(), taken.end());
-    names.insert({"t", "pi", "scene", "events"});
-    names.insert(expression::functionNames().begin(), expression::functionNames().end());
-    for (const Kind one : order)
-        for (std::size_t i = 0; sourceOf(scene, {one, i}); ++i)
-            names.insert(nameOf(scene, {one, i}));
+    std::set<std::string> names = takenNames(scene);
+    names.insert(taken.begin(), taken.end());
     std::string name;
     do
         name = base + std::to_string(next++);

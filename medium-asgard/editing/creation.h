@@ -25,6 +25,9 @@ struct NewElement {
 [[nodiscard]] std::vector<TextEdit> created(const std::string& text, const scene::Scene& scene,
                                             const std::vector<NewElement>& elements);
 
+// Whether expressions can read it as a name, and nothing of the scene or the language has it.
+[[nodiscard]] bool isFreeName(const scene::Scene& scene, const std::string& name);
+
 // "b4" after b1, b2, b3; `stem` and a number where there is no such row. Avoids also `taken`.
 [[nodiscard]] std::string unusedName(const std::string& text, const scene::Scene& scene, Kind kind,
                                      const std::string& stem,

@@ -87,6 +87,14 @@ TEST(Creation, GoesBeforeAReturnThatSharesItsLine) {
               shapes + "body b1 s; \nforce -body b1 -gravitational {0 -1 0}\nreturn\nnonsense");
 }
 
+TEST(Creation, ANameIsFreeWhereNothingHasIt) {
+    const auto scene = readScene(shapes + "body b1 s\nparameter g -value 1\n");
+    for (const char* name : {"h", "_x", "b2", "g_1"})
+        EXPECT_TRUE(isFreeName(*scene, name)) << name;
+    for (const char* name : {"", "1a", "a b", "a.b", "b1", "g", "s", "t", "sin", "\xc3\xa4"})
+        EXPECT_FALSE(isFreeName(*scene, name)) << name;
+}
+
 TEST(Creation, NamesAreLikeTheOthersAndNowhereElse) {
     const std::string text = shapes + "body b1 s\nbody b2 s\n# b3 was here\nset b4 1\n";
     EXPECT_EQ(unusedName(text, *readScene(text), Kind::body, "ball"), "b5");

@@ -22,7 +22,7 @@ std::string asList(const std::vector<double>& values, double resolution) {
 
 // A word as an operand of Tcl's expr: what it was, as a text.
 std::string operand(const Word& word, const Origins& origins) {
-    const std::string text = origins.slice(word.range);
+    std::string text = origins.slice(word.range);
     if (word.braced || word.quoted || text.front() == '[' || variableIn(text))
         return text;
     return script::decimalNumber(text) ? text : "\"" + text + "\"";

@@ -193,8 +193,14 @@ void RandomEdits::changeValue(const Read& read, bool evaluate) {
         ++refused_;
         ASSERT_TRUE(answer.edits.empty());
         ASSERT_GT(answer.reason.size(), who.size());
-        for (const Offer& offer : answer.offers)
+        for (const Offer& offer : answer.offers) {
             ASSERT_FALSE(offer.edits.empty());
+            const std::string offered = applied(text, offer.edits);
+            ASSERT_NE(offered, text);
+            if (evaluate) {
+                ASSERT_EQ(readScene(offered)->bodies.size(), read.scene->bodies.size()) << offered;
+            }
+        }
         return;
     }
     ++changed_;
@@ -385,7 +391,17 @@ TEST_F(RandomEdits, GoOnFromWhatTheyLeave) {
                                    {{Kind::shapeSet, 0}},
                                    read.scene->shapeSets[0].name}})
                        : answer.edits;
+            const std::size_t bodies = read.scene->bodies.size();
             read = readAll({applied(read.from.text, edits), one.readOnly});
+            ASSERT_EQ(read.scene->bodies.size(), bodies + (create ? 1 : 0)) << read.from.text;
+            if (create || !answer.possible())
+                continue;
+            const Values is = valuesOf(*read.scene, element, wish.option, wish.path);
+            ASSERT_TRUE(is) << read.from.text;
+            for (std::size_t k = 0; k < wish.values.size(); ++k)
+                ASSERT_NEAR((*is)[k], wish.values[k],
+                            0.5001 * wish.resolution + 1e-12 * std::abs(wish.values[k]))
+                    << read.from.text;
         }
     }
 }

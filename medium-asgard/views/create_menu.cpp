@@ -10,19 +10,11 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
-
-#include <cctype>
+#include <QRegularExpression>
 
 namespace views {
 
 namespace {
-
-// A name that expressions can read: letters, digits, underscores, no digit first.
-bool isName(const std::string& text) {
-    const auto isPart = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
-    return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])) == 0 &&
-           std::ranges::all_of(text, isPart);
-}
 
 void askForParameter(SceneDocument& document, SceneDisplay& display) {
     QDialog dialog(&display);
@@ -42,11 +34,11 @@ void askForParameter(SceneDocument& document, SceneDisplay& display) {
     const auto number = [](const QLineEdit* field) {
         return script::decimalNumber(field->text().toStdString());
     };
-    const auto check = [=] {
+    const auto check = [=, scene = document.shown().scene] {
         const auto now = number(value), least = number(minimum), most = number(maximum);
         buttons->button(QDialogButtonBox::Ok)
-            ->setEnabled(isName(name->text().toStdString()) && now && least && most &&
-                         *least <= *now && *now <= *most);
+            ->setEnabled(editing::isFreeName(*scene, name->text().toStdString()) && now && least &&
+                         most && *least <= *now && *now <= *most);
     };
     for (QLineEdit* field : {name, value, minimum, maximum})
         QObject::connect(field, &QLineEdit::textChanged, &dialog, check);
@@ -67,7 +59,11 @@ void askForPlot(SceneDocument& document, SceneDisplay& display) {
         QObject::tr("What is charted against time, an expression:"), QLineEdit::Normal,
         bodies.empty() ? QStringLiteral("t") : QString::fromStdString(bodies[0].name + ".y"),
         &taken);
-    if (taken && !expression.trimmed().isEmpty())
+    // A bracket that is not closed would take the rest of the text with it; expressions have none.
+    if (taken && expression.contains(QRegularExpression(QStringLiteral("[{}\\[\\]\"\\\\$;]"))))
+        Q_EMIT display.creating().refused(QObject::tr("An expression has no braces, brackets, "
+                                                      "quotes, backslashes, $ and semicolons."));
+    else if (taken && !expression.trimmed().isEmpty())
         display.creating().start(newPlot(expression.trimmed().toStdString()));
 }
 

@@ -261,6 +261,7 @@ void LanguageViewer::undo() {
 }
 
 void LanguageViewer::redo() {
+    numbers_->finish();
     if (draft_->canRedo())
         draft_->redo();
     else if (!draft_->edited())

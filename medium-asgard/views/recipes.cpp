@@ -305,7 +305,8 @@ Recipe newPlot(const std::string& expression) {
                                 {"-values", "{{" + expression + "}}"},
                                 {}};
                 for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-                    plot.behind.push_back({Kind::body, i});
+                    if (expression.find(scene.bodies[i].name + ".") != std::string::npos)
+                        plot.behind.push_back({Kind::body, i});
                 return std::vector{plot};
             }};
 }
