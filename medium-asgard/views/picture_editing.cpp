@@ -82,8 +82,12 @@ bool PictureEditing::press(QMouseEvent& event) {
         return true;
     say({});
     const bool shifted = event.modifiers() & Qt::ShiftModifier;
-    if (!shifted || !document_.sceneIsCurrent())
-        return shifted;
+    if (!shifted)
+        return false;
+    if (!document_.sceneIsCurrent()) {
+        say(tr("The text has errors, or is being read: what is shown is not what it says."));
+        return true;
+    }
     button_ = event.button();
     const Eigen::Vector2d pixels = display_.inPixels(event.position());
     const auto grasp = gestures::graspAt(display_.drawing(), display_.handles(), display_.sight(),
@@ -141,6 +145,10 @@ bool PictureEditing::doubleClick(QMouseEvent& event) {
 }
 
 void PictureEditing::finish() {
+    if (newPoint_) {
+        std::exchange(newPoint_, nullptr)->finish();
+        Q_EMIT changed();
+    }
     if (!drag_)
         return;
     const std::unique_ptr<gestures::HandleDrag> drag = std::move(drag_);

@@ -113,6 +113,16 @@ TEST_F(PictureEditingTest, TheTextFollowsWhileTheHandleMovesAndEscapeBringsItBac
     EXPECT_EQ(display().words(), "");
 }
 
+TEST_F(PictureEditingTest, WhileTheTextHasErrorsNothingIsDraggedAndItIsSaid) {
+    open(ball + "body b1 ball -init_pos {-1 0 0}\n");
+    const std::string wrong = text() + "body b2 nothing\n";
+    editor.document().setText(wrong, "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    drag(pixels({-1, 0, 0}), pixels({0, 0, 0}));
+    EXPECT_EQ(text(), wrong);
+    EXPECT_THAT(display().editing().said().toStdString(), HasSubstr("The text has errors"));
+}
+
 TEST_F(PictureEditingTest, WhatAnExpressionMakesStaysAndSaysWhy) {
     const std::string before = "shape_set ball -desc {-sub {-sphere 0.5}}\n"
                                "body b1 ball -init_pos [list [expr {1 - 2}] 0 0]\n";
