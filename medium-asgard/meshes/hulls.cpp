@@ -79,13 +79,14 @@ std::vector<Vector> extremes(const std::vector<Vector>& points, std::size_t dire
     std::ranges::sort(found);
     found.erase(std::unique(found.begin(), found.end()), found.end());
     std::vector<Vector> result;
+    result.reserve(found.size());
     for (const std::size_t k : found)
         result.push_back(points[k]);
     return result;
 }
 
 std::vector<Vector> fewerPoints(const std::vector<Vector>& points, std::size_t most) {
-    const std::vector<Vector> all = hullPoints(points);
+    std::vector<Vector> all = hullPoints(points);
     if (all.size() <= most || most < 4)
         return all;
     // Two ends of the longest side of the box, then always the one that is missed by most.
