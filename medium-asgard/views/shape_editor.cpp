@@ -318,7 +318,7 @@ bool ShapeEditor::eventFilter(QObject* watched, QEvent* event) {
 // --- shapes ------------------------------------------------------------------------------------
 
 QString ShapeEditor::newShape(const QString& name) {
-    const QString fault =
+    QString fault =
         makeShape(document_, name, {editing::tetrahedron(1)}, tr("New Shape %1").arg(name));
     if (fault.isEmpty())
         wantedName_ = name;
@@ -330,7 +330,7 @@ QString ShapeEditor::renameShape(const QString& name) {
     const QString before = names_->currentText();
     if (name == before || !here)
         return {};
-    const QString fault = views::renameShape(document_, *here, name);
+    QString fault = views::renameShape(document_, *here, name);
     if (!fault.isEmpty())
         return fault;
     if (edited_.erase(before) > 0)

@@ -36,7 +36,7 @@ QString faultOfShapeName(const SceneDocument& document, const QString& name) {
 
 QString makeShape(SceneDocument& document, const QString& name,
                   const std::vector<scene::Part>& parts, const QString& label) {
-    if (const QString fault = faultOfShapeName(document, name); !fault.isEmpty())
+    if (QString fault = faultOfShapeName(document, name); !fault.isEmpty())
         return fault;
     if (!document.sceneIsCurrent())
         return notCurrent();
@@ -51,7 +51,7 @@ QString makeShape(SceneDocument& document, const QString& name,
 }
 
 QString renameShape(SceneDocument& document, std::size_t shapeSet, const QString& name) {
-    if (const QString fault = faultOfShapeName(document, name); !fault.isEmpty())
+    if (QString fault = faultOfShapeName(document, name); !fault.isEmpty())
         return fault;
     if (!document.sceneIsCurrent())
         return notCurrent();
