@@ -106,7 +106,7 @@ void Handles::setScales() {
 }
 
 std::optional<Vector> Handles::now(const std::array<std::string, 3>& texts, double time) {
-    if (const auto value = constant(texts))
+    if (auto value = constant(texts))
         return value;
     if (!motion_)
         return std::nullopt;
@@ -216,7 +216,7 @@ void Handles::addLinks(HandleSet& set, double time) {
         const auto onBody = [&](const scene::BodyEnd& end, std::size_t part) {
             const std::size_t body = indexOf(end.body);
             const geometry::Pose pose = poseOf(scene_, motion_.get(), body, time);
-            const Vector place = pointOn(body, end.offset, pose);
+            Vector place = pointOn(body, end.offset, pose);
             set.handles.push_back({HandleKind::linkEnd, i, part, place, place, 1, pose});
             return place;
         };
