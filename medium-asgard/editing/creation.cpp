@@ -232,7 +232,13 @@ std::string unusedName(const std::string& text, const scene::Scene& scene, Kind 
     int next = 1;
     if (const std::size_t count = countOf(scene, kind)) {
         const std::string last = nameOf(scene, {kind, count - 1});
-        if (const std::string row = stemOf(last); !row.empty() && last.size() - row.size() < 7) {
+        const std::string row = stemOf(last);
+        // A ball behind rod1 and rod2 is no rod3.
+        const bool ofOtherShape =
+            row != stem && std::ranges::any_of(scene.shapeSets, [&](const scene::ShapeSet& set) {
+                return set.name == row;
+            });
+        if (!row.empty() && !ofOtherShape && last.size() - row.size() < 7) {
             base = row;
             next = std::stoi(last.substr(row.size())) + 1;
         }

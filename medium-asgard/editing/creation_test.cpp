@@ -99,6 +99,10 @@ TEST(Creation, NamesAreLikeTheOthersAndNowhereElse) {
     const std::string text = shapes + "body b1 s\nbody b2 s\n# b3 was here\nset b4 1\n";
     EXPECT_EQ(unusedName(text, *readScene(text), Kind::body, "ball"), "b5");
     EXPECT_EQ(unusedName(shapes, *readScene(shapes), Kind::body, "ball", {"ball1"}), "ball2");
+    // A row that is called after its shape is gone on with by bodies of that shape.
+    const std::string rods = shapes + "shape_set rod -desc {-sub {-sphere 1}}\nbody rod1 rod\n";
+    EXPECT_EQ(unusedName(rods, *readScene(rods), Kind::body, "rod"), "rod2");
+    EXPECT_EQ(unusedName(rods, *readScene(rods), Kind::body, "s"), "s1");
 }
 
 struct Taken {

@@ -2,13 +2,16 @@
 // session - its file, its simulation, its viewers.
 #pragma once
 
+#include "views/exporting.h"
 #include "views/graphical_viewer.h"
 #include "views/scene_document.h"
 
 #include <QMainWindow>
+#include <QPointer>
 
 class QLabel;
 class QProgressBar;
+class QProgressDialog;
 class QPushButton;
 
 namespace views {
@@ -23,6 +26,11 @@ public:
     void open(const QString& path);
     void newScene();
     bool save(); // false: not saved
+    // What there is to export; nothing: no picture is open.
+    void setExported(std::function<std::optional<ToExport>()> exported) {
+        exported_ = std::move(exported);
+    }
+    void exportTo(const QString& path, ExportFormat format);
     bool saveAs();
     // Nothing would be lost, or the user agreed to what is.
     bool mayLeave();
@@ -32,6 +40,7 @@ protected:
 
 private:
     void buildMenus();
+    void askForExport();
     void showState();
     bool saveTo(const QString& path);
 
@@ -40,6 +49,8 @@ private:
     QLabel *name_, *place_, *state_;
     QProgressBar* progress_;
     QPushButton* simulate_;
+    std::function<std::optional<ToExport>()> exported_;
+    QPointer<QProgressDialog> progressing_;
 };
 
 } // namespace views

@@ -39,7 +39,9 @@ void Creating::start(Recipe recipe) {
     recipe_ = std::move(recipe);
     if (recipe_->steps.empty())
         return finish();
-    display_.keepCamera();
+    // The first body is framed, whatever its size.
+    if (!document_.shown().scene->bodies.empty())
+        display_.keepCamera();
     display_.setFocus();
     for (const Step& one : recipe_->steps)
         if (one.wanted == Wanted::trajectory)

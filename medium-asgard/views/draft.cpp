@@ -117,14 +117,19 @@ void Draft::showConflicts(const std::vector<Range>& conflicts) {
 // --- what was typed --------------------------------------------------------------------------
 
 // The editor's own steps would bring back what others replaced: they are kept as texts.
-// LIMIT: what was undone and not done again before others' changes came in is forgotten; of long
-// typing the oldest steps are.
+// LIMIT: of long typing the oldest steps are forgotten.
 void Draft::keepTyped() {
     constexpr std::size_t most = 200;
-    std::vector<Typed> steps;
+    std::vector<Typed> steps, undone;
     const Range selection = editor_.selection();
     const std::size_t caret = editor_.caret();
     taking_ = true;
+    while (editor_.isRedoAvailable()) {
+        editor_.redo();
+        undone.push_back({base_, editor_.bytes()});
+    }
+    for (std::size_t i = 0; i < undone.size(); ++i)
+        editor_.undo();
     while (editor_.isUndoAvailable() && steps.size() < most) {
         editor_.undo();
         steps.push_back({base_, editor_.bytes()});
@@ -132,11 +137,12 @@ void Draft::keepTyped() {
     for (std::size_t i = 0; i < steps.size(); ++i)
         editor_.redo();
     taking_ = false;
-    if (!steps.empty()) {
+    if (!steps.empty() || !undone.empty()) {
         const std::size_t anchor = caret == selection.from ? selection.to : selection.from;
         editor_.SendScintilla(QsciScintillaBase::SCI_SETSEL, anchor, static_cast<long>(caret));
     }
     past_.insert(past_.end(), steps.rbegin(), steps.rend());
+    future_.insert(future_.end(), undone.rbegin(), undone.rend());
     if (past_.size() > most)
         past_.erase(past_.begin(), past_.end() - most);
 }
@@ -167,6 +173,7 @@ void Draft::redo() {
 void Draft::bring(std::vector<Typed>& from, std::vector<Typed>& to) {
     if (from.empty())
         return;
+    keepTyped(); // what the editor could do again: it is emptied below
     const Typed step = std::move(from.back());
     from.pop_back();
     to.push_back({base_, editor_.bytes()});

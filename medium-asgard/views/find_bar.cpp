@@ -50,7 +50,7 @@ FindBar::FindBar(SceneEditor& editor)
     auto* previous = new QPushButton(tr("&Previous"));
     auto* next = new QPushButton(tr("&Next"));
     words_->setAccessibleName(tr("What was found"));
-    words_->setMinimumWidth(words_->fontMetrics().horizontalAdvance(tr("100 of 100")));
+    words_->setMinimumWidth(words_->fontMetrics().horizontalAdvance(tr("99 of 99")));
     row->addWidget(what_, 1);
     row->addWidget(words_);
     row->addWidget(wholeWords_);

@@ -239,6 +239,16 @@ void ValueEntry::keyPressEvent(QKeyEvent* event) {
     event->accept(); // none is a shortcut of the picture
 }
 
+bool ValueEntry::focusNextPrevChild(bool next) {
+    QList<QWidget*> all(fields_.begin(), fields_.end());
+    for (QPushButton* offer : findChildren<QPushButton*>())
+        all += offer;
+    const auto from = std::max<qsizetype>(0, all.indexOf(focusWidget()));
+    all[(from + (next ? 1 : all.size() - 1)) % all.size()]->setFocus(next ? Qt::TabFocusReason
+                                                                          : Qt::BacktabFocusReason);
+    return true;
+}
+
 bool ValueEntry::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) { // typed, not a command of the window
         event->accept();

@@ -30,6 +30,7 @@ public:
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    bool focusNextPrevChild(bool next) override; // stays in it
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
