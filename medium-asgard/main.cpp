@@ -5,10 +5,12 @@
 #include "medium_process.h"
 #include "screen/display.h"
 #include "views/editor.h"
+#include "wrong_usage.h"
 
 #include <CLI/CLI.hpp>
 
 #include <iostream>
+#include <span>
 
 namespace {
 
@@ -45,6 +47,7 @@ void addExplain(CLI::App& app, batch::ExplainArguments& a) {
     CLI::App& c = *app.add_subcommand("explain", "Tell what of a scene is modelled, how, and why");
     c.add_option("SCENE", a.scene, "the scene's file, - for standard input")->required();
     c.add_option("--json", a.json, "file for the same as JSON, - for standard output");
+    c.add_flag("--all", a.all, "cut no equation and no list");
     c.add_option(
         "--expressions", a.expressions,
         "BODY or BODY.QUANTITY: instead, its equations in every form, down to machine code");
@@ -108,7 +111,11 @@ int run(int argc, char** argv, script::Reader& reader) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? batch::success : batch::wrongUsage;
+        if (error.get_exit_code() == 0) // --help, --version
+            return app.exit(error);
+        const std::span<char* const> words(argv + 1, argv + argc);
+        std::cerr << "asgard: " << asgard::wrongUsage(app, error, words) << "\n";
+        return batch::wrongUsage;
     }
     for (const CLI::App* command : later)
         if (*command)
@@ -125,6 +132,10 @@ int run(int argc, char** argv, script::Reader& reader) {
         return batch::renderCommand(reader, render);
     if (medium)
         return asgard::serveAsMedium(reader);
+    if (const std::string fault = asgard::misspeltCommand(app, scene); !fault.empty()) {
+        std::cerr << "asgard: " << fault << "\n";
+        return batch::wrongUsage;
+    }
     if (const std::string fault = screen::displayFault(); !fault.empty()) {
         std::cerr << "asgard: " << fault << "; simulate, check and render need none\n";
         return batch::failure;

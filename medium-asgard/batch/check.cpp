@@ -27,8 +27,7 @@ int checkCommand(script::Reader& reader, const CheckArguments& arguments) {
     if (!scene.reading.usable)
         return failure;
     const auto faults = faultsOfTheEngine(scene.reading.scene);
-    for (const std::string& fault : faults)
-        std::printf("%s: error: %s\n", scene.file.c_str(), fault.c_str());
+    std::fputs(refusalOf(scene, faults).message.c_str(), stdout);
     return faults.empty() ? success : failure;
 }
 

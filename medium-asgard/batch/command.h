@@ -34,6 +34,7 @@ struct ExplainArguments {
     std::string scene;
     std::optional<std::string> json;
     std::optional<std::string> expressions; // a body or one of its unknowns
+    bool all = false;                       // nothing is cut
     std::vector<std::string> set;
 };
 

@@ -2,6 +2,7 @@
 #include "batch/explanation_text.h"
 #include "batch/input.h"
 #include "batch/output.h"
+#include "batch/waiting.h"
 #include "simulation/simulation.h"
 
 #include <algorithm>
@@ -16,15 +17,6 @@ bool write(const std::string& file, const std::string& text) {
     Output output(file);
     return output.good() &&
            output.finish(std::fwrite(text.data(), 1, text.size(), output.stream()) == text.size());
-}
-
-// Each reason why a motion ended, once. True when there is one.
-bool tellStops(const SceneText& scene, const simulation::Motion& motion) {
-    std::set<std::string> said;
-    for (std::size_t body = 0; body < motion.bodies(); ++body)
-        if (const auto stop = motion.stop(body); stop && said.insert(stop->sentence).second)
-            std::fprintf(stderr, "%s: error: %s\n", scene.file.c_str(), stop->sentence.c_str());
-    return !said.empty();
 }
 
 // A body, or a body and one of its quantities: "rod1", "rod1.x".
@@ -46,20 +38,15 @@ int explain(const SceneText& scene, const ExplainArguments& arguments,
             return refuse({failure, scene.file + ": error: there is no body \"" + options.phasesOf +
                                         "\", nor a quantity of one\n"});
     }
-    const simulation::Result result = simulation::simulate(scene.reading.scene, options);
-    if (!result.motion || !result.explanation) {
-        std::string all;
-        for (const std::string& sentence : result.refusal)
-            all += scene.file + ": error: " + sentence + "\n";
-        return refuse({failure, all});
-    }
-    for (const std::string& note : result.motion->notes())
-        std::fprintf(stderr, "%s: warning: %s\n", scene.file.c_str(), note.c_str());
-    const bool stopped = tellStops(scene, *result.motion);
+    const simulation::Result result = simulated(scene.reading.scene, options);
+    if (!result.motion || !result.explanation)
+        return refuse(refusalOf(scene, result.refusal));
+    const bool stopped = tell(scene, *result.motion);
     const bool jsonOnly = arguments.json && *arguments.json == "-";
+    const Detail detail = arguments.all ? Detail::all : Detail::usual;
     const std::string text = arguments.expressions
                                  ? phasesText(*result.explanation, options.phasesOf)
-                                 : explanationText(*result.explanation) +
+                                 : explanationText(*result.explanation, detail) +
                                        accuracyText(scene.reading.scene.simulator.accuracy,
                                                     result.motion->errorEstimate());
     if (!jsonOnly && !write("-", text))

@@ -3,8 +3,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
+#include <limits>
 #include <map>
+#include <set>
 #include <string_view>
 #include <tuple>
 
@@ -14,7 +17,7 @@ namespace {
 using simulation::Explanation;
 using Component = Explanation::Component;
 
-constexpr std::size_t mostNames = 6, mostLines = 13, longestLine = 160;
+constexpr std::size_t everything = std::numeric_limits<std::size_t>::max();
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
     return std::to_string(count) + " " + (count == 1 ? one : many);
@@ -28,9 +31,11 @@ constexpr Word kindWords[] = {{"a place", "places", " x y z "},
                               {"an attitude", "attitudes", " qw qx qy qz "},
                               {"a spin", "spins", " w1 w2 w3 wx wy wz "}};
 
+std::string bodyOf(const std::string& unknown) { return unknown.substr(0, unknown.rfind('.')); }
+std::string lastOf(const std::string& unknown) { return unknown.substr(unknown.rfind('.') + 1); }
+
 bool isOne(const std::string& unknown, const Word& word) {
-    const std::string last = " " + unknown.substr(unknown.rfind('.') + 1) + " ";
-    return std::string_view(word.names).find(last) != std::string_view::npos;
+    return std::string_view(word.names).find(" " + lastOf(unknown) + " ") != std::string_view::npos;
 }
 
 std::string listOf(const std::vector<std::string>& words, std::size_t most) {
@@ -43,13 +48,16 @@ std::string listOf(const std::vector<std::string>& words, std::size_t most) {
     return text;
 }
 
+// The four numbers of an attitude are one.
 std::vector<std::string> kindsOf(const Component& component) {
     std::vector<std::string> kinds;
     for (const Word& word : kindWords) {
-        const auto count = std::ranges::count_if(component.unknowns,
-                                                 [&](const auto& u) { return isOne(u, word); });
-        if (count > 0)
-            kinds.emplace_back(count == 1 ? word.one : word.many);
+        std::set<std::string> bodies;
+        for (const std::string& unknown : component.unknowns)
+            if (isOne(unknown, word))
+                bodies.insert(bodyOf(unknown));
+        if (!bodies.empty())
+            kinds.emplace_back(bodies.size() == 1 ? word.one : word.many);
     }
     return kinds;
 }
@@ -83,11 +91,173 @@ std::string howOf(const Component& c) {
     return "integrated" + by + (c.model == "implicit" ? ", implicitly" : ", explicitly");
 }
 
-std::string shortened(const std::string& line) {
-    return line.size() <= longestLine ? line : line.substr(0, longestLine - 4) + " ...";
+bool isNamed(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' ||
+           static_cast<unsigned char>(c) >= 0x80;
 }
 
-std::string paragraph(const std::vector<const Component*>& components) {
+// Where the name or number ends that begins at `at`; `at` when none does.
+std::size_t endOfWord(const std::string& text, std::size_t at) {
+    const bool isNumber = at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));
+    std::size_t end = at;
+    while (end < text.size() &&
+           (isNamed(text[end]) || (isNumber && end > at && text[end - 1] == 'e' &&
+                                   (text[end] == '-' || text[end] == '+'))))
+        ++end;
+    return end;
+}
+
+// Numbers with ten digits: what rounding leaves in the others is no part of a law.
+std::string rounded(const std::string& equation) {
+    std::string text;
+    for (std::size_t at = 0; at < equation.size();) {
+        const std::size_t end = std::max(endOfWord(equation, at), at + 1);
+        const std::string word = equation.substr(at, end - at);
+        at = end;
+        if (std::isdigit(static_cast<unsigned char>(word[0])) == 0 || word.size() <= 11) {
+            text += word;
+            continue;
+        }
+        char digits[40];
+        std::snprintf(digits, sizeof digits, "%.10g", std::stod(word));
+        text += digits;
+    }
+    return text;
+}
+
+// Equations with other names and other numbers: the same law. Names become their order, numbers
+// but 0 a sign.
+std::string lawOf(const std::vector<std::string>& equations) {
+    std::string law;
+    std::map<std::string, std::size_t> names;
+    for (const std::string& equation : equations) {
+        for (std::size_t at = 0; at < equation.size();) {
+            std::size_t end = endOfWord(equation, at);
+            const std::string word = equation.substr(at, end - at);
+            if (word.empty())
+                law += equation[end++];
+            else if (std::isdigit(static_cast<unsigned char>(word[0])) != 0)
+                law += word == "0" ? "0" : "#";
+            else if (word.find('.') == std::string::npos)
+                law += word; // a function, or the time
+            else
+                law += "$" + std::to_string(names.try_emplace(word, names.size()).first->second);
+            at = end;
+        }
+        law += '\n';
+    }
+    return law;
+}
+
+std::string sentenceOf(const std::vector<std::string>& parts) {
+    std::string text;
+    for (const std::string& part : parts)
+        text += (text.empty() ? "" : "; ") + part;
+    return text;
+}
+
+class Writer {
+public:
+    Writer(const Explanation& explanation, Detail detail) : explanation_(explanation) {
+        if (detail == Detail::all)
+            mostNames_ = mostLines_ = longestLine_ = mostBodies_ = mostLaws_ = everything;
+    }
+    [[nodiscard]] std::string text() const;
+
+private:
+    [[nodiscard]] std::string shortened(const std::string& line) const;
+    [[nodiscard]] std::string more(std::size_t count, const std::string& what) const {
+        return "    and " + std::to_string(count) + " more" + what + " (--all shows all)\n";
+    }
+    [[nodiscard]] std::string acting() const;
+    [[nodiscard]] std::string laws(const std::vector<const Component*>& components) const;
+    [[nodiscard]] std::string equations(const Component& component) const;
+    [[nodiscard]] std::string paragraph(const std::vector<const Component*>& components) const;
+    [[nodiscard]] std::string notModelled() const;
+    [[nodiscard]] std::string notation() const;
+    [[nodiscard]] std::string pairs() const;
+
+    const Explanation& explanation_;
+    std::size_t mostNames_ = 6, mostLines_ = 13, longestLine_ = 160, mostBodies_ = 12,
+                mostLaws_ = 8;
+};
+
+std::string Writer::shortened(const std::string& line) const {
+    constexpr std::string_view cut = " ... (--all shows all)";
+    return line.size() <= longestLine_
+               ? line
+               : line.substr(0, longestLine_ - cut.size()) + std::string(cut);
+}
+
+// Bodies on which the same acts are told together, in the order of the scene.
+std::string Writer::acting() const {
+    std::vector<std::pair<std::string, std::vector<std::string>>> groups;
+    for (const Explanation::Acting& acting : explanation_.acting) {
+        const std::string what = acting.what.empty() ? "nothing" : sentenceOf(acting.what);
+        auto group = std::ranges::find(groups, what, [](const auto& g) { return g.first; });
+        if (group == groups.end())
+            group = groups.insert(groups.end(), {what, {}});
+        group->second.push_back(acting.body);
+    }
+    if (groups.empty())
+        return "No body moves: all are fixed, or there is none.\n";
+    std::string text = "What acts:\n";
+    std::size_t told = 0;
+    for (std::size_t i = 0; i < std::min(groups.size(), mostBodies_); ++i) {
+        text += shortened("    " + listOf(groups[i].second, mostNames_) + ": " + groups[i].first) +
+                "\n";
+        told += groups[i].second.size();
+    }
+    if (groups.size() > mostBodies_)
+        text += more(explanation_.acting.size() - told, " bodies");
+    return text;
+}
+
+std::string Writer::equations(const Component& component) const {
+    std::string text;
+    const std::size_t count = component.equations.size();
+    for (std::size_t i = 0; i < std::min(count, mostLines_); ++i)
+        text += shortened("    " + rounded(component.equations[i])) + "\n";
+    if (count > mostLines_)
+        text += more(count - mostLines_, count - mostLines_ == 1 ? " equation" : " equations");
+    for (std::size_t i = 0; i < std::min(component.earlier.size(), mostLines_); ++i)
+        text += shortened("    before: " + rounded(component.earlier[i])) + "\n";
+    if (component.earlier.size() > mostLines_)
+        text += more(component.earlier.size() - mostLines_, " that ended");
+    return text;
+}
+
+// Each law once, with how many follow it.
+std::string Writer::laws(const std::vector<const Component*>& components) const {
+    struct Law {
+        std::string form;
+        const Component* first;
+        std::vector<std::string> others;
+    };
+    std::vector<Law> laws;
+    for (const Component* c : components) {
+        std::vector<std::string> all = c->equations;
+        all.insert(all.end(), c->earlier.begin(), c->earlier.end());
+        std::string form = lawOf(all);
+        const auto known = std::ranges::find(laws, form, &Law::form);
+        if (known == laws.end())
+            laws.push_back({std::move(form), c, {}});
+        else
+            known->others.push_back(c->unknowns.size() == 1 ? c->unknowns[0]
+                                                            : bodyOf(c->unknowns[0]));
+    }
+    std::string text;
+    for (std::size_t i = 0; i < std::min(laws.size(), mostLaws_); ++i) {
+        text += equations(*laws[i].first);
+        if (!laws[i].others.empty())
+            text += "    likewise " + listOf(laws[i].others, mostNames_) + "\n";
+    }
+    if (laws.size() > mostLaws_)
+        text += more(laws.size() - mostLaws_, " laws of other forms");
+    return text;
+}
+
+std::string Writer::paragraph(const std::vector<const Component*>& components) const {
     const Component& first = *components.front();
     const std::size_t count = components.size(), unknowns = first.unknowns.size();
     std::size_t steps = 0, evaluations = 0;
@@ -99,49 +269,81 @@ std::string paragraph(const std::vector<const Component*>& components) {
                        counted(unknowns, "unknown", "unknowns") + (count == 1 ? "" : " each") +
                        " (" + listOf(kindsOf(first), 5) + "), " + howOf(first) + ": " + first.why +
                        ". " + counted(steps, "step", "steps") + ", " +
-                       counted(evaluations, "evaluation", "evaluations") + ".";
-    text += count == 1 ? "\n" : " For example:\n";
-    for (std::size_t i = 0; i < std::min(first.equations.size(), mostLines); ++i)
-        text += "    " + shortened(first.equations[i]) + "\n";
-    if (first.equations.size() > mostLines)
-        text += "    and " + std::to_string(first.equations.size() - mostLines) + " more\n";
-    if (!first.reads.empty())
-        text +=
-            (count == 1 ? "It reads " : "This one reads ") + listOf(first.reads, mostNames) + ".\n";
+                       counted(evaluations, "evaluation", "evaluations") + ".\n" + laws(components);
     return text;
 }
 
-std::string pairsText(const Explanation& explanation) {
-    if (explanation.candidates == 0 && explanation.never.empty())
+// "b2.y, b2.z" of one body -> "y, z of b2"; bodies of which the same is left out are told together.
+std::string Writer::notModelled() const {
+    if (explanation_.notModelled.empty())
         return "";
-    std::string text = counted(explanation.candidates, "pair", "pairs") +
+    std::vector<std::tuple<std::string, std::string, std::vector<std::string>>> lines;
+    for (const Explanation::NotModelled& left : explanation_.notModelled) {
+        std::string what = left.what;
+        const std::string body =
+            what.find('.') == std::string::npos ? "" : what.substr(0, what.find('.'));
+        if (!body.empty())
+            for (auto at = what.find(body + "."); at != std::string::npos;
+                 at = what.find(body + ".", at))
+                what.erase(at, body.size() + 1);
+        auto line = std::ranges::find_if(lines, [&](const auto& l) {
+            return std::get<0>(l) == what && std::get<1>(l) == left.why;
+        });
+        if (line == lines.end())
+            line = lines.insert(lines.end(), {what, left.why, {}});
+        if (!body.empty())
+            std::get<2>(*line).push_back(body);
+    }
+    std::string text = "\nNot modelled:\n";
+    for (const auto& [what, why, bodies] : lines)
+        text += "    " + what + (bodies.empty() ? "" : " of " + listOf(bodies, mostNames_)) + ": " +
+                why + "\n";
+    return text;
+}
+
+// Names that authors do not write.
+std::string Writer::notation() const {
+    for (const Component& c : explanation_.components)
+        for (const std::string& unknown : c.unknowns)
+            if (const std::string last = lastOf(unknown);
+                last == "w1" || last == "w2" || last == "w3")
+                return "\nw1, w2, w3 are a body's spin along its own axes; wx, wy, wz along the "
+                       "world's.\n";
+    return "";
+}
+
+std::string Writer::pairs() const {
+    if (explanation_.candidates == 0 && explanation_.never.empty())
+        return "";
+    std::string text = "\n" + counted(explanation_.candidates, "pair", "pairs") +
                        " of bodies came near each other, in " +
-                       counted(explanation.tested, "test", "tests") + ".\n";
+                       counted(explanation_.tested, "test", "tests") + ".\n";
     std::map<std::string, std::vector<std::string>> never; // by reason
-    for (const Explanation::Never& pair : explanation.never)
+    for (const Explanation::Never& pair : explanation_.never)
         never[pair.why].push_back(pair.a + "-" + pair.b);
     for (const auto& [why, pairs] : never)
         text += "    never, since " +
                 (why == "linked"     ? std::string("a link joins them")
                  : why == "same -ct" ? "they have the same -ct"
                                      : why) +
-                ": " + listOf(pairs, mostNames) + "\n";
+                ": " + listOf(pairs, mostNames_) + "\n";
+    if (explanation_.neverLeftOut > 0)
+        text += "    never: " + std::to_string(explanation_.neverLeftOut) +
+                " pairs beyond these, which are not listed\n";
     return text;
+}
+
+std::string Writer::text() const {
+    std::string text = acting();
+    for (const auto& [key, components] : kindsOf(explanation_))
+        text += "\n" + paragraph(components);
+    return text + notation() + notModelled() + pairs();
 }
 
 } // namespace
 
-std::string explanationText(const Explanation& explanation) {
-    std::string text;
-    for (const auto& [key, components] : kindsOf(explanation))
-        text += (text.empty() ? "" : "\n") + paragraph(components);
-    if (!explanation.notModelled.empty()) {
-        text += "\nNot modelled:\n";
-        for (const Explanation::NotModelled& left : explanation.notModelled)
-            text += "    " + left.what + ": " + left.why + "\n";
-    }
-    const std::string pairs = pairsText(explanation);
-    return text + (pairs.empty() ? "" : "\n" + pairs);
+std::string explanationText(const Explanation& explanation, Detail detail) {
+    return Writer(explanation, detail).text();
 }
 
 std::string phasesText(const Explanation& explanation, const std::string& name) {
@@ -169,6 +371,7 @@ std::string explanationJson(const Explanation& explanation) {
         components.push_back({{"unknowns", c.unknowns},
                               {"reads", c.reads},
                               {"equations", c.equations},
+                              {"earlier", c.earlier},
                               {"model", c.model},
                               {"method", c.method},
                               {"order", c.order},
@@ -179,11 +382,16 @@ std::string explanationJson(const Explanation& explanation) {
         left.push_back({{"what", n.what}, {"why", n.why}});
     for (const Explanation::Never& n : explanation.never)
         never.push_back({{"a", n.a}, {"b", n.b}, {"why", n.why}});
-    Json json = {{"components", components},
+    Json acting = Json::array();
+    for (const Explanation::Acting& a : explanation.acting)
+        acting.push_back({{"body", a.body}, {"what", a.what}});
+    Json json = {{"acting", acting},
+                 {"components", components},
                  {"not_modelled", left},
                  {"pairs",
                   {{"candidates", explanation.candidates},
                    {"tested", explanation.tested},
+                   {"left_out", explanation.neverLeftOut},
                    {"never", never}}}};
     for (const Explanation::Phases& phases : explanation.phases)
         json["expressions"].push_back({{"unknowns", phases.unknowns}, {"text", phases.text}});

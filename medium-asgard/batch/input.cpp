@@ -1,6 +1,8 @@
 #include "batch/input.h"
 
 #include "batch/command.h"
+#include "script/places.h"
+#include "simulation/report.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -60,17 +62,44 @@ std::variant<SceneText, Refusal> readScene(script::Reader& reader, const std::st
     SceneText scene{
         file == "-" ? "standard input" : file, std::get<std::string>(std::move(content)), {}};
     scene.reading = reader.read(scene.text, parameters);
+    if (scene.reading.usable && scene.reading.scene.bodies.empty()) {
+        scene::Diagnostic nothing;
+        nothing.severity = scene::Severity::warning;
+        nothing.message = "the scene has no body, so nothing moves";
+        scene.reading.diagnostics.push_back(std::move(nothing));
+    }
     return scene;
 }
 
 std::string printed(const SceneText& scene) {
     std::string all;
-    for (const scene::Diagnostic& diagnostic : scene.reading.diagnostics) {
-        all += scene::formatted(diagnostic, scene.file, scene.text);
-        if (!all.ends_with('\n'))
-            all += '\n';
-    }
+    for (const scene::Diagnostic& diagnostic : scene.reading.diagnostics)
+        all += printed(scene, diagnostic);
     return all;
+}
+
+std::string printed(const SceneText& scene, scene::Diagnostic said) {
+    script::Places(scene.text).locate(said);
+    std::string text = scene::formatted(said, scene.file, scene.text);
+    if (!text.ends_with('\n'))
+        text += '\n';
+    return text;
+}
+
+Refusal refusalOf(const SceneText& scene, const std::vector<std::string>& sentences) {
+    std::string all;
+    for (const std::string& sentence : sentences)
+        all += printed(scene, simulation::faultOf(scene.reading.scene, sentence));
+    return {failure, all};
+}
+
+bool tell(const SceneText& scene, const simulation::Motion& motion) {
+    bool stopped = false;
+    for (const scene::Diagnostic& said : simulation::reportOf(scene.reading.scene, motion)) {
+        std::fputs(printed(scene, said).c_str(), stderr);
+        stopped = stopped || said.severity == scene::Severity::error;
+    }
+    return stopped;
 }
 
 std::optional<Refusal> unusable(const SceneText& scene) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "script/reader.h"
+#include "simulation/motion.h"
 
 #include <map>
 #include <optional>
@@ -34,6 +35,12 @@ readScene(script::Reader& reader, const std::string& file,
           const std::map<std::string, double>& parameters = {});
 // Each diagnostic with its line, as it is printed.
 [[nodiscard]] std::string printed(const SceneText& scene);
+// What a run says, with its lines.
+[[nodiscard]] std::string printed(const SceneText& scene, scene::Diagnostic said);
+// Why nothing could be computed: each sentence at its place.
+[[nodiscard]] Refusal refusalOf(const SceneText& scene, const std::vector<std::string>& sentences);
+// What a motion says of itself, on standard error. True when something stopped.
+[[nodiscard]] bool tell(const SceneText& scene, const simulation::Motion& motion);
 // The reason why a scene cannot be worked with; none when it can. Warnings are printed either way.
 [[nodiscard]] std::optional<Refusal> unusable(const SceneText& scene);
 

@@ -1,6 +1,7 @@
 #include "batch/command.h"
 #include "batch/input.h"
 #include "batch/picture_file.h"
+#include "batch/waiting.h"
 #include "render/view.h"
 #include "simulation/simulation.h"
 
@@ -147,12 +148,12 @@ int renderCommand(script::Reader& reader, const RenderArguments& arguments) {
     const auto times = timesOf(arguments, folder, simulator.start, simulator.finish);
     if (const auto* refusal = std::get_if<Refusal>(&times))
         return refuse(refusal->message, refusal->exitCode);
-    const simulation::Result result = simulation::simulate(scene.reading.scene);
+    const simulation::Result result = simulated(scene.reading.scene);
     if (!result.motion) {
-        for (const std::string& sentence : result.refusal)
-            std::fprintf(stderr, "%s: error: %s\n", scene.file.c_str(), sentence.c_str());
-        return failure;
+        const Refusal refusal = refusalOf(scene, result.refusal);
+        return refuse(refusal.message, refusal.exitCode);
     }
+    (void)tell(scene, *result.motion); // what there is of it is drawn
     std::error_code error;
     if (folder && !std::filesystem::is_directory(arguments.output, error) &&
         !std::filesystem::create_directories(arguments.output, error))

@@ -3,10 +3,14 @@
 #include "batch/output.h"
 #include "batch/statistics.h"
 #include "batch/table.h"
+#include "batch/waiting.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
+
+#include <unistd.h>
 
 namespace batch {
 namespace {
@@ -19,8 +23,8 @@ std::optional<Refusal> wrongNumbers(const SimulateArguments& arguments) {
         return Refusal{wrongUsage, "--accuracy wants a positive number"};
     if (!positive(arguments.fixedStep))
         return Refusal{wrongUsage, "--fixed-step wants a positive number"};
-    if (arguments.finish && !std::isfinite(*arguments.finish))
-        return Refusal{wrongUsage, "--finish wants a number"};
+    if (arguments.finish && !(std::abs(*arguments.finish) <= 1e100))
+        return Refusal{wrongUsage, "--finish wants a number of at most 1e100"};
     if (arguments.threads && *arguments.threads < 1)
         return Refusal{wrongUsage, "--threads wants at least 1"};
     if (arguments.only && !arguments.quantities)
@@ -66,19 +70,6 @@ simulation::Options optionsOf(const SimulateArguments& arguments,
     return options;
 }
 
-// Each reason once. True when there is one.
-bool tellStops(const SceneText& scene, const simulation::Motion& motion) {
-    std::vector<std::string> said;
-    for (std::size_t body = 0; body < motion.bodies(); ++body) {
-        const auto stop = motion.stop(body);
-        if (!stop || std::ranges::find(said, stop->sentence) != said.end())
-            continue;
-        said.push_back(stop->sentence);
-        std::fprintf(stderr, "%s: error: %s\n", scene.file.c_str(), stop->sentence.c_str());
-    }
-    return !said.empty();
-}
-
 bool writeStatistics(const std::string& file, const simulation::Statistics& statistics,
                      double secondsReading) {
     Output output(file);
@@ -88,17 +79,35 @@ bool writeStatistics(const std::string& file, const simulation::Statistics& stat
     return output.finish(std::fwrite(json.data(), 1, json.size(), output.stream()) == json.size());
 }
 
+std::string shortNumber(double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%g", value);
+    return text;
+}
+
+// Of a method that was asked for nothing is known; the estimate itself does not disturb a table
+// that goes to the same terminal, nor programs that read what goes elsewhere.
+void tellError(const SimulateArguments& arguments, const scene::Simulator& simulator,
+               std::optional<double> estimate) {
+    const std::string method = arguments.method.empty() ? simulator.method : arguments.method;
+    if (!estimate && method != "auto") {
+        const std::string steps =
+            arguments.fixedStep ? " at steps of " + shortNumber(*arguments.fixedStep) : "";
+        std::fprintf(stderr, "asgard: the error of %s%s is not estimated; auto's is\n",
+                     method.c_str(), steps.c_str());
+    } else if (estimate && arguments.csv != "-" && ::isatty(STDERR_FILENO) == 1) {
+        std::fprintf(stderr, "asgard: the error is estimated at %.2g of the size of what moves\n",
+                     *estimate);
+    }
+}
+
 // The scene is good, the times are good: compute and write.
 int compute(const SceneText& scene, const SimulateArguments& arguments,
             const simulation::Options& options, const std::vector<double>& times,
             double secondsReading) {
-    const simulation::Result result = simulation::simulate(scene.reading.scene, options);
-    if (!result.motion) {
-        std::string all;
-        for (const std::string& sentence : result.refusal)
-            all += scene.file + ": error: " + sentence + "\n";
-        return refuse({failure, all});
-    }
+    const simulation::Result result = simulated(scene.reading.scene, options);
+    if (!result.motion)
+        return refuse(refusalOf(scene, result.refusal));
     Columns columns{!arguments.only, {}};
     if (arguments.quantities)
         columns.quantities = quantitiesIn(*arguments.quantities);
@@ -111,9 +120,8 @@ int compute(const SceneText& scene, const SimulateArguments& arguments,
             all += "asgard: --quantities: " + fault + "\n";
         return refuse({failure, all});
     }
-    for (const std::string& note : result.motion->notes())
-        std::fprintf(stderr, "%s: warning: %s\n", scene.file.c_str(), note.c_str());
-    const bool stopped = tellStops(scene, *result.motion);
+    const bool stopped = tell(scene, *result.motion);
+    tellError(arguments, scene.reading.scene.simulator, result.motion->errorEstimate());
     Output output(arguments.csv);
     if (!output.good() || !output.finish(writeTable(output.stream(), scene.reading.scene,
                                                     *result.motion, quantities, columns, times)))

@@ -2,6 +2,7 @@
 #include "batch/input.h"
 #include "batch/output.h"
 #include "batch/reference_table.h"
+#include "batch/waiting.h"
 
 #include "charts/canvas.h"
 #include "charts/study_chart.h"
@@ -69,15 +70,37 @@ std::variant<simulation::StudyPlan, Refusal> planOf(const StudyArguments& argume
     return plan;
 }
 
+// How many runs a plan is, without that of the reference.
+std::size_t runsOf(const simulation::StudyPlan& plan) {
+    const std::size_t fixed =
+        plan.methods.size() - static_cast<std::size_t>(std::ranges::count(plan.methods, "auto"));
+    return plan.methods.size() * plan.accuracies.size() + fixed * plan.steps.size();
+}
+
+simulation::StudyResult studied(const SceneText& scene, const simulation::Options& options,
+                                const simulation::StudyPlan& quiet) {
+    Waiting waiting;
+    simulation::StudyPlan plan = quiet;
+    std::string done = "computing the motion that the others are compared with";
+    plan.progress = [&](const simulation::StudyResult& result) {
+        done = "measured " + std::to_string(result.rows.size()) + " of " +
+               std::to_string(runsOf(plan)) + " runs, " + result.rows.back().method + " last";
+        if (waiting.isTime())
+            waiting.say(done);
+    };
+    plan.cancelled = [&] { // asked often, also before the first row
+        if (waiting.isTime())
+            waiting.say(done);
+        return false;
+    };
+    return simulation::study(scene.reading.scene, options, plan);
+}
+
 int compute(const SceneText& scene, const StudyArguments& arguments,
             const simulation::Options& options, const simulation::StudyPlan& plan) {
-    const simulation::StudyResult result = simulation::study(scene.reading.scene, options, plan);
-    if (!result.refusal.empty()) {
-        std::string all;
-        for (const std::string& sentence : result.refusal)
-            all += scene.file + ": error: " + sentence + "\n";
-        return refuse({failure, all});
-    }
+    const simulation::StudyResult result = studied(scene, options, plan);
+    if (!result.refusal.empty())
+        return refuse(refusalOf(scene, result.refusal));
     Output output(arguments.csv);
     if (!output.good() ||
         !output.finish(std::fputs(charts::tableOf(result).c_str(), output.stream()) >= 0))

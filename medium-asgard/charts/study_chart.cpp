@@ -28,6 +28,8 @@ std::string inWords(simulation::Status status) {
         return "Newton fails";
     case simulation::Status::tooSlow:
         return "too slow";
+    case simulation::Status::notFinite:
+        return "not finite";
     case simulation::Status::notReached:
         break;
     }
@@ -37,7 +39,9 @@ std::string inWords(simulation::Status status) {
 WorkPoint pointOf(const simulation::StudyRow& row) {
     return {.seconds = row.seconds,
             .error = row.error,
-            .failure = inWords(row.status),
+            .failure = row.status == simulation::Status::notReached && !row.error
+                           ? "ended early"
+                           : inWords(row.status),
             .minor = row.status == simulation::Status::notReached && row.error.has_value(),
             .fixedStep = row.step.has_value(),
             .chosen = row.isAuto};
@@ -51,6 +55,8 @@ WorkPrecision chartOf(const std::string& name, const simulation::StudyPlan& plan
     chart.title = "Methods on " + name;
     chart.subtitle = plan.reference ? "error against the reference given"
                                     : "error against a run at " + text(result.referenceAccuracy);
+    chart.chosen = "what auto takes";
+    chart.chosenName = result.autoTakes;
     chart.subtitle += "; each run stopped after " + text(plan.limit) + " s";
     for (const std::string& method : plan.methods) {
         WorkSeries& series = chart.series.emplace_back();

@@ -1,6 +1,7 @@
 #include "charts/work_precision.h"
 
 #include "charts/canvas.h"
+#include "charts/marks.h"
 
 #include <algorithm>
 #include <array>
@@ -13,24 +14,21 @@ namespace charts {
 namespace {
 
 constexpr double width = chartWidth, height = chartHeight;
-constexpr double left = 74, right = 700, top = 84, bottom = 510; // of the frame
-constexpr double band = 26; // above the frame's lines: points without an error
-constexpr double markerSize = 4.2;
-constexpr double leastError = 1e-14, mostError = 1;
+constexpr double left = 74, right = 720, top = 86, bottom = 606; // of the frame
+constexpr double lane = 13; // above the frame's lines: a method's points without an error
+constexpr double markerSize = 4.4, smallMarker = 2.8, laneMarker = 3.2, letterSize = 9;
+constexpr double leastError = 1e-14, mostError = 1, leastSeconds = 1e-6;
 
 constexpr Color dark{0.13, 0.15, 0.18}, quiet{0.42, 0.45, 0.5}, faint{0.88, 0.89, 0.91};
+constexpr Color ringed{0.85, 0.05, 0.15};
 
-// Colours that stay apart for readers who see red and green alike (after Okabe and Ito), darker
-// ones for the second round; shapes tell apart what colours cannot.
-constexpr std::array<Color, 8> colors = {{{0.13, 0.13, 0.13},
-                                          {0.90, 0.50, 0.00},
-                                          {0.20, 0.60, 0.87},
-                                          {0.00, 0.55, 0.40},
-                                          {0.80, 0.68, 0.05},
-                                          {0.00, 0.35, 0.65},
-                                          {0.80, 0.28, 0.00},
-                                          {0.74, 0.40, 0.60}}};
-constexpr std::size_t shapes = 5;
+std::vector<WorkPoint> sortedByTime(std::vector<WorkPoint> points) {
+    std::erase_if(points, [](const WorkPoint& p) { return p.error && *p.error <= mostError; });
+    std::ranges::stable_sort(points, {}, &WorkPoint::seconds);
+    return points;
+}
+
+bool hasPlace(const WorkPoint& point) { return point.error && *point.error <= mostError; }
 
 struct Axis {
     double low = 0, high = 1; // decades
@@ -69,51 +67,60 @@ public:
 
 private:
     void choosePlaces();
+    [[nodiscard]] double xOf(const WorkPoint& point) const {
+        return x_.at(std::max(point.seconds, leastSeconds));
+    }
+    [[nodiscard]] double yOf(const WorkPoint& point) const {
+        return y_.at(std::max(*point.error, leastError));
+    }
     void grid();
     void words();
     void series(std::size_t index);
     void join(const std::vector<WorkPoint>& points, bool fixedStep, const Color& color);
-    void mark(double x, double y, std::size_t index, bool filled);
     void point(const WorkPoint& point, std::size_t index);
+    void letter(double x, double y, const WorkPoint& point, std::size_t index);
+    void ring(double x, double y, double size);
+    void lanes();
+    void letters();
     void legend();
+    [[nodiscard]] std::string failuresOf(const WorkSeries& series);
     void key();
-    [[nodiscard]] double yOf(const WorkPoint& point) const;
     [[nodiscard]] std::string letterOf(const std::string& failure);
+    [[nodiscard]] double band() const { return lane * static_cast<double>(lanes_.size()); }
 
     const WorkPrecision& chart_;
     Canvas canvas_;
     Axis x_, y_;
-    bool anyWithout_ = false, anyChosen_ = false, anyFixed_ = false;
+    std::vector<std::size_t> lanes_; // series with points that have no place in the frame
+    bool anyChosen_ = false, anyFixed_ = false;
     std::map<std::string, std::string> letters_; // by failure
     std::string minor_;                          // the failure that has none
+    struct Box {
+        double x, y, width, height;
+    };
+    std::vector<Box> taken_; // by letters and markers
 };
-
-Color colorOf(std::size_t index) { return colors[index % colors.size()]; }
 
 void Drawing::choosePlaces() {
     double least = 1e300, most = 0, small = 1e300, large = 0;
-    for (const WorkSeries& series : chart_.series)
-        for (const WorkPoint& point : series.points) {
-            least = std::min(least, std::max(point.seconds, 1e-6));
-            most = std::max(most, std::max(point.seconds, 1e-6));
+    for (std::size_t i = 0; i < chart_.series.size(); ++i) {
+        bool isComplete = true;
+        for (const WorkPoint& point : chart_.series[i].points) {
+            least = std::min(least, std::max(point.seconds, leastSeconds));
+            most = std::max(most, std::max(point.seconds, leastSeconds));
             anyChosen_ = anyChosen_ || point.chosen;
             anyFixed_ = anyFixed_ || point.fixedStep;
-            if (!point.error || *point.error > mostError) {
-                anyWithout_ = true;
+            isComplete = isComplete && hasPlace(point);
+            if (!hasPlace(point))
                 continue;
-            }
             small = std::min(small, std::max(*point.error, leastError));
             large = std::max(large, std::max(*point.error, leastError));
         }
+        if (!isComplete)
+            lanes_.push_back(i);
+    }
     x_ = axisOver(most > 0 ? least : 1e-3, most > 0 ? most : 1, left, right);
-    y_ = axisOver(large > 0 ? small : 1e-6, large > 0 ? large : 1, bottom,
-                  anyWithout_ ? top + band : top);
-}
-
-double Drawing::yOf(const WorkPoint& point) const {
-    if (!point.error || *point.error > mostError)
-        return top + band / 2;
-    return y_.at(std::max(*point.error, leastError));
+    y_ = axisOver(large > 0 ? small : 1e-6, large > 0 ? large : 1, bottom, top + band());
 }
 
 void Drawing::grid() {
@@ -139,9 +146,9 @@ void Drawing::grid() {
     canvas_.ink(quiet);
     canvas_.line(left, bottom, right, bottom, 1);
     canvas_.line(left, top, left, bottom, 1);
-    if (anyWithout_) {
+    if (!lanes_.empty()) {
         canvas_.ink(faint, 0.45);
-        cairo_rectangle(canvas_.cairo(), left, top, right - left, band);
+        cairo_rectangle(canvas_.cairo(), left, top, right - left, band());
         cairo_fill(canvas_.cairo());
         canvas_.ink(quiet);
         canvas_.text(left + 6, top - 5, "no result, or an error larger than the scene", 9.5,
@@ -170,42 +177,15 @@ void Drawing::join(const std::vector<WorkPoint>& points, bool fixedStep, const C
     for (const WorkPoint& point : points) {
         if (point.fixedStep != fixedStep)
             continue;
-        if (last && point.error && last->error && *point.error <= mostError &&
-            *last->error <= mostError) {
-            canvas_.ink(color, point.failure.empty() && last->failure.empty() ? 0.9 : 0.3);
-            cairo_move_to(c, x_.at(std::max(last->seconds, 1e-6)), yOf(*last));
-            cairo_line_to(c, x_.at(std::max(point.seconds, 1e-6)), yOf(point));
+        if (last && hasPlace(point) && hasPlace(*last)) {
+            canvas_.ink(color, point.failure.empty() && last->failure.empty() ? 0.8 : 0.3);
+            cairo_move_to(c, xOf(*last), yOf(*last));
+            cairo_line_to(c, xOf(point), yOf(point));
             cairo_stroke(c);
         }
         last = &point;
     }
     cairo_set_dash(c, nullptr, 0, 0);
-}
-
-void Drawing::mark(double x, double y, std::size_t index, bool filled) {
-    cairo_t* c = canvas_.cairo();
-    const std::size_t shape = (index + index / colors.size()) % shapes;
-    cairo_new_path(c);
-    if (shape == 0) {
-        cairo_arc(c, x, y, markerSize, 0, 2 * std::numbers::pi);
-    } else {
-        // Squares, triangles up and down, diamonds: corners on a circle.
-        const int corners = shape == 2 || shape == 3 ? 3 : 4;
-        const double turn = shape == 1   ? std::numbers::pi / 4
-                            : shape == 3 ? std::numbers::pi / 2
-                                         : -std::numbers::pi / 2;
-        for (int i = 0; i < corners; ++i) {
-            const double angle = turn + 2 * std::numbers::pi * i / corners;
-            cairo_line_to(c, x + 1.3 * markerSize * std::cos(angle),
-                          y + 1.3 * markerSize * std::sin(angle));
-        }
-        cairo_close_path(c);
-    }
-    canvas_.ink(filled ? colorOf(index) : Color{1, 1, 1});
-    cairo_fill_preserve(c);
-    canvas_.ink(colorOf(index));
-    cairo_set_line_width(c, 1.1);
-    cairo_stroke(c);
 }
 
 std::string Drawing::letterOf(const std::string& failure) {
@@ -219,21 +199,61 @@ std::string Drawing::letterOf(const std::string& failure) {
     return letters_[failure] = std::to_string(letters_.size());
 }
 
-void Drawing::point(const WorkPoint& point, std::size_t index) {
-    const double x = x_.at(std::max(point.seconds, 1e-6)), y = yOf(point);
-    mark(x, y, index, point.failure.empty());
-    if (point.minor) {
-        minor_ = point.failure;
-    } else if (!point.failure.empty()) {
+void Drawing::ring(double x, double y, double size) {
+    canvas_.ink(ringed);
+    cairo_set_line_width(canvas_.cairo(), 2);
+    cairo_new_path(canvas_.cairo());
+    cairo_arc(canvas_.cairo(), x, y, size, 0, 2 * std::numbers::pi);
+    cairo_stroke(canvas_.cairo());
+}
+
+// At a corner of the marker where no other letter stands; where all are taken, a neighbour's
+// letter says it.
+void Drawing::letter(double x, double y, const WorkPoint& point, std::size_t index) {
+    const std::string text = letterOf(point.failure);
+    const double wide = canvas_.widthOf(text, letterSize, true), high = letterSize;
+    const std::array<std::pair<double, double>, 4> corners = {
+        {{x + 5, y - 3}, {x - 5 - wide, y - 3}, {x + 5, y + high}, {x - 5 - wide, y + high}}};
+    for (const auto& [at, base] : corners) {
+        const Box box{at, base - high + 1, wide, high};
+        const bool isFree = std::ranges::none_of(taken_, [&](const Box& other) {
+            return box.x < other.x + other.width && other.x < box.x + box.width &&
+                   box.y < other.y + other.height && other.y < box.y + box.height;
+        });
+        if (!isFree)
+            continue;
+        taken_.push_back(box);
         canvas_.ink(colorOf(index));
-        canvas_.text(x + 6, y - 4, letterOf(point.failure), 9, Canvas::Anchor::start, true);
+        canvas_.text(at, base, text, letterSize, Canvas::Anchor::start, true);
+        return;
     }
-    if (point.chosen) {
-        canvas_.ink({0.85, 0.05, 0.15});
-        cairo_set_line_width(canvas_.cairo(), 2);
-        cairo_new_path(canvas_.cairo());
-        cairo_arc(canvas_.cairo(), x, y, 11, 0, 2 * std::numbers::pi);
-        cairo_stroke(canvas_.cairo());
+}
+
+void Drawing::point(const WorkPoint& point, std::size_t index) {
+    const double x = xOf(point), y = yOf(point);
+    drawMark(canvas_, x, y, index, point.fixedStep ? smallMarker : markerSize,
+             point.failure.empty() ? Fill::full : Fill::hollow);
+    if (point.chosen)
+        ring(x, y, 11);
+}
+
+// A row for each method that has such points: its marker at the left, and letters where they fell.
+void Drawing::lanes() {
+    double y = top + lane / 2;
+    for (const std::size_t index : lanes_) {
+        drawMark(canvas_, left - 10, y, index, laneMarker, Fill::hollow);
+        double freeFrom = left;
+        for (const WorkPoint& point : sortedByTime(chart_.series[index].points)) {
+            const std::string text = point.minor ? "·" : letterOf(point.failure);
+            const double wide = canvas_.widthOf(text, letterSize, true);
+            const double x = std::max(xOf(point) - wide / 2, freeFrom);
+            canvas_.ink(colorOf(index));
+            canvas_.text(x, y + 3.2, text, letterSize, Canvas::Anchor::start, true);
+            freeFrom = x + wide + 1;
+            if (point.chosen)
+                ring(x + wide / 2, y, 8);
+        }
+        y += lane;
     }
 }
 
@@ -242,26 +262,58 @@ void Drawing::series(std::size_t index) {
     join(points, true, colorOf(index));
     join(points, false, colorOf(index));
     for (const WorkPoint& p : points)
-        point(p, index);
+        if (hasPlace(p))
+            point(p, index);
+}
+
+// "4 of 12 ok: hollow 5, u 2, t 1"
+std::string Drawing::failuresOf(const WorkSeries& series) {
+    std::map<std::string, std::size_t> counts;
+    std::size_t minor = 0, failed = 0;
+    for (const WorkPoint& point : series.points) {
+        failed += point.failure.empty() ? 0 : 1;
+        if (point.minor)
+            ++minor;
+        else if (!point.failure.empty())
+            ++counts[letterOf(point.failure)];
+    }
+    if (failed == 0)
+        return "";
+    std::string text = std::to_string(series.points.size() - failed) + " of " +
+                       std::to_string(series.points.size()) + " ok: ";
+    if (minor > 0)
+        text += "hollow " + std::to_string(minor) + (counts.empty() ? "" : ", ");
+    bool isFirst = true;
+    for (const auto& [letter, count] : counts) {
+        text += (isFirst ? "" : ", ") + letter + " " + std::to_string(count);
+        isFirst = false;
+    }
+    return text;
 }
 
 void Drawing::legend() {
-    double y = top + 6;
-    const double x = right + 34;
-    for (std::size_t i = 0; i < chart_.series.size(); ++i, y += 20) {
+    double y = top + 2;
+    const double x = right + 30;
+    for (std::size_t i = 0; i < chart_.series.size(); ++i, y += 27) {
         canvas_.ink(colorOf(i), 0.9);
         canvas_.line(x - 13, y, x + 13, y, 1.6);
-        mark(x, y, i, true);
+        drawMark(canvas_, x, y, i, markerSize, Fill::full);
         canvas_.ink(dark);
-        canvas_.text(x + 22, y + 4, chart_.series[i].name, 11.5, Canvas::Anchor::start);
+        canvas_.text(x + 22, y + 3, chart_.series[i].name, 11.5, Canvas::Anchor::start);
+        canvas_.ink(quiet);
+        canvas_.text(x + 22, y + 13.5, failuresOf(chart_.series[i]), 8.5, Canvas::Anchor::start);
     }
-    y += 12;
+    y += 8;
     const auto sample = [&](const std::string& words, bool dashed) {
         const double dashes[] = {3, 3};
         cairo_set_dash(canvas_.cairo(), dashes, dashed ? 2 : 0, 0);
         canvas_.ink(quiet);
         canvas_.line(x - 13, y, x + 13, y, dashed ? 1 : 1.6);
         cairo_set_dash(canvas_.cairo(), nullptr, 0, 0);
+        cairo_new_path(canvas_.cairo());
+        cairo_arc(canvas_.cairo(), x, y, dashed ? smallMarker : markerSize, 0,
+                  2 * std::numbers::pi);
+        cairo_fill(canvas_.cairo());
         canvas_.text(x + 22, y + 4, words, 10.5, Canvas::Anchor::start);
         y += 20;
     };
@@ -270,13 +322,10 @@ void Drawing::legend() {
         sample("fixed steps", true);
     }
     if (anyChosen_) {
-        canvas_.ink({0.85, 0.05, 0.15});
-        cairo_set_line_width(canvas_.cairo(), 2);
-        cairo_new_path(canvas_.cairo());
-        cairo_arc(canvas_.cairo(), x, y, 8, 0, 2 * std::numbers::pi);
-        cairo_stroke(canvas_.cairo());
+        ring(x, y, 8);
         canvas_.ink(quiet);
-        canvas_.text(x + 22, y + 4, "what auto takes", 10.5, Canvas::Anchor::start);
+        canvas_.text(x + 22, y + 4, chart_.chosen, 10.5, Canvas::Anchor::start);
+        canvas_.text(x + 22, y + 17, chart_.chosenName, 9.5, Canvas::Anchor::start);
     }
 }
 
@@ -294,12 +343,29 @@ void Drawing::key() {
                      Canvas::Anchor::start);
 }
 
+// After all markers, on which none may stand.
+void Drawing::letters() {
+    for (const WorkSeries& series : chart_.series)
+        for (const WorkPoint& point : series.points) {
+            if (point.minor)
+                minor_ = point.failure;
+            if (hasPlace(point))
+                taken_.push_back({xOf(point) - 3, yOf(point) - 3, 6, 6});
+        }
+    for (std::size_t i = 0; i < chart_.series.size(); ++i)
+        for (const WorkPoint& p : chart_.series[i].points)
+            if (hasPlace(p) && !p.minor && !p.failure.empty())
+                letter(xOf(p), yOf(p), p, i);
+}
+
 Canvas& Drawing::run() {
     choosePlaces();
     grid();
     words();
     for (std::size_t i = chart_.series.size(); i-- > 0;)
         series(i);
+    lanes();
+    letters();
     legend();
     key();
     return canvas_;

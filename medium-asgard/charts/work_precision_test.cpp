@@ -1,8 +1,10 @@
 // What a chart contains, read from its SVG and the first bytes of the others.
+#include "charts/marks.h"
 #include "charts/work_precision.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -61,4 +63,15 @@ TEST(WorkPrecision, RefusesOtherFormatsAndPlacesThatCannotBeWritten) {
     EXPECT_NE(charts::draw(example(), "chart.bmp"), "");
     EXPECT_NE(charts::draw(example(), "/nowhere/chart.svg"), "");
     EXPECT_NE(charts::draw(example(), "/nowhere/chart.png"), "");
+}
+
+// Sixteen methods: no two have a colour in common.
+TEST(Marks, StayApart) {
+    for (std::size_t a = 0; a < 16; ++a)
+        for (std::size_t b = 0; b < a; ++b) {
+            const charts::Color x = charts::colorOf(a), y = charts::colorOf(b);
+            const double apart =
+                std::abs(x.red - y.red) + std::abs(x.green - y.green) + std::abs(x.blue - y.blue);
+            EXPECT_GT(apart, 0.2) << a << " and " << b;
+        }
 }

@@ -94,6 +94,7 @@ void Arguments::read(std::size_t first, std::span<const std::string_view> option
         const Value& word = call_.words[i];
         const bool known = isKnown(word);
         if (!known && (!word.text.starts_with('-') || decimalNumber(word.text))) {
+            misread_ = true;
             strayWord(word, options);
             return; // what follows is out of step
         }
@@ -103,6 +104,7 @@ void Arguments::read(std::size_t first, std::span<const std::string_view> option
         if (value)
             ++i;
         if (!known) {
+            misread_ = true;
             const std::vector<std::string> names(options.begin(), options.end());
             faults_.error(word.range, subject_ + " has no option " + quoted(word.text),
                           suggestionFor(word.text, names, "options here"));
@@ -157,6 +159,8 @@ void Arguments::wrong(std::string_view option, Range range, std::string_view wan
 }
 
 void Arguments::wrongElement(std::string message, std::string suggestion) {
+    if (misread_ && message.starts_with("wants"))
+        return; // what is missing is most likely what was misspelt
     faults_.error(commandRange(), subject_ + " " + std::move(message), std::move(suggestion));
 }
 
@@ -211,7 +215,10 @@ std::optional<double> Arguments::numberIn(std::string_view option, const Value& 
                                           std::string_view wants) {
     const auto number = decimalNumber(value.text);
     if (!number)
-        wrong(option, value.range, wants, notANumber(value.text));
+        wrong(option, value.range, wants, notANumber(value.text),
+              value.text.find(',') != std::string::npos
+                  ? "blanks stand between numbers, no commas: {1 0 0}"
+                  : "");
     else if (!fits(*number, sign))
         wrong(option, value.range, wants, "not " + value.text);
     else

@@ -114,6 +114,7 @@ private:
     Call& call_;
     std::string subject_;
     std::vector<Given> given_;
+    bool misread_ = false; // a word that is no option of its own
 };
 
 [[nodiscard]] std::string quoted(std::string_view text); // in quotes, long ones cut

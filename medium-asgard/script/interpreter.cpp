@@ -57,6 +57,7 @@ struct Interpreter::Implementation {
     void setParameter(const std::vector<std::string_view>& words);
     void finish(int status);
     std::string failedCommand();
+    std::uint64_t substitutedCommand();
     void findCandidates(Recording& ending, std::vector<std::string>& storage);
 
     static int markCommand(ClientData self, Tcl_Interp* tcl, int count, Tcl_Obj* const words[]);
@@ -333,6 +334,8 @@ void Interpreter::Implementation::finish(int status) {
     if (status == TCL_BREAK || status == TCL_CONTINUE)
         message = status == TCL_BREAK ? "there is no loop that this break could leave"
                                       : "there is no loop that this continue could go on with";
+    if (const auto whose = substitutedCommand(); whose != noOffset)
+        ending.offset = whose;
     const std::string executing = failedCommand();
     ending.message = message;
     ending.executing = executing;
@@ -363,6 +366,25 @@ std::string Interpreter::Implementation::failedCommand() {
     if (const auto cut = plain.find('\xee'); cut != std::string::npos)
         plain.resize(cut);
     return plain;
+}
+
+// The command of the text whose words were being put together, when that is what failed: its mark
+// begins it in Tcl's trace, and was never started. What stands before it there are commands in its
+// brackets, and no body of a procedure or a loop.
+std::uint64_t Interpreter::Implementation::substitutedCommand() {
+    const char* trace = Tcl_GetVar(tcl, "errorInfo", TCL_GLOBAL_ONLY);
+    const std::string_view text = trace ? trace : "";
+    const std::string begun = "\n\"" + mark + " ";
+    const auto at = text.find(begun);
+    const auto body = text.find("\n    (");
+    if (at == std::string_view::npos || body < at)
+        return noOffset;
+    std::uint64_t offset = noOffset;
+    const std::string_view digits = text.substr(at + begun.size());
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), offset);
+    const bool isWhole =
+        error == std::errc{} && end != digits.data() + digits.size() && *end == ' ';
+    return isWhole ? offset : noOffset;
 }
 
 const std::string& Interpreter::recorded() const { return implementation_->recording.bytes(); }

@@ -158,6 +158,11 @@ void SceneMaker::simulator(Call& call) {
     const auto finish = arguments.number("-finish");
     simulator.finish = finish.value_or(10);
     const bool read = (finish || !arguments.attempted("-finish"));
+    for (const auto& [option, time] :
+         {std::pair("-start", simulator.start), std::pair("-finish", simulator.finish)})
+        if (std::abs(time) > 1e100)
+            arguments.wrong(option, arguments.find(option)->range, "a number of at most 1e100",
+                            "not " + numberText(time, true));
     if (read && !(simulator.finish > simulator.start)) {
         const std::string_view option = arguments.has("-finish") ? "-finish" : "-start";
         faults_.error(arguments.find(option) ? arguments.find(option)->range
@@ -168,15 +173,15 @@ void SceneMaker::simulator(Call& call) {
     simulator.firstStep = arguments.number("-step", Sign::positive);
     simulator.accuracy = arguments.number("-accuracy", Sign::positive).value_or(1e-4);
     static const std::vector<std::string> methods = {
-        "auto",           "forward-euler", "symplectic-euler", "midpoint", "rk4",     "trapezoidal",
-        "backward-euler", "tsit5",         "dop853",           "gbs",      "tr-bdf2", "radau5",
-        "sdirk4",         "rodas4",        "original"};
+        "auto",           "forward-euler", "symplectic-euler", "midpoint", "rk4", "trapezoidal",
+        "backward-euler", "tsit5",         "dopri5",           "dop853",   "gbs", "tr-bdf2",
+        "radau5",         "sdirk4",        "rodas4",           "original"};
     if (const auto method = arguments.name("-method", "a method")) {
         simulator.method = *method;
         if (std::find(methods.begin(), methods.end(), *method) == methods.end())
             faults_.error(arguments.find("-method")->range,
                           "the simulator has no method " + quoted(*method),
-                          suggestionFor(*method, methods, "methods"));
+                          suggestionFor(*method, methods, "methods", methods.size()));
     }
     simulator.collisions = arguments.flag("-collisions").value_or(true);
     simulator.source = call.source;

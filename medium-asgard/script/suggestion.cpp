@@ -28,6 +28,24 @@ std::size_t distance(std::string_view a, std::string_view b) {
     return last[b.size()];
 }
 
+// What begins with most of it: "-gravity", "-gravitational".
+std::string sameBeginning(std::string_view written, std::span<const std::string> existing) {
+    constexpr std::size_t least = 5;
+    std::string best;
+    std::size_t longest = std::max(least, (3 * written.size() + 3) / 4) - 1;
+    for (const std::string& name : existing) {
+        std::size_t common = 0;
+        while (common < std::min(name.size(), written.size()) &&
+               lower(name[common]) == lower(written[common]))
+            ++common;
+        if (common > longest) {
+            longest = common;
+            best = name;
+        }
+    }
+    return best;
+}
+
 } // namespace
 
 std::string nearest(std::string_view written, std::span<const std::string> existing) {
@@ -44,12 +62,11 @@ std::string nearest(std::string_view written, std::span<const std::string> exist
             best = name;
         }
     }
-    return best;
+    return best.empty() ? sameBeginning(written, existing) : best;
 }
 
 std::string suggestionFor(std::string_view written, std::span<const std::string> existing,
-                          std::string_view kind) {
-    constexpr std::size_t mostListed = 12;
+                          std::string_view kind, std::size_t mostListed) {
     std::string text;
     if (const std::string near = nearest(written, existing); !near.empty())
         text = "did you mean \"" + near + "\"?";

@@ -164,8 +164,9 @@ scene::Diagnostic tclError(std::string_view text, const Structure& structure, co
         if (command) {
             const std::string_view whole =
                 text.substr(command->range.from, command->range.to - command->range.from);
-            if (const auto at = whole.find("$" + name); at != std::string_view::npos)
-                range = {command->range.from + at, command->range.from + at + 1 + name.size()};
+            for (const std::string& written : {"$" + name, "${" + name + "}"})
+                if (const auto at = whole.find(written); at != std::string_view::npos)
+                    range = {command->range.from + at, command->range.from + at + written.size()};
         }
         if (const std::string near = nearest(name, existing); !near.empty())
             suggestion = "did you mean \"" + near + "\"?";

@@ -1,5 +1,8 @@
 #include "service/subdocument.h"
 
+#include "script/places.h"
+#include "simulation/report.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -21,34 +24,6 @@ ipc::DiagnosticItem itemOf(const scene::Diagnostic& diagnostic) {
     if (!diagnostic.suggestion.empty())
         item.message += " - " + diagnostic.suggestion;
     return item;
-}
-
-scene::Diagnostic sentenceAt(const scene::Source* source, scene::Severity severity,
-                             std::string sentence) {
-    scene::Diagnostic fault;
-    fault.severity = severity;
-    fault.message = std::move(sentence);
-    if (source && source->line > 0) {
-        fault.range = source->command;
-        fault.line = fault.endLine = source->line;
-        fault.column = source->column;
-        fault.endColumn = source->column + 1;
-    }
-    return fault;
-}
-
-// Bodies stop together: one sentence for each reason, at the first of them.
-void addStops(const scene::Scene& scene, const simulation::Motion& motion,
-              std::vector<scene::Diagnostic>& faults) {
-    std::vector<std::string> said;
-    for (std::size_t body = 0; body < std::min(motion.bodies(), scene.bodies.size()); ++body) {
-        const auto stop = motion.stop(body);
-        if (!stop || std::ranges::find(said, stop->sentence) != said.end())
-            continue;
-        said.push_back(stop->sentence);
-        faults.push_back(
-            sentenceAt(&scene.bodies[body].source, scene::Severity::error, stop->sentence));
-    }
 }
 
 bool anyStop(const simulation::Motion& motion) {
@@ -210,12 +185,14 @@ ipc::MotionState Subdocument::state() const {
 std::vector<scene::Diagnostic> Subdocument::faults() const {
     std::vector<scene::Diagnostic> faults = faults_;
     for (const std::string& sentence : refusal_)
-        faults.push_back(sentenceAt(nullptr, scene::Severity::error, sentence));
+        faults.emplace_back().message = sentence;
     if (faulty_ || !shown_.motion || worker_.busy())
         return faults;
-    addStops(*shown_.scene, *shown_.motion, faults);
-    for (const std::string& note : shown_.motion->notes())
-        faults.push_back(sentenceAt(nullptr, scene::Severity::warning, note));
+    const script::Places places(text_);
+    for (scene::Diagnostic& said : simulation::reportOf(*shown_.scene, *shown_.motion)) {
+        places.locate(said);
+        faults.push_back(std::move(said));
+    }
     return faults;
 }
 

@@ -1,6 +1,8 @@
 #include "views/scene_document.h"
 
 #include "editing/changes.h"
+#include "script/places.h"
+#include "simulation/report.h"
 #include "views/worker.h"
 
 #include <QFile>
@@ -274,23 +276,15 @@ void SceneDocument::didFinish(unsigned serial, const std::shared_ptr<const scene
     if (serial != worker_->thread.serial())
         return;
     statistics_ = result.statistics;
-    const auto add = [this](scene::Severity severity, const std::string& sentence) {
-        scene::Diagnostic diagnostic;
-        diagnostic.severity = severity;
-        diagnostic.message = sentence;
-        diagnostics_.push_back(diagnostic);
+    const script::Places places(text_);
+    const auto add = [&](scene::Diagnostic said) {
+        places.locate(said);
+        diagnostics_.push_back(std::move(said));
     };
     for (const std::string& sentence : result.refusal)
-        add(scene::Severity::error, sentence);
-    if (result.motion) {
-        for (const std::string& note : result.motion->notes())
-            add(scene::Severity::warning, note);
-        for (std::size_t i = 0; i < result.motion->bodies(); ++i)
-            if (const auto stop = result.motion->stop(i))
-                if (std::none_of(diagnostics_.begin(), diagnostics_.end(),
-                                 [&](const auto& d) { return d.message == stop->sentence; }))
-                    add(scene::Severity::error, stop->sentence);
-    }
+        add(simulation::faultOf(*scene, sentence));
+    if (result.motion)
+        std::ranges::for_each(simulation::reportOf(*scene, *result.motion), add);
     didMove(serial, scene, result.motion);
     Q_EMIT diagnosticsChanged();
     setWork(Work::none);

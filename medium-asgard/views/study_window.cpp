@@ -97,9 +97,8 @@ QString StudyWindow::words() const {
                           : tr("Nothing was measured.");
     if (measuring_)
         return tr("Measuring %1…").arg(QString::fromStdString(shown_.rows.back().method));
-    for (const simulation::StudyRow& row : shown_.rows)
-        if (row.isAuto && row.method != "auto")
-            return tr("On this scene auto takes %1.").arg(QString::fromStdString(row.method));
+    if (!shown_.autoTakes.empty())
+        return tr("On this scene auto takes %1.").arg(QString::fromStdString(shown_.autoTakes));
     return cancelled_ ? tr("Stopped: not all methods were measured.") : QString();
 }
 

@@ -11,6 +11,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import zlib
 
@@ -123,6 +124,82 @@ class Commands(unittest.TestCase):
         self.assertIn("/absent/out.csv", ran.stderr)
         ran = self.run_asgard("simulate", self.scene, "--csv", "/dev/full")
         self.assertEqual(ran.returncode, 1)
+
+    # --- what a run says ---------------------------------------------------------------------------
+
+    BALL = "shape_set s -desc {-sub {-sphere 0.1}}\nbody b s -mass 1\n"
+
+    def told(self, *lines, finish=10, arguments=(), code=1):
+        scene = self.file("told.al", f"simulator -finish {finish}\n" + self.BALL + "\n".join(lines) + "\n")
+        _, said = self.simulate(scene, "--csv", "out.csv", *arguments, code=code)
+        return said.replace(self.folder + "/", "")
+
+    def test_a_force_that_has_no_value_is_named_at_its_place(self):
+        for force, reason in (("sqrt(1-t)", "is not finite: its x, \"sqrt(1-t)\", is not a number"),
+                              ("1/(2-t)", "its x, \"1/(2-t)\", is "), ("1/(2-t)^2", "its x, \"1/(2-t)^2\", is "),
+                              ("10*b.x^2+1", "its x, \"10*b.x^2+1\", is ")):
+            said = self.told("", "force -body b \\", "  -x {" + force + "}")
+            self.assertRegex(said, r"^told\.al:6:6: error: Stopped at t = [0-9.]+: ")
+            self.assertIn("the force on body \"b\"", said)
+            self.assertIn(reason, said)
+            self.assertIn("finish earlier", said)
+            self.assertNotIn("predictable", said)
+
+    def test_warnings_of_a_run_have_a_place(self):
+        said = self.told("body c s -init_pos {0.1 0 0} -mass 1", code=0)
+        self.assertRegex(said, r"^told\.al:3:1: warning: Bodies \"b\" and \"c\" overlap")
+
+    def test_what_never_ends_says_so_soon(self):
+        orbit = ("force -body b -x {-(b.x-1)/hypot(b.x-1,b.y)^3} -y {-b.y/hypot(b.x-1,b.y)^3+0.01*sin(t)}",)
+        begin = time.monotonic()
+        said = self.told(*orbit, arguments=("--finish", "1e99"))
+        self.assertIn("more than a billion", said)
+        self.assertIn("more than a billion", self.told(*orbit, finish="1e99"))
+        self.assertEqual(self.simulate(self.scene, "--finish", "1e300", code=2)[1],
+                         "asgard: --finish wants a number of at most 1e100\n")
+        self.assertIn(":1:19: error: -finish of the simulator wants a number of at most 1e100", self.told(finish="1e300"))
+        self.assertLess(time.monotonic() - begin, 20)  # of four runs, on a machine that does other things
+
+    def test_what_flies_over_all_bounds_ends_there(self):
+        said = self.told("body far s -init_pos {5 0 0} -init_dpos {1e50 0 0}", finish="1e60")
+        self.assertIn("Stopped at t = 1e+50: far.x grows over 1e100.", said)
+        rows, _ = self.simulate(os.path.join(self.folder, "told.al"), "--at", "0:4e59:8e59", "--quantities", "far.x", code=1)
+        self.assertEqual(rows[2][14:], [""] * 14)
+
+    def test_a_method_that_is_asked_for_says_that_its_error_is_unknown(self):
+        said = self.told("force -body b -x {-b.x}", code=0, arguments=("--method", "forward-euler", "--fixed-step", "10"))
+        self.assertEqual(said, "asgard: the error of forward-euler at steps of 10 is not estimated; auto's is\n")
+
+    def test_a_scene_without_bodies_says_so(self):
+        ran = self.run_asgard("simulate", "-", text="simulator -finish 1\n")
+        self.assertEqual((ran.returncode, ran.stderr), (0, "standard input: warning: the scene has no body, so nothing moves\n"))
+
+    # --- wrong usage -------------------------------------------------------------------------------
+
+    def test_wrong_usage_names_the_word_and_what_is_like_it(self):
+        for arguments, sentence in (
+                (("simulte", "a.al"), 'there is no command "simulte"; did you mean "simulate"?'),
+                (("simulte",), 'there is no file and no command "simulte"; did you mean "simulate"?'),
+                (("simulate", "a.al", "--acuracy", "1e-3"), 'simulate has no option "--acuracy"; did you mean "--accuracy"?'),
+                (("simulate", "--acuracy=1e-3", "a.al"), 'simulate has no option "--acuracy"; did you mean "--accuracy"?'),
+                (("simulate", "a.al", "-accuracy", "1e-3"), 'simulate has no option "-accuracy"; did you mean "--accuracy"?'),
+                (("simulate", "a.al", "--accuracy", "abc"), '--accuracy wants a number, not "abc"'),
+                (("simulate", "a.al", "--threads", "x"), '--threads wants a whole number, not "x"'),
+                (("simulate", "a.al", "--accuracy"), "--accuracy wants a number, and nothing follows it"),
+                (("simulate", "a.al", "--csv"), "--csv wants a value, and nothing follows it"),
+                (("simulate", "a.al", "b.al"), 'simulate takes one SCENE, and "b.al" is one too many'),
+                (("simulate",), "simulate wants SCENE, and it is not there"),
+                (("render", "a.al"), "render wants --output, and it is not there"),
+                (("simulate", "a.al", "--fixed-step", "1"), "--fixed-step wants --method beside it")):
+            ran = self.run_asgard(*arguments)
+            self.assertEqual((ran.returncode, ran.stdout, ran.stderr), (2, "", f"asgard: {sentence}\n"), arguments)
+
+    def test_every_method_is_one_of_a_scene_too(self):
+        said = self.refused(1, "--method", "bogus")
+        listed = said[said.index("methods here: ") + 14:said.rindex(")")].split(", ")
+        self.assertEqual(len(listed), 16)
+        scene = self.told("", finish="10 -method bogus")
+        self.assertEqual(scene[scene.index("(methods: ") + 10:scene.rindex(")")].split(", "), listed)
 
     # --- check -----------------------------------------------------------------------------------
 

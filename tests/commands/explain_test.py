@@ -51,6 +51,16 @@ class Explain(unittest.TestCase):
     def test_a_block_that_friction_stops(self):
         self.compare("friction")
 
+    def test_what_acts_at_rest_and_in_motion(self):
+        self.compare("acting")
+
+    def test_what_is_cut_says_how_to_see_it_whole(self):
+        path = os.path.join(HERE, "pend.al")
+        cut, whole = run(path).stdout, run(path, "--all").stdout
+        self.assertIn("(--all shows all)", cut)
+        self.assertNotIn("--all", whole)
+        self.assertGreater(len(whole), len(cut))
+
     def test_the_memo_of_the_dissertation(self):
         self.compare("memo")
 

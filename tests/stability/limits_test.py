@@ -275,6 +275,12 @@ class Limits(unittest.TestCase):
         self.assertEqual(self.status(SWING, "rodas4", 0.05), "unstable")
         self.assertEqual(self.status(SWING, "tr-bdf2", 0.001), "ok")
 
+    # At fixed steps, an error in the first digit is no result; what is not finite is called so.
+    def test_study_calls_nothing_ok_that_is_worthless(self):
+        self.assertEqual(self.status(OSCILLATOR, "forward-euler", 0.001), "not_reached")  # 1.0001^5000 is 1.65
+        force = OSCILLATOR + "force -body b -y {sqrt(0.5-t)}\n"
+        self.assertEqual(self.status(force, "rk4", 0.001), "not_finite")
+
     # Steps at the edge of stability leave an error that goes to and fro, within the accuracy.
     def test_study_calls_no_adaptive_explicit_method_ringing(self):
         for row in self.study(SWING, "--methods", "dop853,tsit5", "--accuracies", "1e-2,1e-4", "--steps", ""):

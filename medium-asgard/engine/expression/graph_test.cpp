@@ -66,6 +66,9 @@ TEST(Simplify, LocalAlgebraAsAnAuthorWouldWriteIt) {
         {"log(-1)", "log(-1)"},
         {"(x - 1000000) + 0.1", "x - 1000000 + 0.1"},
         {"pow(x, 3) + hypot(x, y, z)", "x^3 + hypot(hypot(x, y), z)"},
+        {"hypot(x, y, 0)", "hypot(x, y)"},
+        {"hypot(0, abs(x))", "abs(x)"},
+        {"hypot(x, 0)", "hypot(x, 0)"},
         {"pi", "3.141592653589793"},
         {"B.x*A.mass", "B.x*A.mass"},
     };

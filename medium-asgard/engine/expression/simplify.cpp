@@ -45,6 +45,7 @@ struct Rules {
     [[nodiscard]] Result power(Node a, Node b) const;
     [[nodiscard]] Result function(Op op, Node a) const;
     [[nodiscard]] Result least(Node a, Node b) const;
+    [[nodiscard]] Result hypot(Node a, Node b) const;
     [[nodiscard]] Result logical(Op op, Node a, Node b) const;
     [[nodiscard]] Node truthOf(Node n) const;
 };
@@ -206,6 +207,18 @@ Result Rules::function(Op op, Node a) const {
 
 Result Rules::least(Node a, Node b) const { return a == b ? Result(a) : std::nullopt; }
 
+// A length that has no third part. Of what may be negative it would be abs(), which switches.
+Result Rules::hypot(Node a, Node b) const {
+    const auto isLength = [this](Node n) {
+        return is(n, Op::hypot) || is(n, Op::abs) || is(n, Op::sqrt);
+    };
+    if (g.isConstant(b, 0) && isLength(a))
+        return a;
+    if (g.isConstant(a, 0) && isLength(b))
+        return b;
+    return std::nullopt;
+}
+
 // n as 0 or 1.
 Node Rules::truthOf(Node n) const {
     return isTruth(g.op(n)) ? n : g.apply(Op::notEqual, n, g.constant(0));
@@ -241,6 +254,8 @@ std::optional<Node> simplified(Graph& graph, Op op, std::span<const Node> argume
         return rules.divide(arguments[0], arguments[1]);
     case Op::power:
         return rules.power(arguments[0], arguments[1]);
+    case Op::hypot:
+        return rules.hypot(arguments[0], arguments[1]);
     case Op::min:
     case Op::max:
         return rules.least(arguments[0], arguments[1]);

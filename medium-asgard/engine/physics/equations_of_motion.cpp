@@ -1,11 +1,9 @@
 #include "physics/equations_of_motion.h"
 
-#include "expression/tape.h"
 #include "physics/body_phases.h"
 #include "physics/forces.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
 
@@ -232,67 +230,6 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
     breakpoints.assign(times.begin(), times.end());
     if (!faults.empty())
         scope.reset();
-}
-
-namespace {
-
-const std::array<scene::Expression, 3>* expressionsOf(const scene::Scene& scene,
-                                                      const Contribution& c) {
-    if (c.kind == Contribution::Kind::force) {
-        const auto* given = std::get_if<scene::ComponentForce>(&scene.forces[c.element].kind);
-        return given ? &given->components : nullptr;
-    }
-    const auto* given = std::get_if<scene::PointEnd>(&scene.links[c.element].second);
-    return given ? &given->coordinates : nullptr;
-}
-
-// "the force on body "b1" (line 12) is not finite: its y", and its expression when there is one.
-std::string nameOf(const scene::Scene& scene, const Contribution& c, std::size_t axis,
-                   const scene::Expression* written) {
-    static constexpr const char* axes[] = {"x", "y", "z"};
-    const bool isForce = c.kind == Contribution::Kind::force;
-    const int line =
-        isForce ? scene.forces[c.element].source.line : scene.links[c.element].source.line;
-    return std::string("the ") + (isForce ? "force" : "link") + " on body \"" +
-           scene.bodies[c.body].name + "\"" +
-           (line > 0 ? " (line " + std::to_string(line) + ")" : "") + " is not finite: its " +
-           axes[axis] + (written ? ", \"" + *written + "\"," : "");
-}
-
-} // namespace
-
-std::string EquationsOfMotion::whatIsNotFinite(const scene::Scene& scene,
-                                               std::span<const double> state, double time,
-                                               std::span<const std::size_t> onBodies) const {
-    std::vector<Node> inputs;
-    for (const expression::Unknown& unknown : set.unknowns)
-        inputs.push_back(unknown.symbol);
-    inputs.push_back(set.time);
-    std::vector<double> values(state.begin(), state.end());
-    values.push_back(time);
-    expression::Tape::Scratch scratch;
-    const auto isFinite = [](double x) { return std::isfinite(x); };
-    std::string found;
-    for (const Contribution& c : contributions) {
-        if (!onBodies.empty() && std::ranges::find(onBodies, c.body) == onBodies.end())
-            continue;
-        // What is written says more than what follows from it.
-        for (const NodeVector& nodes : {c.written.value_or(c.force), c.force, c.torque}) {
-            std::array<double, 3> value{};
-            expression::Tape(set.graph, inputs, nodes).evaluate(values, value, scratch);
-            const auto bad = std::ranges::find_if_not(value, isFinite);
-            if (bad == value.end())
-                continue;
-            const auto axis = static_cast<std::size_t>(bad - value.begin());
-            const auto* texts = expressionsOf(scene, c);
-            const bool asWritten = c.written && nodes == *c.written;
-            found += (found.empty() ? "" : "; ") +
-                     nameOf(scene, c, axis, texts && asWritten ? &(*texts)[axis] : nullptr) +
-                     " is " + (std::isnan(*bad) ? "not a number" : "infinite");
-            break;
-        }
-    }
-    return found;
 }
 
 } // namespace physics

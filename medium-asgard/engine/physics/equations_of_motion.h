@@ -96,13 +96,6 @@ struct EquationsOfMotion {
     std::vector<std::string> faults;
     std::optional<Scope>
         scope; // names for further expressions (quantities, views); none with faults
-
-    // The forces on some bodies (none named: on all) whose values are not finite at a state (all
-    // unknowns) and time, as a clause; "" when all are finite:
-    //     the force on body "b1" (line 12) is not finite: its y, "sqrt(-t)", is not a number
-    [[nodiscard]] std::string whatIsNotFinite(const scene::Scene& scene,
-                                              std::span<const double> state, double time,
-                                              std::span<const std::size_t> onBodies = {}) const;
 };
 
 } // namespace physics

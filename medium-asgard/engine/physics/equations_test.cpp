@@ -259,34 +259,5 @@ TEST(Equations, FaultsOfExpressionsAreSentences) {
             "line 12: -z of a force on \"ball\": no body or trajectory is named \"nobody\""}));
 }
 
-TEST(Equations, AForceThatIsNotFiniteIsNamed) {
-    scene::Scene scene = ballAndRod();
-    scene.forces = {testing::force("ball", "1", "1/ball.x", "0"),
-                    testing::force("rod", "1", "0", "0")};
-    scene.forces[0].source.line = 4;
-    const EquationsOfMotion motion(scene);
-    std::vector<double> state(motion.set.unknowns.size(), 0.5);
-    EXPECT_EQ(motion.whatIsNotFinite(scene, state, 0), "");
-    state[0] = 0;
-    EXPECT_EQ(
-        motion.whatIsNotFinite(scene, state, 0),
-        "the force on body \"ball\" (line 4) is not finite: its y, \"1/ball.x\", is infinite");
-}
-
-// A couple makes no force, and a force in the body's axes another than is written.
-TEST(Equations, WhatIsNotFiniteIsNamedAsItIsWritten) {
-    scene::Scene scene = ballAndRod();
-    scene.forces = {testing::force("rod", "0", "0", "log(-t)"),
-                    testing::force("ball", "0", "sqrt(rod.x-1)", "0")};
-    scene.forces[0].couple = true;
-    std::get<scene::ComponentForce>(scene.forces[1].kind).frame = scene::Frame::body;
-    const EquationsOfMotion motion(scene);
-    const std::vector<double> state(motion.set.unknowns.size(), 0.5);
-    EXPECT_EQ(
-        motion.whatIsNotFinite(scene, state, 1),
-        "the force on body \"rod\" is not finite: its z, \"log(-t)\", is not a number; "
-        "the force on body \"ball\" is not finite: its y, \"sqrt(rod.x-1)\", is not a number");
-}
-
 } // namespace
 } // namespace physics

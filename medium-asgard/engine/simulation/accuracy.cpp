@@ -10,6 +10,8 @@ namespace simulation {
 namespace {
 
 constexpr std::size_t spacedTimes = 64, stepTimes = 2000;
+// Of a motion that stops: there it runs into what no accuracy resolves, and the stop says so.
+constexpr double lastPart = 0.01;
 
 // Asks now and then whether somebody cancelled.
 class Poll {
@@ -226,8 +228,10 @@ std::size_t compareBody(const Problem& problem, std::size_t b, const Run& first,
                         Poll& poll, const Visit& visit) {
     const BodyRecord& body = (*problem.bodies)[b];
     const double from = problem.start();
-    const double until = std::min({problem.finish(), knownUntil(body, *first.histories),
-                                   knownUntil(body, *second.histories)});
+    double until = std::min({problem.finish(), knownUntil(body, *first.histories),
+                             knownUntil(body, *second.histories)});
+    if (first.stops.contains(b) || second.stops.contains(b))
+        until -= lastPart * (until - from);
     PlaceReader before(body, *first.histories, from);
     PlaceReader after(body, *second.histories, from);
     // What turns in neither run has the attitude of the start in both.

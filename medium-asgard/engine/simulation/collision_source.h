@@ -54,6 +54,10 @@ public:
     // What happened up to a time.
     [[nodiscard]] std::vector<Impact> impacts(double until) const;
     [[nodiscard]] std::vector<std::string> notes(double until) const;
+    // By body that rests or slides where the search stands: on what.
+    [[nodiscard]] std::map<std::size_t, std::vector<std::size_t>> supports() const {
+        return resting_.supports();
+    }
     // An event happened at this very time.
     [[nodiscard]] bool hasEventAt(double time) const;
     [[nodiscard]] std::size_t pairTests() const { return search_.pairTests(); }

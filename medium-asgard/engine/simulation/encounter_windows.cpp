@@ -13,7 +13,7 @@ using solution::infinity;
 
 constexpr double firstWay = 3;     // of the body's radius, in the first window after a cut
 constexpr double firstSpan = 16;   // s, of that window at most
-constexpr int mostDoublings = 40;  // of both; cells go on to grow
+constexpr int mostDoublings = 400; // of both: nothing is farther away; cells go on to grow
 constexpr double roomAround = 0.5; // of the radius, about boxes of short windows
 constexpr double mostRoom = 4;     // a box in the tree is at most so much larger than needed
 constexpr double rounding = 1e-12; // of coordinates, in boxes

@@ -4,21 +4,34 @@
 #include "solution/partition.h"
 #include "solution/phases_text.h"
 
+#include "expression/operation.h"
+
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <map>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 namespace simulation {
 namespace {
 
 using expression::Node;
+using expression::Op;
 
 // LIMIT: a longer list of pairs helps nobody; what is beyond it is left out.
 constexpr std::size_t mostPairs = 10'000;
 // LIMIT: an equation of more operations than this, each shared one counted where it is used, is
 // told by their number.
 constexpr double mostOperations = 2000;
+constexpr double noise = 1e-13; // of the other terms of a sum
+
+std::string shortNumber(double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
+}
 
 // Texts of the equations in force at a time, with a 0 in place of what stays 0.
 class Equations {
@@ -36,10 +49,33 @@ public:
         const double operations = operationsOf(right);
         if (operations > mostOperations)
             return text + "an expression of " + std::to_string(static_cast<long>(operations)) +
-                   " operations";
+                   " operations (all of it: --expressions " + set_.unknowns[unknown].name + ")";
         // What cancels may leave a -0.
         return text +
                (set_.graph.isConstant(right, 0) ? "0" : expression::print(set_.graph, right));
+    }
+    // Other laws that were in force from the start on, each once, with the time it ended last.
+    std::vector<std::string> earlierTexts(std::size_t unknown, double start) {
+        const auto& phases = set_.unknowns[unknown].phases;
+        const std::string now = textOf(unknown);
+        std::vector<std::pair<std::string, double>> ended;
+        for (std::size_t i = 0; i + 1 < phases.size() && phases[i + 1].from <= time_; ++i) {
+            if (phases[i + 1].from <= start)
+                continue;
+            const double whole = std::exchange(time_, phases[i].from);
+            const std::string text = textOf(unknown);
+            time_ = whole;
+            const auto known =
+                std::ranges::find(ended, text, [](const auto& e) { return e.first; });
+            if (text != now && known == ended.end())
+                ended.emplace_back(text, phases[i + 1].from);
+            else if (text != now)
+                known->second = phases[i + 1].from;
+        }
+        std::vector<std::string> texts;
+        for (const auto& [text, until] : ended)
+            texts.push_back(text + ", until t = " + shortNumber(until));
+        return texts;
     }
     void addReads(std::size_t unknown, std::set<std::size_t>& reads) {
         const Node right = rightOf(inForce(unknown));
@@ -60,8 +96,67 @@ private:
         return phases[i];
     }
     Node rightOf(const expression::Phase& phase) {
-        return expression::substitute(set_.graph, phase.given ? *phase.given : phase.derivative,
-                                      zeros_);
+        return withoutNoise(expression::substitute(
+            set_.graph, phase.given ? *phase.given : phase.derivative, zeros_));
+    }
+    // The number in front of a term.
+    [[nodiscard]] double factorOf(Node n) const {
+        const expression::Graph& g = set_.graph;
+        if (g.op(n) == Op::constant)
+            return std::abs(g.value(n));
+        double factor = 1;
+        while (g.op(n) == Op::multiply || g.op(n) == Op::divide || g.op(n) == Op::negate) {
+            const auto arguments = g.arguments(n);
+            if (g.op(n) == Op::multiply && g.op(arguments[0]) == Op::constant) {
+                factor *= std::abs(g.value(arguments[0]));
+                n = arguments[1];
+                continue;
+            }
+            if (g.op(n) == Op::divide && g.op(arguments[1]) == Op::constant)
+                factor /= std::abs(g.value(arguments[1]));
+            n = arguments[0];
+            if (g.op(n) == Op::constant)
+                return factor * std::abs(g.value(n));
+        }
+        return factor;
+    }
+    // Sums without terms whose numbers are what rounding leaves of the others'.
+    Node withoutNoise(Node root) {
+        expression::Graph& g = set_.graph;
+        std::vector<Node> open{root};
+        while (!open.empty()) {
+            const Node n = open.back();
+            const std::vector<Node> arguments(g.arguments(n).begin(), g.arguments(n).end());
+            const auto unknown =
+                std::ranges::find_if(arguments, [&](Node a) { return !quiet_.contains(a.index); });
+            if (quiet_.contains(n.index)) {
+                open.pop_back();
+            } else if (unknown != arguments.end()) {
+                open.push_back(*unknown);
+            } else {
+                quiet_.emplace(n.index, quietened(n, arguments));
+                open.pop_back();
+            }
+        }
+        return quiet_.at(root.index);
+    }
+    Node quietened(Node n, std::vector<Node> arguments) {
+        expression::Graph& g = set_.graph;
+        const Op op = g.op(n);
+        if (arguments.empty())
+            return n;
+        for (Node& argument : arguments)
+            argument = quiet_.at(argument.index);
+        if (op == Op::add || op == Op::subtract) {
+            const double first = factorOf(arguments[0]), second = factorOf(arguments[1]);
+            if (second < noise * first)
+                return arguments[0];
+            if (first < noise * second)
+                return op == Op::add ? arguments[1] : g.negate(arguments[1]);
+        }
+        return arguments.size() == 1   ? g.apply(op, arguments[0])
+               : arguments.size() == 2 ? g.apply(op, arguments[0], arguments[1])
+                                       : g.apply(op, arguments[0], arguments[1], arguments[2]);
     }
     double operationsOf(Node root) {
         std::vector<Node> open{root};
@@ -89,14 +184,16 @@ private:
     expression::EquationSet set_;
     solution::UnknownIndex index_;
     double time_;
-    std::unordered_map<std::uint32_t, Node> zeros_;
+    std::unordered_map<std::uint32_t, Node> zeros_, quiet_;
     std::unordered_map<std::uint32_t, double> sizes_;
 };
 
-Explanation::Component componentOf(Equations& equations, const solution::ComponentStatistics& c) {
+Explanation::Component componentOf(Equations& equations, double start,
+                                   const solution::ComponentStatistics& c) {
     Explanation::Component component{.unknowns = {},
                                      .reads = {},
                                      .equations = {},
+                                     .earlier = {},
                                      .model = c.model,
                                      .method = c.method,
                                      .order = c.order,
@@ -107,6 +204,8 @@ Explanation::Component componentOf(Equations& equations, const solution::Compone
     for (const std::size_t u : c.unknowns) {
         component.unknowns.push_back(equations.name(u));
         component.equations.push_back(equations.textOf(u));
+        for (std::string& text : equations.earlierTexts(u, start))
+            component.earlier.push_back(std::move(text));
         equations.addReads(u, reads);
     }
     for (const std::size_t u : reads)
@@ -199,8 +298,12 @@ void addPairs(const Problem& problem, const Run& run, Explanation& explanation) 
     for (std::size_t a = 0; a < bodies.size(); ++a)
         for (std::size_t b = a + 1; b < bodies.size(); ++b) {
             if (std::ranges::binary_search(run.candidates, std::pair(a, b)) ||
-                explanation.never.size() == mostPairs || (bodies[a].isFixed && bodies[b].isFixed))
+                (bodies[a].isFixed && bodies[b].isFixed))
                 continue;
+            if (explanation.never.size() == mostPairs) {
+                ++explanation.neverLeftOut;
+                continue;
+            }
             std::string why = whyNever(problem, a, b);
             if (why.empty())
                 why = "their boxes never overlap";
@@ -215,11 +318,12 @@ Explanation explanationOf(const Problem& problem, const Run& run) {
     Equations equations(*run.equations, run.statistics.zeroStates, run.reached);
     const std::vector<bool> isSeenOnly = seenOnly(problem, run);
     for (const solution::ComponentStatistics& c : run.statistics.componentList) {
-        explanation.components.push_back(componentOf(equations, c));
+        explanation.components.push_back(componentOf(equations, problem.start(), c));
         if (std::ranges::all_of(c.unknowns, [&](std::size_t u) { return isSeenOnly[u]; }))
             explanation.components.back().why +=
                 "; no motion depends on it, so it is solved apart, to be seen";
     }
+    explanation.acting = actingOn(problem, run);
     addZeroStates(problem, run, explanation);
     addPairs(problem, run, explanation);
     if (!problem.options.phasesOf.empty())

@@ -1,6 +1,7 @@
 // What of a scene is modelled, how, and why the rest is not (command-line contract, "explain").
 //
-// Components and equations are those in force at the end of the motion.
+// Components and equations are those in force at the end of the motion; what was in force before
+// and differs is told too.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +14,7 @@ struct Explanation {
     struct Component {
         std::vector<std::string> unknowns, reads;
         std::vector<std::string> equations; // of first order: rod1.x' = rod1.dx
+        std::vector<std::string> earlier;   // others, which ended: "..., until t = 1.43"
         std::string model;                  // as in ComponentStatistics
         std::string method;
         std::size_t order = 0, steps = 0, evaluations = 0;
@@ -28,16 +30,23 @@ struct Explanation {
         std::vector<std::string> unknowns;
         std::string text;
     };
+    struct Acting { // on a body that is not fixed
+        std::string body;
+        std::vector<std::string> what; // "gravity {0 -9.81 0}", "a link to rod2 (tightness 100)"
+    };
+    std::vector<Acting> acting;
     std::vector<Component> components;
     std::vector<Phases> phases;
     std::vector<NotModelled> notModelled;
-    std::size_t candidates = 0; // pairs that came near each other
-    std::size_t tested = 0;     // tests of pairs, each over a stretch of the motion
-    std::vector<Never> never;   // pairs of which one can move, that were never tested
+    std::size_t candidates = 0;   // pairs that came near each other
+    std::size_t tested = 0;       // tests of pairs, each over a stretch of the motion
+    std::vector<Never> never;     // pairs of which one can move, that were never tested
+    std::size_t neverLeftOut = 0; // such pairs that the list has no place for
 };
 
 struct Problem;
 struct Run;
 [[nodiscard]] Explanation explanationOf(const Problem& problem, const Run& run);
+[[nodiscard]] std::vector<Explanation::Acting> actingOn(const Problem& problem, const Run& run);
 
 } // namespace simulation

@@ -27,8 +27,18 @@ struct BodyState {
 
 // Why a body's motion ended before the finish.
 struct Stop {
+    // The force or link to blame: the n-th of its kind that names the body, from 0. No place in the
+    // text, which changes while the motion stays (report.h finds it).
+    struct Culprit {
+        std::string body;
+        bool isLink = false;
+        std::size_t nth = 0;
+        std::string option; // "-x": whose expression it is; "": the whole element
+        bool operator==(const Culprit&) const = default;
+    };
     double time = 0;
     std::string sentence; // with the elements, the quantity and what to look at
+    std::optional<Culprit> culprit = {};
 };
 
 // One impulse.

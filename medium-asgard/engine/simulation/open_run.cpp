@@ -2,6 +2,7 @@
 
 #include "simulation/cpu_seconds.h"
 #include "simulation/nudge.h"
+#include "simulation/stops.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,57 +10,6 @@
 
 namespace simulation {
 namespace {
-
-std::string timeText(double time) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.6g", time);
-    return text;
-}
-
-std::string sentenceOf(const Problem& problem, const solution::Histories& histories,
-                       const std::vector<std::size_t>& owners, const solution::Stop& stop) {
-    std::string reason = stop.sentence;
-    if (stop.reason == solution::Stop::Reason::notFinite) {
-        std::vector<std::size_t> bodies;
-        for (const std::size_t unknown : stop.unknowns)
-            bodies.push_back(owners[unknown]);
-        // The motion ends at the last time that is finite: what is not, is so just after.
-        for (const double part : {0.0, 1e-12, 1e-9, 1e-6}) {
-            const double after = part * std::max(1.0, std::abs(stop.time));
-            const double before = std::max(problem.start(), stop.time - after);
-            std::vector<double> state;
-            for (std::size_t i = 0; i < histories.unknowns(); ++i) {
-                const double value = 2 * histories.value(i, stop.time) - histories.value(i, before);
-                // Of what is not solved any value will do.
-                state.push_back(std::isnan(value) ? problem.equations.set.unknowns[i].initial
-                                                  : value);
-            }
-            const std::string named =
-                problem.equations.whatIsNotFinite(problem.scene, state, stop.time + after, bodies);
-            if (!named.empty()) {
-                reason = named;
-                break;
-            }
-        }
-    }
-    return "Stopped at t = " + timeText(stop.time) + " s: " + reason + ".";
-}
-
-std::map<std::size_t, Stop> stopsOf(const Problem& problem, const solution::Histories& histories) {
-    std::map<std::size_t, Stop> stops;
-    if (histories.stops().empty())
-        return stops;
-    const std::vector<std::size_t> owners = ownersOf(problem);
-    for (const solution::Stop& stop : histories.stops())
-        for (const std::size_t unknown : stop.unknowns) {
-            const std::size_t body = owners[unknown];
-            const auto place = stops.find(body);
-            if (place == stops.end() || stop.time < place->second.time)
-                stops[body] = {.time = stop.time,
-                               .sentence = sentenceOf(problem, histories, owners, stop)};
-        }
-    return stops;
-}
 
 std::shared_ptr<const solution::TakenMotion> motionOf(const Problem& problem, const Run& before,
                                                       const std::vector<bool>& taken) {
@@ -129,6 +79,11 @@ void OpenRun::makeMachinery(const std::shared_ptr<const solution::TakenMotion>& 
         options.cancelled = [this] { return observer_.cancelled && observer_.cancelled(); };
     if (use_ == Use::again || observer_.progress)
         options.progress = [this](double known) { publish(known); };
+    if (observer_.working)
+        options.working = [this](double time) {
+            if (observer_.working)
+                observer_.working(time);
+        };
     if (problem_.collides())
         machinery_->collisions.emplace(problem_.scene, problem_.equations, problem_.shapes,
                                        problem_.start(), problem_.finish(), limits,
@@ -144,6 +99,12 @@ void OpenRun::makeMachinery(const std::shared_ptr<const solution::TakenMotion>& 
 
 bool OpenRun::canGoOn(const Run* before) const {
     const double finish = problem_.finish();
+    // What gave up on the old finish may well reach the new one.
+    const auto gaveUp = [](const solution::Stop& stop) {
+        return stop.reason == solution::Stop::Reason::tooLong;
+    };
+    if (machinery_ && std::ranges::any_of(machinery_->solver->histories().stops(), gaveUp))
+        return false;
     if (!taken_.empty() && machinery_ && finish > advanced_) {
         const auto untouched = untouchedIn(problem_, *before, std::vector<bool>(taken_.size()));
         for (std::size_t b = 0; b < taken_.size(); ++b)
@@ -170,7 +131,7 @@ void OpenRun::publish(double known) {
     published_ = known;
     Run run;
     run.histories = machinery_->solver->snapshot();
-    run.stops = stopsOf(problem_, *run.histories);
+    run.stops = stopsOf(problem_, *run.histories, known);
     if (machinery_->collisions) {
         run.impacts = machinery_->collisions->impacts(problem_.finish());
         run.notes = machinery_->collisions->notes(problem_.finish());
@@ -183,7 +144,7 @@ Run OpenRun::collect(double until) {
     run.histories = machinery_->solver->snapshot();
     if (furthest_ > until)
         run.histories = run.histories->upTo(until);
-    run.stops = stopsOf(problem_, *run.histories);
+    run.stops = stopsOf(problem_, *run.histories, until);
     run.statistics = machinery_->solver->statistics();
     run.before = std::exchange(counted_, run.statistics);
     if (machinery_->collisions) {
@@ -193,6 +154,8 @@ Run OpenRun::collect(double until) {
         const std::size_t tests = collisions.pairTests();
         run.pairTests = tests - std::exchange(countedPairTests_, tests);
         run.candidates = collisions.candidates();
+        if (problem_.options.explain)
+            run.supports = collisions.supports();
     }
     if (problem_.options.explain)
         run.equations =

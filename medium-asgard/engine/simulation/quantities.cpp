@@ -124,8 +124,9 @@ std::vector<double> Quantities::Implementation::at(double time) const {
         const std::size_t unknown = record.firstUnknown + read.unknown;
         // Past the end of its motion an unknown has no value.
         const solution::Stop* stop = histories.stop(unknown);
-        inputs.push_back(stop && time > stop->time ? std::numeric_limits<double>::quiet_NaN()
-                                                   : histories.value(unknown, time));
+        const double value = histories.value(unknown, time);
+        const bool isOver = (stop && time > stop->time) || std::abs(value) > solution::largestValue;
+        inputs.push_back(isOver ? std::numeric_limits<double>::quiet_NaN() : value);
     }
     tape.evaluate(inputs, values, scratch);
     return values;

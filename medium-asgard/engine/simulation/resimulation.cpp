@@ -44,7 +44,8 @@ bool isSolvedInParts(const scene::Version& version, const Options& options) {
            !version.connections.isBroken;
 }
 
-// What the scene in force does not have in it already.
+// The scene in force has the parameters' values, and a part of it may lack the parameters;
+// accuracy, finish and method it has too, and to be told them twice changes nothing.
 Options ofParts(const Options& options) {
     Options rest = options;
     rest.parameters.clear();
@@ -239,8 +240,14 @@ std::optional<Result> Resimulation::Implementation::solvePart(
     const std::vector<std::size_t> bodies = edit.chosen();
     next = keptOf(before, edit, version);
     auto problem = problemOf(scene::partOf(*version, bodies), ofParts(options), observer);
-    if (std::holds_alternative<std::vector<std::string>>(problem))
-        return std::nullopt;
+    if (const auto* refusal = std::get_if<std::vector<std::string>>(&problem)) {
+        if (!refusal->empty())
+            return std::nullopt;
+        Result result;
+        result.cancelled = true;
+        result.statistics = sum;
+        return result;
+    }
     const auto reserve =
         std::make_shared<Reserve>(std::get<std::shared_ptr<Problem>>(std::move(problem)));
     Observer drafts{.cancelled = observer.cancelled, .progress = {}};
@@ -269,7 +276,9 @@ std::optional<Result> Resimulation::Implementation::solveParts(
     for (const std::size_t body : unclear)
         if (const std::size_t now = edit.difference().after[body]; now != noElement)
             edit.mark(now);
-    KnownMotion next = keptOf(before, edit, version);
+    KnownMotion next;
+    if (edit.solvesNothing())
+        next = keptOf(before, edit, version);
     for (bool open = !edit.solvesNothing(); open;) {
         if (!edit.isPossible())
             return std::nullopt;

@@ -180,6 +180,16 @@ bool RestingBodies::hasFooting(std::size_t a, std::size_t b) const {
     return holds(a, b) || holds(b, a);
 }
 
+std::map<std::size_t, std::vector<std::size_t>> RestingBodies::supports() const {
+    std::map<std::size_t, std::vector<std::size_t>> supports;
+    for (const auto& [body, watch] : resting_)
+        for (const Footing& footing : watch.rest.footings)
+            if (auto& known = supports[body];
+                std::ranges::find(known, footing.support) == known.end())
+                known.push_back(footing.support);
+    return supports;
+}
+
 void RestingBodies::set(std::size_t body, double time, const Rest& rest) {
     if (rest.footings.empty()) {
         forget(body);

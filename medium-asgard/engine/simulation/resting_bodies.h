@@ -33,6 +33,8 @@ public:
 
     [[nodiscard]] bool isAnyResting() const { return !resting_.empty(); }
     [[nodiscard]] bool isResting(std::size_t body) const { return resting_.contains(body); }
+    // What all that rest now bear on, each support once.
+    [[nodiscard]] std::map<std::size_t, std::vector<std::size_t>> supports() const;
     // These parts are in touch for as long as the body rests.
     [[nodiscard]] bool isFooting(std::size_t a, std::size_t partA, std::size_t b,
                                  std::size_t partB) const;

@@ -186,7 +186,7 @@ std::string shortfallOf(double accuracy, double estimate, std::optional<double> 
     char text[200];
     if (predictableUntil && estimate > lost)
         std::snprintf(text, sizeof text,
-                      "From t = %.4g s on the motion is not predictable to %.3g of its size, since "
+                      "From t = %.4g on the motion is not predictable to %.3g of its size, since "
                       "it amplifies even rounding beyond that.",
                       *predictableUntil, accuracy);
     else

@@ -47,6 +47,8 @@ struct Run {
     std::map<std::size_t, Stop> stops; // by body
     std::vector<Impact> impacts;
     std::vector<std::string> notes;
+    // By body that rests or slides at the end: on what; when to be explained.
+    std::map<std::size_t, std::vector<std::size_t>> supports;
     solution::Statistics statistics;
     solution::Statistics before; // what was counted of it before it went on
     std::size_t pairTests = 0;   // since then

@@ -156,8 +156,10 @@ void compareRougher(const Problem& problem, const Run& run, const Observer& sile
 bool tighten(const Problem& problem, const Observer& silent, Tightening& search, KeptRuns& runs,
              Run& run, Solved& solved) {
     while (search.goesOn() && !solved.result.cancelled) {
-        auto tight = runs.next(problem, Kind::compared, search.tight(), silent,
-                               KeptRuns::Base{run, search.runsAgain()});
+        std::optional<KeptRuns::Base> base;
+        if (!problem.options.explain) // what is taken brings no equations with it
+            base.emplace(KeptRuns::Base{run, search.runsAgain()});
+        auto tight = runs.next(problem, Kind::compared, search.tight(), silent, base);
         for (std::size_t b = 0; b < solved.errors.size() && !tight; ++b)
             if (!search.isSettled(b))
                 runs.mark(b);
@@ -196,10 +198,24 @@ bool prove(const Problem& problem, const Run& run, const Observer& silent, Tight
     return search.goesOn();
 }
 
+// Runs that differ from where the motion stops on, or a little before, say what the stop says:
+// until then the accuracy is kept.
+void endWithStops(const Problem& problem, const Run& run, std::vector<BodyError>& errors) {
+    constexpr double lastPart = 0.01;
+    for (const auto& [body, stop] : run.stops) {
+        BodyError& error = errors[body];
+        const double near = stop.time - lastPart * (stop.time - problem.start());
+        if (std::isfinite(error.predictableUntil) && error.predictableUntil >= near)
+            error = {.estimate = std::min(error.estimate, problem.accuracy()),
+                     .predictableUntil = solution::infinity};
+    }
+}
+
 Solved solveToAccuracy(const Problem& problem, const Observer& observer, KeptRuns& runs) {
     Solved solved;
     Tightening search(problem.accuracy(), problem.bodies->size());
-    const Observer silent{.cancelled = observer.cancelled, .progress = {}};
+    const Observer silent{
+        .cancelled = observer.cancelled, .progress = {}, .working = observer.working};
     Run run = *runs.next(problem, Kind::compared, search.loose(), observer);
     addWork(run, solved);
     if (run.cancelled) {
@@ -215,6 +231,7 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer, KeptRun
            prove(problem, run, silent, search, runs, solved)) {
     }
     solved.isEstimated = !solved.result.cancelled;
+    endWithStops(problem, run, solved.errors);
     deliver(problem, std::move(run), solved);
     return solved;
 }

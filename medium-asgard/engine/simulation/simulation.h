@@ -39,6 +39,8 @@ struct Options {
 struct Observer {
     std::function<bool()> cancelled;             // true: stop soon, keep what there is
     std::function<void(MotionPointer)> progress; // a longer motion; any thread
+    // Every now and then, with the time that is worked at, in whichever run; the caller's thread.
+    std::function<void(double time)> working = {};
 };
 
 // Work done, for tests and --stats. Counts are portable; seconds are not.

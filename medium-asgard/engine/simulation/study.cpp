@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace simulation {
 namespace {
@@ -15,7 +16,9 @@ constexpr double referenceAccuracies[] = {1e-12, 1e-10, 1e-8};
 constexpr double referencePatience = 10; // times the limit of a run
 constexpr double visible = 1e-6;         // of the largest velocity
 constexpr double constantEnergy = 1e-6, drifted = 1e-2;
-constexpr double promise = 10; // times the accuracy asked
+constexpr double promise = 10;    // times the accuracy asked
+constexpr double farAway = 1000;  // times as far as anything is
+constexpr double worthless = 0.1; // of the size: an error in the first digit
 
 class Study {
 public:
@@ -31,8 +34,9 @@ private:
     void add(StudyResult& result, const StudyRow& row) const;
     [[nodiscard]] StudyRow row(const std::string& method, std::optional<double> accuracy,
                                std::optional<double> step) const;
+    [[nodiscard]] bool hasLeft(const ComputedMotion& motion) const;
     void judge(const Options& options, const Result& run, StudyRow& row) const;
-    void markAuto(std::vector<StudyRow>& rows) const;
+    void markAuto(StudyResult& result) const;
 
     const scene::Scene& scene_;
     const Options& options_;
@@ -75,9 +79,14 @@ bool Study::prepare(StudyResult& result) {
         if (!run.motion || (run.cancelled && accuracy != std::end(referenceAccuracies)[-1]))
             continue;
         if (run.cancelled || run.motion->computed() < run.motion->finish()) {
-            result.refusal.push_back("The reference motion was not finished in " +
-                                     std::to_string(referencePatience * plan_.limit) +
-                                     " s; a longer --limit or a shorter motion may help.");
+            char text[200];
+            std::snprintf(
+                text, sizeof text,
+                "The motion that the others are compared with was not finished in %g s of "
+                "processor time; a longer --limit (it gets %g of them) or a shorter "
+                "motion may help.",
+                referencePatience * plan_.limit, referencePatience);
+            result.refusal.emplace_back(text);
             return false;
         }
         result.referenceAccuracy = accuracy;
@@ -111,13 +120,34 @@ StudyRow Study::row(const std::string& method, std::optional<double> accuracy,
     return row;
 }
 
+// Far from where anything is: what grows without bound is slow to search for collisions, too.
+bool Study::hasLeft(const ComputedMotion& motion) const {
+    double largest = 0;
+    for (std::size_t i = 0; i < truth_.times.size(); ++i)
+        for (std::size_t b = 0; b < island_.size(); ++b)
+            if (const auto& place = truth_.places[i][b])
+                largest = std::max({largest, place->position.cwiseAbs().maxCoeff(),
+                                    (*problem_->bodies)[b].radius});
+    const solution::Histories& histories = motion.histories();
+    for (std::size_t b = 0; b < island_.size(); ++b)
+        for (std::size_t axis = 0; axis < 3 && !(*problem_->bodies)[b].isFixed; ++axis) {
+            const std::size_t unknown = (*problem_->bodies)[b].firstUnknown + axis;
+            const double until = std::min(histories.reached(unknown), motion.finish());
+            if (!(std::abs(histories.value(unknown, until)) <= farAway * largest))
+                return true;
+        }
+    return false;
+}
+
 void Study::judge(const Options& options, const Result& run, StudyRow& row) const {
     using Reason = solution::Stop::Reason;
-    if (run.cancelled || !run.motion) {
-        row.status = run.cancelled ? Status::tooSlow : Status::notReached;
+    const auto motion = std::dynamic_pointer_cast<const ComputedMotion>(run.motion);
+    if (!motion || run.cancelled) {
+        row.status = motion && hasLeft(*motion) ? Status::unstable
+                     : run.cancelled            ? Status::tooSlow
+                                                : Status::notReached;
         return;
     }
-    const auto motion = std::dynamic_pointer_cast<const ComputedMotion>(run.motion);
     const auto stops = motion->histories().stops();
     const auto stoppedBy = [&](Reason reason) {
         return std::ranges::any_of(stops, [&](const auto& s) { return s.reason == reason; });
@@ -129,7 +159,12 @@ void Study::judge(const Options& options, const Result& run, StudyRow& row) cons
     // within what was asked.
     const bool isAtTheEdge = row.accuracy && run.statistics.factorisations == 0;
     const bool refused = run.statistics.unconvergedSteps > run.statistics.steps;
-    if (stoppedBy(Reason::overflow) || stoppedBy(Reason::notFinite))
+    const auto& truth = dynamic_cast<const ComputedMotion&>(*reference_).histories().stops();
+    const bool isScenes = std::ranges::any_of(
+        truth, [](const auto& stop) { return stop.reason == Reason::notFinite; });
+    if (stoppedBy(Reason::notFinite) && isScenes)
+        row.status = Status::notFinite;
+    else if (stoppedBy(Reason::overflow) || stoppedBy(Reason::notFinite))
         row.status = Status::unstable;
     else if (stoppedBy(Reason::notConverged) || refused)
         row.status = Status::newton;
@@ -143,35 +178,44 @@ void Study::judge(const Options& options, const Result& run, StudyRow& row) cons
     else if (const auto energy = energyCourse(scene_, options, run.motion, *problem_->bodies);
              energyIsKept_ && energy && std::abs(energy->drift) > drifted)
         row.status = Status::drift;
-    else if (row.accuracy && error > promise * *row.accuracy)
+    else if (error > (row.accuracy ? promise * *row.accuracy : worthless))
         row.status = Status::notReached;
 }
 
-// The method that most steps of `auto` are made with, at the accuracy in the study that is nearest
-// to the scene's; where it is not among the methods, the row of `auto` itself.
-void Study::markAuto(std::vector<StudyRow>& rows) const {
-    Options options = options_;
-    options.method = "auto";
-    const Result run = runFor(plan_.limit, options);
-    std::map<std::string, std::size_t> steps;
-    for (const ComponentStatistics& component : run.statistics.componentList)
-        steps[component.method] += component.steps;
-    const auto most = std::ranges::max_element(steps, {}, [](const auto& s) { return s.second; });
-    for (const std::string& method :
-         {most == steps.end() ? "auto" : most->first, std::string("auto")}) {
-        StudyRow* nearest = nullptr;
+// At the accuracy in the study that is nearest to the scene's: the row of `auto`, or, when that is
+// not among the methods, the one of the method that most of its steps are made with.
+void Study::markAuto(StudyResult& result) const {
+    StudyRow* nearest = nullptr;
+    const auto consider = [&](const std::string& method) {
         const auto distance = [&](const StudyRow& row) {
             return std::abs(std::log(*row.accuracy / problem_->accuracy()));
         };
-        for (StudyRow& row : rows)
+        for (StudyRow& row : result.rows)
             if (row.method == method && row.accuracy &&
                 (!nearest || distance(row) < distance(*nearest)))
                 nearest = &row;
-        if (nearest) {
-            nearest->isAuto = true;
-            return;
-        }
-    }
+    };
+    Options options = options_;
+    options.method = "auto";
+    consider("auto");
+    if (nearest)
+        options.accuracy = nearest->accuracy;
+    std::map<std::string, std::size_t> steps;
+    for (const ComponentStatistics& c : runFor(plan_.limit, options).statistics.componentList)
+        if (c.model == "closed-form")
+            steps.try_emplace("closed form", 0);
+        else
+            steps[c.method] += c.steps;
+    std::vector<std::pair<std::size_t, std::string>> order;
+    for (const auto& [method, count] : steps)
+        order.emplace_back(count, method);
+    std::ranges::stable_sort(order, std::greater<>(), [](const auto& o) { return o.first; });
+    for (const auto& [count, method] : order)
+        result.autoTakes += (result.autoTakes.empty() ? "" : ", ") + method;
+    if (!nearest && !order.empty())
+        consider(order[0].second);
+    if (nearest)
+        nearest->isAuto = true;
 }
 
 StudyResult Study::result() {
@@ -187,7 +231,7 @@ StudyResult Study::result() {
                 add(result, row(method, std::nullopt, step));
     }
     if (!cancelled())
-        markAuto(result.rows);
+        markAuto(result);
     return result;
 }
 
@@ -207,6 +251,8 @@ const char* nameOf(Status status) {
         return "newton";
     case Status::tooSlow:
         return "too_slow";
+    case Status::notFinite:
+        return "not_finite";
     case Status::notReached:
         break;
     }

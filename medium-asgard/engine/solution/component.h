@@ -33,7 +33,6 @@ namespace solution {
     return options.fixedStep ? 1 + 1e-9 : 1.01;
 }
 
-inline constexpr double largestValue = 1e100; // of anything; beyond it motion ends
 inline constexpr double heldPart = 1e-3; // of the tolerance, that polynomials of held values err by
 
 // Below this a step does not move time by more than rounding.
@@ -137,6 +136,7 @@ private:
     [[nodiscard]] bool isUnseen(double h);
     void findPlainRate();
     void stepHeld();
+    [[nodiscard]] bool isHopeless() const;
     void integrate();
     [[nodiscard]] bool beginMethod();
     [[nodiscard]] std::unique_ptr<Method> chooseMethod();
@@ -146,6 +146,7 @@ private:
     [[nodiscard]] double longest() const; // that the next step may be, by what is watched
     [[nodiscard]] std::optional<double> overlooked(double h, double until);
     void lookCloser(double at, double h);
+    [[nodiscard]] bool isInvented(const Violation& found, double h);
     [[nodiscard]] bool overflows();
     void refuse(const Attempt& attempt, double h);
     void stopAtUnderflow(Attempt::Outcome outcome, double h);
@@ -204,6 +205,7 @@ private:
     std::optional<std::size_t> ends_; // an input's motion ends at limit_
     WatchedTimes watched_;
     double suspect_ = -infinity; // a watched time that a step passed over
+    int invented_ = 0;           // switches in a row that were not believed
     bool fresh_ = true;          // the next piece begins at an event
 
     std::size_t immediate_ = 0; // switches since time last advanced

@@ -84,6 +84,9 @@ public:
     void decide(double t, std::span<double> y);
     [[nodiscard]] std::size_t watches() const { return watches_.size(); }
     void watch(double t, std::span<const double> y, std::span<double> values);
+    // At its time the rates lead away from all its surfaces, to the sides that hold: what crosses
+    // them is an error of polynomials, where a guard is smaller than that.
+    [[nodiscard]] bool contradicts(const Violation& violation, double t, std::span<const double> y);
     enum class Crossing { done, impossible };
     // Passes the surfaces of those watches, or slides on them; y is put onto surfaces of sliding.
     [[nodiscard]] Crossing cross(const Violation& violation, double t, std::span<double> y,
@@ -115,6 +118,7 @@ private:
     [[nodiscard]] Slope guardRate(std::size_t surface, std::span<const double> rates);
     [[nodiscard]] bool weigh(); // weights_ and rates of sliding at what fill() was given
     void settleOn(std::size_t surface);
+    [[nodiscard]] bool leadsInside(const Watch& watch);
     void field(); // rates into out_, whether sliding or not
     [[nodiscard]] double guard(std::size_t surface) const; // after evaluating guards_
     [[nodiscard]] bool isRight(std::size_t surface);

@@ -61,4 +61,28 @@ void Component::lookCloser(double at, double h) {
                     h);
 }
 
+// A motion that starts on a surface, or next to it, and leaves it by less than a step may err by:
+// polynomials cross it there and back, and shorter steps do not. Where rates amplify what
+// polynomials may err by, they tell nothing.
+bool Component::isInvented(const Violation& found, double h) {
+    constexpr int patience = 16;
+    if (options_.fixedStep || method_->implicit() || invented_ >= patience ||
+        0.5 * h <= shortestStep(time_))
+        return false;
+    std::vector<double> y(columns_.size());
+    const double s = (found.time - time_) / h;
+    for (std::size_t i = 0; i < y.size(); ++i)
+        y[i] = evaluate(columns_[i], s);
+    if (found.time <= time_) { // what a switch put on the wrong side is not there by an error
+        std::vector<double> values(equations_->watches());
+        equations_->watch(time_, y, values);
+        if (std::ranges::any_of(found.watches, [&](std::size_t k) { return values[k] < 0; }))
+            return false;
+    }
+    if (!equations_->contradicts(found, found.time, y))
+        return false;
+    ++invented_;
+    return true;
+}
+
 } // namespace solution

@@ -333,6 +333,23 @@ bool ComponentEquations::follow(std::size_t surface, std::span<const double> rat
     return decision != before;
 }
 
+bool ComponentEquations::leadsInside(const Watch& watch) {
+    const Surface& surface = model_.surfaces()[watch.surface];
+    if (watch.kind != Watch::Kind::side || surface.whole || sides_[watch.surface] == onSurface)
+        return false;
+    const std::vector<double> now = out_;
+    const Slope slope = guardRate(watch.surface, now);
+    return !slope.still && slope.rate * sides_[watch.surface] > slope.noise;
+}
+
+bool ComponentEquations::contradicts(const Violation& violation, double t,
+                                     std::span<const double> y) {
+    fill(t, y);
+    field();
+    return std::ranges::all_of(violation.watches,
+                               [this](std::size_t k) { return leadsInside(watches_[k]); });
+}
+
 ComponentEquations::Crossing ComponentEquations::cross(const Violation& violation, double t,
                                                        std::span<double> y, bool insist) {
     fill(t, y);

@@ -82,7 +82,14 @@ void Component::step() {
     }
     if (history_->size() > options_.maximumSteps) { // what events threw away does not count
         end(Stop::Reason::tooManySteps, {},
-            "more than " + std::to_string(options_.maximumSteps) + " steps for " + names({0}));
+            "more than " + std::to_string(options_.maximumSteps) + " steps for " + names({0}) +
+                "; finish earlier, or ask for less accuracy");
+        return;
+    }
+    if (isHopeless()) {
+        end(Stop::Reason::tooLong, {},
+            "at the steps that " + names({0}) +
+                " needs, the finish is more than a billion of them away; finish earlier");
         return;
     }
     equations_->inputs().window(limit_);
@@ -110,6 +117,19 @@ void Component::step() {
         integrate();
 }
 
+// More than a billion steps to the finish, at the pace of late, if that does not grow.
+bool Component::isHopeless() const {
+    constexpr std::size_t first = 8192;
+    constexpr double most = 1e9, steady = 1.25;
+    const std::size_t n = history_->size();
+    if (n < first || (n & (n - 1)) != 0)
+        return false;
+    const double third = history_->step(3 * n / 4).origin;
+    const double early = third - history_->step(n / 2).origin, late = time_ - third;
+    return late < steady * early &&
+           options_.finish - time_ > most / static_cast<double>(n / 4) * late;
+}
+
 // ---------------------------------------------------------------------------------------------
 // Integration
 
@@ -129,7 +149,7 @@ bool Component::beginMethod() {
     counts_.why = options_.method != "auto" ? "asked for"
                   : method_->implicit()     ? "stiffness bounds explicit steps"
                   : quadrature              ? "a function of time and of what is solved upstream"
-                                            : "not stiff";
+                                            : "explicit steps cost less than implicit ones";
     const std::vector<double> y = stateValues();
     if (!method_->begin(time_, y)) {
         endWithoutRate(time_, y);
@@ -218,6 +238,10 @@ void Component::finish(double to) {
     columns_.resize(equations_->states().size());
     method_->dense(columns_);
     const auto found = violation(time_, to, h, columns_);
+    if (found && isInvented(*found, h)) {
+        lookCloser(time_, h);
+        return;
+    }
     if (found && found->time <= time_) {
         pass(*found, true);
         return;
@@ -227,6 +251,7 @@ void Component::finish(double to) {
         lookCloser(*at, h);
         return;
     }
+    invented_ = 0;
     ++counts_.steps;
     ++counts_.integratedSteps;
     counts_.integratedFrom = std::min(counts_.integratedFrom, time_);

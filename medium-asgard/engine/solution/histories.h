@@ -20,6 +20,8 @@
 
 namespace solution {
 
+inline constexpr double largestValue = 1e100; // of anything; beyond it motion ends
+
 // Why the motion of some unknowns ended before the finish.
 struct Stop {
     enum class Reason {
@@ -31,6 +33,7 @@ struct Stop {
         decisions,     // switching expressions flip without time advancing
         algebraicLoop, // held values that are defined by each other
         tooManyEvents, // more events at one instant than Options::maximumEventsAtOnce
+        tooLong,       // at this pace the finish is farther away than any computer gets
         inputEnded,    // an unknown that this one reads ended
         source,        // the source of events ended it
     };

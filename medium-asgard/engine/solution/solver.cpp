@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace solution {
 
@@ -135,9 +136,12 @@ Component& Solver::Implementation::readyFor(Component& component) {
 }
 
 // On the calling thread only: what is asked there need not know of others.
-void Solver::Implementation::poll() {
+void Solver::Implementation::poll(double time) {
+    constexpr std::size_t seldom = 256;
     if (!cancelled_ && options_.cancelled && options_.cancelled())
         cancelled_ = true;
+    if (options_.working && ++polls_ % seldom == 0)
+        options_.working(time);
 }
 
 void Solver::Implementation::advanceGroup(std::size_t group, double until) {
@@ -146,7 +150,7 @@ void Solver::Implementation::advanceGroup(std::size_t group, double until) {
         return advanceAlone(schedule_.components(group)[0], until, isCaller);
     for (bool any = true; !cancelled_; any = false) {
         if (isCaller)
-            poll();
+            poll(components_[schedule_.components(group)[0]]->time());
         const auto behind = schedule_.next(group, until, any, !options_.eventDriven);
         if (!behind || cancelled_)
             return;
@@ -165,7 +169,7 @@ void Solver::Implementation::advanceAlone(std::size_t place, double until, bool 
     Component& component = *components_[place];
     for (bool any = options_.eventDriven; !cancelled_; any = false) {
         if (isCaller)
-            poll();
+            poll(component.time());
         if (cancelled_ || component.ended() || !(any || component.time() < until))
             break;
         (void)readyFor(component);
@@ -194,7 +198,7 @@ void Solver::Implementation::doRound(double until) {
         for (std::size_t piece = 0; piece < pieces; ++piece)
             advance(piece);
     else
-        workers_.forEach(pieces, advance, [this] { poll(); });
+        workers_.forEach(pieces, advance, [this] { poll(histories_.known_); });
     for (const std::size_t group : round.groups)
         schedule_.settle(group);
     if (stopsChanged_)
@@ -213,7 +217,7 @@ void Solver::Implementation::run(double finish, Advance& advance) {
     double told = histories_.known_;
     cancelled_ = false;
     for (;;) {
-        poll();
+        poll(histories_.known_);
         doRound(roundsEnd(finish));
         if (cancelled_) {
             advance.cancelled = true;
@@ -226,10 +230,10 @@ void Solver::Implementation::run(double finish, Advance& advance) {
             bool event = false;
             while (ask && !cancelled_ && !disturbed_ && handleEvents(finish)) {
                 event = true;
-                poll();
+                poll(lastEvent_);
             }
             if (ask) // a source that was interrupted has not said that nothing happens
-                poll();
+                poll(histories_.known_);
             advance.cancelled = cancelled_;
             advance.disturbed = disturbed_;
             if (advance.cancelled || disturbed_)
@@ -249,6 +253,7 @@ Advance Solver::Implementation::advanceTo(double finish) {
     Advance advance;
     if (!std::isfinite(finish)) // nobody can wait for that
         finish = histories_.known_;
+    options_.finish = finish;
     run(finish, advance);
     histories_.known_ = std::min(known(), finish);
     advance.reached = histories_.known_;

@@ -98,9 +98,13 @@ struct Options {
     std::size_t threads = 1; // 0: as many as the machine has cores; the motion is the same
     std::size_t maximumSteps = 20'000'000; // of one component
     std::size_t maximumEventsAtOnce = 10'000;
+    // Where it is to go, which advanceTo() says: what would take more than a billion steps or
+    // events at the pace it has come to ends, and says so. Nothing else depends on it.
+    double finish = infinity;
     std::shared_ptr<const TakenMotion> taken; // may be null
     std::function<bool()> cancelled;          // polled between steps, on the thread of advanceTo()
     std::function<void(double known)> progress; // known grew; snapshot() may be called from here
+    std::function<void(double time)> working;   // every now and then, as cancelled is polled
 };
 
 // Every name that Options::method takes, without "auto".

@@ -26,6 +26,10 @@ bool Solver::Implementation::handleEvents(double finish) {
     apply(placed);
     if (disturbed_)
         return true;
+    if (isHopelessAt(time, past_.events))
+        stopAll(time, "events follow each other so fast that the finish is more than a billion of "
+                      "them away; finish earlier");
+    notePace(time);
     if (eventsAtOnce_ > 2 * options_.maximumEventsAtOnce) // nothing that it touches moves any more
         return false;
     if (eventsAtOnce_ >= options_.maximumEventsAtOnce)
@@ -178,6 +182,37 @@ void Solver::Implementation::noteStops() {
             histories_.tracks_[u].stop = histories_.stops_.size();
         histories_.stops_.push_back(*component->stop());
     }
+}
+
+// As Component::isHopeless() is of steps.
+bool Solver::Implementation::isHopelessAt(double time, std::size_t events) const {
+    constexpr std::size_t first = 16'384;
+    constexpr double most = 1e9, steady = 1.25;
+    if (events < first || (events & (events - 1)) != 0 || !std::isfinite(quarter_))
+        return false;
+    const double late = time - half_, early = half_ - quarter_;
+    return late < 2 * steady * early &&
+           options_.finish - time > most / static_cast<double>(events / 2) * late;
+}
+
+void Solver::Implementation::notePace(double time) {
+    if ((past_.events & (past_.events - 1)) == 0)
+        quarter_ = std::exchange(half_, time);
+}
+
+void Solver::Implementation::stopAll(double time, const std::string& sentence) {
+    std::vector<std::size_t> all;
+    for (std::size_t c = 0; c < components_.size(); ++c)
+        if (components_[c] && !components_[c]->ended())
+            all.push_back(c);
+    land(all);
+    goBack(all, time);
+    for (const std::size_t c : all)
+        components_[c]->end(Stop::Reason::tooLong, {}, sentence);
+    stopsChanged_ = true;
+    for (const std::size_t c : all)
+        schedule_.changed(c);
+    noteStops();
 }
 
 } // namespace solution

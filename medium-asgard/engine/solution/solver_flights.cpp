@@ -14,7 +14,7 @@ namespace solution {
 bool Solver::Implementation::turn(double time, std::span<Turn> turns) {
     const std::size_t atOnce = time > lastEvent_ ? 1 : eventsAtOnce_ + 1;
     if (!(time >= lastEvent_ && time >= options_.start) || atOnce >= options_.maximumEventsAtOnce ||
-        !staysInPlane(time, turns))
+        isHopelessAt(time, past_.events + 1) || !staysInPlane(time, turns))
         return false;
     for (Turn& one : turns) // those before one that cannot are turned again by the event
         if (!turn(time, one))
@@ -22,6 +22,8 @@ bool Solver::Implementation::turn(double time, std::span<Turn> turns) {
     eventsAtOnce_ = atOnce;
     lastEvent_ = asked_ = time;
     ++past_.events;
+    notePace(time);
+    poll(time);
     return true;
 }
 

@@ -53,7 +53,7 @@ private:
     void doRound(double until);
     void advanceGroup(std::size_t group, double until);
     void advanceAlone(std::size_t place, double until, bool isCaller);
-    void poll();
+    void poll(double time);
     [[nodiscard]] Component& readyFor(Component& component);
     [[nodiscard]] double known() const { return schedule_.known(); }
 
@@ -97,6 +97,9 @@ private:
                                                    const std::vector<std::size_t>& woken);
     void retire(Component& component);
     void stopFor(const Event& event, Stop::Reason reason, const std::string& sentence);
+    [[nodiscard]] bool isHopelessAt(double time, std::size_t events) const;
+    void notePace(double time);
+    void stopAll(double time, const std::string& sentence);
     void noteStops();
 
     std::vector<Flight> flights_;
@@ -118,6 +121,8 @@ private:
 
     Statistics past_; // of components that replaced equations ended, and of events
     double lastEvent_ = -infinity;
+    double half_ = -infinity, quarter_ = -infinity; // when as many events had been, at powers of 2
+    std::size_t polls_ = 0;
     std::size_t eventsAtOnce_ = 0;
     bool disturbed_ = false;   // an event touched what was taken
     double asked_ = -infinity; // the source has answered up to here

@@ -69,6 +69,32 @@ TEST(Surfaces, GuardsThatDifferInSignAreOneSurface) {
     EXPECT_EQ(members, 7u);
 }
 
+// v' = f(t) - v |v| / 2 from rest, f = 5 exp(-(t - 6.37)^2): 1e-17 at first, far less than a step
+// may err by, so that polynomials cross v = 0 where the motion never does. Reference: RK4 in 2e6
+// steps.
+TEST(Switches, AStartBelowAllErrorsDoesNotSwitch) {
+    double v = 0, x = 0;
+    constexpr int steps = 2'000'000;
+    constexpr double h = 10.0 / steps;
+    const auto rate = [](double t, double w) {
+        return 5 * std::exp(-(t - 6.37) * (t - 6.37)) - 0.5 * w * std::abs(w);
+    };
+    for (int i = 0; i < steps; ++i) {
+        const double t = i * h, a = rate(t, v), b = rate(t + h / 2, v + h / 2 * a),
+                     c = rate(t + h / 2, v + h / 2 * b), d = rate(t + h, v + h * c);
+        x += h * v + h * h / 6 * (a + b + c);
+        v += h / 6 * (a + 2 * b + 2 * c + d);
+    }
+    for (const double accuracy : {1e-3, 1e-6, 1e-9}) {
+        const Solver solver =
+            solved(equationsOf({{"x", "dx", 0, 1}, {"dx", "5*exp(-(t-6.37)^2)-0.5*dx*abs(dx)", 0}}),
+                   10, tolerance(accuracy));
+        ASSERT_EQ(solver.histories().stop(1), nullptr) << accuracy;
+        EXPECT_NEAR(solver.histories().value(0, 10), x, 100 * accuracy);
+        EXPECT_LE(solver.statistics().switches, 2u);
+    }
+}
+
 // A spring that only pushes: free flight, then half an oscillation.
 TEST(Switches, AContactSpringIsEnteredAndLeftAtItsRoots) {
     // x0 = 1, g = 10; contact at t1 = sqrt(2/10) with v1 = -sqrt(20).

@@ -1,0 +1,55 @@
+#include "batch/waiting.h"
+
+#include <cstdio>
+
+#include <unistd.h>
+
+namespace batch {
+namespace {
+
+constexpr std::chrono::seconds patience{2}, longPatience{10};
+constexpr std::chrono::milliseconds interval{500};
+
+} // namespace
+
+Waiting::Waiting()
+    : begin_(Clock::now()), next_(begin_), isTerminal_(::isatty(STDERR_FILENO) == 1) {
+    next_ += isTerminal_ ? patience : longPatience;
+}
+
+Waiting::~Waiting() {
+    if (shown_ > 0)
+        std::fprintf(stderr, "\r%*s\r", static_cast<int>(shown_), "");
+}
+
+void Waiting::say(const std::string& sentence) {
+    const auto now = Clock::now();
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now - begin_).count();
+    const std::string line = "asgard: " + sentence + " (" + std::to_string(seconds) + " s so far)";
+    if (!isTerminal_) {
+        std::fprintf(stderr, "%s\n", line.c_str());
+        next_ = now + (now - begin_);
+        return;
+    }
+    const std::size_t rest = shown_ > line.size() ? shown_ - line.size() : 0;
+    std::fprintf(stderr, "\r%s%*s", line.c_str(), static_cast<int>(rest), "");
+    std::fflush(stderr);
+    shown_ = line.size();
+    next_ = now + interval;
+}
+
+simulation::Result simulated(const scene::Scene& scene, const simulation::Options& options) {
+    Waiting waiting;
+    simulation::Observer observer;
+    const double finish = options.finish.value_or(scene.simulator.finish);
+    observer.working = [&](double time) {
+        if (!waiting.isTime())
+            return;
+        char text[100];
+        std::snprintf(text, sizeof text, "computing, at t = %.6g of %.6g", time, finish);
+        waiting.say(text);
+    };
+    return simulation::simulate(scene, options, observer);
+}
+
+} // namespace batch

@@ -1,0 +1,82 @@
+// Which force ends a motion is told by its values.
+#include "physics/blame.h"
+
+#include "physics/testing.h"
+
+#include <gtest/gtest.h>
+
+namespace physics {
+namespace {
+
+using testing::ballAndRod;
+
+std::vector<std::string> notFinite(const scene::Scene& scene, const EquationsOfMotion& motion,
+                                   const std::vector<double>& state, double time) {
+    std::vector<std::string> found;
+    for (const Blame& blame : whatIsNotFinite(motion, {state, time}))
+        found.push_back(inWords(scene, motion, blame) + optionOf(blame));
+    return found;
+}
+
+using Words = std::vector<std::string>;
+
+TEST(Blame, AForceThatIsNotFiniteIsNamed) {
+    scene::Scene scene = ballAndRod();
+    scene.forces = {testing::force("ball", "1", "1/ball.x", "0"),
+                    testing::force("rod", "1", "0", "0")};
+    const EquationsOfMotion motion(scene);
+    std::vector<double> state(motion.set.unknowns.size(), 0.5);
+    EXPECT_EQ(notFinite(scene, motion, state, 0), Words());
+    state[0] = 0;
+    EXPECT_EQ(
+        notFinite(scene, motion, state, 0),
+        Words{"the force on body \"ball\" is not finite: its y, \"1/ball.x\", is infinite-y"});
+}
+
+// A couple makes no force, and a force in the body's axes another than is written.
+TEST(Blame, WhatIsNotFiniteIsNamedAsItIsWritten) {
+    scene::Scene scene = ballAndRod();
+    scene.forces = {testing::force("rod", "0", "0", "log(-t)"),
+                    testing::force("ball", "0", "sqrt(rod.x-1)", "0")};
+    scene.forces[0].couple = true;
+    std::get<scene::ComponentForce>(scene.forces[1].kind).frame = scene::Frame::body;
+    const EquationsOfMotion motion(scene);
+    const std::vector<double> state(motion.set.unknowns.size(), 0.5);
+    EXPECT_EQ(notFinite(scene, motion, state, 1),
+              (Words{"the force on body \"rod\" is not finite: its z, \"log(-t)\", is not a "
+                     "number-z",
+                     "the force on body \"ball\" is not finite: its y, \"sqrt(rod.x-1)\", is not a "
+                     "number-y"}));
+}
+
+TEST(Blame, AtAPoleTheForceThatGrowsIsNamed) {
+    scene::Scene scene = ballAndRod();
+    scene.forces = {testing::force("ball", "1e9", "0", "0"),
+                    testing::force("ball", "0", "0", "1/(2-t)^2")};
+    const EquationsOfMotion motion(scene);
+    const std::vector<double> state(motion.set.unknowns.size(), 0.5);
+    const auto growing = whatGrows(motion, {state, 0}, {state, 2 - 1e-10});
+    ASSERT_TRUE(growing);
+    EXPECT_EQ(inWords(scene, motion, *growing),
+              "the force on body \"ball\" grows without bound: its z, \"1/(2-t)^2\", is 1e+20");
+    EXPECT_FALSE(whatGrows(motion, {state, 0}, {state, 1}));
+}
+
+TEST(Blame, LongExpressionsAreShown) {
+    scene::Scene scene = ballAndRod();
+    std::string sum = "1/t";
+    for (int i = 0; i < 100; ++i)
+        sum += " + " + std::to_string(i);
+    scene.forces = {testing::force("ball", sum, "0", "0")};
+    const EquationsOfMotion motion(scene);
+    const std::vector<double> state(motion.set.unknowns.size(), 0.5);
+    const Words found = notFinite(scene, motion, state, 0);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NE(found[0].find("\"1/t + 0 + 1 + 2"), std::string::npos) << found[0];
+    EXPECT_NE(found[0].find(" ... "), std::string::npos) << found[0];
+    EXPECT_NE(found[0].find(" + 98 + 99\","), std::string::npos) << found[0];
+    EXPECT_LT(found[0].size(), 170u);
+}
+
+} // namespace
+} // namespace physics

@@ -1,0 +1,140 @@
+// What an author reads when a motion ends.
+#include "simulation/report.h"
+#include "simulation/resimulation_testing.h"
+
+#include <cmath>
+
+namespace simulation {
+namespace {
+
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using testing::SceneBuilder;
+
+scene::Scene pushed(const std::string& force, double finish = 10) {
+    SceneBuilder b(finish, 1e-4);
+    b.ball("b", {1, 0, 0});
+    b.force("b", "0", "1", "0").source.line = 3;
+    b.force("b", force, "0", "0");
+    scene::Source& source = b.scene.forces.back().source;
+    source.line = 4;
+    source.column = 1;
+    source.arguments.push_back({.option = "-x", .word = {30, 40}, .literal = true});
+    return b.scene;
+}
+
+// 1/(2-t) is infinite at no double near 2 but at 2 itself: its integral is what has no value.
+TEST(Stops, APoleIsBlamedOnTheForceThatHasIt) {
+    const scene::Scene scene = pushed("1/(2-t)^2");
+    const Result result = simulate(scene);
+    const auto stop = result.motion->stop(0);
+    ASSERT_TRUE(stop);
+    EXPECT_NEAR(stop->time, 2, 1e-3);
+    EXPECT_THAT(stop->sentence, HasSubstr("the force on body \"b\" grows without bound: its x, "
+                                          "\"1/(2-t)^2\", is "));
+    EXPECT_THAT(stop->sentence, HasSubstr("finish earlier"));
+    EXPECT_EQ(stop->culprit, (Stop::Culprit{"b", false, 1, "-x"}));
+    const auto report = reportOf(scene, *result.motion);
+    ASSERT_EQ(report.size(), 1u) << "a stop, and no horizon beside it";
+    EXPECT_EQ(report[0].line, 4);
+    EXPECT_EQ(report[0].range, (scene::Range{30, 40}));
+}
+
+TEST(Stops, AMotionThatBlowsUpSaysSoOnce) {
+    const scene::Scene scene = pushed("10*b.x^2");
+    const Result result = simulate(scene);
+    const auto report = reportOf(scene, *result.motion);
+    ASSERT_EQ(report.size(), 1u);
+    EXPECT_EQ(report[0].severity, scene::Severity::error);
+    EXPECT_THAT(report[0].message, HasSubstr("its x, \"10*b.x^2\", is "));
+    EXPECT_FALSE(result.motion->predictableUntil());
+}
+
+TEST(Stops, WhatIsNotANumberIsNamedWithItsExpression) {
+    const auto stop = simulate(pushed("sqrt(1-t)")).motion->stop(0);
+    ASSERT_TRUE(stop);
+    EXPECT_THAT(stop->sentence,
+                HasSubstr("Stopped at t = 1: the force on body \"b\" is not finite: "
+                          "its x, \"sqrt(1-t)\", is not a number"));
+}
+
+// x = 1 + v t, and the same one with a weight, thrown up and falling.
+TEST(Stops, MotionInClosedFormEndsWhereItGoesOver1e100) {
+    SceneBuilder b(1e60, 1e-4);
+    b.ball("far", {1, 0, 0}).initialVelocity = {1e50, 0, 0};
+    b.ball("up", {0, 5, 0}).initialVelocity = {0, 3, 0};
+    b.weight("up");
+    b.ball("near", {0, 0, 9}).initialVelocity = {0, 0, 1};
+    const Result result = simulate(b.scene);
+    ASSERT_TRUE(result.motion->stop(0));
+    EXPECT_NEAR(result.motion->stop(0)->time / 1e50, 1, 1e-9);
+    EXPECT_THAT(result.motion->stop(0)->sentence, EndsWith("far.x grows over 1e100."));
+    // 9.81 t^2 / 2 = 1e100
+    ASSERT_TRUE(result.motion->stop(1));
+    EXPECT_NEAR(result.motion->stop(1)->time / std::sqrt(2e100 / 9.81), 1, 1e-9);
+    EXPECT_THAT(result.motion->stop(1)->sentence, EndsWith("up.y grows over 1e100."));
+    EXPECT_FALSE(result.motion->stop(2));
+}
+
+// Up to 0.9e100 and down again: nothing ends. A little higher, and it does.
+TEST(Stops, WhatTurnsBackBefore1e100GoesOn) {
+    for (const double height : {0.9e100, 1.1e100}) {
+        SceneBuilder b(2 * std::sqrt(2 * height / testing::g), 1e-4);
+        b.ball("b", {0, 0, 0}).initialVelocity = {0, std::sqrt(2 * height * testing::g), 0};
+        b.weight("b");
+        EXPECT_EQ(simulate(b.scene).motion->stop(0).has_value(), height > 1e100) << height;
+    }
+}
+
+scene::Scene orbit(double finish) {
+    SceneBuilder b(finish, 1e-4);
+    b.ball("b", {1, 0, 0}).initialVelocity = {0, 1, 0};
+    b.force("b", "-b.x/hypot(b.x,b.y)^3", "-b.y/hypot(b.x,b.y)^3", "0");
+    return b.scene;
+}
+
+TEST(Stops, AFinishThatIsNeverReachedIsSaidAtOnce) {
+    const Result result = simulate(orbit(1e99));
+    ASSERT_TRUE(result.motion->stop(0));
+    EXPECT_THAT(result.motion->stop(0)->sentence, HasSubstr("more than a billion"));
+    EXPECT_LT(result.statistics.steps, 100'000u);
+    EXPECT_GT(result.motion->stop(0)->time, 100);
+}
+
+TEST(Stops, EventsThatNeverEndAreSaidAtOnce) {
+    SceneBuilder b(1e99, 1e-4);
+    b.floor();
+    b.ball("b", {0, 1, 0});
+    b.weight("b");
+    const Result result = simulate(b.scene);
+    ASSERT_TRUE(result.motion->stop(1));
+    EXPECT_THAT(result.motion->stop(1)->sentence, HasSubstr("more than a billion"));
+}
+
+// Steps that grow for ever reach any finish.
+TEST(Stops, WhatSlowsDownGetsThere) {
+    SceneBuilder b(1e60, 1e-4);
+    b.ball("b", {0, 0, 0}).initialVelocity = {1, 0, 0};
+    b.force("b", "-b.dx*abs(b.dx)", "0", "0");
+    EXPECT_FALSE(simulate(b.scene).motion->stop(0));
+}
+
+// A run that gave up is not read for another finish.
+TEST(Stops, AnEarlierFinishIsReachedAfterOneThatIsNot) {
+    Resimulation edited;
+    EXPECT_TRUE(testing::updated(edited, orbit(1e99)).motion->stop(0));
+    EXPECT_FALSE(testing::updated(edited, orbit(5000)).motion->stop(0));
+}
+
+TEST(Report, SpeaksOfTheBodyThatASentenceNames) {
+    scene::Scene scene = orbit(1);
+    scene.bodies[0].source.line = 7;
+    scene.bodies[0].source.column = 3;
+    EXPECT_EQ(faultOf(scene, "Body \"b\" has no shape.").line, 7);
+    EXPECT_EQ(faultOf(scene, "Body \"c\" has no shape.").line, 0);
+    scene.simulator.source.emplace().line = 1;
+    EXPECT_EQ(faultOf(scene, "The motion would finish after 1e100.").line, 1);
+}
+
+} // namespace
+} // namespace simulation
