@@ -67,12 +67,13 @@ std::string nearest(std::string_view written, std::span<const std::string> exist
 
 std::string suggestionFor(std::string_view written, std::span<const std::string> existing,
                           std::string_view kind, std::size_t mostListed) {
+    constexpr std::size_t mostBesideOne = 12;
     std::string text;
     if (const std::string near = nearest(written, existing); !near.empty())
         text = "did you mean \"" + near + "\"?";
     if (existing.empty())
         return text;
-    if (existing.size() > mostListed && !text.empty())
+    if (existing.size() > mostBesideOne && !text.empty())
         return text;
     std::string list;
     for (std::size_t i = 0; i < existing.size() && i < mostListed; ++i)

@@ -126,10 +126,10 @@ class Explain(unittest.TestCase):
             self.assertEqual(ran.returncode, 0, ran.stderr)
             with open(path, encoding="utf-8") as file:
                 told = json.load(file)
-        self.assertEqual(list(told), ["components", "not_modelled", "pairs"])
-        self.assertEqual(list(told["pairs"]), ["candidates", "tested", "never"])
+        self.assertEqual(list(told), ["acting", "components", "not_modelled", "pairs"])
+        self.assertEqual(list(told["pairs"]), ["candidates", "tested", "left_out", "never"])
         for component in told["components"]:
-            self.assertEqual(list(component), ["unknowns", "reads", "equations", "model", "method", "order", "steps",
+            self.assertEqual(list(component), ["unknowns", "reads", "equations", "earlier", "model", "method", "order", "steps",
                                                "evaluations", "why"])
             self.assertEqual(len(component["unknowns"]), len(component["equations"]))
             if component["model"] == "closed-form":
@@ -145,7 +145,7 @@ class Explain(unittest.TestCase):
             with open(path, "w", encoding="utf-8") as file:
                 file.write("simulator -finish 1\nparameter push -value 0 -min 0 -max 9\n"
                            "shape_set ball -desc {-sub {-sphere 1}}\nbody b ball\nforce -body b -y {push * t}\n")
-            self.assertIn("b.dy", run(path).stdout.split("Not modelled:")[1])
+            self.assertIn(", dy,", run(path).stdout.split("Not modelled:")[1])
             moved = run(path, "--set", "push=2").stdout
             self.assertIn("b.dy' =", moved.split("Not modelled:")[0])
             self.assertEqual(run(path, "--set", "push=99").returncode, 1)

@@ -256,7 +256,7 @@ TEST(Simulation, AForceThatIsNotFiniteIsNamedAndTheOthersGoOn) {
     const Result result = simulate(b.scene);
     ASSERT_TRUE(result.motion->stop(0));
     EXPECT_NEAR(result.motion->stop(0)->time, 1, 1e-6);
-    EXPECT_THAT(result.motion->stop(0)->sentence, HasSubstr("body \"bad\" (line 12)"));
+    EXPECT_THAT(result.motion->stop(0)->sentence, HasSubstr("body \"bad\""));
     EXPECT_THAT(result.motion->stop(0)->sentence, HasSubstr("not a number"));
     EXPECT_FALSE(result.motion->stop(1));
     EXPECT_LT(distance(result.motion->at(1, 3).position, {8, 0, 0}), 1e-12);

@@ -58,22 +58,16 @@ TEST(Stops, WhatIsNotANumberIsNamedWithItsExpression) {
                           "its x, \"sqrt(1-t)\", is not a number"));
 }
 
-// x = 1 + v t, and the same one with a weight, thrown up and falling.
+// x = 1 + v t.
 TEST(Stops, MotionInClosedFormEndsWhereItGoesOver1e100) {
     SceneBuilder b(1e60, 1e-4);
     b.ball("far", {1, 0, 0}).initialVelocity = {1e50, 0, 0};
-    b.ball("up", {0, 5, 0}).initialVelocity = {0, 3, 0};
-    b.weight("up");
     b.ball("near", {0, 0, 9}).initialVelocity = {0, 0, 1};
     const Result result = simulate(b.scene);
     ASSERT_TRUE(result.motion->stop(0));
     EXPECT_NEAR(result.motion->stop(0)->time / 1e50, 1, 1e-9);
     EXPECT_THAT(result.motion->stop(0)->sentence, EndsWith("far.x grows over 1e100."));
-    // 9.81 t^2 / 2 = 1e100
-    ASSERT_TRUE(result.motion->stop(1));
-    EXPECT_NEAR(result.motion->stop(1)->time / std::sqrt(2e100 / 9.81), 1, 1e-9);
-    EXPECT_THAT(result.motion->stop(1)->sentence, EndsWith("up.y grows over 1e100."));
-    EXPECT_FALSE(result.motion->stop(2));
+    EXPECT_FALSE(result.motion->stop(1));
 }
 
 // Up to 0.9e100 and down again: nothing ends. A little higher, and it does.
