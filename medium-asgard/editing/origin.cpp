@@ -148,6 +148,7 @@ std::vector<Origin> Origins::inQuotes(const Command& command, scene::Range conte
             origins.push_back(ofVariable(command, *name, place));
         else
             origins.push_back(refused("is computed by " + piece, place));
+        origins.back().place = place;
         at = end;
     }
     return origins;
@@ -155,8 +156,10 @@ std::vector<Origin> Origins::inQuotes(const Command& command, scene::Range conte
 
 std::vector<Origin> Origins::inListCommand(const Command& list) const {
     std::vector<Origin> origins;
-    for (std::size_t i = 1; i < list.words.size(); ++i)
+    for (std::size_t i = 1; i < list.words.size(); ++i) {
         origins.push_back(ofScalar(list, list.words[i]));
+        origins.back().place = list.words[i].range;
+    }
     return origins;
 }
 

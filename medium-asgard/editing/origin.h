@@ -21,7 +21,8 @@ struct Origin {
     double factor = 1;    // the value is the literal times this
     std::string reason;   // "computed by expr"
     scene::Range cause;
-    std::string variable; // through which it comes, "" when directly
+    std::string variable;    // through which it comes, "" when directly
+    scene::Range place = {}; // what stands for it in the command: "$x", "[expr {2 * $i}]"
 };
 
 class Origins {
@@ -49,6 +50,8 @@ public:
     [[nodiscard]] const script::Command* procedureOf(const script::Command& command) const;
     // The nearest loop or procedure around a command, or null.
     [[nodiscard]] const script::Command* makerOf(const script::Command& command) const;
+    [[nodiscard]] std::string_view text() const { return text_; }
+    [[nodiscard]] const script::Structure& structure() const { return structure_; }
     [[nodiscard]] std::string slice(scene::Range range) const;
     [[nodiscard]] int lineOf(std::size_t offset) const;
 

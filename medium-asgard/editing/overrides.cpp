@@ -1,5 +1,6 @@
 #include "editing/overrides.h"
 
+#include "editing/loop_values.h"
 #include "editing/number_text.h"
 #include "script/numbers.h"
 
@@ -28,24 +29,16 @@ std::string operand(const Word& word, const Origins& origins) {
     return script::decimalNumber(text) ? text : "\"" + text + "\"";
 }
 
-const Word* wordAt(const Command& command, const scene::Source& source, const std::string& option) {
-    for (const scene::Argument& argument : source.arguments)
-        for (const Word& word : command.words)
-            if (argument.option == option && word.range == argument.word && !word.expanded)
-                return &word;
-    return nullptr;
-}
-
 // [expr {"b$i" eq "b3" ? {12 0 0} : "$i 0 0"}] in place of "$i 0 0".
 std::optional<Offer> onlyThis(const Making& making, const Wish& wish, const Origins& origins) {
-    const Word* name = wordAt(making.command, making.source, "");
+    const Word* name = wordOf(making.command, making.source, "");
     if (making.name.empty() || !name || name->literal || !wish.path.empty())
         return std::nullopt;
     const std::string test = operand(*name, origins) + " eq \"" + making.name + "\" ? " +
                              asList(wish.values, wish.resolution);
     Offer offer;
     offer.label = "Only " + making.name;
-    if (const Word* word = wordAt(making.command, making.source, wish.option)) {
+    if (const Word* word = wordOf(making.command, making.source, wish.option)) {
         offer.edits.push_back({word->range.from, word->range.to,
                                "[expr {" + test + " : " + operand(*word, origins) + "}]"});
     } else if (wish.absent.size() == wish.values.size()) {
@@ -61,7 +54,7 @@ std::optional<Offer> onlyThis(const Making& making, const Wish& wish, const Orig
 
 // The numbers of the command's own text become others: for all that it makes.
 std::optional<Offer> allOfThem(const Making& making, const Wish& wish, const Origins& origins) {
-    const Word* word = wordAt(making.command, making.source, wish.option);
+    const Word* word = wordOf(making.command, making.source, wish.option);
     if (!word)
         return std::nullopt;
     const std::vector<Origin> from =
@@ -92,12 +85,22 @@ std::optional<Offer> allOfThem(const Making& making, const Wish& wish, const Ori
 
 } // namespace
 
+const Word* wordOf(const Command& command, const scene::Source& source, const std::string& option) {
+    for (const scene::Argument& argument : source.arguments)
+        for (const Word& word : command.words)
+            if (argument.option == option && word.range == argument.word && !word.expanded)
+                return &word;
+    return nullptr;
+}
+
 std::vector<Offer> offersFor(const Making& making, const Wish& wish, const Origins& origins) {
     std::vector<Offer> offers;
     if (auto offer = onlyThis(making, wish, origins))
         offers.push_back(std::move(*offer));
     if (auto offer = allOfThem(making, wish, origins))
         offers.push_back(std::move(*offer));
+    for (Offer& offer : loopOffers(making, wish, origins))
+        offers.push_back(std::move(offer));
     return offers;
 }
 

@@ -72,7 +72,7 @@ public:
         : text_(text), structure_(structure), scene_(scene), factor_(factor), source_(source),
           subject_(std::move(subject)), wish_(wish), origins_(text, structure, scene) {}
 
-    Answer answer(const std::string& name, std::size_t together);
+    Answer answer(const std::string& name, std::size_t together, std::size_t which);
     [[nodiscard]] std::size_t count() const;
     [[nodiscard]] std::vector<std::string> written() const;
 
@@ -326,7 +326,7 @@ std::vector<std::string> Edit::written() const {
     return texts;
 }
 
-Answer Edit::answer(const std::string& name, std::size_t together) {
+Answer Edit::answer(const std::string& name, std::size_t together, std::size_t which) {
     const Command* command = this->command();
     if (!command)
         return refuse("does not stand in the text: the command of line " +
@@ -345,7 +345,7 @@ Answer Edit::answer(const std::string& name, std::size_t together) {
                                     " of line " + std::to_string(origins_.lineOf(maker->range.from))
                               : ""),
                    maker ? maker->words.front().range : command->range);
-        answer.offers = offersFor({*command, source_, name, together}, wish_, origins_);
+        answer.offers = offersFor({*command, source_, name, together, which}, wish_, origins_);
         return answer;
     }
     if (const Word* value = word(*command))
@@ -375,8 +375,12 @@ Answer Mapper::answer(const Wish& wish) const {
         answer.reason = "The scene has no such " + wordOf(wish.element.kind) + ".";
         return answer;
     }
+    std::size_t which = 0; // of those that the same command made
+    for (std::size_t i = 0; source->runs > 1 && i < wish.element.index; ++i)
+        which += sourceOf({wish.element.kind, i})->command == source->command ? 1 : 0;
     return Edit(text_, structure_, *scene_, factor_, *source, nameOf(wish.element), wish)
-        .answer(editing::nameOf(*scene_, wish.element), static_cast<std::size_t>(source->runs));
+        .answer(editing::nameOf(*scene_, wish.element), static_cast<std::size_t>(source->runs),
+                which);
 }
 
 namespace {

@@ -37,12 +37,14 @@ public:
     [[nodiscard]] const editing::Answer& answer() const { return answer_; }
     // "b1: position -4.37 0 2", or why it stays where it is.
     [[nodiscard]] std::string words() const;
-    [[nodiscard]] const std::string& text() const { return ground_.text; } // when the drag began
-    [[nodiscard]] std::string label() const;                               // "Move b1"
+    // When the drag began.
+    [[nodiscard]] const std::string& text() const { return ground_.text; }
+    [[nodiscard]] const Ground& ground() const { return ground_; }
+    [[nodiscard]] std::string label() const; // "Move b1"
     [[nodiscard]] bool moved() const { return moved_; }
+    [[nodiscard]] std::vector<editing::Wish> wishes() const; // of where it is
 
 private:
-    [[nodiscard]] std::vector<editing::Wish> wishes() const;
     [[nodiscard]] geometry::Vector wanted() const;
     [[nodiscard]] geometry::Vector onSphere() const;
     [[nodiscard]] geometry::Vector rolled() const;
@@ -61,7 +63,7 @@ private:
     Eigen::Vector2d held_, grip_;    // pixels: of the pointer, and from it to the handle
     bool moved_ = false;
     std::optional<editing::TrajectoryEdits> path_; // of a trajectory's point
-    std::optional<geometry::Shape> surface_;
+    ShapePointer surface_;
     bool follows_ = false, free_ = false;
     std::optional<double> rollsFrom_; // pixels, of where it was pressed
     editing::Answer answer_;

@@ -24,14 +24,36 @@ std::size_t neighbour(const std::vector<ControlPoint>& points, std::size_t of, b
 
 } // namespace
 
-std::size_t pointOf(const editing::TrajectoryEdits& edits, const render::Handle& handle) {
-    if (edits.hasOwnTangents())
-        return std::min(handle.part, edits.points().size() - 1);
-    std::size_t part = 0;
-    for (std::size_t i = 0; i < edits.points().size(); ++i)
-        if (edits.points()[i].onCurve && part++ == handle.part)
+namespace {
+
+// Written with -points only those on the curve are handles.
+std::size_t pointOf(const std::vector<ControlPoint>& points, bool ownTangents, std::size_t part) {
+    if (ownTangents)
+        return std::min(part, points.size() - 1);
+    std::size_t knot = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (points[i].onCurve && knot++ == part)
             return i;
     return 0;
+}
+
+} // namespace
+
+std::size_t pointOf(const editing::TrajectoryEdits& edits, const render::Handle& handle) {
+    return pointOf(edits.points(), edits.hasOwnTangents(), handle.part);
+}
+
+std::size_t pointOf(const scene::Trajectory& trajectory, std::size_t part) {
+    return pointOf(editing::controlPointsOf(trajectory.curves), trajectory.points.empty(), part);
+}
+
+std::size_t partOf(const scene::Trajectory& trajectory, std::size_t point) {
+    if (trajectory.points.empty())
+        return point;
+    const auto points = editing::controlPointsOf(trajectory.curves);
+    return static_cast<std::size_t>(
+        std::count_if(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(point),
+                      [](const ControlPoint& one) { return one.onCurve; }));
 }
 
 NewPoint::NewPoint(Ground ground, const Sight& sight, const render::Handle& from)

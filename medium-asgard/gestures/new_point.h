@@ -12,6 +12,10 @@ namespace gestures {
 [[nodiscard]] std::size_t pointOf(const editing::TrajectoryEdits& edits,
                                   const render::Handle& handle);
 
+// The same, of a trajectory: editing::controlPointsOf() and a handle's part.
+[[nodiscard]] std::size_t pointOf(const scene::Trajectory& trajectory, std::size_t part);
+[[nodiscard]] std::size_t partOf(const scene::Trajectory& trajectory, std::size_t point);
+
 class NewPoint {
 public:
     NewPoint(Ground ground, const Sight& sight, const render::Handle& from);

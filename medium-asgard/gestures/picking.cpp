@@ -1,7 +1,5 @@
 #include "gestures/picking.h"
 
-#include "scene/shape_of.h"
-
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -44,21 +42,10 @@ std::optional<std::size_t> handleAt(const render::HandleSet& set, const Sight& s
     return nearest;
 }
 
-std::optional<geometry::Shape> shapeOf(const scene::Scene& scene, const std::string& name) {
-    const scene::Body* body = scene::findBody(scene, name);
-    const scene::ShapeSet* set = body ? scene::findShapeSet(scene, body->shape) : nullptr;
-    if (!set)
-        return std::nullopt;
-    auto made = scene::shapeOf(*set);
-    if (auto* shape = std::get_if<geometry::Shape>(&made))
-        return std::move(*shape);
-    return std::nullopt;
-}
-
 std::optional<Picked> bodyAt(const render::Drawing& drawing, const Sight& sight,
                              const Eigen::Vector2d& pixels) {
     const Line line = lineOfSight(sight, pixels);
-    std::map<std::string, std::optional<geometry::Shape>> shapes;
+    std::map<std::string, ShapePointer> shapes;
     std::optional<Picked> front;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < drawing.scene->bodies.size(); ++i) {

@@ -5,7 +5,9 @@
 #include "geometry/shape.h"
 #include "render/handles.h"
 
+#include <memory>
 #include <optional>
+#include <string>
 
 namespace gestures {
 
@@ -47,8 +49,11 @@ struct Picked {
 [[nodiscard]] std::optional<std::size_t> trajectoryAt(const scene::Scene& scene, const Sight& sight,
                                                       const Eigen::Vector2d& pixels, double reach);
 
-// The surface of one body, in its shape's frame; none: its shape cannot be made.
-[[nodiscard]] std::optional<geometry::Shape> shapeOf(const scene::Scene& scene,
-                                                     const std::string& body);
+// The surface of one body, in its shape's frame; null: its shape cannot be made. Made once for each
+// description; hulls of many points take a while, so prepareShapes() has them made by a thread that
+// has time. Any thread.
+using ShapePointer = std::shared_ptr<const geometry::Shape>;
+[[nodiscard]] ShapePointer shapeOf(const scene::Scene& scene, const std::string& body);
+void prepareShapes(const scene::Scene& scene); // and forgets those of other scenes
 
 } // namespace gestures

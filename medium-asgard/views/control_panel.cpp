@@ -131,6 +131,8 @@ void ControlPanel::showState() {
     else if (errors > 0)
         state_->setText(errors == 1 ? tr("One fault: a language viewer shows where.")
                                     : tr("%1 faults: a language viewer shows where.").arg(errors));
+    else if (document_.waitsToBeAsked())
+        state_->setText(tr("The motion is stale: Simulate computes that of the scene as it is."));
     else if (motion)
         state_->setText(
             tr("%1 of motion computed%2.")

@@ -81,6 +81,11 @@ void fillBodies(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
 
 } // namespace
 
+Recipe newWeight(SceneDisplay& display) {
+    return newWeight(display.arrowLength(false),
+                     [&display](std::size_t body) { return display.massOf(body); });
+}
+
 void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
     QMenu* bodies = menu->addMenu(QObject::tr("&Body"));
     QObject::connect(menu, &QMenu::aboutToShow, bodies,
@@ -94,7 +99,7 @@ void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display
     QMenu* forces = menu->addMenu(QObject::tr("&Force"));
     add(forces, QObject::tr("&Constant"),
         [&display] { return newForce(false, display.arrowLength(false)); });
-    add(forces, QObject::tr("&Gravitational"), newWeight);
+    add(forces, QObject::tr("&Gravitational"), [&display] { return newWeight(display); });
     add(forces, QObject::tr("By a &Trajectory"), [] { return newTrajectoryForce(false); });
     QMenu* torques = menu->addMenu(QObject::tr("&Torque"));
     add(torques, QObject::tr("&Constant"),

@@ -93,10 +93,21 @@ TEST_F(CreatingTest, AForceIsAUnitDownwardsOrWhatASecondClickShows) {
 
 TEST_F(CreatingTest, WeightTorqueAndForcesByTrajectories) {
     open(balls + "trajectory T -points {{0 0 2 0} {2 2 2 0}}\n");
-    display().creating().start(newWeight());
+    display().creating().start(newWeight(display()));
     click({1, 0, 0});
+    key(Qt::Key_Return);
     done();
     EXPECT_THAT(text(), HasSubstr("force -body b2 -gravitational {0 -1 0}\n"));
+    const double perUnit = display().arrowLength(false);
+    display().creating().start(newWeight(display()));
+    click({1, 0, 0});
+    click({1, -0.8, 0}); // the head of its arrow
+    done();
+    const auto& weight = std::get<scene::GravitationalForce>(scene().forces.back().kind);
+    EXPECT_NEAR(weight.acceleration.y(), -0.8 / (perUnit * display().massOf(1)), 0.05);
+    EXPECT_NEAR(weight.acceleration.x(), 0, 0.05);
+    editor.document().undo();
+    ASSERT_TRUE(settle(editor.document()));
     display().creating().start(newForce(true, 1));
     click({-1, 0, 0});
     key(Qt::Key_Return);

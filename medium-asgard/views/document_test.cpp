@@ -72,6 +72,128 @@ TEST_F(DocumentTest, TheTextThatWasSetLastWins) {
     EXPECT_EQ(document.shown().motion->finish(), 7);
 }
 
+// --- live ------------------------------------------------------------------------------------
+
+TEST_F(DocumentTest, TheInterfaceReadsAndSimulatesNothing) {
+    document.setText(ballScene, "Edit");
+    ASSERT_TRUE(settle(document));
+    const int since = document.revision();
+    for (int i = 0; i < 20; ++i) {
+        document.preview(ballScene + "# " + std::to_string(i) + "\n", since);
+        QCoreApplication::processEvents();
+    }
+    document.finishPreview(ballScene + "# end\n", "Edit", since);
+    document.recompute();
+    document.undo();
+    ASSERT_TRUE(settle(document));
+    EXPECT_GE(made.reads, 2);
+    EXPECT_GE(made.simulations, 2);
+    EXPECT_EQ(made.onTheInterface, 0);
+}
+
+std::string ballAt(const std::string& x) {
+    return "simulator -finish 2\nshape_set ball -desc {-sub {-sphere 0.5}}\n"
+           "body b1 ball -init_pos {" +
+           x + " 0 0} -init_dpos {1 0 0}\n";
+}
+
+TEST_F(DocumentTest, ASceneIsShownBeforeItsMotionWhichIsStaleUntilThen) {
+    document.setText(ballAt("-1"), "Edit");
+    ASSERT_TRUE(settle(document));
+    EXPECT_FALSE(document.motionIsStale());
+    made.blocked = true;
+    document.setText(ballAt("3"), "Edit");
+    ASSERT_TRUE(waitFor([&] { return document.sceneIsCurrent(); }));
+    EXPECT_EQ(document.work(), Work::simulating);
+    EXPECT_TRUE(document.motionIsStale());
+    // At the start as the scene says, later as it was.
+    ASSERT_NE(document.shown().motion, nullptr);
+    EXPECT_EQ(document.shown().motion->at(0, 0).position.x(), 3);
+    EXPECT_EQ(document.shown().motion->at(0, 1).position.x(), 0);
+    made.blocked = false;
+    ASSERT_TRUE(settle(document));
+    EXPECT_FALSE(document.motionIsStale());
+    EXPECT_EQ(document.shown().motion->at(0, 1).position.x(), 4);
+}
+
+TEST_F(DocumentTest, OtherBodiesHaveNoStaleMotion) {
+    document.setText(ballScene, "Edit");
+    ASSERT_TRUE(settle(document));
+    made.blocked = true;
+    document.setText(ballScene + "body b2 ball\n", "Edit");
+    ASSERT_TRUE(waitFor([&] { return document.sceneIsCurrent(); }));
+    EXPECT_EQ(document.shown().motion, nullptr);
+    EXPECT_TRUE(document.motionIsStale());
+    made.blocked = false;
+    ASSERT_TRUE(settle(document));
+    EXPECT_FALSE(document.motionIsStale());
+}
+
+TEST_F(DocumentTest, InAGestureAMotionMayEndBeforeTheNextIsBegun) {
+    document.setText(ballAt("0"), "Edit");
+    ASSERT_TRUE(settle(document));
+    document.setSlow({.overlap = std::chrono::hours(1)});
+    const int before = made.simulations;
+    made.blocked = true;
+    const int since = document.revision();
+    document.preview(ballAt("1"), since);
+    ASSERT_TRUE(waitFor([&] { return made.simulations == before + 1; }));
+    document.preview(ballAt("2"), since);
+    ASSERT_TRUE(
+        waitFor([&] { return document.shown().scene->bodies[0].initialPosition.x() == 2; }));
+    made.blocked = false;
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(made.cancelled, 0);
+    EXPECT_EQ(made.simulations, before + 2);
+    EXPECT_EQ(document.shown().motion->at(0, 1).position.x(), 3);
+    // What one does otherwise ends it at once.
+    made.blocked = true;
+    document.preview(ballAt("4"), since);
+    ASSERT_TRUE(waitFor([&] { return made.simulations == before + 3; }));
+    document.finishPreview(ballAt("5"), "Edit", since);
+    ASSERT_TRUE(waitFor([&] { return made.cancelled == 1; }));
+    made.blocked = false;
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(document.shown().motion->at(0, 1).position.x(), 6);
+}
+
+TEST_F(DocumentTest, ASlowScenesMotionWaitsToBeAsked) {
+    document.setSlow({std::chrono::milliseconds(0), std::chrono::milliseconds(20)});
+    document.setText(ballAt("0"), "Edit"); // takes longer than no time
+    ASSERT_TRUE(settle(document));
+    made.blocked = true;
+    document.setText(ballAt("1"), "Edit"); // an attempt, which is given up
+    ASSERT_TRUE(settle(document));
+    EXPECT_TRUE(document.waitsToBeAsked());
+    EXPECT_EQ(document.shown().scene->bodies[0].initialPosition.x(), 1);
+    const int before = made.simulations;
+    document.setText(ballAt("2"), "Edit");
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(made.simulations, before);
+    EXPECT_TRUE(document.waitsToBeAsked());
+    EXPECT_EQ(document.shown().motion->at(0, 0).position.x(), 2);
+    made.blocked = false;
+    document.recompute();
+    ASSERT_TRUE(settle(document));
+    EXPECT_FALSE(document.motionIsStale());
+    EXPECT_EQ(document.shown().motion->at(0, 1).position.x(), 3);
+}
+
+TEST_F(DocumentTest, MotionIsComputedOnlyWhenAskedForWhereThatIsWanted) {
+    document.setText(ballAt("0"), "Edit");
+    ASSERT_TRUE(settle(document));
+    document.setLive(Live::never);
+    const int before = made.simulations;
+    document.setText(ballAt("1"), "Edit");
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(made.simulations, before);
+    EXPECT_TRUE(document.waitsToBeAsked());
+    document.setLive(Live::always);
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(made.simulations, before + 1);
+    EXPECT_FALSE(document.motionIsStale());
+}
+
 TEST_F(DocumentTest, ClosingWhileComputingEndsTheComputation) {
     made.blocked = true;
     {

@@ -74,6 +74,12 @@ Editor::~Editor() {
 
 Windows Editor::windows() {
     Windows windows;
+    windows.showText = [this] {
+        const auto open = languageViewers();
+        QWidget* viewer = open.isEmpty() ? openLanguageViewer() : open.back();
+        viewer->raise();
+        viewer->activateWindow();
+    };
     windows.openGraphicalViewer = [this] { openGraphicalViewer(); };
     windows.openLanguageViewer = [this] { openLanguageViewer(); };
     windows.openTrajectoryEditor = [this] { openTrajectoryEditor(); };
@@ -92,15 +98,9 @@ Windows Editor::windows() {
 }
 
 GraphicalViewer* Editor::openGraphicalViewer() {
-    if (!renderer_) {
-        auto made = render::Renderer::create();
-        if (auto* renderer = std::get_if<std::unique_ptr<render::Renderer>>(&made))
-            renderer_ = std::move(*renderer);
-        else
-            noRenderer_ = QString::fromStdString(std::get<std::string>(made));
-    }
-    auto* viewer =
-        new GraphicalViewer(document_, renderer_, noRenderer_, windows(), ++graphicalCount_);
+    if (!pictures_)
+        pictures_ = std::make_shared<PictureThread>();
+    auto* viewer = new GraphicalViewer(document_, pictures_, windows(), ++graphicalCount_);
     // A new viewer begins where the last one is.
     if (const auto open = graphicalViewers(); !open.isEmpty())
         viewer->playback().seek(open.back()->playback().time());

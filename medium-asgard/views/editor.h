@@ -55,8 +55,7 @@ private:
     [[nodiscard]] Windows windows();
 
     SceneDocument document_;
-    std::shared_ptr<render::Renderer> renderer_; // one context for all viewers
-    QString noRenderer_;
+    std::shared_ptr<PictureThread> pictures_; // of all viewers
     QPointer<ControlPanel> controlPanel_;
     QPointer<TrajectoryEditor> trajectoryEditor_;
     QPointer<ShapeEditor> shapeEditor_;

@@ -3,8 +3,10 @@
 #include "editing/changes.h"
 
 #include <QKeyEvent>
+#include <QThreadPool>
 
 #include <algorithm>
+#include <mutex>
 
 namespace views {
 
@@ -108,6 +110,19 @@ HandleKind handleOf(const Editable& value, const scene::Scene& scene) {
                                     : HandleKind::position;
 }
 
+// Who asked, while that one is there.
+struct ElementMarks::Errand {
+    std::mutex mutex;
+    ElementMarks* from = nullptr;
+};
+
+ElementMarks::~ElementMarks() {
+    if (!errand_)
+        return;
+    const std::lock_guard lock(errand_->mutex);
+    errand_->from = nullptr;
+}
+
 ElementMarks::ElementMarks(SceneEditor& editor, SceneDocument& document, Draft& draft)
     : editor_(editor), document_(document), draft_(draft) {
     editor_.addTool(this);
@@ -117,7 +132,11 @@ ElementMarks::ElementMarks(SceneEditor& editor, SceneDocument& document, Draft& 
     editor_.markerDefine(QsciScintilla::FullRectangle, selectedMarker);
     editor_.setMarkerBackgroundColor(QColor(0x3A, 0x84, 0xD8), selectedMarker);
     connect(&document_, &SceneDocument::sceneChanged, this, &ElementMarks::markArguments);
-    connect(&document_, &SceneDocument::motionChanged, this, &ElementMarks::markArguments);
+    connect(&document_, &SceneDocument::diagnosticsChanged, this, &ElementMarks::markArguments);
+    rest_.setSingleShot(true);
+    rest_.setInterval(200);
+    connect(&rest_, &QTimer::timeout, this, &ElementMarks::findOut);
+    connect(&more_, &QTimer::timeout, this, &ElementMarks::markSome);
     connect(&document_, &SceneDocument::selectionChanged, this, &ElementMarks::showSelection);
     connect(&draft_, &Draft::changed, this, &ElementMarks::markArguments);
     connect(&editor_, &QsciScintillaBase::SCN_UPDATEUI, this, &ElementMarks::caretMoved);
@@ -131,13 +150,64 @@ void ElementMarks::markArguments() {
     if (!document_.sceneIsCurrent() || draft_.edited())
         return;
     if (std::exchange(marked_, document_.revision()) == document_.revision())
-        return; // more motion of it
-    editor_.unmark(Mark::argument);
-    const auto& scene = document_.shown().scene;
-    for (const Editable& one : editing::editablesOf(document_.text(), scene))
-        for (const Range& line : linesOf(document_.text(), one.range))
-            editor_.mark(Mark::argument, line, valueOf(render::colorOf(handleOf(one, *scene))));
+        return; // nothing new
     markSelection();
+    constexpr std::size_t quick = 30'000; // bytes
+    more_.stop();
+    if (document_.text().size() > quick)
+        return rest_.start();
+    editor_.unmark(Mark::argument);
+    for (const Coloured& one : colouredOf(document_.text(), document_.shown().scene))
+        editor_.mark(Mark::argument, one.range, one.value);
+}
+
+std::vector<ElementMarks::Coloured>
+ElementMarks::colouredOf(const std::string& text,
+                         const std::shared_ptr<const scene::Scene>& scene) {
+    std::vector<Coloured> all;
+    for (const Editable& one : editing::editablesOf(text, scene))
+        for (const Range& line : linesOf(text, one.range))
+            all.push_back({line, valueOf(render::colorOf(handleOf(one, *scene)))});
+    return all;
+}
+
+void ElementMarks::findOut() {
+    if (!document_.sceneIsCurrent() || draft_.edited())
+        return;
+    if (!errand_) {
+        errand_ = std::make_shared<Errand>();
+        errand_->from = this;
+    }
+    QThreadPool::globalInstance()->start([errand = errand_, text = document_.text(),
+                                          scene = document_.shown().scene,
+                                          revision = document_.revision()] {
+        std::vector<Coloured> found = colouredOf(text, scene);
+        const std::lock_guard lock(errand->mutex);
+        ElementMarks* const marks = errand->from;
+        if (!marks)
+            return;
+        const auto take = [marks, revision, found = std::move(found)] {
+            if (revision != marks->document_.revision())
+                return;
+            marks->editor_.unmark(Mark::argument);
+            marks->toMark_ = {found.rbegin(), found.rend()};
+            marks->toMarkRevision_ = revision;
+            marks->more_.start(0);
+        };
+        QMetaObject::invokeMethod(marks, take, Qt::QueuedConnection);
+    });
+}
+
+void ElementMarks::markSome() {
+    constexpr int atOnce = 400;
+    if (toMarkRevision_ != document_.revision() || draft_.edited())
+        toMark_.clear();
+    for (int i = 0; i < atOnce && !toMark_.empty(); ++i) {
+        editor_.mark(Mark::argument, toMark_.back().range, toMark_.back().value);
+        toMark_.pop_back();
+    }
+    if (toMark_.empty())
+        more_.stop();
 }
 
 // --- places --------------------------------------------------------------------------------

@@ -6,6 +6,11 @@
 #include "render/handles.h"
 #include "views/draft.h"
 
+#include <QTimer>
+
+#include <memory>
+#include <vector>
+
 namespace views {
 
 // The handle that shows this value in pictures.
@@ -16,6 +21,7 @@ class ElementMarks : public QObject, public EditorTool {
     Q_OBJECT
 public:
     ElementMarks(SceneEditor& editor, SceneDocument& document, Draft& draft);
+    ~ElementMarks() override;
 
     [[nodiscard]] QString tip(std::size_t byte) const override;
     bool key(const QKeyEvent& event) override;
@@ -24,7 +30,11 @@ Q_SIGNALS:
     void wanted(scene::Range range); // selected elsewhere: to be seen
 
 private:
+    // Short texts at once; of long ones what can be changed is found out by another thread, once
+    // they rest, and marked a little at a time.
     void markArguments();
+    void findOut();
+    void markSome();
     void caretMoved(int updated);
     void showSelection();
     void markSelection();
@@ -35,6 +45,17 @@ private:
     SceneEditor& editor_;
     SceneDocument& document_;
     Draft& draft_;
+    struct Coloured {
+        scene::Range range;
+        int value;
+    };
+    [[nodiscard]] static std::vector<Coloured>
+    colouredOf(const std::string& text, const std::shared_ptr<const scene::Scene>& scene);
+    struct Errand; // of the other thread
+    std::shared_ptr<Errand> errand_;
+    QTimer rest_, more_;
+    std::vector<Coloured> toMark_; // from the back
+    int toMarkRevision_ = -1;
     bool selecting_ = false; // the caret did it: it need not be shown where it is
     scene::Range caret_;
     int marked_ = -1; // the revision that has its marks

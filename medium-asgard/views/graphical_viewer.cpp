@@ -1,9 +1,12 @@
 #include "views/graphical_viewer.h"
 
+#include "gestures/new_point.h"
 #include "views/create_menu.h"
+#include "views/keep_view.h"
 #include "views/shapes_menu.h"
 
 #include <QActionGroup>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMenu>
@@ -22,8 +25,7 @@ QString rateText(double rate) { return QStringLiteral("%1 × ").arg(rate); }
 
 } // namespace
 
-GraphicalViewer::GraphicalViewer(SceneDocument& document,
-                                 std::shared_ptr<render::Renderer> renderer, const QString& reason,
+GraphicalViewer::GraphicalViewer(SceneDocument& document, std::shared_ptr<PictureThread> pictures,
                                  Windows windows, int number)
     : document_(document), windows_(std::move(windows)), number_(number) {
     setAttribute(Qt::WA_DeleteOnClose);
@@ -35,7 +37,7 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document,
     row->setSpacing(8);
     auto* frame = new QFrame;
     frame->setFrameStyle(QFrame::StyledPanel | QFrame::Sunken);
-    display_ = new SceneDisplay(document_, std::move(renderer), reason);
+    display_ = new SceneDisplay(document_, std::move(pictures));
     auto* inFrame = new QVBoxLayout(frame);
     inFrame->setContentsMargins(1, 1, 1, 1);
     inFrame->addWidget(display_);
@@ -51,6 +53,7 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document,
     row->addWidget(scroll);
     column->addLayout(row, 1);
     timeBar_ = new TimeBar;
+    timeStrip_ = new TimeStrip(document_);
     buildTimeControls(column);
     setCentralWidget(whole);
     buildMenus();
@@ -61,16 +64,21 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document,
     connect(&playback_, &Playback::timeChanged, this, [this] {
         display_->setTime(playback_.time(), playback_.isPlaying() || timeBar_->isSliderDown());
         timeBar_->setTime(playback_.time());
+        timeStrip_->setTime(playback_.time());
         timeLabel_->setText(timeText(playback_.time(), playback_.finish() - playback_.start()));
     });
     connect(&playback_, &Playback::stateChanged, this, &GraphicalViewer::updateState);
     connect(timeBar_, &TimeBar::timeChosen, &playback_, &Playback::seek);
     connect(&document_, &SceneDocument::motionChanged, this, &GraphicalViewer::updateRange);
+    connect(&document_, &SceneDocument::workChanged, timeBar_,
+            [this] { timeBar_->setStale(document_.motionIsStale()); });
     connect(&document_, &SceneDocument::sceneChanged, this, &GraphicalViewer::fillViewsMenu);
     connect(&document_, &SceneDocument::nameChanged, this, &GraphicalViewer::updateTitle);
     connect(display_, &SceneDisplay::viewFollowed, this, &GraphicalViewer::fillViewsMenu);
     for (QAbstractButton* button : findChildren<QAbstractButton*>())
         button->installEventFilter(this);
+    connectTimeStrip();
+    connect(display_, &SceneDisplay::menuWanted, this, &GraphicalViewer::showMenu);
     updateRange();
     updateState();
     updateTitle();
@@ -127,7 +135,12 @@ void GraphicalViewer::buildTimeControls(QVBoxLayout* column) {
     timeLabel_->setAccessibleName(tr("Time"));
     row->addWidget(timeLabel_);
     column->addLayout(row);
-    column->addWidget(timeBar_);
+    auto* times = new QGridLayout; // the same times above each other
+    times->setSpacing(2);
+    times->addWidget(timeStrip_->controls(), 0, 0);
+    times->addWidget(timeStrip_, 0, 1);
+    times->addWidget(timeBar_, 1, 1);
+    column->addLayout(times);
     updateIcons();
 }
 
@@ -162,7 +175,7 @@ void GraphicalViewer::buildMenus() {
     buildCreateMenu(menuBar()->addMenu(tr("&Create")), document_, *display_);
     buildViewMenu();
 
-    QMenu* motion = menuBar()->addMenu(tr("&Motion"));
+    QMenu* motion = menuBar()->addMenu(tr("A&nimation"));
     playAction_ = motion->addAction(tr("&Play"), QKeySequence(Qt::Key_Space), this,
                                     [this] { togglePlaying(); });
     motion->addAction(tr("S&top"), QKeySequence(Qt::Key_Escape), this,
@@ -181,9 +194,28 @@ void GraphicalViewer::buildMenus() {
     motion->addSeparator();
     motion->addAction(tr("&Recompute Motion"), QKeySequence(Qt::Key_F5), this,
                       [this] { document_.recompute(); });
+    if (!document_.hasHost()) // which decides for all of the document
+        buildLiveMenu(motion->addMenu(tr("Compute &While Editing")));
     motion->addAction(tr("&Trajectory Editor"), QKeySequence(Qt::CTRL | Qt::Key_T), this,
                       [this] { windows_.openTrajectoryEditor(); });
     motion->addAction(tr("Speed and &Accuracy…"), this, [this] { windows_.openStudy(); });
+}
+
+void GraphicalViewer::buildLiveMenu(QMenu* menu) {
+    auto* choices = new QActionGroup(menu);
+    const std::pair<Live, QString> all[] = {
+        {Live::automatic, tr("&Automatically, While It Is Quick")},
+        {Live::always, tr("&Always")},
+        {Live::never, tr("&Only When Asked (F5)")},
+    };
+    for (const auto& [live, label] : all) {
+        QAction* action = choices->addAction(label);
+        action->setCheckable(true);
+        connect(action, &QAction::triggered, this, [this, live] { document_.setLive(live); });
+        connect(menu, &QMenu::aboutToShow, action,
+                [this, action, live] { action->setChecked(document_.live() == live); });
+    }
+    menu->addActions(choices->actions());
 }
 
 void GraphicalViewer::buildViewMenu() {
@@ -213,8 +245,17 @@ void GraphicalViewer::buildViewMenu() {
     view->addAction(tr("&Keep This View"), QKeySequence(Qt::CTRL | Qt::Key_K), this,
                     [this] { keepView(); });
     view->addSeparator();
+    QMenu* handles = menuBar()->addMenu(tr("&Handles"));
+    const auto all = [this](bool on) {
+        for (const StatusPanel::Switch& one : panel_->switches())
+            if (one.isHandle)
+                one.box->setChecked(on);
+    };
+    handles->addAction(tr("&All"), this, [all] { all(true); });
+    handles->addAction(tr("&None"), this, [all] { all(false); });
+    handles->addSeparator();
     for (const StatusPanel::Switch& one : panel_->switches()) {
-        QAction* action = view->addAction(one.box->text());
+        QAction* action = (one.isHandle ? handles : view)->addAction(one.box->text());
         action->setCheckable(true);
         action->setChecked(one.box->isChecked());
         connect(action, &QAction::toggled, one.box, &QCheckBox::setChecked);
@@ -225,6 +266,16 @@ void GraphicalViewer::buildViewMenu() {
 // A `view` of the scene; turning alone is no edit.
 void GraphicalViewer::keepView() {
     const gestures::Sight sight = display_->sight();
+    const auto& views = document_.shown().scene->views;
+    if (!views.empty() && document_.sceneIsCurrent()) {
+        KeepViewDialog dialog(document_, sight, display_->lastView(), this);
+        const int revision = document_.revision();
+        if (dialog.exec() != QDialog::Accepted || document_.revision() != revision)
+            return;
+        if (!dialog.wantsNew())
+            return document_.setText(editing::applied(document_.text(), dialog.answer().edits),
+                                     tr("Keep the View %1").arg(dialog.name()));
+    }
     display_->creating().start(keptView(sight.camera, sight.pixelLength(sight.camera.center)));
 }
 
@@ -233,6 +284,41 @@ void GraphicalViewer::showCreated(editing::Element element, HandleSwitch handles
     if (handles)
         panel_->show(handles);
     display_->editing().expect(element);
+}
+
+// A point that is chosen in the strip is chosen in the picture, and the other way about.
+void GraphicalViewer::connectTimeStrip() {
+    PictureEditing& editing = display_->editing();
+    timeStrip_->setHeld([&editing] { return editing.dragging(); });
+    timeStrip_->setTrajectoriesShown(display_->display().trajectories);
+    connect(panel_, &StatusPanel::displayChanged, timeStrip_, [this](const auto& display) {
+        timeStrip_->setTrajectoriesShown(display.trajectories);
+    });
+    connect(timeStrip_, &TimeStrip::says, &editing, &PictureEditing::say);
+    connect(timeStrip_, &TimeStrip::markChosen, this,
+            [this, &editing](std::size_t trajectory, std::size_t point) {
+                const auto& all = document_.shown().scene->trajectories;
+                editing.choose(render::HandleKind::trajectoryPoint, trajectory,
+                               gestures::partOf(all[trajectory], point));
+            });
+    connect(&editing, &PictureEditing::changed, timeStrip_, [this, &editing] {
+        const auto trajectory = timeStrip_->trajectory();
+        const auto marked = trajectory ? editing.marked() : std::nullopt;
+        if (marked && marked->kind == render::HandleKind::trajectoryPoint &&
+            marked->element == *trajectory)
+            timeStrip_->setChosen(gestures::pointOf(
+                document_.shown().scene->trajectories[*trajectory], marked->part));
+    });
+}
+
+void GraphicalViewer::showMenu(const MenuPlace& place) {
+    if (place.handle)
+        display_->editing().choose(place.handle->kind, place.handle->element, place.handle->part);
+    else if (place.element)
+        document_.select({*place.element});
+    const auto menu = elementMenu(document_, *display_, place,
+                                  {windows_.openTrajectoryEditor, windows_.showText});
+    menu->exec(display_->mapToGlobal(place.position.toPoint()));
 }
 
 void GraphicalViewer::fillViewsMenu() {
@@ -273,6 +359,8 @@ void GraphicalViewer::updateRange() {
 void GraphicalViewer::updateState() {
     timeBar_->setRange(playback_.start(), playback_.finish(), playback_.computed());
     timeBar_->setTime(playback_.time());
+    timeStrip_->setRange(playback_.start(), playback_.finish());
+    timeStrip_->setTime(playback_.time());
     loopButton_->setChecked(playback_.loops());
     loopAction_->setChecked(playback_.loops());
     rateButton_->setText(rateText(playback_.rate()));

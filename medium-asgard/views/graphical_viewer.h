@@ -8,6 +8,7 @@
 #include "views/scene_display.h"
 #include "views/status_panel.h"
 #include "views/time_bar.h"
+#include "views/time_strip.h"
 
 #include <QMainWindow>
 #include <QToolButton>
@@ -19,6 +20,7 @@ namespace views {
 
 // What a window can ask for beyond its own document.
 struct Windows {
+    std::function<void()> showText; // a language viewer, where what is selected is marked
     std::function<void()> openGraphicalViewer, openLanguageViewer, openTrajectoryEditor, openStudy;
     // "": that of what is selected, else the one that was shown last.
     std::function<void(const QString& name)> openShapeEditor;
@@ -34,12 +36,13 @@ class GraphicalViewer : public QMainWindow {
     Q_OBJECT
 public:
     // `number` tells several viewers apart in their titles.
-    GraphicalViewer(SceneDocument& document, std::shared_ptr<render::Renderer> renderer,
-                    const QString& reason, Windows windows, int number);
+    GraphicalViewer(SceneDocument& document, std::shared_ptr<PictureThread> pictures,
+                    Windows windows, int number);
 
     [[nodiscard]] Playback& playback() { return playback_; }
     [[nodiscard]] SceneDisplay& display() { return *display_; }
     [[nodiscard]] TimeBar& timeBar() { return *timeBar_; }
+    [[nodiscard]] TimeStrip& timeStrip() { return *timeStrip_; }
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -48,9 +51,12 @@ protected:
 private:
     void buildMenus();
     void buildViewMenu();
+    void buildLiveMenu(QMenu* menu);
     void buildTimeControls(QVBoxLayout* column);
     QToolButton* addButton(QHBoxLayout* row, Icon which, const QString& tip,
                            std::function<void()> action);
+    void connectTimeStrip();
+    void showMenu(const MenuPlace& place);
     void fillViewsMenu();
     void updateRange();
     void updateState();
@@ -67,6 +73,7 @@ private:
     SceneDisplay* display_;
     StatusPanel* panel_;
     TimeBar* timeBar_;
+    TimeStrip* timeStrip_;
     QMenu* viewsMenu_ = nullptr;
     QAction *playAction_ = nullptr, *loopAction_ = nullptr, *undoAction_ = nullptr,
             *redoAction_ = nullptr;

@@ -6,7 +6,6 @@
 #include "views/value_entry.h"
 
 #include <QKeyEvent>
-#include <QMenu>
 #include <QMessageBox>
 #include <QMouseEvent>
 
@@ -50,9 +49,9 @@ void PictureEditing::begin(const render::Handle& handle,
                            const std::optional<Eigen::Vector2d>& pixels) {
     delete entry_;
     display_.keepCamera(); // the picture stays while what is in it moves
-    mark(handle);
     drag_ = std::make_unique<gestures::HandleDrag>(document_.ground(), display_.sight(), handle,
                                                    pixels);
+    mark(handle);
     byKeys_ = !pixels;
     Q_EMIT changed();
 }
@@ -77,6 +76,19 @@ void PictureEditing::take(const gestures::Grasp& grasp, const Eigen::Vector2d& p
     Q_EMIT changed();
 }
 
+void PictureEditing::selectPathAt(const Eigen::Vector2d& pixels) {
+    const render::Drawing drawing = display_.drawing();
+    const auto path =
+        drawing.display.trajectories
+            ? gestures::trajectoryAt(*drawing.scene, display_.sight(), pixels,
+                                     gestures::handleReach * display_.devicePixelRatioF())
+            : std::nullopt;
+    if (path)
+        document_.select({{editing::Kind::trajectory, *path}});
+    else
+        document_.select({});
+}
+
 bool PictureEditing::press(QMouseEvent& event) {
     if (dragging())
         return true;
@@ -96,7 +108,7 @@ bool PictureEditing::press(QMouseEvent& event) {
     if (grasp)
         take(*grasp, pixels);
     else
-        document_.select({});
+        selectPathAt(pixels);
     return true;
 }
 
@@ -126,7 +138,7 @@ bool PictureEditing::release(QMouseEvent& event) {
     drag->finish();
     Q_EMIT changed();
     if (drag->moved() && !drag->answer().offers.empty())
-        offerOthers(event.globalPosition().toPoint(), *drag);
+        offerOthers(*drag);
     return true;
 }
 
@@ -155,28 +167,19 @@ void PictureEditing::finish() {
     drag->finish();
     Q_EMIT changed();
     if (byKeys_ && !drag->answer().offers.empty())
-        offerOthers(display_.mapToGlobal(
-                        display_.fromPixels(display_.sight().pixels(drag->place())).toPoint()),
-                    *drag);
+        offerOthers(*drag);
 }
 
-// It cannot be moved as it stands: what could be done instead?
-void PictureEditing::offerOthers(const QPoint& global, const gestures::HandleDrag& drag) {
-    QMenu menu(&display_);
-    menu.addSection(QString::fromStdString(drag.words()));
-    for (const editing::Offer& offer : drag.answer().offers) {
-        QString preview;
-        for (const editing::TextEdit& edit : offer.edits)
-            preview +=
-                (preview.isEmpty() ? "" : ", ") + QString::fromStdString(edit.text).trimmed();
-        QAction* action = menu.addAction(
-            tr("%1: %2").arg(QString::fromStdString(offer.label), preview.replace("&", "&&")));
-        connect(action, &QAction::triggered, this, [&] {
-            document_.setText(editing::applied(drag.text(), offer.edits),
-                              QString::fromStdString(drag.label()));
-        });
-    }
-    menu.exec(global);
+// It cannot be moved as it stands: what could be done instead, and what would that change?
+void PictureEditing::offerOthers(const gestures::HandleDrag& drag) {
+    if (document_.text() != drag.text())
+        return; // it was changed elsewhere meanwhile
+    delete entry_;
+    entry_ = new ValueEntry(document_, {drag.ground().scene, drag.ground().motion}, drag.handle(),
+                            &display_);
+    entry_->propose(drag.wishes());
+    entry_->openAt(display_.fromPixels(display_.sight().pixels(drag.place())).toPoint());
+    Q_EMIT changed();
 }
 
 // --- keys ------------------------------------------------------------------------------------
@@ -184,6 +187,15 @@ void PictureEditing::offerOthers(const QPoint& global, const gestures::HandleDra
 void PictureEditing::mark(const render::Handle& handle) {
     mark_ = {handle.kind, handle.element, handle.part};
     document_.select({gestures::elementOf(handle)});
+}
+
+void PictureEditing::choose(render::HandleKind kind, std::size_t element, std::size_t part) {
+    render::Handle handle;
+    handle.kind = kind;
+    handle.element = element;
+    handle.part = part;
+    mark(handle);
+    Q_EMIT changed();
 }
 
 // What another view selects is marked here too.
@@ -300,20 +312,16 @@ bool PictureEditing::keyPress(QKeyEvent& event) {
         markNext(shifted ? -1 : 1);
         return true;
     }
-    const auto handle = marked();
-    if (!handle || !document_.sceneIsCurrent())
-        return false;
     const int key = event.key();
     if (key == Qt::Key_Delete || key == Qt::Key_Backspace) {
         deleteMarked();
         return true;
     }
+    const auto handle = marked();
+    if (!handle || !document_.sceneIsCurrent())
+        return false;
     if (key == Qt::Key_Insert && handle->kind == render::HandleKind::trajectoryPoint) {
-        gestures::NewPoint point(document_.ground(), display_.sight(), *handle);
-        point.after();
-        if (!point.answer().possible())
-            say(QString::fromStdString(point.words()));
-        point.finish();
+        addPointAfterMarked();
         return true;
     }
     if (key == Qt::Key_Return || key == Qt::Key_Enter) {
@@ -341,10 +349,11 @@ void PictureEditing::keyRelease(QKeyEvent& event) {
 
 // --- taking out -----------------------------------------------------------------------------
 
-void PictureEditing::say(const QString& sentence) {
-    if (sentence == said_)
+void PictureEditing::say(const QString& sentence, bool isFault) {
+    if (sentence == said_ && isFault == saidFault_)
         return;
     said_ = sentence;
+    saidFault_ = isFault;
     Q_EMIT changed();
 }
 
@@ -392,9 +401,10 @@ bool PictureEditing::removePoint(const render::Handle& handle) {
 
 void PictureEditing::deleteMarked() {
     const auto handle = marked();
-    if (!handle || !document_.sceneIsCurrent())
+    if (!handle) // selected, and not to be seen
+        return remove(document_.selected());
+    if (!document_.sceneIsCurrent())
         return;
-    const scene::Scene& scene = *document_.shown().scene;
     const editing::Element element = gestures::elementOf(*handle);
     const bool onPath = handle->kind == render::HandleKind::trajectoryPoint;
     if (onPath && removePoint(*handle))
@@ -402,6 +412,26 @@ void PictureEditing::deleteMarked() {
     std::vector<editing::Element> elements = document_.selected();
     if (std::ranges::find(elements, element) == elements.end())
         elements = {element};
+    remove(std::move(elements));
+}
+
+void PictureEditing::addPointAfterMarked() {
+    const auto handle = marked();
+    if (!handle || handle->kind != render::HandleKind::trajectoryPoint ||
+        !document_.sceneIsCurrent())
+        return;
+    gestures::NewPoint point(document_.ground(), display_.sight(), *handle);
+    point.after();
+    if (!point.answer().possible())
+        say(QString::fromStdString(point.words()));
+    point.finish();
+}
+
+void PictureEditing::remove(std::vector<editing::Element> elements) {
+    if (elements.empty() || !document_.sceneIsCurrent())
+        return;
+    const scene::Scene& scene = *document_.shown().scene;
+    const editing::Element element = elements.front();
     const auto deletion = editing::deletionOf(document_.text(), scene, elements);
     if (!deletion.possible())
         return say(QString::fromStdString(deletion.reason));
@@ -430,7 +460,7 @@ void PictureEditing::openEntry() {
     if (!handle || !document_.sceneIsCurrent())
         return;
     delete entry_;
-    entry_ = new ValueEntry(document_, *handle, display_.time(), &display_);
+    entry_ = new ValueEntry(document_, document_.shown(), *handle, &display_);
     entry_->openAt(display_.fromPixels(display_.sight().pixels(handle->place)).toPoint());
     Q_EMIT changed();
 }

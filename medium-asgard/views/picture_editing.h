@@ -47,11 +47,16 @@ public:
     // What a drag says of itself, "" when there is none.
     [[nodiscard]] QString words() const;
     // A sentence in the picture until something else is done.
-    void say(const QString& sentence);
+    void say(const QString& sentence, bool isFault = true);
     [[nodiscard]] const QString& said() const { return said_; }
+    // As a click on it does.
+    void choose(render::HandleKind kind, std::size_t element, std::size_t part);
     // Selects the element that a scene yet to be read will have.
     void expect(editing::Element element) { expected_ = element; }
     void deleteMarked();
+    // With what cannot be without them, after asking.
+    void remove(std::vector<editing::Element> elements);
+    void addPointAfterMarked(); // to a trajectory
     // Asked before more than one element is taken out; a message box otherwise.
     void setConfirm(std::function<bool(const QString&)> confirm) { confirm_ = std::move(confirm); }
     [[nodiscard]] ValueEntry* entry() const { return entry_; }
@@ -75,9 +80,11 @@ private:
     void markElement(const editing::Element& element);
     void markNext(int step);
     bool dragKey(QKeyEvent& event);
-    void offerOthers(const QPoint& global, const gestures::HandleDrag& drag);
+    void offerOthers(const gestures::HandleDrag& drag);
+    void selectPathAt(const Eigen::Vector2d& pixels);
     void paintLabels(QPainter& painter) const;
     void paintWords(QPainter& painter, const QString& words, bool possible) const;
+    void paintStale(QPainter& painter) const;
 
     struct Mark { // a handle by what it belongs to
         render::HandleKind kind;
@@ -89,6 +96,7 @@ private:
     std::unique_ptr<gestures::HandleDrag> drag_;
     std::unique_ptr<gestures::NewPoint> newPoint_;
     QString said_;
+    bool saidFault_ = false;
     std::optional<editing::Element> expected_; // of a scene yet to be read
     std::function<bool(const QString&)> confirm_;
     bool byKeys_ = false;

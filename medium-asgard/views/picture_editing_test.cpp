@@ -298,6 +298,51 @@ TEST_F(PictureEditingTest, ATangentIsNotDeleted) {
     EXPECT_EQ(display().editing().said(), "A tangent goes with its point.");
 }
 
+// As a wheel whose rim is pushed sideways: about the line of sight, here -z.
+TEST_F(PictureEditingTest, TheRightButtonRollsABody) {
+    open(ball + "body b1 ball -init_pos {-1 0 0}\n", {});
+    const QPoint on = pixels({-1, 0, 0});
+    press(on, Qt::RightButton);
+    moveTo(on + QPoint(60, 25), Qt::RightButton);
+    EXPECT_TRUE(display().words().startsWith("b1: rotation "));
+    release(on + QPoint(60, 25), Qt::RightButton);
+    ASSERT_TRUE(settle(editor.document()));
+    const Vector turned = geometry::toRotationVector(scene().bodies[0].initialAttitude);
+    EXPECT_NEAR(turned.z(), -1.5 * 60 / (0.5 * std::min(display().width(), display().height())),
+                0.02);
+    EXPECT_LT(std::abs(turned.x()) + std::abs(turned.y()), 1e-3);
+    EXPECT_EQ(editor.document().undoLabel(), "Turn b1");
+}
+
+TEST_F(PictureEditingTest, WhatALoopMakesIsOfferedWithTheChangeOfTheTextAsItWasDragged) {
+    const std::string before =
+        ball + "for {set i 0} {$i < 3} {incr i} {\n  body b$i ball -init_pos \"[expr {$i * 0.5}] "
+               "0 0\"\n}\n";
+    open(before);
+    const QPoint start = pixels({1, 0, 0});
+    drag(start, pixels({1.4, 0, 0}));
+    EXPECT_EQ(text(), before);
+    ValueEntry* entry = display().editing().entry();
+    ASSERT_NE(entry, nullptr);
+    EXPECT_THAT(entry->saying().toStdString(), HasSubstr("is one of 3 that line 4 makes"));
+    QPushButton* step = nullptr;
+    for (auto* button : entry->findChildren<QPushButton*>())
+        if (button->text().startsWith("The step: 0.5 becomes 0.7"))
+            step = button;
+    ASSERT_NE(step, nullptr);
+    QString shown;
+    for (auto* label : entry->findChildren<QLabel*>())
+        shown += label->text();
+    EXPECT_THAT(shown.toStdString(), HasSubstr("$i * 0."));
+    step->click();
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_NEAR(scene().bodies[2].initialPosition.x(), 1.4, 0.03);
+    EXPECT_NEAR(scene().bodies[1].initialPosition.x(), 0.7, 0.02);
+    EXPECT_EQ(scene().bodies[0].initialPosition.x(), 0);
+    editor.document().undo();
+    EXPECT_EQ(text(), before);
+}
+
 TEST_F(PictureEditingTest, TheKeysMoveTheMarkedHandleInOneStep) {
     open(ball + "body b1 ball -init_pos {-1 0 0}\nbody b2 ball -init_pos {1 0 0}\n");
     const std::string before = text();

@@ -25,8 +25,14 @@ void PictureEditing::paintSelection(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
     const render::Drawing drawing = display_.drawing();
     const gestures::Sight sight = display_.sight();
+    // LIMIT: of a crowd not all are framed: it would take longer than one wants to wait, and more
+    // frames than one can tell apart.
+    constexpr std::size_t most = 300;
+    std::size_t framed = 0;
     for (const editing::Element& element : document_.selected()) {
-        for (const render::Handle& handle : display_.handles().handles)
+        if (++framed > most)
+            break;
+        for (const render::Handle& handle : display_.drawnHandles().handles)
             if (element.kind != editing::Kind::body && gestures::elementOf(handle) == element)
                 painter.drawEllipse(display_.fromPixels(sight.pixels(handle.place)), 9, 9);
         if (element.kind != editing::Kind::body || element.index >= drawing.scene->bodies.size())
@@ -50,7 +56,7 @@ void PictureEditing::paintLabels(QPainter& painter) const {
     QFont font = painter.font();
     font.setPointSizeF(font.pointSizeF() * 0.9);
     painter.setFont(font);
-    for (const render::Handle& handle : display_.handles().handles) {
+    for (const render::Handle& handle : display_.drawnHandles().handles) {
         if (handle.label.empty() || (handle.kind == render::HandleKind::spin && !handle.isArrow()))
             continue;
         const QPointF at = display_.fromPixels(display_.sight().pixels(handle.place));
@@ -75,8 +81,25 @@ void PictureEditing::paintWords(QPainter& painter, const QString& words, bool po
     painter.drawText(space, Qt::AlignRight | Qt::TextWordWrap, words);
 }
 
+// At the lower left: what moves is an older scene's.
+void PictureEditing::paintStale(QPainter& painter) const {
+    if (!document_.motionIsStale())
+        return;
+    const QString words = document_.waitsToBeAsked()
+                              ? tr("Stale motion: F5 computes that of the scene as it is")
+                              : tr("Stale motion: computing…");
+    const QRect space = display_.rect().adjusted(12, 10, -12, -10);
+    const QRect needed = painter.boundingRect(space, Qt::AlignLeft | Qt::AlignBottom, words);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(255, 236, 190, 235));
+    painter.drawRoundedRect(needed.adjusted(-8, -4, 8, 4), 4, 4);
+    painter.setPen(QColor(110, 70, 0));
+    painter.drawText(space, Qt::AlignLeft | Qt::AlignBottom, words);
+}
+
 void PictureEditing::paint(QPainter& painter) const {
     painter.setRenderHint(QPainter::Antialiasing);
+    paintStale(painter);
     paintSelection(painter);
     paintLabels(painter);
     const bool possible = !drag_ || drag_->answer().possible();
@@ -94,7 +117,7 @@ void PictureEditing::paint(QPainter& painter) const {
     if (dragging())
         paintWords(painter, words(), possible && (drag_ || newPoint_->answer().possible()));
     else if (!said_.isEmpty())
-        paintWords(painter, said_, false);
+        paintWords(painter, said_, !saidFault_);
 }
 
 } // namespace views

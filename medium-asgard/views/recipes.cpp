@@ -145,15 +145,25 @@ Recipe newForce(bool couple, double perUnit) {
     return recipe;
 }
 
-Recipe newWeight() {
+Recipe newWeight(double perUnit, std::function<double(std::size_t)> massOf) {
     return {QObject::tr("New Gravitational Force"),
-            {body(QObject::tr("Click on the body that has weight."))},
-            [](const std::string&, const scene::Scene& scene, const std::vector<Indicated>& shown) {
-                return std::vector{
-                    NewElement{Kind::force,
-                               "",
-                               {"-body", bodyName(scene, shown[0]), "-gravitational", "{0 -1 0}"},
-                               {{Kind::body, *shown[0].body}}}};
+            {body(QObject::tr("Click on the body that has weight.")),
+             {Wanted::point, QObject::tr("Click where the head of its arrow shall be."),
+              QObject::tr("Return: an acceleration of 1 downwards, along -y.")}},
+            [perUnit, massOf = std::move(massOf)](const std::string&, const scene::Scene& scene,
+                                                  const std::vector<Indicated>& shown) {
+                Vector acceleration(0, -1, 0);
+                double resolution = 1;
+                if (shown[1].given) { // its arrow is that of the force
+                    const double length = perUnit * massOf(*shown[0].body);
+                    acceleration = (shown[1].point - shown[0].point) / length;
+                    resolution = shown[1].resolution / length;
+                }
+                return std::vector{NewElement{Kind::force,
+                                              "",
+                                              {"-body", bodyName(scene, shown[0]), "-gravitational",
+                                               listed(acceleration, resolution)},
+                                              {{Kind::body, *shown[0].body}}}};
             },
             &render::Display::forceHandles};
 }

@@ -52,6 +52,8 @@ struct Recipe {
     HandleSwitch handles = nullptr; // shown afterwards
 };
 
+class SceneDisplay;
+
 enum class BasicShape { sphere, box };
 
 // Of a shape that is there, or of a new one.
@@ -59,7 +61,9 @@ enum class BasicShape { sphere, box };
 [[nodiscard]] Recipe newBody(BasicShape shape);
 // `perUnit`: how long the arrow of a force of 1 is drawn.
 [[nodiscard]] Recipe newForce(bool couple, double perUnit);
-[[nodiscard]] Recipe newWeight();
+// `massOf`: of a body of the scene.
+[[nodiscard]] Recipe newWeight(double perUnit, std::function<double(std::size_t)> massOf);
+[[nodiscard]] Recipe newWeight(SceneDisplay& display);
 [[nodiscard]] Recipe newTrajectoryForce(bool couple);
 [[nodiscard]] Recipe newLink(Wanted second);
 [[nodiscard]] Recipe newLight(bool point);

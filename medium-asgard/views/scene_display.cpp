@@ -1,5 +1,6 @@
 #include "views/scene_display.h"
 
+#include "render/extent.h"
 #include "render/framing.h"
 
 #include <QKeyEvent>
@@ -17,6 +18,9 @@ namespace {
 
 using Button = render::CameraControl::Button;
 
+// Long enough for most pictures, and shorter than what one notices.
+std::chrono::milliseconds patience{12};
+
 std::optional<Button> buttonOf(Qt::MouseButton button) {
     switch (button) {
     case Qt::LeftButton:
@@ -32,10 +36,13 @@ std::optional<Button> buttonOf(Qt::MouseButton button) {
 
 } // namespace
 
-SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<render::Renderer> renderer,
-                           QString reason, QWidget* parent)
-    : QWidget(parent), document_(document), renderer_(std::move(renderer)),
-      reason_(std::move(reason)), editing_(document, *this), creating_(document, *this) {
+SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThread> pictures,
+                           QWidget* parent)
+    : QWidget(parent), document_(document), pictures_(std::move(pictures)),
+      editing_(document, *this), creating_(document, *this) {
+    pictures_->open(this, [this] {
+        QMetaObject::invokeMethod(this, &SceneDisplay::ready, Qt::QueuedConnection);
+    });
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMouseTracking(false);
@@ -47,14 +54,20 @@ SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<render::Rend
     connect(&settle_, &QTimer::timeout, this, [this] { redraw(false); });
     connect(&document_, &SceneDocument::sceneChanged, this, &SceneDisplay::sceneChanged);
     connect(&document_, &SceneDocument::motionChanged, this, &SceneDisplay::motionChanged);
+    connect(&document_, &SceneDocument::workChanged, this, [this] { update(); });
     connect(&creating_, &Creating::changed, this, [this] { update(); });
-    connect(&creating_, &Creating::refused, &editing_, &PictureEditing::say);
+    connect(&creating_, &Creating::refused, &editing_,
+            [this](const QString& why) { editing_.say(why); });
     connect(&editing_, &PictureEditing::changed, this, [this] {
         Q_EMIT handleDragged();
         update();
     });
     sceneChanged();
 }
+
+SceneDisplay::~SceneDisplay() { pictures_->forget(this); }
+
+void SceneDisplay::setPatience(std::chrono::milliseconds most) { patience = most; }
 
 render::Size SceneDisplay::pixelSize() const {
     const QSizeF size = QSizeF(this->size()) * devicePixelRatioF();
@@ -72,11 +85,63 @@ QPointF SceneDisplay::fromPixels(const Eigen::Vector2d& pixels) const {
 
 void SceneDisplay::redraw(bool moving) {
     moving_ = moving;
-    if (prepared_)
-        prepared_->set.reset();
-    imageIsOld_ = true;
+    isOld_ = true;
     if (moving)
         settle_.start();
+    update();
+}
+
+void SceneDisplay::ask() {
+    if (!isOld_)
+        return;
+    isOld_ = false;
+    PictureWish wish;
+    wish.serial = ++wished_;
+    wish.shown = document_.shown();
+    wish.time = time_;
+    wish.display = display_;
+    wish.display.samples = moving_ ? 1 : 4;
+    wish.size = pixelSize();
+    wish.pixelRatio = devicePixelRatioF();
+    wish.camera = control_.camera();
+    wish.view = followed_.toStdString();
+    wish.from = !followed_.isEmpty() ? SeenFrom::view
+                : framesItself_      ? SeenFrom::framed
+                : turned_            ? SeenFrom::turned
+                                     : SeenFrom::camera;
+    pictures_->draw(this, std::move(wish));
+}
+
+void SceneDisplay::take() {
+    auto last = pictures_->last(this);
+    if (!last || last == picture_)
+        return;
+    picture_ = std::move(last);
+    // Where it is seen from, unless that was changed meanwhile.
+    const PictureWish& of = picture_->of;
+    const bool follows = of.from == SeenFrom::view && of.view == followed_.toStdString();
+    const bool frames = of.from == SeenFrom::framed && followed_.isEmpty() && framesItself_;
+    const bool turns = of.from == SeenFrom::turned && turned_;
+    if (!follows && !frames && !turns)
+        return;
+    if (of.serial == wished_)
+        turned_ = false;
+    control_.set(picture_->camera);
+    Q_EMIT cameraChanged();
+}
+
+void SceneDisplay::bringUpToDate() {
+    ask();
+    const bool isHeavy = picture_ && picture_->lasted > 2 * patience;
+    if (waitedFor_ != wished_ && !isHeavy) { // once for each: many may ask before it comes
+        waitedFor_ = wished_;
+        pictures_->wait(this, wished_, patience);
+    }
+    take();
+}
+
+void SceneDisplay::ready() {
+    take();
     update();
 }
 
@@ -84,7 +149,6 @@ void SceneDisplay::setTime(double time, bool moving) {
     if (time == time_)
         return;
     time_ = time;
-    cameraIsOld_ = cameraIsOld_ || (view_ && view_->follows());
     redraw(moving);
 }
 
@@ -106,29 +170,10 @@ void SceneDisplay::sceneChanged() {
     motionChanged();
 }
 
-void SceneDisplay::motionChanged() {
-    view_.reset();
-    cameraIsOld_ = true;
-    redraw(moving_);
-}
-
-void SceneDisplay::updateCamera() {
-    if (!cameraIsOld_)
-        return;
-    cameraIsOld_ = false;
-    const Shown& shown = document_.shown();
-    const bool follows = !followed_.isEmpty();
-    if (!follows && !framesItself_)
-        return;
-    if (follows && !view_)
-        view_.emplace(*shown.scene, shown.motion, followed_.toStdString(), pixelSize());
-    control_.set(follows ? view_->at(time_)
-                         : render::framed(*shown.scene, shown.motion, pixelSize()));
-    Q_EMIT cameraChanged();
-}
+void SceneDisplay::motionChanged() { redraw(moving_); }
 
 void SceneDisplay::movedByUser() {
-    framesItself_ = false;
+    framesItself_ = turned_ = false;
     if (!followed_.isEmpty())
         followView({});
     Q_EMIT cameraChanged();
@@ -143,12 +188,11 @@ void SceneDisplay::setCamera(const render::Camera& camera) {
 void SceneDisplay::frameAll() {
     followView({});
     framesItself_ = true;
-    cameraIsOld_ = true;
     redraw(false);
 }
 
 void SceneDisplay::lookAlong(const geometry::Vector& toward) {
-    updateCamera();
+    bringUpToDate();
     const geometry::Vector up = render::upOf(*document_.shown().scene);
     // Down on the ground, or up at it: what was in front is at the bottom.
     const double along = toward.dot(up);
@@ -160,19 +204,14 @@ void SceneDisplay::lookAlong(const geometry::Vector& toward) {
     camera.rotation = render::facing(toward, upright);
     const bool wasFraming = framesItself_;
     setCamera(camera);
-    if (wasFraming) {
-        const Shown& shown = document_.shown();
-        setCamera(render::fitted(render::extentOf(*shown.scene, shown.motion.get()),
-                                 camera.rotation, pixelSize()));
-    }
+    turned_ = wasFraming;
     redraw(false);
 }
 
 void SceneDisplay::followView(const QString& name) {
-    view_.reset();
-    cameraIsOld_ = true;
     if (name != followed_) {
         followed_ = name;
+        lastView_ = name.isEmpty() ? lastView_ : name;
         Q_EMIT viewFollowed();
     }
     redraw(false);
@@ -183,31 +222,30 @@ render::Drawing SceneDisplay::drawing() const {
             display_};
 }
 
-const render::HandleSet& SceneDisplay::handles() const {
+const render::HandleSet& SceneDisplay::handles() {
     static const render::HandleSet none;
     if (!render::showsHandles(display_))
         return none;
-    Prepared& all = prepared();
-    if (!all.set)
-        all.set = std::make_shared<const render::HandleSet>(all.handles.at(time_, display_));
-    return *all.set;
+    bringUpToDate();
+    return picture_ && picture_->of.shown.scene == document_.shown().scene ? picture_->handles
+                                                                           : none;
 }
 
-double SceneDisplay::arrowLength(bool couple) const {
-    return prepared().handles.arrowLength(couple ? render::HandleKind::torqueHead
-                                                 : render::HandleKind::forceHead);
+const render::HandleSet& SceneDisplay::drawnHandles() const {
+    static const render::HandleSet none;
+    return picture_ ? picture_->handles : none;
 }
 
-SceneDisplay::Prepared& SceneDisplay::prepared() const {
-    const Shown& shown = document_.shown();
-    if (!prepared_ || prepared_->of.scene != shown.scene || prepared_->of.motion != shown.motion)
-        prepared_.reset(new Prepared{shown, render::Handles(*shown.scene, shown.motion), nullptr});
-    return *prepared_;
+double SceneDisplay::arrowLength(bool couple) {
+    bringUpToDate();
+    if (!picture_)
+        return 1;
+    return couple ? picture_->torqueArrow : picture_->forceArrow;
 }
 
 void SceneDisplay::keepCamera() { framesItself_ = false; }
 
-std::vector<geometry::Vector> SceneDisplay::verticesAndHandles() const {
+std::vector<geometry::Vector> SceneDisplay::verticesAndHandles() {
     const Shown& shown = document_.shown();
     std::vector<geometry::Vector> points;
     for (std::size_t i = 0; i < shown.scene->bodies.size(); ++i) {
@@ -242,13 +280,23 @@ void SceneDisplay::centerAt(const QPointF& position) {
         camera, taken ? *taken : render::toWorld(camera, pixelSize(), pixels, middle)));
 }
 
+double SceneDisplay::massOf(std::size_t body) const {
+    const Shown& shown = document_.shown();
+    if (body < shown.scene->bodies.size() && shown.scene->bodies[body].mass)
+        return *shown.scene->bodies[body].mass;
+    const bool known = shown.motion && body < shown.motion->bodies();
+    const double mass = known ? shown.motion->mass(body) : 1;
+    return std::isfinite(mass) && mass > 0 ? mass : 1;
+}
+
 void SceneDisplay::mousePressEvent(QMouseEvent* event) {
+    if (!control_.active())
+        pressed_ = event->position();
     const auto button = buttonOf(event->button());
-    updateCamera();
+    bringUpToDate();
     if (!button)
         event->ignore();
     else if (creating_.active() && *button == Button::left) {
-        pressed_ = event->position();
         control_.press(*button, inPixels(event->position()), pixelSize());
     } else if (!editing_.press(*event))
         control_.press(*button, inPixels(event->position()), pixelSize());
@@ -269,8 +317,12 @@ void SceneDisplay::mouseReleaseEvent(QMouseEvent* event) {
     if (creating_.active() && event->button() == Qt::LeftButton) {
         if ((event->position() - pressed_).manhattanLength() < still)
             creating_.click(event->position());
-    } else {
-        editing_.release(*event);
+    } else if (!editing_.release(*event) && control_.active() &&
+               event->button() == Qt::RightButton &&
+               (event->position() - pressed_).manhattanLength() < still) {
+        control_.release();
+        Q_EMIT menuWanted(menuPlaceAt(document_, *this, event->position()));
+        return;
     }
     control_.release();
 }
@@ -290,20 +342,84 @@ bool SceneDisplay::event(QEvent* event) {
 }
 
 void SceneDisplay::wheelEvent(QWheelEvent* event) {
-    updateCamera();
+    bringUpToDate();
     control_.wheel(inPixels(event->position()), event->angleDelta().y() / 120.0, pixelSize());
     movedByUser();
     event->accept();
 }
 
 void SceneDisplay::keyPressEvent(QKeyEvent* event) {
-    updateCamera();
+    bringUpToDate();
     if (creating_.key(*event) || editing_.keyPress(*event))
         return;
+    if (turnKey(*event))
+        return;
+    const auto marked = editing_.marked();
+    const QPointF pointer = mapFromGlobal(QPointF(QCursor::pos()));
     if (event->key() == Qt::Key_C && event->modifiers() == Qt::NoModifier)
-        centerAt(mapFromGlobal(QPointF(QCursor::pos())));
+        centerAt(rect().contains(pointer.toPoint()) || !marked
+                     ? pointer
+                     : fromPixels(sight().pixels(marked->place)));
     else
         QWidget::keyPressEvent(event);
+}
+
+// The right button has its menu when it is let go where it was pressed; this is the keyboard's.
+void SceneDisplay::contextMenuEvent(QContextMenuEvent* event) {
+    if (event->reason() == QContextMenuEvent::Keyboard && !creating_.active())
+        Q_EMIT menuWanted(menuPlaceOfSelection(document_, *this));
+    event->accept();
+}
+
+// What the buttons do with the view: Alt and the arrows turn it, with Page Up and Page Down roll
+// it, Ctrl and the arrows move it, plus and minus scale it.
+bool SceneDisplay::turnKey(const QKeyEvent& event) {
+    const bool alt = event.modifiers() == Qt::AltModifier;
+    const bool control = event.modifiers() == Qt::ControlModifier;
+    constexpr double angle = 5 * M_PI / 180, way = 0.06;
+    render::Camera camera = control_.camera();
+    const auto turn = [&](const geometry::Vector& axis, double by) {
+        camera.rotation =
+            (geometry::Quaternion(Eigen::AngleAxisd(by, axis)) * camera.rotation).normalized();
+    };
+    const auto across = [&](double x, double y) {
+        if (alt)
+            turn(geometry::Vector(-y, x, 0), angle);
+        else
+            camera.position += way * geometry::Vector(x, y, 0);
+        return alt || control;
+    };
+    bool is = false;
+    switch (event.key()) {
+    case Qt::Key_Left:
+        is = across(-1, 0);
+        break;
+    case Qt::Key_Right:
+        is = across(1, 0);
+        break;
+    case Qt::Key_Up:
+        is = across(0, 1);
+        break;
+    case Qt::Key_Down:
+        is = across(0, -1);
+        break;
+    case Qt::Key_PageUp:
+    case Qt::Key_PageDown:
+        turn(geometry::Vector::UnitZ(), event.key() == Qt::Key_PageUp ? angle : -angle);
+        is = alt;
+        break;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+    case Qt::Key_Minus:
+        camera.scale *= event.key() == Qt::Key_Minus ? 1 / 1.1 : 1.1;
+        is = !alt && !control;
+        break;
+    default:
+        break;
+    }
+    if (is)
+        setCamera(camera);
+    return is;
 }
 
 void SceneDisplay::keyReleaseEvent(QKeyEvent* event) {
@@ -317,49 +433,24 @@ void SceneDisplay::focusOutEvent(QFocusEvent* event) {
     QWidget::focusOutEvent(event);
 }
 
-void SceneDisplay::resizeEvent(QResizeEvent*) {
-    view_.reset();
-    cameraIsOld_ = true;
-    imageIsOld_ = true;
-}
-
-void SceneDisplay::drawImage() {
-    updateCamera();
-    imageIsOld_ = false;
-    const render::Size size = pixelSize();
-    if (image_.size() != QSize(size.width, size.height))
-        image_ = QImage(size.width, size.height, QImage::Format_RGB32);
-    image_.setDevicePixelRatio(devicePixelRatioF());
-    render::Drawing drawing = this->drawing();
-    drawing.display.samples = moving_ ? 1 : 4;
-    if (render::showsHandles(display_)) {
-        const render::HandleSet& shown = handles();
-        drawing.handles = {prepared_->set, &shown};
-    }
-    const render::Image into{{reinterpret_cast<std::byte*>(image_.bits()),
-                              static_cast<std::size_t>(image_.sizeInBytes())},
-                             static_cast<std::size_t>(image_.bytesPerLine()),
-                             size};
-    if (!renderer_->draw(drawing, into)) {
-        renderer_.reset();
-        reason_ = tr("The graphics context was lost. Open another viewer.");
-    }
-}
+void SceneDisplay::resizeEvent(QResizeEvent*) { isOld_ = true; }
 
 void SceneDisplay::paintEvent(QPaintEvent*) {
-    if (renderer_ && (imageIsOld_ || image_.isNull()))
-        drawImage();
+    bringUpToDate();
     QPainter painter(this);
-    if (renderer_) {
-        painter.drawImage(QPointF(0, 0), image_);
-        editing_.paint(painter);
-        creating_.paint(painter);
+    if (picture_ && !picture_->fault.isEmpty()) {
+        painter.fillRect(rect(), palette().base());
+        painter.setPen(palette().color(QPalette::Text));
+        painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
+                         picture_->fault);
         return;
     }
-    painter.fillRect(rect(), palette().base());
-    painter.setPen(palette().color(QPalette::Text));
-    painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
-                     reason_);
+    const QImage image = picture_ ? picture_->image : QImage();
+    if (image.isNull() || image.deviceIndependentSize().toSize() != size())
+        painter.fillRect(rect(), Qt::white);
+    painter.drawImage(QPointF(0, 0), image);
+    editing_.paint(painter);
+    creating_.paint(painter);
 }
 
 } // namespace views

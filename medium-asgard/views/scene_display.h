@@ -1,18 +1,18 @@
 // The picture of a scene in a window, and how the pointer and keys move its viewpoint.
 //
 // An ordinary widget that paints the renderer's image: no window system's OpenGL is needed, and
-// tests without a display see the same pixels. Unshifted buttons move the view (render/camera.h),
-// `c` puts the centre of rotation under the pointer (dissertation 4.1.7). Until the user moves it,
-// the view frames the whole motion by itself. While something moves, pictures are drawn quickly;
-// at rest, finely.
+// tests without a display see the same pixels. Pictures come from a thread (picture_thread.h); a
+// scene that takes long to draw holds nothing up. Unshifted buttons move the view
+// (render/camera.h), `c` puts the centre of rotation under the pointer (dissertation 4.1.7). Until
+// the user moves it, the view frames the whole motion by itself. While something moves, pictures
+// are drawn quickly; at rest, finely.
 #pragma once
 
 #include "gestures/picking.h"
-#include "render/extent.h"
-#include "render/renderer.h"
-#include "render/view.h"
 #include "views/creating.h"
+#include "views/element_menu.h"
 #include "views/picture_editing.h"
+#include "views/picture_thread.h"
 #include "views/scene_document.h"
 
 #include <QImage>
@@ -27,10 +27,13 @@ namespace views {
 class SceneDisplay : public QWidget {
     Q_OBJECT
 public:
-    // Shows the document's scene; `renderer` may be shared by all windows of the thread, and null:
-    // then `reason` is shown instead.
-    SceneDisplay(SceneDocument& document, std::shared_ptr<render::Renderer> renderer,
-                 QString reason, QWidget* parent = nullptr);
+    // Shows the document's scene.
+    SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThread> pictures,
+                 QWidget* parent = nullptr);
+    ~SceneDisplay() override;
+
+    // How long a window waits for a picture before it goes on without.
+    static void setPatience(std::chrono::milliseconds patience);
 
     void setTime(double time, bool moving);
     [[nodiscard]] double time() const { return time_; }
@@ -45,6 +48,7 @@ public:
     // The scene's view of that name; "" leaves it where it is.
     void followView(const QString& name);
     [[nodiscard]] const QString& followedView() const { return followed_; }
+    [[nodiscard]] const QString& lastView() const { return lastView_; } // that was followed
     // The centre of rotation becomes the vertex or handle near the pixel, else what is at
     // mid-depth.
     void centerAt(const QPointF& position);
@@ -53,10 +57,14 @@ public:
     [[nodiscard]] PictureEditing& editing() { return editing_; }
     [[nodiscard]] Creating& creating() { return creating_; }
     // How long the arrow of a force, or a torque, of 1 is drawn.
-    [[nodiscard]] double arrowLength(bool couple) const;
+    [[nodiscard]] double arrowLength(bool couple);
+    [[nodiscard]] double massOf(std::size_t body) const; // 1 while it is not known
     [[nodiscard]] QString words() const { return editing_.words(); }
-    // What the display shows of the scene at this time.
-    [[nodiscard]] const render::HandleSet& handles() const;
+    // What the display shows of the scene at this time; as of the last picture, where a newer one
+    // takes long, and nothing of another scene.
+    [[nodiscard]] const render::HandleSet& handles();
+    // What is to be seen in the picture as it is.
+    [[nodiscard]] const render::HandleSet& drawnHandles() const;
     [[nodiscard]] render::Drawing drawing() const;
     [[nodiscard]] gestures::Sight sight() const { return {control_.camera(), pixelSize()}; }
     [[nodiscard]] Eigen::Vector2d inPixels(const QPointF& position) const;
@@ -70,6 +78,7 @@ Q_SIGNALS:
     void cameraChanged();
     void handleDragged(); // its words changed
     void viewFollowed();  // another named view, or none any more
+    void menuWanted(const MenuPlace& place);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -82,41 +91,37 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     bool event(QEvent* event) override;
 
 private:
     [[nodiscard]] render::Size pixelSize() const;
     void sceneChanged();
     void motionChanged();
-    void updateCamera();
+    // The newest wish is asked for, and waited for as long as there is patience.
+    void bringUpToDate();
+    void ask();
+    void take();
+    void ready(); // the thread has drawn a picture
     void movedByUser();
     void redraw(bool moving);
-    void drawImage();
-    [[nodiscard]] std::vector<geometry::Vector> verticesAndHandles() const;
+    bool turnKey(const QKeyEvent& event);
+    [[nodiscard]] std::vector<geometry::Vector> verticesAndHandles();
 
     SceneDocument& document_;
-    std::shared_ptr<render::Renderer> renderer_;
-    QString reason_; // why there is no picture
+    std::shared_ptr<PictureThread> pictures_;
+    PictureThread::PicturePointer picture_; // the last one, maybe of something older
     render::CameraControl control_;
     render::Display display_;
     double time_ = 0;
     bool framesItself_ = true;
-    QString followed_;
-    std::optional<render::SceneView> view_; // the followed view, prepared
+    QString followed_, lastView_;
     PictureEditing editing_;
     Creating creating_;
-    QPointF pressed_; // where the left button was, while something is created
-    // Of the scene, motion, time and kinds that are shown; made when they are asked for.
-    struct Prepared {
-        Shown of;
-        render::Handles handles;
-        std::shared_ptr<const render::HandleSet> set;
-    };
-    mutable std::unique_ptr<Prepared> prepared_;
-    Prepared& prepared() const;
-    bool cameraIsOld_ = true;
-    QImage image_;
-    bool imageIsOld_ = true;
+    QPointF pressed_;     // where the button was
+    bool turned_ = false; // framed anew, with the attitude as it is
+    unsigned wished_ = 0, waitedFor_ = 0;
+    bool isOld_ = true; // what is shown is not what was wished for last
     bool moving_ = false;
     QTimer settle_; // then the fine picture is drawn
 };

@@ -3,6 +3,7 @@
 #include "editing/changes.h"
 #include "script/places.h"
 #include "simulation/report.h"
+#include "views/stale_motion.h"
 #include "views/worker.h"
 
 #include <QFile>
@@ -10,6 +11,7 @@
 #include <QSaveFile>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace views {
@@ -27,6 +29,47 @@ bool same(const scene::Diagnostic& a, const scene::Diagnostic& b) {
            a.suggestion == b.suggestion;
 }
 
+// Whether an element is at its place still: by its name, or by its command, which an edit moved at
+// most. Quick for the usual case, where nothing comes or goes.
+class Stays {
+public:
+    Stays(const scene::Scene& before, const scene::Scene& after, const TextEdit& edit)
+        : before_(before), after_(after), edit_(edit) {}
+
+    // Something came or went: then a command may stand where another one stood.
+    [[nodiscard]] bool sameCounts() const {
+        const auto counts = [](const scene::Scene& s) {
+            return std::array{s.shapeSets.size(), s.bodies.size(),       s.forces.size(),
+                              s.links.size(),     s.trajectories.size(), s.constraints.size(),
+                              s.lights.size(),    s.views.size(),        s.parameters.size(),
+                              s.plots.size()};
+        };
+        return counts(before_) == counts(after_);
+    }
+    bool operator()(const editing::Element& element) const {
+        const scene::Source* old = editing::sourceOf(before_, element);
+        const scene::Source* now = editing::sourceOf(after_, element);
+        if (!old || !now || old->runs != now->runs)
+            return false;
+        const std::string name = editing::nameOf(before_, element);
+        if (name != editing::nameOf(after_, element))
+            return false;
+        if (!name.empty())
+            return true;
+        const scene::Range command = old->command;
+        if (old->runs != 1 || !command.known())
+            return false;
+        if (command.to <= edit_.from || (command.from < edit_.from && edit_.to <= command.to))
+            return now->command.from == command.from;
+        return command.from >= edit_.to &&
+               now->command.from == command.from - (edit_.to - edit_.from) + edit_.text.size();
+    }
+
+private:
+    const scene::Scene &before_, &after_;
+    const TextEdit& edit_;
+};
+
 } // namespace
 
 struct SceneDocument::Worker {
@@ -35,6 +78,8 @@ struct SceneDocument::Worker {
 };
 
 SceneDocument::SceneDocument(Workshop workshop, QObject* parent) : QObject(parent) {
+    soon_.setSingleShot(true);
+    connect(&soon_, &QTimer::timeout, this, [this] { showAwaited(nullptr); });
     if (!workshop.read)
         return;
     worker_ = std::make_unique<Worker>(std::move(workshop));
@@ -42,16 +87,15 @@ SceneDocument::SceneDocument(Workshop workshop, QObject* parent) : QObject(paren
     const auto post = [this](auto call) {
         QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
     };
-    worker_->thread.onRead = [this, post](unsigned serial, const script::ReadResult& result) {
-        post([this, serial, result] { didRead(serial, result); });
+    worker_->thread.onRead = [this, post](std::shared_ptr<const Reading> reading) {
+        post([this, reading = std::move(reading)] { didRead(reading); });
     };
     worker_->thread.onProgress = [this, post](unsigned serial, const auto& scene,
                                               const auto& motion) {
         post([this, serial, scene, motion] { didMove(serial, scene, motion); });
     };
-    worker_->thread.onFinished = [this, post](unsigned serial, const auto& scene,
-                                              const simulation::Result& result) {
-        post([this, serial, scene, result] { didFinish(serial, scene, result); });
+    worker_->thread.onMoved = [this, post](std::shared_ptr<const Moved> moved) {
+        post([this, moved = std::move(moved)] { didFinish(*moved); });
     };
 }
 
@@ -75,12 +119,16 @@ void SceneDocument::select(std::vector<editing::Element> elements) {
     Q_EMIT selectionChanged();
 }
 
-void SceneDocument::followSelection(const scene::Scene& before) {
-    const std::string textBefore = std::exchange(shownText_, text_);
+void SceneDocument::followSelection(const scene::Scene& before, const std::string& text) {
+    const std::string textBefore = std::exchange(shownText_, text);
     if (selected_.empty())
         return;
+    const TextEdit edit = editBetween(textBefore, shownText_);
+    const Stays stays(before, *shown_.scene, edit);
+    if (stays.sameCounts() && std::ranges::all_of(selected_, stays))
+        return;
     const editing::Changes changes =
-        editing::changesBetween({textBefore, before}, {text_, *shown_.scene});
+        editing::changesBetween({textBefore, before}, {shownText_, *shown_.scene});
     std::vector<editing::Element> now;
     for (const editing::Element& element : selected_)
         if (const auto after = changes.now(element))
@@ -173,14 +221,18 @@ void SceneDocument::setComputed(Computed computed) {
     diagnostics_ = std::move(computed.diagnostics);
     statistics_ = computed.statistics;
     sceneRevision_ = computed.current ? revision_ : -1;
+    motionOf_ = shown_.scene;
     if (otherScene) {
-        followSelection(*before);
+        followSelection(*before, text_);
         Q_EMIT sceneChanged();
     }
     if (otherMotion)
         Q_EMIT motionChanged();
     if (otherFaults)
         Q_EMIT diagnosticsChanged();
+    const bool behind = !computed.current && !hasErrors() && shown_.motion;
+    if (std::exchange(hostIsBehind_, behind) != behind && computed.work == work_)
+        Q_EMIT workChanged();
     setWork(computed.work);
 }
 
@@ -226,19 +278,40 @@ void SceneDocument::replaceText(const std::string& text) {
     ++revision_;
     Q_EMIT textChanged();
     Q_EMIT nameChanged();
-    start();
+    start(false);
 }
 
 void SceneDocument::recompute() {
     if (host_.recompute)
         return host_.recompute();
-    start();
+    start(true);
 }
 
-void SceneDocument::start() {
+bool SceneDocument::motionIsStale() const { return motionOf_ != shown_.scene || hostIsBehind_; }
+
+void SceneDocument::setLive(Live live) {
+    live_ = live;
+    isSlow_ = gaveUp_ = false;
+    if (waitsToBeAsked() && live != Live::never)
+        start(false);
+    Q_EMIT workChanged();
+}
+
+void SceneDocument::start(bool asked) {
     if (!worker_)
         return;
-    worker_->thread.start(text_);
+    WorkThread::Order order;
+    order.moves = asked || live_ == Live::always || (live_ == Live::automatic && !gaveUp_);
+    order.haste = gesture_ ? Haste::gesture : Haste::now;
+    order.overlap = slow_.overlap;
+    if (live_ == Live::automatic && isSlow_ && !asked)
+        order.budget = slow_.attempt;
+    worker_->thread.start(text_, order);
+    if (!gesture_) {
+        welcome_ = worker_->thread.serial();
+        awaited_.reset();
+        soon_.stop();
+    }
     setWork(Work::reading);
 }
 
@@ -249,45 +322,114 @@ void SceneDocument::setWork(Work work) {
     Q_EMIT workChanged();
 }
 
-void SceneDocument::didRead(unsigned serial, const script::ReadResult& result) {
-    if (serial != worker_->thread.serial())
+// --- what the worker has to say ---------------------------------------------------------------
+
+void SceneDocument::didRead(const std::shared_ptr<const Reading>& reading) {
+    if (reading->serial < welcome_)
         return;
-    diagnostics_ = result.diagnostics;
-    Q_EMIT diagnosticsChanged();
-    setWork(result.usable ? Work::simulating : Work::none);
+    // What is quick is shown with its motion at once; what is not, before.
+    constexpr std::chrono::milliseconds quick{30};
+    const bool isLast = reading->serial == worker_->thread.serial();
+    if (isLast) {
+        diagnostics_ = reading->diagnostics;
+        Q_EMIT diagnosticsChanged();
+    }
+    if (reading->scene) {
+        awaited_ = reading;
+        if (!reading->moves || lastMotion_ > quick)
+            showAwaited(nullptr);
+        else if (!soon_.isActive())
+            soon_.start(quick);
+    }
+    if (isLast)
+        setWork(reading->moves ? Work::simulating : Work::none);
 }
 
-void SceneDocument::didMove(unsigned serial, const std::shared_ptr<const scene::Scene>& scene,
-                            const simulation::MotionPointer& motion) {
-    if (serial != worker_->thread.serial())
-        return;
+void SceneDocument::show(Shown shown, ScenePointer motionOf) {
     const auto before = shown_.scene;
-    shown_ = {scene, motion};
-    sceneRevision_ = revision_;
-    if (before != scene) {
-        followSelection(*before);
+    const bool wasStale = motionIsStale();
+    shown_ = std::move(shown);
+    motionOf_ = std::move(motionOf);
+    if (before != shown_.scene) {
+        followSelection(*before, awaited_ ? awaited_->text : text_);
         Q_EMIT sceneChanged();
     }
     Q_EMIT motionChanged();
+    if (wasStale != motionIsStale())
+        Q_EMIT workChanged();
 }
 
-void SceneDocument::didFinish(unsigned serial, const std::shared_ptr<const scene::Scene>& scene,
-                              const simulation::Result& result) {
-    if (serial != worker_->thread.serial())
+// With its own motion, or with what there is of the motion of the scene before.
+void SceneDocument::showAwaited(const simulation::MotionPointer* motion) {
+    soon_.stop();
+    if (!awaited_)
         return;
-    statistics_ = result.statistics;
+    const auto reading = awaited_;
+    sceneRevision_ = reading->serial == worker_->thread.serial() ? revision_ : -1;
+    const ScenePointer of = motion ? reading->scene : motionOf_;
+    show({reading->scene,
+          motion ? *motion : staleMotion(*shown_.scene, shown_.motion, reading->scene)},
+         of);
+    awaited_.reset();
+}
+
+void SceneDocument::showMotion(const ScenePointer& scene, const simulation::MotionPointer& motion) {
+    if (awaited_ && awaited_->scene == scene)
+        return showAwaited(&motion);
+    if (scene == shown_.scene)
+        return show({scene, motion}, scene);
+    // While a gesture lasts: of a place where the hand was a moment ago.
+    if (auto stale = staleMotion(*scene, motion, shown_.scene))
+        show({shown_.scene, std::move(stale)}, scene);
+}
+
+void SceneDocument::didMove(unsigned serial, const ScenePointer& scene,
+                            const simulation::MotionPointer& motion) {
+    if (serial >= welcome_)
+        showMotion(scene, motion);
+}
+
+void SceneDocument::learnPace(const Moved& moved) {
+    if (!moved.result.cancelled) {
+        lastMotion_ = moved.lasted;
+        isSlow_ = moved.lasted > slow_.motion;
+        gaveUp_ = false;
+    } else {
+        isSlow_ = isSlow_ || moved.lasted > slow_.motion;
+        gaveUp_ = gaveUp_ || moved.givenUp;
+    }
+}
+
+void SceneDocument::didFinish(const Moved& moved) {
+    learnPace(moved);
+    if (moved.serial < welcome_)
+        return;
+    const bool isLast = moved.serial == worker_->thread.serial();
+    if (!moved.result.cancelled)
+        showMotion(moved.scene, moved.result.motion);
+    if (!isLast)
+        return;
+    if (moved.result.cancelled) {
+        showAwaited(nullptr);
+        motionOf_.reset(); // what was drawn of it is not all
+    } else {
+        statistics_ = moved.result.statistics;
+        reportFaults(moved);
+    }
+    setWork(Work::none);
+}
+
+void SceneDocument::reportFaults(const Moved& moved) {
     const script::Places places(text_);
     const auto add = [&](scene::Diagnostic said) {
         places.locate(said);
         diagnostics_.push_back(std::move(said));
     };
-    for (const std::string& sentence : result.refusal)
-        add(simulation::faultOf(*scene, sentence));
-    if (result.motion)
-        std::ranges::for_each(simulation::reportOf(*scene, *result.motion), add);
-    didMove(serial, scene, result.motion);
+    for (const std::string& sentence : moved.result.refusal)
+        add(simulation::faultOf(*moved.scene, sentence));
+    if (moved.result.motion)
+        std::ranges::for_each(simulation::reportOf(*moved.scene, *moved.result.motion), add);
     Q_EMIT diagnosticsChanged();
-    setWork(Work::none);
 }
 
 QString SceneDocument::open(const QString& path) {
@@ -307,6 +449,7 @@ void SceneDocument::begin(const QString& path, const std::string& text) {
     done_.clear();
     undone_.clear();
     gesture_.reset();
+    isSlow_ = gaveUp_ = false;
     Q_EMIT opened();
     replaceText(text);
 }

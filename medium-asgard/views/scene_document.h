@@ -20,7 +20,9 @@
 
 #include <QObject>
 #include <QString>
+#include <QTimer>
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -29,8 +31,9 @@
 
 namespace views {
 
-// How texts become scenes and scenes motion. Called on the worker thread, one call at a time;
-// cancelReading on any. An empty one computes nothing: setComputed() is called instead.
+// How texts become scenes and scenes motion. `read` is called on one thread, `simulate` on another,
+// neither on the interface's; cancelReading on any. An empty one computes nothing: setComputed() is
+// called instead.
 struct Workshop {
     std::function<script::ReadResult(std::string_view text)> read;
     std::function<void()> cancelReading;
@@ -60,6 +63,13 @@ struct Shown {
 
 enum class Work { none, reading, simulating };
 
+// Whether an edit's motion is computed without being asked for.
+enum class Live {
+    automatic, // while that is quick: see SceneDocument::setSlow()
+    always,
+    never,
+};
+
 // What another has made of the text.
 struct Computed {
     Shown shown;
@@ -68,6 +78,9 @@ struct Computed {
     Work work = Work::none;
     bool current = false; // the scene was read from the text as it is now
 };
+
+struct Reading;
+struct Moved;
 
 class SceneDocument : public QObject {
     Q_OBJECT
@@ -107,8 +120,23 @@ public:
     [[nodiscard]] bool isPreview() const { return gesture_.has_value(); }
     // What a gesture in one of the windows is made on.
     [[nodiscard]] gestures::Ground ground();
-    // Computes the motion again from the current text.
+    // Computes the motion again from the current text, however long that takes.
     void recompute();
+
+    // The scene is shown as soon as it is read; until its own motion is there the motion shown is
+    // an older scene's, which is said wherever it is seen.
+    [[nodiscard]] bool motionIsStale() const;
+    // It stays so until one asks for the motion: computing it takes long, or one wants it so.
+    [[nodiscard]] bool waitsToBeAsked() const { return motionIsStale() && work_ == Work::none; }
+    [[nodiscard]] Live live() const { return live_; }
+    void setLive(Live live);
+    // Automatic: a motion that took longer than `motion` makes the scene slow. Of a slow scene an
+    // edit's motion is given up after `attempt`, and then none is begun until one is asked for.
+    struct Slow {
+        std::chrono::milliseconds motion{3000}, attempt{1000};
+        std::chrono::milliseconds overlap{300}; // see WorkThread, of gestures
+    };
+    void setSlow(Slow slow) { slow_ = slow; }
 
     [[nodiscard]] bool canUndo() const;
     [[nodiscard]] bool canRedo() const;
@@ -145,8 +173,8 @@ Q_SIGNALS:
     void sceneChanged(); // another scene is shown
     void selectionChanged();
     void motionChanged(); // more or other motion of it
-    void workChanged();
-    void nameChanged(); // or whether it is modified
+    void workChanged();   // or whether the motion is stale
+    void nameChanged();   // or whether it is modified
     void changeAccepted();
     void changeRefused(const QString& why); // the text is the host's again
 
@@ -160,15 +188,21 @@ private:
 
     void replaceText(const std::string& text);
     void endGesture();
+    using ScenePointer = std::shared_ptr<const scene::Scene>;
     void begin(const QString& path, const std::string& text);
-    void start();
-    void followSelection(const scene::Scene& before); // after another scene came
+    void start(bool asked);
+    // After another scene came, which was read from that text.
+    void followSelection(const scene::Scene& before, const std::string& text);
     void setWork(Work work);
-    void didRead(unsigned serial, const script::ReadResult& result);
-    void didMove(unsigned serial, const std::shared_ptr<const scene::Scene>& scene,
+    void didRead(const std::shared_ptr<const Reading>& reading);
+    void didMove(unsigned serial, const ScenePointer& scene,
                  const simulation::MotionPointer& motion);
-    void didFinish(unsigned serial, const std::shared_ptr<const scene::Scene>& scene,
-                   const simulation::Result& result);
+    void didFinish(const Moved& moved);
+    void learnPace(const Moved& moved);
+    void reportFaults(const Moved& moved);
+    void showAwaited(const simulation::MotionPointer* motion);
+    void showMotion(const ScenePointer& scene, const simulation::MotionPointer& motion);
+    void show(Shown shown, ScenePointer motionOf);
 
     std::string text_, savedText_;
     QString path_, name_;
@@ -180,6 +214,15 @@ private:
     std::vector<scene::Diagnostic> diagnostics_;
     std::optional<simulation::Statistics> statistics_;
     Work work_ = Work::none;
+    ScenePointer motionOf_ = shown_.scene;   // that the shown motion belongs to
+    bool hostIsBehind_ = false;              // what the host's session shows is of an older text
+    std::shared_ptr<const Reading> awaited_; // read, and not shown yet
+    QTimer soon_;                            // then it is shown, whether its motion is there or not
+    Live live_ = Live::automatic;
+    Slow slow_;
+    bool isSlow_ = false, gaveUp_ = false;
+    std::chrono::duration<double> lastMotion_{}; // how long computing it took
+    unsigned welcome_ = 0;                       // results of older starts are of no use
     HostLink host_;
     std::vector<Change> done_, undone_;
     struct Gesture {

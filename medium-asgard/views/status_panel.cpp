@@ -70,6 +70,8 @@ StatusPanel::StatusPanel(SceneDocument& document, Playback& playback,
     impacts_ = addRow(form, tr("Collisions"), tr("How many so far"));
     state_ = new QLabel;
     state_->setWordWrap(true);
+    state_->setMinimumHeight(3 * state_->fontMetrics().height()); // what is below stays
+    state_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     state_->setAccessibleName(tr("State"));
     form->addRow(state_);
     column->addWidget(status);
@@ -90,12 +92,13 @@ void StatusPanel::addSwitches(const render::Display& display) {
     auto* column = new QVBoxLayout(group);
     column->setContentsMargins(10, 6, 10, 8);
     column->setSpacing(4);
+    bool areHandles = false;
     const auto add = [&](const QString& label, const QString& tip, bool render::Display::*what) {
         auto* box = new QCheckBox(label);
         box->setToolTip(tip);
         box->setChecked(display.*what);
         column->addWidget(box);
-        switches_.push_back({box, what});
+        switches_.push_back({box, what, areHandles});
         connect(box, &QCheckBox::toggled, this, [this, what](bool on) {
             display_.*what = on;
             Q_EMIT displayChanged(display_);
@@ -108,6 +111,7 @@ void StatusPanel::addSwitches(const render::Display& display) {
     add(tr("&Wireframe"), tr("Edges only"), &Display::wireframe);
     layout()->addWidget(group);
     group = new QGroupBox(tr("Handles"));
+    areHandles = true;
     group->setToolTip(tr("Balls that are dragged with Shift and the left button; a double click "
                          "asks for the exact value"));
     column = new QVBoxLayout(group);
@@ -175,14 +179,17 @@ void StatusPanel::showMotion() {
     if (document_.work() == Work::reading)
         state_->setText(tr("Reading the scene…"));
     else if (document_.work() == Work::simulating)
-        state_->setText(tr("Computing the motion…"));
+        state_->setText(document_.motionIsStale()
+                            ? tr("Computing the motion… what is shown is stale.")
+                            : tr("Computing the motion…"));
     else if (document_.hasErrors())
         state_->setText(document_.sceneIsCurrent()
                             ? tr("The motion has faults: see a language viewer.")
                             : tr("The text has errors. This is the last good scene."));
+    else if (document_.waitsToBeAsked())
+        state_->setText(tr("The motion is stale: it is that of an older scene. F5 computes it."));
     else
         state_->setText({});
-    state_->setVisible(!state_->text().isEmpty());
 }
 
 } // namespace views

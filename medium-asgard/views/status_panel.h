@@ -24,6 +24,7 @@ public:
     struct Switch {
         QCheckBox* box;
         bool render::Display::*what;
+        bool isHandle = false;
     };
     [[nodiscard]] const std::vector<Switch>& switches() const { return switches_; }
 

@@ -3,6 +3,7 @@
 
 #include "render/test_scenes.h"
 #include "script/reader.h"
+#include "views/scene_display.h"
 #include "views/scene_document.h"
 
 #include <QApplication>
@@ -27,6 +28,8 @@ inline QApplication& theApplication() {
     theReader();
     // Never destroyed: when the process ends, what Qt has made since may be gone before it.
     static QApplication& application = *new QApplication(argc, argv);
+    // However loaded the machine is, what is looked at is what was asked for.
+    SceneDisplay::setPatience(std::chrono::seconds(60));
     return application;
 }
 
@@ -46,18 +49,21 @@ inline simulation::MotionPointer flight(const scene::Scene& scene) {
 // A workshop that counts what it is asked for.
 struct TestWorkshop {
     std::atomic<int> reads{0}, simulations{0}, cancelled{0};
+    std::atomic<int> onTheInterface{0}; // of all these: on the thread that made this
     std::atomic<bool> blocked{false}; // simulations wait until this is false or they are cancelled
 
     Workshop workshop() {
         Workshop w;
         w.read = [this](std::string_view text) {
             ++reads;
+            onTheInterface += QThread::currentThread() == interface_ ? 1 : 0;
             return theReader().read(text);
         };
         w.cancelReading = [] { theReader().cancel(); };
         w.simulate = [this](const std::shared_ptr<const scene::Scene>& scene,
                             const simulation::Options&, const simulation::Observer& observer) {
             ++simulations;
+            onTheInterface += QThread::currentThread() == interface_ ? 1 : 0;
             simulation::Result result;
             while (blocked && !observer.cancelled())
                 QThread::msleep(1);
@@ -70,6 +76,9 @@ struct TestWorkshop {
         };
         return w;
     }
+
+private:
+    QThread* interface_ = QThread::currentThread();
 };
 
 // Handles events until the condition holds; false after ten seconds.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace views {
 
@@ -61,6 +62,11 @@ void TimeBar::setMarks(std::optional<double> predictableUntil, std::vector<doubl
     predictableUntil_ = predictableUntil;
     impacts_ = std::move(impacts);
     update();
+}
+
+void TimeBar::setStale(bool stale) {
+    if (std::exchange(isStale_, stale) != stale)
+        update();
 }
 
 void TimeBar::setTime(double time) {
@@ -118,8 +124,8 @@ void TimeBar::paintTrough(QPainter& painter) const {
     painter.drawRoundedRect(area.adjusted(-0.5, -0.5, 0.5, 0.5), 3, 3);
     // What is computed, and of that what is not to be relied on.
     painter.setPen(Qt::NoPen);
-    QColor known = p.color(QPalette::Highlight);
-    known.setAlpha(55);
+    QColor known = isStale_ ? p.color(QPalette::WindowText) : p.color(QPalette::Highlight);
+    known.setAlpha(isStale_ ? 25 : 55);
     painter.fillRect(
         QRectF(area.left(), area.top() + 1, position(computed_) - area.left(), area.height() - 2),
         known);

@@ -19,6 +19,7 @@ public:
     void setRange(double start, double finish, double computed);
     void setMarks(std::optional<double> predictableUntil, std::vector<double> impacts);
     void setTime(double time); // emits nothing
+    void setStale(bool stale); // the motion is an older scene's
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
@@ -48,6 +49,7 @@ private:
     double start_ = 0, finish_ = 1, computed_ = 0, time_ = 0;
     std::optional<double> predictableUntil_;
     std::vector<double> impacts_;
+    bool isStale_ = false;
     double grip_ = 0;      // where the slider was taken, from its left edge
     bool setting_ = false; // the value changes because the time does
 };

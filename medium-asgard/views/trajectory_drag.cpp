@@ -26,9 +26,10 @@ void TrajectoryDrag::move(std::size_t point, double time, const geometry::Vector
     document_.preview(editing::applied(text_, answer_.edits), since_);
 }
 
-void TrajectoryDrag::finish() {
-    document_.finishPreview(answer_.possible() ? editing::applied(text_, answer_.edits) : text_,
-                            QObject::tr("Change Trajectory %1").arg(name_), since_);
+void TrajectoryDrag::finish(const QString& label) {
+    document_.finishPreview(
+        answer_.possible() ? editing::applied(text_, answer_.edits) : text_,
+        label.isEmpty() ? QObject::tr("Change Trajectory %1").arg(name_) : label, since_);
     moves_ = false;
 }
 

@@ -15,8 +15,8 @@ public:
 
     // The point that is dragged, to a place that is rounded to what the pointer can tell apart.
     void move(std::size_t point, double time, const geometry::Vector& place, bool breaks);
-    void finish();
-    void cancel(); // the text is as it was
+    void finish(const QString& label = {}); // "": it is a change of the trajectory
+    void cancel();                          // the text is as it was
     // Gestures that are done at once; false: the text cannot be changed so, see reason().
     bool add(double time, const geometry::Vector& place);
     bool remove(std::size_t point);

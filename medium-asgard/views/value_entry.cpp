@@ -1,9 +1,10 @@
 #include "views/value_entry.h"
 
-#include "editing/preview.h"
+#include "editing/number_text.h"
 #include "gestures/handle_meaning.h"
 #include "gestures/new_point.h"
 #include "script/numbers.h"
+#include "views/edit_preview.h"
 
 #include <QFontDatabase>
 #include <QGridLayout>
@@ -27,14 +28,13 @@ std::vector<double> allOf(const std::vector<editing::Wish>& wishes,
 
 } // namespace
 
-ValueEntry::ValueEntry(SceneDocument& document, const render::Handle& handle, double,
+ValueEntry::ValueEntry(SceneDocument& document, const Shown& of, const render::Handle& handle,
                        QWidget* parent)
-    : QFrame(parent), document_(document), text_(document.text()), scene_(document.shown().scene),
-      motion_(document.shown().motion),
-      mapper_(text_, scene_,
-              [this](const std::string& name) {
-                  return render::constantValue(*scene_, motion_.get(), name);
-              }),
+    : QFrame(parent), document_(document), text_(document.text()), scene_(of.scene),
+      motion_(of.motion), mapper_(text_, scene_,
+                                  [this](const std::string& name) {
+                                      return render::constantValue(*scene_, motion_.get(), name);
+                                  }),
       handle_(handle) {
     setObjectName(QStringLiteral("valueEntry"));
     setFrameStyle(QFrame::StyledPanel | QFrame::Raised);
@@ -122,26 +122,6 @@ std::optional<std::vector<double>> ValueEntry::values() const {
     return values;
 }
 
-QString ValueEntry::preview(const std::vector<editing::TextEdit>& edits) const {
-    QString text;
-    const auto escaped = [](const std::string& s) {
-        return QString::fromStdString(s).toHtmlEscaped();
-    };
-    for (const editing::LineChange& line : editing::changedLines(text_, edits)) {
-        const auto marked = [&](const std::string& s, std::size_t from, std::size_t to) {
-            return escaped(s.substr(0, from)) + "<b>" + escaped(s.substr(from, to - from)) +
-                   "</b>" + escaped(s.substr(to));
-        };
-        text +=
-            QStringLiteral("<div><span style='color:#888'>%1&nbsp; </span>"
-                           "<code style='color:#a05048'>%2</code></div><div><code>%3</code></div>")
-                .arg(line.line)
-                .arg(marked(line.before, line.from, line.beforeTo),
-                     marked(line.after, line.from, line.afterTo));
-    }
-    return text;
-}
-
 // A point that ends one curve and begins the next moves in both, with its tangents.
 editing::Answer ValueEntry::asked(const std::vector<double>& wanted) const {
     if (!path_ || !path_->hasOwnTangents())
@@ -166,7 +146,7 @@ void ValueEntry::update() {
         answer_.offers.clear();
     } else {
         answer_ = asked(*wanted);
-        says_->setText(answer_.possible() ? preview(answer_.edits)
+        says_->setText(answer_.possible() ? previewOf(text_, answer_.edits)
                                           : QString::fromStdString(answer_.reason).toHtmlEscaped());
     }
     says_->setStyleSheet(answer_.possible() && wanted ? QString()
@@ -188,10 +168,25 @@ void ValueEntry::showOffers() {
         auto* button = new QPushButton(QString::fromStdString(offer.label));
         connect(button, &QPushButton::clicked, this, [this, edits = offer.edits] { take(edits); });
         offers_->addWidget(button);
-        auto* shown = new QLabel(preview(offer.edits));
+        auto* shown = new QLabel(previewOf(text_, offer.edits));
         shown->setWordWrap(true);
         offers_->addWidget(shown);
     }
+}
+
+void ValueEntry::propose(const std::vector<editing::Wish>& wishes) {
+    std::size_t at = 0;
+    for (const editing::Wish& wish : wishes)
+        for (const double value : wish.values) {
+            if (at == fields_.size())
+                return;
+            const bool same = std::abs(value - now_[at]) <= 0.5 * wish.resolution;
+            if (!same)
+                fields_[at]->setText(
+                    QString::fromStdString(editing::numberText(value, wish.resolution)));
+            ++at;
+        }
+    update();
 }
 
 void ValueEntry::openAt(const QPoint& handle) {

@@ -21,9 +21,13 @@ namespace views {
 class ValueEntry : public QFrame {
     Q_OBJECT
 public:
-    ValueEntry(SceneDocument& document, const render::Handle& handle, double time, QWidget* parent);
+    // `of`: the scene that was read from the text as it is.
+    ValueEntry(SceneDocument& document, const Shown& of, const render::Handle& handle,
+               QWidget* parent);
 
     void openAt(const QPoint& handle);
+    // What a gesture asked for, as if it was typed.
+    void propose(const std::vector<editing::Wish>& wishes);
     [[nodiscard]] const std::vector<QLineEdit*>& fields() const { return fields_; }
     [[nodiscard]] QString saying() const { return says_->text(); }
     void accept();
@@ -40,7 +44,6 @@ private:
     void update();
     void showOffers();
     void take(const std::vector<editing::TextEdit>& edits);
-    [[nodiscard]] QString preview(const std::vector<editing::TextEdit>& edits) const;
     void leave();
 
     SceneDocument& document_;

@@ -1,0 +1,213 @@
+#include "views/picture_thread.h"
+
+#include "gestures/picking.h"
+#include "render/framing.h"
+#include "render/view.h"
+
+#include <utility>
+
+namespace views {
+
+// One for all windows: they show the same scene mostly.
+class PictureThread::Studio {
+public:
+    [[nodiscard]] Picture draw(Window window, const PictureWish& wish);
+    void forget(Window window) { kept_.erase(window); }
+
+private:
+    struct Kept { // of one window, while its scene, motion and size stay
+        Shown of;
+        render::Size size;
+        std::unique_ptr<render::Handles> handles;
+        std::optional<render::SceneView> view;
+        std::string viewName;
+        std::optional<render::Camera> framed;
+    };
+    [[nodiscard]] Kept& kept(Window window, const PictureWish& wish);
+    [[nodiscard]] static render::Camera cameraOf(Kept& kept, const PictureWish& wish);
+    void paint(Picture& picture);
+
+    std::map<Window, Kept> kept_;
+    std::unique_ptr<render::Renderer> renderer_;
+    QString noRenderer_;
+};
+
+PictureThread::Studio::Kept& PictureThread::Studio::kept(Window window, const PictureWish& wish) {
+    Kept& kept = kept_[window];
+    const bool same = kept.handles && kept.of.scene == wish.shown.scene &&
+                      kept.of.motion == wish.shown.motion && kept.size == wish.size;
+    if (!same) {
+        kept.handles.reset(); // it reads the scene
+        kept = {wish.shown, wish.size, nullptr, std::nullopt, {}, std::nullopt};
+        kept.handles = std::make_unique<render::Handles>(*kept.of.scene, kept.of.motion);
+    }
+    return kept;
+}
+
+render::Camera PictureThread::Studio::cameraOf(Kept& kept, const PictureWish& wish) {
+    const scene::Scene& scene = *wish.shown.scene;
+    switch (wish.from) {
+    case SeenFrom::camera:
+        break;
+    case SeenFrom::framed:
+        if (!kept.framed)
+            kept.framed = render::framed(scene, wish.shown.motion, wish.size);
+        return *kept.framed;
+    case SeenFrom::turned:
+        return render::fitted(render::extentOf(scene, wish.shown.motion.get()),
+                              wish.camera.rotation, wish.size);
+    case SeenFrom::view:
+        if (!kept.view || kept.viewName != wish.view) {
+            kept.view.emplace(scene, wish.shown.motion, wish.view, wish.size);
+            kept.viewName = wish.view;
+        }
+        return kept.view->at(wish.time);
+    }
+    return wish.camera;
+}
+
+void PictureThread::Studio::paint(Picture& picture) {
+    if (!renderer_ && noRenderer_.isEmpty()) {
+        auto made = render::Renderer::create();
+        if (auto* renderer = std::get_if<std::unique_ptr<render::Renderer>>(&made))
+            renderer_ = std::move(*renderer);
+        else
+            noRenderer_ = QString::fromStdString(std::get<std::string>(made));
+    }
+    picture.fault = noRenderer_;
+    if (!renderer_)
+        return;
+    const PictureWish& wish = picture.of;
+    QImage image(wish.size.width, wish.size.height, QImage::Format_RGB32);
+    render::Drawing drawing = {wish.shown.scene.get(), wish.shown.motion, wish.time, picture.camera,
+                               wish.display};
+    if (render::showsHandles(wish.display)) // not owned: it lives in the picture
+        drawing.handles = {std::shared_ptr<const void>(), &picture.handles};
+    const render::Image into{
+        {reinterpret_cast<std::byte*>(image.bits()), static_cast<std::size_t>(image.sizeInBytes())},
+        static_cast<std::size_t>(image.bytesPerLine()),
+        wish.size};
+    if (renderer_->draw(drawing, into)) {
+        image.setDevicePixelRatio(wish.pixelRatio);
+        picture.image = std::move(image);
+    } else {
+        renderer_.reset();
+        noRenderer_ = picture.fault =
+            QObject::tr("The graphics context was lost. Open another viewer.");
+    }
+}
+
+Picture PictureThread::Studio::draw(Window window, const PictureWish& wish) {
+    const auto began = std::chrono::steady_clock::now();
+    Kept& all = kept(window, wish);
+    Picture picture;
+    picture.of = wish;
+    picture.camera = cameraOf(all, wish);
+    if (render::showsHandles(wish.display))
+        picture.handles = all.handles->at(wish.time, wish.display);
+    picture.forceArrow = all.handles->arrowLength(render::HandleKind::forceHead);
+    picture.torqueArrow = all.handles->arrowLength(render::HandleKind::torqueHead);
+    paint(picture);
+    picture.lasted = std::chrono::steady_clock::now() - began;
+    return picture;
+}
+
+// ---------------------------------------------------------------------------------------------
+
+PictureThread::PictureThread() : thread_([this] { run(); }) {}
+
+PictureThread::~PictureThread() {
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    wished_.notify_one();
+    thread_.join();
+}
+
+void PictureThread::open(Window window, std::function<void()> ready) {
+    const std::lock_guard lock(mutex_);
+    desks_[window].ready = std::move(ready);
+}
+
+void PictureThread::forget(Window window) {
+    const std::lock_guard lock(mutex_);
+    desks_.erase(window);
+    gone_.push_back(window);
+    wished_.notify_one();
+}
+
+void PictureThread::draw(Window window, PictureWish wish) {
+    {
+        const std::lock_guard lock(mutex_);
+        Desk& desk = desks_[window];
+        if (!desk.wish)
+            desk.turn = ++turn_;
+        desk.wish = std::move(wish);
+    }
+    wished_.notify_one();
+}
+
+PictureThread::PicturePointer PictureThread::last(Window window) {
+    const std::lock_guard lock(mutex_);
+    const auto desk = desks_.find(window);
+    return desk == desks_.end() ? nullptr : desk->second.last;
+}
+
+void PictureThread::wait(Window window, unsigned serial, std::chrono::milliseconds most) {
+    std::unique_lock lock(mutex_);
+    drawn_.wait_for(lock, most, [&] {
+        const auto desk = desks_.find(window);
+        return desk == desks_.end() ||
+               (desk->second.last && desk->second.last->of.serial >= serial);
+    });
+}
+
+PictureThread::Desk* PictureThread::next(Window& window) {
+    Desk* first = nullptr;
+    for (auto& [one, desk] : desks_)
+        if (desk.wish && (!first || desk.turn < first->turn)) {
+            first = &desk;
+            window = one;
+        }
+    return first;
+}
+
+void PictureThread::run() {
+    Studio studio; // its graphics belong to this thread
+    std::unique_lock lock(mutex_);
+    Window window = nullptr;
+    while (true) {
+        wished_.wait(lock, [&] { return stop_ || !gone_.empty() || toPrepare_ || next(window); });
+        if (stop_)
+            return;
+        for (const Window gone : std::exchange(gone_, {}))
+            studio.forget(gone);
+        if (!next(window)) {
+            if (const auto scene = std::exchange(toPrepare_, nullptr)) {
+                lock.unlock();
+                gestures::prepareShapes(*scene);
+                lock.lock();
+            }
+            continue;
+        }
+        const PictureWish wish = *std::exchange(next(window)->wish, std::nullopt);
+        lock.unlock();
+        PicturePointer picture = std::make_shared<const Picture>(studio.draw(window, wish));
+        lock.lock();
+        const auto desk = desks_.find(window);
+        if (desk == desks_.end())
+            continue;
+        if (!desk->second.last || desk->second.last->of.shown.scene != picture->of.shown.scene)
+            toPrepare_ = picture->of.shown.scene;
+        std::swap(desk->second.last, picture);
+        drawn_.notify_all();
+        if (desk->second.ready)
+            desk->second.ready();
+        lock.unlock();
+        picture.reset(); // an old motion may be large: not where a window waits
+        lock.lock();
+    }
+}
+
+} // namespace views

@@ -1,0 +1,19 @@
+// The motion of an older scene, shown until that of the new one is computed.
+//
+// At the start bodies stand and move as the new scene says, so that what is dragged follows the
+// hand; later they are where they were before.
+#pragma once
+
+#include "scene/scene.h"
+#include "simulation/motion.h"
+
+#include <memory>
+
+namespace views {
+
+// None: the scenes have other bodies, and the motion says nothing of the new ones.
+[[nodiscard]] simulation::MotionPointer staleMotion(const scene::Scene& before,
+                                                    const simulation::MotionPointer& motion,
+                                                    std::shared_ptr<const scene::Scene> now);
+
+} // namespace views

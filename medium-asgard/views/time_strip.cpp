@@ -1,0 +1,518 @@
+#include "views/time_strip.h"
+
+#include "editing/number_text.h"
+#include "script/numbers.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QTimer>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace views {
+
+namespace {
+
+constexpr double reach = 8;   // pixels within which a mark is taken
+constexpr double clearly = 3; // pixels after which a press is a drag
+constexpr double leastShare = 1e-5;
+
+QString number(double value) { return QString::number(value, 'g', 6); }
+
+double decimal(double value, double step) {
+    return editing::roundedTo(value, editing::decimalStep(step));
+}
+
+// A number of the knots, from 1, as the picture and the text count them.
+int knotOf(const std::vector<editing::ControlPoint>& points, std::size_t point) {
+    return static_cast<int>(
+        std::count_if(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(point) + 1,
+                      [](const editing::ControlPoint& one) { return one.onCurve; }));
+}
+
+} // namespace
+
+TimeStrip::TimeStrip(SceneDocument& document) : document_(document), controls_(new QWidget) {
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setAccessibleName(tr("Times of the trajectory's points"));
+    setAccessibleDescription(tr("Drag a mark to retime its point. Page Up and Page Down choose a "
+                                "mark, the arrow keys retime it, Return asks for its time."));
+    buildControls();
+    connect(&document_, &SceneDocument::sceneChanged, this, &TimeStrip::follow);
+    connect(&document_, &SceneDocument::selectionChanged, this, &TimeStrip::follow);
+    setVisible(false);
+    controls_->setVisible(false);
+    follow();
+}
+
+void TimeStrip::buildControls() {
+    auto* row = new QHBoxLayout(controls_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    const auto add = [&](const QString& text, const QString& tip, auto action) {
+        auto* button = new QToolButton;
+        button->setText(text);
+        button->setAutoRaise(true);
+        button->setToolTip(tip);
+        button->setAccessibleName(tip.section(QStringLiteral(" ("), 0, 0));
+        button->setFocusPolicy(Qt::TabFocus);
+        connect(button, &QToolButton::clicked, this, action);
+        row->addWidget(button);
+    };
+    add(QStringLiteral("+"), tr("A shorter time, larger (+)"),
+        [this] { zoom(0.5, (from_ + to_) / 2); });
+    add(QString(QChar(0x2212)), tr("A longer time (-)"), [this] { zoom(2, (from_ + to_) / 2); });
+    add(QString(QChar(0x2194)), tr("The whole motion and all points (0)"), [this] { showAll(); });
+}
+
+QSize TimeStrip::sizeHint() const { return {200, 2 * fontMetrics().height() + 18}; }
+
+// --- what is shown -----------------------------------------------------------------------------
+
+void TimeStrip::follow() {
+    const auto& scene = *document_.shown().scene;
+    const auto before = trajectory_;
+    trajectory_.reset();
+    for (const editing::Element& one : document_.selected())
+        if (one.kind == editing::Kind::trajectory && one.index < scene.trajectories.size() &&
+            !scene.trajectories[one.index].curves.empty()) {
+            trajectory_ = one.index;
+            break;
+        }
+    if (before != trajectory_) {
+        if (gesture_ && grip_ != Grip::mark)
+            finish();
+        chosen_.reset();
+        delete field_;
+    }
+    if (chosen_ && *chosen_ >= points().size())
+        chosen_.reset();
+    setToolTip(trajectory_ ? tr("When the points of %1 are passed: drag a mark to retime its "
+                                "point; the wheel zooms")
+                                 .arg(name())
+                           : QString());
+    updateVisibility();
+    update();
+}
+
+void TimeStrip::setTrajectoriesShown(bool shown) {
+    trajectoriesShown_ = shown;
+    updateVisibility();
+}
+
+void TimeStrip::updateVisibility() {
+    const bool wanted =
+        trajectory_ || (trajectoriesShown_ && !document_.shown().scene->trajectories.empty());
+    if (wanted != isHidden() || !parentWidget()) // not yet in a window
+        return;
+    if (held_ && held_())
+        return QTimer::singleShot(100, this, &TimeStrip::updateVisibility);
+    setVisible(wanted);
+    controls_->setVisible(wanted);
+}
+
+QString TimeStrip::name() const {
+    return trajectory_
+               ? QString::fromStdString(document_.shown().scene->trajectories[*trajectory_].name)
+               : QString();
+}
+
+const std::vector<scene::BezierCurve>& TimeStrip::curves() const {
+    static const std::vector<scene::BezierCurve> none;
+    if (gesture_ && gesture_->moves()) // the scene may be on its way
+        return gesture_->curves();
+    return trajectory_ ? document_.shown().scene->trajectories[*trajectory_].curves : none;
+}
+
+TimeStrip::Points TimeStrip::points() const { return editing::controlPointsOf(curves()); }
+
+void TimeStrip::setChosen(std::optional<std::size_t> point) {
+    if (point == chosen_ || gesture_)
+        return;
+    chosen_ = point;
+    update();
+}
+
+void TimeStrip::setRange(double start, double finish) {
+    start_ = start;
+    finish_ = finish;
+    if (!zoomed_)
+        setSeen(start, finish);
+    update();
+}
+
+void TimeStrip::setTime(double time) {
+    now_ = time;
+    update();
+}
+
+void TimeStrip::setSeen(double from, double to) {
+    const double length = std::max({finish_ - start_, std::abs(finish_), 1e-9});
+    if (!(to - from >= leastShare * length) || !(to - from <= length / leastShare))
+        return;
+    from_ = from;
+    to_ = to;
+    delete field_;
+    update();
+}
+
+void TimeStrip::zoom(double factor, double about) {
+    zoomed_ = true;
+    setSeen(about + factor * (from_ - about), about + factor * (to_ - about));
+}
+
+void TimeStrip::showAll() {
+    double first = start_, last = finish_;
+    for (const editing::ControlPoint& point : points()) {
+        first = std::min(first, point.time);
+        last = std::max(last, point.time);
+    }
+    zoomed_ = first < start_ || last > finish_;
+    const double room = zoomed_ ? 0.03 * (last - first) : 0;
+    setSeen(first - room, last + room);
+}
+
+// --- where things are --------------------------------------------------------------------------
+
+// As wide as the scrollbar's trough, so that the same times lie above each other.
+QRectF TimeStrip::area() const {
+    return {4, fontMetrics().height() + 2.0, std::max(1.0, width() - 8.0), 12};
+}
+
+double TimeStrip::position(double time) const {
+    return area().left() + (time - from_) / (to_ - from_) * area().width();
+}
+
+double TimeStrip::timeAt(double x) const {
+    return from_ + (x - area().left()) / area().width() * (to_ - from_);
+}
+
+std::optional<std::size_t> TimeStrip::markAt(const QPointF& at) const {
+    const Points all = points();
+    std::optional<std::size_t> nearest;
+    double best = reach;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const double distance = std::abs(position(all[i].time) - at.x()) - (chosen_ == i ? 0.5 : 0);
+        if (all[i].onCurve && distance < best) {
+            best = distance;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+std::optional<QPoint> TimeStrip::placeOfChosen() const {
+    const Points all = points();
+    if (!chosen_ || *chosen_ >= all.size())
+        return std::nullopt;
+    return QPointF(position(all[*chosen_].time), area().center().y()).toPoint();
+}
+
+// --- gestures ----------------------------------------------------------------------------------
+
+void TimeStrip::choose(std::size_t point) {
+    chosen_ = point;
+    Q_EMIT markChosen(*trajectory_, point);
+    update();
+}
+
+void TimeStrip::chooseNext(int step) {
+    const Points all = points();
+    const int count = static_cast<int>(all.size());
+    int at = chosen_ ? static_cast<int>(*chosen_) + step : step > 0 ? 0 : count - 1;
+    while (at >= 0 && at < count && !all[static_cast<std::size_t>(at)].onCurve)
+        at += step;
+    if (at < 0 || at >= count)
+        return;
+    choose(static_cast<std::size_t>(at));
+    const double time = all[static_cast<std::size_t>(at)].time;
+    if (time < from_ || time > to_) { // it is brought into sight
+        zoomed_ = true;
+        setSeen(time - (to_ - from_) / 2, time + (to_ - from_) / 2);
+    }
+}
+
+bool TimeStrip::begin() {
+    if (gesture_)
+        return true;
+    if (!trajectory_ || !chosen_)
+        return false;
+    if (!document_.sceneIsCurrent()) {
+        Q_EMIT says(tr("The text has faults, or is being read: what is shown is not what it "
+                       "says."),
+                    true);
+        return false;
+    }
+    gesture_ = std::make_unique<TrajectoryDrag>(document_, *trajectory_);
+    return true;
+}
+
+void TimeStrip::retime(double time) {
+    if (!begin())
+        return;
+    const editing::ControlPoint point = gesture_->edits().points()[*chosen_];
+    gesture_->move(*chosen_, time, point.place, false);
+    const Points now = editing::controlPointsOf(gesture_->curves());
+    const bool refused = !gesture_->reason().isEmpty();
+    Q_EMIT says(refused ? gesture_->reason()
+                        : tr("%1: point %2 at %3 s")
+                              .arg(name())
+                              .arg(knotOf(now, *chosen_))
+                              .arg(number(now[*chosen_].time)),
+                refused);
+    update();
+}
+
+void TimeStrip::nudge(double steps) {
+    if (!begin())
+        return;
+    const double step = editing::decimalStep(5 * timeStep());
+    const Points now = points();
+    retime(decimal(now[*chosen_].time + steps * step, step));
+}
+
+void TimeStrip::finish() {
+    if (!gesture_)
+        return;
+    const std::unique_ptr<TrajectoryDrag> gesture = std::move(gesture_);
+    const QString refusal = gesture->reason();
+    gesture->finish(tr("Retime point %1 of %2")
+                        .arg(chosen_ ? knotOf(gesture->edits().points(), *chosen_) : 0)
+                        .arg(name()));
+    Q_EMIT says(refusal, true);
+    update();
+}
+
+void TimeStrip::cancel() {
+    if (!gesture_)
+        return;
+    gesture_->cancel();
+    gesture_.reset();
+    grip_ = Grip::none;
+    Q_EMIT says({}, false);
+    update();
+}
+
+void TimeStrip::removeChosen() {
+    if (!begin())
+        return;
+    const std::unique_ptr<TrajectoryDrag> gesture = std::move(gesture_);
+    if (gesture->remove(*chosen_))
+        chosen_.reset();
+    Q_EMIT says(gesture->reason(), true);
+    update();
+}
+
+void TimeStrip::askForTime() {
+    const auto at = placeOfChosen();
+    if (!at)
+        return;
+    delete field_;
+    field_ = new QLineEdit(this);
+    field_->setAccessibleName(tr("Time of the point, in seconds"));
+    field_->setText(QString::fromStdString(script::numberText(points()[*chosen_].time, true)));
+    field_->selectAll();
+    field_->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("0000000000000")));
+    field_->move(std::clamp(at->x() - field_->width() / 2, 0, width() - field_->width()), 0);
+    field_->installEventFilter(this);
+    field_->show();
+    field_->setFocus();
+}
+
+void TimeStrip::takeTime() {
+    const auto time = script::decimalNumber(field_->text().trimmed().toStdString());
+    if (!time) {
+        Q_EMIT says(tr("A time is a decimal number, in seconds."), true);
+        return;
+    }
+    leaveField();
+    retime(*time);
+    finish();
+}
+
+// Deleted later, since it is the one that sends the event.
+void TimeStrip::leaveField() {
+    field_->hide();
+    field_->deleteLater();
+    field_ = nullptr;
+    setFocus();
+}
+
+// What is typed into the field is no shortcut, and no key of the strip.
+bool TimeStrip::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        event->accept();
+        return true;
+    }
+    if (event->type() != QEvent::KeyPress || watched != field_)
+        return QWidget::eventFilter(watched, event);
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Escape)
+        leaveField();
+    else if (key == Qt::Key_Return || key == Qt::Key_Enter)
+        takeTime();
+    else
+        return false;
+    return true;
+}
+
+void TimeStrip::mousePressEvent(QMouseEvent* event) {
+    pressed_ = event->position();
+    left_ = false;
+    const auto mark = markAt(event->position());
+    if (gesture_ || (event->button() != Qt::LeftButton && event->button() != Qt::MiddleButton))
+        return;
+    delete field_;
+    if (mark && event->button() == Qt::LeftButton) {
+        grip_ = Grip::mark;
+        offset_ = position(points()[*mark].time) - event->position().x();
+        choose(*mark);
+    } else {
+        grip_ = Grip::scale;
+        pressedFrom_ = from_;
+        pressedTo_ = to_;
+        setCursor(Qt::ClosedHandCursor);
+    }
+}
+
+void TimeStrip::mouseMoveEvent(QMouseEvent* event) {
+    const double x = event->position().x();
+    if (grip_ == Grip::none) {
+        setCursor(markAt(event->position()) ? Qt::SizeHorCursor : Qt::ArrowCursor);
+        return;
+    }
+    left_ = left_ || std::abs(x - pressed_.x()) >= clearly;
+    if (!left_)
+        return;
+    if (grip_ == Grip::mark)
+        return retime(decimal(timeAt(x + offset_), timeStep()));
+    const double shift = (pressed_.x() - x) / area().width() * (pressedTo_ - pressedFrom_);
+    zoomed_ = true;
+    setSeen(pressedFrom_ + shift, pressedTo_ + shift);
+}
+
+void TimeStrip::mouseReleaseEvent(QMouseEvent*) {
+    if (std::exchange(grip_, Grip::none) == Grip::mark)
+        finish();
+    unsetCursor();
+}
+
+void TimeStrip::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (const auto mark = markAt(event->position())) {
+        grip_ = Grip::none;
+        choose(*mark);
+        askForTime();
+    } else {
+        showAll();
+    }
+}
+
+void TimeStrip::wheelEvent(QWheelEvent* event) {
+    const QPoint turned = event->angleDelta();
+    const double length = to_ - from_;
+    if (turned.x() != 0 || (event->modifiers() & Qt::ShiftModifier)) {
+        const int along = turned.x() != 0 ? turned.x() : turned.y();
+        zoomed_ = true;
+        setSeen(from_ - along * length / 1200, to_ - along * length / 1200);
+    } else {
+        zoom(std::pow(0.998, turned.y()), timeAt(event->position().x()));
+    }
+    event->accept();
+}
+
+void TimeStrip::contextMenuEvent(QContextMenuEvent* event) {
+    if (const auto mark =
+            event->reason() == QContextMenuEvent::Mouse ? markAt(QPointF(event->pos())) : chosen_)
+        choose(*mark);
+    QMenu menu(this);
+    QAction* time = menu.addAction(tr("Exact &Time…"), this, [this] { askForTime(); });
+    QAction* removal = menu.addAction(tr("&Remove Point"), this, [this] { removeChosen(); });
+    time->setEnabled(chosen_.has_value());
+    removal->setEnabled(chosen_.has_value());
+    menu.addSeparator();
+    menu.addAction(tr("&Show All Points"), this, [this] { showAll(); });
+    menu.exec(event->globalPos());
+}
+
+// The keys that mean something here are no shortcuts of the window.
+bool TimeStrip::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        switch (static_cast<QKeyEvent*>(event)->key()) {
+        case Qt::Key_Left:
+        case Qt::Key_Right:
+        case Qt::Key_Home:
+        case Qt::Key_End:
+        case Qt::Key_0:
+            event->accept();
+            return true;
+        case Qt::Key_Escape:
+            if (gesture_) {
+                event->accept();
+                return true;
+            }
+            break;
+        default:
+            break;
+        }
+    }
+    return QWidget::event(event);
+}
+
+void TimeStrip::keyPressEvent(QKeyEvent* event) {
+    const double many = event->modifiers() & Qt::ShiftModifier ? 10 : 1;
+    switch (event->key()) {
+    case Qt::Key_PageUp:
+        return chooseNext(-1);
+    case Qt::Key_PageDown:
+        return chooseNext(1);
+    case Qt::Key_Home:
+        chosen_.reset();
+        return chooseNext(1);
+    case Qt::Key_End:
+        chosen_.reset();
+        return chooseNext(-1);
+    case Qt::Key_Left:
+        return nudge(-many);
+    case Qt::Key_Right:
+        return nudge(many);
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        return askForTime();
+    case Qt::Key_Delete:
+        return removeChosen();
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+        return zoom(0.5, (from_ + to_) / 2);
+    case Qt::Key_Minus:
+        return zoom(2, (from_ + to_) / 2);
+    case Qt::Key_0:
+        return showAll();
+    case Qt::Key_Escape:
+        return cancel();
+    default:
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void TimeStrip::keyReleaseEvent(QKeyEvent* event) {
+    if (!event->isAutoRepeat() && grip_ != Grip::mark)
+        finish();
+    QWidget::keyReleaseEvent(event);
+}
+
+void TimeStrip::focusOutEvent(QFocusEvent* event) {
+    if (grip_ != Grip::mark)
+        finish();
+    QWidget::focusOutEvent(event);
+    update();
+}
+
+} // namespace views
