@@ -60,7 +60,10 @@ class Drag {
 public:
     Drag(views::Editor& editor, views::GraphicalViewer& viewer)
         : document_(editor.document()), display_(viewer.display()), paints_(display_) {
-        QObject::connect(&document_, &views::SceneDocument::motionChanged, [this] { ++motions_; });
+        QObject::connect(&document_, &views::SceneDocument::motionChanged, [this] {
+            ++motions_;
+            paintsBefore_ = paints_.count;
+        });
     }
 
     Latencies measure(render::HandleKind kind, std::size_t element, int moves) {
@@ -79,8 +82,7 @@ public:
                 return motions_ > moved && document_.sceneIsCurrent() &&
                        document_.work() == views::Work::none;
             });
-            const int before = paints_.count;
-            handleEventsUntil([&] { return paints_.count > before; });
+            handleEventsUntil([&] { return paints_.count > paintsBefore_; });
             all.toMotion.push_back(since(begin));
         }
         send(QEvent::MouseButtonRelease, start, Qt::LeftButton);
@@ -104,7 +106,7 @@ private:
     views::SceneDocument& document_;
     views::SceneDisplay& display_;
     Paints paints_;
-    int motions_ = 0;
+    int motions_ = 0, paintsBefore_ = 0; // paints, when the last motion came
 };
 
 void add(const Measurement& m, const std::string& what, std::vector<double> seconds) {
