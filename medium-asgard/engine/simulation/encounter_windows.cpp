@@ -19,9 +19,7 @@ constexpr double mostRoom = 4;     // a box in the tree is at most so much large
 constexpr double rounding = 1e-12; // of coordinates, in boxes
 constexpr int smallWindows = 16;   // that nothing cut; from then on a ball takes larger cells
 
-double doublings(int number) {
-    return static_cast<double>(std::uint64_t{1} << std::min(number, mostDoublings));
-}
+double doublings(int number) { return std::ldexp(1, std::min(number, mostDoublings)); }
 
 void grow(geometry::Box& box, double by) {
     box.min() -= geometry::Vector::Constant(by);
