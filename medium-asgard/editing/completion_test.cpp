@@ -132,9 +132,7 @@ TEST(Hints, NameTheMethodsThatThereAre) {
         EXPECT_EQ(told(method.value), "") << method.value;
         listed += (listed.empty() ? "" : ", ") + method.value;
     }
-    const std::string some = told("nothing");
-    const std::size_t from = some.find(':') + 2;
-    EXPECT_TRUE(listed.starts_with(some.substr(from, some.find(", ...") - from))) << some;
+    EXPECT_EQ(told("nothing"), "(methods: " + listed + ")");
 }
 
 } // namespace
