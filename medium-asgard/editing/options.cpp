@@ -14,7 +14,8 @@ constexpr OptionHint simulatorOptions[] = {
     {"-step", number, "the first step; the engine's choice", ""},
     {"-accuracy", number, "largest position error over the size of the scene (1e-4)", ""},
     {"-method", choice, "how it is integrated (auto)",
-     "auto forward-euler symplectic-euler midpoint rk4 trapezoidal backward-euler tsit5 dop853 gbs "
+     "auto forward-euler symplectic-euler midpoint rk4 trapezoidal backward-euler tsit5 dopri5 "
+     "dop853 gbs "
      "tr-bdf2 radau5 sdirk4 rodas4 original"},
     {"-collisions", flag, "1: bodies hit each other; 0: they pass through", ""},
 };
