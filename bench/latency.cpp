@@ -37,7 +37,7 @@ void handleEventsUntil(const std::function<bool()>& condition) {
     const auto begin = Clock::now();
     while (!condition()) {
         if (since(begin) > 20)
-            stop("waited for 20 s");
+            stop("waited for 20 s for a handle, a picture or a motion");
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
     }
 }
@@ -76,13 +76,14 @@ public:
             // To and fro, so that the scene stays one of its kind.
             send(QEvent::MouseMove, start + QPointF(i % 40 < 20 ? i % 20 : 20 - i % 20, i % 7),
                  Qt::NoButton);
-            handleEventsUntil([&] { return paints_.count > painted; });
+            handleEventsUntil([&] { return paints_.count > painted && display_.showsNewest(); });
             all.toHandle.push_back(since(begin));
             handleEventsUntil([&] {
                 return motions_ > moved && document_.sceneIsCurrent() &&
                        document_.work() == views::Work::none;
             });
-            handleEventsUntil([&] { return paints_.count > paintsBefore_; });
+            handleEventsUntil(
+                [&] { return paints_.count > paintsBefore_ && display_.showsNewest(); });
             all.toMotion.push_back(since(begin));
         }
         send(QEvent::MouseButtonRelease, start, Qt::LeftButton);
@@ -92,10 +93,16 @@ public:
 
 private:
     QPointF placeOf(render::HandleKind kind, std::size_t element) {
-        for (const render::Handle& handle : display_.handles().handles)
-            if (handle.kind == kind && handle.element == element)
-                return display_.fromPixels(display_.sight().pixels(handle.place));
-        stop("the scene has no such handle");
+        QPointF place;
+        handleEventsUntil([&] {
+            for (const render::Handle& handle : display_.handles().handles)
+                if (handle.kind == kind && handle.element == element) {
+                    place = display_.fromPixels(display_.sight().pixels(handle.place));
+                    return true;
+                }
+            return false;
+        });
+        return place;
     }
     void send(QEvent::Type type, const QPointF& at, Qt::MouseButton button) {
         QMouseEvent event(type, at, display_.mapToGlobal(at), button, Qt::LeftButton,

@@ -63,6 +63,10 @@ public:
     // What the display shows of the scene at this time; as of the last picture, where a newer one
     // takes long, and nothing of another scene.
     [[nodiscard]] const render::HandleSet& handles();
+    // The picture is the one that was wished for last.
+    [[nodiscard]] bool showsNewest() const {
+        return !isOld_ && picture_ && picture_->of.serial == wished_;
+    }
     // What is to be seen in the picture as it is.
     [[nodiscard]] const render::HandleSet& drawnHandles() const;
     [[nodiscard]] render::Drawing drawing() const;
