@@ -136,7 +136,7 @@ class SevenSteps(unittest.TestCase):
 
     def throwBall(self, person):
         """The handle of a velocity that is zero lies on its body."""
-        person.press(person.graphical, "alt+l")
+        person.changes(person.graphical, lambda: person.press(person.graphical, "alt+l"))
         person.look("velocities")
         person.drag(person.graphical, self.at(10.1, -17), self.at(7.1, -17))
         person.says(rf"^body {self.ball} .*-init_dpos \{{-")
