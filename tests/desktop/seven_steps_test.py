@@ -10,6 +10,7 @@ import os
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 from person import Person
@@ -103,6 +104,14 @@ class SevenSteps(unittest.TestCase):
         self.ball = person.says(r"^body (\w+) ball").group(1)
         person.look("bodies")
 
+    def lookAgain(self, person):
+        """Where things are once the strip of times has come below the picture: by both rods."""
+        time.sleep(1)
+        left, top, right, bottom = PICTURE
+        x0, y0, x1, y1 = person.grey(person.graphical, (left, top, right, (top + bottom) // 2))
+        self.unit = (x1 - x0) / 20.07
+        self.origin = (x1, (y0 + y1) / 2)
+
     def at(self, x, y):
         return self.origin[0] + x * self.unit, self.origin[1] - y * self.unit
 
@@ -168,6 +177,7 @@ class SevenSteps(unittest.TestCase):
         person.screen.do("key", "Return")
         name = person.says(r"^trajectory (\w+) -points").group(1)
         person.look("trajectory")
+        self.lookAgain(person)
         person.menu(person.graphical, "alt+c", "a")
         person.click(person.graphical, self.at(10.1, -17))
         person.click(person.graphical, self.at(*self.path[1]))

@@ -23,8 +23,8 @@ SceneBuilder galperin(int n) {
 }
 
 TEST(Galperin, CountsTheDigitsOfPi) {
-    const std::vector<std::size_t> counts{3, 31, 314, 3141, 31415};
-    for (int n = 0; n < 5; ++n) {
+    const std::vector<std::size_t> counts{3, 31, 314, 3141, 31415, 314159};
+    for (int n = 0; n < 6; ++n) {
         const Result result = simulate(galperin(n).scene);
         EXPECT_EQ(result.motion->impacts().size(), counts[static_cast<std::size_t>(n)]) << n;
         EXPECT_FALSE(result.motion->stop(1)) << n;

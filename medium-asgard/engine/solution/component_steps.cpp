@@ -117,17 +117,19 @@ void Component::step() {
         integrate();
 }
 
-// More than a billion steps to the finish, at the pace of late, if that does not grow.
+// More than a billion steps to the finish, at the pace of late, if that does not grow, and at that
+// since the start: a burst of short steps is no pace.
 bool Component::isHopeless() const {
-    constexpr std::size_t first = 8192;
+    constexpr std::size_t first = 65'536;
     constexpr double most = 1e9, steady = 1.25;
     const std::size_t n = history_->size();
     if (n < first || (n & (n - 1)) != 0)
         return false;
     const double third = history_->step(3 * n / 4).origin;
     const double early = third - history_->step(n / 2).origin, late = time_ - third;
-    return late < steady * early &&
-           options_.finish - time_ > most / static_cast<double>(n / 4) * late;
+    const double left = options_.finish - time_, all = time_ - history_->step(0).origin;
+    return late < steady * early && left > most / static_cast<double>(n / 4) * late &&
+           left > most / static_cast<double>(n) * all;
 }
 
 // ---------------------------------------------------------------------------------------------

@@ -187,13 +187,14 @@ void Solver::Implementation::noteStops() {
 
 // As Component::isHopeless() is of steps.
 bool Solver::Implementation::isHopelessAt(double time, std::size_t events) const {
-    constexpr std::size_t first = 16'384;
+    constexpr std::size_t first = 65'536;
     constexpr double most = 1e9, steady = 1.25;
     if (events < first || (events & (events - 1)) != 0 || !std::isfinite(quarter_))
         return false;
     const double late = time - half_, early = half_ - quarter_;
-    return late < 2 * steady * early &&
-           options_.finish - time > most / static_cast<double>(events / 2) * late;
+    const double left = options_.finish - time, all = time - options_.start;
+    return late < 2 * steady * early && left > most / static_cast<double>(events / 2) * late &&
+           left > most / static_cast<double>(events) * all;
 }
 
 void Solver::Implementation::notePace(double time) {
