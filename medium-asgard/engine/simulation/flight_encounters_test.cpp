@@ -88,6 +88,19 @@ TEST(Flights, AreTheSameWhetherTheyAreReadOrNot) {
     EXPECT_EQ(rows(*read.motion, 2), rows(*unread.motion, 2));
 }
 
+// Nothing that is solved is touched by the blow: the ball was still, the racket is held.
+TEST(Flights, BeginWhereWhatIsHeldHitsWhatIsStill) {
+    SceneBuilder b(3);
+    b.ball("racket", {-1, 0, 0}, 0.3);
+    b.hold("racket", 0, 1, {{-1, 0, 0}, {0, 0, 0}});
+    b.ball("ball", {0, 0, 0}, 0.3);
+    const Result result = simulate(b.scene);
+    ASSERT_EQ(result.motion->impacts().size(), 1u);
+    EXPECT_NEAR(result.motion->impacts()[0].time, 0.4, 1e-12);
+    EXPECT_NEAR(result.motion->at(1, 3).velocity.x(), 2, 1e-12);
+    EXPECT_NEAR(result.motion->at(1, 3).position.x(), 5.2, 1e-11);
+}
+
 // Cells grow with the way: a lonely ball crosses few, however far it goes.
 TEST(Flights, GoFarInFewSteps) {
     SceneBuilder b(1e6);

@@ -50,7 +50,8 @@ void Solver::Implementation::apply(const Event& event) {
         return;
     land(touched);
     resume(event, changes, touched);
-    if (touched.empty())
+    // What stays 0 has no component that could be touched, and may be woken.
+    if (touched.empty() && roused(event.time, changes.jumps).empty())
         return;
     goBack(touched, event.time);
     change(event, changes);
