@@ -1,5 +1,6 @@
 #include "batch/waiting.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include <unistd.h>
@@ -42,11 +43,17 @@ simulation::Result simulated(const scene::Scene& scene, const simulation::Option
     Waiting waiting;
     simulation::Observer observer;
     const double finish = options.finish.value_or(scene.simulator.finish);
+    double furthest = scene.simulator.start;
+    bool isAgain = false;
     observer.working = [&](double time) {
+        isAgain = isAgain || time < furthest;
+        furthest = std::max(furthest, time);
         if (!waiting.isTime())
             return;
         char text[100];
-        std::snprintf(text, sizeof text, "computing, at t = %.6g of %.6g", time, finish);
+        std::snprintf(text, sizeof text, "%s, at t = %.6g of %.6g",
+                      isAgain ? "computing again, to know the error" : "computing",
+                      std::min(time, finish), finish);
         waiting.say(text);
     };
     return simulation::simulate(scene, options, observer);
