@@ -1,5 +1,6 @@
 #include "batch/command.h"
 #include "batch/input.h"
+#include "simulation/doubts.h"
 #include "simulation/simulation.h"
 
 #include <cstdio>
@@ -26,6 +27,8 @@ int checkCommand(script::Reader& reader, const CheckArguments& arguments) {
     std::fputs(printed(scene).c_str(), stdout);
     if (!scene.reading.usable)
         return failure;
+    for (const scene::Diagnostic& doubt : simulation::doubtsAbout(scene.reading.scene))
+        std::fputs(printed(scene, doubt).c_str(), stdout);
     const auto faults = faultsOfTheEngine(scene.reading.scene);
     std::fputs(refusalOf(scene, faults).message.c_str(), stdout);
     return faults.empty() ? success : failure;

@@ -213,6 +213,18 @@ class Commands(unittest.TestCase):
         places = [line for line in ran.stdout.split("\n") if ": error: " in line]
         self.assertEqual([p.split(": error: ")[0] for p in places], [f"{bad}:6:8", f"{bad}:7:23"])
 
+    def test_check_doubts_what_is_hardly_meant(self):
+        odd = self.file("odd.al", "shape_set q -desc {-sub {-sphere 1} -sub {-sphere 1} -sub {-box {1 1 1} -pos {5 0 0}}}\n"
+                                  "shape_set two -desc {-sub {-box {1 1 1}} -sub {-box {1 1 1} -pos {1 0 0}}}\n"
+                                  "body c two -fixed 1 -init_dpos {1 0 0}\nbody d q -init_pos {9 0 0} -inertia {1 1 3}\nbody e two -init_pos {0 9 0}\n")
+        ran = self.run_asgard("check", odd)
+        self.assertEqual((ran.returncode, ran.stderr), (0, ""))
+        said = [line[len(odd):] for line in ran.stdout.split("\n") if ": warning: " in line]
+        self.assertEqual([line.split(": warning: ")[0] for line in said], [":1:19", ":3:32", ":4:37"])
+        self.assertIn('parts 1 and 2 of shape "q" overlap', said[0])
+        self.assertIn('body "c" is fixed', said[1])
+        self.assertIn('no distribution of mass has this inertia', said[2])
+
     def test_check_ends_what_does_not_end(self):
         ran = self.run_asgard("check", "-", text="while 1 {}")
         self.assertEqual(ran.returncode, 1)

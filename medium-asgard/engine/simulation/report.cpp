@@ -1,22 +1,11 @@
 #include "simulation/report.h"
 
+#include "simulation/place_at.h"
+
 #include <algorithm>
 
 namespace simulation {
 namespace {
-
-// At a value that the text holds, else at the command.
-void placeAt(const scene::Source& source, const std::string& option, scene::Diagnostic& said) {
-    if (source.line <= 0)
-        return;
-    said.range = source.command;
-    said.line = said.endLine = source.line;
-    said.column = source.column;
-    said.endColumn = source.column + 1;
-    const auto argument = std::ranges::find(source.arguments, option, &scene::Argument::option);
-    if (!option.empty() && argument != source.arguments.end() && argument->word.known())
-        said.range = argument->word;
-}
 
 bool joins(const scene::Link& link, const std::string& body) {
     const auto* other = std::get_if<scene::BodyEnd>(&link.second);
@@ -77,6 +66,19 @@ scene::Diagnostic stopAt(const scene::Scene& scene, std::size_t body, const Stop
 }
 
 } // namespace
+
+// At a value that the text holds, else at the command.
+void placeAt(const scene::Source& source, const std::string& option, scene::Diagnostic& said) {
+    if (source.line <= 0)
+        return;
+    said.range = source.command;
+    said.line = said.endLine = source.line;
+    said.column = source.column;
+    said.endColumn = source.column + 1;
+    const auto argument = std::ranges::find(source.arguments, option, &scene::Argument::option);
+    if (!option.empty() && argument != source.arguments.end() && argument->word.known())
+        said.range = argument->word;
+}
 
 std::vector<scene::Diagnostic> reportOf(const scene::Scene& scene, const Motion& motion) {
     std::vector<scene::Diagnostic> report;
