@@ -120,7 +120,7 @@ void Component::step() {
 // More than a billion steps to the finish, at the pace of late, if that does not grow, and at that
 // since the start: a burst of short steps is no pace.
 bool Component::isHopeless() const {
-    constexpr std::size_t first = 65'536;
+    constexpr std::size_t first = 16'384;
     constexpr double most = 1e9, steady = 1.25;
     const std::size_t n = history_->size();
     if (n < first || (n & (n - 1)) != 0)
