@@ -105,7 +105,8 @@ class SevenSteps(unittest.TestCase):
         person.look("bodies")
 
     def lookAgain(self, person):
-        """Where things are once the strip of times has come below the picture: by both rods."""
+        """Where things are once the strip of times has come below the picture: by both rods, without handles at their ends."""
+        person.changes(person.graphical, lambda: person.press(person.graphical, "alt+k"))
         time.sleep(1)
         left, top, right, bottom = PICTURE
         x0, y0, x1, y1 = person.grey(person.graphical, (left, top, right, (top + bottom) // 2))
