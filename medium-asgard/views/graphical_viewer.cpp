@@ -208,8 +208,9 @@ void GraphicalViewer::buildLiveMenu(QMenu* menu) {
         {Live::always, tr("&Always")},
         {Live::never, tr("&Only When Asked (F5)")},
     };
-    for (const auto& [live, label] : all) {
-        QAction* action = choices->addAction(label);
+    for (const auto& choice : all) {
+        const Live live = choice.first;
+        QAction* action = choices->addAction(choice.second);
         action->setCheckable(true);
         connect(action, &QAction::triggered, this, [this, live] { document_.setLive(live); });
         connect(menu, &QMenu::aboutToShow, action,

@@ -108,8 +108,7 @@ bool SceneDocument::hasErrors() const {
 
 void SceneDocument::select(std::vector<editing::Element> elements) {
     std::ranges::sort(elements);
-    const auto same = std::ranges::unique(elements);
-    elements.erase(same.begin(), same.end());
+    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
     std::erase_if(elements, [this](const editing::Element& element) {
         return editing::sourceOf(*shown_.scene, element) == nullptr;
     });

@@ -128,7 +128,7 @@ bool Component::isHopeless() const {
     const double third = history_->step(3 * n / 4).origin;
     const double early = third - history_->step(n / 2).origin, late = time_ - third;
     const double left = options_.finish - time_, all = time_ - history_->step(0).origin;
-    return late < steady * early && left > most / static_cast<double>(n / 4) * late &&
+    return late < steady * early && left > 4 * most / static_cast<double>(n) * late &&
            left > most / static_cast<double>(n) * all;
 }
 

@@ -194,7 +194,7 @@ bool Solver::Implementation::isHopelessAt(double time, std::size_t events) const
         return false;
     const double late = time - half_, early = half_ - quarter_;
     const double left = options_.finish - time, all = time - options_.start;
-    return late < 2 * steady * early && left > most / static_cast<double>(events / 2) * late &&
+    return late < 2 * steady * early && left > 2 * most / static_cast<double>(events) * late &&
            left > most / static_cast<double>(events) * all;
 }
 
