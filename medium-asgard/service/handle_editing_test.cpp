@@ -1,5 +1,5 @@
 // A reader's pointer on handles in the document's picture, with the real evaluator and engine.
-#include "service/session.h"
+#include "service/testing.h"
 
 #include <gmock/gmock.h>
 
@@ -42,20 +42,9 @@ protected:
     }
 
     void exchange() {
-        for (int i = 0; i < 3; ++i) {
-            medium.feed(std::string(host.outgoing()));
-            host.sent(host.outgoing().size());
-            while (const auto call = medium.next())
-                session->receive(*call, now);
-            session->attend(now);
-            host.feed(std::string(medium.outgoing()));
-            medium.sent(medium.outgoing().size());
-            while (auto call = host.next())
-                if (auto* heard = std::get_if<ipc::Told<ipc::ToHost>>(&*call))
-                    take(std::move(heard->call));
-                else
-                    asked.push_back(std::get<ipc::Asked<ipc::ToHost>>(*call));
-        }
+        for (int i = 0; i < 3; ++i)
+            exchangeOnce(host, medium, *session, now, asked,
+                         [this](ipc::ToHost call) { take(std::move(call)); });
     }
     void take(ipc::ToHost call) {
         if (auto* frame = std::get_if<ipc::RenditionFrame>(&call))

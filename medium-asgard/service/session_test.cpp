@@ -1,6 +1,6 @@
 // A session with a world that the test holds by the hand: reading answers at once, the motion goes
 // as far as the test lets it, pictures are counted.
-#include "service/session.h"
+#include "service/testing.h"
 
 #include <gmock/gmock.h>
 
@@ -124,20 +124,9 @@ protected:
 
     // Both ends say what they have to say, at the time `now`.
     void exchange() {
-        for (int i = 0; i < 3; ++i) {
-            medium.feed(std::string(host.outgoing()));
-            host.sent(host.outgoing().size());
-            while (const auto call = medium.next())
-                session->receive(*call, now);
-            session->attend(now);
-            host.feed(std::string(medium.outgoing()));
-            medium.sent(medium.outgoing().size());
-            while (auto call = host.next())
-                if (auto* heard = std::get_if<ipc::Told<ipc::ToHost>>(&*call))
-                    take(std::move(heard->call));
-                else
-                    asked.push_back(std::get<ipc::Asked<ipc::ToHost>>(*call));
-        }
+        for (int i = 0; i < 3; ++i)
+            exchangeOnce(host, medium, *session, now, asked,
+                         [this](ipc::ToHost call) { take(std::move(call)); });
         ASSERT_EQ(host.fault(), "");
         ASSERT_EQ(medium.fault(), "");
     }

@@ -2,6 +2,7 @@
 
 #include "editing/shape_library.h"
 #include "editing/shape_points.h"
+#include "views/names_box.h"
 #include "views/shape_fields.h"
 #include "views/shape_import.h"
 #include "views/shape_names.h"
@@ -170,11 +171,7 @@ QString ShapeEditor::shape() const { return names_->currentText(); }
 QString ShapeEditor::words() const { return words_->text(); }
 
 std::optional<std::size_t> ShapeEditor::index() const {
-    const auto& all = document_.shown().scene->shapeSets;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (QString::fromStdString(all[i].name) == names_->currentText())
-            return i;
-    return std::nullopt;
+    return indexNamed(document_.shown().scene->shapeSets, names_->currentText());
 }
 
 std::vector<scene::Part> ShapeEditor::parts() const {
@@ -192,21 +189,8 @@ void ShapeEditor::showShape(const QString& name) {
 }
 
 void ShapeEditor::fillNames() {
-    QStringList names, shown;
-    for (const scene::ShapeSet& one : document_.shown().scene->shapeSets)
-        names << QString::fromStdString(one.name);
-    for (int i = 0; i < names_->count(); ++i)
-        shown << names_->itemText(i);
-    if (names == shown)
-        return;
-    const QString before = names_->currentText();
-    const QSignalBlocker quiet(names_);
-    names_->clear();
-    names_->addItems(names);
-    const bool arrived = names.contains(wantedName_);
-    names_->setCurrentIndex(
-        std::max(0, static_cast<int>(names.indexOf(arrived ? wantedName_ : before))));
-    if (arrived)
+    fill(*names_, namesOf(document_.shown().scene->shapeSets), wantedName_);
+    if (names_->currentText() == wantedName_)
         wantedName_.clear();
 }
 

@@ -1,6 +1,7 @@
 #include "views/trajectory_editor.h"
 
 #include "scene/curves.h"
+#include "views/names_box.h"
 #include "views/undo_actions.h"
 
 #include <QAction>
@@ -179,11 +180,7 @@ QString TrajectoryEditor::trajectory() const { return names_->currentText(); }
 QString TrajectoryEditor::words() const { return words_->text(); }
 
 std::optional<std::size_t> TrajectoryEditor::index() const {
-    const auto& all = document_.shown().scene->trajectories;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (QString::fromStdString(all[i].name) == names_->currentText())
-            return i;
-    return std::nullopt;
+    return indexNamed(document_.shown().scene->trajectories, names_->currentText());
 }
 
 void TrajectoryEditor::showTrajectory(const QString& name) {
@@ -206,19 +203,7 @@ QString TrajectoryEditor::roleOf(const scene::Trajectory& trajectory) const {
 
 void TrajectoryEditor::followScene() {
     const auto& all = document_.shown().scene->trajectories;
-    QStringList names;
-    for (const scene::Trajectory& one : all)
-        names << QString::fromStdString(one.name);
-    QStringList shown;
-    for (int i = 0; i < names_->count(); ++i)
-        shown << names_->itemText(i);
-    if (names != shown) {
-        const QString before = names_->currentText();
-        const QSignalBlocker quiet(names_);
-        names_->clear();
-        names_->addItems(names);
-        names_->setCurrentIndex(std::max(0, static_cast<int>(names.indexOf(before))));
-    }
+    fill(*names_, namesOf(all));
     const auto here = index();
     names_->setEnabled(here.has_value());
     const bool hadNone = !fields_->isEnabled();

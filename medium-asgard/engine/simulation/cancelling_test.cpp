@@ -63,13 +63,7 @@ TEST(Cancelling, ASearchForMeetingsAsksAtEachOfThem) {
     SceneBuilder b(3);
     std::mt19937_64 random(11);
     std::uniform_real_distribution<double> speed(-2, 2);
-    for (const double side : {-1.5, 1.5})
-        for (int axis = 0; axis < 3; ++axis) {
-            Vector place = Vector::Zero(), edges = Vector::Constant(4);
-            place[axis] = side;
-            edges[axis] = 1;
-            b.box("wall" + std::to_string(b.scene.bodies.size()), place, edges).fixed = true;
-        }
+    b.room();
     for (std::size_t i = 0; i < balls; ++i) {
         const Vector cell(static_cast<double>(i % perEdge),
                           static_cast<double>(i / perEdge % perEdge),

@@ -38,13 +38,7 @@ TEST(Galperin, CountsTheDigitsOfPi) {
 // direction.
 SceneBuilder gas(std::size_t perEdge, double finish) {
     SceneBuilder b(finish);
-    for (const double side : {-1.5, 1.5})
-        for (int axis = 0; axis < 3; ++axis) {
-            Vector place = Vector::Zero(), edges = Vector::Constant(4);
-            place[axis] = side;
-            edges[axis] = 1;
-            b.box("wall" + std::to_string(b.scene.bodies.size()), place, edges).fixed = true;
-        }
+    b.room();
     std::mt19937_64 random(4);
     std::uniform_real_distribution<double> speed(-std::numbers::sqrt3, std::numbers::sqrt3);
     const double spacing = 2.0 / static_cast<double>(perEdge);

@@ -33,6 +33,16 @@ public:
         made.fixed = true;
         return made;
     }
+    // Six walls about the origin, two units from each other: the first six bodies.
+    void room() {
+        for (const double side : {-1.5, 1.5})
+            for (int axis = 0; axis < 3; ++axis) {
+                Vector where = Vector::Zero(), edges = Vector::Constant(4);
+                where[axis] = side;
+                edges[axis] = 1;
+                box("wall" + std::to_string(scene.bodies.size()), where, edges).fixed = true;
+            }
+    }
     void weight(const std::string& body, const Vector& acceleration = {0, -g, 0}) {
         scene::Force force;
         force.body = body;
