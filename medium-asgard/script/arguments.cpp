@@ -5,6 +5,7 @@
 #include "script/svg_colors.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -201,6 +202,14 @@ std::string notANumber(std::string_view text) {
     return "and " + quoted(text) + " is not " + (text.empty() ? "one" : "a decimal number");
 }
 
+// A number, but none that a computer's own numbers come near.
+bool isBeyondRange(std::string_view text) {
+    double value = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    return error == std::errc::result_out_of_range && stop == end;
+}
+
 constexpr std::string_view colorWish = "a colour: #rrggbb, an SVG name, or {r g b} from 0 to 1";
 
 std::string countWord(std::size_t count) {
@@ -214,7 +223,10 @@ std::string countWord(std::size_t count) {
 std::optional<double> Arguments::numberIn(std::string_view option, const Value& value, Sign sign,
                                           std::string_view wants) {
     const auto number = decimalNumber(value.text);
-    if (!number)
+    if (isBeyondRange(value.text))
+        wrong(option, value.range, wants,
+              "and " + value.text + " is out of range: sizes go from 1e-308 to 1e308");
+    else if (!number)
         wrong(option, value.range, wants, notANumber(value.text),
               value.text.find(',') != std::string::npos
                   ? "blanks stand between numbers, no commas: {1 0 0}"

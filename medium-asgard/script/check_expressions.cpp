@@ -1,6 +1,7 @@
 // Every expression of a scene, parsed, its names known: what is wrong is shown at its own bytes.
 #include "script/scene_maker.h"
 
+#include "expression/chained_comparison.h"
 #include "expression/parse.h"
 #include "scene/names.h"
 
@@ -32,6 +33,9 @@ void SceneMaker::checkExpressions() {
         if (const auto* error = std::get_if<expression::SyntaxError>(&parsed))
             faults_.error(pending.value.piece(error->from, error->to).range,
                           pending.subject + ": " + error->message, error->suggestion);
+        else if (const auto doubt = expression::chainedComparison(pending.value.text))
+            faults_.warning(pending.value.piece(doubt->from, doubt->to).range,
+                            pending.subject + ": " + doubt->message, doubt->suggestion);
     }
 }
 

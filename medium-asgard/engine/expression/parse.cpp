@@ -121,10 +121,12 @@ private:
     void failAtLeftover() {
         const Token& now = tokens_.now();
         if (now.kind == TokenKind::sign && (now.text == ")" || now.text == ":" || now.text == ","))
-            fail(now, quoted(now.text) + " has no " +
-                          (now.text == ")"   ? "\"(\" before it"
-                           : now.text == ":" ? "\"?\" before it"
-                                             : "function that it belongs to"));
+            fail(now,
+                 quoted(now.text) + " has no " +
+                     (now.text == ")"   ? "\"(\" before it"
+                      : now.text == ":" ? "\"?\" before it"
+                                        : "function that it belongs to"),
+                 now.text == "," ? "numbers are written 1000.5, without commas" : "");
         else
             fail(now, "expected an operator before " + quoted(now.text));
     }
@@ -263,6 +265,8 @@ private:
         Meaning found = names_(graph_, name.text, arguments, isCall);
         if (found.node)
             return *found.node;
+        if (found.suggestion.empty() && isCall && (name.text == "mod" || name.text == "fmod"))
+            found.suggestion = "the rest of a / b is a - b*floor(a/b)";
         if (found.suggestion.empty()) {
             const std::string near = nearestName(name.text, functionNames());
             if (!near.empty())

@@ -1,3 +1,4 @@
+#include "expression/chained_comparison.h"
 #include "expression/parse.h"
 
 #include "expression/testing.h"
@@ -45,7 +46,11 @@ TEST(Parse, FaultsNameTheTextAndSayWhatWasExpected) {
         {"0x10", "[0x10] \"0x10\" is not a decimal number"},
         {"3m", "[3m] \"3m\" is not a decimal number"},
         {"1e999", "[1e999] \"1e999\" is too large for a number"},
-        {"1,2", "[,] \",\" has no function that it belongs to"},
+        {"1,2", "[,] \",\" has no function that it belongs to | numbers are written 1000.5, "
+                "without commas"},
+        {"a % 2", "[%] \"%\" has no meaning in an expression | the rest of a / b is "
+                  "a - b*floor(a/b)"},
+        {"mod(a, 2)", "[mod] there is no function mod | the rest of a / b is a - b*floor(a/b)"},
         {"sin(1 2)", "[2] expected an operator or \")\", not \"2\""},
     };
     for (const auto& [text, expected] : rows)
@@ -98,6 +103,18 @@ TEST(Parse, CallsThatAreNotBuiltInReachTheNamesWithTheirArguments) {
     };
     EXPECT_TRUE(std::holds_alternative<Node>(parse(graph, "B.px(1, 2, t) + B.x", names)));
     EXPECT_EQ(seen, "t/0 B.px/3() B.x/0 ");
+}
+
+TEST(Parse, TwoComparisonsInARowAreDoubtedWhereTheyStand) {
+    const auto doubted = [](std::string_view text) {
+        const auto doubt = chainedComparison(text);
+        return doubt ? text.substr(doubt->from, doubt->to - doubt->from) : "";
+    };
+    EXPECT_EQ(doubted("0 < x < 1"), "< x <");
+    EXPECT_EQ(doubted("y + sin(0 <= x + (2 < 3) >= 1)"), "<= x + (2 < 3) >=");
+    for (const char* clear : {"(0 < x) < 1", "0 < x && x < 1", "a < b == c < d",
+                              "a < b ? c < d : e < f", "max(a < b, c < d)", "a < b", "$ < <"})
+        EXPECT_EQ(doubted(clear), "") << clear;
 }
 
 std::string repeated(std::string_view text, int count) {

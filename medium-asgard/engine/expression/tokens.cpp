@@ -40,6 +40,8 @@ std::string adviceFor(std::string_view sign) {
         return "write a parameter's name without $";
     if (sign == "=")
         return "== compares";
+    if (sign == "%")
+        return "the rest of a / b is a - b*floor(a/b)";
     if (sign == "&" || sign == "|")
         return "write " + std::string(2, sign[0]);
     return "";
