@@ -51,6 +51,8 @@ struct ComponentStatistics {
     std::size_t steps = 0, evaluations = 0;
 };
 
+// Of a motion that was computed further than it is wanted now, what was done beyond its finish
+// counts: in the list of components, and in the bytes.
 struct Statistics {
     double seconds = 0;        // CPU of the motion
     double secondsSolving = 0; // of these, without making the equations
