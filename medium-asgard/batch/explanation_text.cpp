@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cstdio>
 #include <limits>
 #include <map>
@@ -118,9 +119,11 @@ std::string rounded(const std::string& equation) {
             text += word;
             continue;
         }
+        double value = 0; // one too small for a double stays as it is written
+        const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
         char digits[40];
-        std::snprintf(digits, sizeof digits, "%.10g", std::stod(word));
-        text += digits;
+        std::snprintf(digits, sizeof digits, "%.10g", value);
+        text += read.ec == std::errc() ? digits : word;
     }
     return text;
 }

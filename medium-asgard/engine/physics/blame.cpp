@@ -40,45 +40,47 @@ std::string shortened(const std::string& expression) {
     return line.substr(0, end) + " ... " + line.substr(begin);
 }
 
-class Values {
-public:
-    Values(const EquationsOfMotion& equations, const Instant& now)
-        : equations_(equations), values_(now.state.begin(), now.state.end()) {
-        for (const expression::Unknown& unknown : equations.set.unknowns)
-            inputs_.push_back(unknown.symbol);
-        inputs_.push_back(equations.set.time);
-        values_.push_back(now.time);
-    }
-    [[nodiscard]] std::array<double, 3> of(const NodeVector& nodes) {
-        std::array<double, 3> value{};
-        expression::Tape(equations_.set.graph, inputs_, nodes).evaluate(values_, value, scratch_);
-        return value;
-    }
-
-private:
-    const EquationsOfMotion& equations_;
-    std::vector<Node> inputs_;
-    std::vector<double> values_;
-    expression::Tape::Scratch scratch_;
-};
-
-bool isAmong(std::size_t body, std::span<const std::size_t> bodies) {
-    return bodies.empty() || std::ranges::find(bodies, body) != bodies.end();
-}
-
 } // namespace
 
-std::vector<Blame> whatIsNotFinite(const EquationsOfMotion& equations, const Instant& now,
-                                   std::span<const std::size_t> onBodies) {
-    Values values(equations, now);
+Suspects::Suspects(const EquationsOfMotion& equations) : equations_(equations) {
+    for (std::size_t u = 0; u < equations.set.unknowns.size(); ++u)
+        unknownOf_.emplace(equations.set.unknowns[u].symbol.index, u);
+    for (std::size_t i = 0; i < equations.contributions.size(); ++i)
+        contributionsOn_[equations.contributions[i].body].push_back(i);
+}
+
+std::array<double, 3> Suspects::valueOf(const NodeVector& nodes, const Instant& now) const {
+    const std::vector<Node> inputs = expression::symbolsOf(equations_.set.graph, nodes);
+    std::vector<double> values;
+    for (const Node symbol : inputs) {
+        const auto unknown = unknownOf_.find(symbol.index);
+        values.push_back(unknown == unknownOf_.end() ? now.time : now.value(unknown->second));
+    }
+    std::array<double, 3> value{};
+    expression::Tape::Scratch scratch;
+    expression::Tape(equations_.set.graph, inputs, nodes).evaluate(values, value, scratch);
+    return value;
+}
+
+// In their order.
+std::vector<std::size_t> Suspects::on(std::span<const std::size_t> bodies) const {
+    std::vector<std::size_t> all;
+    for (const std::size_t body : bodies)
+        if (const auto found = contributionsOn_.find(body); found != contributionsOn_.end())
+            all.insert(all.end(), found->second.begin(), found->second.end());
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
+std::vector<Blame> Suspects::notFinite(const Instant& now,
+                                       std::span<const std::size_t> onBodies) const {
     std::vector<Blame> found;
-    for (std::size_t i = 0; i < equations.contributions.size(); ++i) {
-        const Contribution& c = equations.contributions[i];
-        if (!isAmong(c.body, onBodies))
-            continue;
+    for (const std::size_t i : on(onBodies)) {
+        const Contribution& c = equations_.contributions[i];
         // What is written says more than what follows from it.
         for (const NodeVector& nodes : {c.written.value_or(c.force), c.force, c.torque}) {
-            const auto value = values.of(nodes);
+            const auto value = valueOf(nodes, now);
             const auto bad =
                 std::ranges::find_if_not(value, [](double x) { return std::isfinite(x); });
             if (bad == value.end())
@@ -93,19 +95,16 @@ std::vector<Blame> whatIsNotFinite(const EquationsOfMotion& equations, const Ins
     return found;
 }
 
-std::optional<Blame> whatGrows(const EquationsOfMotion& equations, const Instant& before,
-                               const Instant& now, std::span<const std::size_t> onBodies) {
+std::optional<Blame> Suspects::growing(const Instant& before, const Instant& now,
+                                       std::span<const std::size_t> onBodies) const {
     constexpr double much = 1000;
-    Values valuesBefore(equations, before), valuesNow(equations, now);
     std::optional<Blame> largest;
-    for (std::size_t i = 0; i < equations.contributions.size(); ++i) {
-        const Contribution& c = equations.contributions[i];
-        if (!isAmong(c.body, onBodies))
-            continue;
+    for (const std::size_t i : on(onBodies)) {
+        const Contribution& c = equations_.contributions[i];
         // A link's place is no force.
         const bool isWritten = c.written && c.kind == Contribution::Kind::force;
         const NodeVector& nodes = isWritten ? *c.written : c.force;
-        const auto was = valuesBefore.of(nodes), is = valuesNow.of(nodes);
+        const auto was = valueOf(nodes, before), is = valueOf(nodes, now);
         for (std::size_t axis = 0; axis < is.size(); ++axis)
             if (std::abs(is[axis]) > much * std::abs(was[axis]) &&
                 (!largest || std::abs(is[axis]) > std::abs(largest->value)))

@@ -7,9 +7,13 @@
 
 #include "physics/equations_of_motion.h"
 
+#include <array>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace physics {
@@ -21,22 +25,33 @@ struct Blame {
     double value = 0;
 };
 
-// All unknowns, and the time.
+// The value of any unknown at a time, as asked.
 struct Instant {
-    std::span<const double> state;
+    std::function<double(std::size_t unknown)> value;
     double time = 0;
 };
 
-// Of the forces and links on some bodies (none named: on all), those with a value that is not
-// finite.
-[[nodiscard]] std::vector<Blame> whatIsNotFinite(const EquationsOfMotion& equations,
-                                                 const Instant& now,
-                                                 std::span<const std::size_t> onBodies = {});
+// Looks at the forces and links on some bodies, and reads no other unknowns than these do. The
+// equations must outlive it.
+class Suspects {
+public:
+    explicit Suspects(const EquationsOfMotion& equations);
 
-// The one that is largest now, if it is a thousand times what it was before.
-[[nodiscard]] std::optional<Blame> whatGrows(const EquationsOfMotion& equations,
-                                             const Instant& before, const Instant& now,
-                                             std::span<const std::size_t> onBodies = {});
+    // Those with a value that is not finite.
+    [[nodiscard]] std::vector<Blame> notFinite(const Instant& now,
+                                               std::span<const std::size_t> onBodies) const;
+    // The one that is largest now, if it is a thousand times what it was before.
+    [[nodiscard]] std::optional<Blame> growing(const Instant& before, const Instant& now,
+                                               std::span<const std::size_t> onBodies) const;
+
+private:
+    [[nodiscard]] std::array<double, 3> valueOf(const NodeVector& nodes, const Instant& now) const;
+    [[nodiscard]] std::vector<std::size_t> on(std::span<const std::size_t> bodies) const;
+
+    const EquationsOfMotion& equations_;
+    std::unordered_map<std::uint32_t, std::size_t> unknownOf_;                  // by symbol
+    std::unordered_map<std::size_t, std::vector<std::size_t>> contributionsOn_; // by body
+};
 
 // the force on body "b1" is not finite: its y, "sqrt(-t)", is not a number
 // the force on body "b1" grows without bound: its x, "1/(2-t)^2", is 3.2e+17

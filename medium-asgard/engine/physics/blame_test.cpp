@@ -5,15 +5,28 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+#include <set>
+
 namespace physics {
 namespace {
 
 using testing::ballAndRod;
 
+Instant instant(const std::vector<double>& state, double time) {
+    return {.value = [&state](std::size_t unknown) { return state.at(unknown); }, .time = time};
+}
+
+std::vector<std::size_t> allBodies(const scene::Scene& scene) {
+    std::vector<std::size_t> all(scene.bodies.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
 std::vector<std::string> notFinite(const scene::Scene& scene, const EquationsOfMotion& motion,
                                    const std::vector<double>& state, double time) {
     std::vector<std::string> found;
-    for (const Blame& blame : whatIsNotFinite(motion, {state, time}))
+    for (const Blame& blame : Suspects(motion).notFinite(instant(state, time), allBodies(scene)))
         found.push_back(inWords(scene, motion, blame) + optionOf(blame));
     return found;
 }
@@ -55,11 +68,31 @@ TEST(Blame, AtAPoleTheForceThatGrowsIsNamed) {
                     testing::force("ball", "0", "0", "1/(2-t)^2")};
     const EquationsOfMotion motion(scene);
     const std::vector<double> state(motion.set.unknowns.size(), 0.5);
-    const auto growing = whatGrows(motion, {state, 0}, {state, 2 - 1e-10});
+    const Suspects suspects(motion);
+    const auto growing =
+        suspects.growing(instant(state, 0), instant(state, 2 - 1e-10), allBodies(scene));
     ASSERT_TRUE(growing);
     EXPECT_EQ(inWords(scene, motion, *growing),
               "the force on body \"ball\" grows without bound: its z, \"1/(2-t)^2\", is 1e+20");
-    EXPECT_FALSE(whatGrows(motion, {state, 0}, {state, 1}));
+    EXPECT_FALSE(suspects.growing(instant(state, 0), instant(state, 1), allBodies(scene)));
+}
+
+// Of a thousand bodies that stop, each costs what its own forces read.
+TEST(Blame, NothingElseIsReadThanWhatTheForcesRead) {
+    scene::Scene scene = ballAndRod();
+    scene.forces = {testing::force("ball", "log(ball.x)", "0", "0"),
+                    testing::force("rod", "rod.y", "0", "0")};
+    const EquationsOfMotion motion(scene);
+    std::set<std::string> read;
+    const Instant now{.value =
+                          [&](std::size_t unknown) {
+                              read.insert(motion.set.unknowns[unknown].name);
+                              return -1.0;
+                          },
+                      .time = 0};
+    const std::size_t ball = 0;
+    EXPECT_EQ(Suspects(motion).notFinite(now, {&ball, 1}).size(), 1u);
+    EXPECT_EQ(read, std::set<std::string>{"ball.x"});
 }
 
 TEST(Blame, LongExpressionsAreShown) {

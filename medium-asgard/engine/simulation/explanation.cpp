@@ -25,7 +25,9 @@ constexpr std::size_t mostPairs = 10'000;
 // LIMIT: an equation of more operations than this, each shared one counted where it is used, is
 // told by their number.
 constexpr double mostOperations = 2000;
-constexpr double noise = 1e-13; // of the other terms of a sum
+// A number in front of a term that is less than this of the others' in its sum, and of 1, is what
+// rounding left of a 0. LIMIT: an author's own number of that size is not told.
+constexpr double noise = 1e-13;
 
 std::string shortNumber(double value) {
     char text[40];
@@ -149,9 +151,9 @@ private:
             argument = quiet_.at(argument.index);
         if (op == Op::add || op == Op::subtract) {
             const double first = factorOf(arguments[0]), second = factorOf(arguments[1]);
-            if (second < noise * first)
+            if (second < noise * std::min(first, 1.0))
                 return arguments[0];
-            if (first < noise * second)
+            if (first < noise * std::min(second, 1.0))
                 return op == Op::add ? arguments[1] : g.negate(arguments[1]);
         }
         return arguments.size() == 1   ? g.apply(op, arguments[0])

@@ -17,36 +17,33 @@ std::string sentenceAt(double time, const std::string& reason) {
     return std::string("Stopped at t = ") + text + ": " + reason + ".";
 }
 
-// Values of all unknowns a little after a stop, and before it.
-std::vector<double> stateAt(const Problem& problem, const solution::Histories& histories,
-                            double stop, double time) {
-    std::vector<double> state;
-    for (std::size_t i = 0; i < histories.unknowns(); ++i) {
-        const double value =
+// Values of unknowns a little after a stop, or before it.
+physics::Instant instantOf(const Problem& problem, const solution::Histories& histories,
+                           double stop, double time) {
+    const auto value = [&problem, &histories, stop, time](std::size_t i) {
+        const double found =
             time <= stop ? histories.value(i, time)
                          : 2 * histories.value(i, stop) -
                                histories.value(i, std::max(problem.start(), 2 * stop - time));
         // Of what is not solved any value will do.
-        state.push_back(std::isnan(value) ? problem.equations.set.unknowns[i].initial : value);
-    }
-    return state;
+        return std::isnan(found) ? problem.equations.set.unknowns[i].initial : found;
+    };
+    return {.value = value, .time = time};
 }
 
 // What is not finite at the end, or just after it; else what grew much over the last tenth.
-std::vector<physics::Blame> blamesFor(const Problem& problem, const solution::Histories& histories,
+std::vector<physics::Blame> blamesFor(const Problem& problem, const physics::Suspects& suspects,
+                                      const solution::Histories& histories,
                                       const std::vector<std::size_t>& bodies, double stop) {
     for (const double part : {0.0, 1e-12, 1e-9, 1e-6}) {
         const double time = stop + part * std::max(1.0, std::abs(stop));
-        const std::vector<double> state = stateAt(problem, histories, stop, time);
-        auto found = physics::whatIsNotFinite(problem.equations, {state, time}, bodies);
+        auto found = suspects.notFinite(instantOf(problem, histories, stop, time), bodies);
         if (!found.empty())
             return found;
     }
     const double earlier = stop - (stop - problem.start()) / 10;
-    const std::vector<double> before = stateAt(problem, histories, stop, earlier);
-    const std::vector<double> now = stateAt(problem, histories, stop, stop);
-    if (const auto grown =
-            physics::whatGrows(problem.equations, {before, earlier}, {now, stop}, bodies))
+    if (const auto grown = suspects.growing(instantOf(problem, histories, stop, earlier),
+                                            instantOf(problem, histories, stop, stop), bodies))
         return {*grown};
     return {};
 }
@@ -85,8 +82,9 @@ std::string adviceFor(solution::Stop::Reason reason, bool isBlamed) {
     }
 }
 
-Stop stopOf(const Problem& problem, const solution::Histories& histories,
-            const std::vector<std::size_t>& owners, const solution::Stop& stop) {
+Stop stopOf(const Problem& problem, const physics::Suspects& suspects,
+            const solution::Histories& histories, const std::vector<std::size_t>& owners,
+            const solution::Stop& stop) {
     using Reason = solution::Stop::Reason;
     std::string reason = stop.sentence;
     std::vector<physics::Blame> blames;
@@ -95,7 +93,7 @@ Stop stopOf(const Problem& problem, const solution::Histories& histories,
         std::vector<std::size_t> bodies;
         for (const std::size_t unknown : stop.unknowns)
             bodies.push_back(owners[unknown]);
-        blames = blamesFor(problem, histories, bodies, stop.time);
+        blames = blamesFor(problem, suspects, histories, bodies, stop.time);
     }
     std::string named;
     for (const physics::Blame& blame : blames)
@@ -119,6 +117,7 @@ std::map<std::size_t, Stop> solversStops(const Problem& problem,
     if (histories.stops().empty())
         return stops;
     const std::vector<std::size_t> owners = ownersOf(problem);
+    const physics::Suspects suspects(problem.equations);
     for (const solution::Stop& stop : histories.stops()) {
         std::optional<Stop> told; // once for all bodies that stop together
         for (const std::size_t unknown : stop.unknowns) {
@@ -127,7 +126,7 @@ std::map<std::size_t, Stop> solversStops(const Problem& problem,
             if (place != stops.end() && !(stop.time < place->second.time))
                 continue;
             if (!told)
-                told = stopOf(problem, histories, owners, stop);
+                told = stopOf(problem, suspects, histories, owners, stop);
             stops[body] = *told;
         }
     }
