@@ -1,7 +1,12 @@
 #include "solution/partition.h"
 
+#include "expression/operation.h"
+
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
 
 namespace solution {
 
@@ -24,6 +29,59 @@ std::vector<Node> nodesAfter(const expression::Unknown& unknown, double from) {
             nodes.push_back(*phase.jump);
     }
     return nodes;
+}
+
+bool hasSwitch(const expression::Graph& graph) {
+    for (std::uint32_t n = 0; n < graph.size(); ++n)
+        if (expression::isSwitch(graph.op(Node{n})))
+            return true;
+    return false;
+}
+
+// What a switch compares, the same for all that have the same surface (switching.h), whichever way
+// round they write it.
+using Compared = std::pair<Node, Node>;
+constexpr Node nothing{std::numeric_limits<std::uint32_t>::max()};
+
+Compared comparedBy(const expression::Graph& graph, Node switching) {
+    const auto arguments = graph.arguments(switching);
+    Compared pair{arguments[0], arguments.size() == 2 ? arguments[1] : nothing};
+    const auto isZero = [&graph](Node n) {
+        return n != nothing && graph.op(n) == expression::Op::constant && graph.value(n) == 0;
+    };
+    if (isZero(pair.first))
+        std::swap(pair.first, pair.second);
+    if (isZero(pair.second))
+        pair.second = nothing;
+    while (pair.second == nothing && graph.op(pair.first) == expression::Op::negate)
+        pair.first = graph.arguments(pair.first)[0];
+    if (pair.second == nothing && graph.op(pair.first) == expression::Op::subtract)
+        pair = {graph.arguments(pair.first)[0], graph.arguments(pair.first)[1]};
+    if (pair.second != nothing && pair.second < pair.first)
+        std::swap(pair.first, pair.second);
+    return pair;
+}
+
+// Places of those whose rates have a switch, by what it compares.
+std::map<Compared, std::vector<std::size_t>> sharersOf(const expression::EquationSet& equations,
+                                                       std::span<const std::size_t> unknowns,
+                                                       double from, const ZeroStates& zero) {
+    std::map<Compared, std::vector<std::size_t>> sharers;
+    for (std::size_t place = 0; place < unknowns.size(); ++place) {
+        if (zero.contains(unknowns[place]))
+            continue;
+        const std::vector<Node> nodes = nodesAfter(equations.unknowns[unknowns[place]], from);
+        for (const Node n : expression::reachable(equations.graph, nodes)) {
+            const expression::Op op = equations.graph.op(n);
+            if (!expression::isSwitch(op) || op == expression::Op::floor ||
+                op == expression::Op::ceil)
+                continue;
+            std::vector<std::size_t>& places = sharers[comparedBy(equations.graph, n)];
+            if (places.empty() || places.back() != place)
+                places.push_back(place);
+        }
+    }
+    return sharers;
 }
 
 } // namespace
@@ -68,7 +126,35 @@ Reads readsOf(const expression::EquationSet& equations, const UnknownIndex& inde
     for (std::size_t i = 0; i < reads.size(); ++i)
         if (!zero.contains(i))
             reads[i] = readsOf(equations, index, i, from, zero);
+    if (hasSwitch(equations.graph)) {
+        std::vector<std::size_t> all(reads.size());
+        std::iota(all.begin(), all.end(), 0);
+        addSharedSwitches(equations, index, all, from, zero, reads);
+    }
     return reads;
+}
+
+void addSharedSwitches(const expression::EquationSet& equations, const UnknownIndex& index,
+                       std::span<const std::size_t> unknowns, double from, const ZeroStates& zero,
+                       Reads& reads) {
+    for (const auto& [compared, places] : sharersOf(equations, unknowns, from, zero)) {
+        if (places.size() < 2)
+            continue;
+        std::vector<Node> guard{compared.first};
+        if (compared.second != nothing)
+            guard.push_back(compared.second);
+        for (const Node symbol : zero.symbolsLeft(equations.graph, guard)) {
+            const auto moved = index.of(symbol);
+            const auto isMoved = [&](std::size_t p) { return moved && unknowns[p] == *moved; };
+            const auto place = std::ranges::find_if(places, isMoved);
+            if (place == places.end())
+                continue;
+            std::vector<std::size_t>& list = reads[*place];
+            list.insert(list.end(), places.begin(), places.end());
+            std::ranges::sort(list);
+            list.erase(std::unique(list.begin(), list.end()), list.end());
+        }
+    }
 }
 
 namespace {

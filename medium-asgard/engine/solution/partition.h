@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace solution {
@@ -39,15 +40,23 @@ private:
 using Reads = std::vector<std::vector<std::size_t>>;
 
 // From all phases after `from` and the one in force then. The four of a quaternion read each other,
-// since they are renormalised together. What stays 0 reads nothing, and nothing reads it.
+// since they are renormalised together. What stays 0 reads nothing, and nothing reads it. Unknowns
+// that a switch can hold where it is (sliding, component_equations.h) also read all others whose
+// rates have the same switch: what it gives then is one number, which is theirs too.
 [[nodiscard]] Reads readsOf(const expression::EquationSet& equations, const UnknownIndex& index,
                             double from, const ZeroStates& zero = {});
 [[nodiscard]] Reads readsOf(const expression::EquationSet& equations, double from,
                             const ZeroStates& zero = {});
-// Of one equation.
+// Of one equation, its switches aside.
 [[nodiscard]] std::vector<std::size_t> readsOf(const expression::EquationSet& equations,
                                                const UnknownIndex& index, std::size_t unknown,
                                                double from, const ZeroStates& zero);
+
+// Adds what switches that are shared make these unknowns read; `reads` stand beside `unknowns`, and
+// name places among them. Those of unknowns that are not listed are not asked.
+void addSharedSwitches(const expression::EquationSet& equations, const UnknownIndex& index,
+                       std::span<const std::size_t> unknowns, double from, const ZeroStates& zero,
+                       Reads& reads);
 
 struct Partition {
     // Unknowns of each component in order of index; components after those that they read.

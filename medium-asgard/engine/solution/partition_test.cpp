@@ -42,6 +42,17 @@ std::string print(const Partition& partition, const expression::EquationSet& set
 
 } // namespace
 
+// A switch that can hold x's rate at 0 gives one number then, for all whose rates have it.
+TEST(Partition, WhatSharesASwitchThatCanSlideIsSolvedTogether) {
+    const auto held = equations({{"v", "3-5*sign(v)"}, {"w", "2*(v<0)"}, {"u", "sign(-v)"}});
+    EXPECT_EQ(print(partitionOf(readsOf(held, 0)), held), "{v w u}\n");
+    // Only v's own rate moves x, and no switch of x is in it: nothing slides.
+    const auto passed = equations({{"x", "v"}, {"v", "-sign(x)"}, {"w", "sign(x)"}});
+    EXPECT_EQ(print(partitionOf(readsOf(passed, 0)), passed), "{x v}\n{w} <- 0\n");
+    const auto other = equations({{"v", "3-5*sign(v)"}, {"w", "sign(v-1)"}, {"u", "floor(v)"}});
+    EXPECT_EQ(print(partitionOf(readsOf(other, 0)), other), "{v}\n{w} <- 0\n{u} <- 0\n");
+}
+
 // Dissertation, Figure 5.8: two objects that attract each other in X only. The X equations form one
 // component; each Y velocity is one, and each Y position another that reads it.
 TEST(Partition, IsThatOfFigure5_8) {

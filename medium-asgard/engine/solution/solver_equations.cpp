@@ -136,6 +136,7 @@ Solver::Implementation::regionOf(const Event& event, const std::set<std::size_t>
             read = static_cast<std::size_t>(std::ranges::lower_bound(region.unknowns, read) -
                                             region.unknowns.begin());
     }
+    addSharedSwitches(*set_, prepared_->index, region.unknowns, event.time, zero_, reads);
     region.partition = options_.whole ? wholePartition(reads) : partitionOf(reads);
     for (auto& component : region.partition.components)
         for (std::size_t& u : component)
