@@ -300,7 +300,12 @@ double Handles::arrowLength(HandleKind kind) const {
     return some ? (couple ? torqueScale_ : forceScale_) : scaleFor(1, extent_.size);
 }
 
+static thread_local std::size_t computed = 0;
+
+std::size_t Handles::setsComputed() { return computed; }
+
 HandleSet Handles::at(double time, const Display& display) {
+    ++computed;
     HandleSet set;
     known_ = false;
     for (std::size_t i = 0; i < scene_.bodies.size(); ++i)

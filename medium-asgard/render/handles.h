@@ -94,6 +94,8 @@ public:
 
     // Of the kinds that the display shows; bodies that are fixed have no velocities.
     [[nodiscard]] HandleSet at(double time, const Display& display);
+    // How many sets this thread has computed, each from all elements.
+    [[nodiscard]] static std::size_t setsComputed();
     // How long the arrow of a force, or a torque, of 1 is or would be.
     [[nodiscard]] double arrowLength(HandleKind kind) const;
 

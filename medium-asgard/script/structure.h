@@ -59,6 +59,8 @@ struct Structure {
 };
 
 [[nodiscard]] Structure structureOf(std::string_view text);
+// How many this thread has made: each goes through a whole text.
+[[nodiscard]] std::size_t structuresMade();
 
 // One element of a Tcl list: its place in the list's text and its value.
 struct Element {
