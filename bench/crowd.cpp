@@ -57,8 +57,9 @@ private:
     std::map<std::string, std::vector<double>> all_;
 };
 
-void drag(views::SceneDisplay& display, Pieces& pieces) {
-    const QPoint from = display.fromPixels(display.sight().pixels({30, 20, 0})).toPoint();
+void drag(views::SceneDisplay& display, int body, Pieces& pieces) {
+    const geometry::Vector place(body % 60, body / 60, 0); // of the crowd
+    const QPoint from = display.fromPixels(display.sight().pixels(place)).toPoint();
     const auto send = [&](QEvent::Type type, QPoint at, Qt::MouseButton button) {
         QMouseEvent event(type, at, display.mapToGlobal(at), button, Qt::LeftButton,
                           Qt::ShiftModifier);
@@ -93,7 +94,7 @@ void measureCrowd(const Measurement& measurement, script::Reader& reader, int bo
     pieces.eventsUntil("events while handles are drawn", [&] {
         return display.handles().handles.size() == static_cast<std::size_t>(bodies);
     });
-    drag(display, pieces);
+    drag(display, bodies / 2, pieces);
     pieces.eventsUntil("events after the drag", settled);
     std::vector<editing::Element> all;
     for (std::size_t i = 0; i < static_cast<std::size_t>(bodies); ++i)
