@@ -112,6 +112,14 @@ Writing::Place Writing::placeFor(const NewElement& element) const {
             take({kind, count - 1}, ofItsKind);
     };
     last(element.kind, true);
+    if (element.kind == Kind::simulator && !structure_.commands.empty()) {
+        // Before everything, where one looks for it.
+        const std::size_t first = structure_.commands.front().range.from;
+        const std::size_t line = first == 0 ? std::string::npos : text_.rfind('\n', first - 1);
+        const std::size_t begin = line == std::string::npos ? 0 : line + 1;
+        if (text_.find_first_not_of(" \t", begin) == first)
+            return {begin, false, ""};
+    }
     if (!any)
         for (const Kind kind : order) {
             if (kind == element.kind)

@@ -205,6 +205,14 @@ std::string quantityOf(const scene::Scene& scene, const Handle& handle) {
     return "point " + std::to_string(handle.part + 1);
 }
 
+std::string nameOf(const scene::Scene& scene, const Handle& handle) {
+    const std::string subject = subjectOf(scene, handle);
+    if (handle.kind == HandleKind::forceHead || handle.kind == HandleKind::torqueHead)
+        return "the " + subject;
+    const bool named = editing::nameOf(scene, elementOf(handle)) == subject;
+    return "the " + quantityOf(scene, handle) + " of " + (named ? "" : "the ") + subject;
+}
+
 std::string labelOf(const scene::Scene& scene, const Handle& handle) {
     const std::string subject = subjectOf(scene, handle);
     if (handle.kind == HandleKind::position || handle.kind == HandleKind::lightPlace)

@@ -24,6 +24,8 @@ namespace gestures {
 [[nodiscard]] std::string subjectOf(const scene::Scene& scene, const render::Handle& handle);
 // "velocity"
 [[nodiscard]] std::string quantityOf(const scene::Scene& scene, const render::Handle& handle);
+// "the velocity of b1", "the force on b1": for a sentence.
+[[nodiscard]] std::string nameOf(const scene::Scene& scene, const render::Handle& handle);
 // "Move b1", for undo.
 [[nodiscard]] std::string labelOf(const scene::Scene& scene, const render::Handle& handle);
 // "-4.37 0 2", in the digits that the wishes tell apart.

@@ -1,5 +1,7 @@
 #include "views/control_panel.h"
 
+#include "views/manual.h"
+#include "views/motion_span.h"
 #include "views/recent_files.h"
 #include "views/status_panel.h"
 #include "views/undo_actions.h"
@@ -56,6 +58,7 @@ ControlPanel::ControlPanel(SceneDocument& document, Windows windows)
     column->addSpacing(6);
     column->addWidget(progress_);
     column->addWidget(state_);
+    column->addWidget(new MotionSpan(document_));
     column->addSpacing(6);
     auto* graphical = new QPushButton(tr("New &Graphical Viewer"));
     auto* language = new QPushButton(tr("New &Language Viewer"));
@@ -107,6 +110,7 @@ void ControlPanel::buildMenus() {
                      [this] { windows_.openShapeEditor({}); });
     scene->addAction(tr("&Trajectory Editor"), QKeySequence(Qt::CTRL | Qt::Key_T), this,
                      [this] { windows_.openTrajectoryEditor(); });
+    addHelpMenu(this, {});
 }
 
 void ControlPanel::showState() {

@@ -82,8 +82,14 @@ void fillBodies(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
 } // namespace
 
 Recipe newWeight(SceneDisplay& display) {
-    return newWeight(display.arrowLength(false),
-                     [&display](std::size_t body) { return display.massOf(body); });
+    Vector usual(0, -9.81, 0);
+    for (const scene::Force& force : display.drawing().scene->forces)
+        if (const auto* weight = std::get_if<scene::GravitationalForce>(&force.kind);
+            weight && weight->acceleration != Vector::Zero())
+            usual = weight->acceleration;
+    return newWeight(
+        display.arrowLength(false), [&display](std::size_t body) { return display.massOf(body); },
+        usual);
 }
 
 void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display) {

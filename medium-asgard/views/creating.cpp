@@ -33,12 +33,13 @@ const Step& Creating::step() const {
 void Creating::start(Recipe recipe) {
     cancel();
     if (!document_.sceneIsCurrent()) {
-        Q_EMIT refused(tr("The text has errors; the scene that is shown is an older one."));
+        Q_EMIT refused(document_.whyNotCurrent());
         return;
     }
     recipe_ = std::move(recipe);
     if (recipe_->steps.empty())
         return finish();
+    offerBody();
     // The first body is framed, whatever its size.
     if (!document_.shown().scene->bodies.empty())
         display_.keepCamera();
@@ -47,6 +48,25 @@ void Creating::start(Recipe recipe) {
         if (one.wanted == Wanted::trajectory)
             Q_EMIT needs(&render::Display::trajectories);
     Q_EMIT changed();
+}
+
+// Return takes the body that is selected, or the only one.
+void Creating::offerBody() {
+    Step& first = recipe_->steps.front();
+    if (first.wanted != Wanted::body || !first.otherwise.isEmpty())
+        return;
+    const auto& bodies = document_.shown().scene->bodies;
+    std::vector<std::size_t> candidates;
+    for (const editing::Element& element : document_.selected())
+        if (element.kind == editing::Kind::body)
+            candidates.push_back(element.index);
+    if (candidates.empty() && bodies.size() == 1)
+        candidates = {0};
+    if (candidates.size() != 1)
+        return;
+    first.offered = candidates.front();
+    first.otherwise =
+        tr("Return: %1.").arg(QString::fromStdString(bodies[candidates.front()].name));
 }
 
 void Creating::cancel() {
@@ -82,18 +102,30 @@ std::optional<Indicated> Creating::indicated(const QPointF& position) {
         fault_ = tr("There is no body.");
         return std::nullopt;
     }
+    const Indicated center = centerOf(picked->body);
+    if (step().whole ||
+        (sight.pixels(center.point) - pixels).norm() <= 0.7 * reach * display_.devicePixelRatioF())
+        return center;
     const geometry::Pose pose =
         render::poseOf(*drawing.scene, drawing.motion.get(), picked->body, drawing.time);
-    const bool known = drawing.motion && picked->body < drawing.motion->bodies();
-    const Vector center =
-        pose.toWorld(known ? drawing.motion->centroid(picked->body) : Vector::Zero());
-    found.atCenter =
-        (sight.pixels(center) - pixels).norm() <= 0.7 * reach * display_.devicePixelRatioF();
     found.body = picked->body;
-    found.point = found.atCenter ? center : picked->point;
+    found.point = picked->point;
     found.onBody = pose.toLocal(found.point);
     found.resolution = sight.pixelLength(found.point);
     return found;
+}
+
+Indicated Creating::centerOf(std::size_t body) const {
+    const render::Drawing drawing = display_.drawing();
+    const bool known = drawing.motion && body < drawing.motion->bodies();
+    Indicated center;
+    center.given = center.atCenter = true;
+    center.body = body;
+    center.onBody = known ? drawing.motion->centroid(body) : Vector::Zero();
+    center.point = render::poseOf(*drawing.scene, drawing.motion.get(), body, drawing.time)
+                       .toWorld(center.onBody);
+    center.resolution = display_.sight().pixelLength(center.point);
+    return center;
 }
 
 void Creating::click(const QPointF& position) {
@@ -114,7 +146,9 @@ void Creating::otherwise() {
     fault_.clear();
     if (step().repeats)
         return finish();
-    if (!step().otherwise.isEmpty())
+    if (step().offered)
+        take(centerOf(*step().offered));
+    else if (!step().otherwise.isEmpty())
         take({});
     else
         fault_ = tr("Click, or go there with the arrow keys.");

@@ -45,7 +45,9 @@ Q_SIGNALS:
 
 private:
     [[nodiscard]] const Step& step() const;
+    void offerBody();
     [[nodiscard]] std::optional<Indicated> indicated(const QPointF& position);
+    [[nodiscard]] Indicated centerOf(std::size_t body) const;
     void take(const Indicated& indicated);
     void otherwise();
     void finish();

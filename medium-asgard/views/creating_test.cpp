@@ -1,7 +1,10 @@
 // (text, gesture, text) of the Create commands, by clicks and by keys, and of Delete.
 #include "views/editor.h"
 #include "views/parameters_panel.h"
+#include "views/shape_names.h"
 #include "views/test_workshop.h"
+
+#include <QCheckBox>
 
 #include <gmock/gmock.h>
 
@@ -70,6 +73,76 @@ TEST_F(CreatingTest, AnEmptySceneGetsItsFirstBodyWithAShape) {
                       "body body1 block1 -init_pos {0 0 0}\n");
 }
 
+TEST_F(CreatingTest, FromTheFirstMomentEverythingCanBeMade) {
+    viewer = editor.openGraphicalViewer(); // nobody has opened or written anything
+    display().grab();
+    display().creating().start(newBody(BasicShape::sphere));
+    key(Qt::Key_Return);
+    done();
+    EXPECT_EQ(scene().bodies.size(), 1U) << display().editing().said().toStdString();
+    SceneDocument other(made.workshop());
+    EXPECT_EQ(makeShape(other, "cube", {{scene::BoxShape{{1, 1, 1}}, {}, {}, {}}}, "New"), "");
+    EXPECT_THAT(other.text(), StartsWith("shape_set cube"));
+}
+
+TEST_F(CreatingTest, WhatCannotBeMadeYetSaysWhy) {
+    open(balls);
+    editor.document().setText(balls + "\n", "Edit");
+    display().creating().start(newBody("ball"));
+    EXPECT_THAT(display().editing().said().toStdString(), HasSubstr("is being read still"));
+    editor.document().setText("body\n", "Edit");
+    done();
+    display().creating().start(newBody("ball"));
+    EXPECT_THAT(display().editing().said().toStdString(), HasSubstr("has errors"));
+}
+
+TEST_F(CreatingTest, GravityPointsFromTheCentreAndReturnTakesWhatIsSelected) {
+    open(balls);
+    display().creating().start(newWeight(display()));
+    const double perUnit = display().arrowLength(false) * display().massOf(1);
+    click({1.3, 0.2, 0}); // not its centre
+    click({1.02, -0.8, 0});
+    done();
+    const auto& pulled = std::get<scene::GravitationalForce>(scene().forces.back().kind);
+    EXPECT_NEAR(pulled.acceleration.y(), -0.8 / perUnit, 0.05 / perUnit);
+    EXPECT_EQ(pulled.acceleration.x(), 0); // all but straight down
+    EXPECT_EQ(pulled.acceleration.z(), 0);
+    editor.document().undo();
+    done();
+    editor.document().select({{editing::Kind::body, 1}});
+    display().creating().start(newWeight(display()));
+    EXPECT_THAT(display().creating().prompt().toStdString(), HasSubstr("Return: b2."));
+    key(Qt::Key_Return);
+    EXPECT_THAT(display().creating().prompt().toStdString(), HasSubstr("9.81 downwards"));
+    key(Qt::Key_Return);
+    done();
+    EXPECT_THAT(text(), HasSubstr("force -body b2 -gravitational {0 -9.81 0}\n"));
+    editor.document().setText(balls + "force -body b1 -gravitational {0 0 -1.6}\n", "Edit");
+    done();
+    editor.document().select({{editing::Kind::body, 1}});
+    display().creating().start(newWeight(display()));
+    key(Qt::Key_Return);
+    key(Qt::Key_Return);
+    done();
+    EXPECT_THAT(text(), HasSubstr("force -body b2 -gravitational {0 0 -1.6}\n"));
+}
+
+TEST_F(CreatingTest, ReturnAndEscapeAreNotLostToASwitch) {
+    open(balls);
+    viewer->activateWindow();
+    auto* box = viewer->findChildren<QCheckBox*>().front();
+    EXPECT_EQ(box->focusPolicy(), Qt::TabFocus);
+    display().creating().start(newBody("ball"));
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Return);
+    done();
+    EXPECT_EQ(scene().bodies.size(), 3U);
+    display().creating().start(newBody("ball"));
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Escape);
+    EXPECT_FALSE(display().creating().active());
+}
+
 TEST_F(CreatingTest, AForceIsAUnitDownwardsOrWhatASecondClickShows) {
     open(balls);
     display().creating().start(newForce(false, 1));
@@ -97,7 +170,7 @@ TEST_F(CreatingTest, WeightTorqueAndForcesByTrajectories) {
     click({1, 0, 0});
     key(Qt::Key_Return);
     done();
-    EXPECT_THAT(text(), HasSubstr("force -body b2 -gravitational {0 -1 0}\n"));
+    EXPECT_THAT(text(), HasSubstr("force -body b2 -gravitational {0 -9.81 0}\n"));
     const double perUnit = display().arrowLength(false);
     display().creating().start(newWeight(display()));
     click({1, 0, 0});

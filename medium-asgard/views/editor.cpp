@@ -209,6 +209,8 @@ int runEditor(int argc, char** argv, const std::string& file, script::Reader& re
             return 1;
         }
         rememberFile(path);
+    } else {
+        document.reset(); // it has a motion from the first moment, too
     }
     Autosave autosave(document, autosaveFolder());
     QObject::connect(&autosave, &Autosave::failed, panel, [panel](const QString& sentence) {

@@ -3,6 +3,8 @@
 #include "gestures/new_point.h"
 #include "views/create_menu.h"
 #include "views/keep_view.h"
+#include "views/manual.h"
+#include "views/motion_span.h"
 #include "views/shapes_menu.h"
 
 #include <QActionGroup>
@@ -55,6 +57,11 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document, std::shared_ptr<Pictur
     timeBar_ = new TimeBar;
     timeStrip_ = new TimeStrip(document_);
     buildTimeControls(column);
+    hint_ = new QLabel;
+    hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // what does not fit is cut
+    hint_->setForegroundRole(QPalette::PlaceholderText);
+    hint_->setAccessibleName(tr("What the buttons do here"));
+    column->addWidget(hint_);
     setCentralWidget(whole);
     buildMenus();
 
@@ -79,6 +86,10 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document, std::shared_ptr<Pictur
         button->installEventFilter(this);
     connectTimeStrip();
     connect(display_, &SceneDisplay::menuWanted, this, &GraphicalViewer::showMenu);
+    connect(&display_->pointing(), &Pointing::changed, this, &GraphicalViewer::showHint);
+    connect(&display_->creating(), &Creating::changed, this, &GraphicalViewer::showHint);
+    connect(display_, &SceneDisplay::handleDragged, this, &GraphicalViewer::showHint);
+    connect(&document_, &SceneDocument::sceneChanged, this, &GraphicalViewer::showHint);
     updateRange();
     updateState();
     updateTitle();
@@ -128,6 +139,10 @@ void GraphicalViewer::buildTimeControls(QVBoxLayout* column) {
     rateButton_->setMenu(menu);
     row->addWidget(rateButton_);
     row->addStretch();
+    auto* span = new MotionSpan(document_);
+    connect(span, &MotionSpan::left, display_, [this] { display_->setFocus(); });
+    row->addWidget(span);
+    row->addSpacing(12);
     timeLabel_ = new QLabel;
     QFont font = timeLabel_->font();
     font.setBold(true);
@@ -178,8 +193,7 @@ void GraphicalViewer::buildMenus() {
     QMenu* motion = menuBar()->addMenu(tr("A&nimation"));
     playAction_ = motion->addAction(tr("&Play"), QKeySequence(Qt::Key_Space), this,
                                     [this] { togglePlaying(); });
-    motion->addAction(tr("S&top"), QKeySequence(Qt::Key_Escape), this,
-                      [this] { playback_.stop(); });
+    motion->addAction(tr("S&top"), QKeySequence(Qt::Key_Escape), this, [this] { stop(); });
     motion->addAction(tr("&Step"), QKeySequence(Qt::Key_Right), this,
                       [this] { playback_.step(1); });
     motion->addAction(tr("Step &Back"), QKeySequence(Qt::Key_Left), this,
@@ -199,6 +213,7 @@ void GraphicalViewer::buildMenus() {
     motion->addAction(tr("&Trajectory Editor"), QKeySequence(Qt::CTRL | Qt::Key_T), this,
                       [this] { windows_.openTrajectoryEditor(); });
     motion->addAction(tr("Speed and &Accuracy…"), this, [this] { windows_.openStudy(); });
+    addHelpMenu(this, QStringLiteral("In a picture"));
 }
 
 void GraphicalViewer::buildLiveMenu(QMenu* menu) {
@@ -262,6 +277,30 @@ void GraphicalViewer::buildViewMenu() {
         connect(action, &QAction::toggled, one.box, &QCheckBox::setChecked);
         connect(one.box, &QCheckBox::toggled, action, &QAction::setChecked);
     }
+}
+
+void GraphicalViewer::showHint() {
+    hint_->setText(hint_->fontMetrics().elidedText(display_->pointing().hint(), Qt::ElideRight,
+                                                   hint_->width()));
+}
+
+void GraphicalViewer::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    showHint();
+}
+
+// What is being created is given up first, wherever the keyboard is.
+void GraphicalViewer::stop() {
+    if (display_->creating().active())
+        display_->creating().cancel();
+    else
+        playback_.stop();
+}
+
+// What another part of the window has no use for belongs to what is being created.
+void GraphicalViewer::keyPressEvent(QKeyEvent* event) {
+    if (!display_->creating().key(*event))
+        QMainWindow::keyPressEvent(event);
 }
 
 // A `view` of the scene; turning alone is no edit.

@@ -46,6 +46,8 @@ public:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -62,7 +64,9 @@ private:
     void updateState();
     void updateIcons();
     void updateTitle();
+    void showHint();
     void togglePlaying();
+    void stop();
     void keepView();
     void showCreated(editing::Element element, HandleSwitch handles);
 
@@ -79,7 +83,7 @@ private:
             *redoAction_ = nullptr;
     QToolButton *playButton_ = nullptr, *loopButton_ = nullptr, *rateButton_ = nullptr;
     std::vector<std::pair<QToolButton*, Icon>> buttons_;
-    QLabel* timeLabel_ = nullptr;
+    QLabel *timeLabel_ = nullptr, *hint_ = nullptr;
 };
 
 } // namespace views

@@ -7,6 +7,7 @@
 #include "views/fault_marks.h"
 #include "views/find_bar.h"
 #include "views/language_keys.h"
+#include "views/manual.h"
 #include "views/notice_bar.h"
 #include "views/number_drag.h"
 #include "views/scene_lexer.h"
@@ -151,6 +152,7 @@ void LanguageViewer::buildMenus() {
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     help->addAction(tr("&Keys of This Window"), QKeySequence(Qt::Key_F1), this,
                     &LanguageViewer::showKeys);
+    help->addAction(tr("&Manual"), this, [] { showManual(QStringLiteral("Elements")); });
 }
 
 void LanguageViewer::buildEditMenu() {

@@ -172,7 +172,7 @@ void ParametersPanel::moved(std::size_t index, int position) {
         begin(); // a key or the wheel; or the scene was not the text's when it was pressed
     if (!drag_ && document_.work() == Work::none) {
         QToolTip::showText(row.slider->mapToGlobal(row.slider->rect().bottomLeft()),
-                           tr("The text has errors; the scene that is shown is an older one."));
+                           document_.whyNotCurrent());
         return refresh();
     }
     if (!drag_) {

@@ -89,6 +89,13 @@ void PictureEditing::selectPathAt(const Eigen::Vector2d& pixels) {
         document_.select({});
 }
 
+bool PictureEditing::mayChange() {
+    const QString fault = document_.whyNotCurrent();
+    if (!fault.isEmpty())
+        say(fault);
+    return fault.isEmpty();
+}
+
 bool PictureEditing::press(QMouseEvent& event) {
     if (dragging())
         return true;
@@ -96,10 +103,8 @@ bool PictureEditing::press(QMouseEvent& event) {
     const bool shifted = event.modifiers() & Qt::ShiftModifier;
     if (!shifted)
         return false;
-    if (!document_.sceneIsCurrent()) {
-        say(tr("The text has errors, or is being read: what is shown is not what it says."));
+    if (!mayChange())
         return true;
-    }
     button_ = event.button();
     const Eigen::Vector2d pixels = display_.inPixels(event.position());
     const auto grasp = gestures::graspAt(display_.drawing(), display_.handles(), display_.sight(),
@@ -143,11 +148,13 @@ bool PictureEditing::release(QMouseEvent& event) {
 }
 
 bool PictureEditing::doubleClick(QMouseEvent& event) {
-    if (event.button() != Qt::LeftButton || !document_.sceneIsCurrent())
-        return false;
-    const auto handle = handleUnder(event.position());
+    const auto handle =
+        event.button() == Qt::LeftButton ? handleUnder(event.position()) : std::nullopt;
     if (!handle)
         return false;
+    say({});
+    if (!mayChange())
+        return true;
     if (drag_)
         drag_->cancel();
     drag_.reset();
@@ -403,7 +410,7 @@ void PictureEditing::deleteMarked() {
     const auto handle = marked();
     if (!handle) // selected, and not to be seen
         return remove(document_.selected());
-    if (!document_.sceneIsCurrent())
+    if (!mayChange())
         return;
     const editing::Element element = gestures::elementOf(*handle);
     const bool onPath = handle->kind == render::HandleKind::trajectoryPoint;
@@ -428,7 +435,7 @@ void PictureEditing::addPointAfterMarked() {
 }
 
 void PictureEditing::remove(std::vector<editing::Element> elements) {
-    if (elements.empty() || !document_.sceneIsCurrent())
+    if (elements.empty() || !mayChange())
         return;
     const scene::Scene& scene = *document_.shown().scene;
     const editing::Element element = elements.front();
@@ -457,7 +464,7 @@ void PictureEditing::remove(std::vector<editing::Element> elements) {
 
 void PictureEditing::openEntry() {
     const auto handle = marked();
-    if (!handle || !document_.sceneIsCurrent())
+    if (!handle || !mayChange())
         return;
     delete entry_;
     entry_ = new ValueEntry(document_, document_.shown(), *handle, &display_);

@@ -76,6 +76,7 @@ private:
     [[nodiscard]] std::optional<render::Handle> positionOf(std::size_t body) const;
     void paintSelection(QPainter& painter) const;
     [[nodiscard]] std::optional<render::Handle> handleUnder(const QPointF& position) const;
+    [[nodiscard]] bool mayChange(); // says why not
     void mark(const render::Handle& handle);
     void markElement(const editing::Element& element);
     void markNext(int step);

@@ -72,6 +72,8 @@ void PictureEditing::paintLabels(QPainter& painter) const {
 }
 
 void PictureEditing::paintWords(QPainter& painter, const QString& words, bool possible) const {
+    if (words.isEmpty())
+        return;
     const QRect space = display_.rect().adjusted(display_.width() / 3, 10, -12, -10);
     const QRect needed = painter.boundingRect(space, Qt::AlignRight | Qt::TextWordWrap, words);
     painter.setPen(Qt::NoPen);
@@ -118,6 +120,8 @@ void PictureEditing::paint(QPainter& painter) const {
         paintWords(painter, words(), possible && (drag_ || newPoint_->answer().possible()));
     else if (!said_.isEmpty())
         paintWords(painter, said_, !saidFault_);
+    else
+        paintWords(painter, display_.pointing().words(), true);
 }
 
 } // namespace views

@@ -24,6 +24,21 @@ std::string listed(const Vector& v, double resolution) {
 
 Step body(const QString& prompt) { return {Wanted::body, prompt, ""}; }
 
+Step wholeBody(const QString& prompt) {
+    Step step = body(prompt);
+    step.whole = true;
+    return step;
+}
+
+// What points along an axis of the world but for a hand's unsteadiness is meant to.
+Vector alongAxis(const Vector& v) {
+    constexpr double steady = 0.1; // radians
+    Eigen::Index axis = 0;
+    v.cwiseAbs().maxCoeff(&axis);
+    const Vector along = v[axis] * Vector::Unit(axis);
+    return (v - along).norm() <= steady * along.norm() ? along : v;
+}
+
 // Where on its body something acts; nothing at its centre of mass, which is what is meant then.
 void addOffset(NewElement& element, const char* option, const Indicated& shown) {
     if (shown.atCenter)
@@ -120,8 +135,8 @@ Recipe newBody(BasicShape basic) {
 Recipe newForce(bool couple, double perUnit) {
     Recipe recipe;
     recipe.label = couple ? QObject::tr("New Torque") : QObject::tr("New Force");
-    recipe.steps = {body(couple ? QObject::tr("Click on the body that it turns.")
-                                : QObject::tr("Click where it acts on a body.")),
+    recipe.steps = {couple ? wholeBody(QObject::tr("Click on the body that it turns."))
+                           : body(QObject::tr("Click where it acts on a body.")),
                     {Wanted::point,
                      couple ? QObject::tr("Click where the head of its axis shall be.")
                             : QObject::tr("Click where the head of its arrow shall be."),
@@ -145,27 +160,34 @@ Recipe newForce(bool couple, double perUnit) {
     return recipe;
 }
 
-Recipe newWeight(double perUnit, std::function<double(std::size_t)> massOf) {
-    return {QObject::tr("New Gravitational Force"),
-            {body(QObject::tr("Click on the body that has weight.")),
-             {Wanted::point, QObject::tr("Click where the head of its arrow shall be."),
-              QObject::tr("Return: an acceleration of 1 downwards, along -y.")}},
-            [perUnit, massOf = std::move(massOf)](const std::string&, const scene::Scene& scene,
-                                                  const std::vector<Indicated>& shown) {
-                Vector acceleration(0, -1, 0);
-                double resolution = 1;
-                if (shown[1].given) { // its arrow is that of the force
-                    const double length = perUnit * massOf(*shown[0].body);
-                    acceleration = (shown[1].point - shown[0].point) / length;
-                    resolution = shown[1].resolution / length;
-                }
-                return std::vector{NewElement{Kind::force,
-                                              "",
-                                              {"-body", bodyName(scene, shown[0]), "-gravitational",
-                                               listed(acceleration, resolution)},
-                                              {{Kind::body, *shown[0].body}}}};
-            },
-            &render::Display::forceHandles};
+Recipe newWeight(double perUnit, std::function<double(std::size_t)> massOf, const Vector& usual) {
+    const bool down = usual.x() == 0 && usual.z() == 0 && usual.y() < 0;
+    const QString value =
+        QString::fromStdString(down ? editing::numberText(-usual.y(), 0) : listed(usual, 0));
+    Recipe recipe;
+    recipe.label = QObject::tr("New Gravitational Force");
+    recipe.steps = {wholeBody(QObject::tr("Click on the body that has weight.")),
+                    {Wanted::point, QObject::tr("Click where the head of its arrow shall be."),
+                     down ? QObject::tr("Return: %1 downwards, along -y.").arg(value)
+                          : QObject::tr("Return: %1, as others have it.").arg(value)}};
+    recipe.make = [perUnit, massOf = std::move(massOf),
+                   usual](const std::string&, const scene::Scene& scene,
+                          const std::vector<Indicated>& shown) {
+        Vector acceleration = usual;
+        double resolution = 0;
+        if (shown[1].given) { // its arrow is that of the force
+            const double length = perUnit * massOf(*shown[0].body);
+            acceleration = alongAxis((shown[1].point - shown[0].point) / length);
+            resolution = shown[1].resolution / length;
+        }
+        return std::vector{NewElement{Kind::force,
+                                      "",
+                                      {"-body", bodyName(scene, shown[0]), "-gravitational",
+                                       listed(acceleration, resolution)},
+                                      {{Kind::body, *shown[0].body}}}};
+    };
+    recipe.handles = &render::Display::forceHandles;
+    return recipe;
 }
 
 Recipe newTrajectoryForce(bool couple) {

@@ -30,6 +30,8 @@ struct Step {
     QString prompt;       // "Click on the body that it acts on."
     QString otherwise;    // what Return does instead, "" when there is no such thing
     bool repeats = false; // again and again, until Return
+    bool whole = false;   // of a body: wherever it is shown, its centre of mass is meant
+    std::optional<std::size_t> offered = {}; // the body that Return takes
 };
 
 // What was shown for one step; nothing of it: Return.
@@ -61,8 +63,9 @@ enum class BasicShape { sphere, box };
 [[nodiscard]] Recipe newBody(BasicShape shape);
 // `perUnit`: how long the arrow of a force of 1 is drawn.
 [[nodiscard]] Recipe newForce(bool couple, double perUnit);
-// `massOf`: of a body of the scene.
-[[nodiscard]] Recipe newWeight(double perUnit, std::function<double(std::size_t)> massOf);
+// `massOf`: of a body of the scene. `usual`: the acceleration that Return gives.
+[[nodiscard]] Recipe newWeight(double perUnit, std::function<double(std::size_t)> massOf,
+                               const Vector& usual);
 [[nodiscard]] Recipe newWeight(SceneDisplay& display);
 [[nodiscard]] Recipe newTrajectoryForce(bool couple);
 [[nodiscard]] Recipe newLink(Wanted second);

@@ -39,13 +39,13 @@ std::optional<Button> buttonOf(Qt::MouseButton button) {
 SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThread> pictures,
                            QWidget* parent)
     : QWidget(parent), document_(document), pictures_(std::move(pictures)),
-      editing_(document, *this), creating_(document, *this) {
+      editing_(document, *this), creating_(document, *this), pointing_(document, *this) {
     pictures_->open(this, [this] {
         QMetaObject::invokeMethod(this, &SceneDisplay::ready, Qt::QueuedConnection);
     });
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
-    setMouseTracking(false);
+    setMouseTracking(true);
     setAccessibleName(tr("Scene"));
     setAccessibleDescription(tr("Picture of the scene. Drag with the left button to turn it, the "
                                 "middle one to move it, the right one to scale or roll it."));
@@ -62,6 +62,7 @@ SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThrea
         Q_EMIT handleDragged();
         update();
     });
+    connect(&pointing_, &Pointing::changed, this, [this] { update(); });
     sceneChanged();
 }
 
@@ -223,12 +224,17 @@ render::Drawing SceneDisplay::drawing() const {
 }
 
 const render::HandleSet& SceneDisplay::handles() {
+    if (render::showsHandles(display_))
+        bringUpToDate();
+    return knownHandles();
+}
+
+const render::HandleSet& SceneDisplay::knownHandles() const {
     static const render::HandleSet none;
-    if (!render::showsHandles(display_))
-        return none;
-    bringUpToDate();
-    return picture_ && picture_->of.shown.scene == document_.shown().scene ? picture_->handles
-                                                                           : none;
+    return picture_ && render::showsHandles(display_) &&
+                   picture_->of.shown.scene == document_.shown().scene
+               ? picture_->handles
+               : none;
 }
 
 const render::HandleSet& SceneDisplay::drawnHandles() const {
@@ -304,6 +310,11 @@ void SceneDisplay::mousePressEvent(QMouseEvent* event) {
 
 void SceneDisplay::mouseMoveEvent(QMouseEvent* event) {
     constexpr double still = 4; // pixels: not yet a drag
+    if (!control_.active() && !editing_.dragging())
+        pointing_.moveTo(event->position(), event->modifiers());
+    else if (control_.active() && !pointing_.advice().isEmpty() &&
+             (event->position() - pressed_).manhattanLength() >= still)
+        editing_.say(pointing_.advice(), false);
     if (creating_.active() && control_.active() &&
         (event->position() - pressed_).manhattanLength() < still)
         return;
@@ -325,6 +336,12 @@ void SceneDisplay::mouseReleaseEvent(QMouseEvent* event) {
         return;
     }
     control_.release();
+    pointing_.moveTo(event->position(), event->modifiers());
+}
+
+void SceneDisplay::leaveEvent(QEvent* event) {
+    pointing_.leave();
+    QWidget::leaveEvent(event);
 }
 
 void SceneDisplay::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -350,6 +367,8 @@ void SceneDisplay::wheelEvent(QWheelEvent* event) {
 
 void SceneDisplay::keyPressEvent(QKeyEvent* event) {
     bringUpToDate();
+    pointing_.setKeys(event->modifiers() |
+                      (event->key() == Qt::Key_Shift ? Qt::ShiftModifier : Qt::NoModifier));
     if (creating_.key(*event) || editing_.keyPress(*event))
         return;
     if (turnKey(*event))
@@ -424,6 +443,8 @@ bool SceneDisplay::turnKey(const QKeyEvent& event) {
 
 void SceneDisplay::keyReleaseEvent(QKeyEvent* event) {
     editing_.keyRelease(*event);
+    if (event->key() == Qt::Key_Shift)
+        pointing_.setKeys(event->modifiers() & ~Qt::ShiftModifier);
     QWidget::keyReleaseEvent(event);
 }
 
@@ -449,6 +470,7 @@ void SceneDisplay::paintEvent(QPaintEvent*) {
     if (image.isNull() || image.deviceIndependentSize().toSize() != size())
         painter.fillRect(rect(), Qt::white);
     painter.drawImage(QPointF(0, 0), image);
+    pointing_.paint(painter);
     editing_.paint(painter);
     creating_.paint(painter);
 }

@@ -13,6 +13,7 @@
 #include "views/element_menu.h"
 #include "views/picture_editing.h"
 #include "views/picture_thread.h"
+#include "views/pointing.h"
 #include "views/scene_document.h"
 
 #include <QImage>
@@ -56,6 +57,7 @@ public:
     // --- for those who edit in it
     [[nodiscard]] PictureEditing& editing() { return editing_; }
     [[nodiscard]] Creating& creating() { return creating_; }
+    [[nodiscard]] Pointing& pointing() { return pointing_; }
     // How long the arrow of a force, or a torque, of 1 is drawn.
     [[nodiscard]] double arrowLength(bool couple);
     [[nodiscard]] double massOf(std::size_t body) const; // 1 while it is not known
@@ -69,6 +71,8 @@ public:
     }
     // What is to be seen in the picture as it is.
     [[nodiscard]] const render::HandleSet& drawnHandles() const;
+    // The same, as far as it is of the scene that is shown.
+    [[nodiscard]] const render::HandleSet& knownHandles() const;
     [[nodiscard]] render::Drawing drawing() const;
     [[nodiscard]] gestures::Sight sight() const { return {control_.camera(), pixelSize()}; }
     [[nodiscard]] Eigen::Vector2d inPixels(const QPointF& position) const;
@@ -96,6 +100,7 @@ protected:
     void keyReleaseEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
+    void leaveEvent(QEvent* event) override;
     bool event(QEvent* event) override;
 
 private:
@@ -122,6 +127,7 @@ private:
     QString followed_, lastView_;
     PictureEditing editing_;
     Creating creating_;
+    Pointing pointing_;
     QPointF pressed_;     // where the button was
     bool turned_ = false; // framed anew, with the attitude as it is
     unsigned wished_ = 0, waitedFor_ = 0;

@@ -106,6 +106,13 @@ bool SceneDocument::hasErrors() const {
                        [](const auto& d) { return d.severity == scene::Severity::error; });
 }
 
+QString SceneDocument::whyNotCurrent() const {
+    if (sceneIsCurrent())
+        return {};
+    return hasErrors() ? tr("The text has errors; the scene that is shown is an older one.")
+                       : tr("The text is being read still. A moment, and it can be changed.");
+}
+
 void SceneDocument::select(std::vector<editing::Element> elements) {
     std::ranges::sort(elements);
     elements.erase(std::unique(elements.begin(), elements.end()), elements.end());

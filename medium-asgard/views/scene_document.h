@@ -99,6 +99,8 @@ public:
     [[nodiscard]] Work work() const { return work_; }
     // The scene that was read from this very text is the one shown: places in it are right.
     [[nodiscard]] bool sceneIsCurrent() const { return sceneRevision_ == revision_; }
+    // Why no gesture can change the text now; "": they can.
+    [[nodiscard]] QString whyNotCurrent() const;
     [[nodiscard]] const std::optional<simulation::Statistics>& statistics() const {
         return statistics_;
     }
@@ -207,7 +209,7 @@ private:
     std::string text_, savedText_;
     QString path_, name_;
     int revision_ = 0;
-    int sceneRevision_ = -1;
+    int sceneRevision_ = 0; // no text is the empty scene
     Shown shown_;
     std::string shownText_; // that the shown scene was read from
     std::vector<editing::Element> selected_;

@@ -38,8 +38,9 @@ bool ShapeEditor::begin() {
     if (gesture_)
         return true;
     const auto here = index();
-    if (!here || !document_.sceneIsCurrent()) {
-        tell(tr("The text has faults, or is being read: what is shown is not what it says."), true);
+    if (const QString fault = document_.whyNotCurrent(); !here || !fault.isEmpty()) {
+        if (!fault.isEmpty())
+            tell(fault, true);
         return false;
     }
     gesture_ = std::make_unique<ShapeGesture>(document_, *here);

@@ -2,6 +2,7 @@
 
 #include "editing/shape_library.h"
 #include "editing/shape_points.h"
+#include "views/manual.h"
 #include "views/names_box.h"
 #include "views/shape_fields.h"
 #include "views/shape_import.h"
@@ -131,6 +132,7 @@ void ShapeEditor::buildMenus() {
     for (const auto& [text, toward, key] : sides)
         view->addAction(text, QKeySequence(key), display_,
                         [this, side = toward] { display_->lookAlong(side); });
+    addHelpMenu(this, QStringLiteral("Shapes"));
 }
 
 void ShapeEditor::connectDisplay() {

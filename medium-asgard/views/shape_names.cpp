@@ -12,11 +12,6 @@ namespace views {
 
 namespace {
 
-QString notCurrent() {
-    return SceneDocument::tr(
-        "The text has faults, or is being read: what is shown is not what it says.");
-}
-
 bool isTaken(const SceneDocument& document, const QString& name) {
     return std::ranges::any_of(document.shown().scene->shapeSets, [&](const auto& one) {
         return QString::fromStdString(one.name) == name;
@@ -38,8 +33,8 @@ QString makeShape(SceneDocument& document, const QString& name,
                   const std::vector<scene::Part>& parts, const QString& label) {
     if (QString fault = faultOfShapeName(document, name); !fault.isEmpty())
         return fault;
-    if (!document.sceneIsCurrent())
-        return notCurrent();
+    if (QString fault = document.whyNotCurrent(); !fault.isEmpty())
+        return fault;
     editing::NewElement element;
     element.kind = editing::Kind::shapeSet;
     element.name = name.toStdString();
@@ -53,8 +48,8 @@ QString makeShape(SceneDocument& document, const QString& name,
 QString renameShape(SceneDocument& document, std::size_t shapeSet, const QString& name) {
     if (QString fault = faultOfShapeName(document, name); !fault.isEmpty())
         return fault;
-    if (!document.sceneIsCurrent())
-        return notCurrent();
+    if (QString fault = document.whyNotCurrent(); !fault.isEmpty())
+        return fault;
     const scene::Scene& scene = *document.shown().scene;
     const editing::Answer answer =
         editing::renamed(document.text(), scene, shapeSet, name.toStdString());

@@ -97,6 +97,7 @@ void StatusPanel::addSwitches(const render::Display& display) {
         auto* box = new QCheckBox(label);
         box->setToolTip(tip);
         box->setChecked(display.*what);
+        box->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the picture
         column->addWidget(box);
         switches_.push_back({box, what, areHandles});
         connect(box, &QCheckBox::toggled, this, [this, what](bool on) {

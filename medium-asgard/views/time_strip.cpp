@@ -245,10 +245,8 @@ bool TimeStrip::begin() {
         return true;
     if (!trajectory_ || !chosen_)
         return false;
-    if (!document_.sceneIsCurrent()) {
-        Q_EMIT says(tr("The text has faults, or is being read: what is shown is not what it "
-                       "says."),
-                    true);
+    if (const QString fault = document_.whyNotCurrent(); !fault.isEmpty()) {
+        Q_EMIT says(fault, true);
         return false;
     }
     gesture_ = std::make_unique<TrajectoryDrag>(document_, *trajectory_);

@@ -1,6 +1,7 @@
 #include "views/trajectory_editor.h"
 
 #include "scene/curves.h"
+#include "views/manual.h"
 #include "views/names_box.h"
 #include "views/undo_actions.h"
 
@@ -118,6 +119,7 @@ void TrajectoryEditor::buildMenus() {
     view->addAction(tr("Zoom &Out"), QKeySequence::ZoomOut, this, [this] { zoomTimes(1.5); });
     view->addAction(tr("&Whole Trajectory"), QKeySequence(Qt::CTRL | Qt::Key_0), this,
                     &TrajectoryEditor::fitTimes);
+    addHelpMenu(this, QStringLiteral("Trajectories"));
 }
 
 QWidget* TrajectoryEditor::buildFields() {

@@ -1,0 +1,121 @@
+#include "views/motion_span.h"
+
+#include "editing/creation.h"
+#include "editing/number_text.h"
+#include "editing/value_edit.h"
+#include "script/numbers.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QToolTip>
+
+#include <string_view>
+
+namespace views {
+
+namespace {
+
+constexpr const char* startOption = "-start";
+constexpr const char* finishOption = "-finish";
+
+QString written(double value) { return QString::fromStdString(editing::numberText(value, 0)); }
+
+} // namespace
+
+MotionSpan::MotionSpan(SceneDocument& document, QWidget* parent)
+    : QWidget(parent), document_(document) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    start_ = addField(tr("Motion from"), tr("Start of the motion"),
+                      tr("When the motion begins, in seconds"), startOption);
+    finish_ = addField(tr("to"), tr("End of the motion"), tr("When the motion ends, in seconds"),
+                       finishOption);
+    row->addWidget(new QLabel(tr("s")));
+    connect(&document_, &SceneDocument::sceneChanged, this, &MotionSpan::show);
+    show();
+}
+
+QLineEdit* MotionSpan::addField(const QString& label, const QString& name, const QString& tip,
+                                const char* option) {
+    auto* field = new QLineEdit;
+    field->setAlignment(Qt::AlignRight);
+    field->setFixedWidth(field->fontMetrics().horizontalAdvance(QStringLiteral("0000.000")) + 14);
+    field->setToolTip(tip);
+    field->setAccessibleName(name);
+    field->installEventFilter(this);
+    connect(field, &QLineEdit::editingFinished, this,
+            [this, field, option] { take(field, option); });
+    connect(field, &QLineEdit::returnPressed, this, &MotionSpan::left);
+    layout()->addWidget(new QLabel(label));
+    layout()->addWidget(field);
+    return field;
+}
+
+void MotionSpan::show() {
+    const scene::Simulator& simulator = document_.shown().scene->simulator;
+    for (const auto& [field, value] :
+         {std::pair(start_, simulator.start), std::pair(finish_, simulator.finish)})
+        if (!field->isModified())
+            field->setText(written(value));
+}
+
+void MotionSpan::take(QLineEdit* field, const char* option) {
+    if (!field->isModified())
+        return;
+    field->setModified(false);
+    const auto value = script::decimalNumber(field->text().trimmed().toStdString());
+    const QString why =
+        value ? change(option, *value) : tr("\"%1\" is not a decimal number.").arg(field->text());
+    show();
+    if (!why.isEmpty())
+        QToolTip::showText(field->mapToGlobal(field->rect().bottomLeft()), why, field);
+    field->setProperty("refusal", why);
+}
+
+QString MotionSpan::change(const char* option, double value) {
+    if (QString fault = document_.whyNotCurrent(); !fault.isEmpty())
+        return fault;
+    const auto& scene = document_.shown().scene;
+    const bool isStart = option == std::string_view(startOption);
+    const scene::Simulator& now = scene->simulator;
+    if (isStart ? value >= now.finish : value <= now.start)
+        return isStart ? tr("The motion ends at %1 s; it begins before.").arg(written(now.finish))
+                       : tr("The motion begins at %1 s; it ends after.").arg(written(now.start));
+    const QString label = isStart ? tr("Start of the Motion") : tr("End of the Motion");
+    const std::string& text = document_.text();
+    if (!now.source) {
+        const editing::NewElement made{
+            editing::Kind::simulator, "", {option, editing::numberText(value, 0)}, {}};
+        document_.setText(editing::applied(text, editing::created(text, *scene, {made})), label);
+        return {};
+    }
+    editing::Wish wish;
+    wish.element = {editing::Kind::simulator, 0};
+    wish.option = option;
+    wish.values = {value};
+    wish.absent = {isStart ? scene::Simulator().start : scene::Simulator().finish};
+    const editing::Answer answer = editing::Mapper(text, scene).answer(wish);
+    if (answer.possible())
+        document_.setText(editing::applied(text, answer.edits), label);
+    return QString::fromStdString(answer.reason);
+}
+
+// Escape leaves the field as it was, and is no shortcut of the window then.
+bool MotionSpan::eventFilter(QObject* watched, QEvent* event) {
+    const bool asks = event->type() == QEvent::ShortcutOverride;
+    if ((!asks && event->type() != QEvent::KeyPress) ||
+        static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
+        return QWidget::eventFilter(watched, event);
+    event->accept();
+    if (!asks) {
+        static_cast<QLineEdit*>(watched)->setModified(false);
+        show();
+        Q_EMIT left();
+    }
+    return true;
+}
+
+} // namespace views

@@ -1,0 +1,34 @@
+// From when to when a scene moves: two fields in a window, the `simulator` of the text.
+#pragma once
+
+#include "views/scene_document.h"
+
+#include <QWidget>
+
+class QLineEdit;
+
+namespace views {
+
+class MotionSpan : public QWidget {
+    Q_OBJECT
+public:
+    explicit MotionSpan(SceneDocument& document, QWidget* parent = nullptr);
+
+Q_SIGNALS:
+    void left(); // with Return or Escape
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    QLineEdit* addField(const QString& label, const QString& name, const QString& tip,
+                        const char* option);
+    void show(); // what the scene has
+    void take(QLineEdit* field, const char* option);
+    [[nodiscard]] QString change(const char* option, double value); // "" or why not
+
+    SceneDocument& document_;
+    QLineEdit *start_, *finish_;
+};
+
+} // namespace views
