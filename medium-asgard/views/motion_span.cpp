@@ -34,6 +34,7 @@ MotionSpan::MotionSpan(SceneDocument& document, QWidget* parent)
     finish_ = addField(tr("to"), tr("End of the motion"), tr("When the motion ends, in seconds"),
                        finishOption);
     row->addWidget(new QLabel(tr("s")));
+    row->addStretch();
     connect(&document_, &SceneDocument::sceneChanged, this, &MotionSpan::show);
     show();
 }
@@ -49,7 +50,9 @@ QLineEdit* MotionSpan::addField(const QString& label, const QString& name, const
     connect(field, &QLineEdit::editingFinished, this,
             [this, field, option] { take(field, option); });
     connect(field, &QLineEdit::returnPressed, this, &MotionSpan::left);
-    layout()->addWidget(new QLabel(label));
+    auto* before = new QLabel(label);
+    before->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+    layout()->addWidget(before);
     layout()->addWidget(field);
     return field;
 }
