@@ -5,15 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace collision {
 
 namespace {
 
-constexpr double unnoticed = 1e-10; // of the smaller part's size: a depth that a step may pass over
-constexpr double deep = 1e-7;       // of the size: deeper than this is an overlap, not a touch
+constexpr double deep = 1e-7; // of the size: deeper than this is an overlap, not a touch
 constexpr std::size_t mostEvaluations = 20'000;
 constexpr std::size_t patience = 40; // gaps, until axes that turn are tried too
+
+constexpr double mostlyAbout = 0.1; // an axis: of the spin what is across it
 
 // What turning can add to the part's extent along `direction` within `window`: the extent grows
 // at most by rate s + curvature s^2 / 2, and never beyond `room`.
@@ -21,18 +24,11 @@ struct Growth {
     double rate = 0, curvature = 0, room = 0;
 };
 
-double smallerSize(const PartPair& pair) {
-    const auto sizeOf = [](const Part& part) {
-        return geometry::radiusAbout(part, part.core.vertices[0]) + part.radius;
-    };
-    return std::min(sizeOf(*pair.first.part), sizeOf(*pair.second.part));
-}
-
 class Advance {
 public:
     Advance(const PartPair& pair, Interval during)
         : pair_(pair), during_(during), t_(during.from), size_(pair.size()),
-          unnoticed_(std::max(unnoticed * smallerSize(pair), 8 * pair.roundOff(during.from))) {}
+          unnoticed_(pair.unnoticedDepth(during.from)) {}
 
     Encounter run() {
         while (result_.evaluations < mostEvaluations && !finished_) {
@@ -75,8 +71,14 @@ private:
 
     void touch(const Separation& now) {
         stalled_ = false;
-        const Contact contact = contactOf(pair_, t_, now);
-        const double least = approachThreshold * pair_.speedScale(t_);
+        Contact contact = contactOf(pair_, t_, now);
+        const double least = pair_.leastApproach(t_);
+        Vector axis = now.normal;
+        if (contact.closingSpeed > least)
+            if (std::optional<Contact> kept = passing(pair_, t_)) {
+                contact = std::move(*kept);
+                axis = contact.normal;
+            }
         if (contact.closingSpeed > least) {
             // Having touched without approaching and sunk in, they were pressed together.
             if (pressed_)
@@ -94,16 +96,16 @@ private:
             return;
         }
         // A step too short to matter is made as long as sinking in unnoticed allows.
-        const double away = nextContact(now, 0, true);
+        const double away = nextContact(axis, 0, true);
         if (away * pair_.relativeSpeed(t_) > unnoticed_)
             moveBy(away);
         else
-            moveBy(std::max(away, nextContact(now, unnoticed_, false)));
+            moveBy(std::max(away, nextContact(axis, unnoticed_, false)));
     }
 
     void stepTowards(const Separation& now) {
         pressed_.reset();
-        moveBy(nextContact(now, now.gap, false));
+        moveBy(nextContact(now.normal, now.gap, false));
     }
 
     // No faster than the fastest point: the depth cannot vanish before that. Nor does it vanish,
@@ -136,8 +138,7 @@ private:
 
     // Seconds until the gap, which is `gap` now, can become zero along the present normal; more
     // than is left when it cannot. With `leaving`, the root at 0 is divided out.
-    double nextContact(const Separation& now, double gap, bool leaving) {
-        const Vector& n = now.normal;
+    double nextContact(const Vector& n, double gap, bool leaving) {
         const Polynomial along = motionAlong(n);
         if (!pair_.first.turns() && !pair_.second.turns())
             return root(withGap(along, gap), left(), leaving);
@@ -276,7 +277,8 @@ private:
     }
 
     // d/ds of R x is w x x, so that extents grow to first order like the support along n + s (n x
-    // w); that is convex in s and lies below its chord. Second order: (w^2 + w') |x|.
+    // w); that is convex in s and lies below its chord. Second order: (w^2 + w') |x|, or (|n x w'|
+    // + |n x w| w) |x|.
     [[nodiscard]] Growth growth(const PartMotion& p, const Vector& n, double window) const {
         if (!p.turns())
             return {};
@@ -291,6 +293,15 @@ private:
         g.curvature =
             (bounds.angularSpeed * bounds.angularSpeed + bounds.angularAcceleration) * reach;
         g.room = reach - now;
+        // Turning about n itself moves nothing along it: a box that spins on a floor stays there.
+        const Vector w = velocityAt(p.piece, t_).angular;
+        if (n.cross(w).norm() < mostlyAbout * w.norm()) {
+            const TurnBounds across = turnBoundsAcross(p.piece, n, t_, t_ + window);
+            const double bend =
+                across.angularAcceleration + across.angularSpeed * bounds.angularSpeed;
+            if (std::isfinite(bend))
+                g.curvature = std::min(g.curvature, bend * reach);
+        }
         return g;
     }
 

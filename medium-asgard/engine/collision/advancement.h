@@ -6,9 +6,6 @@
 
 namespace collision {
 
-// Slower than this times the speeds that enter, surfaces do not count as approaching.
-inline constexpr double approachThreshold = 1e-12;
-
 [[nodiscard]] Encounter advance(const PartPair& pair, Interval during);
 
 } // namespace collision

@@ -1,7 +1,5 @@
 #include "collision/ball_flight.h"
 
-#include "collision/advancement.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace collision {
@@ -12,6 +13,7 @@ namespace collision {
 namespace {
 
 constexpr double flatLanding = 1e-9; // of the size: less tilt than this is none
+constexpr double sameNormal = 1e-6;  // their difference
 
 // The two posed parts at one time and the line between them.
 struct Touching {
@@ -82,17 +84,38 @@ double closingSpeed(const Velocity& first, const Vector& firstPivot, const Veloc
     return normal.dot(b - a);
 }
 
-Contact contactOf(const PartPair& pair, double t, const Separation& separation) {
-    const double size = pair.size();
+namespace {
+
+// Earlier by so much that the parts were some 1e-6 of their size elsewhere. Not by more: pieces of
+// motion hold near the time for which they are asked, and a body that falls from rest was nowhere
+// near before.
+double shortlyBefore(const PartPair& pair, double t) {
+    const double way = 1e-6 * pair.size(), speed = pair.relativeSpeed(t);
+    if (!(speed > 0))
+        return t;
+    const auto relative = [&](double time) {
+        return Vector(positionAt(pair.first.piece, time) - positionAt(pair.second.piece, time));
+    };
+    const auto turned = [t](const PartMotion& p, double time) {
+        return p.reach *
+               (attitudeAt(p.piece, time).coeffs() - attitudeAt(p.piece, t).coeffs()).norm();
+    };
+    double ago = way / speed;
+    while ((relative(t - ago) - relative(t)).norm() > 2 * way ||
+           turned(pair.first, t - ago) + turned(pair.second, t - ago) > 2 * way)
+        ago /= 4;
+    return t - ago;
+}
+
+// Which features touch is seen a little before: at the contact itself the line between closest
+// points is lost.
+Vector normalOfHit(const PartPair& pair, double t, const Separation& separation) {
     const Vector origin = pair.originAt(t);
-    const Posed first = pair.first.posedAt(t, origin), second = pair.second.posedAt(t, origin);
-    const Touching now{first, second, separation.normal};
+    const Touching now{pair.first.posedAt(t, origin), pair.second.posedAt(t, origin),
+                       separation.normal};
     Touching before = now;
     if (!isRound(pair)) {
-        // At the contact itself the line between closest points is lost; a little before, it is
-        // not.
-        const double speed = pair.relativeSpeed(t);
-        const double earlier = speed > 0 ? t - 1e-6 * size / speed : t;
+        const double earlier = shortlyBefore(pair, t);
         WarmStart cold;
         const Separation then = pair.separationAt(earlier, cold);
         const Vector there = pair.originAt(earlier);
@@ -100,15 +123,20 @@ Contact contactOf(const PartPair& pair, double t, const Separation& separation) 
             before = {pair.first.posedAt(earlier, there), pair.second.posedAt(earlier, there),
                       then.normal};
     }
-    const Vector normal = normalOf(before, now, 3 * flatLanding * size);
+    return normalOf(before, now, 3 * flatLanding * pair.size());
+}
 
-    const Patch patch = patchOf(first, second, normal, flatLanding * size);
+Contact contactAlong(const PartPair& pair, double t, const Vector& normal, double gap) {
+    const Vector origin = pair.originAt(t);
+    const double tolerance = std::max(flatLanding * pair.size(), 2 * pair.roundOff(t));
+    const Patch patch =
+        patchOf(pair.first.posedAt(t, origin), pair.second.posedAt(t, origin), normal, tolerance);
     const Velocity va = velocityAt(pair.first.piece, t), vb = velocityAt(pair.second.piece, t);
     const Vector pivotA = positionAt(pair.first.piece, t) - origin;
     Contact contact;
     contact.normal = normal;
     contact.point = patch.centre + origin;
-    contact.gap = separation.gap;
+    contact.gap = gap;
     contact.closingSpeed = -HUGE_VAL;
     for (const Vector& corner : patch.corners) {
         contact.patch.push_back(corner + origin);
@@ -118,12 +146,49 @@ Contact contactOf(const PartPair& pair, double t, const Separation& separation) 
     return contact;
 }
 
+std::vector<Separation> axesAt(const PartPair& pair, double t) {
+    const Vector origin = pair.originAt(t);
+    return axesOfTouch(pair.first.posedAt(t, origin), pair.second.posedAt(t, origin),
+                       pair.unnoticedDepth(t));
+}
+
+// They touch along several axes, and do not approach along each.
+bool isPassing(const PartPair& pair, double t, const Contact& contact) {
+    if (isRound(pair) || contact.patch.size() > 2)
+        return false;
+    if (contact.closingSpeed > pair.leastApproach(t))
+        return passing(pair, t).has_value();
+    return std::ranges::any_of(axesAt(pair, t), [&](const Separation& axis) {
+        return (axis.normal - contact.normal).norm() > sameNormal;
+    });
+}
+
+} // namespace
+
+Contact contactOf(const PartPair& pair, double t, const Separation& separation) {
+    return contactAlong(pair, t, normalOfHit(pair, t, separation), separation.gap);
+}
+
+std::optional<Contact> passing(const PartPair& pair, double t) {
+    if (isRound(pair))
+        return std::nullopt;
+    std::optional<Contact> least;
+    for (const Separation& axis : axesAt(pair, t)) {
+        Contact along = contactAlong(pair, t, axis.normal, axis.gap);
+        if (!least || along.closingSpeed < least->closingSpeed)
+            least = std::move(along);
+    }
+    if (least && least->closingSpeed > pair.leastApproach(t))
+        least.reset();
+    return least;
+}
+
 std::vector<Contact> contactsAt(const MovingShape& first, const MovingShape& second, double t,
-                                double tolerance) {
+                                double tolerance, Slack slack) {
     std::vector<Contact> contacts;
     for (std::size_t i = 0; i < first.shape().parts.size(); ++i)
         for (std::size_t j = 0; j < second.shape().parts.size(); ++j) {
-            const PartPair pair = partPair(first, i, second, j, t);
+            const PartPair pair = partPair(first, i, second, j, t, slack);
             const double apart =
                 (positionAt(pair.first.piece, t) - positionAt(pair.second.piece, t)).norm();
             if (apart > pair.first.reach + pair.second.reach + tolerance)
@@ -132,7 +197,10 @@ std::vector<Contact> contactsAt(const MovingShape& first, const MovingShape& sec
             const Separation separation = pair.separationAt(t, cold);
             if (std::abs(separation.gap) > tolerance)
                 continue;
-            contacts.push_back(contactOf(pair, t, separation));
+            Contact contact = contactOf(pair, t, separation);
+            if (isPassing(pair, t, contact))
+                continue;
+            contacts.push_back(std::move(contact));
             contacts.back().firstPart = i;
             contacts.back().secondPart = j;
         }

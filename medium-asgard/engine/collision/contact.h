@@ -1,9 +1,21 @@
 // Where and along which line two shapes touch.
 //
-// The normal is that of the face when one touches, the common perpendicular of two edges that
-// cross, and else (vertex on vertex or edge, parallel edges, spheres) the line between the closest
-// points just before. The point is the centre of the patch in which they touch: two convex polygons
-// clipped against each other, two segments, or a point.
+// Where edges or vertices touch, there are several axes along which the gap is 0: each is a normal
+// of the Minkowski difference at one of its own edges or vertices, which is what the difference of
+// places lies on. Convex bodies penetrate only when they approach along every one of them: an axis
+// along which they do not is a proof that they stay apart, as any separating axis is. So a box that
+// slides over the seam of two boxes in one plane touches the second one's edge and does not hit it:
+// along the side's normal they approach, along the upper face's they do not. That is also what a
+// gap of any size at the seam, however small, tends to. Hence
+//     the normal is that axis along which they approach least, if they do not approach there;
+//     else that of the face when one touches, the common perpendicular of two edges that cross,
+//     and else (vertex on vertex or edge, parallel edges, spheres) the line between the closest
+//     points just before.
+// The point is the centre of the patch in which they touch: two convex polygons clipped against
+// each other, two segments, or a point.
+//
+// LIMIT: what is that near is touched and not hit: a step in a floor that is lower than 1e-10 of
+// the smaller part's size, or than the slack, is slid over.
 #pragma once
 
 #include "collision/moving_shape.h"
@@ -15,6 +27,8 @@ namespace collision {
 
 // Of the two bodies' radii: nearer than this they are in contact at an impact.
 inline constexpr double touchingGap = 1e-10;
+// Of the speeds that enter: surfaces that are slower than this do not count as approaching.
+inline constexpr double approachThreshold = 1e-12;
 
 struct Contact {
     Vector point = Vector::Zero();   // world; halfway between the surfaces
@@ -25,11 +39,17 @@ struct Contact {
     std::size_t firstPart = 0, secondPart = 0;
 };
 
+// How exactly places are known, besides rounding: of a body that rests, its footing's tolerance.
+// Depths up to it, times the smaller part's size, and approaches up to it, times the speeds that
+// enter, count as none.
+using Slack = double;
+
 // Contacts of all pairs of parts that are within `tolerance` of each other at time t, under the
 // motion that holds from t on, whether they approach or part. Parts that overlap by more than the
-// tolerance give none.
+// tolerance give none; nor do those that touch along several axes and do not approach along each:
+// along which of them they may come to approach is not known yet.
 [[nodiscard]] std::vector<Contact> contactsAt(const MovingShape& first, const MovingShape& second,
-                                              double t, double tolerance);
+                                              double t, double tolerance, Slack slack = 0);
 
 // How fast the surfaces approach at a point along the contact's normal (negative: they part).
 [[nodiscard]] double closingSpeed(const Velocity& first, const Vector& firstPivot,

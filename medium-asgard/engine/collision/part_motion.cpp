@@ -5,6 +5,13 @@
 
 namespace collision {
 
+namespace {
+
+constexpr double unnoticed = 1e-10; // of the smaller part's size: a depth that a step may pass over
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+} // namespace
+
 Posed PartMotion::posedAt(double t, const Vector& origin) const {
     const Quaternion attitude = attitudeAt(piece, t);
     Posed posed{part, attitude.toRotationMatrix(), positionAt(piece, t) - origin};
@@ -25,7 +32,6 @@ Separation PartPair::separationAt(double t, WarmStart& warm) const {
 
 double PartPair::roundOff(double t) const {
     const Vector a = positionAt(first.piece, t), b = positionAt(second.piece, t);
-    constexpr double epsilon = std::numeric_limits<double>::epsilon();
     return 4 * epsilon *
            (first.reach + second.reach + a.cwiseAbs().maxCoeff() + b.cwiseAbs().maxCoeff());
 }
@@ -36,6 +42,22 @@ double PartPair::speedScale(double t) const {
            b.angular.norm() * second.reach;
 }
 
+double PartPair::leastApproach(double t) const {
+    return std::max(approachThreshold, slack) * speedScale(t);
+}
+
+double PartPair::smallerSize() const {
+    const auto sizeOf = [](const Part& part) {
+        return geometry::radiusAbout(part, part.core.vertices[0]) + part.radius;
+    };
+    return std::min(sizeOf(*first.part), sizeOf(*second.part));
+}
+
+double PartPair::unnoticedDepth(double t) const {
+    return std::max(std::max(unnoticed, slack) * smallerSize(),
+                    8 * roundOff(t) + 8 * epsilon * std::abs(t) * relativeSpeed(t));
+}
+
 double PartPair::relativeSpeed(double t) const {
     const Velocity a = velocityAt(first.piece, t), b = velocityAt(second.piece, t);
     return (a.linear - b.linear).norm() + a.angular.norm() * first.reach +
@@ -43,8 +65,8 @@ double PartPair::relativeSpeed(double t) const {
 }
 
 PartPair partPair(const MovingShape& first, std::size_t firstPart, const MovingShape& second,
-                  std::size_t secondPart, double t) {
-    PartPair pair{partMotion(first, firstPart, t), partMotion(second, secondPart, t)};
+                  std::size_t secondPart, double t, Slack slack) {
+    PartPair pair{partMotion(first, firstPart, t), partMotion(second, secondPart, t), slack};
     for (const PartMotion* p : {&pair.first, &pair.second})
         pair.cores += geometry::radiusAbout(*p->part, p->part->core.vertices[0]) - p->part->radius;
     return pair;

@@ -1,9 +1,12 @@
-// One part of a moving shape during one piece of its motion.
+// One part of a moving shape during one piece of its motion, and what counts as nothing between
+// two.
 #pragma once
 
 #include "collision/contact.h"
 #include "collision/moving_shape.h"
 #include "collision/separation.h"
+
+#include <optional>
 
 namespace collision {
 
@@ -21,6 +24,7 @@ struct PartMotion {
 
 struct PartPair {
     PartMotion first, second;
+    Slack slack = 0;
 
     [[nodiscard]] double size() const { return first.part->radius + second.part->radius + cores; }
     double cores = 0; // reaches of the cores about themselves
@@ -32,14 +36,25 @@ struct PartPair {
     [[nodiscard]] double roundOff(double t) const;
     // The speeds that enter: the scale against which an approach counts as none.
     [[nodiscard]] double speedScale(double t) const;
+    // Slower than this surfaces do not count as approaching.
+    [[nodiscard]] double leastApproach(double t) const;
+    // Of the smaller part, about its first vertex.
+    [[nodiscard]] double smallerSize() const;
+    // Shallower than this an overlap may have gone unnoticed.
+    [[nodiscard]] double unnoticedDepth(double t) const;
     // No two points of the parts move faster against each other.
     [[nodiscard]] double relativeSpeed(double t) const;
 };
 
 [[nodiscard]] PartPair partPair(const MovingShape& first, std::size_t firstPart,
-                                const MovingShape& second, std::size_t secondPart, double t);
+                                const MovingShape& second, std::size_t secondPart, double t,
+                                Slack slack = 0);
 
-// The contact of two parts that touch at t along (or all but along) the separation's normal.
+// The contact of two parts that touch at t along (or all but along) the separation's normal, as if
+// they hit.
 [[nodiscard]] Contact contactOf(const PartPair& pair, double t, const Separation& separation);
+
+// Their contact along that axis along which they approach least, if they do not approach there.
+[[nodiscard]] std::optional<Contact> passing(const PartPair& pair, double t);
 
 } // namespace collision

@@ -126,11 +126,13 @@ void tryFace(const Posed& owner, const Posed& other, const Vector& outward, doub
     take(best, gap, sign * normal, -1e-9 * std::abs(best.gap));
 }
 
-void tryAllFaces(const Posed& owner, const Posed& other, double sign, Separation& best) {
+// visit(gap, normal from second to first)
+template <typename Visit>
+void forEachFace(const Posed& owner, const Posed& other, double sign, Visit&& visit) {
     for (const geometry::Face& f : owner.part->core.faces) {
         const Vector normal = owner.rotation * f.normal;
         const double plane = f.offset + normal.dot(owner.offset);
-        take(best, normal.dot(other.world(other.support(-normal))) - plane, sign * normal, 0);
+        visit(normal.dot(other.world(other.support(-normal))) - plane, Vector(sign * normal));
     }
 }
 
@@ -158,7 +160,8 @@ bool faceEachOther(const WorldEdge& a, const WorldEdge& b) {
     return ca * da < 0 && ab * bb < 0 && ca * bb > 0;
 }
 
-void tryEdges(const Posed& first, const Posed& second, double advantage, Separation& best) {
+template <typename Visit>
+void forEachPairOfEdges(const Posed& first, const Posed& second, Visit&& visit) {
     const std::vector<WorldEdge> edges = worldEdges(second);
     for (const WorldEdge& a : worldEdges(first))
         for (const WorldEdge& b : edges) {
@@ -171,18 +174,34 @@ void tryEdges(const Posed& first, const Posed& second, double advantage, Separat
             normal /= length;
             if (normal.dot(a.left + a.right) > 0) // from second to first is into first
                 normal = -normal;
-            take(best, normal.dot(a.from - b.from), normal, advantage);
+            visit(normal.dot(a.from - b.from), normal);
         }
 }
 
 } // namespace
 
+std::vector<Separation> axesOfTouch(const Posed& first, const Posed& second, double depth) {
+    std::vector<Separation> axes;
+    const auto keep = [&](double gap, const Vector& normal) {
+        if (gap >= -depth)
+            axes.push_back({.gap = gap, .normal = normal});
+    };
+    forEachFace(first, second, -1, keep);
+    forEachFace(second, first, 1, keep);
+    forEachPairOfEdges(first, second, keep);
+    return axes;
+}
+
 Separation separateByAxes(const Posed& first, const Posed& second) {
     Separation best;
     best.gap = -std::numeric_limits<double>::infinity();
-    tryAllFaces(first, second, -1, best);
-    tryAllFaces(second, first, 1, best);
-    tryEdges(first, second, 1e-13 * (extent(first) + extent(second)), best);
+    const auto tryFace = [&](double gap, const Vector& normal) { take(best, gap, normal, 0); };
+    forEachFace(first, second, -1, tryFace);
+    forEachFace(second, first, 1, tryFace);
+    const double advantage = 1e-13 * (extent(first) + extent(second));
+    forEachPairOfEdges(first, second, [&](double gap, const Vector& normal) {
+        take(best, gap, normal, advantage);
+    });
     if (best.gap == -std::numeric_limits<double>::infinity())
         best.gap = 0; // two points at one place: any line
     best.gap -= first.part->radius + second.part->radius;

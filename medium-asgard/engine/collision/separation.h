@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace collision {
 
@@ -51,6 +52,11 @@ struct Separation {
 };
 
 [[nodiscard]] Separation separate(const Posed& first, const Posed& second, WarmStart& warm);
+
+// Axes along which the parts are apart, touch, or overlap by no more than `depth`: normals of faces
+// and common perpendiculars of edges that face each other, each with its gap. Of two polyhedra.
+[[nodiscard]] std::vector<Separation> axesOfTouch(const Posed& first, const Posed& second,
+                                                  double depth);
 
 // The signed gap by separating axes alone: exact depth and direction when the parts overlap.
 [[nodiscard]] Separation separateByAxes(const Posed& first, const Posed& second);

@@ -20,7 +20,7 @@ Encounter meetAsSpheres(const PartPair& pair, Interval during) {
     const RelativePath path = relativePath(pair.first.piece, pair.second.piece, during.from);
     const SphereEncounter met = spheresMeet(
         path, pair.first.part->radius + pair.second.part->radius, during.to - during.from,
-        pair.roundOff(during.from), approachThreshold * pair.speedScale(during.from));
+        pair.roundOff(during.from), pair.leastApproach(during.from));
     Encounter result;
     result.overlap = met.overlap;
     result.evaluations = 1;
@@ -72,7 +72,7 @@ void note(Encounter& all, const Encounter& one, std::size_t i, std::size_t j, bo
 } // namespace
 
 Encounter timeOfImpact(const MovingShape& first, const MovingShape& second, Interval during,
-                       const PartFilter& leaveOut) {
+                       const PartFilter& leaveOut, Slack slack) {
     Encounter all;
     for (double t = during.from; !all.hit;) {
         const double end = endOfPieces(first, second, t, during.to);
@@ -81,7 +81,7 @@ Encounter timeOfImpact(const MovingShape& first, const MovingShape& second, Inte
                 if (leaveOut && leaveOut(i, j))
                     continue;
                 const double until = all.hit ? all.hit->time : end;
-                note(all, meetInPiece(partPair(first, i, second, j, t), {t, until}), i, j,
+                note(all, meetInPiece(partPair(first, i, second, j, t, slack), {t, until}), i, j,
                      t == during.from);
             }
         if (!(end < during.to))

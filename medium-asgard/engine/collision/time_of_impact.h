@@ -9,8 +9,9 @@
 //                    converges as Newton's method does, but never from beyond the root.
 //
 // Contact is a matter of speeds, not of times: shapes that touch (or overlap by round-off) and part
-// are not reported, however close the last impact was; shapes that touch and approach are a hit at
-// once.
+// are not reported, however close the last impact was; shapes that touch and approach along all
+// axes of their touch (contact.h) are a hit at once. Where they do not, the search goes on along
+// the axis that keeps them apart.
 //
 // No encounter deeper than 1e-10 of the smaller part's size is missed, at any speed. Shapes that
 // overlap by more than 1e-7 of their size at the start are said to overlap, and can hit only after
@@ -49,6 +50,7 @@ struct Encounter {
 // Pairs of parts for which `leaveOut` is true are not looked at.
 using PartFilter = std::function<bool(std::size_t firstPart, std::size_t secondPart)>;
 [[nodiscard]] Encounter timeOfImpact(const MovingShape& first, const MovingShape& second,
-                                     Interval during, const PartFilter& leaveOut = nullptr);
+                                     Interval during, const PartFilter& leaveOut = nullptr,
+                                     Slack slack = 0);
 
 } // namespace collision

@@ -70,6 +70,7 @@ private:
         std::vector<std::size_t> bodies;              // indices into the scene's
         std::vector<physics::ImpactContact> contacts; // with indices into `bodies`
         std::vector<physics::ImpactContact> corners;  // of the patches
+        std::vector<std::size_t> contactOf;           // by corner
     };
     struct Outcome { // of the event that next() answered last
         struct Resting {
@@ -111,7 +112,9 @@ private:
                             const std::array<Vector, 2>& after);
     [[nodiscard]] Vector velocityOf(const solution::Histories& histories, std::size_t body,
                                     double time) const;
-    // Nearer than this they touch at an impact: it is as far off as times are resolved, too.
+    [[nodiscard]] double speedOf(const Pair& pair, double time) const;
+    // Nearer than this they touch at an impact: it is as far off as coordinates and times are
+    // resolved, too.
     [[nodiscard]] double contactTolerance(const Pair& pair, double time) const;
     [[nodiscard]] collision::FlightContact flightContact(const Pair& pair, double time) const;
     [[nodiscard]] std::optional<collision::FlightContact>
@@ -140,7 +143,8 @@ private:
     [[nodiscard]] double softenLastHops(const solution::Histories& histories, Cluster& cluster,
                                         std::span<const physics::ImpactBody> bodies,
                                         double time) const;
-    void resolveCorners(const Cluster& cluster, physics::ImpactResult& result) const;
+    [[nodiscard]] physics::ImpactResult
+    resolve(Cluster& cluster, const std::vector<physics::ImpactBody>& before) const;
     [[nodiscard]] physics::ImpactBody impactBody(const solution::Histories& histories,
                                                  std::size_t body, double time) const;
     void record(const Cluster& cluster, const physics::ImpactResult& result, double time,

@@ -272,7 +272,8 @@ void EncounterSearch::searchGenerally(const Pair& pair, Interval during) {
             return resting_.isFooting(pair.first, i, pair.second, j);
         };
     const collision::Encounter encounter =
-        collision::timeOfImpact(bodies_[pair.first], bodies_[pair.second], during, footing);
+        collision::timeOfImpact(bodies_[pair.first], bodies_[pair.second], during, footing,
+                                resting_.slack(pair.first, pair.second));
     if (encounter.overlap > 0)
         overlaps_.push_back(pair);
     if (encounter.hit)

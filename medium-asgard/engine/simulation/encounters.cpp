@@ -10,6 +10,7 @@ namespace simulation {
 namespace {
 
 using physics::ImpactBody;
+using physics::ImpactContact;
 using solution::Event;
 using solution::Histories;
 using solution::infinity;
@@ -21,6 +22,47 @@ constexpr double shorterWhile = 1e-9;   // with bodies that give way
 constexpr std::size_t manyAtOnce = 200; // at one instant
 
 std::string quoted(const std::string& name) { return "\"" + name + "\""; }
+
+bool sinksIn(const ImpactContact& corner, const std::vector<ImpactBody>& bodies) {
+    const ImpactBody &a = bodies[corner.first], &b = bodies[corner.second];
+    const Vector va = a.velocity + a.angularVelocity.cross(corner.point - a.centre);
+    const Vector vb = b.velocity + b.angularVelocity.cross(corner.point - b.centre);
+    return corner.normal.dot(va - vb) < -1e-9 * (va.norm() + vb.norm());
+}
+
+// With the corners of plastic contacts instead of their centres. The impulses are told by contact,
+// each where those of its corners have the same effect.
+physics::ImpactResult resolveByCorners(std::vector<ImpactContact>& contacts,
+                                       const std::vector<ImpactContact>& corners,
+                                       const std::vector<std::size_t>& contactOf,
+                                       const std::vector<ImpactBody>& before) {
+    std::vector<ImpactContact> all;
+    std::vector<std::size_t> of;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        for (std::size_t i = 0; i < corners.size() && contacts[c].restitution == 0; ++i)
+            if (contactOf[i] == c) {
+                all.push_back(corners[i]);
+                all.back().restitution = 0;
+            }
+        if (all.size() == of.size())
+            all.push_back(contacts[c]);
+        of.resize(all.size(), c);
+    }
+    physics::ImpactResult result = physics::resolveImpact(before, all);
+    std::vector<double> sums(contacts.size(), 0);
+    std::vector<Vector> moments(contacts.size(), Vector::Zero());
+    for (const physics::ImpulseGiven& given : result.impulses) {
+        sums[of[given.contact]] += given.impulse;
+        moments[of[given.contact]] += given.impulse * all[given.contact].point;
+    }
+    result.impulses.clear();
+    for (std::size_t c = 0; c < contacts.size(); ++c)
+        if (sums[c] > 0) {
+            contacts[c].point = moments[c] / sums[c];
+            result.impulses.push_back({c, sums[c]});
+        }
+    return result;
+}
 
 } // namespace
 
@@ -116,11 +158,10 @@ ImpactBody CollisionSource::impactBody(const Histories& histories, std::size_t b
     return resting_.impactBody(body, time, stateOf(records_[body], histories, time));
 }
 
-double CollisionSource::contactTolerance(const Pair& pair, double time) const {
-    constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    double reach = 0, speed = 0;
+// The speeds that enter.
+double CollisionSource::speedOf(const Pair& pair, double time) const {
+    double speed = 0;
     for (const std::size_t body : {pair.first, pair.second}) {
-        reach += records_[body].radius;
         if (const collision::BallFlight* flight = search_.flight(body)) {
             speed += flight->velocityAt(time).norm();
         } else if (!records_[body].isFixed) {
@@ -128,7 +169,24 @@ double CollisionSource::contactTolerance(const Pair& pair, double time) const {
             speed += velocity.linear.norm() + velocity.angular.norm() * records_[body].radius;
         }
     }
-    return collision::touchingGap * reach + 8 * epsilon * std::abs(time) * speed;
+    return speed;
+}
+
+double CollisionSource::contactTolerance(const Pair& pair, double time) const {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    double reach = 0, coordinates = 0;
+    for (const std::size_t body : {pair.first, pair.second}) {
+        reach += records_[body].radius;
+        if (const collision::BallFlight* flight = search_.flight(body))
+            coordinates += flight->centreAt(time).cwiseAbs().maxCoeff();
+        else if (records_[body].isFixed)
+            coordinates += records_[body].start.position.cwiseAbs().maxCoeff();
+        else
+            coordinates +=
+                collision::positionAt(bodies_[body].pieceAt(time), time).cwiseAbs().maxCoeff();
+    }
+    return collision::touchingGap * reach +
+           8 * epsilon * (coordinates + std::abs(time) * speedOf(pair, time));
 }
 
 void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, std::size_t a,
@@ -149,7 +207,8 @@ void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, 
              .restitution = std::min(scene_.bodies[a].restitution, scene_.bodies[b].restitution)});
     };
     const double tolerance = contactTolerance({a, b}, time);
-    const auto contacts = collision::contactsAt(bodies_[a], bodies_[b], time, tolerance);
+    const auto contacts =
+        collision::contactsAt(bodies_[a], bodies_[b], time, tolerance, resting_.slack(a, b));
     // A body that rests turns about what it rests on: each corner counts. So it does where gaps
     // have the integration's errors, not rounding's.
     const bool isSure = !contacts.empty() && !resting_.hasFooting(a, b);
@@ -159,7 +218,8 @@ void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, 
              touchesOf(resting_.placed(histories, isFirst ? a : b, time),
                        resting_.placed(histories, isFirst ? b : a, time), limits_.gap))
             for (const Corner& corner : touch.corners)
-                add(corner.point, isFirst ? touch.normal : Vector(-touch.normal));
+                if (!touch.passes(limits_.gap * speedOf({a, b}, time)))
+                    add(corner.point, isFirst ? touch.normal : Vector(-touch.normal));
         return;
     }
     for (const collision::Contact& contact : contacts) {
@@ -168,13 +228,15 @@ void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, 
             if (contact.patch.size() > 1) {
                 cluster.corners.push_back(cluster.contacts.back());
                 cluster.corners.back().point = corner;
+                cluster.contactOf.push_back(cluster.contacts.size() - 1);
             }
     }
 }
 
 CollisionSource::Cluster CollisionSource::clusterAt(const Histories& histories, const Pair& pair,
                                                     double time) {
-    Cluster cluster{.bodies = {pair.first, pair.second}, .contacts = {}, .corners = {}};
+    Cluster cluster{
+        .bodies = {pair.first, pair.second}, .contacts = {}, .corners = {}, .contactOf = {}};
     std::set<Pair> seen;
     for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
         const std::size_t body = cluster.bodies[i];
@@ -221,17 +283,24 @@ double CollisionSource::softenLastHops(const Histories& histories, Cluster& clus
     return longest;
 }
 
-// A patch that got one impulse at its centre may still sink in at a corner: then corners take part.
-void CollisionSource::resolveCorners(const Cluster& cluster, physics::ImpactResult& result) const {
-    for (const physics::ImpactContact& corner : cluster.corners) {
-        const ImpactBody &a = result.bodies[corner.first], &b = result.bodies[corner.second];
-        const Vector va = a.velocity + a.angularVelocity.cross(corner.point - a.centre);
-        const Vector vb = b.velocity + b.angularVelocity.cross(corner.point - b.centre);
-        if (corner.normal.dot(va - vb) < -1e-9 * (va.norm() + vb.norm())) {
-            result.bodies = physics::resolveImpact(result.bodies, cluster.corners).bodies;
-            return;
+// A patch gets one impulse at its centre. Where it then sinks in at a corner, corners take part:
+// of plastic contacts from the start, since nothing of them parts at one corner because another
+// was hit; what was pushed at a face and rests against it does not turn. Of others after the
+// impulse at the centre.
+physics::ImpactResult CollisionSource::resolve(Cluster& cluster,
+                                               const std::vector<ImpactBody>& before) const {
+    physics::ImpactResult result = physics::resolveImpact(before, cluster.contacts);
+    bool isSunk = false, isPlastic = false;
+    for (std::size_t i = 0; i < cluster.corners.size(); ++i)
+        if (sinksIn(cluster.corners[i], result.bodies)) {
+            isSunk = true;
+            isPlastic = isPlastic || cluster.contacts[cluster.contactOf[i]].restitution == 0;
         }
-    }
+    if (isPlastic)
+        return resolveByCorners(cluster.contacts, cluster.corners, cluster.contactOf, before);
+    if (isSunk)
+        result.bodies = physics::resolveImpact(result.bodies, cluster.corners).bodies;
+    return result;
 }
 
 std::optional<Event> CollisionSource::meet(const Histories& histories, const Pair& pair,
@@ -241,9 +310,8 @@ std::optional<Event> CollisionSource::meet(const Histories& histories, const Pai
     for (const std::size_t body : cluster.bodies)
         before.push_back(impactBody(histories, body, time));
     const double settling = softenLastHops(histories, cluster, before, time);
-    physics::ImpactResult result = physics::resolveImpact(before, cluster.contacts);
+    const physics::ImpactResult result = resolve(cluster, before);
     record(cluster, result, time, settling);
-    resolveCorners(cluster, result);
     Event event{.time = time, .touched = {}, .tag = 0};
     outcome_ = {};
     RestingBodies::States after;

@@ -57,12 +57,11 @@ public:
     Rest find() {
         for (std::size_t s = 0; s < q_.supports.size(); ++s)
             for (Touch& touch : touchesOf(q_.body, q_.supports[s], limits_.gap))
-                touches_.push_back({std::move(touch), s, {}});
-        if (touches_.empty())
-            return rest_;
-        gather();
-        if (rest_.state != Rest::State::approaching && !corners_.empty())
-            bear();
+                (touch.passes(slowest()) ? passing_ : touches_)
+                    .push_back({std::move(touch), s, {}});
+        do
+            bearWhatPresses();
+        while (rest_.state != Rest::State::approaching && isPassingPressed());
         if (rest_.state == Rest::State::free) // goes on from where it does not overlap
             for (const Candidate& candidate : touches_)
                 correct(candidate.touch, 0);
@@ -79,8 +78,53 @@ private:
         std::size_t touch, corner;
     };
 
+    void bearWhatPresses() {
+        corners_.clear();
+        for (Candidate& candidate : touches_)
+            candidate.bearing.clear();
+        rest_ = {};
+        given_.linear = q_.free.linear;
+        given_.angular = q_.free.angular;
+        gather();
+        if (rest_.state != Rest::State::approaching && !corners_.empty())
+            bear();
+    }
+
+    // Parts that touch along several axes press only where they do along each: then along the
+    // first of these they take part.
+    [[nodiscard]] bool isPassingPressed() {
+        const auto pressed = std::ranges::find_if(passing_, [&](const Candidate& candidate) {
+            const Touch& touch = candidate.touch;
+            return !staysOpen(touch) && std::ranges::none_of(touch.others, [&](const Touch& other) {
+                return staysOpen(other);
+            });
+        });
+        if (pressed == passing_.end())
+            return false;
+        touches_.push_back(std::move(*pressed));
+        passing_.erase(pressed);
+        return true;
+    }
+
+    // Along its axis it does not approach, nor will it, as far as known.
+    [[nodiscard]] bool staysOpen(const Touch& touch) const {
+        return std::ranges::all_of(touch.corners, [&](const Corner& corner) {
+            const Vector arm = corner.point - q_.mobility.centre;
+            const double acceleration =
+                touch.normal.dot(given_.linear + given_.angular.cross(arm)) + corner.extra;
+            return corner.rate > slowest() ||
+                   (corner.rate >= -slowest() && acceleration >= -stillBearing * accelerations_);
+        });
+    }
+
     [[nodiscard]] double slow() const {
         return std::sqrt(2 * accelerations_ * limits_.hopHeight * q_.body.record->radius);
+    }
+
+    // Slower than this nothing parts or approaches.
+    [[nodiscard]] double slowest() const {
+        return slow() + 1e-9 * (q_.body.state.velocity.norm() +
+                                q_.body.state.angularVelocity.norm() * q_.body.record->radius);
     }
 
     [[nodiscard]] bool isFooting(const Touch& touch) const {
@@ -92,9 +136,7 @@ private:
     void gather() {
         for (std::size_t t = 0; t < touches_.size(); ++t) {
             const Touch& touch = touches_[t].touch;
-            const double most =
-                slow() + 1e-9 * (q_.body.state.velocity.norm() +
-                                 q_.body.state.angularVelocity.norm() * q_.body.record->radius);
+            const double most = slowest();
             for (std::size_t i = 0; i < touch.corners.size(); ++i) {
                 const double rate = touch.corners[i].rate, gap = touch.corners[i].gap;
                 if (rate < -most && gap > landed * touch.size)
@@ -122,6 +164,8 @@ private:
         }
         const physics::RestingForces forces =
             physics::restingForces(q_.mobility, q_.free.linear, q_.free.angular, contacts);
+        given_.linear = forces.acceleration;
+        given_.angular = forces.angularAcceleration;
         std::vector<double> pushes(touches_.size(), 0);
         for (std::size_t i = 0; i < corners_.size(); ++i) {
             pushes[corners_[i].touch] += forces.normalForces[i];
@@ -178,6 +222,8 @@ private:
     const std::vector<std::string>& names_;
     double accelerations_ = 0; // that enter
     std::vector<Candidate> touches_;
+    std::vector<Candidate> passing_; // that may stay apart along an axis
+    Acceleration given_;             // with the forces of what bears
     std::vector<Place> corners_;
     Rest rest_;
 };

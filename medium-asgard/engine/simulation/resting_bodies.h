@@ -11,6 +11,7 @@
 // over.
 #pragma once
 
+#include "collision/contact.h"
 #include "expression/tape.h"
 #include "simulation/rest.h"
 #include "solution/event_source.h"
@@ -39,6 +40,10 @@ public:
     [[nodiscard]] bool isFooting(std::size_t a, std::size_t partA, std::size_t b,
                                  std::size_t partB) const;
     [[nodiscard]] bool hasFooting(std::size_t a, std::size_t b) const;
+    // What rests lies on its footing to the limits' gap, and no better: of all that it meets.
+    [[nodiscard]] collision::Slack slack(std::size_t a, std::size_t b) const {
+        return isResting(a) || isResting(b) ? limits_.gap : 0;
+    }
 
     using States = std::map<std::size_t, BodyState>; // of bodies that an impact just changed
     [[nodiscard]] Rest restAt(const solution::Histories& histories, std::size_t body, double time,

@@ -49,6 +49,8 @@ double sizeOf(const Part& part) {
     return geometry::radiusAbout(part, part.core.vertices[0]) + part.radius;
 }
 
+constexpr double sameNormal = 1e-4; // their difference
+
 // The outward normal of the face that lies closest along a direction.
 Vector faceNormal(const Posed& owner, const Vector& direction) {
     Vector best = direction;
@@ -102,6 +104,37 @@ public:
         if (std::abs(touch.gap) > 10 * tolerance_ || touch.gap > tolerance_)
             return false;
         preferFaces();
+        addCorners();
+        // A patch with an area, and what is round, has one normal.
+        if (touch.corners.size() < 3 && !first_.part->isSphere() && !second_.part->isSphere())
+            addOthers();
+        return true;
+    }
+
+    Touch touch;
+
+private:
+    void addOthers() {
+        std::vector<Vector> known{touch.normal};
+        for (const collision::Separation& axis :
+             collision::axesOfTouch(first_, second_, tolerance_)) {
+            const Vector& normal = axis.normal;
+            const bool isNew = std::ranges::none_of(
+                known, [&](const Vector& k) { return (k - normal).norm() <= sameNormal; });
+            if (!isNew)
+                continue;
+            known.push_back(normal);
+            Pairing other = *this;
+            other.touch.others.clear();
+            other.touch.corners.clear();
+            other.touch.normal = normal;
+            other.touch.gap = axis.gap;
+            other.addCorners();
+            touch.others.push_back(std::move(other.touch));
+        }
+    }
+
+    void addCorners() {
         ofBody_ = collision::furthestFeature(first_, -touch.normal, tolerance_);
         ofSupport_ = collision::furthestFeature(second_, touch.normal, tolerance_);
         if (first_.part->isSphere())
@@ -110,12 +143,8 @@ public:
             addOnRound();
         else
             addPatch();
-        return true;
     }
 
-    Touch touch;
-
-private:
     // The gap is along one normal; where a face has all but that gap, its own normal is the
     // contact's. The support's comes first: it is the larger one, mostly.
     void preferFaces() {
@@ -321,6 +350,19 @@ std::vector<GapConstraint> constraintsOf(const Touch& touch,
         else
             constraints.push_back(touch.corners[i].constraint);
     return constraints;
+}
+
+double Touch::rate() const {
+    double least = HUGE_VAL;
+    for (const Corner& corner : corners)
+        least = std::min(least, corner.rate);
+    return least;
+}
+
+bool Touch::passes(double speed) const {
+    return !others.empty() && (rate() >= -speed || std::ranges::any_of(others, [&](const Touch& t) {
+                                   return t.rate() >= -speed;
+                               }));
 }
 
 std::vector<Touch> touchesOf(const Placed& body, const Placed& support, double tolerance) {

@@ -9,6 +9,9 @@
 //     round on a point    n.(w x (w x r) - a_s) + |u|^2 / R       u: the speed across the normal
 // with n' from the turning of the plane's owner, r from the body's centre of mass to the point.
 //
+// Where edges or vertices touch, the parts may touch along several axes at once, and stay apart as
+// long as they do along one of them (collision/contact.h). Then each is told.
+//
 // LIMIT: vertices and parallel edges on each other, an edge of the body on a sphere, and spheres on
 // edges of a support that turns have no constraint.
 #pragma once
@@ -48,6 +51,13 @@ struct Touch { // of one pair of parts
     bool isModelled = true;
     std::vector<Corner> corners;
     std::vector<Vector> bodyFace, supportFace; // outlines, world; of a flat touch
+    // The same parts along the other axes along which they touch: with these none of their own.
+    std::vector<Touch> others;
+
+    // The least rate of its corners; negative: they approach.
+    [[nodiscard]] double rate() const;
+    // Along this axis or another nothing approaches faster than `speed`.
+    [[nodiscard]] bool passes(double speed) const;
 };
 
 // The touch of all pairs of parts whose gap is below `tolerance` of their size, however deep they
