@@ -180,7 +180,7 @@ void Writing::add(const NewElement& element) {
         edits_.push_back({place.at, place.at, text});
     else
         before->text += text;
-    std::ranges::sort(edits_, {}, &TextEdit::from);
+    putInOrder(edits_);
 }
 
 // Whether the text has it as a word of its own anywhere, even in comments and expressions.

@@ -293,7 +293,7 @@ std::vector<TextEdit> Description::edits() {
     if (!appended_.empty())
         edits_.push_back({end, end, appended_});
     // What is put in before what is removed or replaced comes first.
-    std::ranges::stable_sort(edits_, {}, [](const TextEdit& e) { return std::pair(e.from, e.to); });
+    putInOrder(edits_);
     return edits_;
 }
 
@@ -433,7 +433,7 @@ Answer renamed(const std::string& text, const scene::Scene& scene, std::size_t s
         if (body.shape == set.name)
             rename(shapeWordOf(body), "The shape of body \"" + body.name + "\" in line " +
                                           std::to_string(body.source.line));
-    std::ranges::sort(answer.edits, {}, &TextEdit::from);
+    putInOrder(answer.edits);
     if (!answer.reason.empty())
         answer.edits.clear();
     return answer;

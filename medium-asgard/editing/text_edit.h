@@ -14,8 +14,11 @@ struct TextEdit {
     bool operator==(const TextEdit&) const = default;
 };
 
-// Edits are of the text as it was, in order and apart from each other.
+// Edits are of the text as it was, in order and apart from each other. Others change nothing: no
+// text is better than one with parts lost or twice.
 [[nodiscard]] std::string applied(const std::string& text, const std::vector<TextEdit>& edits);
+// As applied() wants them; what is put in stands before what is rewritten at the same place.
+void putInOrder(std::vector<TextEdit>& edits);
 // Takes the edit into the list, once. False: another of the list changes the same bytes otherwise.
 [[nodiscard]] bool join(std::vector<TextEdit>& edits, const TextEdit& edit);
 

@@ -8,7 +8,6 @@
 #include "script/numbers.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <set>
 
@@ -16,30 +15,6 @@ namespace editing {
 
 using script::Command;
 using script::Word;
-
-std::string applied(const std::string& text, const std::vector<TextEdit>& edits) {
-    std::string result;
-    std::size_t at = 0;
-    for (const TextEdit& edit : edits) {
-        assert(edit.from >= at && edit.to >= edit.from && "edits are in order and apart");
-        result += text.substr(at, edit.from - at) + edit.text;
-        at = edit.to;
-    }
-    return result + text.substr(at);
-}
-
-bool join(std::vector<TextEdit>& edits, const TextEdit& edit) {
-    for (const TextEdit& other : edits) {
-        const bool putsIn = edit.from == edit.to || other.from == other.to;
-        if (putsIn ? edit.from < other.to && other.from < edit.to
-                   : edit.from < other.to && other.from < edit.to && !(other == edit))
-            return false;
-        if (!putsIn && other == edit)
-            return true;
-    }
-    edits.push_back(edit);
-    return true;
-}
 
 namespace {
 
@@ -172,7 +147,7 @@ Answer Edit::rewrite(const std::vector<Origin>& origins) const {
             answer.kept.push_back({edit.from, edit.to});
         return keeps;
     });
-    std::ranges::sort(answer.edits, {}, &TextEdit::from);
+    putInOrder(answer.edits);
     return answer;
 }
 
@@ -399,7 +374,7 @@ std::vector<Offer> together(const std::vector<Answer>& answers) {
                 answer.possible() ? answer.edits : found->edits,
                 [&](const TextEdit& edit) { return join(whole.edits, edit); });
         });
-        std::ranges::stable_sort(whole.edits, {}, &TextEdit::from);
+        putInOrder(whole.edits);
         if (all)
             offers.push_back(std::move(whole));
     }
@@ -440,7 +415,7 @@ Answer Mapper::answer(const std::vector<Wish>& wishes) const {
                 return whole;
             }
         }
-    std::ranges::sort(whole.edits, {}, &TextEdit::from);
+    putInOrder(whole.edits);
     return whole;
 }
 

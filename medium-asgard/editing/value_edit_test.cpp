@@ -34,6 +34,17 @@ struct Mapped {
     }
 };
 
+TEST(TextEditTest, EditsThatAreNotInOrderAndApartChangeNothing) {
+    using Edits = std::vector<TextEdit>;
+    EXPECT_EQ(applied("abcdef", {{1, 2, "X"}, {2, 2, "+"}, {4, 6, ""}}), "aX+cd");
+    for (const Edits& wrong : {Edits{{4, 6, ""}, {1, 2, "X"}}, Edits{{1, 3, "X"}, {2, 4, "Y"}},
+                               Edits{{5, 7, "X"}}, Edits{{3, 2, "X"}}, Edits{{7, 7, "X"}}})
+        EXPECT_EQ(applied("abcdef", wrong), "abcdef");
+    Edits mixed = {{3, 4, "D"}, {3, 3, "1"}, {0, 1, "A"}, {3, 3, "2"}};
+    putInOrder(mixed);
+    EXPECT_EQ(applied("abcdef", mixed), "Abc12Def");
+}
+
 Wish move(std::size_t body, std::vector<double> to, double resolution = 0.01) {
     return {.element = {Kind::body, body},
             .option = "-init_pos",
