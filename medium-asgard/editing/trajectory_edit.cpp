@@ -283,7 +283,8 @@ Answer TrajectoryEdits::place(const std::string& option, std::size_t index,
     const double first =
         option == "-points" ? trajectory().points[index].first : trajectory().curves[index].from;
     const std::size_t there = option == "-points" ? index : placeInText(index);
-    Answer answer = mapper_.answer(wish(option, {there}, {first + 1}));
+    const double other = first == 0 ? 1 : first / 2; // of any size; 1e17 + 1 is 1e17
+    Answer answer = mapper_.answer(wish(option, {there}, {other}));
     if (!answer.possible())
         return answer;
     const auto opening = text_.find_last_not_of(" \t\r\n", answer.edits.front().from - 1);

@@ -61,6 +61,18 @@ TEST(TrajectoryEditTest, ATangentOfPointsRewritesTheListAsCurves) {
     EXPECT_EQ(scene->trajectories[0].curves, wanted); // to the last bit
 }
 
+// 1e17 + 1 is 1e17.
+TEST(TrajectoryEditTest, PointsAtHugeTimesAreAddedAndRemoved) {
+    const Edited it("trajectory path -points {{0 0 0 0} {1e17 1 0 0} {2e17 2 0 0}}\n");
+    EXPECT_EQ(it.with(it.edits.remove(3)), "trajectory path -points {{0 0 0 0} {2e17 2 0 0}}\n");
+    EXPECT_EQ(readScene(it.with(it.edits.add(1.5e17, {5, 0, 0})))->trajectories[0].points[2],
+              std::pair(1.5e17, Vector(5, 0, 0)));
+    const Edited curves(
+        "trajectory path -bezier {{1e17 2e17 {0 0 0} {1 0 0}} {2e17 3e17 {1 0 0}}}\n");
+    EXPECT_EQ(curves.with(curves.edits.remove(2)),
+              "trajectory path -bezier {{1e17 2e17 {0 0 0} {1 0 0}}}\n");
+}
+
 TEST(TrajectoryEditTest, ASmoothPassageStaysSmooth) {
     const std::string smooth = "trajectory path -bezier {{0 1 {0 0 0} {1 0 0} {2 0 0} {3 0 0}} "
                                "{1 3 {3 0 0} {5 0 0} {5 1 0} {5 5 0}}}\n";
