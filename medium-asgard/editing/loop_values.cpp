@@ -1,7 +1,10 @@
 #include "editing/loop_values.h"
 
+#include "editing/element_values.h"
+#include "editing/loop_reading.h"
 #include "editing/number_text.h"
 #include "editing/tcl_expression.h"
+#include "editing/variable_uses.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +12,6 @@
 namespace editing {
 
 using scene::Range;
-using script::Command;
-using script::Structure;
 using script::Word;
 
 namespace {
@@ -20,199 +21,47 @@ struct Instead {
     Range literal;
     TclNumber value;
 };
+using Insteads = std::vector<Instead>;
 
-// A variable that a loop or a call gives a value for each element that is made.
-struct Variable {
-    std::string name;
-    std::vector<Range> each;    // foreach, procedure: where the value of each stands
-    std::optional<Range> start; // for: where it begins
-    std::optional<Range> step;  // and what it goes on by; none: 1
-    bool counts() const { return start.has_value(); }
-};
-
-struct Loop {
-    std::vector<Variable> variables;
-    std::string place; // "the list of the foreach in line 3"
-};
-
-bool startsInside(const Command& command, Range range) {
-    return command.range.from >= range.from && command.range.to <= range.to;
+std::optional<TclNumber> given(const Insteads& insteads, Range literal) {
+    const auto found = std::ranges::find(insteads, literal, &Instead::literal);
+    return found == insteads.end() ? std::nullopt : std::optional(found->value);
 }
 
-class Reading {
+// The loop's variables, for each element and with other numbers.
+class Rounds {
 public:
-    Reading(const Making& making, const Origins& origins)
-        : making_(making), origins_(origins), structure_(origins.structure()) {}
+    Rounds(const Loop& loop, const Origins& origins) : loop_(loop), origins_(origins) {}
 
-    [[nodiscard]] std::optional<Loop> loop() const;
-
-private:
-    [[nodiscard]] std::optional<Loop> ofForeach(const Command& loop) const;
-    [[nodiscard]] std::optional<Loop> ofFor(const Command& loop) const;
-    [[nodiscard]] std::optional<Loop> ofProcedure(const Command& definition) const;
-    [[nodiscard]] const Command* only(const Word& word, std::string_view name) const;
-
-    const Making& making_;
-    const Origins& origins_;
-    const Structure& structure_;
-};
-
-std::optional<Loop> Reading::loop() const {
-    const Command* maker = origins_.makerOf(making_.command);
-    // The command runs once for each round: nothing stands between it and the loop.
-    if (!maker || maker->parent >= 0 ||
-        &structure_.commands[static_cast<std::size_t>(making_.command.parent)] != maker)
-        return std::nullopt;
-    const std::string name = origins_.slice(maker->words.front().content);
-    return name == "foreach" ? ofForeach(*maker)
-           : name == "for"   ? ofFor(*maker)
-           : name == "proc"  ? ofProcedure(*maker)
-                             : std::nullopt;
-}
-
-std::optional<Loop> Reading::ofForeach(const Command& loop) const {
-    if (loop.words.size() != 4 || !loop.words[1].literal)
-        return std::nullopt;
-    const auto names = script::elementsOf(origins_.slice(loop.words[1].content));
-    const auto list = origins_.literalOf(loop, loop.words[2]);
-    if (!list.reason.empty() || names.elements.empty())
-        return std::nullopt;
-    const auto values = script::elementsOf(origins_.slice(list.content));
-    const std::size_t count = names.elements.size();
-    if (values.elements.size() != count * making_.together)
-        return std::nullopt;
-    Loop result{{}, "the list of line " + std::to_string(origins_.lineOf(list.content.from))};
-    for (std::size_t i = 0; i < count; ++i) {
-        Variable variable{names.elements[i].value, {}, {}, {}};
-        for (std::size_t k = i; k < values.elements.size(); k += count)
-            variable.each.push_back({list.content.from + values.elements[k].content.from,
-                                     list.content.from + values.elements[k].content.to});
-        result.variables.push_back(std::move(variable));
-    }
-    return result;
-}
-
-// The one command in a word.
-const Command* Reading::only(const Word& word, std::string_view name) const {
-    const Command* found = nullptr;
-    for (const Command& command : structure_.commands)
-        if (startsInside(command, word.content)) {
-            if (found)
-                return nullptr;
-            found = &command;
-        }
-    return found && origins_.slice(found->words.front().content) == name ? found : nullptr;
-}
-
-std::optional<Loop> Reading::ofFor(const Command& loop) const {
-    if (loop.words.size() != 5)
-        return std::nullopt;
-    const Command* start = only(loop.words[1], "set");
-    const Command* next = only(loop.words[3], "incr");
-    if (!start || start->words.size() != 3 || !start->words[2].literal || !next ||
-        next->words.size() < 2 || next->words.size() > 3)
-        return std::nullopt;
-    Variable variable{origins_.slice(start->words[1].content), {}, start->words[2].content, {}};
-    if (origins_.slice(next->words[1].content) != variable.name)
-        return std::nullopt;
-    if (next->words.size() == 3) {
-        if (!next->words[2].literal)
-            return std::nullopt;
-        variable.step = next->words[2].content;
-    }
-    return Loop{{variable}, ""};
-}
-
-// Its calls, each at the top of the script, with words that are what they stand for.
-std::optional<Loop> Reading::ofProcedure(const Command& definition) const {
-    if (definition.words.size() != 4 || !definition.words[2].literal)
-        return std::nullopt;
-    const std::string name = origins_.slice(definition.words[1].content);
-    std::vector<const Command*> calls;
-    for (const Command& command : structure_.commands)
-        if (command.name(origins_.text()) == name) {
-            if (command.parent >= 0)
-                return std::nullopt;
-            calls.push_back(&command);
-        }
-    if (calls.size() != making_.together || making_.which >= calls.size())
-        return std::nullopt;
-    const auto names = script::elementsOf(origins_.slice(definition.words[2].content));
-    Loop loop{{},
-              "its call in line " +
-                  std::to_string(origins_.lineOf(calls[making_.which]->range.from))};
-    for (std::size_t i = 0; i < names.elements.size(); ++i) {
-        Variable variable{names.elements[i].value, {}, {}, {}};
-        for (const Command* call : calls) {
-            if (call->words.size() <= i + 1 || !call->words[i + 1].literal)
-                return std::nullopt;
-            variable.each.push_back(call->words[i + 1].content);
-        }
-        loop.variables.push_back(std::move(variable));
-    }
-    return loop;
-}
-
-// ---------------------------------------------------------------------------------------------
-
-// A number of the option, as it is worked out for each element.
-class Component {
-public:
-    Component(const Loop& loop, const Origins& origins, Range written)
-        : loop_(loop), origins_(origins), expression_(inner(written)) {}
-
-    [[nodiscard]] std::optional<double> value(std::size_t which,
-                                              const std::optional<Instead>& instead) const;
-    // The numbers that it depends on, for that element.
-    [[nodiscard]] std::vector<Range> literals(std::size_t which) const;
-    // A variable that a `for` counts has whole numbers only.
-    [[nodiscard]] bool isWhole(Range literal) const;
-
-private:
-    [[nodiscard]] Range inner(Range written) const;
-    [[nodiscard]] std::optional<TclNumber> number(Range literal,
-                                                  const std::optional<Instead>& instead) const;
+    [[nodiscard]] const Loop& loop() const { return loop_; }
+    [[nodiscard]] const Origins& origins() const { return origins_; }
+    [[nodiscard]] std::optional<TclNumber> number(Range literal, const Insteads& insteads) const;
     [[nodiscard]] std::optional<TclNumber> variable(std::string_view name, std::size_t which,
-                                                    const std::optional<Instead>& instead) const;
+                                                    const Insteads& insteads) const;
+    // Whether it goes around so often, neither less nor more.
+    [[nodiscard]] bool goesAround(std::size_t times, const Insteads& insteads) const;
+
+private:
+    [[nodiscard]] std::optional<bool> condition(std::size_t which, const Insteads& insteads) const;
 
     const Loop& loop_;
     const Origins& origins_;
-    Range expression_;
 };
 
-// Of [expr {...}] what stands in it.
-Range Component::inner(Range written) const {
-    const std::string text = origins_.slice(written);
-    constexpr std::string_view head = "[expr";
-    if (!text.starts_with(head) || !text.ends_with(']'))
-        return written;
-    Range range = {written.from + head.size(), written.to - 1};
-    const auto isBlank = [&](std::size_t at) { return origins_.text()[at] == ' '; };
-    while (range.from < range.to && isBlank(range.from))
-        ++range.from;
-    while (range.to > range.from && isBlank(range.to - 1))
-        --range.to;
-    if (range.to - range.from >= 2 && origins_.text()[range.from] == '{' &&
-        origins_.text()[range.to - 1] == '}')
-        return {range.from + 1, range.to - 1};
-    return range;
+std::optional<TclNumber> Rounds::number(Range literal, const Insteads& insteads) const {
+    const auto instead = given(insteads, literal);
+    return instead ? instead : tclNumber(origins_.slice(literal));
 }
 
-std::optional<TclNumber> Component::number(Range literal,
-                                           const std::optional<Instead>& instead) const {
-    return instead && instead->literal == literal ? instead->value
-                                                  : tclNumber(origins_.slice(literal));
-}
-
-std::optional<TclNumber> Component::variable(std::string_view name, std::size_t which,
-                                             const std::optional<Instead>& instead) const {
-    for (const Variable& one : loop_.variables) {
+std::optional<TclNumber> Rounds::variable(std::string_view name, std::size_t which,
+                                          const Insteads& insteads) const {
+    for (const LoopVariable& one : loop_.variables) {
         if (one.name != name)
             continue;
         if (!one.counts())
-            return number(one.each[which], instead);
-        const auto start = number(*one.start, instead);
-        const auto step = one.step ? number(*one.step, instead) : TclNumber{1, true};
+            return number(one.each[which], insteads);
+        const auto start = number(*one.start, insteads);
+        const auto step = one.step ? number(*one.step, insteads) : TclNumber{1, true};
         if (!start || !step)
             return std::nullopt;
         return TclNumber{start->value + static_cast<double>(which) * step->value,
@@ -221,21 +70,104 @@ std::optional<TclNumber> Component::variable(std::string_view name, std::size_t 
     return std::nullopt;
 }
 
-std::optional<double> Component::value(std::size_t which,
-                                       const std::optional<Instead>& instead) const {
-    const TclNames names{[&](std::string_view name) { return variable(name, which, instead); },
-                         [&](Range literal) -> std::optional<TclNumber> {
-                             return instead && instead->literal == literal
-                                        ? std::optional(instead->value)
-                                        : std::nullopt;
-                         }};
-    const auto value = tclValue(origins_.text(), expression_, names);
+// Two sides and what compares them, as conditions of loops are.
+std::optional<bool> Rounds::condition(std::size_t which, const Insteads& insteads) const {
+    const std::string text = origins_.slice(loop_.condition);
+    const std::size_t op = text.find_first_of("<>=!");
+    if (op == std::string::npos)
+        return std::nullopt;
+    const bool two = op + 1 < text.size() && text[op + 1] == '=';
+    const std::size_t from = loop_.condition.from;
+    const TclNames names{[&](std::string_view name) { return variable(name, which, insteads); },
+                         {}};
+    const auto left = tclValue(origins_.text(), {from, from + op}, names);
+    const auto right =
+        tclValue(origins_.text(), {from + op + (two ? 2 : 1), loop_.condition.to}, names);
+    if (!left || !right || (!two && (text[op] == '=' || text[op] == '!')))
+        return std::nullopt;
+    const double a = left->value, b = right->value;
+    switch (text[op]) {
+    case '<':
+        return two ? a <= b : a < b;
+    case '>':
+        return two ? a >= b : a > b;
+    default:
+        return (a == b) == (text[op] == '=');
+    }
+}
+
+bool Rounds::goesAround(std::size_t times, const Insteads& insteads) const {
+    for (std::size_t i = 0; i < times; ++i)
+        if (condition(i, insteads) != true)
+            return false;
+    return condition(times, insteads) == false;
+}
+
+// ---------------------------------------------------------------------------------------------
+
+// A number of the option, as it is worked out for each element: one that stands there, a variable,
+// or [expr {...}].
+class Component {
+public:
+    Component(const Rounds& rounds, const Origin& origin)
+        : rounds_(rounds), plain_(origin.reason.empty()),
+          expression_(plain_ ? origin.literal : inner(origin.place)) {}
+
+    // It stands there as it is, the same for all.
+    [[nodiscard]] bool plain() const { return plain_; }
+    [[nodiscard]] std::optional<double> value(std::size_t which, const Insteads& insteads) const;
+    // The numbers that it depends on, for that element.
+    [[nodiscard]] std::vector<Range> literals(std::size_t which) const;
+    // A variable that a `for` counts has whole numbers only.
+    [[nodiscard]] bool isWhole(Range literal) const;
+
+private:
+    [[nodiscard]] std::optional<Range> inner(Range written) const;
+
+    const Rounds& rounds_;
+    bool plain_;
+    std::optional<Range> expression_; // none: put together otherwise
+};
+
+// Of [expr {...}] what stands in it; else a variable alone. "-$x" is no number for each x.
+std::optional<Range> Component::inner(Range written) const {
+    const Origins& origins = rounds_.origins();
+    const std::string text = origins.slice(written);
+    if (variableIn(text))
+        return written;
+    constexpr std::string_view head = "[expr ";
+    if (!text.starts_with(head) || !text.ends_with(']'))
+        return std::nullopt;
+    Range range = {written.from + head.size(), written.to - 1};
+    const auto isBlank = [&](std::size_t at) { return origins.text()[at] == ' '; };
+    while (range.from < range.to && isBlank(range.from))
+        ++range.from;
+    while (range.to > range.from && isBlank(range.to - 1))
+        --range.to;
+    if (range.to - range.from >= 2 && origins.text()[range.from] == '{' &&
+        origins.text()[range.to - 1] == '}')
+        return Range{range.from + 1, range.to - 1};
+    return range;
+}
+
+std::optional<double> Component::value(std::size_t which, const Insteads& insteads) const {
+    if (!expression_)
+        return std::nullopt;
+    const auto at = [&](Range literal) { return given(insteads, literal); };
+    const auto value = plain_ ? rounds_.number(*expression_, insteads)
+                              : tclValue(rounds_.origins().text(), *expression_,
+                                         {[&](std::string_view name) {
+                                              return rounds_.variable(name, which, insteads);
+                                          },
+                                          at});
     return value ? std::optional(value->value) : std::nullopt;
 }
 
 std::vector<Range> Component::literals(std::size_t which) const {
-    std::vector<Range> all = tclLiterals(origins_.text(), expression_);
-    for (const Variable& one : loop_.variables) {
+    if (plain_)
+        return {*expression_}; // with its sign
+    std::vector<Range> all = tclLiterals(rounds_.origins().text(), *expression_);
+    for (const LoopVariable& one : rounds_.loop().variables) {
         if (one.counts()) {
             // Another start would be another number of elements, with other names.
             if (one.step)
@@ -248,8 +180,9 @@ std::vector<Range> Component::literals(std::size_t which) const {
 }
 
 bool Component::isWhole(Range literal) const {
-    return std::ranges::any_of(
-        loop_.variables, [&](const Variable& one) { return one.counts() && one.step == literal; });
+    return std::ranges::any_of(rounds_.loop().variables, [&](const LoopVariable& one) {
+        return one.counts() && one.step == literal;
+    });
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -287,8 +220,8 @@ std::optional<double> Ways::slope(std::size_t which, Range literal) const {
     const auto old = tclNumber(origins_.slice(literal));
     if (!old)
         return std::nullopt;
-    const auto here = component_.value(which, Instead{literal, {old->value, false}});
-    const auto there = component_.value(which, Instead{literal, {old->value + 1, false}});
+    const auto here = component_.value(which, {{literal, {old->value, false}}});
+    const auto there = component_.value(which, {{literal, {old->value + 1, false}}});
     return here && there ? std::optional(*there - *here) : std::nullopt;
 }
 
@@ -296,7 +229,7 @@ std::optional<double> Ways::slope(std::size_t which, Range literal) const {
 // divides, steps are kept short of the pole.
 std::optional<double> Ways::solved(Range literal, double wanted) const {
     const auto at = [&](double x) {
-        return component_.value(making_.which, Instead{literal, {x, false}});
+        return component_.value(making_.which, {{literal, {x, false}}});
     };
     double x = tclNumber(origins_.slice(literal))->value;
     for (int i = 0; i < 60; ++i) {
@@ -326,23 +259,16 @@ std::optional<Way> Ways::by(Range literal, double wanted) const {
     if (!solution)
         return std::nullopt;
     double value = *solution;
-    const bool whole = component_.isWhole(literal);
-    way.ofLoop = whole;
-    if (whole)
+    way.ofLoop = component_.isWhole(literal);
+    if (way.ofLoop)
         value = std::round(value);
-    if (whole && value == old)
+    if (way.ofLoop && value == old)
         return std::nullopt;
     // What is typed exactly is reached up to rounding, which is nothing to write down.
     const double least = 1e-12 * std::max({1.0, std::abs(old), std::abs(value)});
     value = std::abs(value) < least ? 0 : value;
-    const std::string text = numberText(value, whole ? 1 : std::max(resolution, least), way.before);
-    const auto number = tclNumber(text);
-    const auto reached =
-        number ? component_.value(making_.which, Instead{literal, *number}) : std::nullopt;
-    const double close = std::max(resolution_, 1e-9 * std::max(1.0, std::abs(wanted)));
-    if (!reached || (!whole && std::abs(*reached - wanted) > close))
-        return std::nullopt;
-    way.edit = {literal.from, literal.to, text};
+    way.edit = {literal.from, literal.to,
+                numberText(value, way.ofLoop ? 1 : std::max(resolution, least), way.before)};
     const std::size_t other = making_.which == 0 ? 1 : 0;
     const auto elsewhere = slope(other, literal);
     if (!elsewhere)
@@ -362,8 +288,8 @@ std::vector<Way> Ways::to(double wanted) const {
     return all;
 }
 
-struct Changing {       // a number that is to change
-    bool plain = false; // it stands there as it is, the same for all
+struct Changing { // a number that is to change
+    bool plain = false;
     std::vector<Way> ways;
 };
 
@@ -390,8 +316,9 @@ std::optional<Offer> offerBy(Effect effect, const std::vector<Changing>& all, co
     }
     if (!told)
         return std::nullopt;
-    std::ranges::sort(offer.edits, {}, &TextEdit::from);
-    offer.label = effect == Effect::own ? "Only " + making.name + ", in " + loop.place
+    putInOrder(offer.edits);
+    const std::string who = making.name.empty() ? "this one" : making.name;
+    offer.label = effect == Effect::own ? "Only " + who + ", in " + loop.place
                   : effect == Effect::alike
                       ? "All " + std::to_string(making.together) + ", by as much"
                       : (told->ofLoop ? "The step of the loop: " : "The step: ") + told->before +
@@ -399,32 +326,151 @@ std::optional<Offer> offerBy(Effect effect, const std::vector<Changing>& all, co
     return offer;
 }
 
+// ---------------------------------------------------------------------------------------------
+
+// Whether what an offer says is what the text would then be: as many elements, with their names,
+// each with the value that is meant, and nothing else changed.
+class Promise {
+public:
+    Promise(const Making& making, const Wish& wish, const Rounds& rounds,
+            const std::vector<Component>& components, const std::vector<Origin>& from, Range word)
+        : making_(making), wish_(wish), rounds_(rounds), components_(components), from_(from),
+          word_(word) {}
+
+    // What is worked out here is what the scene has, for each that the command made.
+    [[nodiscard]] bool isUnderstood() const;
+    [[nodiscard]] bool isKept(const Offer& offer, Effect effect) const;
+
+private:
+    [[nodiscard]] bool changesNothingElse(Range literal, const Insteads& insteads) const;
+    [[nodiscard]] bool isMet(std::size_t component, const Insteads& insteads) const;
+
+    const Making& making_;
+    const Wish& wish_;
+    const Rounds& rounds_;
+    const std::vector<Component>& components_;
+    const std::vector<Origin>& from_;
+    Range word_;
+};
+
+bool near(double a, double b) {
+    return std::abs(a - b) <= 1e-9 * std::max({1.0, std::abs(a), std::abs(b)});
+}
+
+bool Promise::isUnderstood() const {
+    const scene::Scene& scene = rounds_.origins().scene();
+    std::size_t which = 0;
+    for (std::size_t i = 0;; ++i) {
+        const Element element{wish_.element.kind, i};
+        const scene::Source* source = sourceOf(scene, element);
+        if (!source)
+            break;
+        if (!(source->command == making_.source.command))
+            continue;
+        const auto is = valuesOf(scene, element, wish_.option);
+        if (!is || is->size() != components_.size() || which == making_.together)
+            return false;
+        for (std::size_t k = 0; k < components_.size(); ++k)
+            if (const auto worked = components_[k].value(which, {});
+                !worked || !near(*worked, (*is)[k]))
+                return false;
+        ++which;
+    }
+    return which == making_.together;
+}
+
+bool Promise::changesNothingElse(Range literal, const Insteads& insteads) const {
+    const Origins& origins = rounds_.origins();
+    for (const LoopVariable& one : rounds_.loop().variables) {
+        if (one.step == literal && !rounds_.goesAround(making_.together, insteads))
+            return false;
+        const bool isIts =
+            one.step == literal || std::ranges::find(one.each, literal) != one.each.end();
+        if (isIts && readElsewhere(one, rounds_.loop(), word_, origins))
+            return false;
+    }
+    const double value = given(insteads, literal)->value;
+    return std::ranges::all_of(from_, [&](const Origin& origin) {
+        return !(origin.literal == literal) ||
+               (isOnlyIn(word_, origin, origins) && mayBecome(origin, value, origins));
+    });
+}
+
+bool Promise::isMet(std::size_t component, const Insteads& insteads) const {
+    const double wanted = wish_.values[component];
+    const auto reached = components_[component].value(making_.which, insteads);
+    double close = std::max(wish_.resolution, 1e-9 * std::max(1.0, std::abs(wanted)));
+    // A `for` counts in whole numbers: as near as they come.
+    Insteads next = insteads;
+    for (Instead& one : next)
+        one.value.value += components_[component].isWhole(one.literal) ? 1 : 0;
+    if (const auto after = components_[component].value(making_.which, next); after && reached)
+        close += 0.5 * std::abs(*after - *reached);
+    return reached && std::abs(*reached - wanted) <= close;
+}
+
+bool Promise::isKept(const Offer& offer, Effect effect) const {
+    Insteads insteads;
+    for (const TextEdit& edit : offer.edits) {
+        const auto number = tclNumber(edit.text);
+        if (!number)
+            return false;
+        insteads.push_back({{edit.from, edit.to}, *number});
+    }
+    if (!std::ranges::all_of(insteads, [&](const Instead& one) {
+            return changesNothingElse(one.literal, insteads);
+        }))
+        return false;
+    for (std::size_t k = 0; k < components_.size(); ++k) {
+        const Component& component = components_[k];
+        if (!isMet(k, insteads))
+            return false;
+        const double shift =
+            *component.value(making_.which, insteads) - *component.value(making_.which, {});
+        for (std::size_t other = 0; other < making_.together; ++other) {
+            const auto is = component.value(other, insteads);
+            const double was = *component.value(other, {});
+            const bool asSaid = effect == Effect::step ||
+                                (is && near(*is, was + (effect == Effect::own ? 0 : shift)));
+            if (!is || (other != making_.which && !asSaid))
+                return false;
+        }
+    }
+    return true;
+}
+
 } // namespace
 
 std::vector<Offer> loopOffers(const Making& making, const Wish& wish, const Origins& origins) {
     const Word* word = wordOf(making.command, making.source, wish.option);
-    const auto loop = Reading(making, origins).loop();
+    const auto loop = loopOf(making, origins);
     if (!word || !loop || making.together < 2 || !wish.path.empty())
         return {};
-    const std::vector<Origin> from =
-        wish.values.size() == 1 ? std::vector<Origin>{origins.ofScalar(making.command, *word)}
-                                : origins.ofList(making.command, *word, {});
-    if (from.size() < wish.values.size())
+    std::vector<Origin> from = wish.values.size() == 1
+                                   ? std::vector<Origin>{origins.ofScalar(making.command, *word)}
+                                   : origins.ofList(making.command, *word, {});
+    if (from.size() != wish.values.size())
+        return {};
+    if (wish.values.size() == 1 && !from.front().reason.empty())
+        from.front().place = word->braced ? Range() : word->content;
+    const Rounds rounds(*loop, origins);
+    std::vector<Component> components;
+    for (const Origin& origin : from)
+        components.emplace_back(rounds, origin);
+    const Promise promise(making, wish, rounds, components, from, word->range);
+    if (!promise.isUnderstood())
         return {};
     std::vector<Changing> all;
-    for (std::size_t i = 0; i < wish.values.size(); ++i) {
-        const bool plain = from[i].reason.empty();
-        const Component component(*loop, origins, plain ? from[i].literal : from[i].place);
-        const auto now = component.value(making.which, std::nullopt);
-        if (!now)
-            return {};
-        if (std::abs(*now - wish.values[i]) > 0.5 * wish.resolution)
+    for (std::size_t i = 0; i < components.size(); ++i)
+        if (std::abs(*components[i].value(making.which, {}) - wish.values[i]) >
+            0.5 * wish.resolution)
             all.push_back(
-                {plain, Ways(making, component, origins, wish.resolution).to(wish.values[i])});
-    }
+                {components[i].plain(),
+                 Ways(making, components[i], origins, wish.resolution).to(wish.values[i])});
     std::vector<Offer> offers;
     for (const Effect effect : {Effect::own, Effect::step, Effect::alike})
-        if (auto offer = offerBy(effect, all, making, *loop))
+        if (auto offer = offerBy(effect, all, making, *loop);
+            offer && promise.isKept(*offer, effect))
             offers.push_back(std::move(*offer));
     return offers;
 }

@@ -3,7 +3,10 @@
 // What a loop makes is computed from few numbers: the elements of a foreach's list, the start and
 // the step of a for, the arguments of a procedure's calls, and the numbers in [expr {...}]. A value
 // that depends on one of them linearly says what that number would have to be; the expression is
-// then worked out with it as Tcl does, and only what comes out right is offered.
+// then worked out with it as Tcl does. Offered is only what comes out as it is said: what is worked
+// out for the text as it is must be what the scene has, for all that the command made; with the new
+// number the values must be those that are meant; and nothing else may read the number, so that
+// names, the number of elements and everything else stay.
 //
 // LIMIT: loops and procedures at the top of the script, the element's command directly in them;
 // a foreach over one list that is written out; calls with literal arguments.

@@ -50,6 +50,9 @@ public:
     [[nodiscard]] const script::Command* procedureOf(const script::Command& command) const;
     // The nearest loop or procedure around a command, or null.
     [[nodiscard]] const script::Command* makerOf(const script::Command& command) const;
+    // Whether it gives the variable a value, or may.
+    [[nodiscard]] bool writes(const script::Command& command, const std::string& name) const;
+    [[nodiscard]] const scene::Scene& scene() const { return scene_; }
     [[nodiscard]] std::string_view text() const { return text_; }
     [[nodiscard]] const script::Structure& structure() const { return structure_; }
     [[nodiscard]] std::string slice(scene::Range range) const;
@@ -74,7 +77,6 @@ private:
     };
     [[nodiscard]] Definition definitionOf(const script::Command& reader, const std::string& name,
                                           scene::Range where) const;
-    [[nodiscard]] bool writes(const script::Command& command, const std::string& name) const;
     [[nodiscard]] Origin refused(const std::string& reason, scene::Range cause) const;
     [[nodiscard]] const script::Command* substitutionAt(scene::Range word) const;
 

@@ -1,7 +1,9 @@
 #include "editing/overrides.h"
 
+#include "editing/element_values.h"
 #include "editing/loop_values.h"
 #include "editing/number_text.h"
+#include "editing/variable_uses.h"
 #include "script/numbers.h"
 
 #include <algorithm>
@@ -29,10 +31,18 @@ std::string operand(const Word& word, const Origins& origins) {
     return script::decimalNumber(text) ? text : "\"" + text + "\"";
 }
 
+// The name is asked for again, and what stands there now not always.
+bool canBeAskedAgain(const Making& making, const Origins& origins) {
+    return making.name.find_first_of("\"$[]{}\\") == std::string::npos &&
+           std::ranges::all_of(making.command.words,
+                               [&](const Word& word) { return isPure(word.range, origins); });
+}
+
 // [expr {"b$i" eq "b3" ? {12 0 0} : "$i 0 0"}] in place of "$i 0 0".
 std::optional<Offer> onlyThis(const Making& making, const Wish& wish, const Origins& origins) {
     const Word* name = wordOf(making.command, making.source, "");
-    if (making.name.empty() || !name || name->literal || !wish.path.empty())
+    if (making.name.empty() || !name || name->literal || !wish.path.empty() ||
+        !canBeAskedAgain(making, origins))
         return std::nullopt;
     const std::string test = operand(*name, origins) + " eq \"" + making.name + "\" ? " +
                              asList(wish.values, wish.resolution);
@@ -63,23 +73,36 @@ std::optional<Offer> allOfThem(const Making& making, const Wish& wish, const Ori
             : origins.ofList(making.command, *word, wish.path);
     if (from.size() < wish.values.size())
         return std::nullopt;
+    const auto now = wish.now.empty() && wish.path.empty()
+                         ? valuesOf(origins.scene(), wish.element, wish.option)
+                         : std::optional(wish.now);
+    const auto stays = [&](std::size_t i) {
+        return now && i < now->size() &&
+               std::abs((*now)[i] - wish.values[i]) <= 0.5 * wish.resolution;
+    };
     Offer offer;
-    offer.label = "All " + std::to_string(making.together);
+    bool whole = true;
     for (std::size_t i = 0; i < wish.values.size(); ++i) {
-        if (!from[i].reason.empty())
-            continue; // what differs from one to the next stays
+        if (!from[i].reason.empty()) { // what differs from one to the next stays
+            whole = whole && stays(i);
+            continue;
+        }
         const std::string before = origins.slice(from[i].literal);
         const auto old = script::decimalNumber(before);
         if (!old || std::abs(*old - wish.values[i]) <= 0.5 * wish.resolution)
             continue;
-        // One number in two places cannot become two.
-        if (!join(offer.edits, {from[i].literal.from, from[i].literal.to,
+        // Of all, and of nothing else; and one number in two places cannot become two.
+        if (!isOnlyIn(word->range, from[i], origins) ||
+            !mayBecome(from[i], wish.values[i], origins) ||
+            !join(offer.edits, {from[i].literal.from, from[i].literal.to,
                                 numberText(wish.values[i], wish.resolution, before)}))
             return std::nullopt;
     }
     if (offer.edits.empty())
         return std::nullopt;
-    std::ranges::sort(offer.edits, {}, &TextEdit::from);
+    offer.label =
+        "All " + std::to_string(making.together) + (whole ? "" : ", in what they have in common");
+    putInOrder(offer.edits);
     return offer;
 }
 

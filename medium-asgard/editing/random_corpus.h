@@ -50,6 +50,19 @@ struct CorpusScene {
                   "incr y\nbody b6 s -init_pos \"$y 0 0\" -init_drot {0 0 1}\n",
          {"body \"b1\" -init_pos", "body \"b3\" -init_pos", "body \"b6\" -init_pos"},
          {"body \"b3\" -init_pos"}},
+        // Loops whose numbers are read twice, counted on, or make names.
+        {shapes +
+             "set xs {1 2}\nset h 1\n"
+             "foreach x $xs {body a[incr n] s -init_pos \"$x $h -5\"}\n"
+             "foreach x $xs {body c[incr m] s -init_pos \"5 [expr {$x + 1}] -5\"}\n"
+             "for {set k 0} {$k < 4} {incr k 2} {\n"
+             "  body d$k s -init_pos \"$k 0 0\"\n  body e[incr j] s -init_pos \"$k 1 0\"\n}\n"
+             "foreach y {1 2} {set y [expr {$y * 2}]; body f$y s -init_pos \"$y 0 0\"}\n"
+             "foreach {n z} {g 1 i 2} {body $n s -init_pos \"$z [expr {2 * $z}] 0\"}\n"
+             "foreach {n z} {p 1 q 2} {body $n s -init_pos \"$z 0 0\" -init_dpos \"$z 0 0\"}\n",
+         {"body \"a1\"", "body \"a2\"", "body \"c1\"", "body \"c2\"", "body \"d0\"", "body \"d2\"",
+          "body \"e1\"", "body \"e2\"", "body \"f2\"", "body \"f4\"", "body \"g\"", "body \"i\"",
+          "body \"p\"", "body \"q\""}},
         {"eval \"shape_set s -desc {-sub {-box {1 1 1}}}\"\r\nbody b1 s -init_pos {1 2 3}\r\n"
          "eval {body b2 s}\r\neval \"body b3 s -init_pos {1 1 1}\"\r\n"
          "trajectory P -points [list {0 0 0 0} {1 1 1 1}]\r\n",

@@ -113,8 +113,11 @@ private:
         --depth_;
         if (!exponent)
             return exponent;
-        return TclNumber{std::pow(base->value, exponent->value),
-                         base->integer && exponent->integer && exponent->value >= 0};
+        const bool integer = base->integer && exponent->integer;
+        const double power = std::pow(base->value, exponent->value);
+        if (integer && base->value == 0 && exponent->value < 0)
+            return std::nullopt;
+        return TclNumber{integer ? std::trunc(power) : power, integer}; // 2 ** -1 is 0
     }
     Value inParentheses() {
         const Value inner = take("(") ? sum() : std::nullopt;
@@ -193,9 +196,12 @@ private:
 
 std::optional<TclNumber> tclNumber(std::string_view text) {
     const auto value = script::decimalNumber(std::string(text));
-    if (!value)
+    const bool integer = text.find_first_of(".eE") == std::string_view::npos;
+    const std::size_t digits = text.find_first_of("0123456789");
+    if (!value ||
+        (integer && text[digits] == '0' && digits + 1 < text.size() && isDigit(text[digits + 1])))
         return std::nullopt;
-    return TclNumber{*value, text.find_first_of(".eE") == std::string_view::npos};
+    return TclNumber{*value, integer};
 }
 
 std::optional<TclNumber> tclValue(std::string_view text, scene::Range expression,

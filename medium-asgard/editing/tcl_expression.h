@@ -18,7 +18,8 @@ struct TclNumber {
     bool integer = false;
 };
 
-// As written: "2" is an integer, "2.0" is not; nothing: no decimal number.
+// As written: "2" is an integer, "2.0" is not; nothing: no decimal number. An integer with a zero
+// before it is none either, since Tcl reads it as octal ("010" is 8).
 [[nodiscard]] std::optional<TclNumber> tclNumber(std::string_view text);
 
 struct TclNames {

@@ -212,16 +212,19 @@ TEST(Offers, DoNotChangeOneNumberTwice) {
 }
 
 TEST(Offers, OfSeveralOptionsDoNotChangeOneNumberTwice) {
-    const Mapped scene(ball + "set v 1\nforeach i {1 2} {body b$i s\n"
-                              "force -body b$i -x $v -y $v -z 0}\n");
-    const auto offered = [&](double x, double y) {
+    const auto offered = [&](const std::string& second, double x, double y) {
+        const Mapped scene(ball +
+                           "set v 1; set w 1\nforeach i {1 2} {body b$i s\n"
+                           "force -body b$i -x $v -y $" +
+                           second + " -z 0}\n");
         const Answer answer = scene.mapper.answer(std::vector<Wish>{push("-x", x), push("-y", y)});
         EXPECT_FALSE(answer.possible());
         const auto all = std::ranges::find(answer.offers, "All 2", &Offer::label);
         return all == answer.offers.end() ? "" : applied(scene.text, all->edits);
     };
-    EXPECT_EQ(offered(2, 3), "");
-    EXPECT_THAT(offered(2, 2), HasSubstr("set v 2\nforeach"));
+    EXPECT_EQ(offered("v", 2, 3), "");
+    EXPECT_EQ(offered("v", 2, 1), "");
+    EXPECT_THAT(offered("w", 2, 3), HasSubstr("set v 2; set w 3\nforeach"));
 }
 
 TEST(TextEdits, AreJoinedOnceAndNeverOverlap) {

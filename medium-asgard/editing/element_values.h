@@ -1,0 +1,16 @@
+// What an option of an element is in a scene, where that is numbers.
+#pragma once
+
+#include "editing/element.h"
+
+#include <optional>
+#include <vector>
+
+namespace editing {
+
+// None: expressions that change, options without numbers. What does not stand in the text has its
+// default.
+[[nodiscard]] std::optional<std::vector<double>>
+valuesOf(const scene::Scene& scene, const Element& element, const std::string& option);
+
+} // namespace editing

@@ -1,0 +1,28 @@
+// Where a script's text has the name of a variable.
+//
+// Seen as text, so that a use inside of quotes, expressions and lists counts: who asks wants to
+// know that there is none. What is computed (eval, upvar, names put together) shows nothing.
+#pragma once
+
+#include "editing/origin.h"
+
+namespace editing {
+
+// Offsets of the name as a whole word, not in comments and not as an option ("-x").
+[[nodiscard]] std::vector<std::size_t> usesOf(const std::string& name, scene::Range where,
+                                              const Origins& origins);
+// Whether it stands in `where`, but not in any of those ranges.
+[[nodiscard]] bool isUsedIn(const std::string& name, scene::Range where,
+                            const std::vector<scene::Range>& except, const Origins& origins);
+// Whether a command there may read or write variables that its text does not name.
+[[nodiscard]] bool hidesUses(scene::Range where, const Origins& origins);
+// Whether a number that comes through a variable or a parameter is of that word alone.
+[[nodiscard]] bool isOnlyIn(scene::Range word, const Origin& origin, const Origins& origins);
+
+// Whether the parameter that it comes through, if it does, may have that value.
+[[nodiscard]] bool mayBecome(const Origin& origin, double value, const Origins& origins);
+// Whether it may be evaluated once more, or not at all: what it computes depends on nothing that it
+// changes, and changes nothing.
+[[nodiscard]] bool isPure(scene::Range where, const Origins& origins);
+
+} // namespace editing
