@@ -16,7 +16,9 @@ constexpr double same = 1e-4;
 
 class Collected {
 public:
-    explicit Collected(double size) : size_(size) {}
+    // Offsets are compared as seen from `origin`: from a place of the solid they are of its size,
+    // and have digits for what is a small part of it, however far out it lies.
+    Collected(double size, Vector origin) : size_(size), origin_(std::move(origin)) {}
 
     void add(const Vector& normal, const Vector& through, double weight) {
         if (!(normal.norm() > 0.5)) // of a triangle without area
@@ -25,7 +27,7 @@ public:
         std::array<long, 4> key{};
         for (int k = 0; k < 3; ++k)
             key[static_cast<std::size_t>(k)] = std::lround(plane.normal[k] / same);
-        key[3] = std::lround(plane.offset / (same * size_));
+        key[3] = std::lround(normal.dot(through - origin_) / (same * size_));
         if (key < std::array<long, 4>{})
             for (long& x : key)
                 x = -x;
@@ -49,6 +51,7 @@ public:
 
 private:
     double size_;
+    Vector origin_;
     std::map<std::array<long, 4>, std::pair<Plane, double>> planes_;
 };
 
@@ -90,7 +93,9 @@ std::vector<Plane> concavePlanes(const Solid& solid, std::size_t most) {
         const auto& c = solid.surface.triangles[t];
         return Vector((v[c[1]] - v[c[0]]).cross(v[c[2]] - v[c[0]]).normalized());
     };
-    Collected planes(size);
+    if (v.empty())
+        return {};
+    Collected planes(size, v.front());
     for (std::size_t t = 0; t < solid.surface.triangles.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t a = solid.surface.triangles[t][k],
