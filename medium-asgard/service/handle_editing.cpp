@@ -135,9 +135,10 @@ void HandleEditing::cancel() {
 }
 
 void HandleEditing::drop() {
+    const bool lost = active();
     drag_.reset();
     newPoint_.reset();
-    say({});
+    say(lost ? "The text was changed meanwhile: the handle was let go." : "");
 }
 
 void HandleEditing::say(std::string words) {

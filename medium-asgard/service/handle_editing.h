@@ -26,7 +26,7 @@ public:
     bool key(const std::string& name, bool pressed);    // false: not theirs
     void finish();
     void cancel(); // the text is as it was
-    // What it was made on is gone: nothing more of it is taken.
+    // What it was made on is gone: nothing more of it is taken, which is said.
     void drop();
 
     [[nodiscard]] bool active() const { return drag_ || newPoint_; }

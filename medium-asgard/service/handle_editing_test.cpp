@@ -274,5 +274,56 @@ TEST_F(HandleEditingTest, WhatTheHostRefusesOrChangesMeanwhileIsNotKept) {
     EXPECT_EQ(scene().bodies[0].initialPosition.x(), -1);
 }
 
+// A window's change that was on its way when the drag began.
+TEST_F(HandleEditingTest, ADragEndsWhereAWindowsChangeIsAccepted) {
+    const std::string before = ball + "body b1 ball -init_pos {-1 0 0}\n", added = "# theirs\n";
+    open(before, {"position-handles"});
+    std::optional<std::string> refused;
+    const auto end = static_cast<ipc::Integer>(before.size());
+    session->propose({end, end, added}, "Update",
+                     [&](const std::optional<std::string>& why) { refused = why; });
+    exchange();
+    ASSERT_THAT(asked, SizeIs(1));
+    const auto at = pixels(handle(HandleKind::position).place);
+    press(at);
+    move(at + Eigen::Vector2d(30, 0));
+    const auto& change = std::get<ipc::SubdocumentChanged>(asked[0].call);
+    host.answer(asked[0].id, ipc::Revised{change.base + 1});
+    asked.clear();
+    exchange();
+    move(at + Eigen::Vector2d(60, 0));
+    release(at + Eigen::Vector2d(60, 0));
+    settle();
+    EXPECT_THAT(asked, IsEmpty()); // nothing takes the window's change back
+    EXPECT_FALSE(refused);
+    EXPECT_EQ(text(), before + added);
+    EXPECT_EQ(session->subdocument().shownText(), before + added);
+    EXPECT_EQ(scene().bodies[0].initialPosition.x(), -1);
+    EXPECT_THAT(saidLast, HasSubstr("The text was changed meanwhile"));
+}
+
+TEST_F(HandleEditingTest, WhatCannotBeSaysWhyEachTime) {
+    open(ball + "body b2 ball -init_pos [list [expr {1 + 1}] 0 0]\n", {"position-handles"});
+    for (int i = 0; i < 3; ++i) {
+        said.clear();
+        saidLast.clear();
+        drag({2, 0, 0}, {1, 0, 0});
+        settle();
+        EXPECT_THAT(said, SizeIs(testing::Ge(1))) << i;
+        EXPECT_THAT(saidLast, HasSubstr("is computed by [expr {1 + 1}]")) << i;
+    }
+}
+
+TEST_F(HandleEditingTest, ADragEndsWhereItsPictureIsHidden) {
+    open(ball + "body b1 ball -init_pos {-1 0 0}\n", {"position-handles"});
+    const auto at = pixels(handle(HandleKind::position).place);
+    press(at);
+    move(at + Eigen::Vector2d(30, 0));
+    host.notify(ipc::RenditionHide{1});
+    exchange();
+    accepted("Move b1");
+    EXPECT_GT(scene().bodies[0].initialPosition.x(), -0.95);
+}
+
 } // namespace
 } // namespace service

@@ -77,7 +77,10 @@ void Session::propose(const ipc::TextEdit& edit, const std::string& label,
         if (const auto* error = std::get_if<ipc::Error>(&outcome))
             return done(error->message);
         const auto revision = std::get<ipc::Revised>(outcome).revision;
-        done(subdocument_.edit({edit}, revision, now_));
+        const auto sentence = subdocument_.edit({edit}, revision, now_);
+        if (!sentence)
+            handles_.drop();
+        done(sentence);
     });
 }
 
@@ -235,6 +238,8 @@ void Session::hear(const ipc::RenditionShow& call) {
 void Session::hear(const ipc::RenditionHide& call) {
     if (const auto found = renditions_.find(call.rendition); found != renditions_.end())
         found->second.visible = false;
+    if (handles_.active() && editedIn_ == call.rendition)
+        handles_.finish(); // as when the focus goes: what was seen last is taken
 }
 
 void Session::hear(const ipc::RenditionAck& call) {

@@ -4,12 +4,19 @@
 namespace service {
 
 // While it is dragged the text is shown here only; when it is let go the host is asked for one
-// change, which is one step of its undo.
+// change, which is one step of its undo. What was made of an older text is of no use for a newer.
 gestures::Ground Session::ground() {
-    return {
-        subdocument_.text(), subdocument_.scene(), subdocument_.motion(),
-        [this](const std::string& text) { subdocument_.preview(text, now_); },
-        [this](const std::string& text, const std::string& label) { finishGesture(text, label); }};
+    const auto ifCurrent = [this, since = subdocument_.revision()](const auto& what) {
+        if (subdocument_.revision() == since)
+            what();
+    };
+    return {subdocument_.text(), subdocument_.scene(), subdocument_.motion(),
+            [=, this](const std::string& text) {
+                ifCurrent([&] { subdocument_.preview(text, now_); });
+            },
+            [=, this](const std::string& text, const std::string& label) {
+                ifCurrent([&] { finishGesture(text, label); });
+            }};
 }
 
 void Session::finishGesture(const std::string& text, const std::string& label) {
@@ -52,6 +59,7 @@ bool Session::edit(Rendition& rendition, const ipc::Input& input) {
     if (!handles_.press(ground(), drawingOf(lookOf(rendition)), rendition.size(), rendition.scale(),
                         *button, pixels))
         return false;
+    toldWords_.clear(); // the same words are said again, of another gesture
     rendition.holdView(shownTime_);
     editedIn_ = input.rendition;
     return true;
