@@ -121,6 +121,21 @@ TEST(Gestures, WhatAnExpressionMakesStaysAndSaysWhy) {
     EXPECT_THAT(stage.words, HasSubstr("is computed by [expr {1 - 2}]"));
 }
 
+static_assert(!std::is_copy_constructible_v<HandleDrag> &&
+              !std::is_move_constructible_v<HandleDrag> && !std::is_move_assignable_v<HandleDrag>);
+
+// No text makes one; a gesture on it asks for what is not there, and is told so.
+TEST(Gestures, ATrajectoryWithoutPointsHasNoneToBeMoved) {
+    scene::Scene scene;
+    scene.trajectories.emplace_back().name = "T";
+    const Handle handle{.kind = HandleKind::trajectoryPoint};
+    const auto wishes = wishesFor(scene, handle, {1, 2, 3}, 0.01, false);
+    ASSERT_EQ(wishes.size(), 1U);
+    EXPECT_TRUE(wishes[0].path.empty());
+    EXPECT_FALSE(
+        editing::Mapper("", std::make_shared<const scene::Scene>(scene)).answer(wishes).possible());
+}
+
 TEST(Gestures, CancelledTheTextIsAsItWas) {
     const std::string before = ball + "body b1 ball\n";
     Stage stage(before);

@@ -23,6 +23,8 @@ public:
     // `pixels`: where it is held; none: by the keys, at its middle.
     HandleDrag(Ground ground, const Sight& sight, const render::Handle& handle,
                const std::optional<Eigen::Vector2d>& pixels);
+    HandleDrag(const HandleDrag&) = delete; // its mapper asks it for factors
+    HandleDrag& operator=(const HandleDrag&) = delete;
 
     void move(const Eigen::Vector2d& pixels);
     void nudge(const Eigen::Vector2d& byPixels);

@@ -62,8 +62,10 @@ Wish ofPoint(const scene::Scene& scene, const Handle& handle, const Vector& plac
     const scene::Trajectory& trajectory = scene.trajectories[handle.element];
     if (trajectory.points.empty()) {
         const auto points = editing::controlPointsOf(trajectory.curves);
-        const editing::ControlPoint& point = points[std::min(handle.part, points.size() - 1)];
         Wish wish = one(handle, "-bezier", place, handle.place, length);
+        if (points.empty()) // a trajectory without any: its option as a whole
+            return wish;
+        const editing::ControlPoint& point = points[std::min(handle.part, points.size() - 1)];
         // LIMIT: curves that are not written in the order of time have other places in the text;
         // who has the text asks editing::TrajectoryEdits.
         wish.path = {point.curve, 2 + point.index};
