@@ -58,7 +58,8 @@ public:
 
     ConvexParts all() {
         begin();
-        cut();
+        if (!result_.cancelled)
+            cut();
         if (!result_.cancelled)
             join();
         for (const Part& part : parts_) {
@@ -71,6 +72,8 @@ public:
 private:
     void begin() {
         for (const Solid& solid : solids_.solids) {
+            if (!goesOn(0))
+                return;
             Part part = partOf(pieceOf(solid), &solid);
             concave_.push_back(concavePlanes(solid, mostPlanes));
             if (part.points.empty())
@@ -79,6 +82,8 @@ private:
                 parts_.push_back(std::move(part));
         }
         for (const Mesh& open : solids_.open) {
+            if (!goesOn(0))
+                return;
             Part part;
             part.points = hullPoints(open.vertices);
             part.hull = part.volume = hullVolume(part.points);

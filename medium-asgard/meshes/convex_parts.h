@@ -12,8 +12,6 @@
 
 #include "meshes/solids.h"
 
-#include <functional>
-
 namespace meshes {
 
 struct Wanted {
@@ -29,9 +27,6 @@ struct ConvexParts {
     std::size_t flat = 0;                   // pieces that lie in a plane, and are left out
     bool cancelled = false;
 };
-
-// Asked now and then with how far it is, 0..1; false ends it.
-using GoOn = std::function<bool(double share)>;
 
 [[nodiscard]] ConvexParts convexParts(const Solids& solids, const Wanted& wanted,
                                       const GoOn& goOn = {});

@@ -1,5 +1,6 @@
 #include "meshes/clipping.h"
 #include "meshes/convex_parts.h"
+#include "meshes/cuts.h"
 #include "meshes/hulls.h"
 #include "meshes/test_meshes.h"
 
@@ -83,6 +84,29 @@ TEST(ConvexPartsTest, CanBeToldToStop) {
         });
     EXPECT_TRUE(made.cancelled);
     EXPECT_EQ(asked, 5);
+}
+
+TEST(ConvexPartsTest, CanBeToldToStopBeforeTheFirstCut) {
+    Mesh row = boxMesh({0, 0, 0}, {1, 1, 1});
+    for (int i = 1; i < 6; ++i)
+        row = together(row, boxMesh({2.0 * i, 0, 0}, {2.0 * i + 1, 1, 1}));
+    const Solids six = solidsOf(row);
+    int asked = 0;
+    const ConvexParts made = convexParts(six, {}, [&](double) { return ++asked < 3; });
+    EXPECT_TRUE(made.cancelled);
+    EXPECT_EQ(asked, 3); // one for each solid
+    EXPECT_EQ(made.parts.size(), 2U);
+}
+
+// As far out as files may have it, and a few units of the last place large.
+TEST(ConvexPartsTest, FacesOfASmallSolidFarOutAreToldApart) {
+    const Solid near{prism(cross, 1), 5};
+    Solid far = near;
+    const double unit = std::ldexp(1, -13), away = std::ldexp(7, 37);
+    for (Vector& v : far.surface.vertices)
+        v = Vector::Constant(away) + unit * v;
+    EXPECT_GT(concavePlanes(near, 48).size(), 4U);
+    EXPECT_EQ(concavePlanes(far, 48).size(), concavePlanes(near, 48).size());
 }
 
 TEST(ConvexPartsTest, FewerPointsFillTheHullFromTheInside) {

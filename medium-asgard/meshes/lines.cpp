@@ -11,12 +11,15 @@ bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' ||
 
 } // namespace
 
+bool Words::continuesAt(std::size_t at) const {
+    return continued_ == Continued::byBackslash && text_[at] == '\\' &&
+           (text_.substr(at + 1, 1) == "\n" || text_.substr(at + 1, 2) == "\r\n");
+}
+
 bool Words::skipBlanks(bool alsoLines) {
     for (; at_ < text_.size(); ++at_) {
         const char c = text_[at_];
-        const bool continues =
-            c == '\\' && (text_.substr(at_ + 1, 1) == "\n" || text_.substr(at_ + 1, 2) == "\r\n");
-        if (continues) {
+        if (continuesAt(at_)) {
             at_ += text_[at_ + 1] == '\r' ? 2 : 1;
             ++line_;
         } else if (c == '\n') {
@@ -35,7 +38,7 @@ std::string_view Words::nextInLine() {
         return {};
     const std::size_t from = at_;
     while (at_ < text_.size() && text_[at_] != '\n' && !isBlank(text_[at_]) &&
-           !(text_[at_] == '\\' && at_ > from))
+           !(at_ > from && continuesAt(at_)))
         ++at_;
     return text_.substr(from, at_ - from);
 }

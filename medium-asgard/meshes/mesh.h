@@ -5,11 +5,15 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace meshes {
 
 using geometry::Vector;
+
+// Asked now and then with how far the work is, 0..1; false ends it.
+using GoOn = std::function<bool(double share)>;
 
 struct Mesh {
     std::vector<Vector> vertices;

@@ -1,8 +1,9 @@
 // The triangles of an STL file (text or binary) or an OBJ file.
 //
 // Files come from anywhere and are not trusted: whatever the bytes are, the answer is a mesh whose
-// indices are its own, or one sentence that says what is wrong and where, the line of a text or the
-// byte of a binary file. Nothing is allocated for what a file only announces.
+// indices are its own, or one short sentence that says what is wrong and where, the line of a text
+// or the byte of a binary file; that reading was ended is such a sentence too. Nothing is allocated
+// for what a file only announces.
 //
 // OBJ: `v` and `f`; polygons become triangles (concave ones by cutting off ears). Normals, texture
 // coordinates, groups and materials are passed over.
@@ -31,9 +32,12 @@ struct FileFault {
 using ReadMesh = std::variant<Mesh, FileFault>;
 
 // By the ending of the name: .obj, else STL of the kind that the bytes show. Not welded.
-[[nodiscard]] ReadMesh readMesh(std::string_view bytes, const std::string& name);
+[[nodiscard]] ReadMesh readMesh(std::string_view bytes, const std::string& name,
+                                const GoOn& goOn = {});
 
-[[nodiscard]] ReadMesh readStl(std::string_view bytes, const std::string& name);
-[[nodiscard]] ReadMesh readObj(std::string_view bytes, const std::string& name);
+[[nodiscard]] ReadMesh readStl(std::string_view bytes, const std::string& name, const GoOn& goOn);
+[[nodiscard]] ReadMesh readObj(std::string_view bytes, const std::string& name, const GoOn& goOn);
+// What all of them say when they are told to end.
+[[nodiscard]] FileFault wasEnded(const std::string& name);
 
 } // namespace meshes

@@ -1,5 +1,6 @@
 // What files say, and the sentence where they are wrong.
 #include "meshes/convex_parts.h"
+#include "meshes/ears.h"
 #include "meshes/mesh_file.h"
 #include "meshes/solids.h"
 #include "meshes/test_meshes.h"
@@ -62,6 +63,96 @@ TEST(MeshFileTest, ObjHasPolygonsAndCountsBackwards) {
     EXPECT_EQ(area, 4);
 }
 
+TEST(MeshFileTest, ABackslashGoesOnInTheNextLineOfAnObjFileOnly) {
+    const Mesh given = prism(ell, 1);
+    std::string text = stlText(given);
+    text.insert(text.find('\n'), " C:\\models\\");
+    EXPECT_EQ(mesh(text, "a.stl").triangles.size(), given.triangles.size());
+    EXPECT_EQ(mesh("v 0 0 0\nv 1 0 0\nv 0 \\\r\n1 0\nf 1\\\n 2 3\n", "a.obj").triangles.size(), 1U);
+}
+
+// Teeth as high as the comb: only the corners at their ends are ears, and none for long.
+std::vector<Eigen::Vector2d> comb(int teeth) {
+    std::vector<Eigen::Vector2d> outline = {{0, 0}, {2.0 * teeth, 0}};
+    for (int i = teeth; i-- > 0;) {
+        outline.emplace_back(2 * i + 1.5, 10 + i % 3);
+        outline.emplace_back(2 * i + 0.5, 0.5);
+    }
+    return outline;
+}
+
+TEST(MeshFileTest, EarsTakeAFewLooksForEachCorner) {
+    const std::vector<Eigen::Vector2d> outline = comb(199);
+    std::vector<Vector> vertices;
+    std::vector<std::uint32_t> corners;
+    double wanted = 0, area = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const auto& next = outline[(i + 1) % outline.size()];
+        wanted += (outline[i].x() * next.y() - outline[i].y() * next.x()) / 2;
+        vertices.emplace_back(outline[i].x(), outline[i].y(), 0);
+        corners.push_back(static_cast<std::uint32_t>(i));
+    }
+    std::size_t looks = 0;
+    const auto triangles = trianglesOf(vertices, corners, [&] { return ++looks > 0; });
+    EXPECT_EQ(triangles.size(), corners.size() - 2);
+    for (const auto& t : triangles) {
+        const Vector cross =
+            (vertices[t[1]] - vertices[t[0]]).cross(vertices[t[2]] - vertices[t[0]]);
+        EXPECT_GE(cross.z(), 0);
+        area += cross.z() / 2;
+    }
+    EXPECT_NEAR(area, wanted, 1e-9);
+    EXPECT_LT(looks, 4 * corners.size());
+    // Crossing itself everywhere it has no ears for long; that is no reason to look for ever.
+    std::shuffle(corners.begin(), corners.end(), std::mt19937(5));
+    looks = 0;
+    EXPECT_EQ(trianglesOf(vertices, corners, [&] { return ++looks > 0; }).size(),
+              corners.size() - 2);
+    EXPECT_LT(looks, 12 * corners.size());
+}
+
+TEST(MeshFileTest, ReadingCanBeToldToStopAtAnyQuestion) {
+    const Mesh ring = torus(2, 0.5, 60, 40);
+    std::string combs = "# a face whose ears take long\n";
+    for (const auto& p : comb(60))
+        combs += "v " + std::to_string(p.x()) + " " + std::to_string(p.y()) + " 0\n";
+    combs += "f";
+    for (int i = 1; i <= 122; ++i)
+        combs += " " + std::to_string(i);
+    for (const auto& [bytes, name] :
+         {std::pair(stlText(ring), "a.stl"), std::pair(stlBinary(ring), "a.stl"),
+          std::pair(objText(ring), "a.obj"), std::pair(combs + "\n", "a.obj")})
+        for (int last : {1, 2, 4}) {
+            int asked = 0;
+            const ReadMesh read = readMesh(bytes, name, [&](double share) {
+                EXPECT_GE(share, 0);
+                EXPECT_LE(share, 1);
+                return ++asked < last;
+            });
+            ASSERT_TRUE(std::holds_alternative<FileFault>(read)) << name;
+            EXPECT_EQ(std::get<FileFault>(read).sentence,
+                      "Reading " + std::string(name) + " was ended.");
+            EXPECT_EQ(asked, last);
+        }
+}
+
+TEST(SolidsTest, CanBeToldToStop) {
+    Mesh many = boxMesh({0, 0, 0}, {9, 9, 9});
+    for (int i = 0; i < 4; ++i)
+        many = together(
+            many, insideOut(boxMesh(Vector::Constant(2 * i + 0.5), Vector::Constant(2 * i + 1))));
+    int all = 0;
+    EXPECT_EQ(solidsOf(many, [&](double) { return ++all > 0; }).solids.size(), 1U);
+    EXPECT_GT(all, 8); // for each piece, and for each that lies in another
+    for (int last = 1; last <= all; ++last) {
+        int asked = 0;
+        const Solids solids = solidsOf(many, [&](double) { return ++asked < last; });
+        EXPECT_TRUE(solids.cancelled);
+        EXPECT_TRUE(solids.solids.empty());
+        EXPECT_EQ(asked, last);
+    }
+}
+
 TEST(MeshFileTest, FaultsSayWhere) {
     const struct {
         std::string bytes, name, sentence;
@@ -87,6 +178,8 @@ TEST(MeshFileTest, FaultsSayWhere) {
         {"v 0 0\n", "a.obj", "a.obj, line 1: a vertex has three coordinates."},
         {"v 0 0 0\nv 1 0 0\nf 1 2\n", "a.obj", "a.obj, line 3: a face has three corners at least."},
         {"v 0 0 0\nf 1 2 3\n", "a.obj", "a.obj, line 2: there is no vertex 2 yet, only 1."},
+        {"v 0 0 0\nf " + std::string(100'000, '0') + "5 1 1\n", "a.obj",
+         "a.obj, line 2: there is no vertex 5 yet, only 1."},
         {"v 0 0 0\nf 0 1 1\n", "a.obj", "a.obj, line 2: \"0\" names no vertex."},
         {"v 0 0 0\nf 1 x 1\n", "a.obj", "a.obj, line 2: \"x\" names no vertex."},
         {"\n\nsolid\n", "a.obj", "a.obj, line 3: \"solid\" begins no line of an OBJ file."},
@@ -183,6 +276,7 @@ TEST(MeshFileTest, DamagedFilesAreReadOrRefused) {
         if (const auto* refused = std::get_if<FileFault>(&read)) {
             EXPECT_EQ(refused->sentence.find(name), 0U);
             EXPECT_EQ(refused->sentence.back(), '.');
+            EXPECT_LT(refused->sentence.size(), 200U);
             continue;
         }
         ++readable;

@@ -11,6 +11,7 @@ namespace meshes {
 namespace {
 
 constexpr std::size_t mostCorners = 10'000;
+constexpr std::size_t linesBetween = 1024; // two questions whether to go on
 
 // What has nothing to do with the surface's places.
 constexpr std::string_view passedOver[] = {
@@ -22,16 +23,21 @@ constexpr std::string_view freeForm[] = {"cstype", "deg",  "bmat", "step", "curv
 
 class Reader {
 public:
-    Reader(std::string_view bytes, std::string name) : words_(bytes), name_(std::move(name)) {}
+    Reader(std::string_view bytes, std::string name, const GoOn& goOn)
+        : words_(bytes, Continued::byBackslash), name_(std::move(name)), goOn_(goOn) {}
 
     ReadMesh read() {
-        while (words_.nextLine())
-            if (!statement(words_.nextInLine()))
-                return FileFault{fault_};
+        for (std::size_t lines = 0; words_.nextLine(); ++lines)
+            if ((lines % linesBetween == 0 && !goesOn()) || !statement(words_.nextInLine()))
+                return ended_ ? wasEnded(name_) : FileFault{fault_};
         return std::move(mesh_);
     }
 
 private:
+    bool goesOn() {
+        ended_ = ended_ || (goOn_ && !goOn_(words_.share()));
+        return !ended_;
+    }
     bool refuse(const std::string& what) {
         fault_ = name_ + ", line " + std::to_string(words_.line()) + ": " + what;
         return false;
@@ -78,7 +84,7 @@ private:
         if (fault != std::errc() || end != number.data() + number.size() || index == 0)
             return refuse(shown(word) + " names no vertex.");
         if (index > count || index < -count)
-            return refuse("there is no vertex " + std::string(number) + " yet, only " +
+            return refuse("there is no vertex " + std::to_string(index) + " yet, only " +
                           std::to_string(count) + ".");
         corners_.push_back(static_cast<std::uint32_t>(index > 0 ? index - 1 : count + index));
         return true;
@@ -95,7 +101,9 @@ private:
         words_.skipLine();
         if (corners_.size() < 3)
             return refuse("a face has three corners at least.");
-        const auto triangles = trianglesOf(mesh_.vertices, corners_);
+        const auto triangles = trianglesOf(mesh_.vertices, corners_, [this] { return goesOn(); });
+        if (ended_)
+            return false;
         if (mesh_.triangles.size() + triangles.size() > mostTriangles)
             return refuse("the file has more than " + std::to_string(mostTriangles) +
                           " triangles; the program that it comes from can reduce them.");
@@ -105,14 +113,16 @@ private:
 
     Words words_;
     std::string name_, fault_;
+    const GoOn& goOn_;
+    bool ended_ = false;
     Mesh mesh_;
     std::vector<std::uint32_t> corners_;
 };
 
 } // namespace
 
-ReadMesh readObj(std::string_view bytes, const std::string& name) {
-    return Reader(bytes, name).read();
+ReadMesh readObj(std::string_view bytes, const std::string& name, const GoOn& goOn) {
+    return Reader(bytes, name, goOn).read();
 }
 
 } // namespace meshes

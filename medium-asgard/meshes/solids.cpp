@@ -137,7 +137,8 @@ void append(Mesh& mesh, const Mesh& more) {
 }
 
 // Of each closed piece: a solid of its own, or a cavity of the smallest one around it.
-std::vector<Solid> nested(std::vector<Mesh> closed) {
+// Nothing when it is told to end.
+std::vector<Solid> nested(std::vector<Mesh> closed, const GoOn& goOn) {
     double all = 0;
     for (const Mesh& piece : closed)
         all += volumeOf(piece);
@@ -152,12 +153,17 @@ std::vector<Solid> nested(std::vector<Mesh> closed) {
         else if (volume < 0)
             inward.push_back(std::move(piece));
     }
-    for (Mesh& piece : inward) {
+    for (std::size_t i = 0; i < inward.size(); ++i) {
+        Mesh& piece = inward[i];
         Solid* around = nullptr;
-        for (Solid& solid : solids)
+        for (Solid& solid : solids) {
+            if (goOn &&
+                !goOn(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(inward.size())))
+                return {};
             if (windingNumber(solid.surface, piece.vertices[0]) > 0.5 &&
                 (!around || solid.volume < around->volume))
                 around = &solid;
+        }
         const double volume = -volumeOf(piece);
         if (around && around->volume > volume) {
             append(around->surface, piece);
@@ -196,10 +202,17 @@ double windingNumber(const Mesh& surface, const Vector& place) {
     return angle / (4 * std::numbers::pi);
 }
 
-Solids solidsOf(const Mesh& mesh) {
+Solids solidsOf(const Mesh& mesh, const GoOn& goOn) {
+    Solids result;
+    const auto goesOn = [&](double share) {
+        result.cancelled = result.cancelled || (goOn && !goOn(share));
+        return !result.cancelled;
+    };
+    if (!goesOn(0))
+        return result;
     Mesh whole = welded(mesh);
     Edges edges = edgesOf(whole);
-    if (unbalanced(edges) > 0) {
+    if (unbalanced(edges) > 0 && goesOn(0.1)) {
         Mesh closer = welded(mesh, 1e-6 * extentOf(mesh).maxCoeff());
         Edges now = edgesOf(closer);
         if (unbalanced(now) < unbalanced(edges)) {
@@ -207,12 +220,15 @@ Solids solidsOf(const Mesh& mesh) {
             edges = std::move(now);
         }
     }
-    Solids result;
+    if (!goesOn(0.3))
+        return result;
     std::vector<Mesh> closed, pieces = piecesOf(whole, edges);
     result.pieces = pieces.size();
     if (pieces.size() > mostPieces)
         return result; // who lies in whom takes the square of their number
     for (Mesh& piece : pieces) {
+        if (!goesOn(0.4))
+            return result;
         if (unbalanced(edgesOf(piece)) == 0 || agree(piece)) {
             closed.push_back(std::move(piece));
         } else {
@@ -220,7 +236,7 @@ Solids solidsOf(const Mesh& mesh) {
             result.open.push_back(std::move(piece));
         }
     }
-    result.solids = nested(std::move(closed));
+    result.solids = nested(std::move(closed), goesOn);
     return result;
 }
 

@@ -21,12 +21,13 @@ struct Solids {
     std::vector<Mesh> open; // pieces that bound no volume
     std::size_t openEdges = 0;
     std::size_t pieces = 0; // above mostPieces the rest is left empty
+    bool cancelled = false; // the same
 };
 
 inline constexpr std::size_t mostPieces = 1000;
 
 // Corners at the same place are one; where that leaves gaps, those within a millionth of the size.
-[[nodiscard]] Solids solidsOf(const Mesh& mesh);
+[[nodiscard]] Solids solidsOf(const Mesh& mesh, const GoOn& goOn = {});
 
 // How often a closed surface goes around a place: 1 inside, 0 outside (Jacobson and others 2013).
 [[nodiscard]] double windingNumber(const Mesh& surface, const Vector& place);

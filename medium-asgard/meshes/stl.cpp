@@ -11,6 +11,7 @@ namespace meshes {
 namespace {
 
 constexpr std::size_t headerBytes = 84, triangleBytes = 50;
+constexpr std::size_t trianglesBetween = 1024; // two questions whether to go on
 
 std::uint32_t integerAt(std::string_view bytes, std::size_t at) {
     std::uint32_t value = 0;
@@ -38,12 +39,15 @@ std::string tooMany(const std::string& name) {
            " triangles; the program that it comes from can reduce them.";
 }
 
-ReadMesh readBinary(std::string_view bytes, const std::string& name) {
+ReadMesh readBinary(std::string_view bytes, const std::string& name, const GoOn& goOn) {
     const std::size_t count = integerAt(bytes, 80);
     if (count > mostTriangles)
         return FileFault{tooMany(name)};
     Mesh mesh;
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i % trianglesBetween == 0 && goOn &&
+            !goOn(static_cast<double>(i) / static_cast<double>(count)))
+            return wasEnded(name);
         for (std::size_t corner = 0; corner < 3; ++corner) {
             Vector p;
             for (std::size_t k = 0; k < 3; ++k) {
@@ -59,13 +63,15 @@ ReadMesh readBinary(std::string_view bytes, const std::string& name) {
             if (corner == 2)
                 addTriangle(mesh);
         }
+    }
     return mesh;
 }
 
 // facet normal x y z  outer loop  vertex x y z (3)  endloop  endfacet
 class TextReader {
 public:
-    TextReader(std::string_view bytes, std::string name) : words_(bytes), name_(std::move(name)) {}
+    TextReader(std::string_view bytes, std::string name, const GoOn& goOn)
+        : words_(bytes, Continued::no), name_(std::move(name)), goOn_(goOn) {}
 
     ReadMesh read() {
         words_.skipLine(); // solid NAME
@@ -79,6 +85,8 @@ public:
             }
             if (mesh_.triangles.size() == mostTriangles)
                 return FileFault{tooMany(name_)};
+            if (mesh_.triangles.size() % trianglesBetween == 0 && goOn_ && !goOn_(words_.share()))
+                return wasEnded(name_);
             if (!wants("facet", word) || !facet())
                 return FileFault{fault_};
         }
@@ -128,39 +136,43 @@ private:
 
     Words words_;
     std::string name_, fault_;
+    const GoOn& goOn_;
     Mesh mesh_;
 };
 
 } // namespace
 
-ReadMesh readStl(std::string_view bytes, const std::string& name) {
+ReadMesh readStl(std::string_view bytes, const std::string& name, const GoOn& goOn) {
     const bool hasCount = bytes.size() >= headerBytes;
     const std::size_t announced = hasCount ? integerAt(bytes, 80) : 0;
     const std::size_t length = headerBytes + announced * triangleBytes;
     // A binary file may well begin with "solid": its length tells.
     if (hasCount && bytes.size() == length)
-        return readBinary(bytes, name);
-    Words words(bytes);
+        return readBinary(bytes, name, goOn);
+    Words words(bytes, Continued::no);
     if (isWord(words.next(), "solid"))
-        return TextReader(bytes, name).read();
+        return TextReader(bytes, name, goOn).read();
     if (!hasCount)
         return FileFault{name + " is no STL file: it does not begin with \"solid\", and with " +
                          std::to_string(bytes.size()) + " bytes it is too short to be binary."};
     if (announced > 0 && announced <= mostTriangles && bytes.size() > length)
-        return readBinary(bytes.substr(0, length), name); // programs add what they like behind
+        return readBinary(bytes.substr(0, length), name,
+                          goOn); // programs add what they like behind
     const std::size_t whole = (bytes.size() - headerBytes) / triangleBytes;
     return FileFault{name + ", byte " + std::to_string(bytes.size()) + ": the file ends after " +
                      std::to_string(whole) + " triangles and announces " +
                      std::to_string(announced) + "."};
 }
 
-ReadMesh readMesh(std::string_view bytes, const std::string& name) {
+FileFault wasEnded(const std::string& name) { return {"Reading " + name + " was ended."}; }
+
+ReadMesh readMesh(std::string_view bytes, const std::string& name, const GoOn& goOn) {
     if (bytes.size() > mostBytes)
         return FileFault{name + " has more than " + std::to_string(mostBytes / 1'000'000) +
                          " MB; the program that it comes from can reduce it."};
     const bool isObj =
         name.size() >= 4 && isWord(std::string_view(name).substr(name.size() - 4), ".obj");
-    ReadMesh read = isObj ? readObj(bytes, name) : readStl(bytes, name);
+    ReadMesh read = isObj ? readObj(bytes, name, goOn) : readStl(bytes, name, goOn);
     if (const Mesh* mesh = std::get_if<Mesh>(&read); mesh && mesh->triangles.empty())
         return FileFault{name + " has no triangles."};
     return read;
