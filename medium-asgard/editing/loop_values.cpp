@@ -392,7 +392,7 @@ bool Promise::changesNothingElse(Range literal, const Insteads& insteads) const 
     const double value = given(insteads, literal)->value;
     return std::ranges::all_of(from_, [&](const Origin& origin) {
         return !(origin.literal == literal) ||
-               (isOnlyIn(word_, origin, origins) && mayBecome(origin, value, origins));
+               (isOnlyIn(word_, from_, origin, origins) && mayBecome(origin, value, origins));
     });
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace editing {
 
@@ -92,13 +93,19 @@ std::optional<Offer> allOfThem(const Making& making, const Wish& wish, const Ori
         if (!old || std::abs(*old - wish.values[i]) <= 0.5 * wish.resolution)
             continue;
         // Of all, and of nothing else; and one number in two places cannot become two.
-        if (!isOnlyIn(word->range, from[i], origins) ||
+        if (!isOnlyIn(word->range, from, from[i], origins) ||
             !mayBecome(from[i], wish.values[i], origins) ||
             !join(offer.edits, {from[i].literal.from, from[i].literal.to,
                                 numberText(wish.values[i], wish.resolution, before)}))
             return std::nullopt;
     }
-    if (offer.edits.empty())
+    const bool alsoStays = std::ranges::any_of(offer.edits, [&](const TextEdit& edit) {
+        return std::ranges::any_of(
+            std::views::iota(std::size_t{0}, wish.values.size()), [&](std::size_t i) {
+                return from[i].literal.from == edit.from && from[i].literal.known() && stays(i);
+            });
+    });
+    if (offer.edits.empty() || alsoStays)
         return std::nullopt;
     offer.label =
         "All " + std::to_string(making.together) + (whole ? "" : ", in what they have in common");

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 
@@ -287,6 +288,7 @@ Answer TrajectoryEdits::place(const std::string& option, std::size_t index,
     Answer answer = mapper_.answer(wish(option, {there}, {other}));
     if (!answer.possible())
         return answer;
+    assert(!answer.edits.empty() && "another time is another text");
     const auto opening = text_.find_last_not_of(" \t\r\n", answer.edits.front().from - 1);
     if (opening == std::string::npos || text_[opening] != '{') {
         answer.reason = option + " of " + mapper_.nameOf({Kind::trajectory, trajectory_}) +

@@ -61,18 +61,22 @@ bool hidesUses(Range where, const Origins& origins) {
     });
 }
 
-bool isOnlyIn(Range word, const Origin& origin, const Origins& origins) {
+bool isOnlyIn(Range word, const std::vector<Origin>& all, const Origin& origin,
+              const Origins& origins) {
     if (origin.variable.empty())
         return true;
     const script::Structure& structure = origins.structure();
-    std::vector<Range> except = {word};
+    std::vector<Range> except;
+    for (const Origin& one : all)
+        if (one.literal == origin.literal)
+            except.push_back(one.place.known() ? one.place : word);
     // The command that gives it the number.
     for (const script::Command& command : structure.commands)
         if (command.range.from <= origin.literal.from && origin.literal.to <= command.range.to &&
             command.words.size() > 1 && origins.slice(command.words[1].content) == origin.variable)
             except.push_back(command.range);
-    const Range all = {0, origins.text().size()};
-    return !hidesUses(all, origins) && !isUsedIn(origin.variable, all, except, origins);
+    const Range whole = {0, origins.text().size()};
+    return !hidesUses(whole, origins) && !isUsedIn(origin.variable, whole, except, origins);
 }
 
 bool mayBecome(const Origin& origin, double value, const Origins& origins) {

@@ -16,8 +16,10 @@ namespace editing {
                             const std::vector<scene::Range>& except, const Origins& origins);
 // Whether a command there may read or write variables that its text does not name.
 [[nodiscard]] bool hidesUses(scene::Range where, const Origins& origins);
-// Whether a number that comes through a variable or a parameter is of that word alone.
-[[nodiscard]] bool isOnlyIn(scene::Range word, const Origin& origin, const Origins& origins);
+// Whether a number that comes through a variable or a parameter is read for those of the word's
+// numbers alone (`all`) that come from it too.
+[[nodiscard]] bool isOnlyIn(scene::Range word, const std::vector<Origin>& all, const Origin& origin,
+                            const Origins& origins);
 
 // Whether the parameter that it comes through, if it does, may have that value.
 [[nodiscard]] bool mayBecome(const Origin& origin, double value, const Origins& origins);
