@@ -32,11 +32,14 @@ protected:
     std::string loop();
     std::string text();
     Wish wishOf(const scene::Scene& scene, std::size_t body);
+    std::vector<Wish> pushOf(const scene::Scene& scene, std::size_t force);
     void check(const std::string& text, const std::shared_ptr<const scene::Scene>& before,
                const Wish& wish, const Offer& offer);
+    void checkForce(const std::string& text, const std::shared_ptr<const scene::Scene>& before,
+                    const std::vector<Wish>& wishes, const Offer& offer);
 
     std::mt19937 random_{setting("ASGARD_SEED", 20261120U)};
-    int offered_ = 0, loopsOffered_ = 0;
+    int offered_ = 0, loopsOffered_ = 0, forcesOffered_ = 0;
 };
 
 std::string RandomLoops::component() {
@@ -57,6 +60,8 @@ std::string RandomLoops::statements() {
     all += "body " + name + " s -init_pos \"" + position() + "\"";
     if (below(6) == 0)
         all += " -init_dpos \"" + position() + "\"";
+    if (below(3) == 0)
+        all += "; force -body " + name + " -x " + component() + " -y " + component() + " -z 1";
     if (below(8) == 0)
         all += "; " + any({"body e[incr k] s -init_pos \"$x 1 9\"", "incr x 0", "set y $x",
                            "lightsource -pos \"$x 0 0\""});
@@ -145,6 +150,57 @@ void RandomLoops::check(const std::string& text, const std::shared_ptr<const sce
         ASSERT_EQ(after->lights[i].position, before->lights[i].position);
 }
 
+double componentOf(const scene::Scene& scene, std::size_t force, std::size_t which) {
+    return std::stod(std::get<scene::ComponentForce>(scene.forces[force].kind).components[which]);
+}
+
+// All three at once, as a picture asks for them.
+std::vector<Wish> RandomLoops::pushOf(const scene::Scene& scene, std::size_t force) {
+    std::vector<Wish> wishes;
+    const std::size_t only = below(3); // 2: both
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double now = componentOf(scene, force, k);
+        const bool changes = k < 2 && (only == k || only == 2);
+        wishes.push_back(
+            {.element = {Kind::force, force},
+             .option = std::string("-") + "xyz"[k],
+             .path = {},
+             .values = {now + (changes ? 0.25 * static_cast<double>(1 + below(9)) : 0)},
+             .resolution = 0.01,
+             .absent = {now},
+             .now = {now}});
+    }
+    return wishes;
+}
+
+void RandomLoops::checkForce(const std::string& text,
+                             const std::shared_ptr<const scene::Scene>& before,
+                             const std::vector<Wish>& wishes, const Offer& offer) {
+    SCOPED_TRACE(text + offer.label + "\n" + applied(text, offer.edits));
+    const auto after = readScene(applied(text, offer.edits));
+    ASSERT_EQ(after->bodies.size(), before->bodies.size());
+    ASSERT_EQ(after->forces.size(), before->forces.size());
+    ++forcesOffered_;
+    for (std::size_t i = 0; i < after->bodies.size(); ++i) {
+        ASSERT_EQ(after->bodies[i].name, before->bodies[i].name);
+        ASSERT_EQ(after->bodies[i].initialPosition, before->bodies[i].initialPosition);
+    }
+    const std::size_t its = wishes.front().element.index;
+    const scene::Range command = before->forces[its].source.command;
+    for (std::size_t i = 0; i < after->forces.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double is = componentOf(*after, i, k), was = componentOf(*before, i, k);
+            if (offer.label.starts_with("Only") ? i != its
+                                                : !(before->forces[i].source.command == command)) {
+                ASSERT_NEAR(is, was, 1e-9);
+            }
+            if (i == its && !offer.label.ends_with("in common") &&
+                !offer.label.starts_with("The step of the loop")) {
+                ASSERT_NEAR(is, wishes[k].values[0], 0.0101);
+            }
+        }
+}
+
 TEST_F(RandomLoops, OffersAreWhatTheTextThenGives) {
     const unsigned count = setting("ASGARD_LOOPS", 200);
     unsigned usable = 0;
@@ -163,12 +219,21 @@ TEST_F(RandomLoops, OffersAreWhatTheTextThenGives) {
                 if (!HasFatalFailure())
                     check(text, scene, wish, offer);
         }
+        if (scene->forces.empty() || HasFatalFailure())
+            continue;
+        const auto wishes = pushOf(*scene, below(scene->forces.size()));
+        const Answer answer = mapper.answer(wishes);
+        for (const Offer& offer : answer.offers)
+            if (!HasFatalFailure())
+                checkForce(text, scene, wishes, offer);
     }
     EXPECT_GT(usable, count / 8);
     EXPECT_GT(offered_, static_cast<int>(count / 8));
+    EXPECT_GT(forcesOffered_, 0);
     EXPECT_GT(loopsOffered_, static_cast<int>(count / 40));
     RecordProperty("offered", std::to_string(offered_));
     RecordProperty("ofLoops", std::to_string(loopsOffered_));
+    RecordProperty("ofForces", std::to_string(forcesOffered_));
 }
 
 } // namespace
