@@ -455,6 +455,7 @@ std::vector<Offer> loopOffers(const Making& making, const Wish& wish, const Orig
         from.front().place = word->braced ? Range() : word->content;
     const Rounds rounds(*loop, origins);
     std::vector<Component> components;
+    components.reserve(from.size());
     for (const Origin& origin : from)
         components.emplace_back(rounds, origin);
     const Promise promise(making, wish, rounds, components, from, word->range);
