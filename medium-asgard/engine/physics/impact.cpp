@@ -135,7 +135,8 @@ ImpactResult resolveImpact(std::vector<ImpactBody> bodies,
     // Elastic chains end after about as many rounds as there are pairs of contacts; inelastic ones
     // between walls never end, and what is left is then taken up without bounce.
     const std::size_t most = 100 + 20 * yielding.size() * yielding.size();
-    for (std::size_t i = 0; i < most; ++i) {
+    std::size_t rounds = 0;
+    for (; rounds < most; ++rounds) {
         std::vector<std::size_t> approaching;
         for (std::size_t c : yielding)
             if (round.approaches(c))
@@ -145,6 +146,7 @@ ImpactResult resolveImpact(std::vector<ImpactBody> bodies,
         if (!solveTogether(round, approaching, false, result))
             break;
     }
+    result.jammed = rounds == most;
     result.settled = solveTogether(round, yielding, true, result);
     return result;
 }

@@ -49,8 +49,11 @@ struct ImpactResult {
     std::vector<ImpactBody> bodies;     // with their new velocities
     std::vector<ImpulseGiven> impulses; // in order; a contact may appear several times
     std::vector<std::size_t>
-        unyielding;      // contacts that approach, between bodies that cannot give way
-    bool settled = true; // false: still approaching after the bound on rounds (a bug or a jam)
+        unyielding; // contacts that approach, between bodies that cannot give way
+    // The bound on rounds was reached: what fits exactly between two others bounces between them
+    // without end at one instant, and the rest of it was taken up without bounce.
+    bool jammed = false;
+    bool settled = true; // false: still approaching after that (a bug)
 };
 
 // The same for one contact whose normal goes through both centres of mass, so that nothing turns.

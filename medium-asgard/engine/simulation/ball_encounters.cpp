@@ -99,7 +99,7 @@ bool CollisionSource::touchesClosely(const Histories& histories, const Pair& pai
                                      std::size_t other, double time) {
     Cluster cluster;
     if (!search_.hasEnded(other))
-        addContacts(histories, cluster, pair.first, pair.second, time);
+        addContacts(histories, cluster, pair.first, pair.second, time, true);
     return !cluster.contacts.empty();
 }
 

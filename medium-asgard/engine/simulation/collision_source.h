@@ -84,7 +84,10 @@ private:
     };
     struct Meetings { // of one body, to see that they have no end
         std::size_t count = 0, atOnce = 0;
-        bool isGivenWay = false; // by someone, since markedAt
+        std::optional<std::size_t> partner; // the last
+        // Since markedAt:
+        bool isGivenWay = false;    // by someone
+        bool isWithSeveral = false; // not all of them with the same body
         double last = -solution::infinity, markedAt = -solution::infinity;
     };
 
@@ -129,16 +132,20 @@ private:
                                        double time);
     void settle(const solution::Histories& histories, std::size_t body, double time,
                 const RestingBodies::States& states, solution::Event& event);
+    [[nodiscard]] std::string bodiesQuoted(const Pair& pair) const;
     [[nodiscard]] std::string leaning(std::size_t a, std::size_t b) const;
+    [[nodiscard]] std::string lost(const Pair& pair, double time) const;
     // As canGiveWay(), known at once of what flies.
     [[nodiscard]] bool givesWay(std::size_t body, double time) const;
     [[nodiscard]] bool isWithoutEnd(std::size_t body, std::size_t other, double time);
+    [[nodiscard]] solution::Event endWithoutEnd(const solution::Histories& histories,
+                                                const Pair& pair, double time);
     [[nodiscard]] solution::Event end(const Pair& pair, double time, const std::string& sentence);
     [[nodiscard]] std::vector<std::size_t> unknownsOf(const Pair& pair, double time) const;
     [[nodiscard]] Cluster clusterAt(const solution::Histories& histories, const Pair& pair,
                                     double time);
     void addContacts(const solution::Histories& histories, Cluster& cluster, std::size_t a,
-                     std::size_t b, double time);
+                     std::size_t b, double time, bool isHit);
     // The longest time in which the hops that were cut off would have ended; negative: none was.
     [[nodiscard]] double softenLastHops(const solution::Histories& histories, Cluster& cluster,
                                         std::span<const physics::ImpactBody> bodies,
@@ -150,6 +157,7 @@ private:
     void record(const Cluster& cluster, const physics::ImpactResult& result, double time,
                 double settling);
     void add(const Impact& impact, double time);
+    void noteJam(const Cluster& cluster, const physics::ImpactResult& result, double time);
     void noteOnce(const Pair& pair, double time, const std::string& sentence);
 
     const scene::Scene& scene_;

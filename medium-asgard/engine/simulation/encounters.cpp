@@ -86,26 +86,10 @@ CollisionSource::Handled CollisionSource::handle(const Histories& histories,
         return {};
     }
     if (hit.isLost)
-        return {end(pair, hit.time,
-                    "bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
-                        quoted(scene_.bodies[pair.second].name) +
-                        " go on touching while they turn, which is modelled only where one of them "
-                        "is fixed or held and the other is pushed onto it")};
+        return {end(pair, hit.time, lost(pair, hit.time))};
     if (isWithoutEnd(pair.first, pair.second, hit.time) ||
-        isWithoutEnd(pair.second, pair.first, hit.time)) {
-        for (const std::size_t body : {pair.first, pair.second})
-            for (const std::size_t other : search_.partners(body))
-                if (resting_.canGiveWay(body, hit.time) && resting_.canGiveWay(other, hit.time) &&
-                    !touchesOf(resting_.placed(histories, body, hit.time),
-                               resting_.placed(histories, other, hit.time), limits_.gap)
-                         .empty())
-                    return {end(std::minmax(body, other), hit.time, leaning(body, other))};
-        return {end(pair, hit.time,
-                    "bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
-                        quoted(scene_.bodies[pair.second].name) +
-                        " meet again and again in ever shorter time; more room between them would "
-                        "end that")};
-    }
+        isWithoutEnd(pair.second, pair.first, hit.time))
+        return {endWithoutEnd(histories, pair, hit.time)};
     if (hit.pressing)
         if (auto event = press(histories, pair, hit.time))
             return {std::move(event)};
@@ -116,9 +100,44 @@ CollisionSource::Handled CollisionSource::handle(const Histories& histories,
     return {press(histories, pair, hit.time)};
 }
 
+std::string CollisionSource::bodiesQuoted(const Pair& pair) const {
+    return "bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
+           quoted(scene_.bodies[pair.second].name);
+}
+
 std::string CollisionSource::leaning(std::size_t a, std::size_t b) const {
-    return "bodies " + quoted(scene_.bodies[a].name) + " and " + quoted(scene_.bodies[b].name) +
+    return bodiesQuoted({a, b}) +
            " come to rest on each other, which is modelled only where one of them is fixed or held";
+}
+
+std::string CollisionSource::lost(const Pair& pair, double time) const {
+    const bool bothGiveWay =
+        resting_.canGiveWay(pair.first, time) && resting_.canGiveWay(pair.second, time);
+    return bodiesQuoted(pair) +
+           (bothGiveWay ? " go on touching while they turn, which is modelled only where one of "
+                          "them is fixed or held and the other is pushed onto it"
+                        : " go on touching while they turn, with nothing that presses them "
+                          "together; when they hit next cannot be told. A little room between "
+                          "them, or a force that presses, would end that");
+}
+
+// Why the meetings of one of the two have no end, as far as that shows.
+Event CollisionSource::endWithoutEnd(const Histories& histories, const Pair& pair, double time) {
+    for (const std::size_t body : {pair.first, pair.second})
+        for (const std::size_t other : search_.partners(body))
+            if (resting_.canGiveWay(body, time) && resting_.canGiveWay(other, time) &&
+                !touchesOf(resting_.placed(histories, body, time),
+                           resting_.placed(histories, other, time), limits_.gap)
+                     .empty())
+                return end(std::minmax(body, other), time, leaning(body, other));
+    const bool isBetweenSeveral =
+        meetings_[pair.first].isWithSeveral || meetings_[pair.second].isWithSeveral;
+    return end(pair, time,
+               bodiesQuoted(pair) + " meet again and again in ever shorter time; " +
+                   (isBetweenSeveral ? "more room between them would end that"
+                                     : "nothing else is met in between. How they go on in touch is "
+                                       "not modelled; a little change of how they start may "
+                                       "avoid it"));
 }
 
 bool CollisionSource::isWithoutEnd(std::size_t body, std::size_t other, double time) {
@@ -126,6 +145,10 @@ bool CollisionSource::isWithoutEnd(std::size_t body, std::size_t other, double t
         return false;
     Meetings& met = meetings_[body];
     met.isGivenWay = met.isGivenWay || (other != body && givesWay(other, time));
+    if (other != body) {
+        met.isWithSeveral = met.isWithSeveral || (met.partner && other != *met.partner);
+        met.partner = other;
+    }
     met.atOnce = time == met.last ? met.atOnce + 1 : 1;
     met.last = time;
     if (++met.count % manyMeetings == 0) {
@@ -133,6 +156,7 @@ bool CollisionSource::isWithoutEnd(std::size_t body, std::size_t other, double t
         const double least = std::exchange(met.isGivenWay, false) ? shorterWhile : shortWhile;
         if (time - since < least * (time - start_))
             return true;
+        met.isWithSeveral = false;
     }
     return met.atOnce > manyAtOnce;
 }
@@ -190,7 +214,7 @@ double CollisionSource::contactTolerance(const Pair& pair, double time) const {
 }
 
 void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, std::size_t a,
-                                  std::size_t b, double time) {
+                                  std::size_t b, double time, bool isHit) {
     const auto indexIn = [&](std::size_t body) {
         const auto place = std::ranges::find(cluster.bodies, body);
         const auto index = static_cast<std::size_t>(place - cluster.bodies.begin());
@@ -214,11 +238,12 @@ void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, 
     const bool isSure = !contacts.empty() && !resting_.hasFooting(a, b);
     if (!isSure && (resting_.canGiveWay(a, time) != resting_.canGiveWay(b, time))) {
         const bool isFirst = resting_.canGiveWay(a, time);
+        const double slow = collision::approachThreshold * speedOf({a, b}, time);
         for (const Touch& touch :
              touchesOf(resting_.placed(histories, isFirst ? a : b, time),
                        resting_.placed(histories, isFirst ? b : a, time), limits_.gap))
             for (const Corner& corner : touch.corners)
-                if (!touch.passes(limits_.gap * speedOf({a, b}, time)))
+                if (isHit || !touch.passes(slow))
                     add(corner.point, isFirst ? touch.normal : Vector(-touch.normal));
         return;
     }
@@ -245,7 +270,8 @@ CollisionSource::Cluster CollisionSource::clusterAt(const Histories& histories, 
         for (const std::size_t other : search_.partners(body))
             if (!search_.hasEnded(other) && seen.insert(std::minmax(body, other)).second) {
                 const Pair ordered = std::minmax(body, other);
-                addContacts(histories, cluster, ordered.first, ordered.second, time);
+                addContacts(histories, cluster, ordered.first, ordered.second, time,
+                            ordered == pair);
             }
     }
     return cluster;
@@ -311,6 +337,8 @@ std::optional<Event> CollisionSource::meet(const Histories& histories, const Pai
         before.push_back(impactBody(histories, body, time));
     const double settling = softenLastHops(histories, cluster, before, time);
     const physics::ImpactResult result = resolve(cluster, before);
+    if (result.jammed)
+        noteJam(cluster, result, time);
     record(cluster, result, time, settling);
     Event event{.time = time, .touched = {}, .tag = 0};
     outcome_ = {};
@@ -427,6 +455,30 @@ void CollisionSource::add(const Impact& impact, double time) {
     const auto timeOf = [](const Recorded& recorded) { return recorded.impact.time; };
     const auto place = std::ranges::upper_bound(impacts_, impact.time, {}, timeOf);
     impacts_.insert(place, {impact, time});
+}
+
+// Told of the body that was hit last: it is between others.
+void CollisionSource::noteJam(const Cluster& cluster, const physics::ImpactResult& result,
+                              double time) {
+    std::map<std::size_t, std::set<std::size_t>> met; // by body that can give way
+    for (const physics::ImpulseGiven& given : result.impulses) {
+        const physics::ImpactContact& contact = cluster.contacts[given.contact];
+        const std::size_t a = cluster.bodies[contact.first], b = cluster.bodies[contact.second];
+        for (const auto& [body, other] : {std::pair(a, b), std::pair(b, a)})
+            if (resting_.canGiveWay(body, time))
+                met[body].insert(other);
+    }
+    const auto most =
+        std::ranges::max_element(met, {}, [](const auto& entry) { return entry.second.size(); });
+    if (most == met.end())
+        return;
+    std::string others;
+    for (const std::size_t other : most->second)
+        others += (others.empty() ? "" : " and ") + quoted(scene_.bodies[other].name);
+    noteOnce({most->first, most->first}, time,
+             "Body " + quoted(scene_.bodies[most->first].name) + " has no room between " + others +
+                 ": it would bounce between them without end at one instant, and loses its speed "
+                 "there.");
 }
 
 void CollisionSource::noteOnce(const Pair& pair, double time, const std::string& sentence) {
