@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 namespace editing {
 
@@ -99,13 +98,15 @@ std::optional<Offer> allOfThem(const Making& making, const Wish& wish, const Ori
                                 numberText(wish.values[i], wish.resolution, before)}))
             return std::nullopt;
     }
-    const bool alsoStays = std::ranges::any_of(offer.edits, [&](const TextEdit& edit) {
-        return std::ranges::any_of(
-            std::views::iota(std::size_t{0}, wish.values.size()), [&](std::size_t i) {
-                return from[i].literal.from == edit.from && from[i].literal.known() && stays(i);
-            });
-    });
-    if (offer.edits.empty() || alsoStays)
+    // Another of the numbers comes from the same one, and is to stay.
+    const auto isKept = [&](const TextEdit& edit) {
+        bool kept = false;
+        for (std::size_t i = 0; i < wish.values.size(); ++i)
+            kept =
+                kept || (from[i].literal.known() && from[i].literal.from == edit.from && stays(i));
+        return kept;
+    };
+    if (offer.edits.empty() || std::ranges::any_of(offer.edits, isKept))
         return std::nullopt;
     offer.label =
         "All " + std::to_string(making.together) + (whole ? "" : ", in what they have in common");
