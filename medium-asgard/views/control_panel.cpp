@@ -15,12 +15,9 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QProgressBar>
-#include <QProgressDialog>
 #include <QPushButton>
 #include <QStyle>
 #include <QVBoxLayout>
-
-#include <array>
 
 namespace views {
 
@@ -32,7 +29,8 @@ QString sceneFiles() { return ControlPanel::tr("Scenes (*.al);;All files (*)"); 
 
 ControlPanel::ControlPanel(SceneDocument& document, Windows windows)
     : document_(document), windows_(std::move(windows)), name_(new QLabel), place_(new QLabel),
-      state_(new QLabel), progress_(new QProgressBar), simulate_(new QPushButton(tr("&Simulate"))) {
+      state_(new QLabel), progress_(new QProgressBar), simulate_(new QPushButton(tr("&Simulate"))),
+      exports_(*new Exports(document, *this)) {
     setWindowTitle(tr("Asgard"));
     auto* whole = new QWidget;
     auto* column = new QVBoxLayout(whole);
@@ -65,8 +63,10 @@ ControlPanel::ControlPanel(SceneDocument& document, Windows windows)
     simulate_->setToolTip(tr("Compute the motion again (F5)"));
     simulate_->setDefault(true);
     auto* exports = new QPushButton(tr("E&xport…"));
-    exports->setToolTip(tr("Pictures, and the motion as a table, for other programs (Ctrl+E)"));
-    connect(exports, &QPushButton::clicked, this, &ControlPanel::askForExport);
+    exports->setToolTip(
+        tr("Pictures, and the motion as a table, for other programs (Ctrl+Shift+E)"));
+    connect(exports, &QPushButton::clicked, &exports_, &Exports::ask);
+    connect(&exports_, &Exports::says, state_, &QLabel::setText);
     for (QPushButton* button : {simulate_, graphical, language, exports}) {
         button->setMinimumHeight(32);
         column->addWidget(button);
@@ -93,8 +93,8 @@ void ControlPanel::buildMenus() {
                         [this](const QString& path) { open(path); });
     file->addAction(tr("&Save"), QKeySequence::Save, this, [this] { save(); });
     file->addAction(tr("Save &As…"), QKeySequence::SaveAs, this, [this] { saveAs(); });
-    file->addAction(tr("&Export…"), QKeySequence(Qt::CTRL | Qt::Key_E), this,
-                    &ControlPanel::askForExport);
+    file->addAction(tr("&Export…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), &exports_,
+                    &Exports::ask);
     file->addSeparator();
     file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
@@ -187,51 +187,6 @@ bool ControlPanel::saveAs() {
         this, tr("Save the scene"),
         document_.path().isEmpty() ? QStringLiteral("scene.al") : document_.path(), sceneFiles());
     return !path.isEmpty() && saveTo(path);
-}
-
-void ControlPanel::askForExport() {
-    constexpr std::array formats{ExportFormat::png, ExportFormat::ppm, ExportFormat::film,
-                                 ExportFormat::table};
-    QStringList filters;
-    for (const ExportFormat format : formats)
-        filters += labelOf(format);
-    QString chosen = filters.front();
-    const QString folder = QFileInfo(document_.path()).absolutePath();
-    const QString stem = QFileInfo(document_.name()).completeBaseName();
-    const QString path =
-        QFileDialog::getSaveFileName(this, tr("Export"), QDir(folder).filePath(stem),
-                                     filters.join(QStringLiteral(";;")), &chosen);
-    const auto which = std::max<qsizetype>(0, filters.indexOf(chosen));
-    if (!path.isEmpty())
-        exportTo(path, formats[static_cast<std::size_t>(which)]);
-}
-
-void ControlPanel::exportTo(const QString& path, ExportFormat format) {
-    std::optional<ToExport> what = exported_ ? exported_() : std::nullopt;
-    if (!what && format != ExportFormat::table) {
-        QMessageBox::information(this, tr("Export"),
-                                 tr("Open a graphical viewer: what it shows is "
-                                    "what is drawn."));
-        return;
-    }
-    if (!what)
-        what.emplace().shown = document_.shown();
-    delete progressing_;
-    auto* dialog = new QProgressDialog(tr("Exporting…"), tr("Cancel"), 0, 1, this);
-    progressing_ = dialog;
-    dialog->setMinimumDuration(500);
-    auto* exporting = new Exporting(std::move(*what), withEnding(path, format), format);
-    exporting->setParent(dialog);
-    dialog->setMaximum(exporting->pictures() + 1);
-    connect(exporting, &Exporting::progressed, dialog, &QProgressDialog::setValue);
-    connect(dialog, &QProgressDialog::canceled, exporting, &Exporting::cancel);
-    connect(exporting, &Exporting::finished, this, [this, dialog](const QString& fault) {
-        dialog->deleteLater();
-        state_->setText(fault.isEmpty() ? tr("Exported.") : fault);
-        if (!fault.isEmpty())
-            QMessageBox::warning(this, tr("Export"), fault);
-    });
-    exporting->start();
 }
 
 bool ControlPanel::mayLeave() {

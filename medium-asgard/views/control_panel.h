@@ -2,16 +2,14 @@
 // session - its file, its simulation, its viewers.
 #pragma once
 
-#include "views/exporting.h"
+#include "views/exports.h"
 #include "views/graphical_viewer.h"
 #include "views/scene_document.h"
 
 #include <QMainWindow>
-#include <QPointer>
 
 class QLabel;
 class QProgressBar;
-class QProgressDialog;
 class QPushButton;
 
 namespace views {
@@ -26,11 +24,7 @@ public:
     void open(const QString& path);
     void newScene();
     bool save(); // false: not saved
-    // What there is to export; nothing: no picture is open.
-    void setExported(std::function<std::optional<ToExport>()> exported) {
-        exported_ = std::move(exported);
-    }
-    void exportTo(const QString& path, ExportFormat format);
+    [[nodiscard]] Exports& exports() { return exports_; }
     bool saveAs();
     // Nothing would be lost, or the user agreed to what is.
     bool mayLeave();
@@ -40,7 +34,6 @@ protected:
 
 private:
     void buildMenus();
-    void askForExport();
     void showState();
     bool saveTo(const QString& path);
 
@@ -49,8 +42,7 @@ private:
     QLabel *name_, *place_, *state_;
     QProgressBar* progress_;
     QPushButton* simulate_;
-    std::function<std::optional<ToExport>()> exported_;
-    QPointer<QProgressDialog> progressing_;
+    Exports& exports_;
 };
 
 } // namespace views

@@ -124,7 +124,7 @@ LanguageViewer* Editor::openLanguageViewer() {
 ControlPanel* Editor::openControlPanel() {
     if (!controlPanel_)
         controlPanel_ = new ControlPanel(document_, windows());
-    controlPanel_->setExported([this]() -> std::optional<ToExport> {
+    controlPanel_->exports().pictured = [this]() -> std::optional<ToExport> {
         const auto open = graphicalViewers();
         if (open.isEmpty())
             return std::nullopt;
@@ -132,7 +132,7 @@ ControlPanel* Editor::openControlPanel() {
         return ToExport{document_.shown(), display.time(),
                         display.camera(),  display.followedView().toStdString(),
                         display.display(), display.sight().size};
-    });
+    };
     controlPanel_->show();
     return controlPanel_;
 }

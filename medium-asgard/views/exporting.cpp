@@ -40,9 +40,18 @@ QString withEnding(const QString& path, ExportFormat format) {
     return path.endsWith(ending, Qt::CaseInsensitive) ? path : path + ending;
 }
 
+double filmPictures(const Shown& shown) {
+    return shown.motion
+               ? std::floor((shown.motion->computed() - shown.motion->start()) * picturesPerSecond +
+                            1e-9) +
+                     1
+               : 1;
+}
+
 Exporting::Exporting(ToExport what, QString path, ExportFormat format)
     : what_(std::move(what)), path_(path.toLocal8Bit().toStdString()), format_(format) {
-    pictures_ = static_cast<int>(times().size());
+    if (format_ == ExportFormat::film)
+        pictures_ = static_cast<int>(std::min<double>(filmPictures(what_.shown), mostPictures));
 }
 
 void Exporting::start() {
@@ -60,22 +69,17 @@ void Exporting::run() {
     Q_EMIT finished(QString::fromStdString(fault));
 }
 
-std::vector<double> Exporting::times() const {
-    if (format_ != ExportFormat::film || !what_.shown.motion)
-        return {what_.time};
-    const double start = what_.shown.motion->start(), end = what_.shown.motion->computed();
-    std::vector<double> times;
-    const int last = static_cast<int>(std::floor((end - start) * picturesPerSecond + 1e-9));
-    for (int i = 0; i <= last; ++i)
-        times.push_back(start + i / picturesPerSecond);
-    return times;
+double Exporting::timeOf(int picture) const {
+    return format_ == ExportFormat::film && what_.shown.motion
+               ? what_.shown.motion->start() + picture / picturesPerSecond
+               : what_.time;
 }
 
-std::string Exporting::fileOf(std::size_t picture) const {
+std::string Exporting::fileOf(int picture) const {
     if (format_ != ExportFormat::film)
         return path_;
     char name[32];
-    std::snprintf(name, sizeof name, "%05zu.png", picture + 1);
+    std::snprintf(name, sizeof name, "%05d.png", picture + 1);
     return (std::filesystem::path(path_) / name).string();
 }
 
@@ -99,15 +103,14 @@ std::string Exporting::drawAll() {
     drawing.display.samples = samples;
     const auto format =
         format_ == ExportFormat::ppm ? batch::PictureFormat::ppm : batch::PictureFormat::png;
-    const std::vector<double> times = this->times();
-    for (std::size_t i = 0; i < times.size() && !cancelled_; ++i) {
-        drawing.time = times[i];
+    for (int i = 0; i < pictures_ && !cancelled_; ++i) {
+        drawing.time = timeOf(i);
         if (view)
-            drawing.camera = view->at(times[i]);
+            drawing.camera = view->at(drawing.time);
         std::string why = "the graphics driver lost its state";
         if (!renderer.draw(drawing, image) || !batch::writePicture(fileOf(i), format, image, why))
             return fileOf(i) + ": " + why;
-        Q_EMIT progressed(static_cast<int>(i) + 1);
+        Q_EMIT progressed(i + 1);
     }
     return {};
 }

@@ -29,12 +29,14 @@ enum class ExportFormat { png, ppm, film, table };
 // With the ending that the format wants.
 [[nodiscard]] QString withEnding(const QString& path, ExportFormat format);
 
+inline constexpr double picturesPerSecond = 25; // of a film
+inline constexpr int mostPictures = 100'000;
+[[nodiscard]] double filmPictures(const Shown& shown); // however many these are
+
 class Exporting : public QObject {
     Q_OBJECT
 public:
-    static constexpr double picturesPerSecond = 25;
-
-    // A film's `path` is a folder, which is made.
+    // A film's `path` is a folder, which is made; it has at most mostPictures.
     Exporting(ToExport what, QString path, ExportFormat format);
     ~Exporting() override; // gives up
 
@@ -50,8 +52,8 @@ private:
     void run();
     [[nodiscard]] std::string drawAll();
     [[nodiscard]] std::string writeMotion() const;
-    [[nodiscard]] std::vector<double> times() const;
-    [[nodiscard]] std::string fileOf(std::size_t picture) const;
+    [[nodiscard]] double timeOf(int picture) const;
+    [[nodiscard]] std::string fileOf(int picture) const;
 
     ToExport what_;
     std::string path_;

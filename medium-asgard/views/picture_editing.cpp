@@ -448,6 +448,7 @@ void PictureEditing::remove(std::vector<editing::Element> elements) {
     QString question = tr("Delete %1, and with it what cannot be without it?").arg(name);
     for (const editing::Element& one : deletion.along)
         question += "\n    " + QString::fromStdString(editing::describe(scene, one));
+    const auto since = document_.revision();
     if (!deletion.along.empty()) {
         const bool taken =
             confirm_
@@ -456,6 +457,8 @@ void PictureEditing::remove(std::vector<editing::Element> elements) {
                                         QMessageBox::Yes | QMessageBox::Cancel) == QMessageBox::Yes;
         if (!taken)
             return;
+        if (document_.revision() != since) // by the host, while the question stood
+            return say(tr("The text was changed meanwhile: nothing is deleted."));
     }
     take(deletion.edits, tr("Delete %1").arg(name));
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace views {
 
@@ -13,6 +14,16 @@ namespace views {
         if (factor * power >= x)
             return factor * power;
     return 10 * power;
+}
+
+// The multiples of a step from one value to another. Counted, and at most a hundred: far from zero
+// a step may be less than what numbers tell apart there.
+[[nodiscard]] inline std::vector<double> multiplesOf(double step, double from, double to) {
+    std::vector<double> all;
+    const double first = std::ceil(from / step - 1e-9);
+    for (int i = 0; i < 100 && (first + i) * step <= to + 1e-9 * step; ++i)
+        all.push_back((first + i) * step);
+    return all;
 }
 
 } // namespace views

@@ -88,13 +88,18 @@ void TimeStrip::follow() {
             break;
         }
     if (before != trajectory_) {
-        if (gesture_ && grip_ != Grip::mark)
-            finish();
+        // A mark that is held is none of what is shown now.
+        if (grip_ == Grip::mark)
+            grip_ = Grip::none;
+        finish();
         chosen_.reset();
         delete field_;
     }
-    if (chosen_ && *chosen_ >= points().size())
+    if (chosen_ && *chosen_ >= points().size()) {
+        grip_ = grip_ == Grip::mark ? Grip::none : grip_;
+        finish();
         chosen_.reset();
+    }
     setToolTip(trajectory_ ? tr("When the points of %1 are passed: drag a mark to retime its "
                                 "point; the wheel zooms")
                                  .arg(name())
@@ -254,7 +259,7 @@ bool TimeStrip::begin() {
 }
 
 void TimeStrip::retime(double time) {
-    if (!begin())
+    if (!begin() || !chosen_)
         return;
     const editing::ControlPoint point = gesture_->edits().points()[*chosen_];
     gesture_->move(*chosen_, time, point.place, false);

@@ -52,10 +52,10 @@ void TimeStrip::paintScale(QPainter& painter) const {
     }
     const double step = roundStep((to_ - from_) * 64 / a.width());
     painter.setPen(faint);
-    for (double k = std::ceil(from_ / step - 1e-9); k * step <= to_ + 1e-9 * step; ++k) {
-        const double x = position(k * step);
+    for (const double time : multiplesOf(step, from_, to_)) {
+        const double x = position(time);
         painter.drawLine(QPointF(x, a.bottom() + 1), QPointF(x, a.bottom() + 4));
-        const QString label = number(k * step);
+        const QString label = number(time);
         const double wide = fontMetrics().horizontalAdvance(label);
         painter.drawText(QPointF(std::clamp(x - wide / 2, 0.0, std::max(0.0, width() - wide)),
                                  a.bottom() + 4 + fontMetrics().ascent()),

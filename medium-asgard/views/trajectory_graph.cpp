@@ -159,31 +159,26 @@ void TrajectoryGraph::paintAxes(QPainter& painter) const {
     QColor line = palette().color(QPalette::WindowText), text = line;
     line.setAlpha(28);
     text.setAlpha(170);
-    // Counted: far from zero a step may be less than what numbers tell apart there.
     const double times = roundStep((to_ - from_) * 70 / a.width());
-    const double firstTime = std::ceil(from_ / times);
-    for (int i = 0; i < 100 && (firstTime + i) * times <= to_; ++i) {
-        const double k = firstTime + i;
-        const double x = place(k * times, low_).x();
+    for (const double time : multiplesOf(times, from_, to_)) {
+        const double x = place(time, low_).x();
         painter.setPen(line);
         painter.drawLine(QPointF(x, a.top()), QPointF(x, a.bottom()));
         painter.setPen(text);
-        const QString label = number(k * times);
+        const QString label = number(time);
         painter.drawText(QPointF(x - fontMetrics().horizontalAdvance(label) / 2.0,
                                  a.bottom() + 4 + fontMetrics().ascent()),
                          label);
     }
     const double values = roundStep((high_ - low_) * 30 / a.height());
-    const double firstValue = std::ceil(low_ / values);
-    for (int i = 0; i < 100 && (firstValue + i) * values <= high_; ++i) {
-        const double k = firstValue + i;
-        const double y = place(from_, k * values).y();
+    for (const double value : multiplesOf(values, low_, high_)) {
+        const double y = place(from_, value).y();
         QColor grid = line;
-        grid.setAlpha(k == 0 ? 90 : 28);
+        grid.setAlpha(value == 0 ? 90 : 28);
         painter.setPen(grid);
         painter.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));
         painter.setPen(text);
-        const QString label = number(k * values);
+        const QString label = number(value);
         painter.drawText(QPointF(a.left() - 6 - fontMetrics().horizontalAdvance(label),
                                  y + fontMetrics().ascent() / 2.0 - 1),
                          label);

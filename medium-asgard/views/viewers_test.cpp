@@ -481,26 +481,6 @@ TEST_F(ViewersTest, AnotherFileIsOpenedWhenItsDraftsAreSettled) {
     EXPECT_FALSE(viewer->hasDraft());
 }
 
-TEST_F(ViewersTest, WhatIsSeenAndTheMotionAreExported) {
-    ControlPanel* panel = editor.openControlPanel();
-    GraphicalViewer* viewer = editor.openGraphicalViewer();
-    viewer->resize(420, 300);
-    drawn(*viewer);
-    const QTemporaryDir folder;
-    const auto sizeOf = [&](const char* name) {
-        return QFileInfo(folder.filePath(QString::fromLatin1(name))).size();
-    };
-    panel->exportTo(folder.filePath("now"), ExportFormat::png);
-    ASSERT_TRUE(waitFor([&] { return !QImage(folder.filePath("now.png")).isNull(); }));
-    const QImage picture(folder.filePath("now.png"));
-    EXPECT_EQ(picture.width(), viewer->display().sight().size.width);
-    panel->exportTo(folder.filePath("motion"), ExportFormat::table);
-    ASSERT_TRUE(waitFor([&] { return sizeOf("motion.csv") > 1000; }));
-    panel->exportTo(folder.filePath("film"), ExportFormat::film);
-    ASSERT_TRUE(waitFor([&] { return sizeOf("film/00051.png") > 0; })); // two seconds
-    EXPECT_FALSE(QFileInfo::exists(folder.filePath("film/00052.png")));
-}
-
 TEST_F(ViewersTest, AClosedViewerIsForgotten) {
     GraphicalViewer* viewer = editor.openGraphicalViewer();
     viewer->close();

@@ -22,7 +22,6 @@ WorkThread::~WorkThread() {
 }
 
 void WorkThread::start(const std::string& text, const Order& order) {
-    bool ends = order.haste == Haste::now;
     {
         const std::lock_guard lock(mutex_);
         text_ = text;
@@ -31,10 +30,11 @@ void WorkThread::start(const std::string& text, const Order& order) {
         ++serial_;
         if (order.haste == Haste::now)
             lastUrgent_ = serial_.load();
-        ends = ends || (reads_ && Clock::now() - began_ > longestReading);
+        const bool isLong = Clock::now() - began_ > longestReading;
+        // Within the lock, so that it is not the new text whose reading ends.
+        if (reads_ && (isLong || order.haste == Haste::now) && workshop_.cancelReading)
+            workshop_.cancelReading();
     }
-    if (ends && workshop_.cancelReading)
-        workshop_.cancelReading();
     wakeReading_.notify_one();
 }
 

@@ -1,0 +1,120 @@
+#include "views/exports.h"
+
+#include "views/status_panel.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+
+#include <array>
+
+namespace views {
+
+Exports::Exports(SceneDocument& document, QWidget& window)
+    : QObject(&window), document_(document), window_(window) {}
+
+void Exports::ask() {
+    constexpr std::array formats{ExportFormat::png, ExportFormat::ppm, ExportFormat::film,
+                                 ExportFormat::table};
+    QStringList filters;
+    for (const ExportFormat format : formats)
+        filters += labelOf(format);
+    QString chosen = filters.front();
+    const QString folder = QFileInfo(document_.path()).absolutePath();
+    const QString stem = QFileInfo(document_.name()).completeBaseName();
+    const QString path =
+        QFileDialog::getSaveFileName(&window_, tr("Export"), QDir(folder).filePath(stem),
+                                     filters.join(QStringLiteral(";;")), &chosen);
+    const auto which = std::max<qsizetype>(0, filters.indexOf(chosen));
+    if (!path.isEmpty())
+        write(path, formats[static_cast<std::size_t>(which)]);
+}
+
+void Exports::write(const QString& asked, ExportFormat format) {
+    if (progress_)
+        return Q_EMIT says(tr("Another export is still being written."));
+    std::optional<ToExport> what = pictured ? pictured() : std::nullopt;
+    if (!what && format != ExportFormat::table) {
+        QMessageBox::information(&window_, tr("Export"),
+                                 tr("Open a graphical viewer: what it shows is "
+                                    "what is drawn."));
+        return;
+    }
+    if (!what)
+        what.emplace().shown = document_.shown();
+    const double pictures = format == ExportFormat::film ? filmPictures(what->shown) : 1;
+    if (pictures > mostPictures)
+        return Q_EMIT says(tr("%1 pictures are more than %2: let the motion finish earlier.")
+                               .arg(pictures, 0, 'g', 3)
+                               .arg(mostPictures));
+    const QString path = withEnding(asked, format);
+    if (isMotionMeant(what->shown, format) && mayWrite(asked, path, format))
+        begin(std::move(*what), path, format);
+}
+
+bool Exports::isAgreed(const QString& question) {
+    return agrees ? agrees(question)
+                  : QMessageBox::question(&window_, tr("Export"), question) == QMessageBox::Yes;
+}
+
+// The dialog that asked for the name asked about that name alone.
+bool Exports::mayWrite(const QString& asked, const QString& path, ExportFormat format) {
+    if (format == ExportFormat::film) {
+        const QDir folder(path);
+        return !folder.exists() || folder.isEmpty() ||
+               isAgreed(tr("%1 is not empty. Pictures there with the same names (00001.png, ...) "
+                           "are overwritten. Go on?")
+                            .arg(QDir::toNativeSeparators(path)));
+    }
+    return path == asked || !QFileInfo::exists(path) ||
+           isAgreed(tr("%1 exists. Overwrite it?").arg(QDir::toNativeSeparators(path)));
+}
+
+bool Exports::isMotionMeant(const Shown& shown, ExportFormat format) {
+    if (format != ExportFormat::film && format != ExportFormat::table)
+        return true;
+    if (!shown.motion) {
+        Q_EMIT says(tr("There is no motion yet."));
+        return false;
+    }
+    if (document_.motionIsStale())
+        return isAgreed(
+            tr("The motion that is shown is that of an earlier scene (Simulate computes "
+               "it again). Export it all the same?"));
+    const auto& motion = shown.motion;
+    if (!(motion->computed() < motion->finish()))
+        return true;
+    const double length = motion->finish() - motion->start();
+    return isAgreed(
+        tr("Of the motion %1 of %2 are computed. Export these?")
+            .arg(timeText(motion->computed() - motion->start(), length), timeText(length, length)));
+}
+
+void Exports::begin(ToExport what, const QString& path, ExportFormat format) {
+    auto* dialog = new QProgressDialog(tr("Exporting…"), tr("Cancel"), 0, 1, &window_);
+    progress_ = dialog;
+    dialog->setMinimumDuration(500);
+    dialog->setAutoClose(false);
+    dialog->setAutoReset(false);
+    auto* exporting = new Exporting(std::move(what), path, format);
+    exporting->setParent(dialog);
+    dialog->setMaximum(exporting->pictures() + 1);
+    connect(exporting, &Exporting::progressed, dialog, &QProgressDialog::setValue);
+    connect(dialog, &QProgressDialog::canceled, exporting, &Exporting::cancel);
+    // What is told after the dialog went is told to nobody.
+    connect(exporting, &Exporting::finished, dialog, [this, dialog](const QString& fault) {
+        const bool cancelled = dialog->wasCanceled();
+        progress_.clear();
+        dialog->hide();
+        dialog->deleteLater();
+        Q_EMIT says(!fault.isEmpty() ? fault
+                    : cancelled      ? tr("The export was cancelled.")
+                                     : tr("Exported."));
+        if (!fault.isEmpty() && !agrees)
+            QMessageBox::warning(&window_, tr("Export"), fault);
+    });
+    exporting->start();
+}
+
+} // namespace views
