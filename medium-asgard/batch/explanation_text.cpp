@@ -128,9 +128,11 @@ std::string rounded(const std::string& equation) {
     return text;
 }
 
-// Equations with other names and other numbers: the same law. Names become their order, numbers
-// but 0 a sign.
-std::string lawOf(const std::vector<std::string>& equations) {
+enum class Numbers { any, same };
+
+// Equations with other names: the same law. Names become their order; where any numbers will do,
+// numbers but 0 a sign.
+std::string lawOf(const std::vector<std::string>& equations, Numbers numbers) {
     std::string law;
     std::map<std::string, std::size_t> names;
     for (const std::string& equation : equations) {
@@ -140,7 +142,7 @@ std::string lawOf(const std::vector<std::string>& equations) {
             if (word.empty())
                 law += equation[end++];
             else if (std::isdigit(static_cast<unsigned char>(word[0])) != 0)
-                law += word == "0" ? "0" : "#";
+                law += word == "0" || numbers == Numbers::same ? word : "#";
             else if (word.find('.') == std::string::npos)
                 law += word; // a function, or the time
             else
@@ -230,30 +232,33 @@ std::string Writer::equations(const Component& component) const {
     return text;
 }
 
-// Each law once, with how many follow it.
+// Each law once, with how many follow it; all of them where everything is to be told.
 std::string Writer::laws(const std::vector<const Component*>& components) const {
     struct Law {
-        std::string form;
+        std::string form, numbers;
         const Component* first;
-        std::vector<std::string> others;
+        std::vector<std::string> same, alike; // with the same numbers, and with others
     };
     std::vector<Law> laws;
     for (const Component* c : components) {
         std::vector<std::string> all = c->equations;
         all.insert(all.end(), c->earlier.begin(), c->earlier.end());
-        std::string form = lawOf(all);
+        std::string numbers = lawOf(all, Numbers::same);
+        std::string form = mostLaws_ == everything ? numbers : lawOf(all, Numbers::any);
+        const std::string name = c->unknowns.size() == 1 ? c->unknowns[0] : bodyOf(c->unknowns[0]);
         const auto known = std::ranges::find(laws, form, &Law::form);
         if (known == laws.end())
-            laws.push_back({std::move(form), c, {}});
+            laws.push_back({std::move(form), std::move(numbers), c, {}, {}});
         else
-            known->others.push_back(c->unknowns.size() == 1 ? c->unknowns[0]
-                                                            : bodyOf(c->unknowns[0]));
+            (known->numbers == numbers ? known->same : known->alike).push_back(name);
     }
     std::string text;
     for (std::size_t i = 0; i < std::min(laws.size(), mostLaws_); ++i) {
         text += equations(*laws[i].first);
-        if (!laws[i].others.empty())
-            text += "    likewise " + listOf(laws[i].others, mostNames_) + "\n";
+        if (!laws[i].same.empty())
+            text += "    likewise " + listOf(laws[i].same, mostNames_) + "\n";
+        if (!laws[i].alike.empty())
+            text += "    with other numbers " + listOf(laws[i].alike, mostNames_) + "\n";
     }
     if (laws.size() > mostLaws_)
         text += more(laws.size() - mostLaws_, " laws of other forms");

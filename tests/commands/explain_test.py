@@ -54,6 +54,35 @@ class Explain(unittest.TestCase):
     def test_what_acts_at_rest_and_in_motion(self):
         self.compare("acting")
 
+    def explained(self, *lines, arguments=()):
+        text = "shape_set s -desc {-sub {-sphere 1}}\n" + "\n".join(lines) + "\n"
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "a.al")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+            ran = run(path, *arguments)
+        self.assertEqual((ran.returncode, ran.stderr), (0, ""))
+        return ran.stdout
+
+    def test_small_terms_and_numbers_are_told(self):
+        said = self.explained("body b s", "body c s -init_pos {5 0 0} -init_dpos {1e16 0 0}",
+                              "simulator -finish 1 -collisions 0", "force -body b -x {-1e14*b.x + c.x}")
+        self.assertIn("-1e+14*b.x + c.x", said)
+        said = self.explained("simulator -finish 1", "body b s", "force -body b -x {sin(b.x)^1.23456789012e-310+1}")
+        self.assertIn("e-310", said)
+
+    def test_laws_with_other_numbers_are_not_the_same(self):
+        scene = ["body b s", "body c s -init_pos {9 0 0}", "body d s -init_pos {18 0 0}",
+                 "force -body b -gravitational {0 -9.81 0}", "force -body c -gravitational {0 -1000 0}",
+                 "force -body d -gravitational {0 -9.81 0}"]
+        self.assertIn("likewise d.dy\n    with other numbers c.dy", self.explained(*scene))
+        self.assertIn("c.dy' = -1000", self.explained(*scene, arguments=("--all",)))
+
+    def test_a_trajectory_holds_nothing_between_its_curves(self):
+        scene = ("body b s", "trajectory p -bezier {{0 1 {0 0 0} {1 0 0}} {3 4 {5 5 5} {6 5 5}}}")
+        self.assertIn("its place from t = 0 to 1, from 3 to 4\n", self.explained(*scene, "constrain b -pos p"))
+        self.assertIn("its place from t = 0 to 5\n", self.explained(*scene, "constrain b -pos p -to 5"))
+
     def test_what_is_cut_says_how_to_see_it_whole(self):
         path = os.path.join(HERE, "pend.al")
         cut, whole = run(path).stdout, run(path, "--all").stdout

@@ -198,5 +198,26 @@ TEST(Silence, AFinishThatIsOutOfReachIsRefused) {
     EXPECT_THAT(simulate(b.scene).refusal[0], HasSubstr("after 1e100"));
 }
 
+// Balls in a room amplify rounding, whoever reads them from afar.
+TEST(Horizon, OfBallsIsFoundBesideWhatIsIntegrated) {
+    const auto horizon = [](bool isRead) {
+        SceneBuilder b(60, 1e-4);
+        b.room();
+        for (int i = 0; i < 8; ++i) {
+            scene::Body& ball = b.ball("ball" + std::to_string(i),
+                                       {i % 2 - 0.5, (i / 2) % 2 - 0.5, (i / 4) % 2 - 0.5}, 0.2);
+            ball.initialVelocity = {std::sin(i + 1.0), std::cos(2.0 * i), std::sin(3.0 * i + 1)};
+        }
+        if (isRead) {
+            b.ball("far", {100, 0, 0});
+            b.force("far", "0.01*sin(ball3.x)", "0", "0");
+        }
+        return simulate(b.scene).statistics.predictableUntil;
+    };
+    const auto alone = horizon(false), read = horizon(true);
+    ASSERT_TRUE(alone && read);
+    EXPECT_NEAR(*read, *alone, 0.25 * *alone);
+}
+
 } // namespace
 } // namespace simulation::testing

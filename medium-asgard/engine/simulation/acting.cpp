@@ -26,6 +26,8 @@ std::string componentsText(const std::array<scene::Expression, 3>& components) {
     for (std::size_t i = 0; i < axes.size(); ++i)
         if (components[i] != "0")
             text += (text.empty() ? "" : ", ") + std::string(axes[i]) + " = " + components[i];
+    std::ranges::replace_if(
+        text, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
     return text.empty() ? "0" : text;
 }
 
@@ -60,15 +62,28 @@ std::string holdText(const scene::Scene& scene, const scene::Constraint& constra
     std::string text = "trajectory " + constraint.trajectory + ", which holds its " +
                        held[static_cast<std::size_t>(constraint.held)];
     const scene::Trajectory* course = scene::findTrajectory(scene, constraint.trajectory);
-    const bool isKnown = course && !course->curves.empty();
-    const auto from = constraint.from ? constraint.from
-                      : isKnown       ? std::optional(course->curves.front().from)
-                                      : std::nullopt;
-    const auto to = constraint.to ? constraint.to
-                    : isKnown     ? std::optional(course->curves.back().to)
-                                  : std::nullopt;
-    if (from && to)
-        text += " from t = " + number(*from) + " to " + number(*to);
+    if (!course)
+        return text;
+    // Between curves it holds nothing, unless it is told from when to when it does.
+    std::vector<std::pair<double, double>> spans;
+    for (const scene::BezierCurve& curve : course->curves) {
+        if (!spans.empty() &&
+            (curve.from <= spans.back().second || constraint.from || constraint.to))
+            spans.back().second = curve.to;
+        else
+            spans.emplace_back(curve.from, curve.to);
+    }
+    if (!spans.empty()) {
+        spans.front().first = constraint.from.value_or(spans.front().first);
+        spans.back().second = constraint.to.value_or(spans.back().second);
+    }
+    constexpr std::size_t most = 3;
+    for (std::size_t i = 0; i < std::min(spans.size(), most); ++i)
+        text += std::string(i == 0 ? " from t = " : ", from ") + number(spans[i].first) + " to " +
+                number(spans[i].second);
+    if (spans.size() > most)
+        text += ", and " + std::to_string(spans.size() - most) + " times more until " +
+                number(spans.back().second);
     return text;
 }
 

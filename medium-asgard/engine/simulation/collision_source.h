@@ -69,8 +69,11 @@ private:
     struct Cluster { // all that touches at one instant, through bodies that can give way
         std::vector<std::size_t> bodies;              // indices into the scene's
         std::vector<physics::ImpactContact> contacts; // with indices into `bodies`
-        std::vector<physics::ImpactContact> corners;  // of the patches
-        std::vector<std::size_t> contactOf;           // by corner
+        // By contact, of its first and its second: the radius of the sphere that touches; 0: a
+        // flat part. A sphere's gap follows its centre, whatever its surface does under it.
+        std::vector<std::array<double, 2>> radii;
+        std::vector<physics::ImpactContact> corners; // of the patches
+        std::vector<std::size_t> contactOf;          // by corner
     };
     struct Outcome { // of the event that next() answered last
         struct Resting {
@@ -142,6 +145,9 @@ private:
                                                 const Pair& pair, double time);
     [[nodiscard]] solution::Event end(const Pair& pair, double time, const std::string& sentence);
     [[nodiscard]] std::vector<std::size_t> unknownsOf(const Pair& pair, double time) const;
+    [[nodiscard]] double pushAt(const solution::Histories& histories, const Cluster& cluster,
+                                std::size_t contact, std::span<const physics::ImpactBody> bodies,
+                                double time) const;
     [[nodiscard]] Cluster clusterAt(const solution::Histories& histories, const Pair& pair,
                                     double time);
     void addContacts(const solution::Histories& histories, Cluster& cluster, std::size_t a,

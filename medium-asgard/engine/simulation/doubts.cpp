@@ -22,22 +22,35 @@ scene::Diagnostic doubt(const scene::Source& source, const std::string& option,
     return said;
 }
 
-bool overlap(const geometry::Part& one, const geometry::Part& other) {
-    const geometry::Shape first{{one}}, second{{other}};
-    const geometry::Box a = geometry::bounds(first), b = geometry::bounds(second);
-    const double size = std::min(a.diagonal().norm(), b.diagonal().norm());
-    if (!a.intersects(b))
+struct BoxedPart {
+    const geometry::Part* part;
+    geometry::Box box;
+    std::size_t number; // in the shape, from 1
+};
+
+bool overlap(const BoxedPart& one, const BoxedPart& other) {
+    if (!one.box.intersects(other.box))
         return false;
+    const double size = std::min(one.box.diagonal().norm(), other.box.diagonal().norm());
     collision::WarmStart warm;
-    return collision::separate({.part = &one}, {.part = &other}, warm).gap < -1e-6 * size;
+    return collision::separate({.part = one.part}, {.part = other.part}, warm).gap < -1e-6 * size;
 }
 
-// The first two, from 1.
+// Two of them, the lesser first; boxes are swept along x.
 std::optional<std::pair<std::size_t, std::size_t>> overlapping(const geometry::Shape& shape) {
-    for (std::size_t i = 0; i < shape.parts.size(); ++i)
-        for (std::size_t j = i + 1; j < shape.parts.size(); ++j)
-            if (overlap(shape.parts[i], shape.parts[j]))
-                return std::pair(i + 1, j + 1);
+    std::vector<BoxedPart> parts;
+    for (const geometry::Part& part : shape.parts)
+        parts.push_back({&part, geometry::bounds(geometry::Shape{{part}}), parts.size() + 1});
+    std::ranges::sort(parts, {}, [](const BoxedPart& p) { return p.box.min().x(); });
+    std::vector<const BoxedPart*> open;
+    for (const BoxedPart& part : parts) {
+        std::erase_if(open,
+                      [&](const BoxedPart* o) { return o->box.max().x() < part.box.min().x(); });
+        for (const BoxedPart* other : open)
+            if (overlap(*other, part))
+                return std::minmax(other->number, part.number);
+        open.push_back(&part);
+    }
     return std::nullopt;
 }
 

@@ -67,7 +67,9 @@ geometry::Box boxOf(const collision::BallFlight& flight, double from, double to)
 bool EncounterSearch::isOver(const Histories& histories, std::size_t body, double time) const {
     if (histories.stops().empty())
         return false;
-    for (std::size_t i = 0; i < physics::bodyUnknowns; ++i)
+    // A ball goes on, and is met, however far its attitude is known.
+    const std::size_t count = isFreeBall_[body] ? physics::qw : physics::bodyUnknowns;
+    for (std::size_t i = 0; i < count; ++i)
         if (const auto* stop = histories.stop(records_[body].firstUnknown + i))
             if (stop->time <= time)
                 return true;
@@ -202,6 +204,10 @@ void EncounterSearch::leave(std::size_t body) {
     for (const std::size_t other : partners_[body])
         std::erase(partners_[other], body);
     partners_[body].clear();
+    windows_[body].isFlight = windows_[body].isFollowed = false;
+    for (const std::size_t other : unclear_[body])
+        std::erase(unclear_[other], body);
+    unclear_[body].clear();
 }
 
 void EncounterSearch::renew(const Histories& histories, Renewal& renewal) {

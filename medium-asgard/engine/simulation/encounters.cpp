@@ -179,7 +179,10 @@ std::vector<std::size_t> CollisionSource::unknownsOf(const Pair& pair, double ti
 
 ImpactBody CollisionSource::impactBody(const Histories& histories, std::size_t body,
                                        double time) const {
-    return resting_.impactBody(body, time, stateOf(records_[body], histories, time));
+    BodyState state = stateOf(records_[body], histories, time);
+    if (bodies_[body].isBall() && !state.angularVelocity.allFinite())
+        state.angularVelocity.setZero(); // its blows go through its centre
+    return resting_.impactBody(body, time, state);
 }
 
 // The speeds that enter.
@@ -213,6 +216,14 @@ double CollisionSource::contactTolerance(const Pair& pair, double time) const {
            8 * epsilon * (coordinates + std::abs(time) * speedOf(pair, time));
 }
 
+namespace {
+
+double ballRadius(const MovingBody& body) {
+    return body.isBall() ? body.shape().parts[0].radius : 0;
+}
+
+} // namespace
+
 void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, std::size_t a,
                                   std::size_t b, double time, bool isHit) {
     const auto indexIn = [&](std::size_t body) {
@@ -222,7 +233,9 @@ void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, 
             cluster.bodies.push_back(body);
         return index;
     };
-    const auto add = [&](const Vector& point, const Vector& normal) {
+    const auto add = [&](const Vector& point, const Vector& normal,
+                         const std::array<double, 2>& radii) {
+        cluster.radii.push_back(radii);
         cluster.contacts.push_back(
             {.first = indexIn(a),
              .second = indexIn(b),
@@ -244,11 +257,14 @@ void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, 
                        resting_.placed(histories, isFirst ? b : a, time), limits_.gap))
             for (const Corner& corner : touch.corners)
                 if (isHit || !touch.passes(slow))
-                    add(corner.point, isFirst ? touch.normal : Vector(-touch.normal));
+                    add(corner.point, isFirst ? touch.normal : Vector(-touch.normal),
+                        {ballRadius(bodies_[a]), ballRadius(bodies_[b])});
         return;
     }
     for (const collision::Contact& contact : contacts) {
-        add(contact.point, contact.normal);
+        add(contact.point, contact.normal,
+            {bodies_[a].shape().parts[contact.firstPart].radius,
+             bodies_[b].shape().parts[contact.secondPart].radius});
         for (const Vector& corner : contact.patch)
             if (contact.patch.size() > 1) {
                 cluster.corners.push_back(cluster.contacts.back());
@@ -260,8 +276,11 @@ void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, 
 
 CollisionSource::Cluster CollisionSource::clusterAt(const Histories& histories, const Pair& pair,
                                                     double time) {
-    Cluster cluster{
-        .bodies = {pair.first, pair.second}, .contacts = {}, .corners = {}, .contactOf = {}};
+    Cluster cluster{.bodies = {pair.first, pair.second},
+                    .contacts = {},
+                    .radii = {},
+                    .corners = {},
+                    .contactOf = {}};
     std::set<Pair> seen;
     for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
         const std::size_t body = cluster.bodies[i];
@@ -277,23 +296,44 @@ CollisionSource::Cluster CollisionSource::clusterAt(const Histories& histories, 
     return cluster;
 }
 
+// How the gap accelerates: of flat parts as their points that touch, of spheres as their centres.
+double CollisionSource::pushAt(const Histories& histories, const Cluster& cluster,
+                               std::size_t contact, std::span<const ImpactBody> bodies,
+                               double time) const {
+    const physics::ImpactContact& c = cluster.contacts[contact];
+    const std::array<double, 2>& radii = cluster.radii[contact];
+    double push = 0;
+    Vector speed = Vector::Zero();
+    for (const auto& [index, sign, radius] :
+         {std::tuple{c.first, 1.0, radii[0]}, std::tuple{c.second, -1.0, radii[1]}}) {
+        const Vector arm = c.point + sign * radius * c.normal - bodies[index].centre;
+        const Vector& w = bodies[index].angularVelocity;
+        const Acceleration a = accelerationOf(records_[cluster.bodies[index]], histories, time);
+        speed += sign * (bodies[index].velocity + w.cross(arm));
+        push += sign * c.normal.dot(a.linear + a.angular.cross(arm) + w.cross(w.cross(arm)));
+    }
+    // Two spheres that pass each other part.
+    if (radii[0] > 0 && radii[1] > 0)
+        push += (speed - c.normal * c.normal.dot(speed)).squaredNorm() / (radii[0] + radii[1]);
+    return push;
+}
+
 // A hop lower than the rest height is the last: its contact gets a plastic impact, and all the hops
 // that would have followed are over after 2 u / a (1 - e), where u is the first one's speed and a
 // what pushes the bodies together.
 double CollisionSource::softenLastHops(const Histories& histories, Cluster& cluster,
                                        std::span<const ImpactBody> bodies, double time) const {
     double longest = -1;
-    for (physics::ImpactContact& contact : cluster.contacts) {
-        double approach = 0, push = 0, radius = infinity, reach = 0;
+    for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
+        physics::ImpactContact& contact = cluster.contacts[i];
+        const double push = pushAt(histories, cluster, i, bodies, time);
+        double approach = 0, radius = infinity, reach = 0;
         for (const auto& [index, sign] :
              {std::pair{contact.first, 1.0}, std::pair{contact.second, -1.0}}) {
             const std::size_t body = cluster.bodies[index];
             const Vector arm = contact.point - bodies[index].centre;
             const Vector& w = bodies[index].angularVelocity;
-            const Acceleration a = accelerationOf(records_[body], histories, time);
             approach += sign * contact.normal.dot(bodies[index].velocity + w.cross(arm));
-            push +=
-                sign * contact.normal.dot(a.linear + a.angular.cross(arm) + w.cross(w.cross(arm)));
             radius = std::min(radius, records_[body].radius);
             reach += records_[body].radius + bodies[index].centre.norm();
         }

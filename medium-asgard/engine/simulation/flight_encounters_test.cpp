@@ -95,6 +95,25 @@ TEST(Flights, BeginWhereWhatIsHeldHitsWhatIsStill) {
     EXPECT_NEAR(result.motion->at(1, 3).position.x(), 5.2, 1e-11);
 }
 
+// What ends the attitude ends neither the place nor the hits of a ball, whenever they come.
+TEST(Flights, GoOnWhereTheAttitudeIsNotKnownAnyMore) {
+    for (const double away : {1.6, 3.0, 9.0})
+        for (const double weight : {0.0, 0.1}) {
+            SceneBuilder b(20, 1e-5);
+            b.ball("a", {0, 0, 0}, 0.5).initialVelocity = {0.5, 0, 0};
+            b.ball("b", {away, 0, 0}, 0.5);
+            b.force("a", "1/(1-t)^2", "0", "0").couple = true;
+            if (weight > 0)
+                b.weight("b", {-weight, 0, 0});
+            const Result result = simulate(b.scene);
+            EXPECT_TRUE(result.motion->stop(0));
+            EXPECT_FALSE(result.motion->stop(1));
+            ASSERT_FALSE(result.motion->impacts().empty()) << away;
+            const double hit = result.motion->impacts()[0].time;
+            EXPECT_NEAR(0.5 * hit + weight * hit * hit / 2, away - 1, 1e-9) << away;
+        }
+}
+
 // Cells grow with the way: a lonely ball crosses few, however far it goes.
 TEST(Flights, GoFarInFewSteps) {
     SceneBuilder b(1e6);

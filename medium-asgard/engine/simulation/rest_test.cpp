@@ -54,6 +54,45 @@ TEST(Rest, ABodyLaidOnTheFloorStaysWhateverItsRestitution) {
     }
 }
 
+// However fast it spins: what is pressed to the floor is the ball, not the point of it that
+// touches.
+TEST(Rest, ASpinningBallThatBouncesComesToRestOnTheFloor) {
+    for (const double w : {4.0, 4.43, 5.0, 30.0, 1000.0}) {
+        SceneBuilder b(5, 1e-5);
+        b.floor();
+        scene::Body& ball = b.ball("ball", {0, 1.442, 0}, 0.5);
+        ball.restitution = 0.3;
+        ball.initialVelocity = {0.17, 0, 0};
+        ball.initialAngularVelocity = {-0.28, -5.34, w};
+        b.weight("ball");
+        const Result result = simulate(b.scene);
+        EXPECT_NEAR(result.motion->at(1, 5).position.y(), 0.5, 1e-9) << w;
+        EXPECT_EQ(result.motion->at(1, 5).velocity.y(), 0) << w;
+    }
+}
+
+// Two spheres at the ends of an axis about which they spin: the one below hangs on no centre.
+TEST(Rest, ASpinningDumbbellThatBouncesComesToRestOnTheFloor) {
+    SceneBuilder b(5, 1e-5);
+    b.floor();
+    scene::ShapeSet dumbbell;
+    dumbbell.name = "dumbbell";
+    dumbbell.parts.resize(2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        dumbbell.parts[i].shape = scene::SphereShape{0.5};
+        dumbbell.parts[i].position = {i == 0 ? -1.0 : 1.0, 0, 0};
+    }
+    b.scene.shapeSets.push_back(dumbbell);
+    b.scene.bodies.push_back(physics::testing::body("dumbbell", "dumbbell", 1));
+    scene::Body& body = b.scene.bodies.back();
+    body.restitution = 0.3;
+    body.initialPosition = {0, 1.3, 0};
+    body.initialAngularVelocity = {6, 0, 0};
+    b.weight("dumbbell");
+    const Result result = simulate(b.scene);
+    EXPECT_NEAR(result.motion->at(1, 5).position.y(), 0.5, 1e-6);
+}
+
 // Without friction a body slides down a slope by g sin(a) t^2 / 2, and a ball does not roll.
 TEST(Rest, ABallSlidesDownASlope) {
     const double a = 0.3;

@@ -87,16 +87,39 @@ Solved solvePlainly(const Problem& problem, const Observer& observer, KeptRuns& 
     return solved;
 }
 
-// By island: nothing in it is integrated, and something hits something.
-std::vector<bool> amplifyRounding(const Problem& problem, const Run& run) {
-    std::vector<bool> islands(run.island.size(), false);
+// Islands in which something hits something, by their least body: impacts amplify what rounding
+// does.
+struct Amplifying {
+    // Nothing is integrated: rounding is all that is off.
+    std::vector<bool> alone;
+    // Something is, but not all that is hit: runs at two tolerances may meet at the same bits and
+    // be equal, and say nothing of what rounding does.
+    std::vector<bool> beside;
+};
+
+Amplifying amplifying(const Problem& problem, const Run& run) {
+    // A hit makes a deviation some hundred times as large at most.
+    constexpr std::size_t leastImpacts = 6;
+    const std::size_t bodies = run.island.size();
+    Amplifying islands{std::vector<bool>(bodies), std::vector<bool>(bodies)};
+    std::vector<std::size_t> impacts(bodies);
     for (const Impact& impact : run.impacts)
         for (const std::size_t body : {impact.first, impact.second})
-            if (!(*problem.bodies)[body].isFixed)
-                islands[run.island[body]] = true;
-    for (std::size_t b = 0; b < run.island.size(); ++b)
+            if (!(*problem.bodies)[body].isFixed) {
+                const std::size_t island = run.island[body];
+                islands.alone[island] = true;
+                ++impacts[island];
+                if (!run.isIntegrated[body])
+                    islands.beside[island] = true;
+            }
+    std::vector<bool> isMixed(bodies);
+    for (std::size_t b = 0; b < bodies; ++b)
         if (run.isIntegrated[b])
-            islands[run.island[b]] = false;
+            isMixed[run.island[b]] = true;
+    for (std::size_t b = 0; b < bodies; ++b) {
+        islands.beside[b] = islands.beside[b] && isMixed[b] && impacts[b] >= leastImpacts;
+        islands.alone[b] = islands.alone[b] && !isMixed[b];
+    }
     return islands;
 }
 
@@ -111,26 +134,47 @@ std::vector<IslandError> differencesOf(const Problem& problem, const Run& first,
     return differences;
 }
 
-// Where there are no integration errors, what is left is rounding, which impacts amplify.
-void judgeRounding(const Problem& problem, const Run& run, const Observer& silent,
-                   const std::vector<double>& tolerances, KeptRuns& runs, Solved& solved) {
-    const std::vector<bool> islands = amplifyRounding(problem, run);
-    if (std::ranges::find(islands, true) == islands.end())
-        return;
+// What rounding does, by body, where impacts amplify it. Written into the errors where nothing is
+// integrated; answered where something is, and rounding alone takes the motion beyond the accuracy.
+std::vector<std::optional<BodyError>> judgeRounding(const Problem& problem, const Run& run,
+                                                    const Observer& silent,
+                                                    const std::vector<double>& tolerances,
+                                                    KeptRuns& runs, Solved& solved) {
+    std::vector<std::optional<BodyError>> beside(solved.errors.size());
+    const Amplifying islands = amplifying(problem, run);
+    const auto concerns = [&](std::size_t b) {
+        return islands.alone[run.island[b]] || islands.beside[run.island[b]];
+    };
+    if (std::ranges::find(islands.alone, true) == islands.alone.end() &&
+        std::ranges::find(islands.beside, true) == islands.beside.end())
+        return beside;
     const auto nudged = runs.next(problem, Kind::nudged, tolerances, silent);
     for (std::size_t b = 0; b < solved.errors.size() && !nudged; ++b)
-        if (islands[run.island[b]])
+        if (concerns(b))
             runs.mark(b);
     if (!nudged)
-        return;
+        return beside;
     addWork(*nudged, solved);
     const auto differences = differencesOf(problem, run, *nudged, silent, solved);
-    if (solved.result.cancelled)
-        return;
-    for (std::size_t b = 0; b < solved.errors.size(); ++b)
-        if (islands[run.island[b]])
-            solved.errors[b] = {.estimate = std::min(differences[b].largest, 1.0),
-                                .predictableUntil = differences[b].beyondFrom(problem.accuracy())};
+    for (std::size_t b = 0; b < solved.errors.size() && !solved.result.cancelled; ++b) {
+        const BodyError error{.estimate = std::min(differences[b].largest, 1.0),
+                              .predictableUntil = differences[b].beyondFrom(problem.accuracy())};
+        if (islands.alone[run.island[b]])
+            solved.errors[b] = error;
+        else if (concerns(b) && std::isfinite(error.predictableUntil))
+            beside[b] = error;
+    }
+    return beside;
+}
+
+// The larger of the two.
+void takeRounding(const std::vector<std::optional<BodyError>>& rounding,
+                  std::vector<BodyError>& errors) {
+    for (std::size_t b = 0; b < rounding.size(); ++b)
+        if (rounding[b])
+            errors[b] = {.estimate = std::max(errors[b].estimate, rounding[b]->estimate),
+                         .predictableUntil =
+                             std::min(errors[b].predictableUntil, rounding[b]->predictableUntil)};
 }
 
 // Runs that are equal, by rounding, say nothing. A rougher one does.
@@ -223,7 +267,7 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer, KeptRun
         return solved;
     }
     solved.errors.resize(problem.bodies->size());
-    judgeRounding(problem, run, silent, search.loose(), runs, solved);
+    const auto rounding = judgeRounding(problem, run, silent, search.loose(), runs, solved);
     if (observer.progress && !isExact(run))
         observer.progress(run.motion(problem, true, {}, {}));
     search.leaveExact(run);
@@ -231,6 +275,7 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer, KeptRun
            prove(problem, run, silent, search, runs, solved)) {
     }
     solved.isEstimated = !solved.result.cancelled;
+    takeRounding(rounding, solved.errors);
     endWithStops(problem, run, solved.errors);
     deliver(problem, std::move(run), solved);
     return solved;
