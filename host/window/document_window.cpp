@@ -250,6 +250,17 @@ void DocumentWindow::updateUndo() {
     redo_->setText(of.canRedo() ? tr("&Redo %1").arg(of.redoLabel()) : tr("&Redo"));
 }
 
+namespace {
+
+// A document without its first line begins with an element.
+bool looksLikeADocument(std::string_view bytes) {
+    const auto first = bytes.find_first_not_of(" \t\r\n");
+    return first == bytes.npos || bytes[first] == '<' ||
+           bytes.substr(first).starts_with("DOCUMENT");
+}
+
+} // namespace
+
 void DocumentWindow::updateFaults(int errors, int warnings) {
     const auto counted = [](int count, const QString& one, const QString& many) {
         return QStringLiteral("%1 %2").arg(count).arg(count == 1 ? one : many);
@@ -260,8 +271,11 @@ void DocumentWindow::updateFaults(int errors, int warnings) {
     const bool broken = document_->document().isBroken();
     if (broken && banner_->isHidden())
         faults_->show();
-    banner_->setText(tr("This file is damaged. It is shown as far as it can be read, and is not "
-                        "overwritten without your consent."));
+    banner_->setText(looksLikeADocument(document_->document().bytes())
+                         ? tr("This file is damaged. It is shown as far as it can be read, and is "
+                              "not overwritten without your consent.")
+                         : tr("This file is no document: documents begin with the word DOCUMENT. "
+                              "It may be one for another program."));
     banner_->setVisible(broken);
 }
 

@@ -11,6 +11,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QLabel>
 #include <QMessageBox>
 #include <QScrollBar>
 #include <QTemporaryDir>
@@ -310,6 +311,14 @@ TEST_F(WindowTest, ABrokenFileIsShownWithItsFaults) {
     DocumentWindow* window = open("DOCUMENT CMEMO\n<CMEMO>\n<SUBJECT>{Half");
     auto* pane = window->findChild<FaultsPane*>();
     EXPECT_TRUE(waitFor([&] { return pane->count() > 0 && pane->isVisible(); }));
+    const auto says = [](DocumentWindow* of, const QString& words) {
+        return std::ranges::any_of(of->findChildren<QLabel*>(), [&](const QLabel* label) {
+            return label->isVisible() && label->text().contains(words);
+        });
+    };
+    EXPECT_TRUE(says(window, QStringLiteral("This file is damaged.")));
+    DocumentWindow* scene = open("simulator -finish 5\nbody b s\n");
+    EXPECT_TRUE(waitFor([&] { return says(scene, QStringLiteral("no document")); }));
 }
 
 TEST_F(WindowTest, AnUnknownMediumIsABoxWithItsText) {

@@ -159,6 +159,8 @@ scene::Diagnostic tclError(std::string_view text, const Structure& structure, co
             range = command->words[0].range;
         if (const std::string near = nearest(name, existing); !near.empty())
             suggestion = "did you mean \"" + near + "\"?";
+        else if (name == "DOCUMENT" || name.starts_with('<'))
+            suggestion = "documents are opened by ensemble";
     } else if (message.starts_with("can't read ")) {
         const std::string name = quotedPart(message);
         if (command) {
