@@ -10,10 +10,8 @@ namespace {
 constexpr double roomiest = 2.2;     // radii, in a cell's edge at least
 constexpr double farthest = 1 << 30; // cells from the origin
 
-// The first s >= 0 at which v s + h s^2 reaches `gap` from below.
+// The first s >= 0 at which v s + h s^2 reaches `gap` from below; h is not 0.
 double reach(double gap, double v, double h) {
-    if (h == 0)
-        return v > 0 ? gap / v : HUGE_VAL;
     const double square = v * v + 4 * h * gap;
     if (square < 0 || (v <= 0 && h < 0))
         return HUGE_VAL;
@@ -159,12 +157,20 @@ BallCells::Exit BallCells::exitOf(std::size_t owner, const BallFlight& flight, d
     for (std::size_t i = 0; i < 3; ++i) {
         const auto axis = static_cast<Eigen::Index>(i);
         const double low = edge * ball.place[i], v = velocity[axis], h = flight.half[axis];
+        if (v == 0 && h == 0)
+            continue;
         // Where rounding puts the ball outside, it is on the face that it came through.
-        const double up = reach(std::max(low + edge - centre[axis], 0.0), v, h);
-        const double down = reach(std::max(centre[axis] - low, 0.0), -v, -h);
-        const double least = std::min(up, down);
+        const double above = std::max(low + edge - centre[axis], 0.0);
+        const double below = std::max(centre[axis] - low, 0.0);
+        bool isUp = v > 0;
+        double least = (isUp ? above : below) / std::abs(v);
+        if (h != 0) {
+            const double up = reach(above, v, h), down = reach(below, -v, -h);
+            isUp = up < down;
+            least = std::min(up, down);
+        }
         if (least < exit.time)
-            exit = {.time = least, .axis = i, .isUp = up < down};
+            exit = {.time = least, .axis = i, .isUp = isUp};
     }
     exit.time += from;
     return exit;

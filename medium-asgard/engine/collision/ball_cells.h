@@ -26,6 +26,7 @@ public:
     void remove(std::size_t owner);
     [[nodiscard]] bool contains(std::size_t owner) const { return balls_[owner].level != nothing; }
     [[nodiscard]] bool empty() const { return members_ == 0; }
+    [[nodiscard]] geometry::Box cell(std::size_t owner) const { return cell(balls_[owner]); }
     // What holds its cell and those about it that a ball crosses next: blocks, aligned too.
     [[nodiscard]] geometry::Box block(std::size_t owner) const;
 

@@ -15,20 +15,18 @@ constexpr double lowHop = 1e-8;      // of the radius: lower hops are left to th
 constexpr double graze = 1e-9;       // of the radius: so near a miss formulas are not trusted
 constexpr double nearAnEdge = 1e-12; // of the extent
 
-double roundOffOf(const BallFlight& a, const BallFlight& b, const Vector& pa, const Vector& pb) {
-    return 4 * epsilon *
-           (a.radius + b.radius + pa.cwiseAbs().maxCoeff() + pb.cwiseAbs().maxCoeff());
+double largest(const Vector& p) {
+    return std::max(std::max(std::abs(p[0]), std::abs(p[1])), std::abs(p[2]));
 }
 
 // How far what moves so fast goes within the resolution of times about t: an impact is off by that.
 double timeOff(double t, double speeds) { return 8 * epsilon * std::abs(t) * speeds; }
 
 // The gap |p + v s| - R is refined once where it falls steeply enough.
-double refined(const Vector& p, const Vector& v, double radius, double s) {
+double refined(const Vector& p, const Vector& v, double speed, double radius, double s) {
     const Vector r = p + s * v;
-    const double distance = r.norm();
-    const double rate = r.dot(v) / distance;
-    return rate < -1e-6 * v.norm() ? s - (distance - radius) / rate : s;
+    const double distance = r.norm(), along = r.dot(v);
+    return along < -1e-6 * speed * distance ? s - (distance - radius) * distance / along : s;
 }
 
 FlightMeeting hitAt(double time, Interval during) {
@@ -39,33 +37,34 @@ FlightMeeting hitAt(double time, Interval during) {
 
 } // namespace
 
-FlightMeeting meetingOf(const BallFlight& first, const BallFlight& second, Interval during) {
-    if (first.half != second.half)
+FlightMeeting meetingOf(const Approach& approach, const BallFlight& first, const BallFlight& second,
+                        Interval during) {
+    if (!approach.isStraight)
         return {Kind::unclear, 0};
     const double radius = first.radius + second.radius;
-    const double from = std::max(first.from, second.from);
-    const Vector pa = first.centreAt(from), pb = second.centreAt(from);
-    const Vector va = first.velocityAt(from), vb = second.velocityAt(from);
-    const Vector p = pa - pb, v = va - vb;
-    const double along = p.dot(v), speed = v.norm(), distance = p.norm();
-    const double roundOff = roundOffOf(first, second, pa, pb);
-    const double threshold = approachThreshold * (va.norm() + vb.norm());
-    if (distance - radius < -100 * roundOff - timeOff(from, va.norm() + vb.norm()))
+    const Vector &p = approach.place, &v = approach.velocity;
+    const double distance = std::sqrt(approach.distanceSquare), gap = distance - radius;
+    const double roundOff =
+        4 * epsilon * (radius + largest(approach.firstPlace) + largest(approach.secondPlace));
+    if (!(gap > roundOff)) { // only what parts for ever
+        const double speeds =
+            first.velocityAt(approach.from).norm() + second.velocityAt(approach.from).norm();
+        const bool isDeep = gap < -100 * roundOff - timeOff(approach.from, speeds);
+        if (!isDeep && approach.along > distance * approachThreshold * speeds)
+            return {};
         return {Kind::unclear, 0};
-    if (along > distance * threshold)
-        return {}; // they part, for ever
-    if (distance - radius <= roundOff)
-        return {Kind::unclear, 0};
-    if (along >= 0)
+    }
+    if (approach.along >= 0)
         return {};
-    const double across = (p - (along / (speed * speed)) * v).norm();
+    const double across = (p - (approach.along / approach.speedSquare) * v).norm();
     if (across >= radius)
         return across < radius * (1 + graze) ? FlightMeeting{Kind::unclear, 0} : FlightMeeting{};
     if (across > radius * (1 - graze))
         return {Kind::unclear, 0};
+    const double speed = std::sqrt(approach.speedSquare);
     const double root = speed * std::sqrt((radius - across) * (radius + across));
-    const double s = (distance - radius) * (distance + radius) / (root - along);
-    const double time = from + refined(p, v, radius, s);
+    const double s = gap * (distance + radius) / (root - approach.along);
+    const double time = approach.from + refined(p, v, speed, radius, s);
     if (time < during.from - 1e-9 * s) // what that was is not for this window
         return {Kind::unclear, 0};
     return hitAt(time, during);
@@ -189,29 +188,26 @@ FlightMeeting meetingOf(const BallFlight& ball, const StandingPart& part, Interv
     return {Kind::unclear, 0};
 }
 
-FlightContact contactOf(const BallFlight& first, const BallFlight& second, double t,
-                        double tolerance) {
-    const Vector pa = first.centreAt(t), pb = second.centreAt(t);
-    const Vector p = pa - pb;
-    const double distance = p.norm(), radius = first.radius + second.radius;
-    const double gap = distance - radius;
+FlightContact contactOf(const PlacedBall& first, const PlacedBall& second, double tolerance) {
+    const Vector p = first.centre - second.centre;
+    const double distance = p.norm(), gap = distance - (first.radius + second.radius);
     if (std::abs(gap) > tolerance || !(distance > 0))
         return {};
     const Vector normal = p / distance;
-    return {FlightContact::Kind::contact, pb + (second.radius + gap / 2) * normal, normal};
+    return {FlightContact::Kind::contact, second.centre + (second.radius + gap / 2) * normal,
+            normal, gap};
 }
 
-FlightContact contactOf(const BallFlight& ball, const StandingPart& part, double t,
-                        double tolerance) {
-    const Vector centre = ball.centreAt(t);
-    const StandingFace& facing = part.facing(centre);
-    const double gap = facing.plane.above(centre) - ball.radius;
+FlightContact contactOf(const PlacedBall& ball, const StandingPart& part, double tolerance) {
+    const StandingFace& facing = part.facing(ball.centre);
+    const double gap = facing.plane.above(ball.centre) - ball.radius;
     if (std::abs(gap) > tolerance)
-        return {gap > 0 ? FlightContact::Kind::none : FlightContact::Kind::unclear, {}, {}};
-    if (overFace(facing, centre, part.extent) != Over::inside)
-        return {FlightContact::Kind::unclear, {}, {}};
+        return {gap > 0 ? FlightContact::Kind::none : FlightContact::Kind::unclear, {}, {}, gap};
+    if (overFace(facing, ball.centre, part.extent) != Over::inside)
+        return {FlightContact::Kind::unclear, {}, {}, gap};
     const Vector& normal = facing.plane.normal;
-    return {FlightContact::Kind::contact, centre - (ball.radius + gap / 2) * normal, normal};
+    return {FlightContact::Kind::contact, ball.centre - (ball.radius + gap / 2) * normal, normal,
+            gap};
 }
 
 } // namespace collision

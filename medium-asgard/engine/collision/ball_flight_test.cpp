@@ -108,17 +108,18 @@ TEST(BallFlight, WhatBouncedComesBackOnlyWhenItIsPushed) {
 TEST(BallFlight, ContactsAreThoseOfTheShapes) {
     const BallFlight a{0, {1, 0, 0}, Vector::Zero(), Vector::Zero(), 0.5};
     const BallFlight b{0, {0, 0, 0}, Vector::Zero(), Vector::Zero(), 0.5};
-    const FlightContact met = contactOf(a, b, 3, 1e-10);
+    const FlightContact met = contactOf(a.placedAt(3), b.placedAt(3), 1e-10);
     ASSERT_EQ(met.kind, FlightContact::Kind::contact);
     EXPECT_EQ(met.point, Vector(0.5, 0, 0));
     EXPECT_EQ(met.normal, Vector(1, 0, 0));
     const FlyingBody box = flyingBox({2, 2, 2}, {0, -1.5, 0});
     const StandingPart part = standingPart(box.form.parts[0], {box.position, box.attitude});
-    const FlightContact stood = contactOf(b, part, 3, 1e-10);
+    const FlightContact stood = contactOf(b.placedAt(3), part, 1e-10);
     ASSERT_EQ(stood.kind, FlightContact::Kind::contact);
     EXPECT_EQ(stood.point, Vector(0, -0.5, 0));
     EXPECT_EQ(stood.normal, Vector(0, 1, 0));
-    EXPECT_EQ(contactOf(a, part, 3, 1e-10).kind, FlightContact::Kind::unclear); // on the edge
+    EXPECT_EQ(contactOf(a.placedAt(3), part, 1e-10).kind,
+              FlightContact::Kind::unclear); // on the edge
 }
 
 } // namespace

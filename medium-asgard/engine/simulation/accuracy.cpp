@@ -139,7 +139,9 @@ void PlaceReader::addTimes(std::size_t unknown, double from, double until, Poll&
         const solution::History* const here = histories_.place(unknown, t).history;
         if (!here)
             return;
-        step = here->find(t, here == history ? step : 0);
+        const bool isNext = here == history && step + 2 < here->size() &&
+                            here->step(step + 1).origin <= t && t < here->step(step + 2).origin;
+        step = isNext ? step + 1 : here->find(t, here == history ? step : 0);
         history = here;
         double next = here->empty() ? solution::infinity : here->step(step).until;
         if (next > until) // or until it goes on in another component

@@ -15,49 +15,60 @@ using solution::Histories;
 
 constexpr double timeResolution = 8 * std::numeric_limits<double>::epsilon();
 constexpr double approachThreshold = 1e-12; // of the speeds that enter, as in physics/impact.h
+constexpr double deep = 400 * std::numeric_limits<double>::epsilon(); // of the radius
 
-// A ball in flight at an instant, to see that another does not touch it by more than any tolerance.
-struct At {
-    const collision::BallFlight* flight; // may be null: then nothing is known
-    double time;
-    Vector centre = flight ? flight->centreAt(time) : Vector::Zero();
-    double speeds = flight ? flight->velocityAt(time).lpNorm<1>() : 0;
+double farthestOf(const Vector& point) {
+    return std::max(std::max(std::abs(point[0]), std::abs(point[1])), std::abs(point[2]));
+}
 
-    [[nodiscard]] bool isApartFrom(const collision::BallFlight* other) const {
-        if (!flight || !other)
-            return false;
-        const double far = 1.001 * (flight->radius + other->radius);
-        return (centre - other->centreAt(time)).squaredNorm() > far * far &&
-               timeResolution * std::abs(time) * (speeds + other->velocityAt(time).lpNorm<1>()) <
-                   1e-4 * far;
-    }
-    // Of something that stands still, by what holds it.
-    [[nodiscard]] bool isApartFrom(const geometry::Box& box, double radius) const {
-        if (!flight)
-            return false;
-        const double tolerance = collision::touchingGap * (flight->radius + radius) +
-                                 timeResolution * std::abs(time) * speeds;
-        const double far = 1.001 * flight->radius + tolerance;
-        return ((centre.array() > box.max().array() + far) ||
-                (centre.array() < box.min().array() - far))
-            .any();
-    }
-};
+// By how much of an axis something lies beyond a box.
+bool isBeyond(const geometry::Box& box, const Vector& point, double by) {
+    bool beyond = false;
+    for (Eigen::Index i = 0; i < 3; ++i)
+        beyond = beyond || point[i] > box.max()[i] + by || point[i] < box.min()[i] - by;
+    return beyond;
+}
 
 } // namespace
 
-FlightContact CollisionSource::flightContact(const Pair& pair, double time) const {
-    const collision::BallFlight* a = search_.flight(pair.first);
-    const collision::BallFlight* b = search_.flight(pair.second);
-    const double tolerance = contactTolerance(pair, time);
-    if (a && b)
-        return collision::contactOf(*a, *b, time, tolerance);
-    const auto parts = search_.standing(a ? pair.second : pair.first);
-    if ((!a && !b) || parts.empty())
+CollisionSource::Present
+CollisionSource::presentOf(std::size_t body, const collision::BallFlight& flight, double time) {
+    const collision::PlacedBall ball = flight.placedAt(time);
+    const Vector velocity = flight.velocityAt(time);
+    return {.body = body,
+            .flight = &flight,
+            .ball = ball,
+            .velocity = velocity,
+            .speed = velocity.norm(),
+            .farthest = farthestOf(ball.centre)};
+}
+
+// Of what is neither in flight nor fixed only who it is.
+CollisionSource::Present CollisionSource::presentAt(std::size_t body, double time) const {
+    if (const collision::BallFlight* flight = search_.flight(body))
+        return presentOf(body, *flight, time);
+    return {.body = body,
+            .farthest = records_[body].isFixed ? farthestOf(records_[body].start.position) : 0};
+}
+
+// As contactTolerance().
+double CollisionSource::toleranceOf(const Present& a, const Present& b, double time) const {
+    return collision::touchingGap * (records_[a.body].radius + records_[b.body].radius) +
+           timeResolution * (a.farthest + b.farthest + std::abs(time) * (a.speed + b.speed));
+}
+
+FlightContact CollisionSource::flightContact(const Present& first, const Present& second,
+                                             double time) const {
+    const double tolerance = toleranceOf(first, second, time);
+    if (first.flight && second.flight)
+        return collision::contactOf(first.ball, second.ball, tolerance);
+    const auto parts = search_.standing(first.flight ? second.body : first.body);
+    if ((!first.flight && !second.flight) || parts.empty())
         return {FlightContact::Kind::unclear, {}, {}};
     FlightContact found;
     for (const collision::StandingPart& part : parts) {
-        const FlightContact contact = collision::contactOf(a ? *a : *b, part, time, tolerance);
+        const FlightContact contact =
+            collision::contactOf(first.flight ? first.ball : second.ball, part, tolerance);
         if (contact.kind == FlightContact::Kind::none)
             continue;
         if (contact.kind == FlightContact::Kind::unclear ||
@@ -65,33 +76,36 @@ FlightContact CollisionSource::flightContact(const Pair& pair, double time) cons
             return {FlightContact::Kind::unclear, {}, {}};
         found = contact;
     }
-    if (!a)
+    if (!first.flight)
         found.normal = -found.normal;
     return found;
 }
 
-// None: they do not touch, or something else touches one of them, or that is not clear.
-std::optional<FlightContact> CollisionSource::onlyContact(const Histories& histories,
-                                                          const Pair& pair, double time) {
-    const FlightContact found = flightContact(pair, time);
-    if (found.kind != FlightContact::Kind::contact)
-        return std::nullopt;
-    bool isOnly = true;
-    for (const std::size_t body : {pair.first, pair.second}) {
-        const At here{.flight = search_.flight(body), .time = time};
-        search_.forEachPartner(body, [&](std::size_t other) {
-            const Pair met = std::minmax(body, other);
-            if (!isOnly || met == pair || here.isApartFrom(search_.flight(other)) ||
-                (records_[other].isFixed &&
-                 here.isApartFrom(search_.box(other), records_[other].radius)))
+// Something but `met` touches it, or that is not clear.
+bool CollisionSource::touchesMore(const Histories& histories, const Present& one,
+                                  const Present& met, double time) {
+    bool touches = false;
+    search_.forEachPartner(one.body, [&](std::size_t partner) {
+        if (touches || partner == met.body)
+            return;
+        const Present other = presentAt(partner, time);
+        const double tolerance = toleranceOf(one, other, time);
+        if (one.flight && other.flight) {
+            const double far = one.ball.radius + other.ball.radius + tolerance;
+            if ((one.ball.centre - other.ball.centre).squaredNorm() > far * far)
                 return;
-            const FlightContact contact = flightContact(met, time);
-            isOnly = contact.kind == FlightContact::Kind::none ||
-                     (contact.kind == FlightContact::Kind::unclear &&
-                      !touchesClosely(histories, met, other, time));
-        });
-    }
-    return isOnly ? std::optional(found) : std::nullopt;
+        } else if (one.flight && records_[partner].isFixed) {
+            if (isBeyond(search_.box(partner), one.ball.centre, one.ball.radius + tolerance))
+                return;
+        }
+        const bool isFirst = one.body < partner;
+        const FlightContact contact =
+            flightContact(isFirst ? one : other, isFirst ? other : one, time);
+        touches = contact.kind == FlightContact::Kind::contact ||
+                  (contact.kind == FlightContact::Kind::unclear &&
+                   touchesClosely(histories, std::minmax(one.body, partner), partner, time));
+    });
+    return touches;
 }
 
 // Whoever is near without touching leaves no trace in the result.
@@ -104,34 +118,29 @@ bool CollisionSource::touchesClosely(const Histories& histories, const Pair& pai
 }
 
 // softenLastHops() would end the bouncing here, or is near to it.
-bool CollisionSource::isLastHop(const Pair& pair, const Vector& normal, double speed,
-                                double time) const {
-    double push = 0, reach = 0;
-    for (const auto& [body, sign] : {std::pair{pair.first, 1.0}, std::pair{pair.second, -1.0}})
-        if (const collision::BallFlight* flight = search_.flight(body))
-            push += 2 * sign * normal.dot(flight->half);
+bool CollisionSource::isLastHop(const Present& first, const Present& second, const Vector& normal,
+                                double speed) const {
+    const double push = (first.flight ? 2 * normal.dot(first.flight->half) : 0) -
+                        (second.flight ? 2 * normal.dot(second.flight->half) : 0);
     if (!(push < 0))
         return false;
-    double radius = solution::infinity;
-    for (const std::size_t body : {pair.first, pair.second}) {
-        radius = std::min(radius, records_[body].radius);
-        reach += records_[body].radius;
-        if (const collision::BallFlight* flight = search_.flight(body))
-            reach += flight->centreAt(time).norm();
+    double radius = solution::infinity, reach = 0;
+    for (const Present* one : {&first, &second}) {
+        radius = std::min(radius, records_[one->body].radius);
+        reach += records_[one->body].radius + (one->flight ? one->ball.centre.norm() : 0);
     }
     const double lowest = std::max({limits_.hopHeight * radius, 2e-9 * radius, 1e-13 * reach});
     return speed * speed / (-2 * push) < 2 * lowest;
 }
 
-Vector CollisionSource::velocityOf(const Histories& histories, std::size_t body,
+// Of a flight that the search does not follow.
+void CollisionSource::readVelocity(const Histories& histories, Present& present,
                                    double time) const {
-    if (records_[body].isFixed)
-        return Vector::Zero();
-    if (search_.isFollowed(body))
-        return search_.flight(body)->velocityAt(time);
-    const std::size_t first = records_[body].firstUnknown + physics::dx;
-    return {histories.value(first, time), histories.value(first + 1, time),
-            histories.value(first + 2, time)};
+    if (!present.flight || search_.isFollowed(present.body))
+        return;
+    const std::size_t first = records_[present.body].firstUnknown + physics::dx;
+    present.velocity = {histories.value(first, time), histories.value(first + 1, time),
+                        histories.value(first + 2, time)};
 }
 
 // On the spot, where the solver agrees and nobody reads them.
@@ -166,35 +175,46 @@ bool CollisionSource::turn(const Pair& pair, double time, const std::array<Vecto
     return true;
 }
 
+std::optional<CollisionSource::Push>
+CollisionSource::pushOf(const Present& first, const Present& second, const Vector& normal) const {
+    const double restitution =
+        std::min(scene_.bodies[first.body].restitution, scene_.bodies[second.body].restitution);
+    const double speed = normal.dot(first.velocity - second.velocity);
+    if (restitution == 0 || !(speed < -approachThreshold * (first.speed + second.speed)) ||
+        isLastHop(first, second, normal, restitution * speed))
+        return std::nullopt;
+    const double one = 1 / records_[first.body].mass, other = 1 / records_[second.body].mass;
+    const double impulse = physics::centralImpulse(speed, restitution, one + other);
+    const Push push{.impulse = impulse,
+                    .velocities = {first.velocity + (impulse * one) * normal,
+                                   second.velocity + (-impulse * other) * normal},
+                    .isClear = restitution * -speed >
+                               2 * approachThreshold * (first.speed + second.speed - 2 * speed)};
+    if (push.velocities[0] == first.velocity && push.velocities[1] == second.velocity)
+        return std::nullopt;
+    return push;
+}
+
 std::optional<CollisionSource::Handled>
 CollisionSource::meetInFlight(const Histories& histories, const Pair& pair, double time) {
-    const auto contact = onlyContact(histories, pair, time);
-    const double restitution =
-        std::min(scene_.bodies[pair.first].restitution, scene_.bodies[pair.second].restitution);
-    if (!contact || restitution == 0)
+    Present first = presentAt(pair.first, time), second = presentAt(pair.second, time);
+    const FlightContact contact = flightContact(first, second, time);
+    if (contact.kind != FlightContact::Kind::contact ||
+        touchesMore(histories, first, second, time) || touchesMore(histories, second, first, time))
         return std::nullopt;
-    const std::array<Vector, 2> velocities{velocityOf(histories, pair.first, time),
-                                           velocityOf(histories, pair.second, time)};
-    const std::array<double, 2> inverseMasses{1 / records_[pair.first].mass,
-                                              1 / records_[pair.second].mass};
-    const double speed = contact->normal.dot(velocities[0] - velocities[1]);
-    if (!(speed < -approachThreshold * (velocities[0].norm() + velocities[1].norm())) ||
-        isLastHop(pair, contact->normal, restitution * speed, time))
+    readVelocity(histories, first, time);
+    readVelocity(histories, second, time);
+    const auto push = pushOf(first, second, contact.normal);
+    if (!push)
         return std::nullopt;
-    const double impulse =
-        physics::centralImpulse(speed, restitution, inverseMasses[0] + inverseMasses[1]);
-    std::array<Vector, 2> then;
-    for (std::size_t i = 0; i < 2; ++i)
-        then[i] =
-            velocities[i] + ((i == 0 ? impulse : -impulse) * inverseMasses[i]) * contact->normal;
-    if (then == velocities)
-        return std::nullopt;
+    const std::array<Vector, 2> velocities{first.velocity, second.velocity};
+    const std::array<Vector, 2>& then = push->velocities;
     add({.time = time,
          .first = pair.first,
          .second = pair.second,
-         .point = contact->point,
-         .normal = contact->normal,
-         .impulse = impulse},
+         .point = contact.point,
+         .normal = contact.normal,
+         .impulse = push->impulse},
         time);
     if (turn(pair, time, velocities, then))
         return Handled{.event = {}, .isDone = true};
@@ -217,4 +237,121 @@ CollisionSource::meetInFlight(const Histories& histories, const Pair& pair, doub
     return Handled{.event = std::move(event), .isDone = false};
 }
 
+// --- in a rally -------------------------------------------------------------------------------
+
+std::optional<Event> CollisionSource::rally(const Histories& histories, const Pair& pair,
+                                            double until) {
+    std::size_t hits = 0;
+    if (!turns_ || !search_.gather(pair, rally_)) {
+        rally_.tried(hits);
+        return std::nullopt;
+    }
+    for (Rally::Ball& ball : rally_.balls)
+        for (std::size_t k = 0; k < 3; ++k) {
+            ball.turn.places[k] = records_[ball.body].firstUnknown + physics::x + k;
+            ball.turn.velocities[k] = records_[ball.body].firstUnknown + physics::dx + k;
+        }
+    const bool isUnread = std::ranges::all_of(
+        rally_.balls, [this](const Rally::Ball& ball) { return dependents_[ball.body].empty(); });
+    Rallied rallied = Rallied::goesOn;
+    Rally::Meeting last;
+    while (isUnread && rallied == Rallied::goesOn) {
+        const Rally::Meeting* met = rally_.next();
+        if (!met || met->time > until || (++hits % 64 == 0 && cancelled_ && cancelled_()))
+            break;
+        last = *met; // its own will be the next time
+        rallied = meetInRally(*met);
+    }
+    if (rallied == Rallied::isUnclear)
+        rally_.forgetMeetings(last);
+    search_.dissolve(rally_);
+    rally_.tried(hits);
+    if (rallied == Rallied::isEndless)
+        return endWithoutEnd(histories, last.pair, last.time);
+    if (rallied == Rallied::isUnclear)
+        search_.goOn(last.pair, last.time, renewal_);
+    if (rallied == Rallied::isRefused)
+        if (auto handled = meetInFlight(histories, last.pair, last.time))
+            return std::move(handled->event);
+    return std::nullopt;
+}
+
+// What is not told here at once is left to the search, which is asked again.
+bool CollisionSource::touchesMoreInRally(const Present& one, const Rally::Ball& ball,
+                                         const Rally::Meeting& met, double time) const {
+    for (const std::size_t m : ball.meetings) {
+        const Rally::Meeting& meeting = rally_.meetings[m];
+        if (&meeting == &met)
+            continue;
+        if (meeting.isStanding) {
+            const Rally::Standing& standing = rally_.standing[meeting.other];
+            const Present other = presentAt(standing.body, time);
+            const double tolerance = toleranceOf(one, other, time);
+            if (!isBeyond(standing.box, one.ball.centre, one.ball.radius + tolerance) &&
+                flightContact(one, other, time).kind != FlightContact::Kind::none)
+                return true;
+            continue;
+        }
+        const Rally::Ball& first = rally_.balls[meeting.ball];
+        const Rally::Ball& ballNear = first.body == one.body ? rally_.balls[meeting.other] : first;
+        const Present other = presentOf(ballNear.body, ballNear.flight, time);
+        const double far = one.ball.radius + other.ball.radius + toleranceOf(one, other, time);
+        if (!((one.ball.centre - other.ball.centre).squaredNorm() > far * far))
+            return true;
+    }
+    return false;
+}
+
+// As handle(), meetInFlight() and turn() do.
+CollisionSource::Rallied CollisionSource::meetInRally(const Rally::Meeting& met) {
+    const double time = met.time;
+    Rally::Ball* const one = &rally_.balls[met.ball];
+    Rally::Ball* const two = met.isStanding ? nullptr : &rally_.balls[met.other];
+    const Present ball = presentOf(one->body, one->flight, time);
+    const Present other = two ? presentOf(two->body, two->flight, time)
+                              : presentAt(rally_.standing[met.other].body, time);
+    const bool isInOrder = ball.body < other.body;
+    const Present &first = isInOrder ? ball : other, &second = isInOrder ? other : ball;
+    const FlightContact contact = flightContact(first, second, time);
+    if (contact.kind != FlightContact::Kind::contact || !rally_.areHome(time) ||
+        touchesMoreInRally(ball, *one, met, time) ||
+        (two && touchesMoreInRally(other, *two, met, time)))
+        return Rallied::isOver;
+    const auto push = pushOf(first, second, contact.normal);
+    if (!push)
+        return Rallied::isOver;
+    if (isWithoutEnd(first.body, second.body, time) || isWithoutEnd(second.body, first.body, time))
+        return Rallied::isEndless;
+    std::array<solution::Turn, 2> turns;
+    std::size_t count = 0;
+    for (const auto& [who, present, then] :
+         {std::tuple{one, &ball, &push->velocities[isInOrder ? 0 : 1]},
+          std::tuple{two, &other, &push->velocities[isInOrder ? 1 : 0]}}) {
+        if (!who)
+            continue;
+        solution::Turn& turn = turns[count++] = who->turn;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto axis = static_cast<Eigen::Index>(k);
+            turn.jumps[k] = (*then)[axis] != present->velocity[axis];
+            turn.velocity[k] = (*then)[axis];
+        }
+    }
+    if (!turns_->turn(time, std::span(turns).first(count)))
+        return Rallied::isRefused;
+    add({.time = time,
+         .first = first.body,
+         .second = second.body,
+         .point = contact.point,
+         .normal = contact.normal,
+         .impulse = push->impulse},
+        time);
+    noteEvent(time);
+    const bool parted = two ? one->flight.half == two->flight.half
+                            : one->isStraight && rally_.standing[met.other].parts.size() == 1;
+    one->fly(turns[0], time);
+    if (two)
+        two->fly(turns[1], time);
+    const bool forGood = parted && push->isClear && contact.gap > -deep * ball.ball.radius;
+    return search_.turned(rally_, met, time, forGood) ? Rallied::goesOn : Rallied::isUnclear;
+}
 } // namespace simulation

@@ -53,8 +53,9 @@ std::optional<Event> CollisionSource::next(const Histories& histories, double kn
         if (looks % 64 == 0 && cancelled_ && cancelled_())
             return std::nullopt;
         const EncounterSearch::Next next = search_.next();
-        const auto change =
-            resting_.firstChange(histories, std::min(next.time, until), until, search_);
+        std::optional<RestingBodies::Change> change;
+        if (resting_.isAnyResting())
+            change = resting_.firstChange(histories, std::min(next.time, until), until, search_);
         // What holds to the finish holds at the finish.
         const bool changes = change && change->time < finish_;
         if (changes && !(next.isHit && next.time <= change->time))
@@ -71,6 +72,9 @@ std::optional<Event> CollisionSource::next(const Histories& histories, double kn
             return announced(std::move(*handled.event));
         if (!handled.isDone)
             search_.searchOn(hit.pair, hit.time);
+        else if (rally_.isDue())
+            if (auto event = rally(histories, hit.pair, until))
+                return announced(std::move(*event));
     }
 }
 

@@ -111,24 +111,51 @@ private:
                                  const EncounterSearch::Found& hit);
     [[nodiscard]] std::optional<solution::Event> meet(const solution::Histories& histories,
                                                       const Pair& pair, double time);
+    struct Present { // of two that meet, or one beside them, at an instant
+        std::size_t body = 0;
+        const collision::BallFlight* flight = nullptr; // none: not in flight
+        collision::PlacedBall ball = {};
+        Vector velocity = Vector::Zero();
+        double speed = 0, farthest = 0; // coordinate
+    };
     // Two balls, or a ball and a face, that touch nothing else. None: meet() must answer.
     [[nodiscard]] std::optional<Handled> meetInFlight(const solution::Histories& histories,
                                                       const Pair& pair, double time);
+    struct Push { // what two do to each other
+        double impulse = 0;
+        std::array<Vector, 2> velocities; // then
+        bool isClear = false;             // they part faster than rounding tells
+    };
+    // None: they do not, or it is their last hop.
+    [[nodiscard]] std::optional<Push> pushOf(const Present& first, const Present& second,
+                                             const Vector& normal) const;
     [[nodiscard]] bool turn(const Pair& pair, double time, const std::array<Vector, 2>& before,
                             const std::array<Vector, 2>& after);
-    [[nodiscard]] Vector velocityOf(const solution::Histories& histories, std::size_t body,
-                                    double time) const;
+    // Hit after hit, after one of these; an event: one that must be announced.
+    [[nodiscard]] std::optional<solution::Event> rally(const solution::Histories& histories,
+                                                       const Pair& pair, double until);
+    // isOver: the search must answer this hit; isRefused: the solver does not turn on the spot.
+    enum class Rallied { goesOn, isOver, isEndless, isRefused, isUnclear };
+    [[nodiscard]] Rallied meetInRally(const Rally::Meeting& meeting);
+    [[nodiscard]] static Present presentOf(std::size_t body, const collision::BallFlight& flight,
+                                           double time);
+    [[nodiscard]] bool touchesMoreInRally(const Present& one, const Rally::Ball& ball,
+                                          const Rally::Meeting& met, double time) const;
+    [[nodiscard]] Present presentAt(std::size_t body, double time) const;
+    void readVelocity(const solution::Histories& histories, Present& present, double time) const;
+    [[nodiscard]] double toleranceOf(const Present& a, const Present& b, double time) const;
     [[nodiscard]] double speedOf(const Pair& pair, double time) const;
     // Nearer than this they touch at an impact: it is as far off as coordinates and times are
     // resolved, too.
     [[nodiscard]] double contactTolerance(const Pair& pair, double time) const;
-    [[nodiscard]] collision::FlightContact flightContact(const Pair& pair, double time) const;
-    [[nodiscard]] std::optional<collision::FlightContact>
-    onlyContact(const solution::Histories& histories, const Pair& pair, double time);
+    [[nodiscard]] collision::FlightContact flightContact(const Present& first,
+                                                         const Present& second, double time) const;
+    [[nodiscard]] bool touchesMore(const solution::Histories& histories, const Present& one,
+                                   const Present& met, double time);
     [[nodiscard]] bool touchesClosely(const solution::Histories& histories, const Pair& pair,
                                       std::size_t other, double time);
-    [[nodiscard]] bool isLastHop(const Pair& pair, const Vector& normal, double speed,
-                                 double time) const;
+    [[nodiscard]] bool isLastHop(const Present& first, const Present& second, const Vector& normal,
+                                 double speed) const;
     [[nodiscard]] std::optional<solution::Event> press(const solution::Histories& histories,
                                                        const Pair& pair, double time);
     [[nodiscard]] solution::Event stir(const solution::Histories& histories, std::size_t body,
@@ -184,6 +211,7 @@ private:
     RestingBodies resting_;
     EncounterSearch search_;
     EncounterSearch::Renewal renewal_;
+    Rally rally_;
     std::vector<std::size_t> cut_; // by the last event
     std::vector<Meetings> meetings_;
     Outcome outcome_;

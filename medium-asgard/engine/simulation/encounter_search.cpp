@@ -14,9 +14,7 @@ using collision::Interval;
 using solution::infinity;
 
 constexpr std::size_t recentPairs = 4096;
-constexpr std::size_t shortQueue = 64;
-constexpr double apart = 2;    // radii: flights that pass each other by so much are no encounter
-constexpr double farOff = 1e6; // radii: there the formulas must tell
+constexpr std::size_t shortQueue = 16;
 
 std::vector<collision::StandingPart> standingOf(const MovingBody& body, const BodyRecord& record) {
     std::vector<collision::StandingPart> parts;
@@ -28,28 +26,6 @@ std::vector<collision::StandingPart> standingOf(const MovingBody& body, const Bo
         parts.push_back(collision::standingPart(part, pose));
     }
     return parts;
-}
-
-// Their centres never come as near as a few radii, by a formula that does for that: with p and v
-// the difference of places and of velocities, |p + v s| > R for all s > 0.
-bool passApart(const collision::BallFlight& a, const collision::BallFlight& b) {
-    const double from = std::max(a.from, b.from), sa = from - a.from, sb = from - b.from;
-    double distance = 0, along = 0, speed = 0;
-    for (Eigen::Index i = 0; i < 3; ++i) {
-        const double ha = a.half[i], hb = b.half[i];
-        if (ha != hb)
-            return false;
-        const double p = a.place[i] - b.place[i] + sa * (a.velocity[i] + sa * ha) -
-                         sb * (b.velocity[i] + sb * hb);
-        const double v = a.velocity[i] - b.velocity[i] + 2 * (sa - sb) * ha;
-        distance += p * p;
-        along += p * v;
-        speed += v * v;
-    }
-    const double radius = apart * (a.radius + b.radius), square = radius * radius;
-    if (!(distance > square) || distance > square * (farOff * farOff))
-        return false;
-    return along >= 0 || (distance - square) * speed > along * along;
 }
 
 } // namespace
@@ -93,11 +69,11 @@ EncounterSearch::EncounterSearch(const scene::Scene& scene,
             linked_[a].push_back(b);
             linked_[b].push_back(a);
         }
+    for (std::size_t b = 0; b < records.size(); ++b)
+        isChoosy_.push_back(groups_[b].has_value() || !linked_[b].empty());
 }
 
-bool EncounterSearch::mayMeet(std::size_t a, std::size_t b) const {
-    if (a == b || (records_[a].isFixed && records_[b].isFixed))
-        return false;
+bool EncounterSearch::mayChoosyMeet(std::size_t a, std::size_t b) const {
     if (groups_[a] && groups_[b] && *groups_[a] == *groups_[b])
         return false;
     return std::ranges::find(linked_[a], b) == linked_[a].end();
@@ -206,17 +182,12 @@ void EncounterSearch::searchOn(const Pair& pair, double time) {
         search(pair, time);
 }
 
-FlightMeeting EncounterSearch::flightMeeting(const Pair& pair, Interval during) const {
-    const collision::BallFlight *a = flight(pair.first), *b = flight(pair.second);
-    if (a && b)
-        return collision::meetingOf(*a, *b, during);
-    const collision::BallFlight* ball = a ? a : b;
-    const auto& faces = standing_[a ? pair.second : pair.first];
-    if (!ball || faces.empty())
-        return {FlightMeeting::Kind::unclear, 0};
+FlightMeeting EncounterSearch::meetingWithStanding(const collision::BallFlight& ball,
+                                                   std::span<const collision::StandingPart> parts,
+                                                   Interval during) {
     FlightMeeting first;
-    for (const collision::StandingPart& part : faces) {
-        const FlightMeeting met = collision::meetingOf(*ball, part, during);
+    for (const collision::StandingPart& part : parts) {
+        const FlightMeeting met = collision::meetingOf(ball, part, during);
         if (met.kind == FlightMeeting::Kind::unclear)
             return met;
         if (met.kind == FlightMeeting::Kind::hit &&
@@ -227,8 +198,7 @@ FlightMeeting EncounterSearch::flightMeeting(const Pair& pair, Interval during) 
 }
 
 // False: formulas do not tell.
-bool EncounterSearch::searchFlights(const Pair& pair, Interval during) {
-    const FlightMeeting met = flightMeeting(pair, during);
+bool EncounterSearch::keep(const Pair& pair, const FlightMeeting& met) {
     if (met.kind == FlightMeeting::Kind::hit)
         keep(pair, met.time, false, false);
     return met.kind != FlightMeeting::Kind::unclear;
@@ -242,21 +212,30 @@ void EncounterSearch::search(const Pair& pair, double from) {
         return;
     ++pairTests_;
     remember(pair);
-    if (searchFlights(pair, during))
-        return;
-    searchGenerally(pair, during);
+    const std::size_t standing = a.isFlight ? pair.second : pair.first;
+    FlightMeeting met{FlightMeeting::Kind::unclear, 0};
+    if (a.isFlight && b.isFlight)
+        met = collision::meetingOf(a.flight, b.flight, during);
+    else if ((a.isFlight || b.isFlight) && !standing_[standing].empty())
+        met = meetingWithStanding(a.isFlight ? a.flight : b.flight, standing_[standing], during);
+    if (!keep(pair, met))
+        searchGenerally(pair, during);
 }
 
 // Two balls in cells, for as long as they fly.
 void EncounterSearch::searchFlight(std::size_t body, std::size_t other, double time) {
-    const Window &a = windows_[body], &b = windows_[other];
-    // One that was cut is searched when its next window begins.
-    if (!a.isFlight || !b.isFlight || !mayMeet(body, other) || passApart(a.flight, b.flight))
-        return;
     const Pair pair = std::minmax(body, other);
+    const Window &a = windows_[pair.first], &b = windows_[pair.second];
+    // One that was cut is searched when its next window begins.
+    if (!a.isFlight || !b.isFlight || !mayMeet(body, other))
+        return;
+    const collision::Approach approach(a.flight, b.flight);
+    if (passApart(approach, a.flight, b.flight))
+        return;
     ++pairTests_;
     remember(pair);
-    if (searchFlights(pair, {time, std::min(a.pieceEnd, b.pieceEnd)}))
+    const Interval during{time, std::min(a.pieceEnd, b.pieceEnd)};
+    if (keep(pair, collision::meetingOf(approach, a.flight, b.flight, during)))
         return;
     for (const auto& [one, two] : {pair, Pair(pair.second, pair.first)})
         if (std::ranges::find(unclear_[one], two) == unclear_[one].end())

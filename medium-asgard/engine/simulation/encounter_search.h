@@ -25,6 +25,8 @@
 // (solution/event_source.h), the search knows their flights without reading them again:
 //
 //     turn(b, ...), goOn(pair):   what cut() of both and renew() would do
+//
+// A few that meet nobody but each other and what stands still leave for a rally: rally.h.
 #pragma once
 
 #include "collision/ball_cells.h"
@@ -34,6 +36,7 @@
 #include "physics/equations_of_motion.h"
 #include "scene/scene.h"
 #include "simulation/earliest.h"
+#include "simulation/rally.h"
 #include "simulation/resting_bodies.h"
 #include "solution/event_source.h"
 
@@ -87,6 +90,24 @@ public:
     void searchOn(const Pair& pair, double time);
     // They let each other pass until then.
     void letPass(const Pair& pair, double until) { passing_.push_back({pair, until}); }
+
+    // The balls of a hit that turned them, and those they may meet, leave for a rally (rally.h), in
+    // which they meet by these; false: there is none to be had. They come back as they are then.
+    [[nodiscard]] bool gather(const Pair& pair, Rally& rally);
+    void dissolve(const Rally& rally);
+    [[nodiscard]] bool turned(Rally& rally, const Rally::Meeting& met, double time,
+                              bool parted) const {
+        return rally.turned(met, time, parted, cells_, slack_);
+    }
+    static constexpr double firstSpan = 16; // s, of the first window after a cut at most
+    [[nodiscard]] static bool passApart(const collision::Approach& approach,
+                                        const collision::BallFlight& a,
+                                        const collision::BallFlight& b) {
+        return approach.passesBeyond(2 * (a.radius + b.radius)); // that is no encounter
+    }
+    [[nodiscard]] static collision::FlightMeeting
+    meetingWithStanding(const collision::BallFlight& ball,
+                        std::span<const collision::StandingPart> parts, collision::Interval during);
 
     // Bodies that this one may meet during its window, in order; none for fixed bodies, whom the
     // others list.
@@ -143,7 +164,12 @@ private:
     // Balls near one in its cell; beyond: beyond the face that it came through.
     enum class Around { all, beyond };
 
-    [[nodiscard]] bool mayMeet(std::size_t a, std::size_t b) const;
+    [[nodiscard]] bool mayMeet(std::size_t a, std::size_t b) const {
+        if (a == b || (records_[a].isFixed && records_[b].isFixed))
+            return false;
+        return !isChoosy_[a] || !isChoosy_[b] || mayChoosyMeet(a, b);
+    }
+    [[nodiscard]] bool mayChoosyMeet(std::size_t a, std::size_t b) const;
     [[nodiscard]] bool isOutdated(const Hit& hit) const;
     void push(const Hit& hit);
     void drop();
@@ -160,13 +186,14 @@ private:
     [[nodiscard]] geometry::Box leafOfBlock(std::size_t body) const;
     void enterTree(std::size_t body, Renewal& renewal);
     void findPartners(std::size_t body, const geometry::Box& leaf, Renewal& renewal);
-    void searchAround(std::size_t body, double time, std::optional<std::size_t> but = {});
+    static constexpr std::size_t nobody = ~std::size_t{0};
+    void searchAround(std::size_t body, double time, std::size_t but = nobody);
     void searchFlight(std::size_t body, std::size_t other, double time);
     void searchGenerally(const Pair& pair, collision::Interval during);
     void search(const Pair& pair, double from);
-    [[nodiscard]] bool searchFlights(const Pair& pair, collision::Interval during);
-    [[nodiscard]] collision::FlightMeeting flightMeeting(const Pair& pair,
-                                                         collision::Interval during) const;
+    [[nodiscard]] bool isRallying(std::size_t body) const;
+    [[nodiscard]] bool gatherBodies(const Pair& pair, Rally& rally);
+    [[nodiscard]] bool keep(const Pair& pair, const collision::FlightMeeting& met);
     void keep(const Pair& pair, double time, bool pressing, bool isLost);
     [[nodiscard]] bool isPassing(const Pair& pair, double time) const;
     void remember(const Pair& pair);
@@ -179,6 +206,7 @@ private:
 
     std::vector<std::optional<std::size_t>> groups_;
     std::vector<std::vector<std::size_t>> linked_;
+    std::vector<char> isChoosy_; // has a group or links
     std::vector<bool> isFreeBall_;
     std::vector<std::vector<collision::StandingPart>> standing_;
 

@@ -12,14 +12,16 @@ using solution::Histories;
 using solution::infinity;
 
 constexpr double firstWay = 3;     // of the body's radius, in the first window after a cut
-constexpr double firstSpan = 16;   // s, of that window at most
 constexpr int mostDoublings = 400; // of both: nothing is farther away; cells go on to grow
 constexpr double roomAround = 0.5; // of the radius, about boxes of short windows
 constexpr double mostRoom = 4;     // a box in the tree is at most so much larger than needed
 constexpr double rounding = 1e-12; // of coordinates, in boxes
 constexpr int smallWindows = 16;   // that nothing cut; from then on a ball takes larger cells
 
-double doublings(int number) { return std::ldexp(1, std::min(number, mostDoublings)); }
+double doublings(int number) {
+    return number < 63 ? static_cast<double>(std::uint64_t{1} << std::max(number, 0))
+                       : std::ldexp(1, std::min(number, mostDoublings));
+}
 
 void grow(geometry::Box& box, double by) {
     box.min() -= geometry::Vector::Constant(by);
@@ -48,15 +50,20 @@ std::vector<geometry::Vector> shifted(std::vector<geometry::Vector> c, double s0
     return c;
 }
 
-geometry::Box boxOf(const collision::BallFlight& flight, double from, double to) {
+// With `more` about it.
+geometry::Box boxOf(const collision::BallFlight& flight, double from, double to, double more) {
     const geometry::Vector a = flight.centreAt(from), b = flight.centreAt(to);
-    geometry::Box box(a.cwiseMin(b), a.cwiseMax(b));
-    // A parabola leaves the box of its ends by at most |h| (to - from)^2 / 4.
-    const geometry::Vector bulge = flight.half.cwiseAbs() * ((to - from) * (to - from) / 4);
-    const double reach =
-        flight.radius + rounding * (a.cwiseAbs().maxCoeff() + b.cwiseAbs().maxCoeff());
-    box.min() -= bulge + geometry::Vector::Constant(reach);
-    box.max() += bulge + geometry::Vector::Constant(reach);
+    double reach = 0;
+    for (const double coordinate : {a[0], a[1], a[2], b[0], b[1], b[2]})
+        reach = std::max(reach, std::abs(coordinate));
+    reach = flight.radius + more + 2 * rounding * reach;
+    geometry::Box box;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        // A parabola leaves the box of its ends by at most |h| (to - from)^2 / 4.
+        const double room = reach + std::abs(flight.half[i]) * ((to - from) * (to - from) / 4);
+        box.min()[i] = std::min(a[i], b[i]) - room;
+        box.max()[i] = std::max(a[i], b[i]) + room;
+    }
     return box;
 }
 
@@ -129,8 +136,7 @@ void EncounterSearch::openFlightWindow(std::size_t body, double time) {
 // Only partners ask for it.
 void EncounterSearch::boxFlight(std::size_t body) {
     Window& window = windows_[body];
-    window.box = boxOf(window.flight, window.from, window.until);
-    grow(window.box, slack_ * records_[body].radius);
+    window.box = boxOf(window.flight, window.from, window.until, slack_ * records_[body].radius);
 }
 
 void EncounterSearch::openWindow(const Histories& histories, std::size_t body, double time,
@@ -223,7 +229,7 @@ void EncounterSearch::renew(const Histories& histories, Renewal& renewal) {
     searchAround(body, time);
 }
 
-void EncounterSearch::searchAround(std::size_t body, double time, std::optional<std::size_t> but) {
+void EncounterSearch::searchAround(std::size_t body, double time, std::size_t but) {
     for (const std::size_t other : partners_[body])
         if (other != but)
             search(std::minmax(body, other), time);
@@ -235,7 +241,8 @@ void EncounterSearch::searchAround(std::size_t body, double time, std::optional<
     };
     if (around_ == Around::all) {
         // Who searched it just now has put itself there.
-        std::erase_if(unclear_[body], [&](std::size_t other) { return other != but; });
+        if (!unclear_[body].empty())
+            std::erase_if(unclear_[body], [&](std::size_t other) { return other != but; });
         std::ranges::for_each(cells_.near(body), look);
         return;
     }
@@ -266,7 +273,9 @@ void EncounterSearch::turn(std::size_t body, const solution::Turn& turn, double 
 }
 
 void EncounterSearch::goOn(const Pair& turned, double time, Renewal& renewal) {
-    renewal = {.body = turned.first, .ended = false, .joined = {}};
+    renewal.body = turned.first;
+    renewal.ended = false;
+    renewal.joined.clear();
     const std::array<std::size_t, 2> two{turned.first, turned.second};
     for (const std::size_t body : two) {
         if (records_[body].isFixed)
@@ -291,9 +300,7 @@ void EncounterSearch::goOn(const Pair& turned, double time, Renewal& renewal) {
     const bool areTwo = !records_[turned.first].isFixed && !records_[turned.second].isFixed;
     for (const std::size_t body : two)
         if (!records_[body].isFixed)
-            searchAround(body, time,
-                         areTwo && body == turned.second ? std::optional(turned.first)
-                                                         : std::nullopt);
+            searchAround(body, time, areTwo && body == turned.second ? turned.first : nobody);
 }
 
 // The box in the tree may be larger than the window's, so that short windows seldom change it.

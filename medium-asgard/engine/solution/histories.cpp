@@ -8,10 +8,6 @@ namespace solution {
 // ---------------------------------------------------------------------------------------------
 // One component's steps
 
-const History::Step& History::step(std::size_t index) const {
-    return chunks_[index / stepsPerChunk]->steps[index % stepsPerChunk];
-}
-
 Piece History::piece(std::size_t index, std::size_t column) const {
     const Chunk& chunk = *chunks_[index / stepsPerChunk];
     const Step& s = chunk.steps[index % stepsPerChunk];
@@ -88,6 +84,24 @@ std::span<double> History::append(const Step& step) {
     chunk.values.resize(chunk.values.size() + columns_ * step.coefficients);
     ++size_;
     return std::span(chunk.values).subspan(placed.offset);
+}
+
+std::span<double> History::startAnew(double t, std::uint8_t coefficients) {
+    const Step made{t, infinity, 1, true, coefficients, 0};
+    if (size_ % stepsPerChunk == 0 || step(size_ - 1).origin >= t) {
+        (void)cut(t);
+        return append(made);
+    }
+    Chunk& chunk = writableTail();
+    const std::size_t row = columns_ * coefficients, offset = chunk.values.size();
+    chunk.steps.back().until = t;
+    if (chunk.steps.size() == chunk.steps.capacity())
+        chunk.grow(row);
+    chunk.steps.push_back(made);
+    chunk.steps.back().offset = static_cast<std::uint32_t>(offset);
+    chunk.values.resize(offset + row);
+    ++size_;
+    return {chunk.values.data() + offset, row};
 }
 
 void History::dropLast() {

@@ -64,7 +64,15 @@ public:
         std::uint8_t coefficients = 0; // per column
         std::uint32_t offset = 0;      // into Chunk::values
     };
-    [[nodiscard]] const Step& step(std::size_t index) const;
+    [[nodiscard]] const Step& step(std::size_t index) const {
+        return chunks_[index / stepsPerChunk]->steps[index % stepsPerChunk];
+    }
+    // The numbers of all columns().
+    [[nodiscard]] std::span<const double> row(std::size_t index) const {
+        const Chunk& chunk = *chunks_[index / stepsPerChunk];
+        const Step& s = chunk.steps[index % stepsPerChunk];
+        return {chunk.values.data() + s.offset, columns_ * s.coefficients};
+    }
     [[nodiscard]] Piece piece(std::size_t index, std::size_t column) const;
     // Index of the step that holds t: the later one at a joint. `near` is where to look first.
     [[nodiscard]] std::size_t find(double t, std::size_t near = 0) const;
@@ -73,6 +81,8 @@ public:
     void append(const Step& step, std::span<const double> rows);
     // The same; the caller writes the numbers. Valid until the next change.
     [[nodiscard]] std::span<double> append(const Step& step);
+    // A fresh step begins at t and has no end; the one before it ends there.
+    [[nodiscard]] std::span<double> startAnew(double t, std::uint8_t coefficients);
     // A component that has values but no step from them yet stands on an anchor: a step of no
     // length that its first step replaces.
     [[nodiscard]] bool endsInAnchor() const {

@@ -14,7 +14,7 @@ namespace solution {
 bool Solver::Implementation::turn(double time, std::span<Turn> turns) {
     const std::size_t atOnce = time > lastEvent_ ? 1 : eventsAtOnce_ + 1;
     if (!(time >= lastEvent_ && time >= options_.start) || atOnce >= options_.maximumEventsAtOnce ||
-        isHopelessAt(time, past_.events + 1) || !staysInPlane(time, turns))
+        isHopelessAt(time, past_.events + 1) || (!fliesOn(turns) && !staysInPlane(time, turns)))
         return false;
     for (Turn& one : turns) // those before one that cannot are turned again by the event
         if (!turn(time, one))
@@ -24,6 +24,25 @@ bool Solver::Implementation::turn(double time, std::span<Turn> turns) {
     ++past_.events;
     notePace(time);
     poll(time);
+    return true;
+}
+
+// None: it has none, or has landed.
+Solver::Implementation::Flight* Solver::Implementation::flightOf(const Turn& turn) {
+    const std::uint32_t known = flightOf_.empty() ? 0 : flightOf_[turn.places[0]];
+    return known != 0 && flights_[known - 1].isOn ? &flights_[known - 1] : nullptr;
+}
+
+// All of them do, in the plane or on the line on which they were.
+bool Solver::Implementation::fliesOn(std::span<const Turn> turns) {
+    for (const Turn& turn : turns) {
+        const Flight* flight = flightOf(turn);
+        if (!flight)
+            return false;
+        for (std::size_t k = 0; k < 3; ++k)
+            if (turn.velocity[k] != 0 && !flight->moves[k])
+                return false;
+    }
     return true;
 }
 
@@ -49,18 +68,19 @@ bool Solver::Implementation::staysInPlane(double time, std::span<Turn> turns) co
 }
 
 bool Solver::Implementation::turn(double time, Turn& turn) {
-    const std::uint32_t known = flightOf_.empty() ? 0 : flightOf_[turn.places[0]];
-    Flight* flight = known != 0 ? &flights_[known - 1] : nullptr;
+    Flight* flight = flightOf(turn);
     std::array<double, 9> row{};
-    if (flight && flight->isOn) {
+    if (flight) {
         const std::size_t last = flight->history->size() - 1;
+        const double origin = flight->history->step(last).origin;
+        if (origin > time)
+            return false;
         turn.place = {};
+        const std::span<const double> before = flight->history->row(last);
         for (std::size_t i = 0; i < flight->axes.size(); ++i) {
-            const Piece piece = flight->history->piece(last, i);
-            if (piece.origin > time)
-                return false;
-            turn.place[flight->axes[i].coordinate] = piece.value(time);
-            row[3 * i + 2] = piece.coefficients[2];
+            turn.place[flight->axes[i].coordinate] =
+                evaluate(before.subspan(3 * i, 3), time - origin);
+            row[3 * i + 2] = before[3 * i + 2];
         }
     } else {
         flight = takeOff(time, turn);
@@ -74,9 +94,8 @@ bool Solver::Implementation::turn(double time, Turn& turn) {
         row[3 * i] = turn.place[flight->axes[i].coordinate];
         row[3 * i + 1] = turn.velocity[flight->axes[i].coordinate];
     }
-    (void)flight->history->cut(time);
-    flight->history->append({time, infinity, 1, true, 3, 0},
-                            std::span(row).first(3 * flight->axes.size()));
+    const std::span<double> then = flight->history->startAnew(time, 3);
+    std::copy_n(row.begin(), then.size(), then.begin());
     return true;
 }
 
@@ -132,6 +151,9 @@ Solver::Implementation::Flight* Solver::Implementation::takeOff(double time, Tur
     if (!flight.history || flight.history->columns() != axes->size())
         flight.history = std::make_shared<History>(axes->size());
     flight.axes = std::move(*axes);
+    flight.moves = {};
+    for (const Flight::Axis& axis : flight.axes)
+        flight.moves[axis.coordinate] = axis.velocity != noComponent;
     flight.isOn = true;
     const auto follow = [&](std::size_t unknown, std::size_t column) {
         auto& spans = histories_.tracks_[unknown].spans;

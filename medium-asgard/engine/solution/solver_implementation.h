@@ -66,10 +66,13 @@ private:
             std::size_t coordinate = 0;
         };
         std::vector<Axis> axes;
+        std::array<bool, 3> moves{};      // by coordinate: its velocity is not 0 for ever
         std::shared_ptr<History> history; // a column for each axis, then the rates of these
         bool isOn = false;                // else the components go on by themselves
     };
     [[nodiscard]] bool turn(double time, std::span<Turn> turns) override;
+    [[nodiscard]] Flight* flightOf(const Turn& turn);
+    [[nodiscard]] bool fliesOn(std::span<const Turn> turns);
     [[nodiscard]] bool staysInPlane(double time, std::span<Turn> turns) const;
     [[nodiscard]] bool turn(double time, Turn& turn);
     [[nodiscard]] std::optional<std::vector<Flight::Axis>> axesOf(const Turn& turn) const;

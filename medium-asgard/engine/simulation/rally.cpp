@@ -1,0 +1,250 @@
+#include "simulation/rally.h"
+
+#include "simulation/encounter_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace simulation {
+
+using collision::FlightMeeting;
+using solution::infinity;
+
+void Rally::clear() {
+    balls.clear();
+    standing.clear();
+    meetings.clear();
+    tests = 0;
+}
+
+void Rally::tried(std::size_t hits) {
+    waited_ = 0;
+    wait_ = hits > wait_ ? shortWait : std::min(2 * wait_, longWait);
+}
+
+void Rally::Ball::fly(const solution::Turn& turned, double from) {
+    flight.from = from;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto axis = static_cast<Eigen::Index>(i);
+        flight.place[axis] = turned.place[i];
+        flight.velocity[axis] = turned.velocity[i];
+    }
+}
+
+void Rally::forgetMeetings(const Meeting& met) {
+    for (const std::size_t m : balls[met.ball].meetings)
+        meetings[m].time = infinity;
+    for (std::size_t i = 0; !met.isStanding && i < balls[met.other].meetings.size(); ++i)
+        meetings[balls[met.other].meetings[i]].time = infinity;
+}
+
+const Rally::Meeting* Rally::next() const {
+    const Meeting* first = nullptr;
+    double time = others;
+    for (const Ball& ball : balls)
+        time = std::min(time, ball.until);
+    for (const Meeting& meeting : meetings)
+        if (meeting.time < time) { // of equal times the least pair
+            time = meeting.time;
+            first = &meeting;
+        }
+    return first;
+}
+
+bool Rally::areHome(double time) const {
+    return std::ranges::all_of(balls, [time](const Ball& ball) {
+        if (!ball.hasTurned || !ball.isStraight)
+            return true;
+        const geometry::Vector centre = ball.flight.centreAt(time);
+        bool is = true;
+        for (Eigen::Index i = 0; i < 3; ++i)
+            is = is && centre[i] >= ball.cell.min()[i] && centre[i] <= ball.cell.max()[i];
+        return is;
+    });
+}
+
+bool Rally::turned(const Meeting& met, double time, bool parted, const collision::BallCells& cells,
+                   double room) {
+    const auto renew = [&](Ball& ball) {
+        ball.hasTurned = true;
+        ball.until = time + EncounterSearch::firstSpan;
+        if (!ball.isStraight)
+            ball.until = std::min(ball.until, cells.exitOf(ball.body, ball.flight, time).time);
+    };
+    Ball& one = balls[met.ball];
+    Ball* const other = met.isStanding ? nullptr : &balls[met.other];
+    renew(one);
+    if (other)
+        renew(*other);
+    bool tells = true;
+    for (const std::size_t m : one.meetings) {
+        if (&meetings[m] == &met && parted)
+            meetings[m].time = infinity;
+        else
+            tells = tells && predict(meetings[m], time, room);
+    }
+    for (std::size_t i = 0; other && i < other->meetings.size(); ++i)
+        if (Meeting& meeting = meetings[other->meetings[i]]; &meeting != &met)
+            tells = tells && predict(meeting, time, room);
+    return tells;
+}
+
+bool Rally::predict(Meeting& meeting, double time, double room) {
+    const Ball& ball = balls[meeting.ball];
+    meeting.time = infinity;
+    FlightMeeting met;
+    if (meeting.isStanding) {
+        const Standing& face = standing[meeting.other];
+        if (staysBeyond(ball, face, room))
+            return true;
+        met = EncounterSearch::meetingWithStanding(ball.flight, face.parts, {time, ball.until});
+    } else {
+        const Ball& other = balls[meeting.other];
+        const collision::Approach approach(ball.flight, other.flight);
+        if (EncounterSearch::passApart(approach, ball.flight, other.flight))
+            return true;
+        met = collision::meetingOf(approach, ball.flight, other.flight, {time, infinity});
+    }
+    meeting.isNear = true;
+    ++tests;
+    if (met.kind == FlightMeeting::Kind::hit)
+        meeting.time = met.time;
+    return met.kind != FlightMeeting::Kind::unclear;
+}
+
+// A straight flight that begins now and goes away from its box, or along it.
+bool Rally::staysBeyond(const Ball& ball, const Standing& standing, double room) {
+    const double reach = ball.flight.radius * (1 + room);
+    for (Eigen::Index i = 0; ball.isStraight && i < 3; ++i) {
+        const double from = ball.flight.place[i], v = ball.flight.velocity[i];
+        if ((v >= 0 && from - reach > standing.box.max()[i]) ||
+            (v <= 0 && from + reach < standing.box.min()[i]))
+            return true;
+    }
+    return false;
+}
+
+// --- from the search and back ---------------------------------------------------------------
+
+bool EncounterSearch::isRallying(std::size_t body) const {
+    const Window& window = windows_[body];
+    return window.isFlight && window.isFollowed && window.growth == 0 && cells_.contains(body) &&
+           unclear_[body].empty() && !ended_[body];
+}
+
+// The balls, and who stands where they may come to; false: somebody else may.
+bool EncounterSearch::gatherBodies(const Pair& pair, Rally& rally) {
+    const auto indexOf = [](const auto& list, std::size_t body) {
+        const auto found =
+            std::ranges::find_if(list, [&](const auto& x) { return x.body == body; });
+        return static_cast<std::size_t>(found - list.begin());
+    };
+    const auto join = [&](std::size_t body) {
+        if (indexOf(rally.balls, body) < rally.balls.size())
+            return true;
+        if (rally.balls.size() == Rally::mostBalls || !isRallying(body))
+            return false;
+        const Window& window = windows_[body];
+        rally.balls.push_back({.body = body,
+                               .flight = window.flight,
+                               .cell = cells_.cell(body),
+                               .until = window.until,
+                               .isStraight = window.flight.half.isZero(0),
+                               .meetings = {}});
+        return true;
+    };
+    for (const std::size_t body : {pair.first, pair.second})
+        if (!records_[body].isFixed && !join(body))
+            return false;
+    for (std::size_t b = 0; b < rally.balls.size(); ++b) {
+        const std::size_t body = rally.balls[b].body;
+        for (const std::uint32_t near : cells_.near(body)) {
+            if (!mayMeet(body, near))
+                continue;
+            if (!join(near))
+                return false;
+            const Pair both = std::minmax(body, std::size_t{near});
+            if (std::ranges::find(rally.meetings, both, &Rally::Meeting::pair) ==
+                rally.meetings.end())
+                rally.meetings.push_back({.pair = both, .time = infinity});
+        }
+        for (const std::size_t partner : partners_[body]) {
+            if (!records_[partner].isFixed || standing_[partner].empty())
+                return false;
+            const std::size_t s = indexOf(rally.standing, partner);
+            if (s == Rally::mostStanding)
+                return false;
+            if (s == rally.standing.size())
+                rally.standing.push_back(
+                    {.body = partner, .parts = standing_[partner], .box = windows_[partner].box});
+            rally.meetings.push_back({.pair = std::minmax(body, partner),
+                                      .ball = b,
+                                      .other = s,
+                                      .isStanding = true,
+                                      .time = infinity});
+        }
+    }
+    std::ranges::sort(rally.meetings, {}, &Rally::Meeting::pair);
+    for (std::size_t m = 0; m < rally.meetings.size(); ++m) {
+        Rally::Meeting& meeting = rally.meetings[m];
+        if (!meeting.isStanding) {
+            meeting.ball = indexOf(rally.balls, meeting.pair.first);
+            meeting.other = indexOf(rally.balls, meeting.pair.second);
+            rally.balls[meeting.other].meetings.push_back(m);
+        }
+        rally.balls[meeting.ball].meetings.push_back(m);
+    }
+    return true;
+}
+
+bool EncounterSearch::gather(const Pair& pair, Rally& rally) {
+    rally.clear();
+    if (!passing_.empty() || resting_.isAnyResting() || !gatherBodies(pair, rally))
+        return false;
+    const auto isIn = [&](std::size_t body) {
+        return std::ranges::find(rally.balls, body, &Rally::Ball::body) != rally.balls.end();
+    };
+    for (const Hit& hit : queue_) {
+        if (isOutdated(hit) || (!isIn(hit.first) && !isIn(hit.second)))
+            continue;
+        const auto meeting =
+            std::ranges::find(rally.meetings, Pair(hit.first, hit.second), &Rally::Meeting::pair);
+        if (meeting == rally.meetings.end() || hit.pressing || hit.isLost)
+            return false;
+        meeting->time = std::min(meeting->time, hit.time);
+    }
+    for (const Rally::Ball& ball : rally.balls) {
+        ++version_[ball.body];
+        ends_.set(ball.body, infinity);
+    }
+    rally.others = next().time;
+    return true;
+}
+
+void EncounterSearch::dissolve(const Rally& rally) {
+    pairTests_ += rally.tests;
+    for (const Rally::Ball& ball : rally.balls) {
+        Window& window = windows_[ball.body];
+        if (ball.hasTurned) {
+            bodies_[ball.body].forget();
+            window.flight = ball.flight;
+            window.from = ball.flight.from;
+            window.number = 0;
+            window.exit = cells_.exitOf(ball.body, ball.flight, window.from);
+            window.until = std::min(window.from + firstSpan, window.exit.time);
+            if (!partners_[ball.body].empty())
+                boxFlight(ball.body);
+        }
+        ends_.set(ball.body, window.until);
+    }
+    for (const Rally::Meeting& meeting : rally.meetings) {
+        if (meeting.isNear)
+            remember(meeting.pair);
+        const double until =
+            meeting.isStanding ? windows_[rally.balls[meeting.ball].body].until : infinity;
+        if (meeting.time < infinity && meeting.time <= until)
+            keep(meeting.pair, meeting.time, false, false);
+    }
+}
+
+} // namespace simulation
