@@ -183,10 +183,13 @@ bool ControlPanel::save() {
 }
 
 bool ControlPanel::saveAs() {
-    QString path = QFileDialog::getSaveFileName(
-        this, tr("Save the scene"),
-        document_.path().isEmpty() ? QStringLiteral("scene.al") : document_.path(), sceneFiles());
-    return !path.isEmpty() && saveTo(path);
+    QFileDialog dialog(this, tr("Save the Scene"), QFileInfo(document_.path()).absolutePath(),
+                       sceneFiles());
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("al"));
+    dialog.selectFile(document_.path().isEmpty() ? QStringLiteral("scene.al")
+                                                 : QFileInfo(document_.path()).fileName());
+    return dialog.exec() == QDialog::Accepted && saveTo(dialog.selectedFiles().front());
 }
 
 bool ControlPanel::mayLeave() {

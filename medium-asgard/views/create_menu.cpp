@@ -1,5 +1,6 @@
 #include "views/create_menu.h"
 
+#include "editing/shape_library.h"
 #include "script/numbers.h"
 #include "views/scene_display.h"
 
@@ -77,19 +78,18 @@ void fillBodies(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
                     [&display] { display.creating().start(newBody(BasicShape::sphere)); });
     menu->addAction(QObject::tr("New &Box"), &display,
                     [&display] { display.creating().start(newBody(BasicShape::box)); });
+    QMenu* library = menu->addMenu(QObject::tr("New from the &Library"));
+    for (const editing::LibraryShape& shape : editing::shapeLibrary())
+        library->addAction(QString::fromStdString(shape.name), &display,
+                           [&display, &shape] { display.creating().start(newBody(shape)); });
 }
 
 } // namespace
 
 Recipe newWeight(SceneDisplay& display) {
-    Vector usual(0, -9.81, 0);
-    for (const scene::Force& force : display.drawing().scene->forces)
-        if (const auto* weight = std::get_if<scene::GravitationalForce>(&force.kind);
-            weight && weight->acceleration != Vector::Zero())
-            usual = weight->acceleration;
     return newWeight(
         display.arrowLength(false), [&display](std::size_t body) { return display.massOf(body); },
-        usual);
+        usualGravity(*display.drawing().scene));
 }
 
 void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
@@ -106,6 +106,8 @@ void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display
     add(forces, QObject::tr("&Constant"),
         [&display] { return newForce(false, display.arrowLength(false)); });
     add(forces, QObject::tr("&Gravitational"), [&display] { return newWeight(display); });
+    add(forces, QObject::tr("Gravity for &All Bodies"),
+        [&display] { return weightForAll(usualGravity(*display.drawing().scene)); });
     add(forces, QObject::tr("By a &Trajectory"), [] { return newTrajectoryForce(false); });
     QMenu* torques = menu->addMenu(QObject::tr("&Torque"));
     add(torques, QObject::tr("&Constant"),

@@ -160,8 +160,11 @@ void Creating::finish() {
     const scene::Scene& scene = *document_.shown().scene;
     const auto made = recipe.make(document_.text(), scene, shown_);
     cancel();
-    if (made.empty())
+    if (made.empty()) {
+        if (!recipe.otherwise.isEmpty())
+            Q_EMIT refused(recipe.otherwise);
         return;
+    }
     const editing::Kind kind = made.back().kind;
     std::size_t count = 0;
     while (editing::sourceOf(scene, {kind, count}))

@@ -127,6 +127,28 @@ TEST_F(CreatingTest, GravityPointsFromTheCentreAndReturnTakesWhatIsSelected) {
     EXPECT_THAT(text(), HasSubstr("force -body b2 -gravitational {0 0 -1.6}\n"));
 }
 
+TEST_F(CreatingTest, AllBodiesThatCanFallGetTheirWeightAtOnce) {
+    open(balls + "body floor ball -fixed 1\nforce -body b1 -gravitational {0 0 -1.6}\n");
+    display().creating().start(weightForAll(usualGravity(scene())));
+    done();
+    ASSERT_EQ(scene().forces.size(), 2U);
+    EXPECT_THAT(text(), HasSubstr("force -body b2 -gravitational {0 0 -1.6}\n"));
+    display().creating().start(weightForAll(usualGravity(scene())));
+    EXPECT_THAT(display().editing().said().toStdString(), HasSubstr("No body is without weight"));
+}
+
+TEST_F(CreatingTest, AShapeOfTheLibraryIsPlacedAtOnce) {
+    open("");
+    for (const editing::LibraryShape& shape : editing::shapeLibrary()) {
+        display().creating().start(newBody(shape));
+        key(Qt::Key_Return);
+        done();
+        ASSERT_FALSE(editor.document().hasErrors()) << shape.name;
+    }
+    EXPECT_EQ(scene().bodies.size(), editing::shapeLibrary().size());
+    EXPECT_EQ(scene().shapeSets.back().parts, editing::shapeLibrary().back().parts);
+}
+
 TEST_F(CreatingTest, ReturnAndEscapeAreNotLostToASwitch) {
     open(balls);
     viewer->activateWindow();

@@ -229,11 +229,26 @@ void Draft::refused(const QString& why) {
 
 // --- conflicts -----------------------------------------------------------------------------
 
+// What differs there. Words that were left out beside it, but for blanks, belong to it: the draft
+// has no bytes of theirs that could be in the range.
 std::optional<editing::Hunk> Draft::hunkAt(Range range) const {
-    for (const editing::Hunk& hunk : editing::differences(base_, editor_.bytes()))
-        if (hunk.after.from <= range.to && range.from <= hunk.after.to)
-            return hunk;
-    return std::nullopt;
+    const std::string mine = editor_.bytes();
+    const auto blanksTo = [&](std::size_t from, std::size_t to) {
+        return from >= to || mine.find_first_not_of(" \t", from) >= to;
+    };
+    std::optional<editing::Hunk> found;
+    for (const editing::Hunk& hunk : editing::differences(base_, mine)) {
+        const bool leftOut = !hunk.after.known();
+        if (!(hunk.after.from <= range.to && range.from <= hunk.after.to) &&
+            !(leftOut && blanksTo(range.to, hunk.after.from) &&
+              blanksTo(hunk.after.to, range.from)))
+            continue;
+        if (!found)
+            found = hunk;
+        found->before.to = hunk.before.to;
+        found->after.to = hunk.after.to;
+    }
+    return found;
 }
 
 QString Draft::theirs(Range conflict) const {

@@ -5,6 +5,7 @@
 #include "views/autosave.h"
 #include "views/control_panel.h"
 #include "views/icons.h"
+#include "views/plots_window.h"
 #include "views/recent_files.h"
 #include "views/shape_editor.h"
 #include "views/shape_names.h"
@@ -67,6 +68,7 @@ Editor::~Editor() {
         delete viewer;
     for (StudyWindow* study : alive(studies_))
         delete study;
+    delete plots_;
     delete trajectoryEditor_;
     delete shapeEditor_;
     delete controlPanel_;
@@ -86,6 +88,7 @@ Windows Editor::windows() {
     windows.openShapeEditor = [this](const QString& name) { openShapeEditor(name); };
     windows.importShape = [this] { openShapeEditor()->askToImport(); };
     windows.newShape = [this] { openShapeEditor()->askForNewShape(); };
+    windows.openPlots = [this] { openPlots(); };
     windows.openStudy = [this] { openStudy(); };
     windows.closeViewers = [this] { return closeViewers(); };
     windows.settleDrafts = [this] { return settleDrafts(); };
@@ -157,6 +160,15 @@ ShapeEditor* Editor::openShapeEditor(const QString& name) {
     return shapeEditor_;
 }
 
+PlotsWindow* Editor::openPlots() {
+    if (!plots_)
+        plots_ = new PlotsWindow(document_);
+    plots_->show();
+    plots_->raise();
+    plots_->activateWindow();
+    return plots_;
+}
+
 StudyWindow* Editor::openStudy() {
     const auto& scene = document_.shown().scene;
     auto* study = new StudyWindow(scene, simulation::usualPlan(*scene), document_.name());
@@ -185,6 +197,8 @@ bool Editor::closeViewers() {
         viewer->close();
     for (StudyWindow* study : alive(studies_))
         study->close();
+    if (plots_)
+        plots_->close();
     if (trajectoryEditor_)
         trajectoryEditor_->close();
     if (shapeEditor_)

@@ -19,6 +19,7 @@ class Reader;
 namespace views {
 
 class ControlPanel;
+class PlotsWindow;
 class ShapeEditor;
 class StudyWindow;
 class TrajectoryEditor;
@@ -40,6 +41,7 @@ public:
     TrajectoryEditor* openTrajectoryEditor(); // one at a time
     // One at a time. "": with the shape of what is selected, else the one that it shows.
     ShapeEditor* openShapeEditor(const QString& name = {});
+    PlotsWindow* openPlots(); // one at a time
     // How the methods do on the scene that is shown.
     StudyWindow* openStudy();
     [[nodiscard]] QList<GraphicalViewer*> graphicalViewers() const;
@@ -59,6 +61,7 @@ private:
     QPointer<ControlPanel> controlPanel_;
     QPointer<TrajectoryEditor> trajectoryEditor_;
     QPointer<ShapeEditor> shapeEditor_;
+    QPointer<PlotsWindow> plots_;
     QList<QPointer<GraphicalViewer>> graphical_;
     QList<QPointer<LanguageViewer>> language_;
     QList<QPointer<StudyWindow>> studies_;

@@ -133,6 +133,7 @@ void Building::addPlots() {
     for (std::size_t i = 0; i < plots.size(); ++i) {
         const Element element = {Kind::plot, i};
         QMenu* one = all->addMenu(QString::fromStdString(editing::describe(scene(), element)));
+        one->addAction(QObject::tr("&Chart"), &display_, [open = windows_.openPlots] { open(); });
         one->addAction(QObject::tr("Show in the Te&xt"), &display_,
                        [&document = document_, element, show = windows_.showText] {
                            document.select({element});

@@ -31,7 +31,7 @@ struct MenuPlace {
 [[nodiscard]] MenuPlace menuPlaceOfSelection(SceneDocument& document, SceneDisplay& display);
 
 struct MenuWindows {
-    std::function<void()> openTrajectoryEditor, showText;
+    std::function<void()> openTrajectoryEditor, showText, openPlots;
 };
 [[nodiscard]] std::unique_ptr<QMenu> elementMenu(SceneDocument& document, SceneDisplay& display,
                                                  const MenuPlace& place,

@@ -32,6 +32,15 @@ QString labelOf(ExportFormat format) {
     return QObject::tr("Table of the motion (*.csv)");
 }
 
+ExportFormat formatOf(const QString& path, ExportFormat chosen) {
+    constexpr std::pair<const char*, ExportFormat> endings[] = {
+        {".png", ExportFormat::png}, {".ppm", ExportFormat::ppm}, {".csv", ExportFormat::table}};
+    for (const auto& [ending, format] : endings)
+        if (path.endsWith(QLatin1String(ending), Qt::CaseInsensitive))
+            return format;
+    return chosen;
+}
+
 QString withEnding(const QString& path, ExportFormat format) {
     const QString ending = format == ExportFormat::png     ? QStringLiteral(".png")
                            : format == ExportFormat::ppm   ? QStringLiteral(".ppm")

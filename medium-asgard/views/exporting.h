@@ -26,6 +26,8 @@ struct ToExport {
 enum class ExportFormat { png, ppm, film, table };
 
 [[nodiscard]] QString labelOf(ExportFormat format); // as a file dialog has it: "Picture (*.png)"
+// The one that the name's ending asks for, whatever was chosen beside it.
+[[nodiscard]] ExportFormat formatOf(const QString& path, ExportFormat chosen);
 // With the ending that the format wants.
 [[nodiscard]] QString withEnding(const QString& path, ExportFormat format);
 

@@ -31,7 +31,8 @@ void Exports::ask() {
         write(path, formats[static_cast<std::size_t>(which)]);
 }
 
-void Exports::write(const QString& asked, ExportFormat format) {
+void Exports::write(const QString& asked, ExportFormat chosen) {
+    const ExportFormat format = formatOf(asked, chosen);
     if (progress_)
         return Q_EMIT says(tr("Another export is still being written."));
     std::optional<ToExport> what = pictured ? pictured() : std::nullopt;
@@ -103,14 +104,14 @@ void Exports::begin(ToExport what, const QString& path, ExportFormat format) {
     connect(exporting, &Exporting::progressed, dialog, &QProgressDialog::setValue);
     connect(dialog, &QProgressDialog::canceled, exporting, &Exporting::cancel);
     // What is told after the dialog went is told to nobody.
-    connect(exporting, &Exporting::finished, dialog, [this, dialog](const QString& fault) {
+    connect(exporting, &Exporting::finished, dialog, [this, dialog, path](const QString& fault) {
         const bool cancelled = dialog->wasCanceled();
         progress_.clear();
         dialog->hide();
         dialog->deleteLater();
         Q_EMIT says(!fault.isEmpty() ? fault
                     : cancelled      ? tr("The export was cancelled.")
-                                     : tr("Exported."));
+                                     : tr("Exported: %1").arg(QDir::toNativeSeparators(path)));
         if (!fault.isEmpty() && !agrees)
             QMessageBox::warning(&window_, tr("Export"), fault);
     });

@@ -6,6 +6,7 @@
 #include "views/manual.h"
 #include "views/motion_span.h"
 #include "views/shapes_menu.h"
+#include "views/undo_actions.h"
 
 #include <QActionGroup>
 #include <QGridLayout>
@@ -82,6 +83,10 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document, std::shared_ptr<Pictur
     connect(&document_, &SceneDocument::sceneChanged, this, &GraphicalViewer::fillViewsMenu);
     connect(&document_, &SceneDocument::nameChanged, this, &GraphicalViewer::updateTitle);
     connect(display_, &SceneDisplay::viewFollowed, this, &GraphicalViewer::fillViewsMenu);
+    connect(&document_, &SceneDocument::opened, this, [this] { // seen as if for the first time
+        playback_.stop();
+        display_->frameAll();
+    });
     for (QAbstractButton* button : findChildren<QAbstractButton*>())
         button->installEventFilter(this);
     connectTimeStrip();
@@ -171,18 +176,7 @@ void GraphicalViewer::buildMenus() {
     file->addAction(tr("&Close"), QKeySequence::Close, this, &QWidget::close);
 
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-    undoAction_ =
-        edit->addAction(tr("&Undo"), QKeySequence::Undo, this, [this] { document_.undo(); });
-    redoAction_ =
-        edit->addAction(tr("&Redo"), QKeySequence::Redo, this, [this] { document_.redo(); });
-    connect(edit, &QMenu::aboutToShow, this, [this] {
-        undoAction_->setEnabled(document_.canUndo());
-        redoAction_->setEnabled(document_.canRedo());
-    });
-    connect(edit, &QMenu::aboutToHide, this, [this] {
-        undoAction_->setEnabled(true); // shortcuts work while the menu is closed
-        redoAction_->setEnabled(true);
-    });
+    addUndoActions(edit, document_);
     edit->addSeparator();
     edit->addAction(tr("&Delete"), this, [this] { display_->editing().deleteMarked(); });
     edit->addAction(tr("E&xact Value…"), this, [this] { display_->editing().openEntry(); });
@@ -212,6 +206,7 @@ void GraphicalViewer::buildMenus() {
         buildLiveMenu(motion->addMenu(tr("Compute &While Editing")));
     motion->addAction(tr("&Trajectory Editor"), QKeySequence(Qt::CTRL | Qt::Key_T), this,
                       [this] { windows_.openTrajectoryEditor(); });
+    motion->addAction(tr("Plo&ts"), this, [this] { windows_.openPlots(); });
     motion->addAction(tr("Speed and &Accuracy…"), this, [this] { windows_.openStudy(); });
     addHelpMenu(this, QStringLiteral("In a picture"));
 }
@@ -323,6 +318,8 @@ void GraphicalViewer::keepView() {
 void GraphicalViewer::showCreated(editing::Element element, HandleSwitch handles) {
     if (handles)
         panel_->show(handles);
+    if (element.kind == editing::Kind::plot)
+        windows_.openPlots();
     display_->editing().expect(element);
 }
 
@@ -356,8 +353,9 @@ void GraphicalViewer::showMenu(const MenuPlace& place) {
         display_->editing().choose(place.handle->kind, place.handle->element, place.handle->part);
     else if (place.element)
         document_.select({*place.element});
-    const auto menu = elementMenu(document_, *display_, place,
-                                  {windows_.openTrajectoryEditor, windows_.showText});
+    const auto menu =
+        elementMenu(document_, *display_, place,
+                    {windows_.openTrajectoryEditor, windows_.showText, windows_.openPlots});
     menu->exec(display_->mapToGlobal(place.position.toPoint()));
 }
 

@@ -21,7 +21,8 @@ namespace views {
 // What a window can ask for beyond its own document.
 struct Windows {
     std::function<void()> showText; // a language viewer, where what is selected is marked
-    std::function<void()> openGraphicalViewer, openLanguageViewer, openTrajectoryEditor, openStudy;
+    std::function<void()> openGraphicalViewer, openLanguageViewer, openTrajectoryEditor, openStudy,
+        openPlots;
     // "": that of what is selected, else the one that was shown last.
     std::function<void(const QString& name)> openShapeEditor;
     std::function<void()> newShape;     // asks for a name
@@ -79,8 +80,7 @@ private:
     TimeBar* timeBar_;
     TimeStrip* timeStrip_;
     QMenu* viewsMenu_ = nullptr;
-    QAction *playAction_ = nullptr, *loopAction_ = nullptr, *undoAction_ = nullptr,
-            *redoAction_ = nullptr;
+    QAction *playAction_ = nullptr, *loopAction_ = nullptr;
     QToolButton *playButton_ = nullptr, *loopButton_ = nullptr, *rateButton_ = nullptr;
     std::vector<std::pair<QToolButton*, Icon>> buttons_;
     QLabel *timeLabel_ = nullptr, *hint_ = nullptr;

@@ -80,10 +80,8 @@ void LanguageViewer::connectParts() {
         editor_->select(range);
     });
     // What is selected in a picture is shown, and the caret stays where one writes.
-    connect(elements_.get(), &ElementMarks::wanted, this, [this](scene::Range range) {
-        editor_->SendScintilla(QsciScintillaBase::SCI_SCROLLRANGE, range.to,
-                               static_cast<long>(range.from));
-    });
+    connect(elements_.get(), &ElementMarks::wanted, this,
+            [this](scene::Range range) { editor_->reveal(range); });
     connect(draft_.get(), &Draft::changed, this, [this] {
         if (draft_->edited())
             faults_->hideNotes();
@@ -144,6 +142,9 @@ void LanguageViewer::buildMenus() {
                     &LanguageViewer::updateDocument);
     if (windows_.save)
         file->addAction(tr("&Save"), QKeySequence::Save, saveButton_, &QPushButton::click);
+    else // the document's file is written by its own window
+        file->actions().back()->setShortcuts(
+            {QKeySequence(Qt::CTRL | Qt::Key_Return), QKeySequence::Save});
     file->addAction(tr("&Revert"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R), this,
                     &LanguageViewer::revert);
     file->addAction(tr("&Dismiss"), QKeySequence::Close, this, &QWidget::close);

@@ -74,6 +74,7 @@ void ParametersPanel::rebuild() {
         slider->setPageStep(whole / 20);
         slider->setSingleStep(whole / 100);
         slider->setAccessibleName(label);
+        slider->setFocusPolicy(Qt::TabFocus); // a drag leaves the keys to the picture
         slider->installEventFilter(this);
         head->addWidget(name, 1);
         head->addWidget(value);

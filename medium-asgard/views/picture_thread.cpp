@@ -8,6 +8,37 @@
 
 namespace views {
 
+namespace {
+
+constexpr int lastKind = static_cast<int>(render::HandleKind::trajectoryPoint);
+
+// The kinds of handles that a display shows, but for lights: they stand far from everything.
+unsigned kindsOf(const render::Display& display) {
+    unsigned kinds = 0;
+    for (int kind = 0; kind <= lastKind; ++kind)
+        if (const auto one = static_cast<render::HandleKind>(kind);
+            one != render::HandleKind::lightPlace && one != render::HandleKind::lightDirection &&
+            render::shows(display, one))
+            kinds |= 1U << kind;
+    return kinds;
+}
+
+// All of the motion, and the handles at its start, which one wants to get at.
+render::Camera framed(render::Handles& handles, const PictureWish& wish) {
+    render::Extent extent = render::extentOf(*wish.shown.scene, wish.shown.motion.get());
+    const unsigned kinds = kindsOf(wish.framing);
+    if (kinds != 0) {
+        const double start =
+            wish.shown.motion ? wish.shown.motion->start() : wish.shown.scene->simulator.start;
+        for (const render::Handle& handle : handles.at(start, wish.framing).handles)
+            if ((kinds & 1U << static_cast<unsigned>(handle.kind)) != 0)
+                extent.balls.push_back({handle.place, 0});
+    }
+    return render::fitted(extent, render::bestAttitude(extent), wish.size);
+}
+
+} // namespace
+
 // One for all windows: they show the same scene mostly.
 class PictureThread::Studio {
 public:
@@ -22,6 +53,7 @@ private:
         std::optional<render::SceneView> view;
         std::string viewName;
         std::optional<render::Camera> framed;
+        unsigned framedWith = 0; // the kinds of handles
     };
     [[nodiscard]] Kept& kept(Window window, const PictureWish& wish);
     [[nodiscard]] static render::Camera cameraOf(Kept& kept, const PictureWish& wish);
@@ -50,8 +82,10 @@ render::Camera PictureThread::Studio::cameraOf(Kept& kept, const PictureWish& wi
     case SeenFrom::camera:
         break;
     case SeenFrom::framed:
-        if (!kept.framed)
-            kept.framed = render::framed(scene, wish.shown.motion, wish.size);
+        if (!kept.framed || kept.framedWith != kindsOf(wish.framing)) {
+            kept.framed = framed(*kept.handles, wish);
+            kept.framedWith = kindsOf(wish.framing);
+        }
         return *kept.framed;
     case SeenFrom::turned:
         return render::fitted(render::extentOf(scene, wish.shown.motion.get()),

@@ -37,6 +37,7 @@ struct PictureWish {
     SeenFrom from = SeenFrom::framed;
     render::Camera camera;
     std::string view;
+    render::Display framing = {}; // whose handles are to be in the frame, too
 };
 
 struct Picture {

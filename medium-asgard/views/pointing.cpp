@@ -15,7 +15,7 @@ Pointing::Pointing(SceneDocument& document, SceneDisplay& display)
     connect(&rest_, &QTimer::timeout, this, &Pointing::rest);
     // What was under the pointer may be gone, or another one.
     for (const auto signal : {&SceneDocument::sceneChanged, &SceneDocument::motionChanged})
-        connect(&document_, signal, this, [this] { rest_.start(); });
+        connect(&document_, signal, this, &Pointing::follow);
 }
 
 void Pointing::moveTo(const QPointF& position, Qt::KeyboardModifiers keys) {
@@ -99,11 +99,19 @@ void Pointing::showCursor() {
         display_.unsetCursor();
 }
 
+QString Pointing::heldHint() const {
+    const auto held = display_.editing().marked();
+    const QString all = tr("z, x: away and nearer  ·  Escape: as it was");
+    return held && held->kind == render::HandleKind::linkEnd
+               ? tr("The end stays on its body; with a it goes anywhere  ·  %1").arg(all)
+               : all;
+}
+
 QString Pointing::hint() const {
     if (display_.creating().active())
         return tr("A drag still turns the view  ·  Escape: nothing is created");
     if (display_.editing().dragging())
-        return tr("z, x: away and nearer  ·  Escape: as it was");
+        return heldHint();
     const QString menu = tr("right button: menu");
     if (handle_ && handle_->kind == render::HandleKind::trajectoryPoint)
         return tr("Shift-drag moves %1  ·  Shift-middle: a new point  ·  Shift-right removes it  · "

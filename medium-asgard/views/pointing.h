@@ -26,6 +26,7 @@ public:
 
     void moveTo(const QPointF& position, Qt::KeyboardModifiers keys);
     void leave();
+    void follow() { rest_.start(); } // something else may be where the pointer is
     void setKeys(Qt::KeyboardModifiers keys);
     // One sentence for the window's foot.
     [[nodiscard]] QString hint() const;
@@ -42,6 +43,7 @@ private:
     void look();
     void rest();
     void showCursor();
+    [[nodiscard]] QString heldHint() const;
 
     SceneDocument& document_;
     SceneDisplay& display_;

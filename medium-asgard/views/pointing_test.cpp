@@ -91,6 +91,14 @@ TEST_F(PointingTest, AnUnshiftedDragThatBeganOnAHandleSaysWhatWouldMoveIt) {
     EXPECT_EQ(display().editing().said(), "");
 }
 
+TEST_F(PointingTest, WhatIsNoLongerThereIsNotNamed) {
+    pointAt(head);
+    render::Camera camera = display().camera();
+    camera.position += Vector(0.5, 0, 0);
+    display().setCamera(camera);
+    EXPECT_TRUE(waitFor([&] { return display().pointing().words().isEmpty(); }));
+}
+
 TEST_F(PointingTest, AnEmptySceneSaysHowToBegin) {
     editor.document().setText("", "Edit");
     ASSERT_TRUE(settle(editor.document()));

@@ -102,7 +102,7 @@ TEST_F(PositioningTest, TheMenuOfWhatIsUnderThePointerDoesWhatItSays) {
     const auto choose = [&](const MenuPlace& place, const std::vector<QString>& path) {
         if (place.element)
             editor.document().select({*place.element});
-        const auto menu = elementMenu(editor.document(), display, place, {[] {}, [] {}});
+        const auto menu = elementMenu(editor.document(), display, place, {[] {}, [] {}, [] {}});
         const QMenu* in = menu.get();
         QAction* found = nullptr;
         for (const QString& step : path) {

@@ -1,10 +1,12 @@
 #include "views/recipes.h"
 
 #include "editing/number_text.h"
+#include "editing/shape_edit.h"
 
 #include <QObject>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace views {
@@ -111,17 +113,14 @@ Recipe newBody(const std::string& shape) {
             &render::Display::positionHandles};
 }
 
-Recipe newBody(BasicShape basic) {
-    Recipe recipe = newBody(std::string());
-    recipe.make = [basic](const std::string& text, const scene::Scene& scene,
-                          const std::vector<Indicated>& shown) {
-        const bool sphere = basic == BasicShape::sphere;
-        const std::string shape =
-            editing::unusedName(text, scene, Kind::shapeSet, sphere ? "ball" : "block");
-        const NewElement set{Kind::shapeSet,
-                             shape,
-                             {"-desc", sphere ? "{-sub {-sphere 0.5}}" : "{-sub {-box {1 1 1}}}"},
-                             {}};
+namespace {
+
+Recipe newBody(const std::string& stem, const std::string& description) {
+    Recipe recipe = views::newBody(std::string());
+    recipe.make = [stem, description](const std::string& text, const scene::Scene& scene,
+                                      const std::vector<Indicated>& shown) {
+        const std::string shape = editing::unusedName(text, scene, Kind::shapeSet, stem);
+        const NewElement set{Kind::shapeSet, shape, {"-desc", description}, {}};
         const NewElement body{Kind::body,
                               editing::unusedName(text, scene, Kind::body, "body", {shape}),
                               {"-init_pos", listed(shown[0].point, shown[0].resolution)},
@@ -130,6 +129,21 @@ Recipe newBody(BasicShape basic) {
         return std::vector{set, body};
     };
     return recipe;
+}
+
+} // namespace
+
+Recipe newBody(BasicShape basic) {
+    return basic == BasicShape::sphere ? newBody("ball", "{-sub {-sphere 0.5}}")
+                                       : newBody("block", "{-sub {-box {1 1 1}}}");
+}
+
+Recipe newBody(const editing::LibraryShape& shape) {
+    std::string stem; // "thandle" of "T-handle"
+    for (const char c : shape.name)
+        if (std::isalpha(static_cast<unsigned char>(c)) != 0)
+            stem += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return newBody(stem, editing::descriptionText(shape.parts));
 }
 
 Recipe newForce(bool couple, double perUnit) {
@@ -188,6 +202,40 @@ Recipe newWeight(double perUnit, std::function<double(std::size_t)> massOf, cons
     };
     recipe.handles = &render::Display::forceHandles;
     return recipe;
+}
+
+Recipe weightForAll(const Vector& acceleration) {
+    Recipe recipe;
+    recipe.label = QObject::tr("Gravity for All Bodies");
+    recipe.make = [acceleration](const std::string&, const scene::Scene& scene,
+                                 const std::vector<Indicated>&) {
+        std::vector<NewElement> made;
+        for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+            const scene::Body& body = scene.bodies[i];
+            const bool heavy = std::ranges::any_of(scene.forces, [&](const scene::Force& force) {
+                return force.body == body.name && !force.couple &&
+                       std::holds_alternative<scene::GravitationalForce>(force.kind);
+            });
+            if (!body.fixed && !heavy)
+                made.push_back({Kind::force,
+                                "",
+                                {"-body", body.name, "-gravitational", listed(acceleration, 0)},
+                                {{Kind::body, i}}});
+        }
+        return made;
+    };
+    recipe.otherwise = QObject::tr("No body is without weight that could fall.");
+    recipe.handles = &render::Display::forceHandles;
+    return recipe;
+}
+
+Vector usualGravity(const scene::Scene& scene) {
+    Vector usual(0, -9.81, 0);
+    for (const scene::Force& force : scene.forces)
+        if (const auto* weight = std::get_if<scene::GravitationalForce>(&force.kind);
+            weight && weight->acceleration != Vector::Zero())
+            usual = weight->acceleration;
+    return usual;
 }
 
 Recipe newTrajectoryForce(bool couple) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "editing/creation.h"
+#include "editing/shape_library.h"
 #include "geometry/pose.h"
 #include "render/renderer.h"
 
@@ -52,6 +53,7 @@ struct Recipe {
         const std::string& text, const scene::Scene& scene, const std::vector<Indicated>& shown)>
         make;
     HandleSwitch handles = nullptr; // shown afterwards
+    QString otherwise = {};         // said when there is nothing to make
 };
 
 class SceneDisplay;
@@ -61,12 +63,17 @@ enum class BasicShape { sphere, box };
 // Of a shape that is there, or of a new one.
 [[nodiscard]] Recipe newBody(const std::string& shape);
 [[nodiscard]] Recipe newBody(BasicShape shape);
+[[nodiscard]] Recipe newBody(const editing::LibraryShape& shape);
 // `perUnit`: how long the arrow of a force of 1 is drawn.
 [[nodiscard]] Recipe newForce(bool couple, double perUnit);
 // `massOf`: of a body of the scene. `usual`: the acceleration that Return gives.
 [[nodiscard]] Recipe newWeight(double perUnit, std::function<double(std::size_t)> massOf,
                                const Vector& usual);
 [[nodiscard]] Recipe newWeight(SceneDisplay& display);
+// For each body that can fall and has no weight yet; without steps.
+[[nodiscard]] Recipe weightForAll(const Vector& acceleration);
+// The one that others have, else the earth's.
+[[nodiscard]] Vector usualGravity(const scene::Scene& scene);
 [[nodiscard]] Recipe newTrajectoryForce(bool couple);
 [[nodiscard]] Recipe newLink(Wanted second);
 [[nodiscard]] Recipe newLight(bool point);

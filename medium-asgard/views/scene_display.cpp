@@ -63,6 +63,7 @@ SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThrea
         update();
     });
     connect(&pointing_, &Pointing::changed, this, [this] { update(); });
+    connect(this, &SceneDisplay::cameraChanged, &pointing_, &Pointing::follow);
     sceneChanged();
 }
 
@@ -106,6 +107,7 @@ void SceneDisplay::ask() {
     wish.pixelRatio = devicePixelRatioF();
     wish.camera = control_.camera();
     wish.view = followed_.toStdString();
+    wish.framing = framing_;
     wish.from = !followed_.isEmpty() ? SeenFrom::view
                 : framesItself_      ? SeenFrom::framed
                 : turned_            ? SeenFrom::turned
@@ -189,6 +191,7 @@ void SceneDisplay::setCamera(const render::Camera& camera) {
 void SceneDisplay::frameAll() {
     followView({});
     framesItself_ = true;
+    framing_ = display_; // switching handles on later moves nothing
     redraw(false);
 }
 

@@ -124,6 +124,7 @@ private:
     render::Display display_;
     double time_ = 0;
     bool framesItself_ = true;
+    render::Display framing_; // whose handles it frames, too
     QString followed_, lastView_;
     PictureEditing editing_;
     Creating creating_;

@@ -183,6 +183,8 @@ void SceneDocument::finishPreview(const std::string& text, const QString& label,
     }
     if (text != text_)
         replaceText(text);
+    else
+        Q_EMIT nameChanged(); // what undo takes back is another change
     if (host_.preview)
         host_.preview(text);
     if (changes && host_.changed)

@@ -1,5 +1,6 @@
 #include "views/scene_editor.h"
 
+#include "editing/number_text.h"
 #include "views/scene_lexer.h"
 
 #include <QHelpEvent>
@@ -124,6 +125,12 @@ void SceneEditor::select(scene::Range range) {
     ensureCursorVisible();
 }
 
+void SceneEditor::reveal(scene::Range range) {
+    const long left = SendScintilla(SCI_GETXOFFSET);
+    SendScintilla(SCI_SCROLLRANGE, range.to, signedByte(range.from));
+    SendScintilla(SCI_SETXOFFSET, static_cast<unsigned long>(left));
+}
+
 int SceneEditor::lineOf(std::size_t byte) const {
     return static_cast<int>(SendScintilla(SCI_LINEFROMPOSITION, byte));
 }
@@ -224,8 +231,14 @@ void SceneEditor::mouseReleaseEvent(QMouseEvent* event) {
 
 void SceneEditor::mouseDoubleClickEvent(QMouseEvent* event) {
     taken_ = std::ranges::any_of(tools_, [&](EditorTool* tool) { return tool->pressed(*event); });
-    if (!taken_)
-        QsciScintilla::mouseDoubleClickEvent(event);
+    if (taken_)
+        return;
+    QsciScintilla::mouseDoubleClickEvent(event);
+    // A number is one word, with its sign and its point.
+    if (const auto byte = byteAt(event->pos()))
+        if (const auto number = editing::numberAt(bytes(), *byte);
+            number && *byte < number->to && event->button() == Qt::LeftButton)
+            select(*number);
 }
 
 void SceneEditor::contextMenuEvent(QContextMenuEvent* event) {

@@ -54,6 +54,7 @@ public:
     [[nodiscard]] std::size_t caret() const;
     [[nodiscard]] scene::Range selection() const;
     void select(scene::Range range);                  // and shows it
+    void reveal(scene::Range range);                  // its lines, from their beginnings
     [[nodiscard]] int lineOf(std::size_t byte) const; // from 0
     [[nodiscard]] QString word(scene::Range range) const;
 

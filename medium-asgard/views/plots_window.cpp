@@ -1,0 +1,120 @@
+#include "views/plots_window.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace views {
+
+namespace {
+
+constexpr int intervals = 600; // more than a chart has pixels for each
+
+QString listed(const std::vector<std::string>& sentences) {
+    QString text;
+    for (const std::string& one : sentences)
+        text += (text.isEmpty() ? "" : "\n") + QString::fromStdString(one);
+    return text;
+}
+
+PlotSamples samplesOf(const Shown& shown, const scene::Plot& plot) {
+    PlotSamples samples;
+    samples.title = QString::fromStdString(plot.title.empty() ? plot.name : plot.title);
+    for (std::size_t i = 0; i < plot.values.size(); ++i)
+        samples.curves.push_back(
+            {QString::fromStdString(i < plot.labels.size() ? plot.labels[i] : plot.values[i]), {}});
+    if (!shown.motion)
+        return samples;
+    std::vector<std::string> faults;
+    const simulation::Quantities quantities(*shown.scene, {}, shown.motion, plot.values, faults);
+    samples.fault = listed(faults);
+    if (!faults.empty())
+        return samples;
+    const double start = shown.motion->start(), length = shown.motion->computed() - start;
+    for (int i = 0; i <= intervals; ++i) {
+        const double time = start + length * i / intervals;
+        const std::vector<double> values = quantities.at(time);
+        samples.times.push_back(time);
+        for (std::size_t k = 0; k < values.size() && k < samples.curves.size(); ++k)
+            samples.curves[k].values.push_back(values[k]);
+    }
+    return samples;
+}
+
+} // namespace
+
+PlotsWindow::PlotsWindow(SceneDocument& document) : document_(document) {
+    setAttribute(Qt::WA_DeleteOnClose);
+    auto* whole = new QWidget;
+    column_ = new QVBoxLayout(whole);
+    column_->setContentsMargins(8, 8, 8, 8);
+    column_->setSpacing(8);
+    none_ =
+        new QLabel(tr("This scene has no plots. Create > Plot… in a graphical viewer makes one."));
+    none_->setAlignment(Qt::AlignCenter);
+    none_->setWordWrap(true);
+    column_->addWidget(none_);
+    setCentralWidget(whole);
+    const auto name = [this] { setWindowTitle(tr("%1 – Plots").arg(document_.name())); };
+    name();
+    connect(&document_, &SceneDocument::nameChanged, this, name);
+    connect(&document_, &SceneDocument::sceneChanged, this, &PlotsWindow::ask);
+    connect(&document_, &SceneDocument::motionChanged, this, &PlotsWindow::ask);
+    resize(620, 380);
+    thread_ = std::thread([this] { run(); });
+    ask();
+}
+
+PlotsWindow::~PlotsWindow() {
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    asked_.notify_one();
+    thread_.join();
+}
+
+void PlotsWindow::ask() {
+    {
+        const std::lock_guard lock(mutex_);
+        wish_ = document_.shown();
+    }
+    asked_.notify_one();
+}
+
+void PlotsWindow::run() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+        asked_.wait(lock, [this] { return stop_ || wish_; });
+        if (stop_)
+            return;
+        const Shown shown = *std::exchange(wish_, std::nullopt);
+        lock.unlock();
+        std::vector<PlotSamples> samples;
+        for (const scene::Plot& plot : shown.scene->plots)
+            samples.push_back(samplesOf(shown, plot));
+        QMetaObject::invokeMethod(
+            this, [this, shown, samples] { take(shown, samples); }, Qt::QueuedConnection);
+        lock.lock();
+    }
+}
+
+void PlotsWindow::take(const Shown& of, std::vector<PlotSamples> samples) {
+    while (charts_.size() > samples.size()) {
+        delete charts_.back();
+        charts_.pop_back();
+    }
+    while (charts_.size() < samples.size()) {
+        charts_.push_back(new PlotChart);
+        column_->addWidget(charts_.back(), 1);
+    }
+    none_->setVisible(samples.empty());
+    const scene::Simulator& simulator = of.scene->simulator;
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        charts_[i]->setSamples(std::move(samples[i]),
+                               of.motion ? of.motion->start() : simulator.start,
+                               of.motion ? of.motion->finish() : simulator.finish);
+}
+
+} // namespace views
