@@ -47,6 +47,7 @@ void Draft::take(const std::string& text) {
         editor_.replace({edit.from, edit.to}, edit.text);
     editor_.SendScintilla(QsciScintillaBase::SCI_EMPTYUNDOBUFFER);
     taking_ = false;
+    editor_.setScrollWidth(1); // the longest line may be gone; it grows when it is drawn
     forgetTyped();
     base_ = text;
     edited_ = false;

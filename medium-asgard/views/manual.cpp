@@ -8,6 +8,7 @@
 #include <QPointer>
 #include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextTable>
 #include <QTimer>
 
 namespace views {
@@ -29,6 +30,22 @@ void goTo(QTextBrowser& browser, const QString& chapter) {
         }
 }
 
+// Thin lines, and room within them.
+void drawTablesLightly(const QTextFrame& frame) {
+    for (QTextFrame* child : frame.childFrames()) {
+        if (auto* table = qobject_cast<QTextTable*>(child)) {
+            QTextTableFormat format = table->format();
+            format.setBorderCollapse(true);
+            format.setBorder(0.5);
+            format.setBorderBrush(QColor(0xC8, 0xCC, 0xD2));
+            format.setCellPadding(4);
+            format.setCellSpacing(0);
+            table->setFormat(format);
+        }
+        drawTablesLightly(*child);
+    }
+}
+
 QTextBrowser* newManual() {
     auto* browser = new QTextBrowser;
     browser->setAttribute(Qt::WA_DeleteOnClose);
@@ -37,6 +54,7 @@ QTextBrowser* newManual() {
     browser->setMarkdown(read(QStringLiteral("editing.md")) + QStringLiteral("\n\n") +
                          read(QStringLiteral("scene-language.md")));
     browser->document()->setDocumentMargin(16);
+    drawTablesLightly(*browser->document()->rootFrame());
     browser->resize(820, 760);
     return browser;
 }
