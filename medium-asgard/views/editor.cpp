@@ -31,6 +31,20 @@ template <class Window> QList<Window*> alive(const QList<QPointer<Window>>& wind
     return result;
 }
 
+// A new window lies a little below and right of the one that asked for it, within the screen.
+void placeBeside(QWidget& window, const QWidget* asked) {
+    if (!asked || window.isVisible())
+        return;
+    constexpr int step = 40, frame = 8, title = 32;
+    const QRect screen = asked->screen()->availableGeometry();
+    const auto within = [](int at, int low, int high) {
+        return std::clamp(at, low, std::max(low, high));
+    };
+    window.move(
+        within(asked->x() + step, screen.left(), screen.right() - window.width() - frame),
+        within(asked->y() + step, screen.top(), screen.bottom() - window.height() - frame - title));
+}
+
 // Control panel at the top left, the language viewer below it, the graphical one beside them, as
 // far as the screen allows (dissertation, Figure 4.1).
 void arrange(ControlPanel& panel, GraphicalViewer& graphical, LanguageViewer& language) {
@@ -107,6 +121,7 @@ GraphicalViewer* Editor::openGraphicalViewer() {
     // A new viewer begins where the last one is.
     if (const auto open = graphicalViewers(); !open.isEmpty())
         viewer->playback().seek(open.back()->playback().time());
+    placeBeside(*viewer, QApplication::activeWindow());
     graphical_.push_back(viewer);
     connect(viewer, &QObject::destroyed, this, &Editor::viewersChanged);
     viewer->show();
@@ -116,6 +131,7 @@ GraphicalViewer* Editor::openGraphicalViewer() {
 
 LanguageViewer* Editor::openLanguageViewer() {
     auto* viewer = new LanguageViewer(document_, windows(), ++languageCount_);
+    placeBeside(*viewer, QApplication::activeWindow());
     language_.push_back(viewer);
     connect(viewer, &QObject::destroyed, this, &Editor::viewersChanged);
     connect(viewer, &LanguageViewer::draftChanged, this, &Editor::viewersChanged);
@@ -143,6 +159,7 @@ ControlPanel* Editor::openControlPanel() {
 TrajectoryEditor* Editor::openTrajectoryEditor() {
     if (!trajectoryEditor_)
         trajectoryEditor_ = new TrajectoryEditor(document_);
+    placeBeside(*trajectoryEditor_, QApplication::activeWindow());
     trajectoryEditor_->show();
     trajectoryEditor_->raise();
     trajectoryEditor_->activateWindow();
@@ -154,6 +171,7 @@ ShapeEditor* Editor::openShapeEditor(const QString& name) {
         shapeEditor_ = new ShapeEditor(document_);
     if (const QString wanted = name.isEmpty() ? selectedShape(document_) : name; !wanted.isEmpty())
         shapeEditor_->showShape(wanted);
+    placeBeside(*shapeEditor_, QApplication::activeWindow());
     shapeEditor_->show();
     shapeEditor_->raise();
     shapeEditor_->activateWindow();
@@ -163,6 +181,7 @@ ShapeEditor* Editor::openShapeEditor(const QString& name) {
 PlotsWindow* Editor::openPlots() {
     if (!plots_)
         plots_ = new PlotsWindow(document_);
+    placeBeside(*plots_, QApplication::activeWindow());
     plots_->show();
     plots_->raise();
     plots_->activateWindow();
@@ -174,6 +193,7 @@ StudyWindow* Editor::openStudy() {
     auto* study = new StudyWindow(scene, simulation::usualPlan(*scene), document_.name());
     studies_.removeIf([](const QPointer<StudyWindow>& one) { return one.isNull(); });
     studies_.push_back(study);
+    placeBeside(*study, QApplication::activeWindow());
     study->show();
     return study;
 }

@@ -166,5 +166,17 @@ TEST_F(NewcomerTest, UnderADocumentSavingADraftUpdatesTheScene) {
     EXPECT_TRUE(keys.contains(QKeySequence(QKeySequence::Save)));
 }
 
+TEST_F(NewcomerTest, ANewWindowLiesWhereItIsSeenAndHidesNothingWhole) {
+    open(ballScene);
+    GraphicalViewer* first = editor.openGraphicalViewer();
+    first->move(60, 50);
+    first->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(first));
+    const GraphicalViewer* second = editor.openGraphicalViewer();
+    EXPECT_NE(second->pos(), first->pos());
+    EXPECT_GE(second->pos().y(), second->screen()->availableGeometry().top());
+    EXPECT_NE(second->pos(), QPoint(0, 0));
+}
+
 } // namespace
 } // namespace views
