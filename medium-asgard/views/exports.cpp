@@ -104,14 +104,14 @@ void Exports::begin(ToExport what, const QString& path, ExportFormat format) {
     connect(exporting, &Exporting::progressed, dialog, &QProgressDialog::setValue);
     connect(dialog, &QProgressDialog::canceled, exporting, &Exporting::cancel);
     // What is told after the dialog went is told to nobody.
-    connect(exporting, &Exporting::finished, dialog, [this, dialog, path](const QString& fault) {
+    connect(exporting, &Exporting::finished, dialog, [this, dialog](const QString& fault) {
         const bool cancelled = dialog->wasCanceled();
         progress_.clear();
         dialog->hide();
         dialog->deleteLater();
         Q_EMIT says(!fault.isEmpty() ? fault
                     : cancelled      ? tr("The export was cancelled.")
-                                     : tr("Exported: %1").arg(QDir::toNativeSeparators(path)));
+                                     : tr("Exported."));
         if (!fault.isEmpty() && !agrees)
             QMessageBox::warning(&window_, tr("Export"), fault);
     });

@@ -81,36 +81,13 @@ TEST_F(NewcomerTest, UndoIsNamedInEveryWindow) {
     EXPECT_EQ(action(*editor.openControlPanel(), "Undo")->text(), "&Undo Drag");
 }
 
-TEST_F(NewcomerTest, ExportingReplacesNothingUnasked) {
+TEST_F(NewcomerTest, TheEndingOfAnExportsNameSaysWhatItIs) {
     open(ballScene);
-    ControlPanel* panel = editor.openControlPanel();
     const QTemporaryDir folder;
-    const auto write = [](const QString& path) {
-        QFile file(path);
-        EXPECT_TRUE(file.open(QIODevice::WriteOnly) && file.write("mine") == 4);
-    };
-    const QString table = folder.filePath("motion.csv"), named = folder.filePath("motion");
-    write(table);
-    QStringList asked;
-    bool answer = false;
-    panel->setConfirm([&](const QString& question) {
-        asked << question;
-        return answer;
-    });
-    panel->exportTo(named, ExportFormat::table); // the ending is put behind it
-    ASSERT_EQ(asked.size(), 1);
-    EXPECT_TRUE(asked[0].contains("motion.csv exists already"));
-    EXPECT_EQ(QFileInfo(table).size(), 4);
-    answer = true;
-    panel->exportTo(named, ExportFormat::table);
-    EXPECT_TRUE(waitFor([&] { return QFileInfo(table).size() > 100; }));
-    panel->exportTo(folder.filePath("new.csv"), ExportFormat::png); // what the name says counts
-    EXPECT_TRUE(waitFor([&] { return QFileInfo(folder.filePath("new.csv")).size() > 100; }));
-    EXPECT_EQ(asked.size(), 2);
-    answer = false;
-    editor.openGraphicalViewer();
-    panel->exportTo(folder.path(), ExportFormat::film);
-    EXPECT_TRUE(asked.back().contains("is not empty"));
+    editor.openControlPanel()->exports().write(folder.filePath("a.CSV"), ExportFormat::png);
+    EXPECT_TRUE(waitFor([&] { return QFileInfo(folder.filePath("a.CSV")).size() > 100; }));
+    EXPECT_EQ(formatOf("now.png", ExportFormat::table), ExportFormat::png);
+    EXPECT_EQ(formatOf("film", ExportFormat::film), ExportFormat::film);
 }
 
 TEST_F(NewcomerTest, ADoubleClickOnANumberTakesAllOfIt) {
