@@ -241,11 +241,12 @@ std::string unusedName(const std::string& text, const scene::Scene& scene, Kind 
     if (const std::size_t count = countOf(scene, kind)) {
         const std::string last = nameOf(scene, {kind, count - 1});
         const std::string row = stemOf(last);
-        // A ball behind rod1 and rod2 is no rod3.
+        // A ball behind rod1 and rod2 is no rod3, and a box behind ball1 no ball2.
         const bool ofOtherShape =
-            row != stem && std::ranges::any_of(scene.shapeSets, [&](const scene::ShapeSet& set) {
-                return set.name == row;
-            });
+            row != stem && (kind == Kind::shapeSet ||
+                            std::ranges::any_of(scene.shapeSets, [&](const scene::ShapeSet& set) {
+                                return set.name == row;
+                            }));
         if (!row.empty() && !ofOtherShape && last.size() - row.size() < 7) {
             base = row;
             next = std::stoi(last.substr(row.size())) + 1;

@@ -183,7 +183,7 @@ std::string HandleDrag::words() const {
     if (!answer_.possible())
         return answer_.reason;
     return subjectOf(*ground_.scene, handle_) + ": " + quantityOf(*ground_.scene, handle_) + " " +
-           valuesOf(wishes());
+           valuesOf(wishes()) + (follows_ && !free_ ? ", on the surface; a takes it off" : "");
 }
 
 } // namespace gestures

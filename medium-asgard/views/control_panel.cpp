@@ -206,8 +206,8 @@ bool ControlPanel::mayLeave() {
 }
 
 void ControlPanel::closeEvent(QCloseEvent* event) {
-    // Drafts first: one may become part of what is then saved.
-    event->setAccepted(windows_.closeViewers() && mayLeave());
+    // Who changes his mind has all windows still.
+    event->setAccepted(mayLeave() && windows_.closeViewers());
 }
 
 } // namespace views

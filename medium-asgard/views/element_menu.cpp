@@ -189,7 +189,9 @@ MenuPlace menuPlaceOfSelection(SceneDocument& document, SceneDisplay& display) {
 
 std::unique_ptr<QMenu> elementMenu(SceneDocument& document, SceneDisplay& display,
                                    const MenuPlace& place, const MenuWindows& windows) {
+    // It goes with the scene whose elements it names.
     auto menu = std::make_unique<QMenu>(&display);
+    QObject::connect(&document, &SceneDocument::sceneChanged, menu.get(), &QMenu::close);
     Building building(*menu, document, display, place, windows);
     if (place.element)
         building.element();

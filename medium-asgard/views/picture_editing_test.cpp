@@ -99,6 +99,19 @@ TEST_F(PictureEditingTest, AHandleChangesItsNumbersAndNothingElseInOneStep) {
     EXPECT_EQ(scene().bodies[0].initialPosition.x(), x);
 }
 
+// Another process may change the text while one is asked.
+TEST_F(PictureEditingTest, WhatWasChangedWhileOneWasAskedIsNotCutInto) {
+    open(ballScene + "force -body b1 -x 1 -y 0 -z 0\n");
+    const std::string other = "# " + std::string(100, '-') + "\n" + text();
+    display().editing().setConfirm([&](const QString&) {
+        editor.document().setText(other, "Elsewhere");
+        return true;
+    });
+    display().editing().remove({{editing::Kind::body, 0}});
+    EXPECT_EQ(text(), other);
+    EXPECT_EQ(display().editing().said(), "The text was changed meanwhile: nothing is deleted.");
+}
+
 TEST_F(PictureEditingTest, TheTextFollowsWhileTheHandleMovesAndEscapeBringsItBack) {
     open(ballScene);
     const QPoint start = pixels({-1, 0, 0});

@@ -65,6 +65,8 @@ private:
 };
 
 PictureThread::Studio::Kept& PictureThread::Studio::kept(Window window, const PictureWish& wish) {
+    if (!kept_.contains(window)) // another viewer tries again
+        noRenderer_.clear();
     Kept& kept = kept_[window];
     const bool same = kept.handles && kept.of.scene == wish.shown.scene &&
                       kept.of.motion == wish.shown.motion && kept.size == wish.size;

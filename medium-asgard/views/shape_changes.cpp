@@ -41,6 +41,7 @@ bool ShapeEditor::begin() {
     if (const QString fault = document_.whyNotCurrent(); !here || !fault.isEmpty()) {
         if (!fault.isEmpty())
             tell(fault, true);
+        untilCurrent_ = !fault.isEmpty();
         return false;
     }
     gesture_ = std::make_unique<ShapeGesture>(document_, *here);

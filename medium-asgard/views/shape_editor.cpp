@@ -220,6 +220,8 @@ void ShapeEditor::followScene() {
         tell({});
     if (!document_.sceneIsCurrent())
         return;
+    if (untilCurrent_)
+        tell({});
     if (nudged_ != Vector::Zero())
         nudge(std::exchange(nudged_, Vector::Zero()));
     if (closing_)
@@ -246,6 +248,7 @@ void ShapeEditor::showFields() {
 }
 
 void ShapeEditor::tell(const QString& words, bool isFault) {
+    untilCurrent_ = false;
     words_->setForegroundRole(isFault ? QPalette::WindowText : QPalette::PlaceholderText);
     words_->setText(
         words.isEmpty()
@@ -365,6 +368,11 @@ void ShapeEditor::askForColour() {
         setColour(*part,
                   scene::Color{decimal(chosen.redF(), 0.001), decimal(chosen.greenF(), 0.001),
                                decimal(chosen.blueF(), 0.001)});
+}
+
+void ShapeEditor::showEvent(QShowEvent* event) {
+    closing_ = false; // it is wanted again
+    QMainWindow::showEvent(event);
 }
 
 void ShapeEditor::closeEvent(QCloseEvent* event) {

@@ -45,6 +45,7 @@ public:
 
 protected:
     void closeEvent(QCloseEvent* event) override; // inner vertices go
+    void showEvent(QShowEvent* event) override;
 
 private:
     using Change = std::function<void()>; // of draft_; shape_changes.cpp has these
@@ -97,6 +98,7 @@ private:
     std::set<QString> edited_; // shapes that were changed here and not left since
     geometry::Vector nudged_ = geometry::Vector::Zero(); // by keys, while the text is read
     bool closing_ = false;
+    bool untilCurrent_ = false; // what is said holds only while the text is not the scene's
 };
 
 } // namespace views

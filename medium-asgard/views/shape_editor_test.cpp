@@ -71,6 +71,29 @@ protected:
     std::unique_ptr<ShapeEditor> editor;
 };
 
+TEST_F(ShapeEditorTest, WhyNothingCanBeChangedIsSaidUntilItIsNoLongerSo) {
+    document.setText(text + "bdy b2\n", "Edit");
+    ASSERT_TRUE(settle(document));
+    drag(at({0, 1, 0}), {30, -40});
+    EXPECT_NE(editor->words().indexOf("errors"), -1) << qPrintable(editor->words());
+    EXPECT_EQ(document.text(), text + "bdy b2\n");
+    document.undo();
+    ASSERT_TRUE(settle(document));
+    EXPECT_TRUE(editor->words().startsWith("With Shift"));
+}
+
+// Closed while the text was read, which then had errors, and opened again.
+TEST_F(ShapeEditorTest, StaysOpenWhenItIsWantedAgain) {
+    drag(at({0, 1, 0}), {30, -40});
+    document.setText(document.text() + "bdy b2\n", "Edit");
+    editor->close();
+    ASSERT_TRUE(settle(document));
+    editor->show();
+    document.undo();
+    ASSERT_TRUE(settle(document));
+    EXPECT_TRUE(editor->isVisible());
+}
+
 TEST_F(ShapeEditorTest, ADraggedVertexChangesItsNumbersInOneStepOfUndo) {
     drag(at({0, 1, 0}), {30, -40});
     const Vector moved = editing::pointsOf(part(0))[2];

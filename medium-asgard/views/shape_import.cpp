@@ -189,8 +189,10 @@ void ShapeImport::showParts() {
     if (!ready())
         return;
     size_->setText(sizeText());
-    if (!scale || *scale <= 0)
-        return words_->setText(tr("A scale is a number above 0."));
+    constexpr double far = 1e9; // no shape is larger
+    const double size = (job_.result().high - job_.result().low).cwiseAbs().maxCoeff();
+    if (!scale || *scale <= 0 || !(*scale * size < far))
+        return words_->setText(tr("A scale is a number above 0, of a shape below 1e9."));
     display_->setParts(parts());
     const meshes::ConvexParts& made = job_.result().made;
     const bool many = made.parts.size() > manyParts || verticesOf(made) > manyVertices;
