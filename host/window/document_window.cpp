@@ -31,6 +31,18 @@ constexpr double paperDpi = 300;
 
 QString filter() { return DocumentWindow::tr("Documents (*.ens);;All files (*)"); }
 
+// Where to write; "": nowhere. The ending is put behind a name that has none before it is asked
+// whether a file is to be replaced.
+QString askForFile(QWidget* parent, const QString& title, const QString& proposed,
+                   const QString& filters, const QString& ending) {
+    const QFileInfo file(proposed);
+    QFileDialog dialog(parent, title, file.absolutePath(), filters);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(ending);
+    dialog.selectFile(file.fileName());
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
 QLabel* makeBanner(QWidget* parent) {
     auto* banner = new QLabel(parent);
     banner->setWordWrap(true);
@@ -326,7 +338,8 @@ bool DocumentWindow::save() {
 
 bool DocumentWindow::saveAs() {
     document::Document& of = document_->document();
-    const QString file = QFileDialog::getSaveFileName(this, tr("Save As"), of.fileName(), filter());
+    const QString file =
+        askForFile(this, tr("Save As"), of.fileName(), filter(), QStringLiteral("ens"));
     if (file.isEmpty())
         return false;
     const bool saved =
@@ -385,9 +398,9 @@ void DocumentWindow::dropEvent(QDropEvent* event) {
 
 void DocumentWindow::exportPdf() {
     const QFileInfo own(document_->document().fileName());
-    const QString file = QFileDialog::getSaveFileName(
-        this, tr("Export PDF"), own.dir().filePath(own.completeBaseName() + ".pdf"),
-        tr("PDF (*.pdf)"));
+    const QString file =
+        askForFile(this, tr("Export PDF"), own.dir().filePath(own.completeBaseName() + ".pdf"),
+                   tr("PDF (*.pdf)"), QStringLiteral("pdf"));
     if (!file.isEmpty())
         exportPdfTo(file);
 }

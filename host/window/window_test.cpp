@@ -11,6 +11,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QScrollBar>
@@ -411,6 +412,23 @@ TEST_F(WindowTest, UndoReachesTheMedium) {
     of.undo();
     EXPECT_TRUE(waitFor([&] { return colourShown(*window, 0) == QColor(0x10, 0x20, 0x30); }));
     EXPECT_FALSE(window->isWindowModified());
+}
+
+TEST_F(WindowTest, ANameWithoutAnEndingGetsTheDocuments) {
+    DocumentWindow* window = open("DOCUMENT CMEMO\n<CMEMO>\n</CMEMO>\n");
+    const QString wanted = folder_.filePath("two");
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, [&] {
+        if (auto* dialog = window->findChild<QFileDialog*>()) {
+            timer.stop();
+            dialog->selectFile(wanted);
+            static_cast<QDialog*>(dialog)->accept();
+        }
+    });
+    timer.start(20);
+    EXPECT_TRUE(window->saveAs());
+    EXPECT_TRUE(QFile::exists(wanted + ".ens"));
+    EXPECT_FALSE(QFile::exists(wanted));
 }
 
 TEST_F(WindowTest, APdfHasThePictures) {

@@ -337,6 +337,21 @@ TEST_F(CreatingTest, KeysOfASliderAreHeardWhileTheSceneIsRead) {
     EXPECT_NEAR(scene().parameters[0].value, 1.2, 1e-9);
 }
 
+TEST_F(CreatingTest, AKeyIsForItsSliderThoughAnotherStandsThereWhenTheTextIsRead) {
+    const std::string own = "parameter g -value 1.00 -min 0 -max 4\n" + balls;
+    open(own);
+    auto* panel = viewer->findChild<ParametersPanel*>();
+    editor.document().setText("parameter a -value 1.00 -min 0 -max 4\n" + own, "Edit");
+    ASSERT_FALSE(editor.document().sceneIsCurrent());
+    QTest::keyClick(panel->slider("g"), Qt::Key_Right);
+    ASSERT_TRUE(waitFor([&] {
+        return editor.document().sceneIsCurrent() && scene().parameters.size() == 2 &&
+               scene().parameters[1].value > 1;
+    })) << text();
+    EXPECT_EQ(scene().parameters[0].value, 1);
+    EXPECT_NEAR(scene().parameters[1].value, 1.04, 1e-9);
+}
+
 TEST_F(CreatingTest, TheKeysAloneMakeALink) {
     open(balls);
     display().setFocus();

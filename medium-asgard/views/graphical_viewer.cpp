@@ -251,6 +251,8 @@ void GraphicalViewer::buildViewMenu() {
         view->addAction(direction.label, direction.key, this,
                         [this, toward = direction.toward] { display_->lookAlong(toward); });
     view->addSeparator();
+    view->addAction(tr("&Level the Horizon"), QKeySequence(Qt::Key_U), this,
+                    [this] { display_->levelHorizon(); });
     view->addAction(tr("&Centre of Rotation in the Middle"), this,
                     [this] { display_->centerAt(QRectF(display_->rect()).center()); });
     view->addAction(tr("&Keep This View"), QKeySequence(Qt::CTRL | Qt::Key_K), this,
@@ -305,8 +307,11 @@ void GraphicalViewer::keepView() {
     if (!views.empty() && document_.sceneIsCurrent()) {
         KeepViewDialog dialog(document_, sight, display_->lastView(), this);
         const int revision = document_.revision();
-        if (dialog.exec() != QDialog::Accepted || document_.revision() != revision)
+        if (dialog.exec() != QDialog::Accepted)
             return;
+        if (document_.revision() != revision)
+            return display_->editing().say(
+                tr("The text was changed meanwhile: the view was not kept."));
         if (!dialog.wantsNew())
             return document_.setText(editing::applied(document_.text(), dialog.answer().edits),
                                      tr("Keep the View %1").arg(dialog.name()));

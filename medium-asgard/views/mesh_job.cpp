@@ -5,10 +5,12 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <QFileInfo>
-#include <QThreadPool>
 
 #include <atomic>
+#include <condition_variable>
 #include <mutex>
+#include <optional>
+#include <utility>
 
 namespace views {
 
@@ -21,7 +23,7 @@ struct Loaded {
     meshes::Solids solids;
 };
 
-Loaded load(const QString& path) {
+Loaded load(const QString& path, const meshes::GoOn& goOn) {
     Loaded loaded;
     const QString name = QFileInfo(path).fileName();
     QFile file(path);
@@ -35,7 +37,7 @@ Loaded load(const QString& path) {
     }
     const QByteArray bytes = file.read(static_cast<qint64>(meshes::mostBytes) + 1);
     const auto read = meshes::readMesh({bytes.constData(), static_cast<std::size_t>(bytes.size())},
-                                       name.toStdString());
+                                       name.toStdString(), goOn);
     if (const auto* refused = std::get_if<meshes::FileFault>(&read)) {
         loaded.fault = QString::fromStdString(refused->sentence);
         return loaded;
@@ -44,7 +46,7 @@ Loaded load(const QString& path) {
     loaded.triangles = mesh.triangles.size();
     for (const geometry::Vector& p : mesh.vertices)
         loaded.box.extend(p);
-    loaded.solids = meshes::solidsOf(mesh);
+    loaded.solids = meshes::solidsOf(mesh, goOn);
     if (loaded.solids.pieces > meshes::mostPieces)
         loaded.fault = MeshJob::tr("%1 has %2 pieces that do not hang together; at most %3 are "
                                    "taken.")
@@ -71,15 +73,91 @@ MeshResult resultOf(const Loaded& loaded, const meshes::Wanted& wanted, const me
     return result;
 }
 
+// The threads of jobs that are gone. They were told to stop and end soon; no window waits for that,
+// and the process does not end before.
+class Leaving {
+public:
+    ~Leaving() {
+        for (One& one : all_)
+            one.thread.join();
+    }
+    void add(std::thread thread, std::shared_ptr<const std::atomic<bool>> ended) {
+        for (One& one : all_)
+            if (*one.ended)
+                one.thread.join(); // at once
+        std::erase_if(all_, [](const One& one) { return !one.thread.joinable(); });
+        all_.push_back({std::move(thread), std::move(ended)});
+    }
+
+private:
+    struct One {
+        std::thread thread;
+        std::shared_ptr<const std::atomic<bool>> ended;
+    };
+    std::vector<One> all_;
+};
+
+Leaving& leaving() {
+    static Leaving all;
+    return all;
+}
+
+std::atomic<int> threadsAlive{0};
+
 } // namespace
 
 struct MeshJob::Shared {
-    std::mutex mutex;   // of owner
-    MeshJob* owner;     // null when it is gone
-    std::mutex loading; // of loaded
-    std::shared_ptr<const Loaded> loaded;
-    std::atomic<unsigned> serial{0};
+    std::mutex mutex; // of owner and wish
+    std::condition_variable wished;
+    MeshJob* owner; // null when it is gone
+    std::optional<meshes::Wanted> wish;
+    std::atomic<unsigned> serial{0}; // of the last wish
+    std::atomic<bool> left{false};   // the owner is gone
+    std::atomic<bool> ended{false};
+
+    void run(const QString& path);
+
+private:
+    void post(const std::function<void(MeshJob*)>& call);
+    [[nodiscard]] MeshResult made(const Loaded& loaded, const meshes::Wanted& wanted, unsigned of);
 };
+
+void MeshJob::Shared::post(const std::function<void(MeshJob*)>& call) {
+    const std::lock_guard lock(mutex);
+    if (MeshJob* to = owner)
+        QMetaObject::invokeMethod(
+            to, [to, call] { call(to); }, Qt::QueuedConnection);
+}
+
+MeshResult MeshJob::Shared::made(const Loaded& loaded, const meshes::Wanted& wanted, unsigned of) {
+    QElapsedTimer told;
+    told.start();
+    return resultOf(loaded, wanted, [&](double share) {
+        if (told.elapsed() > 50) {
+            told.restart();
+            post([share](MeshJob* to) { Q_EMIT to->progressed(share); });
+        }
+        return !left && serial == of;
+    });
+}
+
+void MeshJob::Shared::run(const QString& path) {
+    std::optional<Loaded> loaded;
+    while (!left) {
+        std::unique_lock lock(mutex);
+        wished.wait(lock, [&] { return left || wish; });
+        if (left)
+            break;
+        const meshes::Wanted wanted = *std::exchange(wish, std::nullopt);
+        const unsigned of = serial;
+        lock.unlock();
+        if (!loaded)
+            loaded = load(path, [this](double) { return !left; });
+        const MeshResult result = made(*loaded, wanted, of);
+        post([of, result](MeshJob* to) { to->take(of, result); });
+    }
+    ended = true;
+}
 
 MeshJob::MeshJob(const QString& path, QObject* parent)
     : QObject(parent), shared_(std::make_shared<Shared>()) {
@@ -88,42 +166,34 @@ MeshJob::MeshJob(const QString& path, QObject* parent)
 }
 
 MeshJob::~MeshJob() {
-    ++shared_->serial;
-    const std::lock_guard lock(shared_->mutex);
-    shared_->owner = nullptr;
+    {
+        const std::lock_guard lock(shared_->mutex);
+        shared_->owner = nullptr;
+        shared_->left = true;
+    }
+    shared_->wished.notify_one();
+    if (thread_.joinable())
+        leaving().add(std::move(thread_), {shared_, &shared_->ended});
 }
 
 void MeshJob::start(const meshes::Wanted& wanted) {
-    const unsigned serial = ++shared_->serial;
+    {
+        const std::lock_guard lock(shared_->mutex);
+        ++shared_->serial;
+        shared_->wish = wanted;
+    }
     running_ = true;
-    QThreadPool::globalInstance()->start([shared = shared_, path = objectName(), wanted, serial] {
-        const auto post = [&shared](auto call) {
-            const std::lock_guard lock(shared->mutex);
-            if (MeshJob* owner = shared->owner)
-                QMetaObject::invokeMethod(
-                    owner, [owner, call] { call(owner); }, Qt::QueuedConnection);
-        };
-        std::shared_ptr<const Loaded> loaded;
-        {
-            const std::lock_guard lock(shared->loading);
-            if (!shared->loaded && shared->serial == serial)
-                shared->loaded = std::make_shared<const Loaded>(load(path));
-            loaded = shared->loaded;
-        }
-        if (!loaded || shared->serial != serial)
-            return;
-        QElapsedTimer told;
-        told.start();
-        const MeshResult result = resultOf(*loaded, wanted, [&](double share) {
-            if (told.elapsed() > 50) {
-                told.restart();
-                post([share](MeshJob* owner) { Q_EMIT owner->progressed(share); });
-            }
-            return shared->serial == serial;
-        });
-        post([serial, result](MeshJob* owner) { owner->take(serial, result); });
+    shared_->wished.notify_one();
+    if (thread_.joinable())
+        return;
+    ++threadsAlive;
+    thread_ = std::thread([shared = shared_, path = objectName()] {
+        shared->run(path);
+        --threadsAlive;
     });
 }
+
+int MeshJob::threads() { return threadsAlive; }
 
 void MeshJob::take(unsigned serial, const MeshResult& result) {
     if (serial != shared_->serial)

@@ -2,7 +2,7 @@
 // objects).
 //
 // What is asked for last counts: an older wish that still runs is told to stop, and its result is
-// dropped. The file is read once.
+// dropped. The file is read once. When the job goes, its thread is told to stop, whatever it does.
 #pragma once
 
 #include "meshes/convex_parts.h"
@@ -11,6 +11,7 @@
 #include <QString>
 
 #include <memory>
+#include <thread>
 
 namespace views {
 
@@ -29,6 +30,7 @@ public:
 
     void start(const meshes::Wanted& wanted);
     [[nodiscard]] bool running() const { return running_; }
+    [[nodiscard]] static int threads(); // of all jobs, also of those that are gone
     [[nodiscard]] const MeshResult& result() const { return result_; }
 
 Q_SIGNALS:
@@ -40,6 +42,7 @@ private:
     void take(unsigned serial, const MeshResult& result);
 
     std::shared_ptr<Shared> shared_;
+    std::thread thread_;
     MeshResult result_;
     bool running_ = false;
 };

@@ -104,9 +104,7 @@ void ParametersPanel::refresh() {
         if (!row.slider->isSliderDown()) { // the ends stay while one drags
             row.least = parameter.minimum.value_or(std::min(0.0, 2 * value));
             row.most = parameter.maximum.value_or(value == 0 ? 1 : std::max(0.0, 2 * value));
-            const double share =
-                row.most > row.least ? (value - row.least) / (row.most - row.least) : 0;
-            row.slider->setValue(static_cast<int>(std::lround(share * whole)));
+            row.slider->setValue(positionOf(row, value));
         }
         show(row, value);
     }
@@ -120,9 +118,20 @@ void ParametersPanel::refresh() {
         rows_[i].slider->setToolTip(QString::fromStdString(answer.reason));
     }
     // What keys asked for while the scene was being read.
-    if (const auto wanted = std::exchange(wanted_, std::nullopt);
-        wanted && wanted->first < rows_.size())
-        rows_[wanted->first].slider->setValue(wanted->second);
+    if (const auto wanted = std::exchange(wanted_, std::nullopt)) {
+        const auto row = std::ranges::find(rows_, wanted->first, &Row::name);
+        if (row != rows_.end())
+            row->slider->setValue(positionOf(*row, wanted->second));
+    }
+}
+
+int ParametersPanel::positionOf(const Row& row, double value) {
+    const double share = row.most > row.least ? (value - row.least) / (row.most - row.least) : 0;
+    return static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * whole));
+}
+
+double ParametersPanel::valueOf(const Row& row, int position) {
+    return row.least + (row.most - row.least) * position / whole;
 }
 
 void ParametersPanel::show(Row& row, double value) {
@@ -169,8 +178,10 @@ void ParametersPanel::moved(std::size_t index, int position) {
         return;
     Row& row = rows_[index];
     const bool dragged = row.slider->isSliderDown();
-    if (!dragged || !drag_)
-        begin(); // a key or the wheel; or the scene was not the text's when it was pressed
+    // A key or the wheel; or the scene was not the text's when it was pressed, or the text was
+    // changed elsewhere since: then it goes on from there.
+    if (!dragged || !drag_ || !document_.mayGoOn(drag_->since))
+        begin();
     if (!drag_ && document_.work() == Work::none) {
         QToolTip::showText(row.slider->mapToGlobal(row.slider->rect().bottomLeft()),
                            document_.whyNotCurrent());
@@ -178,10 +189,10 @@ void ParametersPanel::moved(std::size_t index, int position) {
     }
     if (!drag_) {
         if (!dragged)
-            wanted_ = {index, position};
+            wanted_ = {row.name, valueOf(row, position)};
         return;
     }
-    const double value = row.least + (row.most - row.least) * position / whole;
+    const double value = valueOf(row, position);
     const editing::Answer answer = asked(drag_->mapper, index, value);
     if (answer.possible()) {
         show(row, value);

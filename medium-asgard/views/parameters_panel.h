@@ -45,6 +45,8 @@ private:
     void refresh();
     void rebuild();
     void show(Row& row, double value);
+    [[nodiscard]] static int positionOf(const Row& row, double value);
+    [[nodiscard]] static double valueOf(const Row& row, int position);
     void moved(std::size_t row, int position);
     void begin();
     void finish(std::size_t row);
@@ -57,7 +59,8 @@ private:
     std::vector<Row> rows_;
     std::unique_ptr<Drag> drag_;
     bool refreshing_ = false;
-    std::optional<std::pair<std::size_t, int>> wanted_; // row and position, once the scene is read
+    // Parameter and value, once the scene is read.
+    std::optional<std::pair<std::string, double>> wanted_;
 };
 
 } // namespace views

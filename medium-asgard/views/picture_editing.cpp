@@ -49,6 +49,7 @@ void PictureEditing::begin(const render::Handle& handle,
                            const std::optional<Eigen::Vector2d>& pixels) {
     delete entry_;
     display_.keepCamera(); // the picture stays while what is in it moves
+    since_ = document_.revision();
     drag_ = std::make_unique<gestures::HandleDrag>(document_.ground(), display_.sight(), handle,
                                                    pixels);
     mark(handle);
@@ -71,6 +72,7 @@ void PictureEditing::take(const gestures::Grasp& grasp, const Eigen::Vector2d& p
         return;
     }
     display_.keepCamera();
+    since_ = document_.revision();
     newPoint_ =
         std::make_unique<gestures::NewPoint>(document_.ground(), display_.sight(), grasp.handle);
     Q_EMIT changed();
@@ -117,7 +119,19 @@ bool PictureEditing::press(QMouseEvent& event) {
     return true;
 }
 
+bool PictureEditing::letGo() {
+    if (!dragging() || document_.mayGoOn(since_))
+        return false;
+    drag_.reset();
+    newPoint_.reset();
+    say(SceneDocument::overtaken());
+    Q_EMIT changed();
+    return true;
+}
+
 bool PictureEditing::move(QMouseEvent& event) {
+    if (letGo())
+        return true;
     if (newPoint_) {
         newPoint_->move(display_.inPixels(event.position()));
         Q_EMIT changed();
@@ -131,6 +145,8 @@ bool PictureEditing::move(QMouseEvent& event) {
 }
 
 bool PictureEditing::release(QMouseEvent& event) {
+    if (letGo())
+        return true;
     if (newPoint_ && event.button() == button_) {
         newPoint_->finish();
         newPoint_.reset();
@@ -164,6 +180,7 @@ bool PictureEditing::doubleClick(QMouseEvent& event) {
 }
 
 void PictureEditing::finish() {
+    letGo();
     if (newPoint_) {
         std::exchange(newPoint_, nullptr)->finish();
         Q_EMIT changed();
@@ -271,6 +288,8 @@ void PictureEditing::markNext(int step) {
 }
 
 bool PictureEditing::dragKey(QKeyEvent& event) {
+    if (letGo())
+        return true;
     const double step = keyStep * display_.devicePixelRatioF();
     switch (event.key()) {
     case Qt::Key_Escape:

@@ -69,6 +69,8 @@ Q_SIGNALS:
 
 private:
     void begin(const render::Handle& handle, const std::optional<Eigen::Vector2d>& pixels);
+    // The text was changed elsewhere, and what is dragged is let go.
+    bool letGo();
     void take(const gestures::Grasp& grasp, const Eigen::Vector2d& pixels);
     bool removePoint(const render::Handle& handle);
     void take(const std::vector<editing::TextEdit>& edits, const QString& label);
@@ -101,6 +103,7 @@ private:
     std::optional<editing::Element> expected_; // of a scene yet to be read
     std::function<bool(const QString&)> confirm_;
     bool byKeys_ = false;
+    int since_ = 0; // the revision that a drag began at
     Qt::MouseButton button_ = Qt::NoButton;
     std::optional<Mark> mark_;
     QPointer<ValueEntry> entry_;

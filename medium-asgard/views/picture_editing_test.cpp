@@ -112,6 +112,22 @@ TEST_F(PictureEditingTest, WhatWasChangedWhileOneWasAskedIsNotCutInto) {
     EXPECT_EQ(display().editing().said(), "The text was changed meanwhile: nothing is deleted.");
 }
 
+TEST_F(PictureEditingTest, WhatIsHeldWhileTheTextIsChangedElsewhereIsLetGoWithAWord) {
+    open(ballScene);
+    const QPoint start = pixels({-1, 0, 0});
+    press(start);
+    moveTo(start + QPoint(30, 0));
+    EXPECT_NE(display().words(), "");
+    const std::string other = text() + "# other\n";
+    editor.document().setText(other, "Elsewhere");
+    moveTo(start + QPoint(60, 0));
+    EXPECT_FALSE(display().editing().dragging());
+    EXPECT_EQ(display().words(), "");
+    EXPECT_EQ(display().editing().said(), SceneDocument::overtaken());
+    release(start + QPoint(60, 0));
+    EXPECT_EQ(text(), other);
+}
+
 TEST_F(PictureEditingTest, TheTextFollowsWhileTheHandleMovesAndEscapeBringsItBack) {
     open(ballScene);
     const QPoint start = pixels({-1, 0, 0});

@@ -49,6 +49,25 @@ TEST_F(PositioningTest, TheKeysTurnMoveRollAndScaleTheView) {
     EXPECT_EQ(editor.document().text(), ballScene);
 }
 
+TEST_F(PositioningTest, AViewThatIsKeptInAnOlderTextSaysSo) {
+    editor.document().setText(ballScene + "view side -rot {0 1 0}\n", "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    viewer->display().grab();
+    const std::string other = editor.document().text() + "# other\n";
+    QTimer::singleShot(50, viewer, [&] {
+        auto* dialog = viewer->findChild<KeepViewDialog*>();
+        ASSERT_NE(dialog, nullptr);
+        editor.document().setText(other, "Elsewhere");
+        dialog->accept();
+    });
+    for (QAction* action : viewer->findChildren<QAction*>())
+        if (action->text().remove('&') == "Keep This View")
+            action->trigger();
+    EXPECT_TRUE(viewer->display().editing().said().startsWith("The text was changed meanwhile"));
+    EXPECT_EQ(editor.document().text(), other);
+}
+
 TEST_F(PositioningTest, AViewThatIsThereIsChangedToWhatIsSeen) {
     const std::string views = "view side -rot {0 1 0} -scale 0.5 ;# mine\n"
                               "view eye -eye {0 0 9} -look {0 0 0}\n"

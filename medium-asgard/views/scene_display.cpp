@@ -212,6 +212,22 @@ void SceneDisplay::lookAlong(const geometry::Vector& toward) {
     redraw(false);
 }
 
+void SceneDisplay::levelHorizon() {
+    bringUpToDate();
+    render::Camera camera = control_.camera();
+    const geometry::Vector up = render::upOf(*document_.shown().scene);
+    const geometry::Vector toward = camera.rotation.conjugate() * geometry::Vector::UnitZ();
+    if (std::abs(toward.dot(up)) > 0.999)
+        return editing_.say(tr("Straight from above, or from below, no horizon is seen."));
+    const geometry::Quaternion level = render::facing(toward, up);
+    camera.position = level * (camera.rotation.conjugate() * camera.position);
+    camera.rotation = level;
+    const bool wasFraming = framesItself_;
+    setCamera(camera);
+    turned_ = wasFraming;
+    redraw(false);
+}
+
 void SceneDisplay::followView(const QString& name) {
     if (name != followed_) {
         followed_ = name;

@@ -46,6 +46,7 @@ public:
     void setCamera(const render::Camera& camera); // the user's own from now on
     void frameAll();
     void lookAlong(const geometry::Vector& toward); // keeps what is in the middle
+    void levelHorizon(); // rolls the picture until what is upright in the world is so in it
     // The scene's view of that name; "" leaves it where it is.
     void followView(const QString& name);
     [[nodiscard]] const QString& followedView() const { return followed_; }

@@ -191,6 +191,10 @@ void SceneDocument::finishPreview(const std::string& text, const QString& label,
         host_.changed(edit, label);
 }
 
+QString SceneDocument::overtaken() {
+    return tr("The text was changed meanwhile: what was held is let go.");
+}
+
 void SceneDocument::endGesture() {
     if (gesture_)
         finishPreview(text_, tr("Drag"), gesture_->since);

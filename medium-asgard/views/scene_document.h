@@ -118,6 +118,12 @@ public:
     // tells it from others.
     void preview(const std::string& text, int since);
     void finishPreview(const std::string& text, const QString& label, int since);
+    // What a gesture that began at that revision does is taken still: nothing else has changed the
+    // text since.
+    [[nodiscard]] bool mayGoOn(int since) const {
+        return since == revision_ || (gesture_ && gesture_->since == since);
+    }
+    [[nodiscard]] static QString overtaken(); // the sentence of a gesture that may not
     // The text is a gesture's, which has not ended.
     [[nodiscard]] bool isPreview() const { return gesture_.has_value(); }
     // What a gesture in one of the windows is made on.

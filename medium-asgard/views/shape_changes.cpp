@@ -149,19 +149,37 @@ void ShapeEditor::resizePart(const std::vector<double>& sizes) {
                [&] { draft_[*part].part = withSizes(draft_[*part].part, sizes); });
 }
 
-// By keys: the grid's step, or some pixels' worth, each one step of undo. Those that come while the
-// text is being read are made together when it has been.
+// By keys: the grid's step, or some pixels' worth, each one step of undo. Those of a vertex that
+// come while the text is being read are made together when it has been.
 void ShapeEditor::nudge(const Vector& direction) {
+    const auto part = display_->chosenPart(), point = display_->chosenPoint();
     const auto place = display_->chosenPlace();
-    if (!place)
+    if (!place || !part || !point)
         return;
     if (!document_.sceneIsCurrent() && !document_.hasErrors()) {
-        nudged_ += direction;
+        if (nudges_.empty() || nudges_.back().part != *part || nudges_.back().point != *point)
+            nudges_.push_back({*part, *point, direction});
+        else
+            nudges_.back().direction += direction;
         return;
     }
     const double step = display_->grid() > 0 ? display_->grid()
                                              : editing::decimalStep(10 * display_->pixelLength());
     movePoint(decimal(Vector(*place + step * direction), step / 10));
+}
+
+// The vertex that they were of may not be the chosen one any more.
+void ShapeEditor::makeNudges() {
+    const auto part = display_->chosenPart(), point = display_->chosenPoint();
+    const Nudge next = nudges_.front();
+    nudges_.erase(nudges_.begin());
+    if (next.part >= draft_.size() ||
+        next.point >= editing::pointsOf(draft_[next.part].part).size())
+        return;
+    choose(next.part, next.point);
+    nudge(next.direction);
+    if (part != next.part || point != next.point)
+        choose(part, point);
 }
 
 void ShapeEditor::addPoint(const Vector& place) {

@@ -201,8 +201,10 @@ void ShapeEditor::followScene() {
         return; // its own steps; what it ends with is followed
     fillNames();
     const bool another = shownName_ != names_->currentText();
-    if (another)
+    if (another) {
+        nudges_.clear();
         leaveShape(std::exchange(shownName_, names_->currentText()));
+    }
     const auto here = index();
     const bool hadNone = !panel_->isEnabled();
     for (QWidget* one : std::initializer_list<QWidget*>{names_, panel_, fields_, rename_})
@@ -222,8 +224,8 @@ void ShapeEditor::followScene() {
         return;
     if (untilCurrent_)
         tell({});
-    if (nudged_ != Vector::Zero())
-        nudge(std::exchange(nudged_, Vector::Zero()));
+    if (!nudges_.empty())
+        makeNudges();
     if (closing_)
         close();
 }

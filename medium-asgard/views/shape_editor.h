@@ -77,6 +77,7 @@ private:
     void leaveShape(const QString& name);
     void chooseNext(int direction);
     void nudge(const geometry::Vector& direction);
+    void makeNudges();
     void askForColour();
     void askForName();
     void offer(const editing::Answer& answer, const QString& label);
@@ -96,7 +97,11 @@ private:
     QString shownName_, wantedName_; // wanted: on its way through the text
     std::optional<std::size_t> wantedPart_;
     std::set<QString> edited_; // shapes that were changed here and not left since
-    geometry::Vector nudged_ = geometry::Vector::Zero(); // by keys, while the text is read
+    struct Nudge {             // by keys, while the text is read
+        std::size_t part, point;
+        geometry::Vector direction;
+    };
+    std::vector<Nudge> nudges_;
     bool closing_ = false;
     bool untilCurrent_ = false; // what is said holds only while the text is not the scene's
 };

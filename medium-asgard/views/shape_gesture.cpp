@@ -16,6 +16,11 @@ ShapeGesture::ShapeGesture(SceneDocument& document, std::size_t shapeSet)
       before_(editing::draftOf(scene_->shapeSets[shapeSet])) {}
 
 bool ShapeGesture::show(const std::vector<editing::DraftPart>& draft) {
+    if (!document_.mayGoOn(since_)) {
+        answer_ = {};
+        answer_.reason = SceneDocument::overtaken().toStdString();
+        return false;
+    }
     answer_ = editing::become(text_, scene_, shapeSet_, draft);
     if (answer_.possible())
         document_.preview(editing::applied(text_, answer_.edits), since_);

@@ -1,6 +1,7 @@
 #include "views/shape_import.h"
 
 #include "editing/number_text.h"
+#include "editing/shape_edit.h"
 #include "script/numbers.h"
 
 #include "views/shape_display.h"
@@ -193,12 +194,31 @@ void ShapeImport::showParts() {
     const double size = (job_.result().high - job_.result().low).cwiseAbs().maxCoeff();
     if (!scale || *scale <= 0 || !(*scale * size < far))
         return words_->setText(tr("A scale is a number above 0, of a shape below 1e9."));
-    display_->setParts(parts());
+    const std::vector<scene::Part> parts = this->parts();
+    display_->setParts(parts);
     const meshes::ConvexParts& made = job_.result().made;
     const bool many = made.parts.size() > manyParts || verticesOf(made) > manyVertices;
     fewer_->setVisible(many);
-    words_->setText(fault.isEmpty() ? resultText() : fault);
-    import_->setEnabled(fault.isEmpty());
+    const QString why = fault.isEmpty() ? faultOfLength(parts) : fault;
+    words_->setText(why.isEmpty() ? resultText() : why);
+    import_->setEnabled(why.isEmpty());
+}
+
+// A longer text is read by nobody. Estimated from some of the parts: all of them take long.
+QString ShapeImport::faultOfLength(std::vector<scene::Part> parts) const {
+    constexpr double most = 8 << 20; // bytes, of script::Reader
+    const std::size_t count = parts.size();
+    parts.resize(std::min<std::size_t>(count, 10));
+    const double bytes = static_cast<double>(editing::descriptionText(parts).size()) *
+                         static_cast<double>(count) /
+                         static_cast<double>(std::max<std::size_t>(1, parts.size()));
+    const double already = static_cast<double>(document_.text().size());
+    if (already + 1.05 * bytes < most)
+        return {};
+    return tr("That is %1 MB of text beside the scene's %2 MB; a scene has at most 8. "
+              "Ask for fewer parts or vertices.")
+        .arg(bytes / (1 << 20), 0, 'g', 2)
+        .arg(already / (1 << 20), 0, 'g', 2);
 }
 
 QString ShapeImport::sizeText() const {

@@ -44,6 +44,7 @@ private:
     void showParts();
     [[nodiscard]] QString sizeText() const;
     [[nodiscard]] QString resultText() const;
+    [[nodiscard]] QString faultOfLength(std::vector<scene::Part> parts) const; // "": it fits
 
     SceneDocument& document_;
     QString file_;

@@ -1,5 +1,6 @@
 #include "views/shape_import.h"
 
+#include "views/mesh_job.h"
 #include "views/scene_document.h"
 #include "views/shape_display.h"
 #include "views/test_workshop.h"
@@ -113,22 +114,45 @@ TEST_F(ShapeImportTest, ANameThatIsTakenIsAskedForAgain) {
     EXPECT_EQ(document.text(), ballScene);
 }
 
-TEST_F(ShapeImportTest, ClosingDoesNotWaitForTheFile) {
+TEST_F(ShapeImportTest, WhatTheTextCannotHoldIsSaidBefore) {
+    open("ell.obj", ell);
+    const std::string much =
+        ballScene + "# " + std::string((8U << 20) - ballScene.size() - 100, '-') + "\n";
+    document.setText(much, "Edit");
+    ASSERT_TRUE(settle(document));
+    ASSERT_FALSE(document.hasErrors());
+    openPath(folder.filePath("ell.obj"));
+    EXPECT_TRUE(dialog->words().contains("a scene has at most 8")) << qPrintable(dialog->words());
+    dialog->accept();
+    EXPECT_EQ(document.text(), much);
+}
+
+// The threads that windows share for what is short may all be busy, and leaving waits for those.
+TEST_F(ShapeImportTest, ReadsOnAThreadOfItsOwn) {
     QThreadPool& pool = *QThreadPool::globalInstance();
     pool.waitForDone();
     const int threads = pool.maxThreadCount();
-    pool.setMaxThreadCount(0); // reading does not get on at all
+    pool.setMaxThreadCount(0);
+    open("ell.obj", ell);
+    EXPECT_EQ(dialog->words(), "2 convex parts with 16 vertices; the file's volume.");
+    pool.setMaxThreadCount(threads);
+}
+
+TEST_F(ShapeImportTest, ClosingEndsTheThreadWhateverItDoes) {
+    std::string bytes;
+    for (int i = 0; i < 300'000; ++i)
+        bytes += "v 0.25 0.5 0.75\n";
     QFile file(folder.filePath("late.obj"));
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-    file.write(ell.data(), static_cast<qint64>(ell.size()));
+    file.write(bytes.data(), static_cast<qint64>(bytes.size()));
     file.close();
-    {
+    for (int i = 0; i < 3; ++i) {
         ShapeImport dropped(document, file.fileName());
         dropped.setAttribute(Qt::WA_DeleteOnClose, false);
         EXPECT_EQ(dropped.words(), "Looking for convex parts…");
+        EXPECT_GE(MeshJob::threads(), 1);
     }
-    pool.setMaxThreadCount(threads);
-    EXPECT_TRUE(pool.waitForDone());   // the thread ends by itself
+    EXPECT_TRUE(waitFor([] { return MeshJob::threads() == 0; }));
     QCoreApplication::processEvents(); // and tells nobody
     EXPECT_EQ(document.text(), "");
 }

@@ -305,6 +305,7 @@ void TimeStrip::cancel() {
 }
 
 void TimeStrip::removeChosen() {
+    finish(); // what keys have retimed stays so
     if (!begin())
         return;
     const std::unique_ptr<TrajectoryDrag> gesture = std::move(gesture_);
@@ -338,7 +339,15 @@ void TimeStrip::takeTime() {
     }
     leaveField();
     retime(*time);
+    if (!gesture_ || !chosen_)
+        return; // it was said why
+    const bool refused = !gesture_->reason().isEmpty();
+    const double is = points()[*chosen_].time;
     finish();
+    if (!refused && std::abs(is - *time) > 1e-9 * std::max(1.0, std::abs(*time)))
+        Q_EMIT says(
+            tr("A point stays between its neighbours: %1 s is as near as it gets.").arg(number(is)),
+            true);
 }
 
 // Deleted later, since it is the one that sends the event.
@@ -435,14 +444,15 @@ void TimeStrip::contextMenuEvent(QContextMenuEvent* event) {
     if (const auto mark =
             event->reason() == QContextMenuEvent::Mouse ? markAt(QPointF(event->pos())) : chosen_)
         choose(*mark);
-    QMenu menu(this);
-    QAction* time = menu.addAction(tr("Exact &Time…"), this, [this] { askForTime(); });
-    QAction* removal = menu.addAction(tr("&Remove Point"), this, [this] { removeChosen(); });
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    QAction* time = menu->addAction(tr("Exact &Time…"), this, [this] { askForTime(); });
+    QAction* removal = menu->addAction(tr("&Remove Point"), this, [this] { removeChosen(); });
     time->setEnabled(chosen_.has_value());
     removal->setEnabled(chosen_.has_value());
-    menu.addSeparator();
-    menu.addAction(tr("&Show All Points"), this, [this] { showAll(); });
-    menu.exec(event->globalPos());
+    menu->addSeparator();
+    menu->addAction(tr("&Show All Points"), this, [this] { showAll(); });
+    menu->popup(event->globalPos());
 }
 
 // The keys that mean something here are no shortcuts of the window.

@@ -171,6 +171,48 @@ TEST_F(TimeStripTest, TheKeysChooseAndRetimeInOneStepAndAskForTheExactTime) {
     EXPECT_THAT(text(), HasSubstr("{1.0625 0 2 0}"));
 }
 
+TEST_F(TimeStripTest, AnExactTimeThatCannotBeSaysWhatItIsInstead) {
+    open(line);
+    key(Qt::Key_PageDown);
+    key(Qt::Key_PageDown);
+    QTest::keyClick(&strip(), Qt::Key_Return);
+    auto* field = strip().findChild<QLineEdit*>();
+    ASSERT_NE(field, nullptr);
+    QTest::keyClicks(field, "7");
+    QTest::keyClick(field, Qt::Key_Return);
+    const QString said = viewer->display().editing().said();
+    EXPECT_TRUE(said.startsWith("A point stays between its neighbours: 3.99")) << qPrintable(said);
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_LT(times()[1], 4);
+}
+
+TEST_F(TimeStripTest, DeleteDoesNotTakeBackWhatAnArrowThatIsStillDownHasRetimed) {
+    open(line);
+    key(Qt::Key_PageDown);
+    key(Qt::Key_PageDown);
+    QKeyEvent right(QEvent::KeyPress, Qt::Key_Right, Qt::ShiftModifier);
+    QApplication::sendEvent(&strip(), &right);
+    key(Qt::Key_Delete); // of a text that is still to be read
+    EXPECT_FALSE(viewer->display().editing().said().isEmpty());
+    QTest::keyRelease(&strip(), Qt::Key_Right);
+    ASSERT_EQ(times().size(), 3U);
+    EXPECT_GT(times()[1], 1);
+    key(Qt::Key_Delete);
+    EXPECT_EQ(times(), (std::vector<double>{0, 4}));
+}
+
+TEST_F(TimeStripTest, AMarkThatIsHeldWhileTheTextIsChangedElsewhereSaysSo) {
+    open(line);
+    QTest::mousePress(&strip(), Qt::LeftButton, {}, at(1));
+    moveTo(at(1.5));
+    const std::string other = text() + "# other\n";
+    editor.document().setText(other, "Elsewhere");
+    moveTo(at(2));
+    EXPECT_EQ(viewer->display().editing().said(), SceneDocument::overtaken());
+    QTest::mouseRelease(&strip(), Qt::LeftButton, {}, at(2));
+    EXPECT_EQ(text(), other);
+}
+
 TEST_F(TimeStripTest, ZoomAndPanShowAFinerPieceOfTime) {
     open(line);
     const double step = strip().position(1) - strip().position(0);

@@ -111,7 +111,11 @@ void TrajectoryEditor::setFromFields() {
         return showPoint();
     }
     gesture_->move(*chosen_, time, place, false);
-    const QString reason = gesture_->reason();
+    QString reason = gesture_->reason();
+    const double is = editing::controlPointsOf(gesture_->curves())[*chosen_].time;
+    if (reason.isEmpty() && std::abs(is - time) > 1e-9 * std::max(1.0, std::abs(time)))
+        reason = tr("A point stays between its neighbours: %1 s is as near as it gets.")
+                     .arg(QString::number(is, 'g', 6));
     gesture_->finish();
     gesture_.reset();
     if (!reason.isEmpty())

@@ -26,6 +26,11 @@ void TrajectoryDrag::move(std::size_t point, double time, const geometry::Vector
     document_.preview(editing::applied(text_, answer_.edits), since_);
 }
 
+QString TrajectoryDrag::reason() const {
+    return moves_ && !document_.mayGoOn(since_) ? SceneDocument::overtaken()
+                                                : QString::fromStdString(answer_.reason);
+}
+
 void TrajectoryDrag::finish(const QString& label) {
     document_.finishPreview(
         answer_.possible() ? editing::applied(text_, answer_.edits) : text_,

@@ -24,7 +24,7 @@ public:
     [[nodiscard]] bool moves() const { return moves_; }
     // What the curves are now; the scene follows when its text is read.
     [[nodiscard]] const std::vector<scene::BezierCurve>& curves() const { return curves_; }
-    [[nodiscard]] QString reason() const { return QString::fromStdString(answer_.reason); }
+    [[nodiscard]] QString reason() const; // why it stays as it is; "": it does not
 
 private:
     bool doAtOnce(editing::Answer answer, const QString& label);

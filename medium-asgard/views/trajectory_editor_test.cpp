@@ -74,6 +74,21 @@ TEST_F(TrajectoryEditorTest, TimesAreDraggedToo) {
     EXPECT_FALSE(document.hasErrors());
 }
 
+TEST_F(TrajectoryEditorTest, ATimeThatCannotBeSaysWhatItIsInstead) {
+    QTest::mouseClick(&editor->graph(0), Qt::LeftButton, {}, at(0, 1, 1));
+    for (QLineEdit* field : editor->findChildren<QLineEdit*>())
+        if (field->accessibleName() == "Time of the point") {
+            field->setFocus();
+            field->selectAll();
+            QTest::keyClicks(field, "7");
+            QTest::keyClick(field, Qt::Key_Return);
+        }
+    EXPECT_TRUE(editor->words().startsWith("A point stays between its neighbours"))
+        << qPrintable(editor->words());
+    ASSERT_TRUE(settle(document));
+    EXPECT_LT(shown(0).points[1].first, 2);
+}
+
 TEST_F(TrajectoryEditorTest, ATangentRewritesThePointsAsCurvesAndUndoTakesItBack) {
     QTest::mouseClick(&editor->graph(0), Qt::LeftButton, {}, at(0, 1, 1));
     const auto tangent = editing::controlPointsOf(shown(0).curves)[4];
