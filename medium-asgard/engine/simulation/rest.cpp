@@ -1,5 +1,7 @@
 #include "simulation/rest.h"
 
+#include <Eigen/QR>
+
 #include <algorithm>
 #include <cmath>
 
@@ -46,6 +48,11 @@ bool isLike(const Footing& a, const Footing& b) {
     return true;
 }
 
+// Of a Footing or a Touch.
+template <class Pair> PartsInTouch partsOf(const Pair& pair) {
+    return {pair.support, pair.bodyPart, pair.supportPart};
+}
+
 class Answer {
 public:
     Answer(const RestQuestion& question, const RestLimits& limits,
@@ -56,7 +63,7 @@ public:
 
     Rest find() {
         for (std::size_t s = 0; s < q_.supports.size(); ++s)
-            for (Touch& touch : touchesOf(q_.body, q_.supports[s], limits_.gap))
+            for (Touch& touch : touchesOf(q_.body, q_.supports[s], limits_.gap, q_.footings))
                 (touch.passes(slowest()) ? passing_ : touches_)
                     .push_back({std::move(touch), s, {}});
         do
@@ -64,7 +71,7 @@ public:
         while (rest_.state != Rest::State::approaching && isPassingPressed());
         if (rest_.state == Rest::State::free) // goes on from where it does not overlap
             for (const Candidate& candidate : touches_)
-                correct(candidate.touch, 0);
+                moveOut(candidate.touch);
         return rest_;
     }
 
@@ -128,8 +135,7 @@ private:
     }
 
     [[nodiscard]] bool isFooting(const Touch& touch) const {
-        const PartsInTouch parts{touch.support, touch.bodyPart, touch.supportPart};
-        return std::ranges::find(q_.footings, parts) != q_.footings.end();
+        return std::ranges::find(q_.footings, partsOf(touch)) != q_.footings.end();
     }
 
     // Corners that neither part nor approach.
@@ -176,6 +182,8 @@ private:
         for (std::size_t t = 0; t < touches_.size(); ++t)
             if (pushes[t] > least && !touches_[t].bearing.empty())
                 addFooting(touches_[t]);
+        if (rest_.state == Rest::State::bearing)
+            putBack();
     }
 
     void addFooting(const Candidate& candidate) {
@@ -194,19 +202,55 @@ private:
                         .size = touch.size,
                         .constraints = constraintsOf(touch, candidate.bearing, q_.body, support)};
         rest_.footings.push_back(std::move(footing));
-        correct(touch, HUGE_VAL);
-        if (rest_.state == Rest::State::unmodelled)
-            return;
-        if (std::abs(touch.gap) > 0.5 * limits_.gap * touch.size)
-            rest_.state = Rest::State::drifted;
-        else if (rest_.state == Rest::State::free)
+        if (rest_.state == Rest::State::free)
             rest_.state = Rest::State::bearing;
     }
 
-    // Moves the body so that the gap is 0, if it is less than `most` then.
-    void correct(const Touch& touch, double most) {
+    // A constraint keeps the second derivative of its gap; what the integration errs in all that
+    // bear is put right at once. Impulses that would do it in a unit of time are the multipliers.
+    void putBack() {
+        std::vector<const Corner*> corners;
+        std::vector<Vector> normals;
+        for (const Candidate& candidate : touches_)
+            if (std::ranges::any_of(rest_.footings, [&](const Footing& footing) {
+                    return partsOf(footing) == partsOf(candidate.touch);
+                }))
+                for (const std::size_t i : candidate.bearing) {
+                    corners.push_back(&candidate.touch.corners[i]);
+                    normals.push_back(candidate.touch.normal);
+                    if (std::abs(corners.back()->gap) > 0.5 * limits_.gap * candidate.touch.size)
+                        rest_.state = Rest::State::drifted;
+                }
+        const auto n = static_cast<Eigen::Index>(corners.size());
+        Eigen::MatrixXd rows(n, 3), turning(n, 3);
+        Eigen::VectorXd gaps(n);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            rows.row(i) = normals[k];
+            turning.row(i) = (corners[k]->point - q_.mobility.centre).cross(normals[k]);
+            gaps[i] = corners[k]->gap;
+        }
+        const Eigen::MatrixXd mobility = q_.mobility.inverseMass * rows * rows.transpose() +
+                                         turning * q_.mobility.inverseInertia * turning.transpose();
+        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(n, n);
+        solver.setThreshold(1e-9); // corners of a face are more than its three freedoms
+        const Eigen::VectorXd impulses = solver.compute(mobility).solve(-gaps);
+        rest_.correction = withoutRounding(q_.mobility.inverseMass * rows.transpose() * impulses);
+        rest_.turn = withoutRounding(q_.mobility.inverseInertia * (turning.transpose() * impulses));
+    }
+
+    // In a plane nothing is to leave it (solution/zero_states.h).
+    static Vector withoutRounding(const Vector& v) {
+        constexpr double rounding = 1e-9;
+        return v.unaryExpr([least = rounding * v.cwiseAbs().maxCoeff()](double x) {
+            return std::abs(x) <= least ? 0 : x;
+        });
+    }
+
+    // To where it does not overlap.
+    void moveOut(const Touch& touch) {
         const double gap = touch.gap + touch.normal.dot(rest_.correction);
-        if (gap < most)
+        if (gap < 0)
             rest_.correction -= touch.normal * gap;
     }
 

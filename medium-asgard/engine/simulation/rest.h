@@ -36,7 +36,9 @@ struct Rest {
     std::vector<Footing> footings;
     std::size_t partner = 0; // approaching: whom
     std::string sentence;
-    Vector correction = Vector::Zero(); // of the place, that makes the bearing gaps 0
+    // Of the place and the attitude (a rotation vector): the least, in the sense of kinetic energy,
+    // that makes the bearing gaps 0.
+    Vector correction = Vector::Zero(), turn = Vector::Zero();
 
     // The same corners and edges bear. They may have moved along their features.
     [[nodiscard]] bool bearsLike(const Rest& other) const;
@@ -45,11 +47,6 @@ struct Rest {
 struct RestLimits {
     double gap = 1e-7;       // of the parts' size: touching
     double hopHeight = 1e-9; // of the body's radius: parting slower than for that is not parting
-};
-
-struct PartsInTouch {
-    std::size_t support = 0, bodyPart = 0, supportPart = 0;
-    auto operator<=>(const PartsInTouch&) const = default;
 };
 
 struct RestQuestion {

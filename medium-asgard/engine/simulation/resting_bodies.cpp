@@ -23,6 +23,12 @@ std::array<double, physics::bodyUnknowns> unknownsOf(const physics::BodyMotion& 
     return body.unknownsOf({state.position, state.velocity, state.attitude, state.angularVelocity});
 }
 
+// By a rotation vector next to nothing, about the world's axes.
+Quaternion turnedBy(const Quaternion& attitude, const Vector& turn) {
+    const Quaternion rotation(1, turn.x() / 2, turn.y() / 2, turn.z() / 2);
+    return (rotation * attitude).normalized();
+}
+
 // To the next look at forces, so long after the start. It does not depend on when the motion ends.
 double strideAfter(double elapsed) {
     const double octave = elapsed > 0 ? std::exp2(std::ceil(std::log2(elapsed))) : 0;
@@ -315,7 +321,14 @@ void RestingBodies::write(const Histories& histories, std::size_t body, double t
     std::vector<double> values;
     for (std::size_t i = 0; i < equations.unknowns.size(); ++i)
         values.push_back(histories.value(i, time));
-    auto own = unknownsOf(motion, state);
+    const bool isMoved = rest.correction.norm() > 1e-13 * records_[body].radius;
+    const bool isTurned = !rest.footings.empty() && rest.turn.norm() > 1e-13;
+    BodyState corrected = state;
+    if (isMoved)
+        corrected.position += rest.correction;
+    if (isTurned)
+        corrected.attitude = turnedBy(state.attitude, rest.turn);
+    auto own = unknownsOf(motion, corrected);
     std::ranges::copy(own, values.begin() + static_cast<std::ptrdiff_t>(motion.firstUnknown));
 
     physics::GapExpressions gaps(equations, equations_, body, time);
@@ -333,15 +346,15 @@ void RestingBodies::write(const Histories& histories, std::size_t body, double t
     }
     const physics::VelocityChange change = physics::changeToRates(motion, isHeld, keptRows);
     const physics::ConstrainedRates rates = gaps.constrained(kept);
-    const bool isMoved = rest.correction.norm() > 1e-13 * records_[body].radius;
     for (std::size_t i = 0; i < 3; ++i) {
         const auto axis = static_cast<Eigen::Index>(i);
         own[physics::dx + i] += change.linear[axis];
         own[physics::w1 + i] += change.angular[axis];
         if (isMoved)
-            changes.jumps.push_back(
-                {motion.unknown(physics::x) + i, own[physics::x + i] + rest.correction[axis]});
+            changes.jumps.push_back({motion.unknown(physics::x) + i, own[physics::x + i]});
     }
+    for (std::size_t i = physics::qw; isTurned && i < physics::w1; ++i)
+        changes.jumps.push_back({motion.firstUnknown + i, own[i]});
     const auto give = [&](physics::BodyUnknown first, const physics::NodeVector& derivative) {
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t unknown = motion.unknown(first) + i;

@@ -15,6 +15,8 @@ using geometry::Part;
 using physics::GapConstraint;
 using Kind = physics::GapConstraint::Kind;
 
+constexpr double drifting = 4; // as far as touching: what rests already
+
 Vector velocityAt(const BodyState& state, const Vector& point) {
     return state.velocity + state.angularVelocity.cross(point - state.position);
 }
@@ -86,14 +88,16 @@ double depthInside(const std::vector<Vector>& outline, const Vector& normal, con
 class Pairing {
 public:
     Pairing(const Placed& body, std::size_t bodyPart, const Placed& support,
-            std::size_t supportPart, double tolerance)
+            std::size_t supportPart, double tolerance, std::span<const PartsInTouch> resting)
         : body_(body), support_(support), origin_(body.state.position),
           first_(posed(body, bodyPart, origin_)), second_(posed(support, supportPart, origin_)) {
         touch.support = support.index;
         touch.bodyPart = bodyPart;
         touch.supportPart = supportPart;
         touch.size = std::min(sizeOf(*first_.part), sizeOf(*second_.part));
-        tolerance_ = tolerance * touch.size;
+        const PartsInTouch parts{support.index, bodyPart, supportPart};
+        const bool isResting = std::ranges::find(resting, parts) != resting.end();
+        tolerance_ = tolerance * touch.size * (isResting ? drifting : 1);
     }
 
     bool find() {
@@ -218,10 +222,7 @@ private:
         const Vector speed = velocityAt(body_.state, p) - velocityAt(support_.state, q);
         const Vector turning = normalRate(c);
         corner.rate = n.dot(speed);
-        // The corner of a patch lies halfway between the surfaces.
-        corner.gap = touch.gap;
-        if (onPlane && c.radius == 0)
-            corner.gap = 2 * n.dot(bodyPoint - supportPoint);
+        corner.gap = onPlane ? n.dot(bodyPoint - supportPoint) - c.radius : touch.gap;
         corner.extra = n.dot(centripetal(body_.state, p) - accelerationAt(support_, q)) +
                        2 * turning.dot(speed);
         if (onPlane) {
@@ -234,6 +235,23 @@ private:
             }
             corner.extra += across.squaredNorm() / c.radius;
         }
+    }
+
+    // A corner of a patch lies halfway between the surfaces: the point of a feature that is over or
+    // under it.
+    [[nodiscard]] Vector onto(const Posed& owner, const std::vector<Vector>& feature,
+                              const Vector& corner) const {
+        const Vector& n = touch.normal;
+        if (feature.size() == 1)
+            return feature[0];
+        if (feature.size() == 2) {
+            const Vector along = feature[1] - feature[0];
+            const Vector flat = along - n * n.dot(along);
+            return feature[0] + along * (flat.dot(corner - feature[0]) / flat.squaredNorm());
+        }
+        const bool isBodys = &owner == &first_;
+        const Vector face = faceNormal(owner, isBodys ? Vector(-n) : n);
+        return corner + n * (face.dot(feature[0] - corner) / face.dot(n));
     }
 
     // A sphere of the body.
@@ -278,9 +296,11 @@ private:
         if (onFace || byFace) {
             for (const Vector& corner : corners)
                 if (onFace)
-                    add(Kind::onSupportPlane, corner, corner, ofSupport_[0], 0);
+                    add(Kind::onSupportPlane, corner, onto(first_, ofBody_, corner), ofSupport_[0],
+                        0);
                 else
-                    add(Kind::onBodyPlane, corner, ofBody_[0], corner, 0);
+                    add(Kind::onBodyPlane, corner, ofBody_[0], onto(second_, ofSupport_, corner),
+                        0);
         } else if (ofBody_.size() == 2 && ofSupport_.size() == 2 && corners.size() == 1) {
             add(Kind::edgeOnEdge, corners[0], corners[0], corners[0], 0);
         } else {
@@ -365,11 +385,12 @@ bool Touch::passes(double speed) const {
                                }));
 }
 
-std::vector<Touch> touchesOf(const Placed& body, const Placed& support, double tolerance) {
+std::vector<Touch> touchesOf(const Placed& body, const Placed& support, double tolerance,
+                             std::span<const PartsInTouch> resting) {
     std::vector<Touch> touches;
     for (std::size_t i = 0; i < body.shape->parts.size(); ++i)
         for (std::size_t j = 0; j < support.shape->parts.size(); ++j) {
-            Pairing pairing(body, i, support, j, tolerance);
+            Pairing pairing(body, i, support, j, tolerance, resting);
             if (pairing.find())
                 touches.push_back(std::move(pairing.touch));
         }
