@@ -34,7 +34,7 @@ CollisionSource::CollisionSource(const scene::Scene& scene,
       cancelled_(std::move(cancelled)),
       resting_(equations, records_, bodies_, start, finish, limits),
       search_(scene, equations, records_, bodies_, resting_, start, 4 * limits.gap),
-      meetings_(records_.size()) {
+      meetings_(records_.size()), changes_(records_.size()) {
     findDependents();
 }
 
@@ -63,7 +63,8 @@ std::optional<Event> CollisionSource::next(const Histories& histories, double kn
         if (next.isHit ? next.time > until : next.time >= until)
             return std::nullopt;
         if (!next.isHit) {
-            renew(histories);
+            if (auto event = renew(histories))
+                return announced(std::move(*event));
             continue;
         }
         const EncounterSearch::Found hit = search_.takeHit();
@@ -78,17 +79,41 @@ std::optional<Event> CollisionSource::next(const Histories& histories, double kn
     }
 }
 
-void CollisionSource::renew(const Histories& histories) {
+std::optional<Event> CollisionSource::renew(const Histories& histories) {
     const double time = search_.next().time;
     search_.renew(histories, renewal_);
     if (renewal_.ended)
         resting_.forget(renewal_.body);
     lookAtJoined(time);
-    for (const Pair& pair : search_.takeOverlaps())
-        noteOnce(pair, time,
-                 "Bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
-                     quoted(scene_.bodies[pair.second].name) +
-                     " overlap without having met; they can collide once they are apart.");
+    std::optional<Event> lost;
+    for (const Pair& pair : search_.takeOverlaps()) {
+        const std::string both = quoted(scene_.bodies[pair.first].name) + " and " +
+                                 quoted(scene_.bodies[pair.second].name) + " overlap ";
+        if (hasMet(pair, time) && !lost)
+            lost = end(pair, time,
+                       "bodies " + both +
+                           "after they have met, since a hit of theirs was not found; another "
+                           "accuracy may find it");
+        else
+            noteOnce(pair, time,
+                     "Bodies " + both +
+                         "without having met; they can collide once they are apart.");
+    }
+    return lost;
+}
+
+// Since either was last taken hold of or let go.
+bool CollisionSource::hasMet(const Pair& pair, double time) const {
+    double since = start_;
+    for (const double change : equations_.breakpoints)
+        if (change <= time)
+            since = std::max(since, change);
+    return (givesWay(pair.first, time) || givesWay(pair.second, time)) &&
+           std::ranges::any_of(impacts_, [&](const Recorded& recorded) {
+               const Impact& impact = recorded.impact;
+               return Pair(std::minmax(impact.first, impact.second)) == pair &&
+                      recorded.found > since;
+           });
 }
 
 // What rests looks at who came near it.

@@ -99,7 +99,9 @@ private:
     void noteEvent(double time);
     void forgetAfterEvent(const solution::Event& event);
     void findDependents();
-    void renew(const solution::Histories& histories);
+    // An event: two that had met overlap without having met again, which ends their motion.
+    [[nodiscard]] std::optional<solution::Event> renew(const solution::Histories& histories);
+    [[nodiscard]] bool hasMet(const Pair& pair, double time) const;
     void lookAtJoined(double time);
     // What a hit came to: an event to be announced, or none, and the search goes on from there; or
     // all is done.
@@ -170,15 +172,25 @@ private:
     [[nodiscard]] bool isWithoutEnd(std::size_t body, std::size_t other, double time);
     [[nodiscard]] solution::Event endWithoutEnd(const solution::Histories& histories,
                                                 const Pair& pair, double time);
+    [[nodiscard]] bool isRestless(std::size_t body, double time);
     [[nodiscard]] solution::Event end(const Pair& pair, double time, const std::string& sentence);
     [[nodiscard]] std::vector<std::size_t> unknownsOf(const Pair& pair, double time) const;
     [[nodiscard]] double pushAt(const solution::Histories& histories, const Cluster& cluster,
-                                std::size_t contact, std::span<const physics::ImpactBody> bodies,
-                                double time) const;
+                                const physics::ImpactContact& contact,
+                                const std::array<double, 2>& radii,
+                                std::span<const physics::ImpactBody> bodies, double time) const;
     [[nodiscard]] Cluster clusterAt(const solution::Histories& histories, const Pair& pair,
                                     double time);
     void addContacts(const solution::Histories& histories, Cluster& cluster, std::size_t a,
                      std::size_t b, double time, bool isHit);
+    struct Hop { // that an impact would lead to
+        bool approaches = false, isLow = true;
+        double settling = 0; // the time that it and all hops after it take
+    };
+    [[nodiscard]] Hop hopOf(const solution::Histories& histories, const Cluster& cluster,
+                            const physics::ImpactContact& contact,
+                            const std::array<double, 2>& radii,
+                            std::span<const physics::ImpactBody> bodies, double time) const;
     // The longest time in which the hops that were cut off would have ended; negative: none was.
     [[nodiscard]] double softenLastHops(const solution::Histories& histories, Cluster& cluster,
                                         std::span<const physics::ImpactBody> bodies,
@@ -212,8 +224,8 @@ private:
     EncounterSearch search_;
     EncounterSearch::Renewal renewal_;
     Rally rally_;
-    std::vector<std::size_t> cut_; // by the last event
-    std::vector<Meetings> meetings_;
+    std::vector<std::size_t> cut_;             // by the last event
+    std::vector<Meetings> meetings_, changes_; // of what bears
     Outcome outcome_;
     struct Recorded { // an impact, and when it was found: hops that were cut off count later
         Impact impact;

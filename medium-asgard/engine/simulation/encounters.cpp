@@ -19,6 +19,7 @@ using solution::infinity;
 constexpr std::size_t manyMeetings = 1000;
 constexpr double shortWhile = 1e-5;
 constexpr double shorterWhile = 1e-9;   // with bodies that give way
+constexpr double restlessWhile = 1e-3;  // as many changes of what bears
 constexpr std::size_t manyAtOnce = 200; // at one instant
 
 std::string quoted(const std::string& name) { return "\"" + name + "\""; }
@@ -161,6 +162,13 @@ bool CollisionSource::isWithoutEnd(std::size_t body, std::size_t other, double t
     return met.atOnce > manyAtOnce;
 }
 
+bool CollisionSource::isRestless(std::size_t body, double time) {
+    Meetings& changes = changes_[body];
+    if (++changes.count % manyMeetings != 0)
+        return false;
+    return time - std::exchange(changes.markedAt, time) < restlessWhile * (time - start_);
+}
+
 Event CollisionSource::end(const Pair& pair, double time, const std::string& sentence) {
     outcome_ = {};
     outcome_.ends.push_back({unknownsOf(pair, time), sentence});
@@ -298,10 +306,8 @@ CollisionSource::Cluster CollisionSource::clusterAt(const Histories& histories, 
 
 // How the gap accelerates: of flat parts as their points that touch, of spheres as their centres.
 double CollisionSource::pushAt(const Histories& histories, const Cluster& cluster,
-                               std::size_t contact, std::span<const ImpactBody> bodies,
-                               double time) const {
-    const physics::ImpactContact& c = cluster.contacts[contact];
-    const std::array<double, 2>& radii = cluster.radii[contact];
+                               const ImpactContact& c, const std::array<double, 2>& radii,
+                               std::span<const ImpactBody> bodies, double time) const {
     double push = 0;
     Vector speed = Vector::Zero();
     for (const auto& [index, sign, radius] :
@@ -321,32 +327,54 @@ double CollisionSource::pushAt(const Histories& histories, const Cluster& cluste
 // A hop lower than the rest height is the last: its contact gets a plastic impact, and all the hops
 // that would have followed are over after 2 u / a (1 - e), where u is the first one's speed and a
 // what pushes the bodies together.
+// Where a patch touches, that holds of all its corners: an edge that rocks hops at its ends, and
+// its middle need not approach at all.
 double CollisionSource::softenLastHops(const Histories& histories, Cluster& cluster,
                                        std::span<const ImpactBody> bodies, double time) const {
     double longest = -1;
-    for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
-        physics::ImpactContact& contact = cluster.contacts[i];
-        const double push = pushAt(histories, cluster, i, bodies, time);
-        double approach = 0, radius = infinity, reach = 0;
-        for (const auto& [index, sign] :
-             {std::pair{contact.first, 1.0}, std::pair{contact.second, -1.0}}) {
-            const std::size_t body = cluster.bodies[index];
-            const Vector arm = contact.point - bodies[index].centre;
-            const Vector& w = bodies[index].angularVelocity;
-            approach += sign * contact.normal.dot(bodies[index].velocity + w.cross(arm));
-            radius = std::min(radius, records_[body].radius);
-            reach += records_[body].radius + bodies[index].centre.norm();
+    for (std::size_t c = 0; c < cluster.contacts.size(); ++c) {
+        Hop hop = hopOf(histories, cluster, cluster.contacts[c], cluster.radii[c], bodies, time);
+        for (std::size_t i = 0; i < cluster.corners.size(); ++i) {
+            if (cluster.contactOf[i] != c)
+                continue;
+            const Hop other =
+                hopOf(histories, cluster, cluster.corners[i], cluster.radii[c], bodies, time);
+            hop.approaches = hop.approaches || other.approaches;
+            hop.isLow = hop.isLow && other.isLow;
+            hop.settling = std::max(hop.settling, other.settling);
         }
-        // Hops that the search may pass over (time_of_impact.h) are lower still.
-        const double lowest = std::max({limits_.hopHeight * radius, 2e-9 * radius, 1e-13 * reach});
-        const double speed = -contact.restitution * approach;
-        if (approach < 0 && push < 0 && speed * speed / (-2 * push) < lowest) {
-            const double sum = 2 * speed / (-push * (1 - contact.restitution));
-            longest = std::max(longest, contact.restitution < 1 ? sum : 0);
-            contact.restitution = 0;
+        if (hop.approaches && hop.isLow) {
+            longest = std::max(longest, hop.settling);
+            cluster.contacts[c].restitution = 0;
         }
     }
     return longest;
+}
+
+CollisionSource::Hop CollisionSource::hopOf(const Histories& histories, const Cluster& cluster,
+                                            const ImpactContact& contact,
+                                            const std::array<double, 2>& radii,
+                                            std::span<const ImpactBody> bodies, double time) const {
+    const double push = pushAt(histories, cluster, contact, radii, bodies, time);
+    double approach = 0, radius = infinity, reach = 0;
+    for (const auto& [index, sign] :
+         {std::pair{contact.first, 1.0}, std::pair{contact.second, -1.0}}) {
+        const std::size_t body = cluster.bodies[index];
+        const Vector arm = contact.point - bodies[index].centre;
+        approach += sign * contact.normal.dot(bodies[index].velocity +
+                                              bodies[index].angularVelocity.cross(arm));
+        radius = std::min(radius, records_[body].radius);
+        reach += records_[body].radius + bodies[index].centre.norm();
+    }
+    if (!(approach < 0))
+        return {};
+    // Hops that the search may pass over (time_of_impact.h) are lower still.
+    const double lowest = std::max({limits_.hopHeight * radius, 2e-9 * radius, 1e-13 * reach});
+    const double speed = -contact.restitution * approach;
+    Hop hop{.approaches = true, .isLow = push < 0 && speed * speed / (-2 * push) < lowest};
+    if (hop.isLow && contact.restitution < 1)
+        hop.settling = 2 * speed / (-push * (1 - contact.restitution));
+    return hop;
 }
 
 // A patch gets one impulse at its centre. Where it then sinks in at a corner, corners take part:
@@ -457,6 +485,11 @@ Event CollisionSource::stir(const Histories& histories, std::size_t body, double
         return end({body, body}, time,
                    "body " + quoted(scene_.bodies[body].name) +
                        " comes to rest and opens again and again in ever shorter time");
+    if (isRestless(body, time))
+        return end({body, body}, time,
+                   "body " + quoted(scene_.bodies[body].name) +
+                       " changes how it bears on what it rests on a thousand times in a thousandth "
+                       "of the time so far, and no way of bearing lasts");
     if (rest.state == Rest::State::approaching)
         if (auto met = meet(histories, std::minmax(body, rest.partner), time))
             return *met;

@@ -17,6 +17,9 @@ constexpr double sameNormal = 1e-4;
 
 bool isParallel(const Vector& a, const Vector& b) { return (a - b).norm() <= sameNormal; }
 
+// The same edge, whichever way it runs.
+bool isAlong(const Vector& a, const Vector& b) { return isParallel(a, b) || isParallel(a, -b); }
+
 // In the frame of whichever owns the point or line that bears.
 const Vector& placeOf(const GapConstraint& c) {
     return c.kind == GapConstraint::Kind::onSupportPlane ? c.bodyPoint : c.supportPoint;
@@ -39,6 +42,9 @@ bool isLike(const Footing& a, const Footing& b) {
         const bool onPlane = p.kind == GapConstraint::Kind::onSupportPlane ||
                              p.kind == GapConstraint::Kind::onBodyPlane;
         if (p.kind != q.kind || (onPlane && !isParallel(p.normal, q.normal)))
+            return false;
+        if (p.kind == GapConstraint::Kind::edgeOnEdge &&
+            !(isAlong(p.bodyEdge, q.bodyEdge) && isAlong(p.supportEdge, q.supportEdge)))
             return false;
         const bool isFixedPlace = !a.isFlat && p.kind != GapConstraint::Kind::roundOnLine &&
                                   p.kind != GapConstraint::Kind::edgeOnEdge;

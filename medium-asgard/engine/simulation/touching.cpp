@@ -288,11 +288,10 @@ private:
         const bool onFace = ofSupport_.size() > 2, byFace = ofBody_.size() > 2;
         const auto corners = collision::patchOf(first_, second_, touch.normal, tolerance_).corners;
         touch.isFlat = onFace && byFace && corners.size() > 2;
-        if (touch.isFlat)
-            for (const auto& [from, to] :
-                 {std::pair(&ofBody_, &touch.bodyFace), {&ofSupport_, &touch.supportFace}})
-                for (const Vector& vertex : *from)
-                    to->push_back(origin_ + vertex);
+        for (const auto& [from, to] :
+             {std::pair(&ofBody_, &touch.bodyFace), {&ofSupport_, &touch.supportFace}})
+            for (const Vector& vertex : *from)
+                to->push_back(origin_ + vertex);
         if (onFace || byFace) {
             for (const Vector& corner : corners)
                 if (onFace)
@@ -349,6 +348,40 @@ std::vector<GapConstraint> flat(const Touch& touch, const Placed& body, const Pl
     return constraints;
 }
 
+// The edge of an outline (or the outline, if it is one) that a point lies on and not at its end.
+std::optional<Vector> edgeThrough(const std::vector<Vector>& outline, const Vector& point,
+                                  double tolerance) {
+    const std::size_t edges = outline.size() == 2 ? 1 : outline.size();
+    for (std::size_t i = 0; i < edges && outline.size() > 1; ++i) {
+        const Vector &a = outline[i], &b = outline[(i + 1) % outline.size()];
+        const Vector edge = (b - a).normalized();
+        const double along = edge.dot(point - a);
+        if (edge.cross(point - a).norm() <= tolerance && along > tolerance &&
+            along < (b - a).norm() - tolerance)
+            return edge;
+    }
+    return std::nullopt;
+}
+
+// A single corner where an edge of the body crosses one of the support: the place at which it bears
+// goes along both, and is no point of either.
+std::optional<GapConstraint> crossingAt(const Touch& touch, const Corner& corner,
+                                        const Placed& body, const Placed& support) {
+    constexpr double parallel = 1e-3, near = 1e-5;
+    const auto ofBody = edgeThrough(touch.bodyFace, corner.point, near * touch.size);
+    const auto ofSupport = edgeThrough(touch.supportFace, corner.point, near * touch.size);
+    if (!ofBody || !ofSupport)
+        return std::nullopt;
+    const double across = ofBody->cross(*ofSupport).dot(touch.normal);
+    if (std::abs(across) < parallel)
+        return std::nullopt;
+    GapConstraint c = onPlane(Kind::edgeOnEdge, corner.point, corner.point, touch, body, support);
+    c.bodyEdge = turnedInto(body, *ofBody);
+    c.supportEdge = turnedInto(support, *ofSupport);
+    c.flipped = across < 0;
+    return c;
+}
+
 } // namespace
 
 std::vector<GapConstraint> constraintsOf(const Touch& touch,
@@ -363,6 +396,9 @@ std::vector<GapConstraint> constraintsOf(const Touch& touch,
     const bool isSupportsEdge = touch.isFlat && bearing.size() < 3 &&
                                 depthInside(touch.supportFace, touch.normal, middle) <
                                     depthInside(touch.bodyFace, touch.normal, middle);
+    if (bearing.size() == 1 && !touch.bodyFace.empty())
+        if (const auto crossing = crossingAt(touch, touch.corners[bearing[0]], body, support))
+            return {*crossing};
     for (const std::size_t i : bearing)
         if (isSupportsEdge)
             constraints.push_back(onPlane(Kind::onBodyPlane, touch.bodyFace[0],

@@ -51,7 +51,7 @@ struct Touch { // of one pair of parts
     bool isFlat = false;
     bool isModelled = true;
     std::vector<Corner> corners;
-    std::vector<Vector> bodyFace, supportFace; // outlines, world; of a flat touch
+    std::vector<Vector> bodyFace, supportFace; // outlines, world; of polyhedra
     // The same parts along the other axes along which they touch: with these none of their own.
     std::vector<Touch> others;
 
@@ -74,7 +74,8 @@ struct PartsInTouch {
                                            std::span<const PartsInTouch> resting = {});
 
 // What keeps these corners' gaps: of a face that bears whole, one distance and two turns; of the
-// two corners of an edge, the points of whichever edge it is, on the other's plane.
+// two corners of an edge, the points of whichever edge it is, on the other's plane; of one corner
+// where edges cross, these edges.
 [[nodiscard]] std::vector<physics::GapConstraint>
 constraintsOf(const Touch& touch, const std::vector<std::size_t>& bearing, const Placed& body,
               const Placed& support);
