@@ -129,8 +129,8 @@ Vector normalOfHit(const PartPair& pair, double t, const Separation& separation)
 Contact contactAlong(const PartPair& pair, double t, const Vector& normal, double gap) {
     const Vector origin = pair.originAt(t);
     const double tolerance = std::max(flatLanding * pair.size(), 2 * pair.roundOff(t));
-    const Patch patch =
-        patchOf(pair.first.posedAt(t, origin), pair.second.posedAt(t, origin), normal, tolerance);
+    const Patch patch = patchOf(pair.first.posedAt(t, origin), pair.second.posedAt(t, origin),
+                                normal, tolerance, tolerance);
     const Velocity va = velocityAt(pair.first.piece, t), vb = velocityAt(pair.second.piece, t);
     const Vector pivotA = positionAt(pair.first.piece, t) - origin;
     Contact contact;

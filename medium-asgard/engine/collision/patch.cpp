@@ -134,7 +134,8 @@ std::vector<Vector> furthestFeature(const Posed& posed, const Vector& direction,
     return result;
 }
 
-Patch patchOf(const Posed& first, const Posed& second, const Vector& normal, double tolerance) {
+Patch patchOf(const Posed& first, const Posed& second, const Vector& normal, double tolerance,
+              double beside) {
     const Plane plane(normal);
     auto ofFirst = furthestFeature(first, -normal, tolerance);
     auto ofSecond = furthestFeature(second, normal, tolerance);
@@ -144,7 +145,7 @@ Patch patchOf(const Posed& first, const Posed& second, const Vector& normal, dou
                           2;
     const Vector origin = ofFirst[0];
     const Outline outline =
-        overlapOf(flattened(ofFirst, plane, origin), flattened(ofSecond, plane, origin), tolerance);
+        overlapOf(flattened(ofFirst, plane, origin), flattened(ofSecond, plane, origin), beside);
     const auto lift = [&](const Flat& f) {
         const Vector flat = origin + f.x() * plane.right + f.y() * plane.up;
         return Vector(flat + (height - normal.dot(flat)) * normal);

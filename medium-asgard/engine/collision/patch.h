@@ -18,8 +18,9 @@ struct Patch {
     Vector centre = Vector::Zero();
 };
 
-// `normal` points from second to first.
+// `normal` points from second to first. `tolerance` is along it; less than `beside` across it is no
+// overlap.
 [[nodiscard]] Patch patchOf(const Posed& first, const Posed& second, const Vector& normal,
-                            double tolerance);
+                            double tolerance, double beside);
 
 } // namespace collision

@@ -262,6 +262,29 @@ TEST(Rest, ATumblingBoxComesToRestOnAFace) {
     EXPECT_LT(end.velocity.cwiseProduct(Vector(0, 1, 0)).norm(), 1e-9);
 }
 
+// Turning about all axes: it rocks on edges and corners, and each way of bearing ends in the next.
+TEST(Rest, ABoxThatTurnsAboutAllAxesComesToLieFlatAtAnyAccuracy) {
+    for (const double accuracy : {1e-2, 1e-4, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10}) {
+        SceneBuilder b(8, accuracy);
+        b.floor().restitution = 0.5;
+        scene::Body& box =
+            b.box("box", {-0.7162089149785369, 3.0124003006934377, 0}, {0.5, 0.4, 0.7});
+        box.initialVelocity = {1.558304223052036, 1.0903209527353512, 0};
+        box.initialAngularVelocity = {-1.8272211194192405, 0.8352028991699139, -1.9789135790058023};
+        b.weight("box");
+        b.force("box", "-box.mass*2*sign(box.dx)", "0", "0");
+        const Result result = simulate(b.scene);
+        EXPECT_FALSE(result.motion->stop(1)) << accuracy;
+        EXPECT_NEAR(result.motion->at(1, 8).position.y(), 0.2, 1e-9) << accuracy;
+        EXPECT_LT(result.motion->at(1, 8).velocity.norm(), 1e-9) << accuracy;
+        EXPECT_LT(result.statistics.collisions, 300u) << accuracy;
+        EXPECT_LT(result.statistics.steps, 10'000u) << accuracy;
+        for (int i = 0; i <= 800; ++i)
+            ASSERT_GT(result.motion->at(1, 0.01 * i).position.y(), 0.2 - 1e-3 * accuracy - 1e-8)
+                << accuracy;
+    }
+}
+
 TEST(Rest, FreeBodiesThatRestOnEachOtherStopWithASentence) {
     SceneBuilder b(3);
     b.floor();

@@ -97,7 +97,8 @@ public:
         touch.size = std::min(sizeOf(*first_.part), sizeOf(*second_.part));
         const PartsInTouch parts{support.index, bodyPart, supportPart};
         const bool isResting = std::ranges::find(resting, parts) != resting.end();
-        tolerance_ = tolerance * touch.size * (isResting ? drifting : 1);
+        beside_ = tolerance * touch.size;
+        tolerance_ = beside_ * (isResting ? drifting : 1);
     }
 
     bool find() {
@@ -120,8 +121,7 @@ public:
 private:
     void addOthers() {
         std::vector<Vector> known{touch.normal};
-        for (const collision::Separation& axis :
-             collision::axesOfTouch(first_, second_, tolerance_)) {
+        for (const collision::Separation& axis : collision::axesOfTouch(first_, second_, beside_)) {
             const Vector& normal = axis.normal;
             const bool isNew = std::ranges::none_of(
                 known, [&](const Vector& k) { return (k - normal).norm() <= sameNormal; });
@@ -286,7 +286,8 @@ private:
 
     void addPatch() {
         const bool onFace = ofSupport_.size() > 2, byFace = ofBody_.size() > 2;
-        const auto corners = collision::patchOf(first_, second_, touch.normal, tolerance_).corners;
+        const auto corners =
+            collision::patchOf(first_, second_, touch.normal, tolerance_, beside_).corners;
         touch.isFlat = onFace && byFace && corners.size() > 2;
         for (const auto& [from, to] :
              {std::pair(&ofBody_, &touch.bodyFace), {&ofSupport_, &touch.supportFace}})
@@ -312,7 +313,7 @@ private:
     const Placed& support_;
     Vector origin_;
     Posed first_, second_;
-    double tolerance_ = 0;
+    double tolerance_ = 0, beside_ = 0;
     std::vector<Vector> ofBody_, ofSupport_;
 };
 
