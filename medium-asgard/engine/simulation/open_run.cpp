@@ -103,7 +103,8 @@ bool OpenRun::canGoOn(const Run* before) const {
     const auto gaveUp = [](const solution::Stop& stop) {
         return stop.reason == solution::Stop::Reason::tooLong;
     };
-    if (machinery_ && std::ranges::any_of(machinery_->solver->histories().stops(), gaveUp))
+    if (machinery_ && (std::ranges::any_of(machinery_->solver->histories().stops(), gaveUp) ||
+                       finish > machinery_->solver->hopelessBeyond()))
         return false;
     if (!taken_.empty() && machinery_ && finish > advanced_) {
         const auto untouched = untouchedIn(problem_, *before, std::vector<bool>(taken_.size()));

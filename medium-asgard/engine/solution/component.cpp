@@ -270,6 +270,8 @@ void Component::backTo(double t) {
         checkpoints_.pop_back();
     while (!recentSwitches_.empty() && recentSwitches_.back() > t)
         recentSwitches_.pop_back();
+    while (!stays_.empty() && stays_.back() > t)
+        stays_.pop_back();
     time_ = t;
     openRegime(false);
     if (stop_)

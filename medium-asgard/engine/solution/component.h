@@ -66,6 +66,9 @@ public:
     [[nodiscard]] const std::optional<Stop>& stop() const { return stop_; }
     [[nodiscard]] const std::vector<double>& values() const { return values_; }
 
+    // Other components read it: what it trembles by may be all that moves them.
+    void setRead(bool isRead) { isRead_ = isRead; }
+
     void startAt(double t, std::span<const double> values);
     // An unknown of another component that must be known for longer before the next step.
     [[nodiscard]] std::optional<std::size_t> waitsFor();
@@ -95,6 +98,9 @@ public:
     void goOn(double origin, std::span<const double> coefficients);
     void end(Stop::Reason reason, const std::vector<std::size_t>& culprits,
              const std::string& sentence);
+
+    // A later finish would have been hopeless (pace.h).
+    [[nodiscard]] double hopelessBeyond() const { return hopelessBeyond_; }
 
     [[nodiscard]] ComponentStatistics statistics() const;
     [[nodiscard]] std::size_t evaluations() const;
@@ -136,7 +142,7 @@ private:
     [[nodiscard]] bool isUnseen(double h);
     void findPlainRate();
     void stepHeld();
-    [[nodiscard]] bool isHopeless() const;
+    [[nodiscard]] bool isHopeless();
     void integrate();
     [[nodiscard]] bool beginMethod();
     [[nodiscard]] std::unique_ptr<Method> chooseMethod();
@@ -156,6 +162,13 @@ private:
     [[nodiscard]] std::optional<Violation> violation(double from, double to, double scale,
                                                      std::span<const Coefficients> columns);
     void pass(const Violation& violation, bool immediate);
+    // Passes in a row, without time going on, that may go to and fro.
+    [[nodiscard]] std::size_t patience() const { return equations_->watches() + 1; }
+    [[nodiscard]] ComponentEquations::Passing passing(const Violation& violation, bool immediate);
+    [[nodiscard]] bool haveSwitched(std::size_t times) const;
+    [[nodiscard]] bool leaves(const Violation& found, double scale,
+                              std::span<const Coefficients> columns);
+    [[nodiscard]] std::string switchingWith(const Violation& violation) const;
 
     // Pieces: `columns` of the states over [time_, until], polynomials of (t - time_)/scale.
     void append(std::span<const Coefficients> states, double scale, double until);
@@ -193,6 +206,8 @@ private:
     ErrorControl control_;
     std::vector<std::vector<std::size_t>> quaternions_; // places; without entries that stay 0
 
+    bool isRead_ = true;
+    double hopelessBeyond_ = infinity;
     Model model_ = Model::undecided;
     std::optional<PlainRate> plainRate_;
     std::unique_ptr<LinearMotion> linear_;
@@ -210,6 +225,7 @@ private:
 
     std::size_t immediate_ = 0; // switches since time last advanced
     std::deque<double> recentSwitches_;
+    std::vector<double> stays_; // on surfaces that rounding crossed to and fro: when
 
     // What later steps depend on besides the values, for going back.
     struct Checkpoint {

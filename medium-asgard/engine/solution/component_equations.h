@@ -88,12 +88,21 @@ public:
     // them is an error of polynomials, where a guard is smaller than that.
     [[nodiscard]] bool contradicts(const Violation& violation, double t, std::span<const double> y);
     enum class Crossing { done, impossible };
+    // How surfaces are passed. Where each side seems to lead to the other, by rounding or since the
+    // motion only touches the surface, it `stands` on it until it is seen where the motion goes,
+    // and then `leaves` to that side, from where it stood. What goes neither way `stays` until it
+    // has left by itself.
+    enum class Passing { across, stands, leaves, stays };
     // Passes the surfaces of those watches, or slides on them; y is put onto surfaces of sliding.
     [[nodiscard]] Crossing cross(const Violation& violation, double t, std::span<double> y,
-                                 bool insist);
+                                 Passing how);
+    // At that point the motion has left a surface on which it stood: cross() may go back to where
+    // it stood, and let it leave from there. What lies between is less than watches tell.
+    [[nodiscard]] bool looksAhead(const Violation& violation, double t, std::span<const double> y);
     [[nodiscard]] bool sliding() const { return !sliding_.empty(); }
-    // Unknowns (places) that the guards of these watches read.
-    [[nodiscard]] std::vector<std::size_t> unknownsOf(const std::vector<std::size_t>& watches);
+    // Unknowns (places) that the guards of its watches read, and those of other components.
+    [[nodiscard]] std::vector<std::size_t> unknownsOf(const Violation& violation) const;
+    [[nodiscard]] std::vector<std::size_t> inputsOf(const Violation& violation) const;
 
 private:
     struct Watch {
@@ -124,10 +133,17 @@ private:
     [[nodiscard]] bool isRight(std::size_t surface);
     [[nodiscard]] expression::Decision wholeBranch(std::size_t surface,
                                                    std::span<const double> rates);
-    void follow(const std::vector<std::size_t>& passed);
+    struct Passed {
+        bool isAlone = false;                   // no other falls at the same time
+        std::vector<std::size_t> surfaces = {}; // the field behind them may lead back
+        std::vector<std::size_t> settled = {};  // where nothing more is asked
+    };
+    void follow(const Passed& passed);
     [[nodiscard]] bool follow(std::size_t surface, std::span<const double> rates, bool passed);
-    void pass(const Watch& watch, bool insist, std::vector<std::size_t>& passed);
-    void passWhole(std::size_t surface, bool insist);
+    void pass(const Watch& watch, Passing how, Passed& passed);
+    [[nodiscard]] bool isTouched(std::size_t surface);
+    [[nodiscard]] std::vector<std::size_t> symbolsOf(const Violation& violation) const;
+    [[nodiscard]] bool passWhole(std::size_t surface, bool insist);
     [[nodiscard]] bool settleWeights(double t, std::span<const double> y);
     void project(double t, std::span<double> y);
     [[nodiscard]] bool differences(double t, std::span<const double> y, std::span<double> entries);
@@ -140,6 +156,7 @@ private:
     std::vector<double> out_, base_, other_, guards_;
 
     std::vector<int> sides_; // -1, 0, 1; of sliding surfaces -1
+    std::vector<int> ahead_; // those that looksAhead() saw, by surface
     // Of floors and ceilings: they are passed to and fro by rounding alone, which counts for
     // nothing.
     std::vector<char> isGrazed_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace solution {
 
@@ -256,26 +257,34 @@ Decision ComponentEquations::wholeBranch(std::size_t surface, std::span<const do
     return std::abs(whole) < largest ? static_cast<Decision>(whole) : expression::noBranch;
 }
 
-void ComponentEquations::pass(const Watch& watch, bool insist, std::vector<std::size_t>& passed) {
+void ComponentEquations::pass(const Watch& watch, Passing how, Passed& passed) {
     const std::size_t s = watch.surface;
-    if (watch.kind != Watch::Kind::side) {
+    if (how == Passing::leaves) { // whatever else falls later falls again
+        if (ahead_[s] == onSurface)
+            return;
+        setSide(s, ahead_[s]);
+        passed.settled.push_back(s);
+    } else if (watch.kind != Watch::Kind::side) {
         sliding_.erase(std::remove(sliding_.begin(), sliding_.end(), s), sliding_.end());
         setSide(s, watch.kind == Watch::Kind::least ? -1 : +1);
     } else if (model_.surfaces()[s].whole) {
-        passWhole(s, insist);
-    } else if (insist) {
+        if (passWhole(s, how == Passing::stays) && passed.isAlone)
+            passed.settled.push_back(s);
+    } else if (how != Passing::across) {
         setSide(s, onSurface);
-    } else if (passed.empty() || !isRight(s)) {
+        passed.settled.push_back(s);
+    } else if (passed.surfaces.empty() || !isRight(s)) {
         model_.function().guards(in_, guards_, scratch_, decisions_);
         const double g = guard(s);
         setSide(s, sides_[s] == onSurface ? (g > 0) - (g < 0) : -sides_[s]);
-        passed.push_back(s);
+        passed.surfaces.push_back(s);
     }
 }
 
 // To and fro without end: where both branches move it the same way, rounding alone passes it, and
-// either branch will do until it is farther from the whole number.
-void ComponentEquations::passWhole(std::size_t surface, bool insist) {
+// either branch will do until it is farther from the whole number. True: where values and rates say
+// that nothing is to be passed, the branch beside was taken.
+bool ComponentEquations::passWhole(std::size_t surface, bool insist) {
     field();
     const std::vector<double> now = out_;
     const Slope slope = guardRate(surface, now);
@@ -284,19 +293,21 @@ void ComponentEquations::passWhole(std::size_t surface, bool insist) {
     Decision& taken = decisions_[model_.surfaces()[surface].members[0].decision];
     const double middle = static_cast<double>(taken) + (ceiling ? -0.5 : 0.5);
     const Decision beside = taken + (slope.value > middle ? 1 : -1);
+    const bool isForced = next == taken && !slope.still;
     taken = next != taken ? next : beside;
     isGrazed_[surface] = 0;
     if (!insist)
-        return;
+        return isForced;
     field();
     const std::vector<double> behind = out_;
     const double rate = guardRate(surface, behind).rate;
     isGrazed_[surface] = rate == slope.rate || rate * slope.rate > 0 ? 1 : 0;
+    return isForced;
 }
 
 // Guards that jumped when other surfaces were passed: their sides follow their values. One that is
 // constant now, like floor(t) - 3, may stay at 0 for a while; there what lies on the surface holds.
-void ComponentEquations::follow(const std::vector<std::size_t>& passed) {
+void ComponentEquations::follow(const Passed& passed) {
     const auto in = [](const std::vector<std::size_t>& list, std::size_t s) {
         return std::find(list.begin(), list.end(), s) != list.end();
     };
@@ -305,8 +316,8 @@ void ComponentEquations::follow(const std::vector<std::size_t>& passed) {
         field();
         const std::vector<double> now = out_;
         for (std::size_t s = 0; s < model_.surfaces().size() && !changed; ++s)
-            if (!in(sliding_, s))
-                changed = follow(s, now, in(passed, s));
+            if (!in(sliding_, s) && !in(passed.settled, s))
+                changed = follow(s, now, in(passed.surfaces, s));
         if (!changed)
             return;
     }
@@ -344,30 +355,69 @@ bool ComponentEquations::leadsInside(const Watch& watch) {
 
 bool ComponentEquations::contradicts(const Violation& violation, double t,
                                      std::span<const double> y) {
+    if (unknownsOf(violation).empty()) // what no polynomial of this component is in
+        return false;
     fill(t, y);
     field();
     return std::ranges::all_of(violation.watches,
                                [this](std::size_t k) { return leadsInside(watches_[k]); });
 }
 
-ComponentEquations::Crossing ComponentEquations::cross(const Violation& violation, double t,
-                                                       std::span<double> y, bool insist) {
+// On which side of those surfaces on which it was held is the motion at the violation's time?
+bool ComponentEquations::looksAhead(const Violation& violation, double t,
+                                    std::span<const double> y) {
     fill(t, y);
-    std::vector<std::size_t> passed;
+    model_.function().guards(in_, guards_, scratch_, decisions_);
+    ahead_.assign(model_.surfaces().size(), onSurface);
+    bool any = false;
+    for (const std::size_t k : violation.watches) {
+        const auto [kind, s] = watches_[k];
+        if (kind != Watch::Kind::side || model_.surfaces()[s].whole || sides_[s] != onSurface)
+            continue;
+        const double g = guard(s);
+        ahead_[s] = (g > 0) - (g < 0);
+        any = any || ahead_[s] != onSurface;
+    }
+    return any;
+}
+
+// Behind the surface the field leads back to it. Does it in front of it too? Then the motion only
+// touched it, and nothing could slide there.
+bool ComponentEquations::isTouched(std::size_t surface) {
+    const int side = sides_[surface];
+    setSide(surface, -side);
+    field();
+    const std::vector<double> before = out_;
+    const bool leadsBack = guardRate(surface, before).rate * side <= 0;
+    setSide(surface, side);
+    return leadsBack;
+}
+
+ComponentEquations::Crossing ComponentEquations::cross(const Violation& violation, double t,
+                                                       std::span<double> y, Passing how) {
+    fill(t, y);
+    Passed passed{.isAlone = violation.watches.size() == 1};
     for (const std::size_t k : violation.watches)
-        pass(watches_[k], insist, passed);
+        pass(watches_[k], how, passed);
     follow(passed);
     // Does the field behind each passed surface lead away from it?
     field();
     const std::vector<double> behind = out_;
     model_.function().guards(in_, guards_, scratch_, decisions_);
-    std::vector<std::size_t> back;
-    for (const std::size_t s : passed) {
+    std::vector<std::size_t> back, touched;
+    for (const std::size_t s : passed.surfaces) {
         const Slope slope = guardRate(s, behind);
         if (slope.rate * sides_[s] < -slope.noise && std::abs(guard(s)) <= slope.near)
             back.push_back(s);
     }
-    sliding_.insert(sliding_.end(), back.begin(), back.end());
+    std::ranges::copy_if(back, std::back_inserter(touched),
+                         [this](std::size_t s) { return isTouched(s); });
+    for (const std::size_t s : back) {
+        if (std::ranges::find(touched, s) == touched.end())
+            sliding_.push_back(s);
+        else
+            setSide(s, -sides_[s]);
+    }
     if (!settleWeights(t, y))
         return Crossing::impossible;
     project(t, y);
@@ -375,15 +425,32 @@ ComponentEquations::Crossing ComponentEquations::cross(const Violation& violatio
     return Crossing::done;
 }
 
-std::vector<std::size_t> ComponentEquations::unknownsOf(const std::vector<std::size_t>& watches) {
+// Places among the symbols.
+std::vector<std::size_t> ComponentEquations::symbolsOf(const Violation& violation) const {
     std::vector<Node> guards;
-    guards.reserve(watches.size());
-    for (const std::size_t k : watches)
+    guards.reserve(violation.watches.size());
+    for (const std::size_t k : violation.watches)
         guards.push_back(model_.surfaces()[watches_[k].surface].guard);
     std::vector<std::size_t> found;
     for (const Node symbol : expression::symbolsOf(graph(), guards))
-        if (const auto place = model_.placeOf(symbol); place && *place >= 1 && *place <= size())
-            found.push_back(states()[*place - 1]);
+        if (const auto place = model_.placeOf(symbol); place)
+            found.push_back(*place);
+    return found;
+}
+
+std::vector<std::size_t> ComponentEquations::unknownsOf(const Violation& violation) const {
+    std::vector<std::size_t> found;
+    for (const std::size_t place : symbolsOf(violation))
+        if (place >= 1 && place <= size())
+            found.push_back(states()[place - 1]);
+    return found;
+}
+
+std::vector<std::size_t> ComponentEquations::inputsOf(const Violation& violation) const {
+    std::vector<std::size_t> found;
+    for (const std::size_t place : symbolsOf(violation))
+        if (place > size() && place < model_.variables())
+            found.push_back(inputs_.unknowns()[place - 1 - size()]);
     return found;
 }
 

@@ -1,5 +1,6 @@
 // How a component steps; see component.h and solver.h.
 #include "solution/component.h"
+#include "solution/pace.h"
 
 #include <algorithm>
 #include <cmath>
@@ -117,19 +118,25 @@ void Component::step() {
         integrate();
 }
 
-// More than a billion steps to the finish, at the pace of late, if that does not grow, and at that
-// since the start: a burst of short steps is no pace.
-bool Component::isHopeless() const {
-    constexpr std::size_t first = 16'384;
-    constexpr double most = 1e9, steady = 1.25;
+// A motion by itself, on equations that never change, has one pace. Others may change theirs: there
+// as many steps are made first as a burst is likely to need.
+bool Component::isHopeless() {
+    constexpr std::size_t least = 16'384, burst = 2'097'152;
     const std::size_t n = history_->size();
-    if (n < first || (n & (n - 1)) != 0)
+    if (n < least || (n & (n - 1)) != 0)
         return false;
-    const double third = history_->step(3 * n / 4).origin;
-    const double early = third - history_->step(n / 2).origin, late = time_ - third;
-    const double left = options_.finish - time_, all = time_ - history_->step(0).origin;
-    return late < steady * early && left > 4 * most / static_cast<double>(n) * late &&
-           left > most / static_cast<double>(n) * all;
+    const bool mayChange = nextPhase_ < infinity || !equations_->model().surfaces().empty() ||
+                           !equations_->inputs().unknowns().empty();
+    if (mayChange && n < burst)
+        return false;
+    const auto at = [this](std::size_t step) { return history_->step(step).origin; };
+    const double beyond = farthestFinish(n, {.start = at(0),
+                                             .first = at(n / 4),
+                                             .second = at(n / 2),
+                                             .third = at(3 * n / 4),
+                                             .now = time_});
+    hopelessBeyond_ = std::min(hopelessBeyond_, beyond);
+    return options_.finish > beyond;
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -244,7 +251,7 @@ void Component::finish(double to) {
         lookCloser(time_, h);
         return;
     }
-    if (found && found->time <= time_) {
+    if (found && (found->time <= time_ || leaves(*found, h, columns_))) {
         pass(*found, true);
         return;
     }
@@ -333,13 +340,10 @@ std::optional<Violation> Component::violation(double from, double to, double sca
 
 void Component::pass(const Violation& violation, bool immediate) {
     constexpr std::size_t window = 100;
-    std::vector<std::size_t> flipping = equations_->unknownsOf(violation.watches);
-    const std::string with = flipping.empty() ? "the time" : names(flipping);
-    if (flipping.empty())
-        flipping = {0};
     const auto giveUp = [&] {
-        end(Stop::Reason::decisions, flipping,
-            "expressions that switch with " + with +
+        const std::vector<std::size_t> flipping = equations_->unknownsOf(violation);
+        end(Stop::Reason::decisions, flipping.empty() ? std::vector<std::size_t>{0} : flipping,
+            "expressions that switch with " + switchingWith(violation) +
                 " change their branches without end, and no motion keeps between them");
     };
     ++counts_.switches;
@@ -351,14 +355,13 @@ void Component::pass(const Violation& violation, bool immediate) {
         recentSwitches_.push_back(time_);
         if (recentSwitches_.size() > window)
             recentSwitches_.pop_front();
-        const double shortest = 1e-10 * std::max(std::abs(time_), time_ - options_.start) + 1e-16;
-        if (recentSwitches_.size() == window && time_ - recentSwitches_.front() <= shortest)
+        if (recentSwitches_.size() == window && haveSwitched(window))
             return giveUp();
     }
-    const bool insist = immediate_ > 2 * equations_->watches() + 2;
     std::vector<double> y = stateValues();
     equations_->inputs().window(infinity);
-    if (equations_->cross(violation, time_, y, insist) == ComponentEquations::Crossing::impossible)
+    if (equations_->cross(violation, time_, y, passing(violation, immediate)) ==
+        ComponentEquations::Crossing::impossible)
         return giveUp();
     setStates(y);
     takeHeldValues();
@@ -370,6 +373,50 @@ void Component::pass(const Violation& violation, bool immediate) {
     fresh_ = true;
     remember();
     placeAnchor();
+}
+
+std::string Component::switchingWith(const Violation& violation) const {
+    const std::vector<std::size_t> own = equations_->unknownsOf(violation);
+    std::string text = own.empty() ? "" : names(own);
+    for (const std::size_t unknown : equations_->inputsOf(violation))
+        text += (text.empty() ? "" : ", ") + set_->unknowns[unknown].name;
+    return text.empty() ? "the time" : text;
+}
+
+// So often in next to no time.
+bool Component::haveSwitched(std::size_t times) const {
+    const double shortest = 1e-10 * std::max(std::abs(time_), time_ - options_.start) + 1e-16;
+    return recentSwitches_.size() >= times &&
+           time_ - recentSwitches_[recentSwitches_.size() - times] <= shortest;
+}
+
+// Across, unless that went to and fro without time going on; or hardly, where rounding crosses a
+// surface that the motion touches. Near such a place it stays on it only once: what comes back to
+// its surface at ever shorter intervals has no motion beyond their end.
+ComponentEquations::Passing Component::passing(const Violation& violation, bool immediate) {
+    using enum ComponentEquations::Passing;
+    constexpr std::size_t often = 10;
+    if (immediate && violation.time > time_)
+        return leaves;
+    if (immediate)
+        return immediate_ > 2 * patience() ? stays : immediate_ > patience() ? stands : across;
+    const double near = 1e-5 * std::max(std::abs(time_), time_ - options_.start);
+    if (!haveSwitched(often) || (!stays_.empty() && time_ - stays_.back() <= near))
+        return across;
+    stays_.push_back(time_);
+    return stays;
+}
+
+// The motion stood on a surface at time_, and has left it within the step that ends in `found`: the
+// side on which it is then holds from time_ on. Where that was tried in vain it stays.
+bool Component::leaves(const Violation& found, double scale,
+                       std::span<const Coefficients> columns) {
+    if (immediate_ > 2 * patience() || (!stays_.empty() && stays_.back() == time_))
+        return false;
+    std::vector<double> y(columns.size());
+    for (std::size_t i = 0; i < y.size(); ++i)
+        y[i] = evaluate(columns[i], (found.time - time_) / scale);
+    return equations_->looksAhead(found, found.time, y);
 }
 
 // ---------------------------------------------------------------------------------------------

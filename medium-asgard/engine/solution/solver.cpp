@@ -123,6 +123,9 @@ void Solver::Implementation::connect(const Partition& partition,
     for (std::size_t c = 0; c < places.size(); ++c)
         for (const std::size_t input : partition.reads[c])
             readers_[places[input]].push_back(places[c]);
+    for (const std::size_t place : places)
+        if (components_[place])
+            components_[place]->setRead(!readers_[place].empty());
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -277,6 +280,13 @@ std::size_t Solver::Implementation::bytes() const {
     return sum;
 }
 
+double Solver::Implementation::hopelessBeyond() const {
+    double beyond = std::min(paces_.beyond(), retiredBeyond_);
+    for (const auto& component : components_)
+        beyond = component ? std::min(beyond, component->hopelessBeyond()) : beyond;
+    return beyond;
+}
+
 std::shared_ptr<const Histories> Solver::Implementation::snapshot() const {
     auto copy = std::make_shared<Histories>(histories_);
     for (auto& track : copy->tracks_)
@@ -336,6 +346,7 @@ void Solver::takeLonger(std::shared_ptr<const TakenMotion> taken) {
     implementation_->takeLonger(std::move(taken));
 }
 const Histories& Solver::histories() const { return implementation_->histories_; }
+double Solver::hopelessBeyond() const { return implementation_->hopelessBeyond(); }
 std::size_t Solver::bytes() const { return implementation_->bytes(); }
 std::shared_ptr<const Histories> Solver::snapshot() const { return implementation_->snapshot(); }
 const expression::EquationSet& Solver::equations() const { return *implementation_->set_; }

@@ -99,7 +99,7 @@ struct Options {
     std::size_t maximumSteps = 20'000'000; // of one component
     std::size_t maximumEventsAtOnce = 10'000;
     // Where it is to go, which advanceTo() says: what would take more than a billion steps or
-    // events at the pace it has come to ends, and says so. Nothing else depends on it.
+    // events at the pace it has come to ends, and says so (pace.h). Nothing else depends on it.
     double finish = infinity;
     std::shared_ptr<const TakenMotion> taken; // may be null
     std::function<bool()> cancelled;          // polled between steps, on the thread of advanceTo()
@@ -156,6 +156,8 @@ public:
 
     // What is solved now; valid until the next call of advanceTo(). On the solver's thread only.
     [[nodiscard]] const Histories& histories() const;
+    // To a later finish than this something would have ended before (pace.h): begin anew.
+    [[nodiscard]] double hopelessBeyond() const;
     // That it holds, histories and all, about.
     [[nodiscard]] std::size_t bytes() const;
     // The same, never to change again.

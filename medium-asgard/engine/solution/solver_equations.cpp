@@ -26,6 +26,7 @@ void Solver::Implementation::retire(Component& component) {
     past_.equationEvaluations += s.evaluations * s.unknowns.size();
     past_.factorisations += s.factorisations;
     past_.switches += s.switches;
+    retiredBeyond_ = std::min(retiredBeyond_, component.hopelessBeyond());
 }
 
 // Equations from the event on.

@@ -27,10 +27,10 @@ bool Solver::Implementation::handleEvents(double finish) {
     apply(placed);
     if (disturbed_)
         return true;
-    if (isHopelessAt(time, past_.events))
-        stopAll(time, "events follow each other so fast that the finish is more than a billion of "
-                      "them away; finish earlier");
-    notePace(time);
+    if (paces_.hopelessFrom(time, placed.touched) < options_.finish)
+        stopIsland(placed, "events follow each other so fast that the finish is more than a "
+                           "billion of them away; finish earlier");
+    paces_.note(time, placed.touched);
     if (eventsAtOnce_ > 2 * options_.maximumEventsAtOnce) // nothing that it touches moves any more
         return false;
     if (eventsAtOnce_ >= options_.maximumEventsAtOnce)
@@ -186,36 +186,16 @@ void Solver::Implementation::noteStops() {
     }
 }
 
-// As Component::isHopeless() is of steps.
-bool Solver::Implementation::isHopelessAt(double time, std::size_t events) const {
-    constexpr std::size_t first = 65'536;
-    constexpr double most = 1e9, steady = 1.25;
-    if (events < first || (events & (events - 1)) != 0 || !std::isfinite(quarter_))
-        return false;
-    const double late = time - half_, early = half_ - quarter_;
-    const double left = options_.finish - time, all = time - options_.start;
-    return late < 2 * steady * early && left > 2 * most / static_cast<double>(events) * late &&
-           left > most / static_cast<double>(events) * all;
-}
-
-void Solver::Implementation::notePace(double time) {
-    if ((past_.events & (past_.events - 1)) == 0)
-        quarter_ = std::exchange(half_, time);
-}
-
-void Solver::Implementation::stopAll(double time, const std::string& sentence) {
-    std::vector<std::size_t> all;
-    for (std::size_t c = 0; c < components_.size(); ++c)
-        if (components_[c] && !components_[c]->ended())
-            all.push_back(c);
+// What takes part in the event, and all that it met by then; others go on. What reads those ends
+// with them.
+void Solver::Implementation::stopIsland(const Event& event, const std::string& sentence) {
+    Event island{.time = event.time, .touched = paces_.islandOf(event.touched[0]), .tag = 0};
+    std::erase_if(island.touched, [this](std::size_t u) { return componentOf_[u] == noComponent; });
+    const std::vector<std::size_t> all = touchedBy(island, {});
     land(all);
-    goBack(all, time);
-    for (const std::size_t c : all)
-        components_[c]->end(Stop::Reason::tooLong, {}, sentence);
-    stopsChanged_ = true;
-    for (const std::size_t c : all)
-        schedule_.changed(c);
-    noteStops();
+    goBack(all, event.time);
+    restart(all, {});
+    stopFor(island, Stop::Reason::tooLong, sentence);
 }
 
 } // namespace solution

@@ -13,8 +13,12 @@ namespace solution {
 // The same as handleEvents() does of such an event.
 bool Solver::Implementation::turn(double time, std::span<Turn> turns) {
     const std::size_t atOnce = time > lastEvent_ ? 1 : eventsAtOnce_ + 1;
+    turning_.clear();
+    for (const Turn& one : turns)
+        turning_.push_back(one.places[0]);
     if (!(time >= lastEvent_ && time >= options_.start) || atOnce >= options_.maximumEventsAtOnce ||
-        isHopelessAt(time, past_.events + 1) || (!fliesOn(turns) && !staysInPlane(time, turns)))
+        paces_.hopelessFrom(time, turning_) < options_.finish ||
+        (!fliesOn(turns) && !staysInPlane(time, turns)))
         return false;
     for (Turn& one : turns) // those before one that cannot are turned again by the event
         if (!turn(time, one))
@@ -22,7 +26,7 @@ bool Solver::Implementation::turn(double time, std::span<Turn> turns) {
     eventsAtOnce_ = atOnce;
     lastEvent_ = asked_ = time;
     ++past_.events;
-    notePace(time);
+    paces_.note(time, turning_);
     poll(time);
     return true;
 }
@@ -155,6 +159,9 @@ Solver::Implementation::Flight* Solver::Implementation::takeOff(double time, Tur
     for (const Flight::Axis& axis : flight.axes)
         flight.moves[axis.coordinate] = axis.velocity != noComponent;
     flight.isOn = true;
+    paces_.join(turn.places);
+    paces_.join(turn.velocities);
+    paces_.join(std::array{turn.places[0], turn.velocities[0]});
     const auto follow = [&](std::size_t unknown, std::size_t column) {
         auto& spans = histories_.tracks_[unknown].spans;
         while (!spans.empty() && spans.back().from >= time)

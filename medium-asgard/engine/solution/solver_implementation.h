@@ -3,6 +3,7 @@
 #pragma once
 
 #include "solution/component.h"
+#include "solution/pace.h"
 #include "solution/partition.h"
 #include "solution/prepared_equations.h"
 #include "solution/schedule.h"
@@ -26,6 +27,7 @@ public:
     Advance advanceTo(double finish);
     void takeLonger(std::shared_ptr<const TakenMotion> taken);
     [[nodiscard]] std::size_t bytes() const;
+    [[nodiscard]] double hopelessBeyond() const;
     [[nodiscard]] std::shared_ptr<const Histories> snapshot() const;
     [[nodiscard]] Statistics statistics() const;
 
@@ -100,9 +102,7 @@ private:
                                                    const std::vector<std::size_t>& woken);
     void retire(Component& component);
     void stopFor(const Event& event, Stop::Reason reason, const std::string& sentence);
-    [[nodiscard]] bool isHopelessAt(double time, std::size_t events) const;
-    void notePace(double time);
-    void stopAll(double time, const std::string& sentence);
+    void stopIsland(const Event& event, const std::string& sentence);
     void noteStops();
 
     std::vector<Flight> flights_;
@@ -124,7 +124,9 @@ private:
 
     Statistics past_; // of components that replaced equations ended, and of events
     double lastEvent_ = -infinity;
-    double half_ = -infinity, quarter_ = -infinity; // when as many events had been, at powers of 2
+    EventPaces paces_{options_.start};
+    std::vector<std::size_t> turning_; // of each motion that turns, one unknown
+    double retiredBeyond_ = infinity;  // hopelessBeyond() of components that were replaced
     std::size_t polls_ = 0;
     std::size_t eventsAtOnce_ = 0;
     bool disturbed_ = false;   // an event touched what was taken

@@ -129,6 +129,23 @@ TEST(Solver, LinearMotionThatDoesNotShowIsIntegrated) {
     EXPECT_NEAR(solver.histories().value(0, 1), 0, 1e-6);
 }
 
+// What trembles below the tolerance moves who reads it in resonance: z = -5e-9 (t sin wt - ...).
+TEST(Solver, LinearMotionThatIsReadStaysExactWhetherItShowsOrNot) {
+    Options options = tolerance(1e-5);
+    options.extents = {1, 1, 1, 1};
+    const Solver solver = solved(equationsOf({{"x", "dx", 1e-7, 1},
+                                              {"dx", "-1e6*x", 0},
+                                              {"z", "dz", 0, 1},
+                                              {"dz", "-1e6*z+1e7*x+0*sin(z)", 0}}),
+                                 50, std::move(options));
+    // z'' + w^2 z = k cos(wt) from rest: z = k t sin(wt)/(2 w), of 2.5e-2 here.
+    for (const double t : {10.0, 30.0, 50.0})
+        EXPECT_NEAR(solver.histories().value(2, t), 1e7 * 1e-7 * t * std::sin(1000 * t) / 2000,
+                    1e-2 * t / 2000)
+            << t;
+    EXPECT_NEAR(solver.histories().value(0, 50), 1e-7 * std::cos(50'000), 1e-12);
+}
+
 // --- held values ------------------------------------------------------------------------------
 
 // No error is estimated of them; so there is none but rounding, at any accuracy.

@@ -1,0 +1,119 @@
+#include "solution/pace.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace solution {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double most = 1e9;
+
+// Of quarters that follow each other; 1: they do not grow evenly.
+double growthOf(double a, double b, double c) {
+    constexpr double least = 1e-3, alike = 2, fast = 0.25;
+    const double early = b / a - 1, late = c / b - 1;
+    if (late > fast)
+        return 1 + late;
+    if (!(early > least && late > least) || early > alike * late || late > alike * early)
+        return 1;
+    return 1 + std::min(early, late);
+}
+
+// Fewer are soon done: a burst of them may be all there is.
+constexpr std::size_t patience = 524'288;
+
+} // namespace
+
+double farthestFinish(std::size_t n, const Quarters& quarters) {
+    const double last = quarters.now - quarters.third;
+    const double growth =
+        growthOf(quarters.second - quarters.first, quarters.third - quarters.second, last);
+    const double left = 4 * most / static_cast<double>(n); // quarters
+    const double ahead = growth > 1
+                             ? last * growth * std::expm1(left * std::log(growth)) / (growth - 1)
+                             : last * left;
+    const double all = most / static_cast<double>(n) * (quarters.now - quarters.start);
+    return quarters.now + std::max(ahead, all);
+}
+
+std::size_t EventPaces::rootOf(std::size_t u) const {
+    if (u >= parents_.size())
+        return u;
+    while (parents_[u] != u)
+        u = parents_[u] = parents_[parents_[u]];
+    return u;
+}
+
+std::size_t EventPaces::unite(std::span<const std::size_t> unknowns) {
+    const std::size_t last = *std::ranges::max_element(unknowns);
+    for (std::size_t u = parents_.size(); u <= last; ++u) {
+        parents_.push_back(u);
+        islands_.emplace_back();
+    }
+    const std::size_t root = rootOf(unknowns[0]);
+    for (const std::size_t u : unknowns) {
+        const std::size_t other = rootOf(u);
+        if (other == root)
+            continue;
+        parents_[other] = root;
+        if (islands_[other].events == 0)
+            continue;
+        const std::size_t alone = islands_[root].events;
+        const Island joined = alone == 0 ? islands_[other] : Island{};
+        const std::size_t events = alone + islands_[other].events;
+        islands_[root] = joined;
+        islands_[root].events = events;
+    }
+    return root;
+}
+
+void EventPaces::join(std::span<const std::size_t> unknowns) { (void)unite(unknowns); }
+
+double EventPaces::hopelessFrom(double time, std::span<const std::size_t> unknowns) const {
+    if (unknowns.empty())
+        return infinity;
+    const std::size_t root = rootOf(unknowns[0]);
+    if (root >= islands_.size())
+        return infinity;
+    const Island& island = islands_[root];
+    const std::size_t events = island.events + 1;
+    if (events < patience || (events & (events - 1)) != 0 || island.quarter == never)
+        return infinity;
+    for (const std::size_t u : unknowns) {
+        const std::size_t other = rootOf(u);
+        if (other != root && other < islands_.size() && islands_[other].events > 0)
+            return infinity; // two paces that were not one
+    }
+    return farthestFinish(events, {.start = start_,
+                                   .first = island.quarter,
+                                   .second = island.half,
+                                   .third = island.third,
+                                   .now = time});
+}
+
+void EventPaces::note(double time, std::span<const std::size_t> unknowns) {
+    if (unknowns.empty())
+        return;
+    beyond_ = std::min(beyond_, hopelessFrom(time, unknowns));
+    Island& island = islands_[unite(unknowns)];
+    const std::size_t n = ++island.events;
+    if ((n & (n - 1)) == 0) {
+        island.quarter = island.half;
+        island.half = time;
+    } else if (n % 3 == 0 && (n / 3 & (n / 3 - 1)) == 0) { // 3/4 of the next power of 2
+        island.third = time;
+    }
+}
+
+std::vector<std::size_t> EventPaces::islandOf(std::size_t unknown) const {
+    std::vector<std::size_t> found;
+    const std::size_t root = rootOf(unknown);
+    for (std::size_t u = 0; u < parents_.size(); ++u)
+        if (rootOf(u) == root)
+            found.push_back(u);
+    return found;
+}
+
+} // namespace solution

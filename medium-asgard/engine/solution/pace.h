@@ -1,0 +1,54 @@
+// Is the finish farther away than anybody waits for?
+//
+// What has made n steps, or events, n a power of two, and would need more than a billion of them at
+// the pace of the last quarter, and at that of all, never gets there. Where the last quarters grew
+// evenly, they go on growing so. Only the pace counts, not the finish: `beyond` is the earliest
+// finish that would have been hopeless, so that one knows of another finish whether it is.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace solution {
+
+// When there had been a quarter, a half and three quarters of n steps, and all of them.
+struct Quarters {
+    double start = 0, first = 0, second = 0, third = 0, now = 0;
+};
+// The finish beyond which more than a billion would be needed.
+[[nodiscard]] double farthestFinish(std::size_t n, const Quarters& quarters);
+
+// Events that unknowns take part in. Those that met, directly or through others, are an island, and
+// share its events: what happens elsewhere has no part in them.
+class EventPaces {
+public:
+    explicit EventPaces(double start) : start_(start) {}
+    // Of one motion: they share their island from now on.
+    void join(std::span<const std::size_t> unknowns);
+    // The earliest finish that this event, which joins them, would make hopeless.
+    [[nodiscard]] double hopelessFrom(double time, std::span<const std::size_t> unknowns) const;
+    void note(double time, std::span<const std::size_t> unknowns);
+    // All in the island of an unknown.
+    [[nodiscard]] std::vector<std::size_t> islandOf(std::size_t unknown) const;
+    [[nodiscard]] double beyond() const { return beyond_; }
+
+private:
+    struct Island {
+        std::size_t events = 0;
+        // When as many events had been, at the last powers of 2 and at 3/4 of the last one.
+        double quarter = never, half = never, third = never;
+    };
+    static constexpr double never = -std::numeric_limits<double>::infinity();
+    [[nodiscard]] std::size_t rootOf(std::size_t unknown) const;
+    std::size_t unite(std::span<const std::size_t> unknowns);
+
+    double start_;
+    mutable std::vector<std::size_t> parents_; // by unknown; itself: the island's root
+    std::vector<Island> islands_;              // by root
+    double beyond_ = std::numeric_limits<double>::infinity();
+};
+
+} // namespace solution

@@ -1,0 +1,63 @@
+// The pace of steps and events, and what of it says that a finish is never reached.
+#include "solution/pace.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+using namespace solution;
+
+TEST(Pace, AnEvenOneGoesABillionFar) {
+    const double far =
+        farthestFinish(16'384, {.start = 0, .first = 25, .second = 50, .third = 75, .now = 100});
+    EXPECT_NEAR(far, 100 + 1e9 / 16'384 * 100, 1e-3);
+}
+
+// Quarters that grow by 1 in 50 reach 1e6 in far less than a billion.
+TEST(Pace, OneThatGrowsEvenlyGoesOnGrowing) {
+    const double a = 1, b = 1.02, c = 1.02 * 1.02;
+    EXPECT_GT(
+        farthestFinish(
+            16'384,
+            {.start = 0, .first = 1, .second = 1 + a, .third = 1 + a + b, .now = 1 + a + b + c}),
+        1e30);
+}
+
+TEST(Pace, ABurstThatIsOverIsNone) {
+    EXPECT_GT(farthestFinish(16'384, {.start = 0, .first = 1, .second = 2, .third = 3, .now = 1e6}),
+              1e9);
+}
+
+namespace {
+
+constexpr std::size_t patience = 524'288;
+const std::vector<std::size_t> ball = {0, 1, 2}, other = {7, 8};
+
+} // namespace
+
+TEST(EventPaces, CountEachIslandByItself) {
+    EventPaces paces(0);
+    for (std::size_t n = 1; n < patience; ++n) {
+        paces.note(1e-3 * static_cast<double>(n), ball);
+        if (n % 1024 == 0)
+            paces.note(1e-3 * static_cast<double>(n), other);
+    }
+    const double now = 1e-3 * patience;
+    EXPECT_NEAR(paces.hopelessFrom(now, ball), now + 1e6, 1);
+    EXPECT_EQ(paces.hopelessFrom(now, other), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(paces.islandOf(1), ball);
+    EXPECT_EQ(paces.beyond(), std::numeric_limits<double>::infinity());
+    paces.note(now, ball);
+    EXPECT_NEAR(paces.beyond(), now + 1e6, 1);
+}
+
+// Two paces that were not one say nothing of what follows.
+TEST(EventPaces, MeetingBeginsAnew) {
+    EventPaces paces(0);
+    for (std::size_t n = 1; n < patience; ++n)
+        paces.note(1e-3 * static_cast<double>(n), n % 2 == 0 ? ball : other);
+    paces.note(1e-3 * patience, std::vector<std::size_t>{2, 7});
+    EXPECT_EQ(paces.beyond(), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(paces.islandOf(0), (std::vector<std::size_t>{0, 1, 2, 7, 8}));
+}
