@@ -100,9 +100,11 @@ TEST(Stops, EventsThatNeverEndAreSaidAtOnce) {
     b.floor();
     b.ball("b", {0, 1, 0});
     b.weight("b");
+    b.ball("lone", {1000, 1, 0}).initialVelocity = {0, 1, 0}; // has no part in it
     const Result result = simulate(b.scene);
     ASSERT_TRUE(result.motion->stop(1));
     EXPECT_THAT(result.motion->stop(1)->sentence, HasSubstr("more than a billion"));
+    EXPECT_FALSE(result.motion->stop(2));
 }
 
 // Steps that grow for ever reach any finish.
@@ -118,6 +120,16 @@ TEST(Stops, AnEarlierFinishIsReachedAfterOneThatIsNot) {
     Resimulation edited;
     EXPECT_TRUE(testing::updated(edited, orbit(1e99)).motion->stop(0));
     EXPECT_FALSE(testing::updated(edited, orbit(5000)).motion->stop(0));
+}
+
+// One that would have given up on the later finish is not gone on with.
+TEST(Stops, ALaterFinishIsGivenUpWhereARunFromTheStartGivesUp) {
+    Resimulation edited;
+    EXPECT_FALSE(testing::updated(edited, orbit(50'000)).motion->stop(0));
+    const auto stop = testing::updated(edited, orbit(1e99)).motion->stop(0);
+    const auto scratch = simulate(orbit(1e99)).motion->stop(0);
+    ASSERT_TRUE(stop && scratch);
+    EXPECT_EQ(stop->time, scratch->time);
 }
 
 TEST(Report, SpeaksOfTheBodyThatASentenceNames) {

@@ -1,5 +1,6 @@
 // The pace of steps and events, and what of it says that a finish is never reached.
 #include "solution/pace.h"
+#include "solution/solver_testing.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +8,7 @@
 #include <vector>
 
 using namespace solution;
+using namespace solution::testing;
 
 TEST(Pace, AnEvenOneGoesABillionFar) {
     const double far =
@@ -60,4 +62,13 @@ TEST(EventPaces, MeetingBeginsAnew) {
     paces.note(1e-3 * patience, std::vector<std::size_t>{2, 7});
     EXPECT_EQ(paces.beyond(), std::numeric_limits<double>::infinity());
     EXPECT_EQ(paces.islandOf(0), (std::vector<std::size_t>{0, 1, 2, 7, 8}));
+}
+
+// A hundred thousand short steps, and then none.
+TEST(Pace, ABurstBeforeASwitchIsNotTakenForIt) {
+    const Solver solver =
+        solved(equationsOf({{"x", "dx", 0, 1}, {"dx", "t<0.1 ? 1e6*sin(1e6*t)-x : -x-0.1*dx", 0}}),
+               1e5, tolerance(1e-4));
+    EXPECT_EQ(solver.histories().stop(0), nullptr);
+    EXPECT_GT(solver.statistics().integratedSteps, 16'384u);
 }
