@@ -162,6 +162,10 @@ private:
     std::vector<char> isGrazed_;
     std::vector<expression::Decision> decisions_;
     std::vector<std::size_t> sliding_; // surfaces
+    // On these the motion was told to stand, at that time; what else is passed then moves it off
+    // none of them.
+    std::vector<std::size_t> standing_;
+    double standingAt_ = 0;
     std::vector<double> weights_;
     bool slidingFailed_ = false;
     std::vector<Watch> watches_;

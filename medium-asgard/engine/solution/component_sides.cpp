@@ -149,6 +149,7 @@ void ComponentEquations::settleOn(std::size_t surface) {
 
 void ComponentEquations::decide(double t, std::span<double> y) {
     sliding_.clear();
+    standing_.clear();
     isGrazed_.assign(model_.surfaces().size(), 0);
     if (model_.surfaces().empty())
         return;
@@ -272,7 +273,7 @@ void ComponentEquations::pass(const Watch& watch, Passing how, Passed& passed) {
             passed.settled.push_back(s);
     } else if (how != Passing::across) {
         setSide(s, onSurface);
-        passed.settled.push_back(s);
+        standing_.push_back(s);
     } else if (passed.surfaces.empty() || !isRight(s)) {
         model_.function().guards(in_, guards_, scratch_, decisions_);
         const double g = guard(s);
@@ -311,12 +312,15 @@ void ComponentEquations::follow(const Passed& passed) {
     const auto in = [](const std::vector<std::size_t>& list, std::size_t s) {
         return std::find(list.begin(), list.end(), s) != list.end();
     };
+    const auto isSettled = [&](std::size_t s) {
+        return in(passed.settled, s) || (sides_[s] == onSurface && in(standing_, s));
+    };
     for (std::size_t round = 0; round < model_.surfaces().size(); ++round) {
         bool changed = false;
         field();
         const std::vector<double> now = out_;
         for (std::size_t s = 0; s < model_.surfaces().size() && !changed; ++s)
-            if (!in(sliding_, s) && !in(passed.settled, s))
+            if (!in(sliding_, s) && !isSettled(s))
                 changed = follow(s, now, in(passed.surfaces, s));
         if (!changed)
             return;
@@ -396,6 +400,9 @@ bool ComponentEquations::isTouched(std::size_t surface) {
 ComponentEquations::Crossing ComponentEquations::cross(const Violation& violation, double t,
                                                        std::span<double> y, Passing how) {
     fill(t, y);
+    if (t != standingAt_)
+        standing_.clear();
+    standingAt_ = t;
     Passed passed{.isAlone = violation.watches.size() == 1};
     for (const std::size_t k : violation.watches)
         pass(watches_[k], how, passed);

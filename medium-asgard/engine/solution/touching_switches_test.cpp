@@ -54,6 +54,8 @@ TEST(Touching, AClampedOscillationGoesOn) {
         {"abs(1+cos(t))", [](double t) { return 1 + std::cos(t); }},
         {"max(0,cos(5*t)-1)", [](double) { return 0; }},
         {"max(-1,min(1,sin(3*t)))", [](double t) { return std::sin(3 * t); }},
+        {"max(1,min(1,cos(2*t)))", [](double) { return 1; }},
+        {"max(1,abs(max(-1,min(1,cos(2*t)))))", [](double) { return 1; }},
         {"(t-2)^2>=0?1:-1", [](double) { return 1; }},
         {"sign((t-2)^2)", [](double) { return 1; }},
         {"abs((t-2)^4)", [](double t) { return std::pow(t - 2, 4); }},
