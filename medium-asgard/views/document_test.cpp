@@ -194,6 +194,19 @@ TEST_F(DocumentTest, MotionIsComputedOnlyWhenAskedForWhereThatIsWanted) {
     EXPECT_FALSE(document.motionIsStale());
 }
 
+TEST_F(DocumentTest, WhoChangesTheTextWhenToldOfAMotionIsWorkedFor) {
+    bool isChanged = false;
+    QObject::connect(&document, &SceneDocument::motionChanged, [&] {
+        if (!document.motionIsStale() && !std::exchange(isChanged, true))
+            document.setText(ballScene + "body b2 ball -init_pos {3 0 0}\n", "Edit");
+    });
+    document.setText(ballScene, "Edit");
+    ASSERT_TRUE(waitFor([&] { return isChanged; }));
+    EXPECT_NE(document.work(), Work::none);
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(document.shown().scene->bodies.size(), 2U);
+}
+
 TEST_F(DocumentTest, ClosingWhileComputingEndsTheComputation) {
     made.blocked = true;
     {

@@ -49,6 +49,30 @@ TEST_F(PositioningTest, TheKeysTurnMoveRollAndScaleTheView) {
     EXPECT_EQ(editor.document().text(), ballScene);
 }
 
+TEST_F(PositioningTest, TheHorizonIsLevelledAndTheDirectionStays) {
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    SceneDisplay& display = viewer->display();
+    display.grab();
+    render::Camera camera = display.camera();
+    camera.rotation = render::facing({0.3, 0.4, 1}, {0.5, 1, 0});
+    camera.position = {0.2, 0.1, 0};
+    display.setCamera(camera);
+    const auto toward = [](const render::Camera& now) {
+        return geometry::Vector(now.rotation.conjugate() * geometry::Vector::UnitZ());
+    };
+    ASSERT_GT(std::abs((camera.rotation * geometry::Vector::UnitY()).x()), 0.1);
+    display.levelHorizon();
+    const render::Camera level = display.camera();
+    EXPECT_NEAR((level.rotation * geometry::Vector::UnitY()).x(), 0, 1e-12);
+    EXPECT_GT((level.rotation * geometry::Vector::UnitY()).y(), 0);
+    EXPECT_TRUE(toward(level).isApprox(toward(camera), 1e-12));
+    EXPECT_NEAR(level.position.norm(), camera.position.norm(), 1e-12);
+    EXPECT_EQ(level.scale, camera.scale);
+    display.lookAlong(geometry::Vector::UnitY());
+    display.levelHorizon();
+    EXPECT_TRUE(display.editing().said().startsWith("Straight from above"));
+}
+
 TEST_F(PositioningTest, AViewThatIsKeptInAnOlderTextSaysSo) {
     editor.document().setText(ballScene + "view side -rot {0 1 0}\n", "Edit");
     ASSERT_TRUE(settle(editor.document()));

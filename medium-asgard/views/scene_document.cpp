@@ -416,10 +416,11 @@ void SceneDocument::didFinish(const Moved& moved) {
     learnPace(moved);
     if (moved.serial < welcome_)
         return;
-    const bool isLast = moved.serial == worker_->thread.serial();
+    // Who is told of a motion or of faults may change the text, and then all begins anew.
+    const auto isLast = [&] { return moved.serial == worker_->thread.serial(); };
     if (!moved.result.cancelled)
         showMotion(moved.scene, moved.result.motion);
-    if (!isLast)
+    if (!isLast())
         return;
     if (moved.result.cancelled) {
         showAwaited(nullptr);
@@ -428,7 +429,8 @@ void SceneDocument::didFinish(const Moved& moved) {
         statistics_ = moved.result.statistics;
         reportFaults(moved);
     }
-    setWork(Work::none);
+    if (isLast())
+        setWork(Work::none);
 }
 
 void SceneDocument::reportFaults(const Moved& moved) {

@@ -66,6 +66,8 @@ protected:
         return document.shown().scene->shapeSets.at(0).parts.at(index);
     }
 
+    static scene::Scene theScene(const std::string& of) { return theReader().read(of).scene; }
+
     TestWorkshop made;
     SceneDocument document{made.workshop()};
     std::unique_ptr<ShapeEditor> editor;
@@ -92,6 +94,31 @@ TEST_F(ShapeEditorTest, StaysOpenWhenItIsWantedAgain) {
     document.undo();
     ASSERT_TRUE(settle(document));
     EXPECT_TRUE(editor->isVisible());
+}
+
+TEST_F(ShapeEditorTest, KeysMoveTheVertexThatWasChosenWhenTheyWerePressed) {
+    const auto key = [&](Qt::Key which) { QTest::keyClick(&editor->display(), which); };
+    key(Qt::Key_PageDown);
+    const auto first = editor->display().chosenPoint();
+    ASSERT_TRUE(first);
+    key(Qt::Key_Right);
+    ASSERT_FALSE(document.sceneIsCurrent());
+    key(Qt::Key_Right); // while the text is read
+    key(Qt::Key_PageDown);
+    key(Qt::Key_Up);
+    const auto second = editor->display().chosenPoint();
+    ASSERT_NE(first, second);
+    const auto before = editing::pointsOf(editing::draftOf(theScene(text).shapeSets[0])[0].part);
+    ASSERT_TRUE(waitFor([&] { // one after the other, when the text was read
+        return document.sceneIsCurrent() && editing::pointsOf(part(0))[*second] != before[*second];
+    }));
+    EXPECT_EQ(editor->display().chosenPoint(), second);
+    const auto after = editing::pointsOf(part(0));
+    for (std::size_t i = 0; i < before.size(); ++i)
+        EXPECT_EQ(before[i] != after[i], i == *first || i == *second) << i;
+    for (int k = 0; k < 3; ++k) // three steps of undo
+        document.undo();
+    EXPECT_EQ(document.text(), text);
 }
 
 TEST_F(ShapeEditorTest, ADraggedVertexChangesItsNumbersInOneStepOfUndo) {
