@@ -108,11 +108,8 @@ void PlotChart::paintAxes(QPainter& painter) const {
         line.setAlpha(isZero ? 90 : 28);
         painter.setPen(line);
     };
-    // Counted: far from zero a step may be less than what numbers tell apart there.
     const double times = roundStep((finish_ - start_) * 70 / a.width());
-    const double firstTime = std::ceil(start_ / times);
-    for (int i = 0; i < 100 && (firstTime + i) * times <= finish_; ++i) {
-        const double time = (firstTime + i) * times;
+    for (const double time : multiplesOf(times, start_, finish_)) {
         const double x = placeOf(time, low_).x();
         grid(time == 0);
         painter.drawLine(QPointF(x, a.top()), QPointF(x, a.bottom()));
@@ -123,9 +120,7 @@ void PlotChart::paintAxes(QPainter& painter) const {
                          label);
     }
     const double values = roundStep((high_ - low_) * 30 / a.height());
-    const double firstValue = std::ceil(low_ / values);
-    for (int i = 0; i < 100 && (firstValue + i) * values <= high_; ++i) {
-        const double value = (firstValue + i) * values;
+    for (const double value : multiplesOf(values, low_, high_)) {
         const double y = placeOf(start_, value).y();
         grid(value == 0);
         painter.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));

@@ -63,4 +63,15 @@ inline Options tolerance(double tolerance) {
     return options;
 }
 
+// The largest error of an unknown on a grid of times.
+inline double worst(const Histories& histories, std::size_t unknown, double from, double to,
+                    const std::function<double(double)>& exact) {
+    double largest = 0;
+    for (int k = 0; k <= 1000; ++k) {
+        const double t = from + (to - from) * k / 1000;
+        largest = std::max(largest, std::abs(histories.value(unknown, t) - exact(t)));
+    }
+    return largest;
+}
+
 } // namespace solution::testing

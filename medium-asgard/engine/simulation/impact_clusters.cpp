@@ -1,0 +1,268 @@
+// What touches at one instant, and which impulses it gets.
+#include "simulation/collision_source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace simulation {
+namespace {
+
+using physics::ImpactBody;
+using physics::ImpactContact;
+using solution::Histories;
+using solution::infinity;
+
+bool sinksIn(const ImpactContact& corner, const std::vector<ImpactBody>& bodies) {
+    const ImpactBody &a = bodies[corner.first], &b = bodies[corner.second];
+    const Vector va = a.velocity + a.angularVelocity.cross(corner.point - a.centre);
+    const Vector vb = b.velocity + b.angularVelocity.cross(corner.point - b.centre);
+    return corner.normal.dot(va - vb) < -1e-9 * (va.norm() + vb.norm());
+}
+
+// With the corners of plastic contacts instead of their centres. The impulses are told by contact,
+// each where those of its corners have the same effect.
+physics::ImpactResult resolveByCorners(std::vector<ImpactContact>& contacts,
+                                       const std::vector<ImpactContact>& corners,
+                                       const std::vector<std::size_t>& contactOf,
+                                       const std::vector<ImpactBody>& before) {
+    std::vector<ImpactContact> all;
+    std::vector<std::size_t> of;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        for (std::size_t i = 0; i < corners.size() && contacts[c].restitution == 0; ++i)
+            if (contactOf[i] == c) {
+                all.push_back(corners[i]);
+                all.back().restitution = 0;
+            }
+        if (all.size() == of.size())
+            all.push_back(contacts[c]);
+        of.resize(all.size(), c);
+    }
+    physics::ImpactResult result = physics::resolveImpact(before, all);
+    std::vector<double> sums(contacts.size(), 0);
+    std::vector<Vector> moments(contacts.size(), Vector::Zero());
+    for (const physics::ImpulseGiven& given : result.impulses) {
+        sums[of[given.contact]] += given.impulse;
+        moments[of[given.contact]] += given.impulse * all[given.contact].point;
+    }
+    result.impulses.clear();
+    for (std::size_t c = 0; c < contacts.size(); ++c)
+        if (sums[c] > 0) {
+            contacts[c].point = moments[c] / sums[c];
+            result.impulses.push_back({c, sums[c]});
+        }
+    return result;
+}
+
+double ballRadius(const MovingBody& body) {
+    return body.isBall() ? body.shape().parts[0].radius : 0;
+}
+
+} // namespace
+
+ImpactBody CollisionSource::impactBody(const Histories& histories, std::size_t body,
+                                       double time) const {
+    BodyState state = stateOf(records_[body], histories, time);
+    if (bodies_[body].isBall() && !state.angularVelocity.allFinite())
+        state.angularVelocity.setZero(); // its blows go through its centre
+    return resting_.impactBody(body, time, state);
+}
+
+// The speeds that enter.
+double CollisionSource::speedOf(const Pair& pair, double time) const {
+    double speed = 0;
+    for (const std::size_t body : {pair.first, pair.second}) {
+        if (const collision::BallFlight* flight = search_.flight(body)) {
+            speed += flight->velocityAt(time).norm();
+        } else if (!records_[body].isFixed) {
+            const auto velocity = collision::velocityAt(bodies_[body].pieceAt(time), time);
+            speed += velocity.linear.norm() + velocity.angular.norm() * records_[body].radius;
+        }
+    }
+    return speed;
+}
+
+double CollisionSource::contactTolerance(const Pair& pair, double time) const {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    double reach = 0, coordinates = 0;
+    for (const std::size_t body : {pair.first, pair.second}) {
+        reach += records_[body].radius;
+        if (const collision::BallFlight* flight = search_.flight(body))
+            coordinates += flight->centreAt(time).cwiseAbs().maxCoeff();
+        else if (records_[body].isFixed)
+            coordinates += records_[body].start.position.cwiseAbs().maxCoeff();
+        else
+            coordinates +=
+                collision::positionAt(bodies_[body].pieceAt(time), time).cwiseAbs().maxCoeff();
+    }
+    return collision::touchingGap * reach +
+           8 * epsilon * (coordinates + std::abs(time) * speedOf(pair, time));
+}
+
+void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, std::size_t a,
+                                  std::size_t b, double time, bool isHit) {
+    const auto indexIn = [&](std::size_t body) {
+        const auto place = std::ranges::find(cluster.bodies, body);
+        const auto index = static_cast<std::size_t>(place - cluster.bodies.begin());
+        if (place == cluster.bodies.end())
+            cluster.bodies.push_back(body);
+        return index;
+    };
+    const auto add = [&](const Vector& point, const Vector& normal,
+                         const std::array<double, 2>& radii) {
+        cluster.radii.push_back(radii);
+        cluster.contacts.push_back(
+            {.first = indexIn(a),
+             .second = indexIn(b),
+             .point = point,
+             .normal = normal,
+             .restitution = std::min(scene_.bodies[a].restitution, scene_.bodies[b].restitution)});
+    };
+    const double tolerance = contactTolerance({a, b}, time);
+    const auto contacts =
+        collision::contactsAt(bodies_[a], bodies_[b], time, tolerance, resting_.slack(a, b));
+    // A body that rests turns about what it rests on: each corner counts. So it does where gaps
+    // have the integration's errors, not rounding's.
+    const bool isSure = !contacts.empty() && !resting_.hasFooting(a, b);
+    if (!isSure && (resting_.canGiveWay(a, time) != resting_.canGiveWay(b, time))) {
+        const bool isFirst = resting_.canGiveWay(a, time);
+        const double slow = collision::approachThreshold * speedOf({a, b}, time);
+        for (const Touch& touch :
+             touchesOf(resting_.placed(histories, isFirst ? a : b, time),
+                       resting_.placed(histories, isFirst ? b : a, time), limits_.gap))
+            for (const Corner& corner : touch.corners)
+                if (isHit || !touch.passes(slow))
+                    add(corner.point, isFirst ? touch.normal : Vector(-touch.normal),
+                        {ballRadius(bodies_[a]), ballRadius(bodies_[b])});
+        return;
+    }
+    for (const collision::Contact& contact : contacts) {
+        add(contact.point, contact.normal,
+            {bodies_[a].shape().parts[contact.firstPart].radius,
+             bodies_[b].shape().parts[contact.secondPart].radius});
+        for (const Vector& corner : contact.patch)
+            if (contact.patch.size() > 1) {
+                cluster.corners.push_back(cluster.contacts.back());
+                cluster.corners.back().point = corner;
+                cluster.contactOf.push_back(cluster.contacts.size() - 1);
+            }
+    }
+}
+
+CollisionSource::Cluster CollisionSource::clusterAt(const Histories& histories, const Pair& pair,
+                                                    double time) {
+    Cluster cluster{.bodies = {pair.first, pair.second},
+                    .contacts = {},
+                    .radii = {},
+                    .corners = {},
+                    .contactOf = {}};
+    std::set<Pair> seen;
+    for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
+        const std::size_t body = cluster.bodies[i];
+        if (!resting_.canGiveWay(body, time))
+            continue;
+        for (const std::size_t other : search_.partners(body))
+            if (!search_.hasEnded(other) && seen.insert(std::minmax(body, other)).second) {
+                const Pair ordered = std::minmax(body, other);
+                addContacts(histories, cluster, ordered.first, ordered.second, time,
+                            ordered == pair);
+            }
+    }
+    return cluster;
+}
+
+// How the gap accelerates: of flat parts as their points that touch, of spheres as their centres.
+double CollisionSource::pushAt(const Histories& histories, const Cluster& cluster,
+                               const ImpactContact& c, const std::array<double, 2>& radii,
+                               std::span<const ImpactBody> bodies, double time) const {
+    double push = 0;
+    Vector speed = Vector::Zero();
+    for (const auto& [index, sign, radius] :
+         {std::tuple{c.first, 1.0, radii[0]}, std::tuple{c.second, -1.0, radii[1]}}) {
+        const Vector arm = c.point + sign * radius * c.normal - bodies[index].centre;
+        const Vector& w = bodies[index].angularVelocity;
+        const Acceleration a = accelerationOf(records_[cluster.bodies[index]], histories, time);
+        speed += sign * (bodies[index].velocity + w.cross(arm));
+        push += sign * c.normal.dot(a.linear + a.angular.cross(arm) + w.cross(w.cross(arm)));
+    }
+    // Two spheres that pass each other part.
+    if (radii[0] > 0 && radii[1] > 0)
+        push += (speed - c.normal * c.normal.dot(speed)).squaredNorm() / (radii[0] + radii[1]);
+    return push;
+}
+
+// A hop lower than the rest height is the last: its contact gets a plastic impact, and all the hops
+// that would have followed are over after 2 u / a (1 - e), where u is the first one's speed and a
+// what pushes the bodies together.
+// Where a patch touches, that holds of all its corners: an edge that rocks hops at its ends, and
+// its middle need not approach at all.
+double CollisionSource::softenLastHops(const Histories& histories, Cluster& cluster,
+                                       std::span<const ImpactBody> bodies, double time) const {
+    double longest = -1;
+    for (std::size_t c = 0; c < cluster.contacts.size(); ++c) {
+        Hop hop = hopOf(histories, cluster, cluster.contacts[c], cluster.radii[c], bodies, time);
+        for (std::size_t i = 0; i < cluster.corners.size(); ++i) {
+            if (cluster.contactOf[i] != c)
+                continue;
+            const Hop other =
+                hopOf(histories, cluster, cluster.corners[i], cluster.radii[c], bodies, time);
+            hop.approaches = hop.approaches || other.approaches;
+            hop.isLow = hop.isLow && other.isLow;
+            hop.settling = std::max(hop.settling, other.settling);
+        }
+        if (hop.approaches && hop.isLow) {
+            longest = std::max(longest, hop.settling);
+            cluster.contacts[c].restitution = 0;
+        }
+    }
+    return longest;
+}
+
+CollisionSource::Hop CollisionSource::hopOf(const Histories& histories, const Cluster& cluster,
+                                            const ImpactContact& contact,
+                                            const std::array<double, 2>& radii,
+                                            std::span<const ImpactBody> bodies, double time) const {
+    const double push = pushAt(histories, cluster, contact, radii, bodies, time);
+    double approach = 0, radius = infinity, reach = 0;
+    for (const auto& [index, sign] :
+         {std::pair{contact.first, 1.0}, std::pair{contact.second, -1.0}}) {
+        const std::size_t body = cluster.bodies[index];
+        const Vector arm = contact.point - bodies[index].centre;
+        approach += sign * contact.normal.dot(bodies[index].velocity +
+                                              bodies[index].angularVelocity.cross(arm));
+        radius = std::min(radius, records_[body].radius);
+        reach += records_[body].radius + bodies[index].centre.norm();
+    }
+    if (!(approach < 0))
+        return {};
+    // Hops that the search may pass over (time_of_impact.h) are lower still.
+    const double lowest = std::max({limits_.hopHeight * radius, 2e-9 * radius, 1e-13 * reach});
+    const double speed = -contact.restitution * approach;
+    Hop hop{.approaches = true, .isLow = push < 0 && speed * speed / (-2 * push) < lowest};
+    if (hop.isLow && contact.restitution < 1)
+        hop.settling = 2 * speed / (-push * (1 - contact.restitution));
+    return hop;
+}
+
+// A patch gets one impulse at its centre. Where it then sinks in at a corner, corners take part:
+// of plastic contacts from the start, since nothing of them parts at one corner because another
+// was hit; what was pushed at a face and rests against it does not turn. Of others after the
+// impulse at the centre.
+physics::ImpactResult CollisionSource::resolve(Cluster& cluster,
+                                               const std::vector<ImpactBody>& before) const {
+    physics::ImpactResult result = physics::resolveImpact(before, cluster.contacts);
+    bool isSunk = false, isPlastic = false;
+    for (std::size_t i = 0; i < cluster.corners.size(); ++i)
+        if (sinksIn(cluster.corners[i], result.bodies)) {
+            isSunk = true;
+            isPlastic = isPlastic || cluster.contacts[cluster.contactOf[i]].restitution == 0;
+        }
+    if (isPlastic)
+        return resolveByCorners(cluster.contacts, cluster.corners, cluster.contactOf, before);
+    if (isSunk)
+        result.bodies = physics::resolveImpact(result.bodies, cluster.corners).bodies;
+    return result;
+}
+
+} // namespace simulation
