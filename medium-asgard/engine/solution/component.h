@@ -154,7 +154,8 @@ private:
     void lookCloser(double at, double h);
     [[nodiscard]] bool isInvented(const Violation& found, double h);
     [[nodiscard]] bool overflows();
-    void refuse(const Attempt& attempt, double h);
+    [[nodiscard]] bool refuse(const Attempt& attempt, double h);
+    [[nodiscard]] bool stepAcross(double h);
     void stopAtUnderflow(Attempt::Outcome outcome, double h);
     void arrive(); // at limit_: a phase, an input's event, an input's end
 

@@ -74,8 +74,11 @@ bool ComponentEquations::weigh() {
         for (Eigen::Index j = 0; j < m; ++j)
             change(i, j) = guardRate(s, fields[static_cast<std::size_t>(j)]).rate + wanted(i);
     }
-    const Eigen::VectorXd w = m == 1 ? Eigen::VectorXd(wanted / change(0, 0))
-                                     : Eigen::VectorXd(change.fullPivLu().solve(wanted));
+    // Where neither side moves off the surface, any weight will do.
+    const bool rests = wanted.isZero(0) && change.isZero(0);
+    const Eigen::VectorXd w = rests    ? Eigen::VectorXd(Eigen::VectorXd::Constant(m, 0.5))
+                              : m == 1 ? Eigen::VectorXd(wanted / change(0, 0))
+                                       : Eigen::VectorXd(change.fullPivLu().solve(wanted));
     if (!w.allFinite() || (m > 1 && !(change * w).isApprox(wanted, 1e-9) && wanted.norm() > 0))
         return false;
     out_ = base_;
@@ -425,8 +428,13 @@ ComponentEquations::Crossing ComponentEquations::cross(const Violation& violatio
         else
             setSide(s, -sides_[s]);
     }
-    if (!settleWeights(t, y))
-        return Crossing::impossible;
+    const std::vector<std::size_t> slid = sliding_;
+    if (!settleWeights(t, y)) { // beside the surface a side may have no value, as a root's
+        sliding_ = slid;
+        project(t, y);
+        if (!settleWeights(t, y))
+            return Crossing::impossible;
+    }
     project(t, y);
     refreshWatches();
     return Crossing::done;

@@ -181,8 +181,7 @@ void Component::integrate() {
         const double h = to - time_;
         const Attempt attempt = method_->attempt(h);
         if (attempt.outcome != Attempt::Outcome::accepted) {
-            refuse(attempt, h);
-            if (stop_)
+            if (!refuse(attempt, h))
                 return;
             continue;
         }
@@ -194,15 +193,55 @@ void Component::integrate() {
     }
 }
 
-void Component::refuse(const Attempt& attempt, double h) {
+// False: no shorter step can be made from here as things are.
+bool Component::refuse(const Attempt& attempt, double h) {
     ++counts_.rejectedSteps;
     if (attempt.outcome == Attempt::Outcome::notConverged)
         ++counts_.unconvergedSteps;
     if (!options_.fixedStep && attempt.next > shortestStep(time_) && attempt.next < h) {
         proposed_ = attempt.next;
-        return;
+        return true;
     }
-    stopAtUnderflow(attempt.outcome, h);
+    if (!stepAcross(h))
+        stopAtUnderflow(attempt.outcome, h);
+    return false;
+}
+
+// A branch that has no value beyond its end, as that of a root whose argument max() bounds, lets no
+// step look across. Within some of the shortest steps of its end the motion goes on along its rates
+// to beyond it.
+bool Component::stepAcross(double h) {
+    constexpr double steps = 8;
+    const double across = std::min(steps * h, limit_ - time_);
+    std::vector<double> y = stateValues(), slopes(y.size());
+    std::vector<double> here(equations_->watches()), beyond(here.size());
+    if (here.empty() || !equations_->rates(time_, y, slopes))
+        return false;
+    equations_->watch(time_, y, here);
+    std::vector<Coefficients> line(y.size(), Coefficients{});
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        line[i][0] = y[i];
+        line[i][1] = across * slopes[i];
+        y[i] += line[i][1];
+    }
+    const double to = time_ + across;
+    if (equations_->rates(to, y, slopes))
+        return false;
+    equations_->watch(to, y, beyond);
+    Violation violation{.time = to, .watches = {}};
+    for (std::size_t k = 0; k < here.size(); ++k)
+        if (here[k] > 0 && beyond[k] < 0)
+            violation.watches.push_back(k);
+    if (violation.watches.empty())
+        return false;
+    append(line, across, to);
+    y_ = y;
+    if (!land(to))
+        return true;
+    pass(violation, false);
+    if (!stop_ && time_ >= limit_)
+        arrive();
+    return true;
 }
 
 void Component::stopAtUnderflow(Attempt::Outcome outcome, double h) {
@@ -344,7 +383,9 @@ void Component::pass(const Violation& violation, bool immediate) {
         const std::vector<std::size_t> flipping = equations_->unknownsOf(violation);
         end(Stop::Reason::decisions, flipping.empty() ? std::vector<std::size_t>{0} : flipping,
             "expressions that switch with " + switchingWith(violation) +
-                " change their branches without end, and no motion keeps between them");
+                " change their branches without end: no motion keeps between them, or it would "
+                "have to "
+                "stand on several at once, which is not modelled");
     };
     ++counts_.switches;
     if (immediate) {
