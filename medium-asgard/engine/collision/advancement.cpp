@@ -35,7 +35,8 @@ public:
             const Separation now = pair_.separationAt(t_, warm_);
             ++result_.evaluations;
             const double roundOff = pair_.roundOff(t_);
-            if (now.gap < -std::max(deep * size_, roundOff))
+            // What was let sink in unnoticed touches still.
+            if (now.gap < -std::max({deep * size_, roundOff, 2 * unnoticed_}))
                 stepOutOf(now);
             else if (now.gap <= roundOff || stalled_)
                 touch(now);

@@ -285,6 +285,25 @@ TEST(Rest, ABoxThatTurnsAboutAllAxesComesToLieFlatAtAnyAccuracy) {
     }
 }
 
+// In either order of the lines: what one of them rests on is found first or last.
+TEST(Rest, ABodyThatLiesOnOneThatRestsStopsAtOnce) {
+    for (const bool isLowerFirst : {true, false})
+        for (const double e : {0.0, 1.0}) {
+            SceneBuilder b(1);
+            b.floor();
+            for (const bool isLower : {isLowerFirst, !isLowerFirst})
+                b.box(isLower ? "lower" : "upper", {isLower ? 0 : 0.1, isLower ? 0.5 : 1.5, 0},
+                      {1, 1, 1})
+                    .restitution = e;
+            b.weight("lower");
+            b.weight("upper");
+            const Result result = simulate(b.scene);
+            ASSERT_TRUE(result.motion->stop(1) && result.motion->stop(2)) << isLowerFirst << e;
+            EXPECT_EQ(result.motion->stop(1)->time, 0);
+            EXPECT_THAT(result.motion->stop(1)->sentence, HasSubstr("come to rest on each other"));
+        }
+}
+
 TEST(Rest, FreeBodiesThatRestOnEachOtherStopWithASentence) {
     SceneBuilder b(3);
     b.floor();
