@@ -212,6 +212,7 @@ private:
     Model model_ = Model::undecided;
     std::optional<PlainRate> plainRate_;
     std::unique_ptr<LinearMotion> linear_;
+    double lost_ = 0; // by the rounding of time_, of the time to which linear motion has come
     std::unique_ptr<Method> method_;
     MethodChoice choice_;
     bool mayChange_ = false;          // the method, by cost

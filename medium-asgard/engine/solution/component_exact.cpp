@@ -39,6 +39,7 @@ bool Component::tryClosedForm() {
 
 bool Component::tryLinear() {
     linear_.reset();
+    lost_ = 0;
     if (equations_->states().size() > LinearMotion::mostStates || options_.fixedStep)
         return false;
     if (const auto form = linearForm(*equations_, time_))
@@ -76,11 +77,15 @@ void Component::stepLinear() {
         proposed_ = 0;
         return;
     }
-    const double until = std::min({time_ + h, limit_, linear_->until()});
-    if (until < time_ + h)
+    // Pieces are as long as they are, and times are rounded: what that leaves is carried on, or a
+    // million pieces would drift.
+    const double ahead = h + lost_;
+    const double until = std::min({time_ + ahead, limit_, linear_->until()});
+    if (until < time_ + ahead)
         for (std::size_t i = 0; i < y_.size(); ++i)
-            y_[i] = evaluate(columns_[i], (until - time_) / h);
+            y_[i] = evaluate(columns_[i], (until - time_ - lost_) / h);
     append(columns_, h, until);
+    lost_ = until < time_ + ahead ? 0 : ahead - (until - time_);
     if (land(until) && time_ >= limit_)
         arrive();
 }

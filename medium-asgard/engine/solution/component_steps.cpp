@@ -383,9 +383,8 @@ void Component::pass(const Violation& violation, bool immediate) {
         const std::vector<std::size_t> flipping = equations_->unknownsOf(violation);
         end(Stop::Reason::decisions, flipping.empty() ? std::vector<std::size_t>{0} : flipping,
             "expressions that switch with " + switchingWith(violation) +
-                " change their branches without end: no motion keeps between them, or it would "
-                "have to "
-                "stand on several at once, which is not modelled");
+                " change their branches without end: motion on several switches at once, or along "
+                "a step of floor or ceil, is not modelled");
     };
     ++counts_.switches;
     if (immediate) {

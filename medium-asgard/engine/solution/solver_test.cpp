@@ -132,6 +132,15 @@ TEST(Solver, LinearMotionThatIsReadStaysExactWhetherItShowsOrNot) {
     EXPECT_NEAR(solver.histories().value(0, 50), 1e-7 * std::cos(50'000), 1e-12);
 }
 
+// Four million pieces, whose ends are rounded: the phase stays.
+TEST(Solver, LinearMotionDoesNotDriftOverLongTimes) {
+    const double finish = 1e6;
+    const Solver solver =
+        solved(equationsOf({{"x", "dx", 1, 1}, {"dx", "-x", 0}}), finish, tolerance(1e-6));
+    EXPECT_NEAR(solver.histories().value(0, finish), std::cos(finish), 2e-8);
+    EXPECT_NEAR(solver.histories().value(1, finish), -std::sin(finish), 2e-8);
+}
+
 // --- held values ------------------------------------------------------------------------------
 
 // No error is estimated of them; so there is none but rounding, at any accuracy.
