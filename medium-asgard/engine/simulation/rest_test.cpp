@@ -285,6 +285,36 @@ TEST(Rest, ABoxThatTurnsAboutAllAxesComesToLieFlatAtAnyAccuracy) {
     }
 }
 
+// The box tips over the table's edge as it slides on, and leaves it at 1.492162 s: by an
+// independent integration of the same mechanism.
+TEST(Rest, ABoxThatSlidesOffATableTipsOverItsEdge) {
+    for (const double accuracy : {1e-2, 1e-3, 1e-4, 1e-5}) {
+        SceneBuilder b(3, accuracy);
+        b.box("table", {0, -0.5, 0}, {4, 1, 4}).fixed = true;
+        b.box("box", {0.9, 0.2, 0}, {1, 0.4, 0.6}).initialVelocity = {1, 0, 0};
+        b.weight("box");
+        const Result result = simulate(b.scene);
+        ASSERT_FALSE(result.motion->stop(1)) << result.motion->stop(1)->sentence;
+        EXPECT_LT(distance(result.motion->at(1, 3).position, {4.145126175, -13.82199215, 0}),
+                  10 * accuracy);
+    }
+}
+
+// Nothing meets: that the one rests is what joins them.
+TEST(Rest, ABodyRestsOnOneThatIsHeldInPlaceAndAttitude) {
+    SceneBuilder b(1);
+    b.box("held", {0, 0, 0}, {1, 1, 1});
+    b.hold("held", 0, 2, {{0, 0, 0}});
+    scene::Constraint attitude = b.scene.constraints.back();
+    attitude.held = scene::Held::attitude;
+    b.scene.constraints.push_back(attitude);
+    b.box("rests", {0, 1, 0}, {1, 1, 1});
+    b.weight("rests");
+    const Result result = simulate(b.scene);
+    ASSERT_FALSE(result.motion->stop(1));
+    EXPECT_EQ(result.motion->at(1, 1).position.y(), 1);
+}
+
 // In either order of the lines: what one of them rests on is found first or last.
 TEST(Rest, ABodyThatLiesOnOneThatRestsStopsAtOnce) {
     for (const bool isLowerFirst : {true, false})

@@ -158,7 +158,7 @@ private:
         };
         for (const Vector& normal :
              {faceNormal(second_, touch.normal), Vector(-faceNormal(first_, -touch.normal))})
-            if (const double gap = gapAlong(normal); gap >= touch.gap - tolerance_) {
+            if (const double gap = gapAlong(normal); gap >= touch.gap - beside_) {
                 touch.normal = normal;
                 touch.gap = gap;
                 return;

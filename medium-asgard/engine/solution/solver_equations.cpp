@@ -122,9 +122,13 @@ Solver::Implementation::regionOf(const Event& event, const std::set<std::size_t>
     Region region{.groups = {groups.begin(), groups.end()},
                   .components = {},
                   .unknowns = woken,
-                  .partition = {}};
+                  .partition = {},
+                  .isTaken = false};
     for (const std::size_t group : groups)
         for (const std::size_t c : schedule_.components(group)) {
+            region.isTaken = region.isTaken || !components_[c];
+            if (region.isTaken)
+                return region;
             region.components.push_back(c);
             const auto& own = components_[c]->unknowns();
             region.unknowns.insert(region.unknowns.end(), own.begin(), own.end());
@@ -172,6 +176,9 @@ std::vector<std::size_t> Solver::Implementation::replace(const Event& event, con
                                                          const std::vector<std::size_t>& woken) {
     const std::set<std::size_t> changed = changedBy(event, changes, woken);
     const Region region = regionOf(event, changed, woken);
+    disturbed_ = region.isTaken; // what rests on a body reads it from now on
+    if (disturbed_)
+        return {};
     const auto stays = [&](const std::vector<std::size_t>& unknowns) {
         const std::size_t c = componentOf_[unknowns[0]];
         return c != noComponent && components_[c]->unknowns() == unknowns &&

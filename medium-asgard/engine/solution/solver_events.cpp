@@ -58,6 +58,8 @@ void Solver::Implementation::apply(const Event& event) {
     const std::vector<std::size_t> awake = woken(event, changes);
     if (!changes.equations.empty() || !awake.empty())
         touched = replace(event, changes, awake);
+    if (disturbed_)
+        return;
     restart(touched, changes);
     endThose(changes);
     noteStops();

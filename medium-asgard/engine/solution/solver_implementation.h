@@ -90,7 +90,8 @@ private:
     // What an event's new equations make of the components, in solver_equations.cpp.
     struct Region { // all of the groups that they concern
         std::vector<std::size_t> groups, components, unknowns;
-        Partition partition; // anew, of places in `unknowns`
+        Partition partition;  // anew, of places in `unknowns`
+        bool isTaken = false; // one of them was taken from another run: the rest is not filled in
     };
     [[nodiscard]] std::set<std::size_t> changedBy(const Event& event, const Changes& changes,
                                                   const std::vector<std::size_t>& woken);
