@@ -122,6 +122,7 @@ def main():
                 if verdict not in ("within", "within ten"):
                     print(f"{verdict}: {name}, accuracy {accuracy:g}: error {error:.3g} {why}", flush=True)
                     if options.keep:
+                        os.makedirs(options.keep, exist_ok=True)
                         with open(os.path.join(options.keep, name.replace(" ", "_") + ".al"), "w", encoding="utf-8") as file:
                             file.write(scene.text)
     if options.csv:
