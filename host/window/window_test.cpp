@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QFile>
@@ -418,15 +419,22 @@ TEST_F(WindowTest, UndoReachesTheMedium) {
 TEST_F(WindowTest, ANameWithoutAnEndingGetsTheDocuments) {
     DocumentWindow* window = open("DOCUMENT CMEMO\n<CMEMO>\n</CMEMO>\n");
     const QString wanted = folder_.filePath("two");
-    QTimer timer;
-    QObject::connect(&timer, &QTimer::timeout, [&] {
-        if (auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+    QTimer timer, refusing; // the one may wait for what the other ends
+    QObject::connect(&refusing, &QTimer::timeout, [] {
+        if (auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget()))
             question->reject(); // none is expected
-        } else if (auto* dialog = window->findChild<QFileDialog*>()) {
-            dialog->findChild<QLineEdit*>()->setText(wanted);
-            static_cast<QDialog*>(dialog)->accept();
-        }
     });
+    QObject::connect(&timer, &QTimer::timeout, [&] {
+        auto* dialog = window->findChild<QFileDialog*>();
+        if (!dialog || !dialog->isVisible())
+            return;
+        dialog->findChild<QLineEdit*>()->setText(wanted);
+        for (auto* view : dialog->findChildren<QAbstractItemView*>())
+            view->clearSelection(); // as typing does, where the window has the focus
+        if (dialog->selectedFiles().value(0) == wanted + ".ens")
+            static_cast<QDialog*>(dialog)->accept();
+    });
+    refusing.start(20);
     timer.start(20);
     EXPECT_TRUE(window->saveAs());
     EXPECT_TRUE(QFile::exists(wanted + ".ens"));
