@@ -243,11 +243,14 @@ std::vector<double> RestingBodies::timesOf(const Histories& histories, std::size
     const std::size_t first = records_[body].firstUnknown;
     const bool isConstant = free_.contains(body) && free_.at(body).isConstant;
     const double factor = isConstant ? sparse : 1;
-    for (double t = from + factor * strideAfter(from - start_); t < until;
-         t += factor * strideAfter(t - start_))
-        times.push_back(t);
+    double looked = from + factor * strideAfter(from - start_);
+    while (looked < until) {
+        times.push_back(looked);
+        looked += factor * strideAfter(looked - start_);
+    }
     for (const std::size_t unknown : {physics::dx, physics::dy, physics::dz, physics::w1}) {
-        for (double t = from; t < until;) {
+        double t = from;
+        while (t < until) {
             const double end = std::min(histories.piece(first + unknown, t).until, until);
             if (!(end > t))
                 break;
