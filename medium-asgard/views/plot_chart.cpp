@@ -61,11 +61,9 @@ QRectF PlotChart::area() const {
             std::max(1.0, height() - top - bottomSpace)};
 }
 
-QPointF PlotChart::placeOf(double time, double value) const {
-    const QRectF a = area();
-    return {a.left() + (time - start_) / (finish_ - start_) * a.width(),
-            a.bottom() - (value - low_) / (high_ - low_) * a.height()};
-}
+ChartAxes PlotChart::axes() const { return {area(), start_, finish_, low_, high_}; }
+
+QPointF PlotChart::placeOf(double time, double value) const { return axes().place(time, value); }
 
 std::optional<std::size_t> PlotChart::sampleAt(const QPointF& position) const {
     const QRectF a = area();
@@ -100,37 +98,7 @@ void PlotChart::leaveEvent(QEvent*) {
     update();
 }
 
-void PlotChart::paintAxes(QPainter& painter) const {
-    const QRectF a = area();
-    QColor line = palette().color(QPalette::WindowText), text = line;
-    text.setAlpha(170);
-    const auto grid = [&](bool isZero) {
-        line.setAlpha(isZero ? 90 : 28);
-        painter.setPen(line);
-    };
-    const double times = roundStep((finish_ - start_) * 70 / a.width());
-    for (const double time : multiplesOf(times, start_, finish_)) {
-        const double x = placeOf(time, low_).x();
-        grid(time == 0);
-        painter.drawLine(QPointF(x, a.top()), QPointF(x, a.bottom()));
-        painter.setPen(text);
-        const QString label = number(time);
-        painter.drawText(QPointF(x - fontMetrics().horizontalAdvance(label) / 2.0,
-                                 a.bottom() + 5 + fontMetrics().ascent()),
-                         label);
-    }
-    const double values = roundStep((high_ - low_) * 30 / a.height());
-    for (const double value : multiplesOf(values, low_, high_)) {
-        const double y = placeOf(start_, value).y();
-        grid(value == 0);
-        painter.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));
-        painter.setPen(text);
-        const QString label = number(value);
-        painter.drawText(QPointF(a.left() - 6 - fontMetrics().horizontalAdvance(label),
-                                 y + fontMetrics().ascent() / 2.0 - 1),
-                         label);
-    }
-}
+void PlotChart::paintAxes(QPainter& painter) const { views::paintAxes(painter, axes(), palette()); }
 
 void PlotChart::paintCurves(QPainter& painter) const {
     painter.setClipRect(area().adjusted(-1, -1, 1, 1));

@@ -1,6 +1,7 @@
 // One `plot` of a scene: its quantities against time.
 #pragma once
 
+#include "views/chart_axes.h"
 #include <QString>
 #include <QWidget>
 
@@ -32,6 +33,7 @@ public:
     [[nodiscard]] const PlotSamples& samples() const { return samples_; }
     // What the pointer at that place reads: the time and each curve's value.
     [[nodiscard]] QString readingAt(const QPointF& position) const;
+    [[nodiscard]] ChartAxes axes() const;
     [[nodiscard]] QPointF placeOf(double time, double value) const;
 
     [[nodiscard]] QSize sizeHint() const override { return {560, 240}; }

@@ -25,8 +25,6 @@ QColor curveColour(int component) {
     return colours[component];
 }
 
-QString number(double value) { return QString::number(value, 'g', 6); }
-
 } // namespace
 
 TrajectoryGraph::TrajectoryGraph(int component, const QString& name)
@@ -84,10 +82,10 @@ QRectF TrajectoryGraph::area() const {
             std::max(1.0, height() - topSpace - fontMetrics().height() - 8.0)};
 }
 
+ChartAxes TrajectoryGraph::axes() const { return {area(), from_, to_, low_, high_}; }
+
 QPointF TrajectoryGraph::place(double time, double value) const {
-    const QRectF a = area();
-    return {a.left() + (time - from_) / (to_ - from_) * a.width(),
-            a.bottom() - (value - low_) / (high_ - low_) * a.height()};
+    return axes().place(time, value);
 }
 
 double TrajectoryGraph::timeAt(double x) const {
@@ -156,33 +154,7 @@ void TrajectoryGraph::paintEvent(QPaintEvent*) {
 
 void TrajectoryGraph::paintAxes(QPainter& painter) const {
     const QRectF a = area();
-    QColor line = palette().color(QPalette::WindowText), text = line;
-    line.setAlpha(28);
-    text.setAlpha(170);
-    const double times = roundStep((to_ - from_) * 70 / a.width());
-    for (const double time : multiplesOf(times, from_, to_)) {
-        const double x = place(time, low_).x();
-        painter.setPen(line);
-        painter.drawLine(QPointF(x, a.top()), QPointF(x, a.bottom()));
-        painter.setPen(text);
-        const QString label = number(time);
-        painter.drawText(QPointF(x - fontMetrics().horizontalAdvance(label) / 2.0,
-                                 a.bottom() + 4 + fontMetrics().ascent()),
-                         label);
-    }
-    const double values = roundStep((high_ - low_) * 30 / a.height());
-    for (const double value : multiplesOf(values, low_, high_)) {
-        const double y = place(from_, value).y();
-        QColor grid = line;
-        grid.setAlpha(value == 0 ? 90 : 28);
-        painter.setPen(grid);
-        painter.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));
-        painter.setPen(text);
-        const QString label = number(value);
-        painter.drawText(QPointF(a.left() - 6 - fontMetrics().horizontalAdvance(label),
-                                 y + fontMetrics().ascent() / 2.0 - 1),
-                         label);
-    }
+    views::paintAxes(painter, axes(), palette());
     QFont bold = font();
     bold.setBold(true);
     painter.setFont(bold);

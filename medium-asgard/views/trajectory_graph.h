@@ -3,6 +3,7 @@
 #pragma once
 
 #include "editing/trajectory_edit.h"
+#include "views/chart_axes.h"
 
 #include <QWidget>
 
@@ -29,6 +30,7 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {560, 170}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 100}; }
 
+    [[nodiscard]] ChartAxes axes() const;
     [[nodiscard]] QPointF place(double time, double value) const; // in this widget
     [[nodiscard]] double timeAt(double x) const;
     [[nodiscard]] double valueAt(double y) const;

@@ -1,0 +1,44 @@
+#include "views/chart_axes.h"
+
+#include "views/scale.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPalette>
+
+namespace views {
+
+void paintAxes(QPainter& painter, const ChartAxes& axes, const QPalette& palette) {
+    const QRectF& a = axes.area;
+    const QFontMetricsF metrics(painter.font());
+    const auto setLine = [&](bool isStrong) {
+        QColor line = palette.color(QPalette::WindowText);
+        line.setAlpha(isStrong ? 90 : 28);
+        painter.setPen(line);
+    };
+    const auto write = [&](const QPointF& at, const QString& label) {
+        QColor text = palette.color(QPalette::WindowText);
+        text.setAlpha(170);
+        painter.setPen(text);
+        painter.drawText(at, label);
+    };
+    const double span = axes.to - axes.from, height = axes.high - axes.low;
+    for (const double time : multiplesOf(roundStep(span * 70 / a.width()), axes.from, axes.to)) {
+        const double x = axes.place(time, axes.low).x();
+        setLine(false);
+        painter.drawLine(QPointF(x, a.top()), QPointF(x, a.bottom()));
+        const QString label = QString::number(time, 'g', 6);
+        write({x - metrics.horizontalAdvance(label) / 2, a.bottom() + 4 + metrics.ascent()}, label);
+    }
+    for (const double value :
+         multiplesOf(roundStep(height * 30 / a.height()), axes.low, axes.high)) {
+        const double y = axes.place(axes.from, value).y();
+        setLine(value == 0);
+        painter.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));
+        const QString label = QString::number(value, 'g', 6);
+        write({a.left() - 6 - metrics.horizontalAdvance(label), y + metrics.ascent() / 2 - 1},
+              label);
+    }
+}
+
+} // namespace views
