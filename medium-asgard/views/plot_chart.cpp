@@ -1,7 +1,6 @@
 #include "views/plot_chart.h"
 
 #include "charts/marks.h"
-#include "views/scale.h"
 
 #include <QMouseEvent>
 #include <QPainter>

@@ -1,7 +1,5 @@
 #include "views/trajectory_graph.h"
 
-#include "views/scale.h"
-
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
