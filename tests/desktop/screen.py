@@ -31,7 +31,8 @@ class Picture:
 class Screen:
     def __init__(self, folder, size="1100x1000x24"):
         reading, writing = os.pipe()
-        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(writing), "-screen", "0", size, "-nolisten", "tcp"],
+        # Without -noreset the server begins anew whenever its last client leaves, and throws out who comes at that moment.
+        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(writing), "-screen", "0", size, "-nolisten", "tcp", "-noreset"],
                                        pass_fds=[writing], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(writing)
         with os.fdopen(reading) as f:
@@ -39,8 +40,16 @@ class Screen:
         run = os.path.join(folder, "run")
         os.mkdir(run, 0o700)
         self.environment = {"PATH": os.environ["PATH"], "HOME": folder, "DISPLAY": display, "XDG_RUNTIME_DIR": run, "LC_ALL": "C.UTF-8"}
-        self.manager = subprocess.Popen(["openbox"], env=self.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        until("the window manager runs", lambda: b"window id" in self.output("xprop", "-root", "_NET_SUPPORTING_WM_CHECK"))
+        self.words = os.path.join(folder, "window-manager")
+        with open(self.words, "wb") as f:
+            self.manager = subprocess.Popen(["openbox"], env=self.environment, stdout=f, stderr=f)
+        until("the window manager runs", self.isManaged)
+
+    def isManaged(self):
+        if self.manager.poll() is not None:
+            with open(self.words) as f:
+                raise AssertionError(f"the window manager ended ({self.manager.returncode}): {f.read()}")
+        return b"window id" in self.output("xprop", "-root", "_NET_SUPPORTING_WM_CHECK")
 
     def close(self):
         for process in (self.manager, self.server):
