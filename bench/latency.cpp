@@ -32,27 +32,38 @@ using Clock = std::chrono::steady_clock;
     std::exit(1);
 }
 
-double since(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
+double between(Clock::time_point begin, Clock::time_point end) {
+    return std::chrono::duration<double>(end - begin).count();
 }
 
 void handleEventsUntil(const std::function<bool()>& condition) {
     const auto begin = Clock::now();
     while (!condition()) {
-        if (since(begin) > 20)
+        if (between(begin, Clock::now()) > 20)
             stop("waited for 20 s for a handle, a picture or a motion");
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
     }
 }
 
+// When the window was painted: other windows may be painted before the events are through.
 class Paints : public QObject {
 public:
     explicit Paints(QWidget& of) { of.installEventFilter(this); }
-    bool eventFilter(QObject*, QEvent* event) override {
-        count += event->type() == QEvent::Paint ? 1 : 0;
-        return false;
+    bool eventFilter(QObject* of, QEvent* event) override {
+        if (event->type() != QEvent::Paint)
+            return false;
+        of->event(event);
+        last = Clock::now();
+        if (++count == awaited)
+            first = last;
+        return true;
     }
-    int count = 0;
+    // From now on.
+    void await() { awaited = count + 1; }
+    [[nodiscard]] bool came() const { return count >= awaited; }
+
+    int count = 0, awaited = 0;
+    Clock::time_point first, last;
 };
 
 struct Latencies {
@@ -74,20 +85,21 @@ public:
         send(QEvent::MouseButtonPress, start, Qt::LeftButton);
         Latencies all;
         for (int i = 1; i <= moves; ++i) {
-            const int painted = paints_.count, moved = motions_;
+            const int moved = motions_;
+            paints_.await();
             const auto begin = Clock::now();
             // To and fro, so that the scene stays one of its kind.
             send(QEvent::MouseMove, start + QPointF(i % 40 < 20 ? i % 20 : 20 - i % 20, i % 7),
                  Qt::NoButton);
-            handleEventsUntil([&] { return paints_.count > painted && display_.showsNewest(); });
-            all.toHandle.push_back(since(begin));
+            handleEventsUntil([&] { return paints_.came(); });
+            all.toHandle.push_back(between(begin, paints_.first)); // drawn over the picture
             handleEventsUntil([&] {
                 return motions_ > moved && document_.sceneIsCurrent() &&
                        document_.work() == views::Work::none;
             });
             handleEventsUntil(
                 [&] { return paints_.count > paintsBefore_ && display_.showsNewest(); });
-            all.toMotion.push_back(since(begin));
+            all.toMotion.push_back(between(begin, paints_.last));
         }
         send(QEvent::MouseButtonRelease, start, Qt::LeftButton);
         handleEventsUntil([&] { return document_.work() == views::Work::none; });

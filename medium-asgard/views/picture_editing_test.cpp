@@ -99,6 +99,22 @@ TEST_F(PictureEditingTest, AHandleChangesItsNumbersAndNothingElseInOneStep) {
     EXPECT_EQ(scene().bodies[0].initialPosition.x(), x);
 }
 
+// As while the view is turned: the pictures are many, and the last one is what is looked at.
+TEST_F(PictureEditingTest, PicturesAreCoarseWhileAHandleIsDraggedAndThenFine) {
+    open(ball + "body b1 ball\n");
+    const QPoint start = pixels({0, 0, 0});
+    press(start);
+    bool becameFine = false;
+    for (int i = 1; i <= 10 && !becameFine; ++i) { // a slow machine may be late for the coarse one
+        moveTo(start + QPoint(10 * i, 0));
+        ASSERT_TRUE(settle(editor.document()));
+        const QImage coarse = display().grab().toImage();
+        becameFine = QTest::qWaitFor([&] { return display().grab().toImage() != coarse; }, 2000);
+    }
+    EXPECT_TRUE(becameFine);
+    EXPECT_TRUE(display().editing().dragging());
+}
+
 // Another process may change the text while one is asked.
 TEST_F(PictureEditingTest, WhatWasChangedWhileOneWasAskedIsNotCutInto) {
     open(ballScene + "force -body b1 -x 1 -y 0 -z 0\n");

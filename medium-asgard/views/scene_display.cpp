@@ -173,7 +173,8 @@ void SceneDisplay::sceneChanged() {
     motionChanged();
 }
 
-void SceneDisplay::motionChanged() { redraw(moving_); }
+// While a handle is dragged pictures are many: each is coarse, and the last one fine.
+void SceneDisplay::motionChanged() { redraw(moving_ || editing_.dragging()); }
 
 void SceneDisplay::movedByUser() {
     framesItself_ = turned_ = false;
