@@ -197,7 +197,7 @@ std::string Writer::shortened(const std::string& line) const {
 // Bodies on which the same acts are told together, in the order of the scene.
 std::string Writer::acting() const {
     std::vector<std::pair<std::string, std::vector<std::string>>> groups;
-    for (const Explanation::Acting& acting : explanation_.acting) {
+    for (const simulation::Acting& acting : explanation_.acting) {
         const std::string what = acting.what.empty() ? "nothing" : sentenceOf(acting.what);
         auto group = std::ranges::find(groups, what, [](const auto& g) { return g.first; });
         if (group == groups.end())
@@ -391,7 +391,7 @@ std::string explanationJson(const Explanation& explanation) {
     for (const Explanation::Never& n : explanation.never)
         never.push_back({{"a", n.a}, {"b", n.b}, {"why", n.why}});
     Json acting = Json::array();
-    for (const Explanation::Acting& a : explanation.acting)
+    for (const simulation::Acting& a : explanation.acting)
         acting.push_back({{"body", a.body}, {"what", a.what}});
     Json json = {{"acting", acting},
                  {"components", components},

@@ -1,5 +1,5 @@
-// What acts on each body, in the words of the scene: at rest and in motion; see explanation.h.
-#include "simulation/explanation.h"
+#include "simulation/acting.h"
+
 #include "simulation/run.h"
 
 #include <algorithm>
@@ -87,9 +87,9 @@ std::string holdText(const scene::Scene& scene, const scene::Constraint& constra
     return text;
 }
 
-class Acting {
+class WhatActs {
 public:
-    Acting(const Problem& problem, const Run& run) : problem_(problem), run_(run) {
+    WhatActs(const Problem& problem, const Run& run) : problem_(problem), run_(run) {
         for (const scene::Force& force : problem.scene.forces)
             add(force.body, forceText(force));
         for (const scene::Link& link : problem.scene.links) {
@@ -103,8 +103,8 @@ public:
         addSupports();
     }
 
-    [[nodiscard]] std::vector<Explanation::Acting> result() {
-        std::vector<Explanation::Acting> list;
+    [[nodiscard]] std::vector<Acting> result() {
+        std::vector<Acting> list;
         for (const scene::Body& body : problem_.scene.bodies)
             if (!body.fixed)
                 list.push_back({body.name, std::move(what_[body.name])});
@@ -150,8 +150,8 @@ private:
 
 } // namespace
 
-std::vector<Explanation::Acting> actingOn(const Problem& problem, const Run& run) {
-    return Acting(problem, run).result();
+std::vector<Acting> actingOn(const Problem& problem, const Run& run) {
+    return WhatActs(problem, run).result();
 }
 
 } // namespace simulation

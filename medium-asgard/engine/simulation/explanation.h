@@ -4,6 +4,8 @@
 // and differs is told too.
 #pragma once
 
+#include "simulation/acting.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -30,10 +32,6 @@ struct Explanation {
         std::vector<std::string> unknowns;
         std::string text;
     };
-    struct Acting { // on a body that is not fixed
-        std::string body;
-        std::vector<std::string> what; // "gravity {0 -9.81 0}", "a link to rod2 (tightness 100)"
-    };
     std::vector<Acting> acting;
     std::vector<Component> components;
     std::vector<Phases> phases;
@@ -44,9 +42,6 @@ struct Explanation {
     std::size_t neverLeftOut = 0; // such pairs that the list has no place for
 };
 
-struct Problem;
-struct Run;
 [[nodiscard]] Explanation explanationOf(const Problem& problem, const Run& run);
-[[nodiscard]] std::vector<Explanation::Acting> actingOn(const Problem& problem, const Run& run);
 
 } // namespace simulation
