@@ -2,6 +2,7 @@
 
 #include "collision/polynomial.h"
 #include "collision/spheres.h"
+#include "collision/turning_axis.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,9 +97,10 @@ private:
             stepOutOf(now);
             return;
         }
-        // A step too short to matter is made as long as sinking in unnoticed allows.
+        // A step too short to matter is made as long as sinking in unnoticed allows; so is each one
+        // of those that stay in touch and get nowhere.
         const double away = nextContact(axis, 0, true);
-        if (away * pair_.relativeSpeed(t_) > unnoticed_)
+        if (result_.evaluations <= patience && away * pair_.relativeSpeed(t_) > unnoticed_)
             moveBy(away);
         else
             moveBy(std::max(away, nextContact(axis, unnoticed_, false)));
@@ -155,7 +157,7 @@ private:
             window = std::max(4 * s, window / 4096);
         }
         if (result_.evaluations > patience)
-            best = std::max(best, nextAlongTurningAxes(n, gap, leaving));
+            best = std::max(best, nextAlongTurningAxes(n, gap));
         lastWindow = std::max(16 * best, 1e-12 * left());
         // Nothing within the window: only that much is known.
         return best >= left() ? 2 * left() : best;
@@ -177,76 +179,17 @@ private:
         return s;
     }
 
-    // The same along an axis that turns with one of the parts: a face that rolls off an edge stays
-    // beside it along its own normal, and along no fixed line.
-    double nextAlongTurningAxes(const Vector& n, double gap, bool leaving) {
-        double best = 0;
-        for (double window = std::min(left(), turningWindow_);; window /= 16) {
-            for (const bool isFirst : {true, false})
-                best = std::max(best, alongTurningAxis(n, gap, window, leaving, isFirst));
-            if (best > window / 64 || window < 1e-14 * left())
-                break;
-        }
-        turningWindow_ = std::max(64 * best, 1e-12 * left());
-        return best;
-    }
-
-    // With the axis n fixed in `owner`, whose extent along it then stays, and x a vertex of the
-    // other part from the owner's pivot, the distance of x from the owner's side changes at
-    //     m . (x' - w x x)      m: the axis from the owner towards the other
-    // and that rate by at most |x''| + 2 |w| |x'| + (|w'| + |w|^2) |x|. The least of the vertices'
-    // straight lines is concave in s, so that it lies above its chord over the window.
-    double alongTurningAxis(const Vector& n, double gap, double window, bool leaving,
-                            bool isFirst) const {
-        const PartMotion& owner = isFirst ? pair_.first : pair_.second;
-        const PartMotion& other = isFirst ? pair_.second : pair_.first;
-        if (!owner.turns())
-            return 0;
-        const Vector m = isFirst ? Vector(-n) : n;
-        const Velocity own = velocityAt(owner.piece, t_), its = velocityAt(other.piece, t_);
-        const Vector away = positionAt(other.piece, t_) - positionAt(owner.piece, t_);
-        const Posed posed = other.posedAt(t_, positionAt(other.piece, t_)); // levers
-        double now = HUGE_VAL, then = HUGE_VAL, furthest = 0;
-        for (std::size_t v = 0; v < other.part->core.vertices.size(); ++v) {
-            const Vector lever = posed.world(v), x = away + lever;
-            const Vector speed = its.linear + its.angular.cross(lever) - own.linear;
-            const double place = m.dot(x), rate = m.dot(speed - own.angular.cross(x));
-            now = std::min(now, place);
-            then = std::min(then, place + window * rate);
-            furthest = std::max(furthest, x.norm());
-        }
-        const TurnBounds a = turnBounds(owner.piece, t_, t_ + window);
-        const TurnBounds b = turnBounds(other.piece, t_, t_ + window);
-        const auto [speed, acceleration] = pathBounds(window);
-        const double fastest = speed + b.angularSpeed * other.reach;
-        const double bend =
-            acceleration + (b.angularSpeed * b.angularSpeed + b.angularAcceleration) * other.reach +
-            2 * a.angularSpeed * fastest +
-            (a.angularSpeed * a.angularSpeed + a.angularAcceleration) *
-                (furthest + window * fastest);
-        if (!std::isfinite(bend))
-            return 0;
-        Polynomial p;
-        p.count = 3;
-        p.terms[0] = gap;
-        p.terms[1] = (then - now) / window;
-        p.terms[2] = -bend / 2;
-        return std::min(root(p, window, leaving), window);
-    }
-
-    // Of the pivots against each other: the largest speed and acceleration within the window.
-    [[nodiscard]] std::pair<double, double> pathBounds(double window) const {
-        double speed = 0, acceleration = 0;
-        for (const Polynomial& p : relativePath(pair_.first.piece, pair_.second.piece, t_)) {
-            double power = 1;
-            for (std::size_t k = 1; k < p.count; ++k, power *= window) {
-                const double term = static_cast<double>(k) * std::abs(p.terms[k]);
-                speed += term * power;
-                if (k > 1)
-                    acceleration += static_cast<double>(k - 1) * term * power / window;
-            }
-        }
-        return {speed, acceleration};
+    // The same along axes that turn with the parts.
+    double nextAlongTurningAxes(const Vector& n, double gap) {
+        const double apart = apartFor({.pair = pair_,
+                                       .normal = n,
+                                       .t = t_,
+                                       .gap = gap,
+                                       .unnoticed = std::max(unnoticed_ - gap, 0.0),
+                                       .left = left(),
+                                       .firstWindow = turningWindow_});
+        turningWindow_ = std::max(64 * apart, 1e-9 * left());
+        return apart;
     }
 
     // n . (p(t + s) - p(t)), the constant term left 0.

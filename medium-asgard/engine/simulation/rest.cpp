@@ -75,9 +75,12 @@ public:
         do
             bearWhatPresses();
         while (rest_.state != Rest::State::approaching && isPassingPressed());
-        if (rest_.state == Rest::State::free) // goes on from where it does not overlap
+        if (rest_.state == Rest::State::free) { // goes on from where it does not overlap
             for (const Candidate& candidate : touches_)
                 moveOut(candidate.touch);
+            for (const Candidate& candidate : passing_)
+                moveOut(partingAxis(candidate.touch));
+        }
         return rest_;
     }
 
@@ -251,6 +254,15 @@ private:
         return v.unaryExpr([least = rounding * v.cwiseAbs().maxCoeff()](double x) {
             return std::abs(x) <= least ? 0 : x;
         });
+    }
+
+    // Of the axes of a touch that along which they part fastest.
+    static const Touch& partingAxis(const Touch& touch) {
+        const Touch* fastest = &touch;
+        for (const Touch& other : touch.others)
+            if (other.rate() > fastest->rate())
+                fastest = &other;
+        return *fastest;
     }
 
     // To where it does not overlap.
