@@ -266,6 +266,9 @@ namespace {
 
 // A document without its first line begins with an element.
 bool looksLikeADocument(std::string_view bytes) {
+    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+    if (bytes.starts_with(byteOrderMark))
+        bytes.remove_prefix(byteOrderMark.size());
     const auto first = bytes.find_first_not_of(" \t\r\n");
     return first == bytes.npos || bytes[first] == '<' ||
            bytes.substr(first).starts_with("DOCUMENT");

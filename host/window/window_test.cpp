@@ -320,6 +320,8 @@ TEST_F(WindowTest, ABrokenFileIsShownWithItsFaults) {
         });
     };
     EXPECT_TRUE(says(window, QStringLiteral("This file is damaged.")));
+    DocumentWindow* marked = open("\xEF\xBB\xBF<CMEMO>\n<SUBJECT>{Half");
+    EXPECT_TRUE(waitFor([&] { return says(marked, QStringLiteral("This file is damaged.")); }));
     DocumentWindow* scene = open("simulator -finish 5\nbody b s\n");
     EXPECT_TRUE(waitFor([&] { return says(scene, QStringLiteral("no document")); }));
 }

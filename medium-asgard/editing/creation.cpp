@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <set>
 
 namespace editing {
@@ -21,6 +22,8 @@ constexpr Kind order[] = {Kind::parameter, Kind::shapeSet, Kind::trajectory, Kin
                           Kind::view,      Kind::plot};
 
 std::size_t countOf(const scene::Scene& scene, Kind kind) {
+    if (kind == Kind::simulator) // whatever its index
+        return sourceOf(scene, {kind, 0}) ? 1 : 0;
     std::size_t count = 0;
     while (sourceOf(scene, {kind, count}))
         ++count;
@@ -38,7 +41,11 @@ class Writing {
 public:
     Writing(const std::string& text, const scene::Scene& scene)
         : text_(text), scene_(scene), structure_(script::structureOf(text)),
-          lineBreak_(lineBreakOf(text)) {}
+          lineBreak_(lineBreakOf(text)) {
+        for (const Kind kind : order)
+            counts_[kind] = countOf(scene, kind);
+        counts_[Kind::simulator] = countOf(scene, Kind::simulator);
+    }
 
     void add(const NewElement& element);
     [[nodiscard]] std::vector<TextEdit> edits() const { return edits_; }
@@ -60,6 +67,7 @@ private:
     const scene::Scene& scene_;
     Structure structure_;
     std::string lineBreak_;
+    std::map<Kind, std::size_t> counts_;
     std::vector<TextEdit> edits_;
 };
 
@@ -108,7 +116,7 @@ Writing::Place Writing::placeFor(const NewElement& element) const {
             place.indent = indentOf(text_, outermost(structure_, *command));
     };
     const auto last = [&](Kind kind, bool ofItsKind) {
-        if (const std::size_t count = countOf(scene_, kind))
+        if (const std::size_t count = counts_.at(kind))
             take({kind, count - 1}, ofItsKind);
     };
     last(element.kind, true);

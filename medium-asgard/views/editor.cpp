@@ -33,7 +33,7 @@ template <class Window> QList<Window*> alive(const QList<QPointer<Window>>& wind
 
 // A new window lies a little below and right of the one that asked for it, within the screen.
 void placeBeside(QWidget& window, const QWidget* asked) {
-    if (!asked || window.isVisible())
+    if (!asked)
         return;
     constexpr int step = 40, frame = 8, title = 32;
     const QRect screen = asked->screen()->availableGeometry();
@@ -157,9 +157,10 @@ ControlPanel* Editor::openControlPanel() {
 }
 
 TrajectoryEditor* Editor::openTrajectoryEditor() {
-    if (!trajectoryEditor_)
+    if (!trajectoryEditor_) {
         trajectoryEditor_ = new TrajectoryEditor(document_);
-    placeBeside(*trajectoryEditor_, QApplication::activeWindow());
+        placeBeside(*trajectoryEditor_, QApplication::activeWindow());
+    }
     trajectoryEditor_->show();
     trajectoryEditor_->raise();
     trajectoryEditor_->activateWindow();
@@ -167,11 +168,12 @@ TrajectoryEditor* Editor::openTrajectoryEditor() {
 }
 
 ShapeEditor* Editor::openShapeEditor(const QString& name) {
-    if (!shapeEditor_)
+    if (!shapeEditor_) {
         shapeEditor_ = new ShapeEditor(document_);
+        placeBeside(*shapeEditor_, QApplication::activeWindow());
+    }
     if (const QString wanted = name.isEmpty() ? selectedShape(document_) : name; !wanted.isEmpty())
         shapeEditor_->showShape(wanted);
-    placeBeside(*shapeEditor_, QApplication::activeWindow());
     shapeEditor_->show();
     shapeEditor_->raise();
     shapeEditor_->activateWindow();
@@ -179,9 +181,10 @@ ShapeEditor* Editor::openShapeEditor(const QString& name) {
 }
 
 PlotsWindow* Editor::openPlots() {
-    if (!plots_)
+    if (!plots_) {
         plots_ = new PlotsWindow(document_);
-    placeBeside(*plots_, QApplication::activeWindow());
+        placeBeside(*plots_, QApplication::activeWindow());
+    }
     plots_->show();
     plots_->raise();
     plots_->activateWindow();

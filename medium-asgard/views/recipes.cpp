@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <set>
 
 namespace views {
 
@@ -209,14 +210,14 @@ Recipe weightForAll(const Vector& acceleration) {
     recipe.label = QObject::tr("Gravity for All Bodies");
     recipe.make = [acceleration](const std::string&, const scene::Scene& scene,
                                  const std::vector<Indicated>&) {
+        std::set<std::string> heavy;
+        for (const scene::Force& force : scene.forces)
+            if (!force.couple && std::holds_alternative<scene::GravitationalForce>(force.kind))
+                heavy.insert(force.body);
         std::vector<NewElement> made;
         for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
             const scene::Body& body = scene.bodies[i];
-            const bool heavy = std::ranges::any_of(scene.forces, [&](const scene::Force& force) {
-                return force.body == body.name && !force.couple &&
-                       std::holds_alternative<scene::GravitationalForce>(force.kind);
-            });
-            if (!body.fixed && !heavy)
+            if (!body.fixed && !heavy.contains(body.name))
                 made.push_back({Kind::force,
                                 "",
                                 {"-body", body.name, "-gravitational", listed(acceleration, 0)},

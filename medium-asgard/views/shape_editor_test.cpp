@@ -273,6 +273,19 @@ TEST_F(ShapeEditorTest, OpensWithTheShapeOfWhatIsSelected) {
     EXPECT_EQ(opened->shape(), "a");
 }
 
+TEST_F(ShapeEditorTest, OpenedAgainItStandsWhereItWasPut) {
+    Editor all(made.workshop());
+    all.document().setText(ballScene, "Edit");
+    ASSERT_TRUE(settle(all.document()));
+    GraphicalViewer* viewer = all.openGraphicalViewer();
+    QApplication::setActiveWindow(viewer);
+    ShapeEditor* opened = all.openShapeEditor();
+    opened->move(123, 45);
+    opened->hide();
+    all.openShapeEditor();
+    EXPECT_EQ(opened->pos(), QPoint(123, 45));
+}
+
 TEST_F(ShapeEditorTest, EverythingIsDoneByKeysToo) {
     editor->display().setFocus();
     QTest::keyClick(editor.get(), Qt::Key_PageDown);

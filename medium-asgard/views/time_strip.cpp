@@ -78,19 +78,19 @@ QSize TimeStrip::sizeHint() const { return {200, 2 * fontMetrics().height() + 18
 
 void TimeStrip::follow() {
     const auto& scene = *document_.shown().scene;
-    const auto before = trajectory_;
-    trajectory_.reset();
+    std::optional<std::size_t> selected;
     for (const editing::Element& one : document_.selected())
         if (one.kind == editing::Kind::trajectory && one.index < scene.trajectories.size() &&
             !scene.trajectories[one.index].curves.empty()) {
-            trajectory_ = one.index;
+            selected = one.index;
             break;
         }
-    if (before != trajectory_) {
-        // A mark that is held is none of what is shown now.
+    if (selected != trajectory_) {
+        // A mark that is held is none of what is shown now; what it did has the old one's name.
         if (grip_ == Grip::mark)
             grip_ = Grip::none;
         finish();
+        trajectory_ = selected;
         chosen_.reset();
         delete field_;
     }
@@ -124,9 +124,9 @@ void TimeStrip::updateVisibility() {
 }
 
 QString TimeStrip::name() const {
-    return trajectory_
-               ? QString::fromStdString(document_.shown().scene->trajectories[*trajectory_].name)
-               : QString();
+    const auto& all = document_.shown().scene->trajectories;
+    return trajectory_ && *trajectory_ < all.size() ? QString::fromStdString(all[*trajectory_].name)
+                                                    : QString();
 }
 
 const std::vector<scene::BezierCurve>& TimeStrip::curves() const {

@@ -201,6 +201,16 @@ TEST_F(TimeStripTest, DeleteDoesNotTakeBackWhatAnArrowThatIsStillDownHasRetimed)
     EXPECT_EQ(times(), (std::vector<double>{0, 4}));
 }
 
+TEST_F(TimeStripTest, AStepHasTheNameOfTheTrajectoryThatItRetimed) {
+    open(line + "trajectory U -points {{0 0 0 0} {1 1 1 1}}\n");
+    QTest::mousePress(&strip(), Qt::LeftButton, {}, at(1));
+    moveTo(at(1.5));
+    ASSERT_TRUE(settle(editor.document()));
+    editor.document().select({{editing::Kind::trajectory, 1}});
+    EXPECT_EQ(editor.document().undoLabel(), "Retime point 2 of T");
+    QTest::mouseRelease(&strip(), Qt::LeftButton, {}, at(1.5));
+}
+
 TEST_F(TimeStripTest, AMarkThatIsHeldWhileTheTextIsChangedElsewhereSaysSo) {
     open(line);
     QTest::mousePress(&strip(), Qt::LeftButton, {}, at(1));
