@@ -32,6 +32,14 @@ double secondsOf(const Run& before, const solution::TakenMotion& taken) {
     return before.secondsMoving * part / all;
 }
 
+// What a step from the finish on, or one for a reader, ran into: all is known up to there. What an
+// event does at the finish counts.
+bool endsLater(const solution::Stop& stop, double start, double finish) {
+    using enum solution::Stop::Reason;
+    const bool isEvent = stop.reason == source || stop.reason == tooManyEvents;
+    return stop.time > finish || (stop.time == finish && finish > start && !isEvent);
+}
+
 } // namespace
 
 // Islands in which nothing was hit, nothing stopped and nothing is to be solved again.
@@ -143,7 +151,9 @@ void OpenRun::publish(double known) {
 Run OpenRun::collect(double until) {
     Run run;
     run.histories = machinery_->solver->snapshot();
-    if (furthest_ > until)
+    if (furthest_ > until || std::ranges::any_of(run.histories->stops(), [&](const auto& stop) {
+            return endsLater(stop, problem_.start(), until);
+        }))
         run.histories = run.histories->upTo(until);
     run.stops = stopsOf(problem_, *run.histories, until);
     run.statistics = machinery_->solver->statistics();

@@ -58,6 +58,46 @@ TEST(Stops, WhatIsNotANumberIsNamedWithItsExpression) {
                           "its x, \"sqrt(1-t)\", is not a number"));
 }
 
+// Up to its finish the motion needs no value beyond it. 10 t is 3 at the double 0.3.
+TEST(Stops, WhatHasNoValueBeyondTheFinishIsKnownUpToIt) {
+    struct Case {
+        std::string force;
+        double finish, speed; // then
+    };
+    for (const auto& [force, finish, speed] :
+         {Case{"sqrt(10-t)", 10, 2 * std::pow(10, 1.5) / 3}, Case{"sqrt(3-10*t)", 0.3, 0.346410162},
+          Case{"pow(10-t,1.5)", 10, 0.4 * std::pow(10, 2.5)},
+          Case{"(10-t)^0.3", 10, std::pow(10, 1.3) / 1.3}, Case{"t<2?1:sqrt(3-2*t)", 2, 2}}) {
+        for (const double accuracy : {1e-3, 1e-6, 1e-9}) {
+            scene::Scene scene = pushed(force, finish);
+            scene.simulator.accuracy = accuracy;
+            const Result result = simulate(scene);
+            EXPECT_FALSE(result.motion->stop(0)) << force << " at " << accuracy;
+            EXPECT_EQ(result.motion->computed(), finish) << force;
+            EXPECT_NEAR(result.motion->at(0, finish).velocity.x(), speed, 100 * accuracy) << force;
+        }
+    }
+}
+
+// It stops there all the same where it is to go on, and reads so after an edit of the finish.
+TEST(Stops, BeyondTheFinishAreNone) {
+    Resimulation edited;
+    EXPECT_FALSE(testing::updated(edited, pushed("sqrt(10-t)", 10)).motion->stop(0));
+    const auto stop = testing::updated(edited, pushed("sqrt(10-t)", 12)).motion->stop(0);
+    ASSERT_TRUE(stop);
+    EXPECT_EQ(stop->time, 10);
+    EXPECT_FALSE(testing::updated(edited, pushed("sqrt(10-t)", 10)).motion->stop(0));
+}
+
+// At its finish itself such a force is infinite.
+TEST(Stops, AnInfiniteForceAtTheFinishIsSaid) {
+    for (const std::string force : {"1/sqrt(10-t)", "log(10-t)", "1/(10-t)^2"}) {
+        const auto stop = simulate(pushed(force, 10)).motion->stop(0);
+        ASSERT_TRUE(stop) << force;
+        EXPECT_NEAR(stop->time, 10, 1e-6) << force;
+    }
+}
+
 // x = 1 + v t.
 TEST(Stops, MotionInClosedFormEndsWhereItGoesOver1e100) {
     SceneBuilder b(1e60, 1e-4);

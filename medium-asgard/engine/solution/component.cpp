@@ -106,6 +106,7 @@ void Component::takeEquations(std::vector<std::size_t> phases) {
     if (equations_ && phases == phases_)
         return;
     phases_ = std::move(phases);
+    recentSwitches_.clear();
     equations_ = std::make_unique<ComponentEquations>(
         std::make_shared<const BoundModel>(
             boundModel(*set_, around_.index, around_.zero, unknowns_, phases_, around_.models)),
@@ -268,7 +269,7 @@ void Component::backTo(double t) {
     counts_.discardedSteps += history_->cut(t);
     while (checkpoints_.size() > 1 && checkpoints_.back().time > t)
         checkpoints_.pop_back();
-    while (!recentSwitches_.empty() && recentSwitches_.back() > t)
+    while (!recentSwitches_.empty() && recentSwitches_.back().time > t)
         recentSwitches_.pop_back();
     while (!stays_.empty() && stays_.back() > t)
         stays_.pop_back();

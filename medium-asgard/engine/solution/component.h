@@ -156,6 +156,7 @@ private:
     [[nodiscard]] bool overflows();
     [[nodiscard]] bool refuse(const Attempt& attempt, double h);
     [[nodiscard]] bool stepAcross(double h);
+    [[nodiscard]] bool reachLastRate(double h);
     void stopAtUnderflow(Attempt::Outcome outcome, double h);
     void arrive(); // at limit_: a phase, an input's event, an input's end
 
@@ -167,6 +168,8 @@ private:
     [[nodiscard]] std::size_t patience() const { return equations_->watches() + 1; }
     [[nodiscard]] ComponentEquations::Passing passing(const Violation& violation, bool immediate);
     [[nodiscard]] bool haveSwitched(std::size_t times) const;
+    [[nodiscard]] bool swingsShrink() const;
+    [[nodiscard]] bool comesToRest(std::vector<double>& y);
     [[nodiscard]] bool leaves(const Violation& found, double scale,
                               std::span<const Coefficients> columns);
     [[nodiscard]] std::string switchingWith(const Violation& violation) const;
@@ -226,7 +229,11 @@ private:
     bool fresh_ = true;          // the next piece begins at an event
 
     std::size_t immediate_ = 0; // switches since time last advanced
-    std::deque<double> recentSwitches_;
+    struct Switch {
+        double time;
+        std::vector<std::size_t> surfaces;
+    };
+    std::deque<Switch> recentSwitches_;
     std::vector<double> stays_; // on surfaces that rounding crossed to and fro: when
 
     // What later steps depend on besides the values, for going back.

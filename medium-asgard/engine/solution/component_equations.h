@@ -14,9 +14,11 @@
 // is how a block that friction stops stays where it is. Where a state is itself the guard, its rate
 // is set to 0, so that it stays exactly.
 //
+// On floor and ceil it slides along a whole number, between the branches beside it.
+//
 // LIMIT: with several surfaces at once f is taken as affine in the weights, which holds unless
-// switching terms multiply each other or stand in each other's guards. On floor and ceil nothing
-// slides. Such motion ends with a reason when it cannot go on.
+// switching terms multiply each other or stand in each other's guards. Such motion ends with a
+// reason when it cannot go on.
 #pragma once
 
 #include "expression/function.h"
@@ -99,6 +101,11 @@ public:
     // At that point the motion has left a surface on which it stood: cross() may go back to where
     // it stood, and let it leave from there. What lies between is less than watches tell.
     [[nodiscard]] bool looksAhead(const Violation& violation, double t, std::span<const double> y);
+    // Swings about these surfaces have come to their end, in ever shorter times: is the motion held
+    // on all of them, within that reach of its states? Then it is from now on, and y is put there.
+    [[nodiscard]] bool holdOn(const std::vector<std::size_t>& surfaces, double t,
+                              std::span<const double> reach, std::span<double> y);
+    [[nodiscard]] std::vector<std::size_t> surfacesOf(const Violation& violation) const;
     [[nodiscard]] bool sliding() const { return !sliding_.empty(); }
     // Unknowns (places) that the guards of its watches read, and those of other components.
     [[nodiscard]] std::vector<std::size_t> unknownsOf(const Violation& violation) const;
@@ -144,6 +151,9 @@ private:
     [[nodiscard]] bool isTouched(std::size_t surface);
     [[nodiscard]] std::vector<std::size_t> symbolsOf(const Violation& violation) const;
     [[nodiscard]] bool passWhole(std::size_t surface, bool insist);
+    void slideBetween(std::size_t surface, expression::Decision before);
+    [[nodiscard]] double valueOf(std::size_t surface);
+    [[nodiscard]] bool holdsOn(const std::vector<std::size_t>& surfaces);
     [[nodiscard]] bool settleWeights(double t, std::span<const double> y);
     void project(double t, std::span<double> y);
     [[nodiscard]] bool differences(double t, std::span<const double> y, std::span<double> entries);
@@ -156,6 +166,8 @@ private:
     std::vector<double> out_, base_, other_, guards_;
 
     std::vector<int> sides_; // -1, 0, 1; of sliding surfaces -1
+    // Of floors and ceilings that slide: the whole number on which they do.
+    std::vector<expression::Decision> levels_;
     std::vector<int> ahead_; // those that looksAhead() saw, by surface
     // Of floors and ceilings: they are passed to and fro by rounding alone, which counts for
     // nothing.

@@ -1,7 +1,6 @@
-// Which side of each surface holds, and sliding on surfaces; see component_equations.h.
+// Which side of each surface holds; see component_equations.h. What slides on surfaces is in
+// component_sliding.cpp.
 #include "solution/component_equations.h"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +13,12 @@ using expression::Node;
 
 void ComponentEquations::setSide(std::size_t surface, int side) {
     sides_[surface] = side;
+    if (model_.surfaces()[surface].whole) { // the branches beside that whole number
+        const Decision above = model_.surfaces()[surface].ceiling ? 1 : 0;
+        decisions_[model_.surfaces()[surface].members[0].decision] =
+            levels_[surface] + above - (side > 0 ? 0 : 1);
+        return;
+    }
     for (const Surface::Member& member : model_.surfaces()[surface].members)
         decisions_[member.decision] = Decision{side} * member.orientation;
 }
@@ -50,46 +55,6 @@ ComponentEquations::Slope ComponentEquations::guardRate(std::size_t surface,
     }
     slope.near += 1e-12 * std::abs(slope.rate) * std::max(1.0, std::abs(in_[0]));
     return slope;
-}
-
-// Rates while sliding, into out_.
-bool ComponentEquations::weigh() {
-    const auto m = static_cast<Eigen::Index>(sliding_.size());
-    for (const std::size_t s : sliding_)
-        setSide(s, -1);
-    evaluate(base_);
-    Eigen::MatrixXd change(m, m);
-    Eigen::VectorXd wanted(m);
-    std::vector<std::vector<double>> fields;
-    for (Eigen::Index j = 0; j < m; ++j) {
-        const std::size_t s = sliding_[static_cast<std::size_t>(j)];
-        setSide(s, +1);
-        evaluate(other_);
-        setSide(s, -1);
-        fields.push_back(other_);
-    }
-    for (Eigen::Index i = 0; i < m; ++i) {
-        const std::size_t s = sliding_[static_cast<std::size_t>(i)];
-        wanted(i) = -guardRate(s, base_).rate;
-        for (Eigen::Index j = 0; j < m; ++j)
-            change(i, j) = guardRate(s, fields[static_cast<std::size_t>(j)]).rate + wanted(i);
-    }
-    // Where neither side moves off the surface, any weight will do.
-    const bool rests = wanted.isZero(0) && change.isZero(0);
-    const Eigen::VectorXd w = rests    ? Eigen::VectorXd(Eigen::VectorXd::Constant(m, 0.5))
-                              : m == 1 ? Eigen::VectorXd(wanted / change(0, 0))
-                                       : Eigen::VectorXd(change.fullPivLu().solve(wanted));
-    if (!w.allFinite() || (m > 1 && !(change * w).isApprox(wanted, 1e-9) && wanted.norm() > 0))
-        return false;
-    out_ = base_;
-    for (Eigen::Index j = 0; j < m; ++j)
-        for (std::size_t n = 0; n < out_.size(); ++n)
-            out_[n] += w(j) * (fields[static_cast<std::size_t>(j)][n] - base_[n]);
-    for (const std::size_t s : sliding_)
-        if (const auto state = model_.gradient(s).state)
-            out_[*state] = 0;
-    weights_.assign(w.data(), w.data() + m);
-    return true;
 }
 
 void ComponentEquations::watch(double t, std::span<const double> y, std::span<double> values) {
@@ -178,54 +143,6 @@ void ComponentEquations::decide(double t, std::span<double> y) {
     refreshWatches();
 }
 
-// Surfaces whose weight lies outside [0, 1] are left; false when that does not settle.
-bool ComponentEquations::settleWeights(double t, std::span<const double> y) {
-    const std::size_t most = 2 * sliding_.size();
-    fill(t, y);
-    for (std::size_t round = 0; round <= most; ++round) {
-        if (sliding_.empty())
-            return true;
-        if (!weigh())
-            return false;
-        const auto outside = std::find_if(weights_.begin(), weights_.end(),
-                                          [](double w) { return w < -1e-12 || w > 1 + 1e-12; });
-        if (outside == weights_.end())
-            return true;
-        const auto place = outside - weights_.begin();
-        const std::size_t s = sliding_[static_cast<std::size_t>(place)];
-        const int side = *outside < 0 ? -1 : +1;
-        sliding_.erase(sliding_.begin() + place);
-        setSide(s, side);
-    }
-    return false;
-}
-
-// Onto the surfaces of sliding, along the difference of their fields; exactly where the guard is a
-// state.
-void ComponentEquations::project(double t, std::span<double> y) {
-    for (const std::size_t s : sliding_) {
-        const ComponentModel::Gradient& g = model_.gradient(s);
-        if (g.state) {
-            y[*g.state] = 0;
-            continue;
-        }
-        fill(t, y);
-        model_.function().guards(in_, guards_, scratch_, decisions_);
-        const double off = guard(s);
-        setSide(s, +1);
-        evaluate(other_);
-        setSide(s, -1);
-        evaluate(base_);
-        std::vector<double> direction(states().size());
-        for (std::size_t i = 0; i < direction.size(); ++i)
-            direction[i] = other_[i] - base_[i];
-        const double along = guardRate(s, other_).rate - guardRate(s, base_).rate;
-        if (along != 0 && std::isfinite(off / along))
-            for (std::size_t i = 0; i < direction.size(); ++i)
-                y[i] -= off / along * direction[i];
-    }
-}
-
 double ComponentEquations::guard(std::size_t surface) const {
     const Surface::Member& member = model_.surfaces()[surface].members[0];
     return guards_[member.decision] * member.orientation;
@@ -271,9 +188,14 @@ void ComponentEquations::pass(const Watch& watch, Passing how, Passed& passed) {
     } else if (watch.kind != Watch::Kind::side) {
         sliding_.erase(std::remove(sliding_.begin(), sliding_.end(), s), sliding_.end());
         setSide(s, watch.kind == Watch::Kind::least ? -1 : +1);
+        if (model_.surfaces()[s].whole)
+            passed.settled.push_back(s);
     } else if (model_.surfaces()[s].whole) {
+        const Decision before = decisions_[model_.surfaces()[s].members[0].decision];
         if (passWhole(s, how == Passing::stays) && passed.isAlone)
             passed.settled.push_back(s);
+        if (passed.isAlone && how == Passing::across)
+            slideBetween(s, before);
     } else if (how != Passing::across) {
         setSide(s, onSurface);
         standing_.push_back(s);
@@ -307,6 +229,27 @@ bool ComponentEquations::passWhole(std::size_t surface, bool insist) {
     const double rate = guardRate(surface, behind).rate;
     isGrazed_[surface] = rate == slope.rate || rate * slope.rate > 0 ? 1 : 0;
     return isForced;
+}
+
+// Where the branch before leads to the one that was taken beside it, which leads back.
+void ComponentEquations::slideBetween(std::size_t surface, Decision before) {
+    const Decision taken = decisions_[model_.surfaces()[surface].members[0].decision];
+    if (before == expression::noBranch || taken == expression::noBranch ||
+        std::abs(taken - before) != 1)
+        return;
+    levels_[surface] =
+        model_.surfaces()[surface].ceiling ? std::min(before, taken) : std::max(before, taken);
+    const int side = taken > before ? +1 : -1;
+    const auto slopeOn = [&](int of) {
+        setSide(surface, of);
+        field();
+        const std::vector<double> rates = out_;
+        return guardRate(surface, rates);
+    };
+    const Slope front = slopeOn(-side), behind = slopeOn(side);
+    const double off = std::abs(behind.value - static_cast<double>(levels_[surface]));
+    if (off <= behind.near && front.rate * side > front.noise && behind.rate * side < -behind.noise)
+        sliding_.push_back(surface);
 }
 
 // Guards that jumped when other surfaces were passed: their sides follow their values. One that is
@@ -450,6 +393,13 @@ std::vector<std::size_t> ComponentEquations::symbolsOf(const Violation& violatio
     for (const Node symbol : expression::symbolsOf(graph(), guards))
         if (const auto place = model_.placeOf(symbol); place)
             found.push_back(*place);
+    return found;
+}
+
+std::vector<std::size_t> ComponentEquations::surfacesOf(const Violation& violation) const {
+    std::vector<std::size_t> found;
+    for (const std::size_t k : violation.watches)
+        found.push_back(watches_[k].surface);
     return found;
 }
 

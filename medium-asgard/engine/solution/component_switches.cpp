@@ -1,0 +1,218 @@
+// Where a component's switches are passed, and what becomes of it there; see component.h and
+// component_equations.h.
+#include "solution/component.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace solution {
+
+namespace {
+
+constexpr std::size_t often = 10; // switches in next to no time
+
+} // namespace
+
+std::optional<Violation> Component::violation(double from, double to, double scale,
+                                              std::span<const Coefficients> columns) {
+    if (equations_->watches() == 0)
+        return std::nullopt;
+    std::vector<double> y(columns.size());
+    const auto watch = [&](double t, std::span<double> values) {
+        for (std::size_t i = 0; i < y.size(); ++i)
+            y[i] = evaluate(columns[i], (t - from) / scale);
+        equations_->watch(t, y, values);
+    };
+    return firstViolation(equations_->watches(), watch, from, to);
+}
+
+void Component::pass(const Violation& violation, bool immediate) {
+    constexpr std::size_t window = 100;
+    const auto giveUp = [&] {
+        const std::vector<std::size_t> flipping = equations_->unknownsOf(violation);
+        end(Stop::Reason::decisions, flipping.empty() ? std::vector<std::size_t>{0} : flipping,
+            "expressions that switch with " + switchingWith(violation) +
+                " change their branches without end: motion on several switches at once, or along "
+                "a step of floor or ceil, is not modelled");
+    };
+    ++counts_.switches;
+    if (immediate) {
+        if (++immediate_ > 8 * equations_->watches() + 8)
+            return giveUp();
+    } else {
+        immediate_ = 0;
+        recentSwitches_.push_back({time_, equations_->surfacesOf(violation)});
+        if (recentSwitches_.size() > window)
+            recentSwitches_.pop_front();
+        if (recentSwitches_.size() == window && haveSwitched(window))
+            return giveUp();
+    }
+    std::vector<double> y = stateValues();
+    equations_->inputs().window(infinity);
+    if ((immediate || !comesToRest(y)) &&
+        equations_->cross(violation, time_, y, passing(violation, immediate)) ==
+            ComponentEquations::Crossing::impossible)
+        return giveUp();
+    setStates(y);
+    takeHeldValues();
+    if (stop_)
+        return;
+    keepCounts();
+    model_ = Model::undecided;
+    proposed_ = 0;
+    fresh_ = true;
+    remember();
+    placeAnchor();
+}
+
+std::string Component::switchingWith(const Violation& violation) const {
+    const std::vector<std::size_t> own = equations_->unknownsOf(violation);
+    std::string text = own.empty() ? "" : names(own);
+    for (const std::size_t unknown : equations_->inputsOf(violation))
+        text += (text.empty() ? "" : ", ") + set_->unknowns[unknown].name;
+    return text.empty() ? "the time" : text;
+}
+
+// So often in next to no time.
+bool Component::haveSwitched(std::size_t times) const {
+    const double shortest = 1e-10 * std::max(std::abs(time_), time_ - options_.start) + 1e-16;
+    return recentSwitches_.size() >= times &&
+           time_ - recentSwitches_[recentSwitches_.size() - times].time <= shortest;
+}
+
+// By the same factor again and again: they end at a time that is hardly later.
+bool Component::swingsShrink() const {
+    constexpr std::size_t group = 8;
+    constexpr double least = 0.9, alike = 4;
+    if (!haveSwitched(often) || recentSwitches_.size() <= 3 * group)
+        return false;
+    const auto last = [this](std::size_t groups) {
+        return recentSwitches_[recentSwitches_.size() - 1 - groups * group].time;
+    };
+    const double now = last(0) - last(1), before = last(1) - last(2), first = last(2) - last(3);
+    return now > 0 && now < least * before && before < least * first &&
+           now * first < alike * before * before && before * before < alike * now * first;
+}
+
+// On all surfaces about which it swung, where that is no farther away than a step may err by.
+bool Component::comesToRest(std::vector<double>& y) {
+    if (!swingsShrink())
+        return false;
+    std::set<std::size_t> surfaces;
+    for (std::size_t k = recentSwitches_.size() - often; k < recentSwitches_.size(); ++k)
+        surfaces.insert(recentSwitches_[k].surfaces.begin(), recentSwitches_[k].surfaces.end());
+    control_.prepare(y, time_ - recentSwitches_[recentSwitches_.size() - often].time);
+    std::vector<double> reach(y.size());
+    for (std::size_t i = 0; i < y.size(); ++i)
+        reach[i] = control_.scale(i);
+    if (surfaces.size() < 2 ||
+        !equations_->holdOn(std::vector(surfaces.begin(), surfaces.end()), time_, reach, y))
+        return false;
+    recentSwitches_.clear();
+    return true;
+}
+
+// Across, unless that went to and fro without time going on; or hardly, where rounding crosses a
+// surface that the motion touches. Near such a place it stays on it only once: what comes back to
+// its surface at ever shorter intervals has no motion beyond their end.
+ComponentEquations::Passing Component::passing(const Violation& violation, bool immediate) {
+    using enum ComponentEquations::Passing;
+    if (immediate && violation.time > time_)
+        return leaves;
+    if (immediate)
+        return immediate_ > 2 * patience() ? stays : immediate_ > patience() ? stands : across;
+    const double near = 1e-5 * std::max(std::abs(time_), time_ - options_.start);
+    if (!haveSwitched(often) || swingsShrink() ||
+        (!stays_.empty() && time_ - stays_.back() <= near))
+        return across;
+    stays_.push_back(time_);
+    return stays;
+}
+
+// The motion stood on a surface at time_, and has left it within the step that ends in `found`: the
+// side on which it is then holds from time_ on. Where that was tried in vain it stays.
+bool Component::leaves(const Violation& found, double scale,
+                       std::span<const Coefficients> columns) {
+    if (immediate_ > 2 * patience() || (!stays_.empty() && stays_.back() == time_))
+        return false;
+    std::vector<double> y(columns.size());
+    for (std::size_t i = 0; i < y.size(); ++i)
+        y[i] = evaluate(columns[i], (found.time - time_) / scale);
+    return equations_->looksAhead(found, found.time, y);
+}
+
+// A branch that has no value beyond its end, as that of a root whose argument max() bounds, lets no
+// step look across. Within some of the shortest steps of its end the motion goes on along its rates
+// to beyond it.
+bool Component::stepAcross(double h) {
+    constexpr double steps = 8;
+    const double across = std::min(steps * h, limit_ - time_);
+    std::vector<double> y = stateValues(), slopes(y.size());
+    std::vector<double> here(equations_->watches()), beyond(here.size());
+    if (here.empty() || !equations_->rates(time_, y, slopes))
+        return false;
+    equations_->watch(time_, y, here);
+    std::vector<Coefficients> line(y.size(), Coefficients{});
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        line[i][0] = y[i];
+        line[i][1] = across * slopes[i];
+        y[i] += line[i][1];
+    }
+    const double to = time_ + across;
+    if (equations_->rates(to, y, slopes))
+        return false;
+    equations_->watch(to, y, beyond);
+    Violation violation{.time = to, .watches = {}};
+    for (std::size_t k = 0; k < here.size(); ++k)
+        if (here[k] > 0 && beyond[k] < 0)
+            violation.watches.push_back(k);
+    if (violation.watches.empty())
+        return false;
+    append(line, across, to);
+    y_ = y;
+    if (!land(to))
+        return true;
+    pass(violation, false);
+    if (!stop_ && time_ >= limit_)
+        arrive();
+    return true;
+}
+
+// What has no rate from some time on, as sqrt(1-t), goes along its rates to the last time at which
+// it has one: the motion up to there needs no value beyond.
+bool Component::reachLastRate(double h) {
+    const std::vector<double> y = stateValues();
+    std::vector<double> slopes(y.size()), rates(y.size());
+    if (!equations_->rates(time_, y, slopes))
+        return false;
+    y_.resize(y.size());
+    const auto hasRates = [&](double t) {
+        for (std::size_t i = 0; i < y.size(); ++i)
+            y_[i] = y[i] + (t - time_) * slopes[i];
+        return equations_->rates(t, y_, rates);
+    };
+    double last = time_, beyond = std::min(time_ + h, limit_);
+    if (hasRates(beyond) || equations_->slidingFailed())
+        return false;
+    for (double t = last + 0.5 * (beyond - last); last < t && t < beyond;
+         t = last + 0.5 * (beyond - last))
+        (hasRates(t) ? last : beyond) = t;
+    if (last <= time_ || !hasRates(last))
+        return false;
+    const double way = last - time_;
+    control_.prepare(y, h);
+    std::vector<Coefficients> line(y.size(), Coefficients{});
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        line[i][0] = y[i];
+        line[i][1] = way * slopes[i];
+        if (!(std::abs(line[i][1]) <= control_.scale(i)))
+            return false;
+    }
+    append(line, way, last);
+    keepCounts();
+    (void)land(last);
+    return true;
+}
+
+} // namespace solution

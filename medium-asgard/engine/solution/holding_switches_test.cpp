@@ -1,0 +1,100 @@
+// Motion that is held between the branches of its switches: on several at once, to which it comes
+// in ever shorter swings, and on the whole numbers of floor and ceil.
+#include "solution/solver_testing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace solution;
+using namespace solution::testing;
+
+namespace {
+
+constexpr double accuracies[] = {1e-3, 1e-6, 1e-9};
+
+std::vector<Line> body(const std::string& force, double x, double dx = 0) {
+    return {{"x", "dx", x, 1}, {"dx", force, dx}};
+}
+
+void expectAt(const std::vector<Line>& lines, double t, double x, double dx, double off = 1e-9) {
+    for (const double accuracy : accuracies) {
+        const Solver solver = solved(equationsOf(lines), t, tolerance(accuracy));
+        const Histories& h = solver.histories();
+        ASSERT_EQ(h.stop(1), nullptr) << lines[1].derivative << ": " << h.stop(1)->sentence;
+        EXPECT_NEAR(h.value(0, t), x, 10 * accuracy + off) << lines[1].derivative;
+        EXPECT_NEAR(h.value(1, t), dx, 10 * accuracy + off) << lines[1].derivative;
+    }
+}
+
+// The time at which -sign(x) - sign(dx)/2 has brought x from 1 at rest to 0: 2 s for the first way,
+// then swings, each 1/sqrt(3) of the one before.
+double lastSwing() {
+    const double shrink = 1 / std::sqrt(3.0);
+    return 2 + (1 / 1.5 + 2 * shrink) / (1 - shrink);
+}
+
+} // namespace
+
+TEST(Holding, EverShorterSwingsEndWhereTheyLead) {
+    const std::vector<Line> lines = body("-sign(x)-0.5*sign(dx)", 1);
+    expectAt(lines, lastSwing() + 4, 0, 0);
+    const Solver solver = solved(equationsOf(lines), 100, tolerance(1e-9));
+    for (double t = lastSwing() + 1e-6; t < 100; t += 9) {
+        EXPECT_LT(std::abs(solver.histories().value(0, t)), 1e-15);
+        EXPECT_LT(std::abs(solver.histories().value(1, t)), 1e-12);
+    }
+    EXPECT_NE(solver.histories().value(1, lastSwing() - 1e-6), 0);
+    EXPECT_LT(solver.statistics().switches, 150u);
+    EXPECT_LT(solver.statistics().steps, 300u);
+}
+
+TEST(Holding, WithASpringADamperOrAWind) {
+    expectAt(body("-sign(x)-0.5*sign(dx)-x", 1), 20, 0, 0);
+    expectAt(body("-2*sign(x)-0.9*sign(dx)-dx", 1), 20, 0, 0);
+    expectAt(body("-sign(x)-0.5*sign(dx)+0.3*sin(t)", 1), 20, 0, 0);
+    expectAt(body("-sign(x-0.1*t)-0.5*sign(dx-0.1)", 1), 20, 2, 0.1);
+    expectAt(body("-3*sign(2*x-1)-sign(dx+0.2*(x-0.5))", 2), 20, 0.5, 0);
+}
+
+// What is more than both together lets it go: from t = 23 on, when the push is 1.5.
+TEST(Holding, LetsGoWhenItIsOvercome) {
+    const std::string force = "-sign(x)-0.5*sign(dx)+max(0,0.1*(t-8))";
+    expectAt(body(force, 1), 22, 0, 0);
+    expectAt(body(force, 1), 26, 0.1 * 27 / 6, 0.1 * 9 / 2, 1e-6);
+}
+
+// Swings that grow, and swings that stay as they are, are none that end.
+TEST(Holding, SwingsThatDoNotShrinkGoOn) {
+    const Solver solver = solved(equationsOf(body("-sign(x)", 1)), 100, tolerance(1e-6));
+    ASSERT_EQ(solver.histories().stop(1), nullptr);
+    const double quarter = std::sqrt(2.0), phase = std::fmod(100, 4 * quarter);
+    EXPECT_NEAR(solver.histories().value(0, 100), std::pow(phase - 2 * quarter, 2) / 2 - 1, 1e-4);
+    EXPECT_NE(solved(equationsOf(body("-sign(x)+0.3*sign(dx)", 0, 1e-6)), 20, tolerance(1e-6))
+                  .histories()
+                  .value(0, 20),
+              0);
+}
+
+// From 2.3 by -2.25, -1.25 and -0.25 to 0, where it is held.
+TEST(Holding, OnAWholeNumberOfTheVelocity) {
+    const double way = 2.15 * 0.3 / 2.25 + 1.5 / 1.25 + 0.5 / 0.25;
+    expectAt(body("-0.25-floor(dx)", 0, 2.3), 10, way, 0);
+    expectAt(body("-0.25-floor(dx)", 0, 0), 10, 0, 0);
+    expectAt(body("0.25-ceil(dx)", 0, -2.3), 10, -way, 0);
+}
+
+// Along x + dx/2 = 1: x goes to 1 as exp(-2t), from where it comes to there.
+TEST(Holding, AlongAWholeNumberOfPlaceAndVelocity) {
+    for (const double accuracy : accuracies) {
+        const Solver solver =
+            solved(equationsOf(body("-floor(x+0.5*dx)", 0.5, 0.4)), 6, tolerance(accuracy));
+        const Histories& h = solver.histories();
+        ASSERT_EQ(h.stop(1), nullptr) << h.stop(1)->sentence;
+        // It gets there by itself, at x = 0.8, and is on that line at once.
+        const double left = 0.2 * std::exp(-2 * (6 - 0.75));
+        EXPECT_NEAR(h.value(0, 6), 1 - left, 10 * accuracy);
+        EXPECT_NEAR(h.value(1, 6), 2 * left, 10 * accuracy);
+        EXPECT_LT(solver.statistics().switches, 10u);
+    }
+}
