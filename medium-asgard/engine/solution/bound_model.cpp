@@ -83,6 +83,7 @@ public:
         key_.insert(key_.end(), rates.begin(), rates.end());
         key_.insert(key_.end(), outputs.begin(), outputs.end());
         bound_.model = models.of(key_);
+        bound_.canPeak = bound_.model->canPeak(bound_.constants);
         return std::move(bound_);
     }
 

@@ -19,6 +19,7 @@ struct BoundModel {
     std::vector<std::size_t> states, held, loop;
     std::vector<std::size_t> inputs; // unknowns of other components, in the model's order
     std::vector<double> constants;
+    bool canPeak = false; // oversight.h
 };
 
 // `phases[i]` is the phase of unknowns[i] that is in force; unknowns are in order. What stays 0 is

@@ -74,19 +74,28 @@ void ComponentModel::findStructure() {
             integrals_.emplace_back(x, *v);
     const std::vector<Node> read = expression::symbolsOf(graph_, outputs_);
     readsStates_ = std::ranges::any_of(read, [&](Node n) { return stateOf(n).has_value(); });
-    std::vector<Node> attitudes;
-    for (const std::size_t state : configuration_)
-        if (std::ranges::find(integrals_, state, &std::pair<std::size_t, std::size_t>::first) ==
-            integrals_.end())
-            attitudes.push_back(symbols_[1 + state]);
     canPeak_ =
-        solution::canPeak(graph_, outputs_, std::span(symbols_).subspan(variables()), attitudes);
+        solution::canPeak(graph_, outputs_, std::span(symbols_).subspan(variables()), attitudes());
     surfaces_ = surfacesOf(graph_, outputs_);
     switches_ = switchesOf(graph_, outputs_);
     gradients_.resize(surfaces_.size());
     for (std::size_t s = 0; s < surfaces_.size(); ++s)
         if (const auto state = stateOf(surfaces_[s].guard); state && !surfaces_[s].whole)
             ownGuards_.emplace_back(s, *state);
+}
+
+std::vector<Node> ComponentModel::attitudes() const {
+    std::vector<Node> attitudes;
+    for (const std::size_t state : configuration_)
+        if (std::ranges::find(integrals_, state, &std::pair<std::size_t, std::size_t>::first) ==
+            integrals_.end())
+            attitudes.push_back(symbols_[1 + state]);
+    return attitudes;
+}
+
+bool ComponentModel::canPeak(std::span<const double> values) const {
+    return canPeak_ && solution::canPeak(graph_, outputs_, std::span(symbols_).subspan(variables()),
+                                         attitudes(), values);
 }
 
 std::optional<std::size_t> ComponentModel::placeOf(Node symbol) const {

@@ -49,7 +49,8 @@ public:
     [[nodiscard]] const expression::Function& function() const { return function_; }
     [[nodiscard]] std::optional<std::size_t> placeOf(expression::Node symbol) const;
     [[nodiscard]] bool readsStates() const { return readsStates_; } // other than in guards
-    [[nodiscard]] bool canPeak() const { return canPeak_; }         // oversight.h
+    // oversight.h: with these constants.
+    [[nodiscard]] bool canPeak(std::span<const double> values) const;
 
     // Pairs of states (x, v) with x' = v, and the states that are positions or attitudes.
     [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& integrals() const {
@@ -92,6 +93,7 @@ public:
 private:
     void readKey();
     void findStructure();
+    [[nodiscard]] std::vector<expression::Node> attitudes() const;
     [[nodiscard]] std::unique_ptr<Jacobian> derivedJacobian() const;
     [[nodiscard]] std::unique_ptr<Gradient> derivedGradient(std::size_t surface) const;
     [[nodiscard]] Derived derive(expression::Graph& graph,

@@ -20,8 +20,8 @@ constexpr double allowed = 10;
 double Component::longest() const {
     if (!options_.isWatched || options_.fixedStep)
         return infinity;
-    return method_->implicit() && equations_->model().canPeak() ? watched_.longestThatSees(time_)
-                                                                : watched_.longest(time_);
+    return method_->implicit() && equations_->bound()->canPeak ? watched_.longestThatSees(time_)
+                                                               : watched_.longest(time_);
 }
 
 // The first watched time in a step of length h at which the rates are not those of its polynomials.
@@ -29,7 +29,7 @@ std::optional<double> Component::overlooked(double h, double until) {
     const double spacing = watched_.spacing(until);
     const bool isSuspect = time_ < suspect_ && suspect_ < until;
     if (!options_.isWatched || options_.fixedStep || method_->implicit() ||
-        !equations_->model().canPeak() || (h <= spacing && !isSuspect))
+        !equations_->bound()->canPeak || (h <= spacing && !isSuspect))
         return std::nullopt;
     std::vector<double> y(columns_.size()), rates(y.size());
     for (const double t : watched_.between(time_, until)) {

@@ -1,6 +1,7 @@
 #include "solution/oversight.h"
 
 #include "expression/operation.h"
+#include "solution/polynomial.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,8 +48,77 @@ double WatchedTimes::longestThatSees(double t) const {
     return std::max(t - start_, leastLength) / perTime;
 }
 
+namespace {
+
+constexpr Interval anything = {-infinity, infinity};
+
+Interval product(const Interval& a, const Interval& b) {
+    const auto ends = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
+    if (std::ranges::any_of(ends, [](double x) { return std::isnan(x); })) // 0 times anything
+        return anything;
+    return {std::ranges::min(ends), std::ranges::max(ends)};
+}
+
+Interval magnitude(const Interval& a) {
+    const double least = a.low > 0 ? a.low : a.high < 0 ? -a.high : 0;
+    return {least, std::max(-a.low, a.high)};
+}
+
+// What values an operation has, by those of its arguments; of those that bounds are found for.
+Interval rangeOf(const Graph& graph, Node node, std::span<const Interval> ranges) {
+    const auto arguments = graph.arguments(node);
+    const auto at = [&](std::size_t k) { return ranges[arguments[k].index]; };
+    switch (graph.op(node)) {
+    case Op::constant:
+        return {graph.value(node), graph.value(node)};
+    case Op::sin:
+    case Op::cos:
+        return {-1, 1};
+    case Op::negate:
+        return {-at(0).high, -at(0).low};
+    case Op::abs:
+        return magnitude(at(0));
+    case Op::add:
+        return {at(0).low + at(1).low, at(0).high + at(1).high};
+    case Op::subtract:
+        return {at(0).low - at(1).high, at(0).high - at(1).low};
+    case Op::multiply:
+        return arguments[0] == arguments[1] ? product(magnitude(at(0)), magnitude(at(0)))
+                                            : product(at(0), at(1));
+    case Op::power:
+        return graph.isConstant(arguments[1], 2) ? product(magnitude(at(0)), magnitude(at(0)))
+                                                 : anything;
+    default:
+        return anything;
+    }
+}
+
+// Of all nodes that are reached, by index; `values` of constants.
+std::vector<Interval> rangesOf(const Graph& graph, std::span<const Node> reached,
+                               std::span<const Node> constants, std::span<const double> values) {
+    std::vector<Interval> ranges(graph.size(), anything);
+    for (std::size_t c = 0; c < constants.size(); ++c)
+        ranges[constants[c].index] = {values[c], values[c]};
+    for (const Node node : reached)
+        if (graph.op(node) != Op::symbol)
+            ranges[node.index] = rangeOf(graph, node, ranges);
+    return ranges;
+}
+
+bool isMild(const Interval& denominator) {
+    constexpr double most = 8;
+    const Interval size = magnitude(denominator);
+    return size.low > 0 && size.high < infinity && size.high <= most * size.low;
+}
+
+} // namespace
+
 bool canPeak(const Graph& graph, std::span<const Node> outputs, std::span<const Node> constants,
-             std::span<const Node> attitudes) {
+             std::span<const Node> attitudes, std::span<const double> values) {
+    const std::vector<Node> reached = expression::reachable(graph, outputs);
+    std::vector<Interval> ranges;
+    if (!values.empty())
+        ranges = rangesOf(graph, reached, constants, values);
     const auto readsOnly = [&graph](Node node, std::span<const Node> known,
                                     std::span<const Node> alsoKnown) {
         return std::ranges::all_of(
@@ -57,7 +127,7 @@ bool canPeak(const Graph& graph, std::span<const Node> outputs, std::span<const 
                        std::ranges::find(alsoKnown, symbol) != alsoKnown.end();
             });
     };
-    return std::ranges::any_of(expression::reachable(graph, outputs), [&](Node node) {
+    return std::ranges::any_of(reached, [&](Node node) {
         switch (graph.op(node)) {
         case Op::tan:
         case Op::asin:
@@ -71,13 +141,16 @@ bool canPeak(const Graph& graph, std::span<const Node> outputs, std::span<const 
         case Op::log:
         case Op::log10:
             return !readsOnly(node, constants, {});
-        case Op::divide:
-            return !readsOnly(graph.arguments(node)[1], constants, attitudes);
+        case Op::divide: {
+            const Node denominator = graph.arguments(node)[1];
+            return !readsOnly(denominator, constants, attitudes) &&
+                   (ranges.empty() || !isMild(ranges[denominator.index]));
+        }
         case Op::power: {
             const Node exponent = graph.arguments(node)[1];
-            const bool isMild = graph.op(exponent) == Op::constant && graph.value(exponent) >= 0 &&
-                                graph.value(exponent) <= 4;
-            return !isMild && !readsOnly(node, constants, {});
+            const bool isLow = graph.op(exponent) == Op::constant && graph.value(exponent) >= 0 &&
+                               graph.value(exponent) <= 4;
+            return !isLow && !readsOnly(node, constants, {});
         }
         default:
             return false;

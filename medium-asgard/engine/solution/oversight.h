@@ -44,10 +44,12 @@ private:
 // May these expressions be next to nothing nearly everywhere, and large in one place? Sums,
 // products, sines, roots and switches, which are watched by themselves, may not; exponentials,
 // quotients and other powers may. Denominators that read attitudes alone are their lengths, which
-// stay 1.
+// stay 1. Where the `values` of the constants are given, a quotient whose denominator stays within
+// eight times of its least, whatever all other symbols are, may not peak either: 2 - cos(x)^2.
 [[nodiscard]] bool canPeak(const expression::Graph& graph,
                            std::span<const expression::Node> outputs,
                            std::span<const expression::Node> constants,
-                           std::span<const expression::Node> attitudes);
+                           std::span<const expression::Node> attitudes,
+                           std::span<const double> values = {});
 
 } // namespace solution

@@ -90,15 +90,24 @@ TEST(Oversight, AKickOfWhatIsReadIsSeenByWhoReadsIt) {
 }
 
 TEST(CanPeak, IsSaidOfExponentialsAndQuotientsOfWhatMoves) {
-    const auto says = [](const std::string& text) {
+    const auto says = [](const std::string& text, std::vector<double> values = {}) {
         expression::Graph graph;
         const expression::Node t = graph.symbol("t"), q = graph.symbol("q"), c = graph.symbol("c");
         (void)t;
         const std::vector outputs = {expression::testing::parsed(graph, text)};
-        return canPeak(graph, outputs, std::vector{c}, std::vector{q});
+        return canPeak(graph, outputs, std::vector{c}, std::vector{q}, values);
     };
     for (const std::string text : {"exp(-t^2)", "1/(1+t^2)", "c*tanh(t)", "t^-2", "t^8", "2^t"})
         EXPECT_TRUE(says(text)) << text;
     for (const std::string text : {"c*t^2", "sin(c*t)", "t/exp(c)", "t*2/(q*q)", "sqrt(t)"})
         EXPECT_FALSE(says(text)) << text;
+    for (const std::string text :
+         {"t/(c-cos(t)^2)", "1/(c+sin(t)*cos(2*t))", "1/(abs(sin(t))-c)", "t/(c-sin(t)*sin(t))"}) {
+        EXPECT_TRUE(says(text)) << text;
+        EXPECT_FALSE(says(text, {2})) << text;
+        EXPECT_TRUE(says(text, {1.01})) << text;
+    }
+    for (const std::string text :
+         {"1/(c+t^2)", "1/(c+t*sin(t))", "exp(-t^2)/(c+cos(t))", "1/cos(t)", "1/(c+0.5*exp(-t))"})
+        EXPECT_TRUE(says(text, {2})) << text;
 }

@@ -188,8 +188,12 @@ bool Radau::linearizeMiddle() {
 
 Radau::Newton Radau::iterate() {
     constexpr std::size_t mostIterations = 12, mayGrow = 5;
-    constexpr double mostGrowth = 5, slow = 0.1;
-    const double kappa = control_.newtonTolerance(), noise = control_.newtonNoise(!fixed_);
+    constexpr double mostGrowth = 5, slow = 0.5;
+    // The estimate is of order 3, and its tolerance is the tighter for it.
+    constexpr double most = 0.03, cautious = 5;
+    const double kappa =
+        fixed_ ? control_.newtonTolerance() : std::min(most, cautious * control_.newtonTolerance());
+    const double noise = control_.newtonNoise(!fixed_);
     double last = 0;
     // With fixed steps Newton goes to rounding, which stiffness magnifies: no further than that.
     const auto isRounding = [this, noise](double size) {

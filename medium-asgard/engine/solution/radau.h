@@ -9,13 +9,14 @@
 // Newton policy (docs/numerics.md 1.3: the stiff direction turns with the body, and this is worth a
 // factor of 200 in step length):
 //     J and LU at the predicted middle of the step, kept while Newton was fast and h stays
-//     simplified iterations while they contract by 0.1 or better; else a new J at the current
-//     middle stage
+//     simplified iterations while they contract by half or better, since factors cost as much as
+//         three of them; else a new J at the current middle stage
 //     the first 5 corrections may grow up to 5 times; 12 iterations
 //     what that does not solve is tried again with a Jacobian for each stage (coupled_stages.h),
-//     and longer steps are from then on; then the step is halved, and grows slowly to what failed
-//     done when  rate/(1 - rate) |dz| < min(0.03, sqrt(tolerance)),  |.| in units of the tolerance,
-//     or when corrections are what rounding of positions does
+//         and longer steps are from then on; then the step is halved, and grows slowly to what
+//         failed
+//     done when  rate/(1 - rate) |dz| < min(0.03, 5 sqrt(tolerance)),  |.| in units of the
+//         tolerance, or when corrections are what rounding of positions does
 //
 // Dense output: slopes k_i at the stages and k_0 at the start (that of the end of the step before)
 // give a polynomial of degree 4; a position with its velocity gets the quintic of both ends'
