@@ -13,23 +13,13 @@ namespace collision {
 namespace {
 
 constexpr double flatLanding = 1e-9; // of the size: less tilt than this is none
-constexpr double sameNormal = 1e-6;  // their difference
+constexpr double sameAxis = 1e-4;    // difference of normals: faces may yet land on each other
 
 // The two posed parts at one time and the line between them.
 struct Touching {
     Posed first, second;
     Vector normal;
 };
-
-// Vertices of the part within `tolerance` of its furthest extent along a direction.
-std::vector<std::size_t> furthest(const Posed& posed, const Vector& direction, double tolerance) {
-    const double most = direction.dot(posed.world(posed.support(direction)));
-    std::vector<std::size_t> result;
-    for (std::size_t i = 0; i < posed.part->core.vertices.size(); ++i)
-        if (direction.dot(posed.world(i)) >= most - tolerance)
-            result.push_back(i);
-    return result;
-}
 
 const geometry::Face* faceAlong(const Posed& owner, const Vector& direction) {
     const geometry::Face* best = nullptr;
@@ -48,8 +38,8 @@ Vector edgeOf(const Posed& posed, const std::vector<std::size_t>& ends) {
 
 // Which features touch is seen `before`; where they are, and so the normal, is that of `now`.
 Vector normalOf(const Touching& before, const Touching& now, double tolerance) {
-    const auto ofFirst = furthest(before.first, -before.normal, tolerance);
-    const auto ofSecond = furthest(before.second, before.normal, tolerance);
+    const auto ofFirst = furthestVertices(before.first, -before.normal, tolerance);
+    const auto ofSecond = furthestVertices(before.second, before.normal, tolerance);
     if (ofFirst.size() > 2)
         if (const geometry::Face* f = faceAlong(before.first, -before.normal))
             return -(now.first.rotation * f->normal);
@@ -107,14 +97,33 @@ double shortlyBefore(const PartPair& pair, double t) {
     return t - ago;
 }
 
-// Which features touch is seen a little before: at the contact itself the line between closest
-// points is lost.
+// All axes along which they touch are those of two faces that lie on each other, or all but do.
+bool isAlongOneAxis(const PartPair& pair, double t, const Touching& now) {
+    return std::ranges::all_of(
+        axesOfTouch(now.first, now.second, pair.unnoticedDepth(t)),
+        [&](const Separation& axis) { return (axis.normal - now.normal).norm() < sameAxis; });
+}
+
+// Where faces land all but flat, the one of them is the normal that an edge or a vertex of the
+// other lies on: along the other's own it may lie beside. Flat: that of the first.
+Vector normalOfLanding(const Touching& now, double tolerance) {
+    const bool isFlat = furthestVertices(now.first, -now.normal, tolerance).size() > 2 &&
+                        furthestVertices(now.second, now.normal, tolerance).size() > 2;
+    const geometry::Face* face = isFlat ? faceAlong(now.first, -now.normal) : nullptr;
+    return face ? Vector(-(now.first.rotation * face->normal)) : now.normal;
+}
+
+// Which features touch along several axes is seen a little before: at the contact itself the line
+// between closest points is lost. Along one they are those of now: a body that turns while it
+// lands was tilted the other way a little before.
 Vector normalOfHit(const PartPair& pair, double t, const Separation& separation) {
     const Vector origin = pair.originAt(t);
     const Touching now{pair.first.posedAt(t, origin), pair.second.posedAt(t, origin),
                        separation.normal};
     Touching before = now;
     if (!isRound(pair)) {
+        if (isAlongOneAxis(pair, t, now))
+            return normalOfLanding(now, flatLanding * pair.size());
         const double earlier = shortlyBefore(pair, t);
         WarmStart cold;
         const Separation then = pair.separationAt(earlier, cold);
@@ -146,10 +155,23 @@ Contact contactAlong(const PartPair& pair, double t, const Vector& normal, doubl
     return contact;
 }
 
+// Of those that are all but the same, the one along which they are farthest apart: along the others
+// what touches may not be what is furthest.
 std::vector<Separation> axesAt(const PartPair& pair, double t) {
     const Vector origin = pair.originAt(t);
-    return axesOfTouch(pair.first.posedAt(t, origin), pair.second.posedAt(t, origin),
-                       pair.unnoticedDepth(t));
+    std::vector<Separation> axes;
+    for (const Separation& axis :
+         axesOfTouch(pair.first.posedAt(t, origin), pair.second.posedAt(t, origin),
+                     pair.unnoticedDepth(t))) {
+        const auto same = std::ranges::find_if(axes, [&](const Separation& other) {
+            return (axis.normal - other.normal).norm() < sameAxis;
+        });
+        if (same == axes.end())
+            axes.push_back(axis);
+        else if (axis.gap > same->gap)
+            *same = axis;
+    }
+    return axes;
 }
 
 // They touch along several axes, and do not approach along each.
@@ -159,7 +181,7 @@ bool isPassing(const PartPair& pair, double t, const Contact& contact) {
     if (contact.closingSpeed > pair.leastApproach(t))
         return passing(pair, t).has_value();
     return std::ranges::any_of(axesAt(pair, t), [&](const Separation& axis) {
-        return (axis.normal - contact.normal).norm() > sameNormal;
+        return (axis.normal - contact.normal).norm() > sameAxis;
     });
 }
 

@@ -8,6 +8,9 @@ namespace collision {
 
 namespace {
 
+constexpr double sameHeight = 1e-3; // of the tolerance
+constexpr int mostDoublings = 64;
+
 using Flat = Eigen::Vector2d; // in the plane of contact
 using Outline = std::vector<Flat>;
 
@@ -97,8 +100,9 @@ Outline overlapOf(const Outline& a, const Outline& b, double tolerance) {
         return b;
     if (a.size() == 2 && b.size() == 2)
         return common(a, b, tolerance);
-    result = b.size() > 2 ? clippedBy(a, b, tolerance) : clippedBy(b, a, tolerance);
-    // Beside each other within the tolerance: the vertex that is nearest to the other's middle.
+    // Beside each other: what of the one is nearest to the other.
+    for (int i = 0; i < mostDoublings && result.empty(); ++i, tolerance *= 2)
+        result = b.size() > 2 ? clippedBy(a, b, tolerance) : clippedBy(b, a, tolerance);
     return result.empty() ? Outline{a[0]} : result;
 }
 
@@ -123,13 +127,27 @@ Flat centreOf(const Outline& outline) {
 
 } // namespace
 
-std::vector<Vector> furthestFeature(const Posed& posed, const Vector& direction, double tolerance) {
-    const auto& vertices = posed.part->core.vertices;
+std::vector<std::size_t> furthestVertices(const Posed& posed, const Vector& direction,
+                                          double tolerance) {
     const double most = direction.dot(posed.world(posed.support(direction)));
+    std::vector<double> heights;
+    double least = most;
+    for (std::size_t i = 0; i < posed.part->core.vertices.size(); ++i) {
+        heights.push_back(direction.dot(posed.world(i)));
+        if (heights[i] >= most - tolerance)
+            least = std::min(least, heights[i]);
+    }
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        if (heights[i] >= least - sameHeight * tolerance)
+            result.push_back(i);
+    return result;
+}
+
+std::vector<Vector> furthestFeature(const Posed& posed, const Vector& direction, double tolerance) {
     std::vector<Vector> result;
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-        if (const Vector w = posed.world(i); direction.dot(w) >= most - tolerance)
-            result.push_back(w);
+    for (const std::size_t i : furthestVertices(posed, direction, tolerance))
+        result.push_back(posed.world(i));
     sortAround(result, Plane(direction));
     return result;
 }

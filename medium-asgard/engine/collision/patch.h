@@ -4,12 +4,17 @@
 
 #include "collision/separation.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace collision {
 
-// Vertices of the part within `tolerance` of its furthest extent along a direction, in order around
-// the direction; all in one plane up to the tolerance.
+// Vertices of the part within `tolerance` of its furthest extent along a direction. Rounding does
+// not divide those that are equally far.
+[[nodiscard]] std::vector<std::size_t> furthestVertices(const Posed& posed, const Vector& direction,
+                                                        double tolerance);
+
+// The same in order around the direction; all in one plane up to the tolerance.
 [[nodiscard]] std::vector<Vector> furthestFeature(const Posed& posed, const Vector& direction,
                                                   double tolerance);
 
