@@ -165,6 +165,10 @@ void Arguments::wrongElement(std::string message, std::string suggestion) {
     faults_.error(commandRange(), subject_ + " " + std::move(message), std::move(suggestion));
 }
 
+namespace {
+constexpr std::string_view flagWish = "0 or 1";
+}
+
 // The value of an option that is there; reports one that has none.
 const Value* Arguments::wanted(std::string_view option, std::string_view wants) {
     const auto found = std::find_if(given_.begin(), given_.end(),
@@ -172,7 +176,8 @@ const Value* Arguments::wanted(std::string_view option, std::string_view wants) 
     if (found == given_.end())
         return nullptr;
     if (!found->value && !std::exchange(found->reported, true))
-        wrong(option, found->optionRange, wants, "and nothing follows it");
+        wrong(option, found->optionRange, wants, "and nothing follows it",
+              wants == flagWish ? "write " + std::string(option) + " 1" : "");
     return found->value;
 }
 
@@ -298,14 +303,13 @@ std::optional<int> Arguments::integer(std::string_view option) {
 }
 
 std::optional<bool> Arguments::flag(std::string_view option) {
-    constexpr std::string_view wants = "0 or 1";
-    const Value* value = wanted(option, wants);
+    const Value* value = wanted(option, flagWish);
     if (!value)
         return std::nullopt;
     const auto number = decimalNumber(value->text);
     if (number && (*number == 0 || *number == 1))
         return *number == 1;
-    wrong(option, value->range, wants, "not " + quoted(value->text));
+    wrong(option, value->range, flagWish, "not " + quoted(value->text));
     return std::nullopt;
 }
 
