@@ -48,9 +48,10 @@ std::string closed(std::string_view text) {
 
 class Completer {
 public:
-    Completer(std::string_view text, std::size_t place, const scene::Scene& scene)
+    Completer(std::string_view text, const script::Structure& written, std::size_t place,
+              const scene::Scene& scene)
         : text_(text), before_(text.substr(0, place)), scene_(scene), whole_(closed(before_)),
-          structure_(script::structureOf(whole_)) {
+          structure_(script::structureOf(whole_)), written_(written) {
         from_ = before_.size();
         while (from_ > 0 && isWordCharacter(before_[from_ - 1]))
             --from_;
@@ -213,9 +214,7 @@ private:
         : kind == Named::trajectory ? add(scene_.trajectories)
                                     : add(scene_.parameters);
         // What is being typed here is no name yet.
-        if (!written_)
-            written_ = script::structureOf(text_);
-        for (const script::Command& command : written_->commands) {
+        for (const script::Command& command : written_.commands) {
             const std::string_view name = command.name(text_);
             const bool fits = kind == Named::shapeSet     ? name == "shape_set"
                               : kind == Named::body       ? name == "body" || name == "instance"
@@ -285,14 +284,19 @@ private:
     const scene::Scene& scene_;
     std::string whole_; // what stands before, with what it opens closed
     script::Structure structure_;
-    mutable std::optional<script::Structure> written_; // of all the text, when it is asked for
+    const script::Structure& written_; // of all the text
     std::size_t from_;
 };
 
 } // namespace
 
+Completion completionAt(std::string_view text, const script::Structure& structure,
+                        std::size_t place, const scene::Scene& scene) {
+    return Completer(text, structure, std::min(place, text.size()), scene).completion();
+}
+
 Completion completionAt(std::string_view text, std::size_t place, const scene::Scene& scene) {
-    return Completer(text, std::min(place, text.size()), scene).completion();
+    return completionAt(text, script::structureOf(text), place, scene);
 }
 
 } // namespace editing

@@ -8,6 +8,7 @@
 #include "editing/options.h"
 
 #include "scene/scene.h"
+#include "script/structure.h"
 
 #include <string>
 #include <string_view>
@@ -23,5 +24,8 @@ struct Completion {
 
 [[nodiscard]] Completion completionAt(std::string_view text, std::size_t place,
                                       const scene::Scene& scene);
+// For who has the text's structure.
+[[nodiscard]] Completion completionAt(std::string_view text, const script::Structure& structure,
+                                      std::size_t place, const scene::Scene& scene);
 
 } // namespace editing

@@ -52,7 +52,7 @@ std::optional<Loop> Reading::loop() const {
 
 // The variables have the values that the loop gives them.
 bool Reading::isPlain(const Loop& loop) const {
-    if (hidesUses(loop.range, origins_))
+    if (hidesUses({0, origins_.text().size()}, origins_)) // a procedure's body, too
         return false;
     return std::ranges::none_of(structure_.commands, [&](const Command& command) {
         const bool inHead = std::ranges::any_of(

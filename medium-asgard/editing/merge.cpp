@@ -37,13 +37,15 @@ using Pieces = std::vector<std::string_view>;
 // a - b = k. The rows are kept to walk back.
 class Search {
 public:
-    Search(const Pieces& a, const Pieces& b) : a_(a), b_(b) {}
+    Search(const Pieces& a, const Pieces& b)
+        : a_(a), b_(b), most_(static_cast<long>(std::min(mostDifferences, a.size() + b.size()))) {}
 
     // Pairs of equal pieces, as ranges of pieces that differ; false: too many differences.
     bool run(std::vector<std::pair<Range, Range>>& out) {
         const long n = static_cast<long>(a_.size()), m = static_cast<long>(b_.size());
-        std::vector<long> reach(2 * mostDifferences + 3, 0);
-        for (long d = 0; d <= static_cast<long>(mostDifferences); ++d) {
+        const long offset = most_ + 1; // of k = 0
+        std::vector<long> reach(static_cast<std::size_t>(2 * offset + 1), 0);
+        for (long d = 0; d <= most_; ++d) {
             rows_.push_back({reach.begin() + offset - d - 1, reach.begin() + offset + d + 2});
             for (long k = -d; k <= d; k += 2) {
                 long x = goesDown(reach.data() + offset, k, d)
@@ -62,8 +64,6 @@ public:
     }
 
 private:
-    static constexpr long offset = static_cast<long>(mostDifferences) + 1;
-
     static std::string_view at(const Pieces& pieces, long i) {
         return pieces[static_cast<std::size_t>(i)];
     }
@@ -100,6 +100,7 @@ private:
     }
 
     const Pieces &a_, &b_;
+    long most_; // differences
     std::vector<std::vector<long>> rows_;
 };
 
@@ -117,7 +118,12 @@ bool touch(Range a, Range b) { return a.from <= b.to && b.from <= a.to; }
 
 } // namespace
 
+static thread_local std::size_t sought = 0;
+
+std::size_t differencesSought() { return sought; }
+
 std::vector<Hunk> differences(std::string_view before, std::string_view after) {
+    ++sought;
     Pieces a = piecesOf(before), b = piecesOf(after);
     std::size_t head = 0, tail = 0, skipped = 0;
     while (head < std::min(a.size(), b.size()) && a[head] == b[head])
@@ -134,7 +140,7 @@ std::vector<Hunk> differences(std::string_view before, std::string_view after) {
     if (a.empty() && b.empty())
         return {};
     std::vector<std::pair<Range, Range>> found;
-    if (!Search(a, b).run(found))
+    if (a.empty() || b.empty() || !Search(a, b).run(found))
         found = {{{0, a.size()}, {0, b.size()}}};
     const auto startsA = startsOf(a, skipped), startsB = startsOf(b, skipped);
     std::vector<Hunk> hunks;

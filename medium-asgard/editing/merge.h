@@ -23,6 +23,8 @@ struct Hunk {
 
 // In order and apart from each other.
 [[nodiscard]] std::vector<Hunk> differences(std::string_view before, std::string_view after);
+// How many this thread has looked for: each goes through two whole texts.
+[[nodiscard]] std::size_t differencesSought();
 
 struct Merge {
     std::vector<TextEdit> edits;         // of mine: what they did where I did nothing

@@ -203,7 +203,26 @@ void RandomEdits::keepsItsWord(const Read& read, const Wish& wish, const std::st
     ++kept_;
 }
 
-// Every edit rewrites one number, or puts an option behind a command.
+// Where the numbers of an option are written as such, or those of the parameter that it names;
+// none: variables or commands make them.
+std::optional<scene::Range> writtenAt(const std::string& text, const scene::Scene& scene,
+                                      const scene::Source& source, const std::string& option) {
+    std::optional<scene::Range> found;
+    for (const scene::Argument& argument : source.arguments)
+        if (argument.option == option)
+            found = argument.word;
+    if (!found || !found->known() ||
+        text.substr(found->from, found->to - found->from).find_first_of("$[\\") !=
+            std::string::npos)
+        return std::nullopt;
+    const std::string written = text.substr(found->from, found->to - found->from);
+    for (const scene::Parameter& parameter : scene.parameters)
+        if (written == parameter.name || written == "{" + parameter.name + "}")
+            return writtenAt(text, scene, parameter.source, "-value");
+    return found;
+}
+
+// Every edit rewrites one number, the one that is meant, or puts an option behind a command.
 void RandomEdits::changeValue(const Read& read, bool evaluate) {
     const std::string& text = read.from.text;
     const Element element = read.elements[below(read.elements.size())];
@@ -232,16 +251,22 @@ void RandomEdits::changeValue(const Read& read, bool evaluate) {
         return;
     }
     ++changed_;
+    const scene::Source& source = *sourceOf(*read.scene, element);
     std::size_t last = 0;
     for (const TextEdit& edit : answer.edits) {
         ASSERT_GE(edit.from, last);
         last = edit.to;
         if (edit.from == edit.to) {
-            ASSERT_EQ(edit.from, sourceOf(*read.scene, element)->command.to);
+            ASSERT_EQ(edit.from, source.command.to);
             ASSERT_TRUE(edit.text.starts_with(" " + wish.option + " "));
         } else {
             ASSERT_TRUE(script::decimalNumber(text.substr(edit.from, edit.to - edit.from)));
             ASSERT_TRUE(script::decimalNumber(edit.text)) << edit.text;
+            if (const auto word = writtenAt(text, *read.scene, source, wish.option)) {
+                ASSERT_TRUE(word->from <= edit.from && edit.to <= word->to)
+                    << who << " " << wish.option << ": " << edit.from << "\n"
+                    << text;
+            }
         }
     }
     ASSERT_FALSE(answer.edits.empty());

@@ -55,6 +55,8 @@ std::string RandomLoops::component() {
 std::string RandomLoops::statements() {
     const std::string name = any({"$n", "$n", "b$x", "b[incr c]", "b${n}z"});
     std::string all;
+    if (below(12) == 0)
+        all += "peek; ";
     if (below(8) == 0)
         all += any({"set x [expr {$x * 2}]", "incr c", "set y $x", "set h 2"}) + "; ";
     all += "body " + name + " s -init_pos \"" + position() + "\"";
@@ -97,8 +99,11 @@ std::string RandomLoops::loop() {
 
 std::string RandomLoops::text() {
     std::string text = "shape_set s -desc {-sub {-sphere 1}}\nset h 2\nset q 0\nset x 1\n"
-                       "proc twice {v} {expr {2 * $v}}\n" +
-                       loop();
+                       "proc twice {v} {expr {2 * $v}}\n";
+    const std::string loops = loop();
+    if (loops.find("peek") != std::string::npos)
+        text += "proc peek {} {uplevel 1 {body p[incr p] s -init_pos \"$x 7 0\"}}\n";
+    text += loops;
     if (below(3) == 0)
         text += loop();
     if (below(5) == 0)

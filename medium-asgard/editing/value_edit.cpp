@@ -320,7 +320,8 @@ Answer Edit::answer(const std::string& name, std::size_t together, std::size_t w
                                     " of line " + std::to_string(origins_.lineOf(maker->range.from))
                               : ""),
                    maker ? maker->words.front().range : command->range);
-        answer.offers = offersFor({*command, source_, name, together, which}, wish_, origins_);
+        if (wish_.offers)
+            answer.offers = offersFor({*command, source_, name, together, which}, wish_, origins_);
         return answer;
     }
     if (const Word* value = word(*command))

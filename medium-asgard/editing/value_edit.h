@@ -35,6 +35,7 @@ struct Wish {
     // The values as they are, where they are known: what is not to change may be computed, and a
     // number that the text gives otherwise is not the one that is meant.
     std::vector<double> now = {};
+    bool offers = true; // what could be done instead is worked out, too, which may take long
 };
 
 // A change that is possible, but only if the author wants it.
