@@ -121,6 +121,7 @@ private:
             computed.shown.scene = from.scene();
         else
             computed.shown.scene = document().shown().scene;
+        computed.text = from.scene() ? from.sceneText() : document().shownText();
         computed.shown.motion = from.motion();
         computed.diagnostics = from.faults();
         computed.statistics = from.statistics();

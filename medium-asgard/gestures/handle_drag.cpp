@@ -45,8 +45,10 @@ HandleDrag::HandleDrag(Ground ground, const Sight& sight, const render::Handle& 
     auto asked = wishes();
     if (path_)
         asked = {path_->wishOf(pointOf(*path_, handle_))};
-    for (editing::Wish& wish : asked)
+    for (editing::Wish& wish : asked) {
         wish.now.clear();
+        wish.offers = false;
+    }
     answer_ = mapper_.answer(asked);
     answer_.edits.clear();
 }
@@ -113,9 +115,13 @@ std::vector<editing::Wish> HandleDrag::wishes() const {
 }
 
 // What it asks of the text. A point that ends one curve and begins the next moves in both.
-editing::Answer HandleDrag::asked() const {
-    if (!path_)
-        return mapper_.answer(wishes());
+editing::Answer HandleDrag::asked(bool offers) const {
+    if (!path_) {
+        auto wishes = this->wishes();
+        for (editing::Wish& wish : wishes)
+            wish.offers = offers;
+        return mapper_.answer(wishes);
+    }
     const editing::Wish wish = wishes().front();
     const std::size_t point = pointOf(*path_, handle_);
     const editing::ControlPoint& now = path_->points()[point];
@@ -138,7 +144,7 @@ void HandleDrag::update() {
         plane_ = place_; // freed, it goes on from here
     else if (surface_ && !free_)
         follows_ = isOnSurface(place_);
-    answer_ = asked();
+    answer_ = asked(false); // which nobody sees before it ends
     if (answer_.possible())
         ground_.preview(editing::applied(ground_.text, answer_.edits));
 }
@@ -170,6 +176,8 @@ void HandleDrag::setFree(bool free) {
 }
 
 void HandleDrag::finish() {
+    if (moved_ && !answer_.possible())
+        answer_ = asked(true);
     ground_.finish(answer_.possible() && moved_ ? editing::applied(ground_.text, answer_.edits)
                                                 : ground_.text,
                    label());

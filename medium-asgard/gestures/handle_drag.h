@@ -51,7 +51,7 @@ private:
     [[nodiscard]] geometry::Vector onSphere() const;
     [[nodiscard]] geometry::Vector rolled() const;
     [[nodiscard]] std::optional<geometry::Vector> onSurface() const;
-    [[nodiscard]] editing::Answer asked() const;
+    [[nodiscard]] editing::Answer asked(bool offers) const;
     [[nodiscard]] bool isOnSurface(const geometry::Vector& place) const;
     void update();
 

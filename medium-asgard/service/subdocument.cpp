@@ -116,6 +116,7 @@ Changes Subdocument::update(Instant now) {
         faults_ = std::move(*news.diagnostics);
         faulty_ = !news.scene;
         awaited_.scene = std::move(news.scene);
+        awaited_.text = shownText(); // news of older texts do not come
         changes.diagnostics = true;
     }
     if (news.motion) {

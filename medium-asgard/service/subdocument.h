@@ -52,6 +52,8 @@ public:
     // What is shown: the motion belongs to the scene. Null before the first good text.
     [[nodiscard]] const ScenePointer& scene() const { return shown_.scene; }
     [[nodiscard]] const simulation::MotionPointer& motion() const { return shown_.motion; }
+    // That the scene was read from.
+    [[nodiscard]] const std::string& sceneText() const { return shown_.text; }
     // Of the newest text that makes a scene, shown or not yet.
     [[nodiscard]] const ScenePointer& newestScene() const {
         return awaited_.scene ? awaited_.scene : shown_.scene;
@@ -83,6 +85,7 @@ private:
     struct Version {
         ScenePointer scene;
         simulation::MotionPointer motion;
+        std::string text; // that the scene was read from
     };
     void start(Instant now);
     [[nodiscard]] bool takeOverNow(Instant now) const;

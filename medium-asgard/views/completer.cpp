@@ -21,7 +21,8 @@ Completer::Completer(SceneEditor& editor, SceneDocument& document)
 }
 
 editing::Completion Completer::completion() const {
-    return editing::completionAt(editor_.bytes(), editor_.caret(), *document_.shown().scene);
+    return editing::completionAt(editor_.bytes(), editor_.structure(), editor_.caret(),
+                                 *document_.shown().scene);
 }
 
 void Completer::typed(int character) {
@@ -32,9 +33,12 @@ void Completer::typed(int character) {
     if (!word && !opens)
         return;
     // While the list is there, each letter leaves fewer in it.
+    const auto begins = static_cast<std::size_t>(
+        editor_.SendScintilla(QsciScintillaBase::SCI_WORDSTARTPOSITION, editor_.caret(), 1L));
+    if (!opens && !editor_.isListActive() && editor_.caret() < begins + 2)
+        return;
     const editing::Completion found = completion();
-    if (!found.words.empty() &&
-        (opens || editor_.isListActive() || editor_.caret() >= found.from + 2))
+    if (!found.words.empty())
         show(found);
 }
 

@@ -70,6 +70,7 @@ void Draft::typed() {
 }
 
 void Draft::follow() {
+    Q_EMIT aboutToFollow();
     if (!edited_ || editor_.bytes() == document_.text()) {
         take(document_.text());
         refusal_.clear();
@@ -233,12 +234,12 @@ void Draft::refused(const QString& why) {
 // What differs there. Words that were left out beside it, but for blanks, belong to it: the draft
 // has no bytes of theirs that could be in the range.
 std::optional<editing::Hunk> Draft::hunkAt(Range range) const {
-    const std::string mine = editor_.bytes();
+    const std::string& mine = editor_.bytes();
     const auto blanksTo = [&](std::size_t from, std::size_t to) {
         return from >= to || mine.find_first_not_of(" \t", from) >= to;
     };
     std::optional<editing::Hunk> found;
-    for (const editing::Hunk& hunk : editing::differences(base_, mine)) {
+    for (const editing::Hunk& hunk : hunks_) {
         const bool leftOut = !hunk.after.known();
         if (!(hunk.after.from <= range.to && range.from <= hunk.after.to) &&
             !(leftOut && blanksTo(range.to, hunk.after.from) &&
@@ -264,6 +265,11 @@ void Draft::keepMine(Range conflict) {
     Q_EMIT changed();
 }
 
+void Draft::keepAllMine() {
+    editor_.unmark(Mark::conflict);
+    Q_EMIT changed();
+}
+
 void Draft::takeTheirs(Range conflict) {
     const auto hunk = hunkAt(conflict);
     editor_.unmark(Mark::conflict, conflict);
@@ -278,9 +284,11 @@ void Draft::takeTheirs(Range conflict) {
 
 void Draft::markLines() {
     editor_.markerDeleteAll(draftMarker);
+    hunks_.clear();
     if (!edited_)
         return;
-    for (const editing::Hunk& hunk : editing::differences(base_, editor_.bytes())) {
+    hunks_ = editing::differences(base_, editor_.bytes());
+    for (const editing::Hunk& hunk : hunks_) {
         const int last =
             editor_.lineOf(std::max(hunk.after.from, hunk.after.to - (hunk.after.known() ? 1 : 0)));
         for (int line = editor_.lineOf(hunk.after.from); line <= last; ++line)

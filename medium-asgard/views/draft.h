@@ -27,6 +27,8 @@ public:
     [[nodiscard]] std::vector<scene::Range> conflicts() const {
         return editor_.marks(Mark::conflict);
     }
+    // Where it differs from the document's text, which comes first.
+    [[nodiscard]] const std::vector<editing::Hunk>& hunks() const { return hunks_; }
     // What the document has in the place of a conflict.
     [[nodiscard]] QString theirs(scene::Range conflict) const;
 
@@ -38,11 +40,13 @@ public:
     void undo();
     void redo();
     void keepMine(scene::Range conflict);
+    void keepAllMine();
     void takeTheirs(scene::Range conflict);
 
 Q_SIGNALS:
-    void changed();  // whether edited, its conflicts, or why it was refused
-    void followed(); // the editor's text is the document's, or took something from it
+    void aboutToFollow(); // the document's text is another, the editor's is not yet
+    void changed();       // whether edited, its conflicts, or why it was refused
+    void followed();      // the editor's text is the document's, or took something from it
 
 private:
     // What was typed once, upon the document's text of then.
@@ -64,8 +68,9 @@ private:
     SceneEditor& editor_;
     SceneDocument& document_;
     bool edited_ = false;
-    bool taking_ = false;                  // the text changes because the document's did
-    std::string base_;                     // the document's text that the draft is a draft of
+    bool taking_ = false; // the text changes because the document's did
+    std::string base_;    // the document's text that the draft is a draft of
+    std::vector<editing::Hunk> hunks_;
     std::optional<std::string> submitted_; // until the host has accepted it
     std::string submittedOn_;              // the document's text that this was a draft of
     // What goes on after submit(), before the document's text came into it: should the host refuse,

@@ -6,6 +6,7 @@
 #include <QThreadPool>
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 
 namespace views {
@@ -114,6 +115,7 @@ HandleKind handleOf(const Editable& value, const scene::Scene& scene) {
 struct ElementMarks::Errand {
     std::mutex mutex;
     ElementMarks* from = nullptr;
+    std::atomic<int> wanted{0}; // the newest revision that was asked about
 };
 
 ElementMarks::~ElementMarks() {
@@ -178,16 +180,19 @@ void ElementMarks::findOut() {
         errand_ = std::make_shared<Errand>();
         errand_->from = this;
     }
+    errand_->wanted = document_.revision();
     QThreadPool::globalInstance()->start([errand = errand_, text = document_.text(),
                                           scene = document_.shown().scene,
                                           revision = document_.revision()] {
+        if (errand->wanted != revision) // it waited, and the text went on
+            return;
         std::vector<Coloured> found = colouredOf(text, scene);
         const std::lock_guard lock(errand->mutex);
         ElementMarks* const marks = errand->from;
         if (!marks)
             return;
         const auto take = [marks, revision, found = std::move(found)] {
-            if (revision != marks->document_.revision())
+            if (revision != marks->document_.revision() || marks->draft_.edited())
                 return;
             marks->editor_.unmark(Mark::argument);
             marks->toMark_ = {found.rbegin(), found.rend()};
@@ -215,14 +220,14 @@ void ElementMarks::markSome() {
 Range ElementMarks::inEditor(Range range) const {
     if (!draft_.edited())
         return range;
-    const auto hunks = editing::differences(document_.text(), editor_.bytes());
+    const auto& hunks = draft_.hunks();
     return {across(hunks, range.from, true), across(hunks, range.to, true)};
 }
 
 Range ElementMarks::inDocument(Range range) const {
     if (!draft_.edited())
         return range;
-    const auto hunks = editing::differences(document_.text(), editor_.bytes());
+    const auto& hunks = draft_.hunks();
     return {across(hunks, range.from, false), across(hunks, range.to, false)};
 }
 

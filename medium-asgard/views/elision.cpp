@@ -55,8 +55,7 @@ Elision::Elision(SceneEditor& editor) : editor_(editor) {
 }
 
 std::vector<editing::PointList> Elision::lists() const {
-    const std::string text = editor_.bytes();
-    return editing::pointListsOf(text, script::structureOf(text), halfLine);
+    return editing::pointListsOf(editor_.bytes(), editor_.structure(), halfLine);
 }
 
 void Elision::refresh() {
@@ -147,7 +146,7 @@ void Elision::changed() {
     const double column =
         std::max(1.0, QFontMetricsF(editor_.lexer()->defaultFont(SceneLexer::plain))
                           .horizontalAdvance(QLatin1Char('0')));
-    const std::string text = editor_.bytes();
+    const std::string& text = editor_.bytes();
     for (const editing::PointList& list : all) {
         if (std::ranges::none_of(marked, [&](Range range) { return overlap(range, list.range); }))
             continue;
@@ -227,6 +226,28 @@ bool Elision::pressed(const QMouseEvent& event) {
     return toggle(*byte);
 }
 
+// What Ctrl and a key take out at once: a word, a part of the line, all of it.
+void Elision::releaseAround(const QKeyEvent& event) {
+    using Base = QsciScintillaBase;
+    const bool back = event.key() == Qt::Key_Backspace, forth = event.key() == Qt::Key_Delete;
+    const bool whole = event.key() == Qt::Key_L || event.key() == Qt::Key_T;
+    if (chips_.empty() || (!back && !forth && !whole))
+        return;
+    const bool shift = (event.modifiers() & Qt::ShiftModifier) != 0;
+    const std::size_t at = editor_.caret();
+    const int line = editor_.lineOf(at);
+    if (whole || shift) // the line before is part of what Ctrl+T exchanges
+        editor_.SendScintilla(
+            Base::SCI_SETSEL,
+            editor_.SendScintilla(Base::SCI_POSITIONFROMLINE,
+                                  static_cast<unsigned long>(std::max(0, line - 1))),
+            editor_.SendScintilla(Base::SCI_GETLINEENDPOSITION, static_cast<unsigned long>(line)));
+    else
+        editor_.SendScintilla(back ? Base::SCI_WORDLEFTEXTEND : Base::SCI_WORDRIGHTEXTEND);
+    releaseSelected();
+    editor_.SendScintilla(Base::SCI_SETEMPTYSELECTION, at);
+}
+
 bool Elision::key(const QKeyEvent& event) {
     const bool back = event.key() == Qt::Key_Backspace, forth = event.key() == Qt::Key_Delete;
     if (editor_.selection().known()) {
@@ -234,6 +255,10 @@ bool Elision::key(const QKeyEvent& event) {
                             event.key() == Qt::Key_Tab;
         if (back || forth || breaks || (!event.text().isEmpty() && event.text().front().isPrint()))
             releaseSelected();
+        return false;
+    }
+    if ((event.modifiers() & Qt::ControlModifier) != 0) {
+        releaseAround(event);
         return false;
     }
     if (!back && !forth)

@@ -31,6 +31,7 @@ public:
 
     bool pressed(const QMouseEvent& event) override;
     bool key(const QKeyEvent& event) override;
+    void replacing() override { releaseSelected(); }
     void paint(QPainter& painter) override;
     [[nodiscard]] QString tip(std::size_t byte) const override;
 
@@ -46,6 +47,7 @@ private:
     void changed();
     void hideLines();
     void jump();
+    void releaseAround(const QKeyEvent& event);
     [[nodiscard]] QRectF rectOf(const Chip& chip) const;
     [[nodiscard]] const Chip* chipAt(const QPoint& position) const;
 

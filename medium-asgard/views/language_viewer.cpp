@@ -102,7 +102,6 @@ QWidget* LanguageViewer::buildButtons() {
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
     updateButton_ = new QPushButton(tr("&Update"));
-    updateButton_->setToolTip(tr("Make this the scene's text, in every view (Ctrl+Return)"));
     saveButton_ = new QPushButton(tr("&Save"));
     saveButton_->setToolTip(tr("Update, and write the file (Ctrl+S)"));
     saveButton_->setVisible(static_cast<bool>(windows_.save));
@@ -122,10 +121,7 @@ QWidget* LanguageViewer::buildButtons() {
     row->addWidget(state_, 1);
     row->addWidget(dismiss);
     connect(updateButton_, &QPushButton::clicked, this, &LanguageViewer::updateDocument);
-    connect(saveButton_, &QPushButton::clicked, this, [this] {
-        updateDocument();
-        windows_.save();
-    });
+    connect(saveButton_, &QPushButton::clicked, this, &LanguageViewer::save);
     connect(revertButton_, &QPushButton::clicked, this, &LanguageViewer::revert);
     connect(dismiss, &QPushButton::clicked, this, &QWidget::close);
     return buttons;
@@ -141,7 +137,7 @@ void LanguageViewer::buildMenus() {
     file->addAction(tr("&Update"), QKeySequence(Qt::CTRL | Qt::Key_Return), this,
                     &LanguageViewer::updateDocument);
     if (windows_.save)
-        file->addAction(tr("&Save"), QKeySequence::Save, saveButton_, &QPushButton::click);
+        file->addAction(tr("&Save"), QKeySequence::Save, this, &LanguageViewer::save);
     else // the document's file is written by its own window
         file->actions().back()->setShortcuts(
             {QKeySequence(Qt::CTRL | Qt::Key_Return), QKeySequence::Save});
@@ -229,14 +225,25 @@ std::string LanguageViewer::draft() const { return editor_->bytes(); }
 
 bool LanguageViewer::hasDraft() const { return draft_->edited(); }
 
-QsciScintilla& LanguageViewer::editor() { return *editor_; }
+SceneEditor& LanguageViewer::editor() { return *editor_; }
 
-void LanguageViewer::updateDocument() {
+bool LanguageViewer::updateDocument() {
     numbers_->finish();
+    if (!draft_->conflicts().empty()) {
+        notice_->insist();
+        return false;
+    }
     if (draft_->edited())
         updating_.emplace(document_.shownText(), document_.shown().scene);
     draft_->submit();
     showDiagnostics();
+    return true;
+}
+
+void LanguageViewer::save() {
+    const bool any = draft_->edited() || document_.isModified();
+    if (any && updateDocument())
+        windows_.save();
 }
 
 void LanguageViewer::revert() {
@@ -338,9 +345,14 @@ void LanguageViewer::updateTitle() {
     setWindowTitle(tr("%1[*] – %2").arg(document_.name(), viewer));
     const bool edited = draft_->edited();
     setWindowModified(edited || (!document_.hasHost() && document_.isModified()));
-    updateButton_->setEnabled(edited);
-    updateButton_->setDefault(edited);
-    saveButton_->setEnabled(edited || document_.isModified());
+    const bool disputed = !draft_->conflicts().empty();
+    updateButton_->setEnabled(edited && !disputed);
+    updateButton_->setDefault(edited && !disputed);
+    updateButton_->setToolTip(
+        disputed ? tr("First choose, above the text, what becomes of what was changed here and in "
+                      "another view")
+                 : tr("Make this the scene's text, in every view (Ctrl+Return)"));
+    saveButton_->setEnabled((edited && !disputed) || (!edited && document_.isModified()));
     revertButton_->setEnabled(edited || (!document_.hasHost() && document_.isModified()));
     Q_EMIT draftChanged();
 }
@@ -389,17 +401,22 @@ bool LanguageViewer::settleDraft() {
     numbers_->finish();
     if (!draft_->edited())
         return true;
+    const bool disputed = !draft_->conflicts().empty();
     QMessageBox box(QMessageBox::Question, windowTitle(),
                     tr("The draft in this viewer was not made the scene's text."),
                     QMessageBox::NoButton, this);
-    QPushButton* update = box.addButton(tr("&Update"), QMessageBox::AcceptRole);
+    if (disputed)
+        box.setInformativeText(tr("Another view has changed some of the same places."));
+    QPushButton* update = box.addButton(disputed ? tr("&Update, Keeping Mine") : tr("&Update"),
+                                        QMessageBox::AcceptRole);
     QPushButton* drop = box.addButton(tr("&Drop the Draft"), QMessageBox::DestructiveRole);
     box.addButton(QMessageBox::Cancel);
     box.setDefaultButton(update);
     box.exec();
-    if (box.clickedButton() == update)
+    if (box.clickedButton() == update) {
+        draft_->keepAllMine();
         updateDocument();
-    else if (box.clickedButton() == drop)
+    } else if (box.clickedButton() == drop)
         dropDraft();
     else
         return false;

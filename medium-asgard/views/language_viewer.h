@@ -14,7 +14,6 @@
 class QLabel;
 class QListWidget;
 class QPushButton;
-class QsciScintilla;
 
 namespace views {
 
@@ -37,14 +36,17 @@ public:
     [[nodiscard]] std::string draft() const;
     // Someone typed since the draft was last the document's text.
     [[nodiscard]] bool hasDraft() const;
-    [[nodiscard]] QsciScintilla& editor();
+    [[nodiscard]] SceneEditor& editor();
+    [[nodiscard]] NumberDrag& numbers() { return *numbers_; }
     [[nodiscard]] QListWidget& messages() { return *messages_; }
 
-    void updateDocument();
+    // The draft becomes everyone's text; false: another view changed the same places, and which
+    // of the two it is to be was not chosen.
+    bool updateDocument();
     // Asks what becomes of a draft: the scene's text, or nothing. False: it stays as it is.
-    bool settleDraft(); // the Update button: makes the draft everyone's text
-    void revert();      // back to the last saved text, or under a host to the document's
-    void dropDraft();   // back to the document's text, which stays as it is
+    bool settleDraft();
+    void revert();    // back to the last saved text, or under a host to the document's
+    void dropDraft(); // back to the document's text, which stays as it is
     // Marks and shows the text's bytes [from, to).
     void select(std::size_t from, std::size_t to);
     // Finds the next occurrence after the cursor, from the top when there is none; false: nowhere.
@@ -68,6 +70,7 @@ private:
     void showState();
     void tellChanges();
     void updateTitle();
+    void save();
     void followed();
     [[nodiscard]] bool typingIsUndone() const;
     void undo();

@@ -1,20 +1,15 @@
 // What a language viewer does with text, beside what viewers_test.cpp has of it.
-#include "views/editor.h"
 #include "views/element_marks.h"
-#include "views/scene_editor.h"
 #include "views/scene_lexer.h"
-#include "views/test_workshop.h"
+#include "views/test_language_viewer.h"
+
+#include "editing/merge.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include <QAction>
-#include <QLabel>
+#include <QInputMethodEvent>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QPushButton>
-#include <QTemporaryDir>
-#include <QTest>
 
 namespace views {
 namespace {
@@ -22,49 +17,6 @@ namespace {
 using editing::Kind;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-
-class LanguageViewerTest : public testing::Test {
-protected:
-    static void SetUpTestSuite() { theApplication(); }
-
-    LanguageViewer* open(const std::string& text) {
-        editor.document().setText(text, "Edit");
-        EXPECT_TRUE(settle(editor.document()));
-        viewer = editor.openLanguageViewer();
-        EXPECT_TRUE(QTest::qWaitForWindowActive(viewer));
-        return viewer;
-    }
-    SceneEditor& text() { return static_cast<SceneEditor&>(viewer->editor()); }
-    const std::string& scene() { return editor.document().text(); }
-    static void type(LanguageViewer& into, const std::string& text) {
-        into.editor().setText(QString::fromStdString(text));
-    }
-    std::size_t place(const std::string& what) { return viewer->draft().find(what); }
-    void caretAt(std::size_t byte) {
-        text().setFocus();
-        text().SendScintilla(QsciScintillaBase::SCI_SETEMPTYSELECTION, byte);
-        QCoreApplication::processEvents();
-    }
-    void act(const QString& name) {
-        for (QAction* action : viewer->findChildren<QAction*>())
-            if (action->text().remove('&') == name)
-                return action->trigger();
-        FAIL() << name.toStdString();
-    }
-    QPushButton* button(const QString& name) {
-        for (auto* one : viewer->findChildren<QPushButton*>())
-            if (one->text().remove('&') == name)
-                return one;
-        return nullptr;
-    }
-    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
-        QTest::keyClick(&text(), key, modifiers);
-    }
-
-    TestWorkshop made;
-    Editor editor{made.workshop()};
-    LanguageViewer* viewer = nullptr;
-};
 
 // --- points that are not shown ----------------------------------------------------------------
 
@@ -149,6 +101,34 @@ TEST_F(ElisionTest, TheCaretJumpsOverThemAndBackspaceSelectsThemFirst) {
     EXPECT_EQ(viewer->draft(), ballScene + "trajectory path -points \n");
 }
 
+TEST_F(ElisionTest, WhatIsTakenOutOrComposedOverThemIsSeenFirst) {
+    open(ballScene + path);
+    const std::size_t from = place("{{0 0"), to = viewer->draft().size() - 1;
+    const auto hideAgain = [&] {
+        viewer->dropDraft();
+        caretAt(0);
+        act("Hide All Points");
+        ASSERT_TRUE(hidden(place("{3 3 0 0}")));
+    };
+    caretAt(to);
+    key(Qt::Key_Backspace, Qt::ControlModifier);
+    EXPECT_LT(viewer->draft().size(), to + 1); // a word of it
+    hideAgain();
+    caretAt(from);
+    key(Qt::Key_Delete, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(viewer->draft(), ballScene + "trajectory path -points \n");
+    hideAgain();
+    caretAt(from);
+    key(Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(viewer->draft(), ballScene);
+    hideAgain();
+    text().select({from, to});
+    QInputMethodEvent composed;
+    composed.setCommitString(QString::fromUtf8("\xc3\xb6"));
+    QApplication::sendEvent(&text(), &composed);
+    EXPECT_EQ(viewer->draft(), ballScene + "trajectory path -points \xc3\xb6\n");
+}
+
 TEST_F(ElisionTest, WhatIsTypedOrLookedForIsSeen) {
     open(ballScene);
     type(*viewer, ballScene + path);
@@ -160,110 +140,6 @@ TEST_F(ElisionTest, WhatIsTypedOrLookedForIsSeen) {
     ASSERT_TRUE(hidden(place("{3 3 0 0}")));
     EXPECT_TRUE(viewer->find("2 2 1"));
     EXPECT_FALSE(hidden(place("{3 3 0 0}")));
-}
-
-// --- drafts and others' changes -----------------------------------------------------------------
-
-class DraftTest : public LanguageViewerTest {
-protected:
-    QString notice() {
-        for (QLabel* label : viewer->findChildren<QLabel*>())
-            if (label->accessibleName() == "Notice")
-                return label->text();
-        return {};
-    }
-    void replace(const std::string& what, const std::string& with) {
-        const std::size_t at = place(what);
-        ASSERT_NE(at, std::string::npos);
-        text().replace({at, at + what.size()}, with);
-    }
-    void elsewhere(const std::string& what, const std::string& with) {
-        std::string all = scene();
-        all.replace(all.find(what), what.size(), with);
-        editor.document().setText(all, "Move b1");
-    }
-};
-
-TEST_F(DraftTest, TakesWhatOthersChangeElsewhereAndStaysADraft) {
-    open(ballScene);
-    replace("-init_dpos {1 0 0}", "-init_dpos {1 0 0} -mass 3");
-    EXPECT_TRUE(viewer->hasDraft());
-    elsewhere("{-1 0 0}", "{-4.37 0 2}");
-    EXPECT_TRUE(viewer->hasDraft());
-    EXPECT_NE(viewer->draft().find("-init_pos {-4.37 0 2} -init_dpos {1 0 0} -mass 3"),
-              std::string::npos);
-    EXPECT_EQ(scene().find("-mass"), std::string::npos); // on Update only
-    EXPECT_EQ(notice(), "");
-    const std::string mine = viewer->draft();
-    viewer->updateDocument();
-    EXPECT_EQ(scene(), mine);
-}
-
-TEST_F(DraftTest, ShowsWhatBothChangedAndSettlesItEitherWay) {
-    open(ballScene);
-    replace("{-1 0 0}", "{-2 0 0}");
-    elsewhere("{-1 0 0}", "{-3 0 0}");
-    EXPECT_NE(viewer->draft().find("{-2 0 0}"), std::string::npos);
-    EXPECT_TRUE(text().isMarked(Mark::conflict, place("2 0 0")));
-    EXPECT_TRUE(notice().contains("“2”"));
-    EXPECT_TRUE(notice().contains("“3”"));
-    button("Take the Scene's")->click();
-    EXPECT_EQ(viewer->draft(), scene());
-    EXPECT_FALSE(viewer->hasDraft());
-    EXPECT_EQ(notice(), "");
-
-    replace("{-3 0 0}", "{-5 0 0}");
-    elsewhere("{-3 0 0}", "{-6 0 0}");
-    button("Keep Mine")->click();
-    EXPECT_EQ(notice(), "");
-    EXPECT_NE(viewer->draft().find("{-5 0 0}"), std::string::npos);
-    viewer->updateDocument();
-    EXPECT_NE(scene().find("{-5 0 0}"), std::string::npos);
-}
-
-TEST_F(DraftTest, SeveralConflictsAreGoneThroughOneByOne) {
-    open(ballScene);
-    replace("-finish 2", "-finish 3");
-    replace("{-1 0 0}", "{-2 0 0}");
-    std::string all = scene();
-    all.replace(all.find("-finish 2"), 9, "-finish 4");
-    all.replace(all.find("{-1 0 0}"), 8, "{-9 0 0}");
-    editor.document().setText(all, "Edit");
-    EXPECT_EQ(text().marks(Mark::conflict).size(), 2U);
-    EXPECT_TRUE(notice().startsWith("2 places"));
-    act("Next");
-    EXPECT_EQ(text().selection().from, place("3\n"));
-    act("Take the Scene's");
-    EXPECT_EQ(text().marks(Mark::conflict).size(), 1U);
-    act("Keep Mine");
-    EXPECT_NE(viewer->draft().find("-finish 4"), std::string::npos);
-    EXPECT_NE(viewer->draft().find("{-2 0 0}"), std::string::npos);
-}
-
-TEST_F(DraftTest, TypingBackToTheSceneIsNoDraft) {
-    open(ballScene);
-    replace("-finish 2", "-finish 25");
-    EXPECT_TRUE(viewer->hasDraft());
-    EXPECT_TRUE(viewer->isWindowModified());
-    replace("-finish 25", "-finish 2");
-    EXPECT_FALSE(viewer->hasDraft());
-}
-
-TEST_F(DraftTest, RevertGoesBackToTheFileAndSaysSoInTheTitle) {
-    QTemporaryDir folder;
-    const QString file = folder.filePath("swing.al");
-    open(ballScene);
-    ASSERT_EQ(editor.document().save(file), "");
-    EXPECT_EQ(viewer->windowTitle(), "swing.al[*] – Language Viewer");
-    LanguageViewer* two = editor.openLanguageViewer();
-    EXPECT_EQ(two->windowTitle(), "swing.al[*] – Language Viewer 2");
-    EXPECT_FALSE(viewer->isWindowModified());
-    elsewhere("{-1 0 0}", "{-3 0 0}");
-    replace("-finish 2", "-finish 3");
-    viewer->revert();
-    EXPECT_EQ(viewer->draft(), ballScene);
-    EXPECT_EQ(scene(), ballScene);
-    EXPECT_FALSE(viewer->isWindowModified());
 }
 
 // --- faults -------------------------------------------------------------------------------------
@@ -436,6 +312,24 @@ TEST_F(LanguageViewerTest, WhatALoopCountsByStaysWhole) {
 
 // --- completion, find and replace
 // --------------------------------------------------------------------
+
+// What a key makes: the text's structure once, that of the begun command to complete it, and what
+// differs from the scene's text once, however much asks for them.
+TEST_F(LanguageViewerTest, AKeyGoesThroughTheTextOnce) {
+    open(ballScene + path);
+    editor.document().select({{Kind::body, 0}});
+    type(*viewer, ballScene + path + "# mine\n");
+    caretAt(viewer->draft().size());
+    QTest::keyClicks(&text(), "fo");
+    const std::size_t structures = script::structuresMade();
+    const std::size_t differences = editing::differencesSought();
+    QTest::keyClicks(&text(), "r");
+    EXPECT_TRUE(text().isListActive());
+    viewer->repaint();
+    QCoreApplication::processEvents();
+    EXPECT_LE(script::structuresMade() - structures, 2U);
+    EXPECT_LE(editing::differencesSought() - differences, 1U);
+}
 
 TEST_F(LanguageViewerTest, WhatIsBegunIsCompleted) {
     open(ballScene);

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QTimer>
 
 #include <algorithm>
 
@@ -47,12 +48,12 @@ NoticeBar::NoticeBar(SceneEditor& editor, Draft& draft)
     connect(theirs_, &QPushButton::clicked, this, &NoticeBar::takeTheirs);
     connect(next_, &QPushButton::clicked, this, &NoticeBar::nextConflict);
     connect(drop_, &QPushButton::clicked, &draft_, &Draft::drop);
-    connect(&draft_, &Draft::changed, this, &NoticeBar::update);
+    connect(&draft_, &Draft::changed, this, &NoticeBar::showState);
     connect(&editor_, &QsciScintillaBase::SCN_UPDATEUI, this, [this] {
         if (conflicts_ > 1)
-            update();
+            showState();
     });
-    update();
+    showState();
 }
 
 std::optional<Range> NoticeBar::current() const {
@@ -66,31 +67,54 @@ std::optional<Range> NoticeBar::current() const {
 }
 
 QString NoticeBar::words(const std::vector<Range>& conflicts) const {
+    QString refused;
     if (draft_.edited() && !draft_.refusal().isEmpty())
-        return tr("The document did not take this change: %1. It is kept here as a draft.")
-            .arg(draft_.refusal().endsWith('.') ? draft_.refusal().chopped(1) : draft_.refusal());
+        refused = tr("The document did not take this change: %1. It is kept here as a draft.")
+                      .arg(draft_.refusal().endsWith('.') ? draft_.refusal().chopped(1)
+                                                          : draft_.refusal());
     const auto here = current();
     if (!here)
-        return {};
-    const QString what = tr("Changed here and in another view: here %1, in the scene %2.")
-                             .arg(shortened(editor_.word(*here)), shortened(draft_.theirs(*here)));
-    return conflicts.size() == 1 ? what
-                                 : tr("%1 places were changed here and in another view. %2")
-                                       .arg(conflicts.size())
-                                       .arg(tr("Here %1, in the scene %2.")
-                                                .arg(shortened(editor_.word(*here)),
-                                                     shortened(draft_.theirs(*here))));
+        return refused;
+    const QString mine = shortened(editor_.word(*here)), theirs = shortened(draft_.theirs(*here));
+    const QString what =
+        conflicts.size() == 1
+            ? tr("Changed here and in another view: here %1, in the scene %2.").arg(mine, theirs)
+            : tr("%1 places were changed here and in another view. Here %2, in "
+                 "the scene %3.")
+                  .arg(conflicts.size())
+                  .arg(mine, theirs);
+    if (insists_)
+        return tr("Not updated: choose first. %1").arg(what);
+    return refused.isEmpty() ? what : tr("%1 %2").arg(refused, what);
 }
 
-void NoticeBar::update() {
+void NoticeBar::showState() {
     const auto all = draft_.conflicts();
     conflicts_ = all.size();
+    insists_ = insists_ && !all.empty();
     const QString text = words(all);
     words_->setText(text);
     for (QPushButton* button : {mine_, theirs_})
         button->setVisible(!all.empty());
     next_->setVisible(all.size() > 1);
     setVisible(!text.isEmpty());
+}
+
+// It takes room from the text: the line that one writes, and looks at, is not to be what goes.
+void NoticeBar::showEvent(QShowEvent* event) {
+    QFrame::showEvent(event);
+    const std::size_t caret = editor_.caret();
+    const QRect before = editor_.rectOf(caret);
+    if (!editor_.viewport()->rect().intersects(before))
+        return;
+    QTimer::singleShot(0, &editor_, [editor = &editor_, caret] { editor->reveal({caret, caret}); });
+}
+
+void NoticeBar::insist() {
+    insists_ = true;
+    showState();
+    if (const auto here = current())
+        Q_EMIT wanted(*here);
 }
 
 void NoticeBar::nextConflict() {

@@ -18,12 +18,16 @@ public:
     void nextConflict();
     void keepMine(); // of the conflict at the caret, else of the first
     void takeTheirs();
+    void insist(); // nothing is updated before each conflict is settled
 
 Q_SIGNALS:
     void wanted(scene::Range range);
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
-    void update();
+    void showState();
     [[nodiscard]] std::optional<scene::Range> current() const;
     [[nodiscard]] QString words(const std::vector<scene::Range>& conflicts) const;
 
@@ -32,6 +36,7 @@ private:
     QLabel* words_;
     QPushButton *mine_, *theirs_, *next_, *drop_;
     std::size_t conflicts_ = 0;
+    bool insists_ = false;
 };
 
 } // namespace views

@@ -9,6 +9,7 @@
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -39,8 +40,8 @@ bool countsWhole(const std::string& text, const script::Structure& structure, Ra
 }
 
 // A tenth of the number's own size, or its last decimal; of whole quantities, one.
-double stepOf(const std::string& text, Range number, double value) {
-    const script::Structure structure = script::structureOf(text);
+double stepOf(const std::string& text, const script::Structure& structure, Range number,
+              double value) {
     if (const script::Command* command = structure.at(number.from))
         if (const editing::CommandHint* hint = editing::hintOf(command->name(text)))
             for (std::size_t i = 1; i + 1 < command->words.size(); ++i) {
@@ -67,6 +68,7 @@ double stepOf(const std::string& text, Range number, double value) {
 NumberDrag::NumberDrag(SceneEditor& editor, SceneDocument& document, Draft& draft)
     : editor_(editor), document_(document), draft_(draft) {
     editor_.addTool(this);
+    connect(&draft_, &Draft::aboutToFollow, this, &NumberDrag::letGo);
 }
 
 std::optional<Range> NumberDrag::numberAt(std::size_t byte) const {
@@ -88,13 +90,35 @@ bool NumberDrag::begin(Range number) {
     gesture_->since = document_.revision();
     gesture_->number = number;
     gesture_->value = *value;
-    gesture_->step = stepOf(text, number, *value);
+    gesture_->step = stepOf(text, editor_.structure(), number, *value);
     gesture_->now = written;
     gesture_->inDraft = draft_.edited();
     if (gesture_->inDraft)
         editor_.beginUndoAction();
     editor_.mark(Mark::number, number);
     return true;
+}
+
+std::optional<Asked> NumberDrag::asked() const {
+    if (!gesture_)
+        return std::nullopt;
+    Asked asked{gesture_->since, {}};
+    asked.answer.edits = {{gesture_->number.from, gesture_->number.to, gesture_->now}};
+    return asked;
+}
+
+// In a draft what was counted stays; places in it are about to be others.
+void NumberDrag::letGo() {
+    if (!gesture_ || (!gesture_->inDraft && document_.mayGoOn(gesture_->since)))
+        return;
+    if (gesture_->inDraft)
+        return finish();
+    const QRect number = editor_.rectOf(gesture_->number.from);
+    gesture_.reset();
+    editor_.unmark(Mark::number);
+    if (editor_.isVisible())
+        QToolTip::showText(editor_.viewport()->mapToGlobal(number.bottomLeft()),
+                           SceneDocument::overtaken(), editor_.viewport());
 }
 
 void NumberDrag::set(long steps) {
@@ -114,7 +138,7 @@ void NumberDrag::set(long steps) {
     else
         document_.preview(gesture.text.substr(0, number.from) + now +
                               gesture.text.substr(number.to),
-                          gesture.since);
+                          gesture.since, this);
     editor_.unmark(Mark::number);
     editor_.mark(Mark::number, {number.from, number.from + now.size()});
 }
@@ -130,7 +154,7 @@ void NumberDrag::finish() {
     else
         document_.finishPreview(gesture->text.substr(0, number.from) + gesture->now +
                                     gesture->text.substr(number.to),
-                                tr("Change a Number"), gesture->since);
+                                tr("Change a Number"), gesture->since, this);
     editor_.select({number.from, number.from + gesture->now.size()});
 }
 

@@ -17,6 +17,8 @@ public:
     NumberDrag(SceneEditor& editor, SceneDocument& document, Draft& draft);
 
     [[nodiscard]] bool active() const { return static_cast<bool>(gesture_); }
+    // Of the draft as it was when it began, where there is one.
+    [[nodiscard]] std::optional<Asked> asked() const;
     // Counts the number at the caret by so many steps; false: there is none.
     bool count(int steps);
     void finish();
@@ -44,6 +46,7 @@ private:
     };
     [[nodiscard]] std::optional<scene::Range> numberAt(std::size_t byte) const;
     bool begin(scene::Range number);
+    void letGo(); // before another's text comes in
     void set(long steps);
     void hover(const QPoint& position, bool alt);
     [[nodiscard]] QRectF gripOf(scene::Range number) const;

@@ -170,7 +170,7 @@ void ParametersPanel::begin() {
                              document_.text(),
                              document_.shown().scene,
                              {document_.text(), document_.shown().scene},
-                             document_.text()});
+                             {}});
 }
 
 void ParametersPanel::moved(std::size_t index, int position) {
@@ -196,19 +196,24 @@ void ParametersPanel::moved(std::size_t index, int position) {
     const editing::Answer answer = asked(drag_->mapper, index, value);
     if (answer.possible()) {
         show(row, value);
-        drag_->last = editing::applied(drag_->text, answer.edits);
-        document_.preview(drag_->last, drag_->since);
+        drag_->last = answer;
+        document_.preview(drag_->wanted(), drag_->since, this);
     }
     if (!dragged)
         finish(index);
+}
+
+std::optional<Asked> ParametersPanel::asked() const {
+    return drag_ ? std::optional(Asked{drag_->since, drag_->last}) : std::nullopt;
 }
 
 void ParametersPanel::finish(std::size_t index) {
     if (!drag_)
         return;
     const std::unique_ptr<Drag> drag = std::move(drag_);
-    document_.finishPreview(
-        drag->last, tr("Change %1").arg(QString::fromStdString(rows_[index].name)), drag->since);
+    document_.finishPreview(drag->wanted(),
+                            tr("Change %1").arg(QString::fromStdString(rows_[index].name)),
+                            drag->since, this);
 }
 
 } // namespace views

@@ -23,6 +23,7 @@ public:
     explicit ParametersPanel(SceneDocument& document, QWidget* parent = nullptr);
 
     [[nodiscard]] QSlider* slider(const QString& parameter) const; // null: there is none
+    [[nodiscard]] std::optional<Asked> asked() const;              // by the slider that is dragged
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -40,7 +41,8 @@ private:
         std::string text;
         std::shared_ptr<const scene::Scene> scene;
         editing::Mapper mapper;
-        std::string last; // text of it that was answered
+        editing::Answer last; // that was possible
+        [[nodiscard]] std::string wanted() const { return editing::applied(text, last.edits); }
     };
     void refresh();
     void rebuild();

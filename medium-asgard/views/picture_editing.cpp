@@ -119,6 +119,14 @@ bool PictureEditing::press(QMouseEvent& event) {
     return true;
 }
 
+std::optional<Asked> PictureEditing::asked() const {
+    if (drag_)
+        return Asked{since_, drag_->answer()};
+    if (newPoint_)
+        return Asked{since_, newPoint_->answer()};
+    return std::nullopt;
+}
+
 bool PictureEditing::letGo() {
     if (!dragging() || document_.mayGoOn(since_))
         return false;

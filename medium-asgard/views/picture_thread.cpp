@@ -42,6 +42,7 @@ render::Camera framed(render::Handles& handles, const PictureWish& wish) {
 // One for all windows: they show the same scene mostly.
 class PictureThread::Studio {
 public:
+    explicit Studio(bool paints) : paints_(paints) {}
     [[nodiscard]] Picture draw(Window window, const PictureWish& wish);
     void forget(Window window) { kept_.erase(window); }
 
@@ -59,6 +60,7 @@ private:
     [[nodiscard]] static render::Camera cameraOf(Kept& kept, const PictureWish& wish);
     void paint(Picture& picture);
 
+    bool paints_;
     std::map<Window, Kept> kept_;
     std::unique_ptr<render::Renderer> renderer_;
     QString noRenderer_;
@@ -143,14 +145,15 @@ Picture PictureThread::Studio::draw(Window window, const PictureWish& wish) {
         picture.handles = all.handles->at(wish.time, wish.display);
     picture.forceArrow = all.handles->arrowLength(render::HandleKind::forceHead);
     picture.torqueArrow = all.handles->arrowLength(render::HandleKind::torqueHead);
-    paint(picture);
+    if (paints_)
+        paint(picture);
     picture.lasted = std::chrono::steady_clock::now() - began;
     return picture;
 }
 
 // ---------------------------------------------------------------------------------------------
 
-PictureThread::PictureThread() : thread_([this] { run(); }) {}
+PictureThread::PictureThread(bool paints) : paints_(paints), thread_([this] { run(); }) {}
 
 PictureThread::~PictureThread() {
     {
@@ -190,6 +193,14 @@ PictureThread::PicturePointer PictureThread::last(Window window) {
     return desk == desks_.end() ? nullptr : desk->second.last;
 }
 
+void PictureThread::drop(PicturePointer picture) {
+    {
+        const std::lock_guard lock(mutex_);
+        dropped_.push_back(std::move(picture));
+    }
+    wished_.notify_one();
+}
+
 void PictureThread::wait(Window window, unsigned serial, std::chrono::milliseconds most) {
     std::unique_lock lock(mutex_);
     drawn_.wait_for(lock, most, [&] {
@@ -210,13 +221,20 @@ PictureThread::Desk* PictureThread::next(Window& window) {
 }
 
 void PictureThread::run() {
-    Studio studio; // its graphics belong to this thread
+    Studio studio(paints_); // its graphics belong to this thread
     std::unique_lock lock(mutex_);
     Window window = nullptr;
     while (true) {
-        wished_.wait(lock, [&] { return stop_ || !gone_.empty() || toPrepare_ || next(window); });
+        wished_.wait(lock, [&] {
+            return stop_ || !gone_.empty() || !dropped_.empty() || toPrepare_ || next(window);
+        });
         if (stop_)
             return;
+        if (auto dropped = std::exchange(dropped_, {}); !dropped.empty()) {
+            lock.unlock();
+            dropped.clear();
+            lock.lock();
+        }
         for (const Window gone : std::exchange(gone_, {}))
             studio.forget(gone);
         if (!next(window)) {

@@ -55,7 +55,8 @@ public:
     using PicturePointer = std::shared_ptr<const Picture>;
     using Window = const void*;
 
-    PictureThread();
+    // Without paint a picture has all but its image.
+    explicit PictureThread(bool paints = true);
     ~PictureThread();
     PictureThread(const PictureThread&) = delete;
     PictureThread& operator=(const PictureThread&) = delete;
@@ -66,6 +67,8 @@ public:
     void draw(Window window, PictureWish wish);
     // The last one that was drawn; null: none yet.
     [[nodiscard]] PicturePointer last(Window window);
+    // Takes a picture that nobody shows any more: its motion may be large, and freeing that long.
+    void drop(PicturePointer picture);
     // Until that wish, or a newer one, is drawn.
     void wait(Window window, unsigned serial, std::chrono::milliseconds most);
 
@@ -87,7 +90,9 @@ private:
     std::shared_ptr<const scene::Scene> toPrepare_;
     std::map<Window, Desk> desks_;
     std::vector<Window> gone_;
+    std::vector<PicturePointer> dropped_;
     unsigned turn_ = 0;
+    bool paints_;
     bool stop_ = false;
     std::thread thread_;
 };

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace views {
 
@@ -119,7 +120,8 @@ void SceneDisplay::take() {
     auto last = pictures_->last(this);
     if (!last || last == picture_)
         return;
-    picture_ = std::move(last);
+    if (auto old = std::exchange(picture_, std::move(last)))
+        pictures_->drop(std::move(old));
     // Where it is seen from, unless that was changed meanwhile.
     const PictureWish& of = picture_->of;
     const bool follows = of.from == SeenFrom::view && of.view == followed_.toStdString();

@@ -73,10 +73,17 @@ enum class Live {
 // What another has made of the text.
 struct Computed {
     Shown shown;
+    std::string text; // that the scene was read from
     std::vector<scene::Diagnostic> diagnostics;
     std::optional<simulation::Statistics> statistics;
     Work work = Work::none;
     bool current = false; // the scene was read from the text as it is now
+};
+
+// What a gesture that goes on asks of the text as it was at the revision that it began at.
+struct Asked {
+    int since;
+    editing::Answer answer;
 };
 
 struct Reading;
@@ -114,10 +121,11 @@ public:
     void setText(const std::string& text, const QString& label);
     // While a gesture lasts, texts are shown and read that are no steps of undo; what it ends with
     // is one. A change from elsewhere meanwhile ends the gesture: what it did so far is a step
-    // then, and nothing more of it is taken. `since`: the revision that the gesture began at, which
-    // tells it from others.
-    void preview(const std::string& text, int since);
-    void finishPreview(const std::string& text, const QString& label, int since);
+    // then, and nothing more of it is taken. `since`: the revision that the gesture began at;
+    // `hand`: whoever it is, which tells it from others that began there too.
+    void preview(const std::string& text, int since, const void* hand = nullptr);
+    void finishPreview(const std::string& text, const QString& label, int since,
+                       const void* hand = nullptr);
     // What a gesture that began at that revision does is taken still: nothing else has changed the
     // text since.
     [[nodiscard]] bool mayGoOn(int since) const {
@@ -236,6 +244,7 @@ private:
     struct Gesture {
         std::string before;
         int since; // the revision that it began at
+        const void* hand;
     };
     std::optional<Gesture> gesture_;
     std::unique_ptr<Worker> worker_;

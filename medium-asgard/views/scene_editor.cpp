@@ -4,6 +4,7 @@
 #include "views/scene_lexer.h"
 
 #include <QHelpEvent>
+#include <QInputMethodEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
@@ -22,6 +23,10 @@ long signedByte(std::size_t byte) { return static_cast<long>(byte); }
 
 SceneEditor::SceneEditor(QWidget* parent) : QsciScintilla(parent) {
     setUtf8(true);
+    connect(this, &QsciScintilla::textChanged, this, [this] { // before all others
+        bytes_.reset();
+        structure_.reset();
+    });
     setEolMode(EolUnix);
     setLexer(new SceneLexer(this));
     setMarginType(0, NumberMargin);
@@ -99,11 +104,19 @@ std::size_t SceneEditor::length() const {
     return static_cast<std::size_t>(SendScintilla(SCI_GETLENGTH));
 }
 
-std::string SceneEditor::bytes() const {
-    std::string text(length() + 1, '\0');
-    SendScintilla(SCI_GETTEXT, text.size(), text.data());
-    text.pop_back();
-    return text;
+const std::string& SceneEditor::bytes() const {
+    if (!bytes_) {
+        std::string& text = bytes_.emplace(length() + 1, '\0');
+        SendScintilla(SCI_GETTEXT, text.size(), text.data());
+        text.pop_back();
+    }
+    return *bytes_;
+}
+
+const script::Structure& SceneEditor::structure() const {
+    if (!structure_)
+        structure_ = script::structureOf(bytes());
+    return *structure_;
 }
 
 void SceneEditor::replace(scene::Range range, std::string_view text) {
@@ -136,7 +149,7 @@ int SceneEditor::lineOf(std::size_t byte) const {
 }
 
 QString SceneEditor::word(scene::Range range) const {
-    const std::string all = bytes();
+    const std::string& all = bytes();
     return range.from < all.size()
                ? QString::fromStdString(all.substr(range.from, range.to - range.from))
                : QString();
@@ -256,6 +269,14 @@ void SceneEditor::keyPressEvent(QKeyEvent* event) {
 void SceneEditor::keyReleaseEvent(QKeyEvent* event) {
     if (std::ranges::none_of(tools_, [&](EditorTool* tool) { return tool->keyReleased(*event); }))
         QsciScintilla::keyReleaseEvent(event);
+}
+
+void SceneEditor::inputMethodEvent(QInputMethodEvent* event) {
+    const bool inserts = !event->commitString().isEmpty() || !event->preeditString().isEmpty();
+    if (inserts && selection().known())
+        for (EditorTool* tool : tools_)
+            tool->replacing();
+    QsciScintilla::inputMethodEvent(event);
 }
 
 void SceneEditor::focusOutEvent(QFocusEvent* event) {

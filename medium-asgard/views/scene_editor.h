@@ -6,6 +6,7 @@
 #pragma once
 
 #include "scene/scene.h"
+#include "script/structure.h"
 #include "views/scintilla.h"
 
 #include <optional>
@@ -36,7 +37,8 @@ public:
     virtual bool released(const QMouseEvent&) { return false; }
     virtual bool key(const QKeyEvent&) { return false; }
     virtual bool keyReleased(const QKeyEvent&) { return false; }
-    virtual void left() {} // the pointer or the focus left
+    virtual void replacing() {} // what is selected is about to become something else
+    virtual void left() {}      // the pointer or the focus left
     virtual void paint(QPainter&) {}
     // What to say of the byte below the pointer, "" when nothing.
     [[nodiscard]] virtual QString tip(std::size_t) const { return {}; }
@@ -47,7 +49,9 @@ class SceneEditor : public QsciScintilla {
 public:
     explicit SceneEditor(QWidget* parent = nullptr);
 
-    [[nodiscard]] std::string bytes() const;
+    [[nodiscard]] const std::string& bytes() const;
+    // Gone through once for each text, however many ask.
+    [[nodiscard]] const script::Structure& structure() const;
     [[nodiscard]] std::size_t length() const;
     void replace(scene::Range range, std::string_view text);
 
@@ -87,12 +91,15 @@ protected:
     void keyReleaseEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void inputMethodEvent(QInputMethodEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     bool viewportEvent(QEvent* event) override;
 
 private:
     void defineMarks();
 
+    mutable std::optional<std::string> bytes_; // as long as nothing is changed
+    mutable std::optional<script::Structure> structure_;
     std::vector<EditorTool*> tools_;
     bool taken_ = false; // the press was a tool's: so are moves until the release
 };

@@ -2,6 +2,7 @@
 
 #include "script/commands.h"
 #include "script/structure.h"
+#include "views/scene_editor.h"
 
 #include <QFontDatabase>
 #include <QGuiApplication>
@@ -40,8 +41,8 @@ bool separates(char c) {
 
 class Painter {
 public:
-    explicit Painter(std::string_view text) : text_(text), styles_(text.size(), SceneLexer::plain) {
-        const script::Structure structure = script::structureOf(text);
+    Painter(std::string_view text, const script::Structure& structure)
+        : text_(text), styles_(text.size(), SceneLexer::plain) {
         paintPieces();
         for (const script::Command& command : structure.commands)
             paintCommand(command);
@@ -185,11 +186,9 @@ QFont SceneLexer::defaultFont(int style) const {
 void SceneLexer::styleText(int, int) {
     if (editor() == nullptr)
         return;
-    const auto length = editor()->SendScintilla(QsciScintillaBase::SCI_GETLENGTH);
-    std::string text(static_cast<std::size_t>(length) + 1, '\0');
-    editor()->SendScintilla(QsciScintillaBase::SCI_GETTEXT, text.size(), text.data());
-    text.pop_back();
-    std::vector<char> styles = Painter(text).take();
+    const auto& scene = static_cast<const SceneEditor&>(*editor()); // nobody else makes one
+    const std::string& text = scene.bytes();
+    std::vector<char> styles = Painter(text, scene.structure()).take();
     for (const Hidden& range : hidden_ ? hidden_() : std::vector<Hidden>())
         for (std::size_t i = range.from; i < std::min(range.to, styles.size()); ++i)
             if (text[i] != '\n')

@@ -48,6 +48,10 @@ bool ShapeEditor::begin() {
     return true;
 }
 
+std::optional<Asked> ShapeEditor::asked() const {
+    return gesture_ ? std::optional(gesture_->asked()) : std::nullopt;
+}
+
 void ShapeEditor::preview() {
     if (!gesture_->show(draft_))
         tell(QString::fromStdString(gesture_->answer().reason), true);
@@ -62,7 +66,9 @@ void ShapeEditor::finish(const QString& label) {
     if (answer.possible() && !answer.edits.empty())
         edited_.insert(shape());
     gesture->finish(tr("%1 of %2").arg(label, shape()));
-    if (!answer.possible())
+    if (!answer.possible() && document_.text() != gesture->text())
+        tell(SceneDocument::overtaken(), true); // what it offers is of an older text
+    else if (!answer.possible())
         offer(answer, label);
     if (document_.sceneIsCurrent())
         followScene(); // it may have come before the gesture ended
@@ -168,17 +174,21 @@ void ShapeEditor::nudge(const Vector& direction) {
     movePoint(decimal(Vector(*place + step * direction), step / 10));
 }
 
-// The vertex that they were of may not be the chosen one any more.
+// The vertex that they were of may not be the chosen one any more. One that changes something has
+// the text read again, and those behind it wait for that.
 void ShapeEditor::makeNudges() {
     const auto part = display_->chosenPart(), point = display_->chosenPoint();
-    const Nudge next = nudges_.front();
-    nudges_.erase(nudges_.begin());
-    if (next.part >= draft_.size() ||
-        next.point >= editing::pointsOf(draft_[next.part].part).size())
-        return;
-    choose(next.part, next.point);
-    nudge(next.direction);
-    if (part != next.part || point != next.point)
+    const int before = document_.revision();
+    while (!nudges_.empty() && document_.revision() == before) {
+        const Nudge next = nudges_.front();
+        nudges_.erase(nudges_.begin());
+        if (next.part >= draft_.size() ||
+            next.point >= editing::pointsOf(draft_[next.part].part).size())
+            continue;
+        choose(next.part, next.point);
+        nudge(next.direction);
+    }
+    if (part != display_->chosenPart() || point != display_->chosenPoint())
         choose(part, point);
 }
 

@@ -220,6 +220,8 @@ void ShapeEditor::followScene() {
         tell(tr("This scene has no shapes yet. New makes one."));
     else if (words_->text().isEmpty() || hadNone)
         tell({});
+    if (document_.hasErrors())
+        nudges_.clear(); // whoever mends them does not expect a vertex to move
     if (!document_.sceneIsCurrent())
         return;
     if (untilCurrent_)

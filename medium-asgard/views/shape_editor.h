@@ -42,6 +42,7 @@ public:
     [[nodiscard]] ShapeDisplay& display() { return *display_; }
     [[nodiscard]] const std::vector<editing::DraftPart>& draft() const { return draft_; }
     [[nodiscard]] QString words() const;
+    [[nodiscard]] std::optional<Asked> asked() const; // by what is dragged
 
 protected:
     void closeEvent(QCloseEvent* event) override; // inner vertices go

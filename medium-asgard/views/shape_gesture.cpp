@@ -23,16 +23,16 @@ bool ShapeGesture::show(const std::vector<editing::DraftPart>& draft) {
     }
     answer_ = editing::become(text_, scene_, shapeSet_, draft);
     if (answer_.possible())
-        document_.preview(editing::applied(text_, answer_.edits), since_);
+        document_.preview(editing::applied(text_, answer_.edits), since_, this);
     return answer_.possible();
 }
 
 void ShapeGesture::finish(const QString& label) {
     document_.finishPreview(answer_.possible() ? editing::applied(text_, answer_.edits) : text_,
-                            label, since_);
+                            label, since_, this);
 }
 
-void ShapeGesture::cancel() { document_.finishPreview(text_, {}, since_); }
+void ShapeGesture::cancel() { document_.finishPreview(text_, {}, since_, this); }
 
 double decimal(double value, double length) {
     return editing::roundedTo(value, editing::decimalStep(length)) + 0.0; // and no -0

@@ -13,12 +13,14 @@ public:
     ShapeGesture(SceneDocument& document, std::size_t shapeSet);
 
     [[nodiscard]] const std::vector<editing::DraftPart>& before() const { return before_; }
+    [[nodiscard]] const std::string& text() const { return text_; } // when it began
     // What the parts are to be. False: the text cannot be changed so, see answer().
     bool show(const std::vector<editing::DraftPart>& draft);
     // What was shown last stays, when the text could become it.
     void finish(const QString& label);
     void cancel(); // the text is as it was
     [[nodiscard]] const editing::Answer& answer() const { return answer_; }
+    [[nodiscard]] Asked asked() const { return {since_, answer_}; }
 
 private:
     SceneDocument& document_;

@@ -80,8 +80,8 @@ ShapeImport::ShapeImport(SceneDocument& document, const QString& path, QWidget* 
     });
     connect(&job_, &MeshJob::finished, this, [this] { showResult(job_.result()); });
     connect(fewer_, &QPushButton::clicked, this, &ShapeImport::useFewer);
-    for (QLineEdit* field : {name_, scale_})
-        connect(field, &QLineEdit::textChanged, this, &ShapeImport::showParts);
+    connect(name_, &QLineEdit::textChanged, this, &ShapeImport::showFault);
+    connect(scale_, &QLineEdit::textChanged, this, &ShapeImport::showParts);
     connect(centred_, &QCheckBox::toggled, this, &ShapeImport::showParts);
     connect(surplus_, &QDoubleSpinBox::valueChanged, this, &ShapeImport::ask);
     for (QSpinBox* field : {parts_, points_})
@@ -185,7 +185,7 @@ void ShapeImport::showResult(const MeshResult& result) {
 
 void ShapeImport::showParts() {
     const auto scale = script::decimalNumber(scale_->text().toStdString());
-    const QString fault = faultOfShapeName(document_, name_->text());
+    made_.clear();
     import_->setEnabled(false);
     if (!ready())
         return;
@@ -194,24 +194,50 @@ void ShapeImport::showParts() {
     const double size = (job_.result().high - job_.result().low).cwiseAbs().maxCoeff();
     if (!scale || *scale <= 0 || !(*scale * size < far))
         return words_->setText(tr("A scale is a number above 0, of a shape below 1e9."));
-    const std::vector<scene::Part> parts = this->parts();
-    display_->setParts(parts);
+    made_ = parts();
+    tooLong_ = faultOfLength();
+    display_->setParts(made_);
     const meshes::ConvexParts& made = job_.result().made;
     const bool many = made.parts.size() > manyParts || verticesOf(made) > manyVertices;
     fewer_->setVisible(many);
-    const QString why = fault.isEmpty() ? faultOfLength(parts) : fault;
+    showFault();
+}
+
+void ShapeImport::showFault() {
+    import_->setEnabled(false);
+    if (made_.empty())
+        return;
+    const QString fault = faultOfShapeName(document_, name_->text());
+    const QString why = fault.isEmpty() ? tooLong_ : fault;
     words_->setText(why.isEmpty() ? resultText() : why);
     import_->setEnabled(why.isEmpty());
 }
 
-// A longer text is read by nobody. Estimated from some of the parts: all of them take long.
-QString ShapeImport::faultOfLength(std::vector<scene::Part> parts) const {
+// Some of them are written, from the first to the last; all have as many bytes for each vertex.
+double lengthInText(const std::vector<scene::Part>& parts) {
+    const auto vertices = [](const std::vector<scene::Part>& some) {
+        double count = 0;
+        for (const scene::Part& part : some)
+            if (const auto* hull = std::get_if<scene::HullShape>(&part.shape))
+                count += static_cast<double>(hull->points.size());
+        return std::max(count, 1.0);
+    };
+    constexpr std::size_t most = 10;
+    constexpr double each = 30; // of what stands about the vertices
+    const std::size_t step = parts.size() / most + 1;
+    std::vector<scene::Part> some;
+    for (std::size_t i = 0; i < parts.size(); i += step)
+        some.push_back(parts[i]);
+    const double written = static_cast<double>(editing::descriptionText(some).size()) -
+                           each * static_cast<double>(some.size());
+    return std::max(written, 0.0) / vertices(some) * vertices(parts) +
+           each * static_cast<double>(parts.size());
+}
+
+// A longer text is read by nobody.
+QString ShapeImport::faultOfLength() const {
     constexpr double most = 8 << 20; // bytes, of script::Reader
-    const std::size_t count = parts.size();
-    parts.resize(std::min<std::size_t>(count, 10));
-    const double bytes = static_cast<double>(editing::descriptionText(parts).size()) *
-                         static_cast<double>(count) /
-                         static_cast<double>(std::max<std::size_t>(1, parts.size()));
+    const double bytes = lengthInText(made_);
     const double already = static_cast<double>(document_.text().size());
     if (already + 1.05 * bytes < most)
         return {};

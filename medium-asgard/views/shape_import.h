@@ -21,6 +21,9 @@ namespace views {
 class SceneDocument;
 class ShapeDisplay;
 
+// About how many bytes these parts take in a text, without writing it.
+[[nodiscard]] double lengthInText(const std::vector<scene::Part>& parts);
+
 class ShapeImport : public QDialog {
     Q_OBJECT
 public:
@@ -42,13 +45,16 @@ private:
     void ask(); // for other parts
     void showResult(const MeshResult& result);
     void showParts();
+    void showFault(); // or what they are
     [[nodiscard]] QString sizeText() const;
     [[nodiscard]] QString resultText() const;
-    [[nodiscard]] QString faultOfLength(std::vector<scene::Part> parts) const; // "": it fits
+    [[nodiscard]] QString faultOfLength() const; // "": it fits
 
     SceneDocument& document_;
     QString file_;
     MeshJob job_;
+    std::vector<scene::Part> made_; // as they are shown; none: there are none
+    QString tooLong_;
     ShapeDisplay* display_;
     QLabel *facts_, *size_, *words_;
     QLineEdit *name_, *scale_;

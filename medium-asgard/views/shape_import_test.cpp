@@ -1,5 +1,7 @@
 #include "views/shape_import.h"
 
+#include "editing/shape_edit.h"
+
 #include "views/mesh_job.h"
 #include "views/scene_document.h"
 #include "views/shape_display.h"
@@ -125,6 +127,22 @@ TEST_F(ShapeImportTest, WhatTheTextCannotHoldIsSaidBefore) {
     EXPECT_TRUE(dialog->words().contains("a scene has at most 8")) << qPrintable(dialog->words());
     dialog->accept();
     EXPECT_EQ(document.text(), much);
+}
+
+// Small parts first, large ones behind them.
+TEST(ShapeImportText, TheLengthOfItsTextIsToldWithoutWritingIt) {
+    std::vector<scene::Part> parts;
+    for (int i = 0; i < 200; ++i) {
+        scene::HullShape hull;
+        for (int k = 0; k < (i < 10 ? 8 : 500); ++k)
+            hull.points.emplace_back(0.125 * k, 0.5 * i, 1.25);
+        parts.emplace_back().shape = hull;
+    }
+    const auto is = static_cast<double>(editing::descriptionText(parts).size());
+    EXPECT_NEAR(lengthInText(parts), is, 0.1 * is);
+    parts.resize(10);
+    EXPECT_GT(lengthInText(parts), 10 * 8 * 6.0);
+    EXPECT_LT(lengthInText({}), 10.0);
 }
 
 // The threads that windows share for what is short may all be busy, and leaving waits for those.

@@ -1,6 +1,8 @@
 #include "views/stale_motion.h"
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 
 namespace views {
 
@@ -13,9 +15,11 @@ class StaleMotion final : public simulation::Motion {
 public:
     StaleMotion(MotionPointer old, std::shared_ptr<const scene::Scene> scene)
         : old_(std::move(old)), scene_(std::move(scene)), led_(scene_->bodies.size()) {
+        std::set<std::string_view> names;
         for (const scene::Constraint& one : scene_->constraints)
-            for (std::size_t i = 0; i < led_.size(); ++i)
-                led_[i] = led_[i] || scene_->bodies[i].name == one.body;
+            names.insert(one.body);
+        for (std::size_t i = 0; i < led_.size(); ++i)
+            led_[i] = names.contains(scene_->bodies[i].name);
     }
 
     // Never wrapped twice, however long a gesture is.

@@ -32,6 +32,10 @@ bool TrajectoryEditor::begin() {
     return true;
 }
 
+std::optional<Asked> TrajectoryEditor::asked() const {
+    return gesture_ && gesture_->moves() ? std::optional(gesture_->asked()) : std::nullopt;
+}
+
 // What was dragged stays where it is, and the hand lets go of it.
 void TrajectoryEditor::finishGesture() {
     if (gesture_ && gesture_->moves())

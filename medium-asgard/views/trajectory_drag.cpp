@@ -23,7 +23,7 @@ void TrajectoryDrag::move(std::size_t point, double time, const geometry::Vector
     if (!answer_.possible())
         return;
     curves_ = edits_.moved(point, time, place, leastInterval_, breaks);
-    document_.preview(editing::applied(text_, answer_.edits), since_);
+    document_.preview(editing::applied(text_, answer_.edits), since_, this);
 }
 
 QString TrajectoryDrag::reason() const {
@@ -34,12 +34,12 @@ QString TrajectoryDrag::reason() const {
 void TrajectoryDrag::finish(const QString& label) {
     document_.finishPreview(
         answer_.possible() ? editing::applied(text_, answer_.edits) : text_,
-        label.isEmpty() ? QObject::tr("Change Trajectory %1").arg(name_) : label, since_);
+        label.isEmpty() ? QObject::tr("Change Trajectory %1").arg(name_) : label, since_, this);
     moves_ = false;
 }
 
 void TrajectoryDrag::cancel() {
-    document_.finishPreview(text_, {}, since_);
+    document_.finishPreview(text_, {}, since_, this);
     moves_ = false;
 }
 

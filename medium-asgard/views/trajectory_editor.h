@@ -28,7 +28,8 @@ public:
     [[nodiscard]] QString trajectory() const;
     [[nodiscard]] TrajectoryGraph& graph(int component) { return *graphs_[at(component)]; }
     [[nodiscard]] std::optional<std::size_t> chosen() const { return chosen_; }
-    [[nodiscard]] QString words() const; // of the line below the graphs
+    [[nodiscard]] QString words() const;              // of the line below the graphs
+    [[nodiscard]] std::optional<Asked> asked() const; // by what is dragged
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

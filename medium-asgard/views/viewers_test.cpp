@@ -234,6 +234,7 @@ TEST_F(ViewersTest, ADraftIsKeptWhenAnotherViewUpdates) {
     one->updateDocument();
     EXPECT_EQ(two->draft(), mine);
     EXPECT_TRUE(two->hasDraft());
+    button(*two, "Keep Mine")->click();
     two->updateDocument();
     EXPECT_EQ(one->draft(), mine);
     type(*one, "# dropped\n");
@@ -330,6 +331,7 @@ TEST_F(ViewersTest, WhatTheHostRefusesIsADraftAgain) {
     };
     EXPECT_TRUE(notice(*one).contains("the text is at revision 3"));
     EXPECT_EQ(notice(*two), QString());
+    button(*one, "Keep Mine")->click();
     one->updateDocument();
     editor.document().didAccept();
     EXPECT_EQ(notice(*one), QString());
