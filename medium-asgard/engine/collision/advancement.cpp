@@ -36,8 +36,7 @@ public:
             const Separation now = pair_.separationAt(t_, warm_);
             ++result_.evaluations;
             const double roundOff = pair_.roundOff(t_);
-            // What was let sink in unnoticed touches still.
-            if (now.gap < -std::max({deep * size_, roundOff, 2 * unnoticed_}))
+            if (now.gap < -std::max(deepest(), roundOff))
                 stepOutOf(now);
             else if (now.gap <= roundOff || stalled_)
                 touch(now);
@@ -52,6 +51,14 @@ public:
     }
 
 private:
+    // Deeper they overlap. What was let sink in unnoticed touches still.
+    [[nodiscard]] double deepest() const { return std::max(deep * size_, 2 * unnoticed_); }
+
+    // How much deeper a step may lead: what touches is not to overlap after it.
+    [[nodiscard]] double allowed(double depth) const {
+        return std::clamp(0.5 * (2 * unnoticed_ - depth), 1e-3 * unnoticed_, unnoticed_);
+    }
+
     [[nodiscard]] double left() const { return during_.to - t_; }
 
     void moveBy(double s) {
@@ -103,7 +110,7 @@ private:
         if (result_.evaluations <= patience && away * pair_.relativeSpeed(t_) > unnoticed_)
             moveBy(away);
         else
-            moveBy(std::max(away, nextContact(axis, unnoticed_, false)));
+            moveBy(std::max(away, nextContact(axis, allowed(-now.gap), false)));
     }
 
     void stepTowards(const Separation& now) {
@@ -116,7 +123,7 @@ private:
     // part.
     void stepOutOf(const Separation& now) {
         const double depth = -now.gap;
-        if (result_.evaluations == 1 && depth > deep * size_)
+        if (result_.evaluations == 1 && depth > deepest())
             result_.overlap = depth;
         pressed_.reset();
         const double window = left();
@@ -134,7 +141,12 @@ private:
         else if (speed > 0) {
             const double parting = -contactOf(pair_, t_, now).closingSpeed;
             const double least = std::max(depth, pair_.roundOff(t_));
-            moveBy(parting > 0 ? std::max(least / speed, 0.5 * depth / parting) : least / speed);
+            const double shortest = least / speed;
+            // What parts slowly and is pressed comes back before.
+            moveBy(parting > 0 ? std::max(shortest,
+                                          std::min(0.5 * depth / parting,
+                                                   nextContact(now.normal, allowed(depth), false)))
+                               : shortest);
         } else
             finished_ = true;
     }

@@ -19,8 +19,10 @@ using solution::infinity;
 // Meetings of one body without end: so many of them within so little of the motion's length.
 constexpr std::size_t manyMeetings = 1000;
 constexpr double shortWhile = 1e-5;
-constexpr double shorterWhile = 1e-9;   // with bodies that give way
-constexpr double restlessWhile = 1e-3;  // as many changes of what bears
+constexpr double shorterWhile = 1e-9;  // with bodies that give way
+constexpr double restlessWhile = 1e-3; // as many changes of what bears
+constexpr double restlessPause = 1e-9; // or fewer of them, each so soon after the one before
+constexpr std::size_t manyCloseChanges = 30;
 constexpr std::size_t manyAtOnce = 200; // at one instant
 
 std::string quoted(const std::string& name) { return "\"" + name + "\""; }
@@ -124,6 +126,11 @@ bool CollisionSource::isWithoutEnd(std::size_t body, std::size_t other, double t
 
 bool CollisionSource::isRestless(std::size_t body, double time) {
     Meetings& changes = changes_[body];
+    const bool isClose = time - changes.last < restlessPause * (time - start_);
+    changes.atOnce = isClose ? changes.atOnce + 1 : 0;
+    changes.last = time;
+    if (changes.atOnce > manyCloseChanges)
+        return true;
     if (++changes.count % manyMeetings != 0)
         return false;
     return time - std::exchange(changes.markedAt, time) < restlessWhile * (time - start_);
@@ -234,10 +241,11 @@ Event CollisionSource::stir(const Histories& histories, std::size_t body, double
                    "body " + quoted(scene_.bodies[body].name) +
                        " comes to rest and opens again and again in ever shorter time");
     if (isRestless(body, time))
-        return end({body, body}, time,
-                   "body " + quoted(scene_.bodies[body].name) +
-                       " changes how it bears on what it rests on a thousand times in a thousandth "
-                       "of the time so far, and no way of bearing lasts");
+        return end(
+            {body, body}, time,
+            "body " + quoted(scene_.bodies[body].name) +
+                " changes how it bears on what it rests on again and again within next to no "
+                "time, and no way of bearing lasts");
     if (rest.state == Rest::State::approaching)
         if (auto met = meet(histories, std::minmax(body, rest.partner), time))
             return *met;

@@ -236,8 +236,12 @@ CollisionSource::Hop CollisionSource::hopOf(const Histories& histories, const Cl
     }
     if (!(approach < 0))
         return {};
-    // Hops that the search may pass over (time_of_impact.h) are lower still.
-    const double lowest = std::max({limits_.hopHeight * radius, 2e-9 * radius, 1e-13 * reach});
+    // Hops that the search may pass over (time_of_impact.h) are lower still; where a body rests,
+    // what sinks in unnoticed would hop again by that much without end.
+    const double slack =
+        resting_.slack(cluster.bodies[contact.first], cluster.bodies[contact.second]);
+    const double lowest =
+        std::max({limits_.hopHeight * radius, 2e-9 * radius, 2 * slack * radius, 1e-13 * reach});
     const double speed = -contact.restitution * approach;
     Hop hop{.approaches = true, .isLow = push < 0 && speed * speed / (-2 * push) < lowest};
     if (hop.isLow && contact.restitution < 1)

@@ -156,7 +156,8 @@ private:
                 const double rate = touch.corners[i].rate, gap = touch.corners[i].gap;
                 if (rate < -most && gap > landed * touch.size)
                     continue;
-                if (rate < -most || (gap < -limits_.gap * touch.size && rate < 0)) {
+                const bool sinks = gap < -limits_.gap * touch.size && rate < 0 && isFooting(touch);
+                if (rate < -most || sinks) {
                     if (!isFooting(touch))
                         continue;
                     rest_.state = Rest::State::approaching;
@@ -215,21 +216,33 @@ private:
             rest_.state = Rest::State::bearing;
     }
 
+    // Corners that a touch has sunk in at.
+    static std::vector<std::size_t> overlapping(const Touch& touch) {
+        std::vector<std::size_t> sunk;
+        for (std::size_t i = 0; i < touch.corners.size(); ++i)
+            if (touch.corners[i].gap < 0)
+                sunk.push_back(i);
+        return sunk;
+    }
+
     // A constraint keeps the second derivative of its gap; what the integration errs in all that
-    // bear is put right at once. Impulses that would do it in a unit of time are the multipliers.
+    // bear is put right at once, and so is what has sunk in and does not bear. Impulses that would
+    // do it in a unit of time are the multipliers.
     void putBack() {
         std::vector<const Corner*> corners;
         std::vector<Vector> normals;
-        for (const Candidate& candidate : touches_)
-            if (std::ranges::any_of(rest_.footings, [&](const Footing& footing) {
-                    return partsOf(footing) == partsOf(candidate.touch);
-                }))
-                for (const std::size_t i : candidate.bearing) {
-                    corners.push_back(&candidate.touch.corners[i]);
-                    normals.push_back(candidate.touch.normal);
-                    if (std::abs(corners.back()->gap) > 0.5 * limits_.gap * candidate.touch.size)
-                        rest_.state = Rest::State::drifted;
-                }
+        for (const Candidate& candidate : touches_) {
+            const Touch& touch = candidate.touch;
+            const bool isBearing = std::ranges::any_of(rest_.footings, [&](const Footing& footing) {
+                return partsOf(footing) == partsOf(touch);
+            });
+            for (const std::size_t i : isBearing ? candidate.bearing : overlapping(touch)) {
+                corners.push_back(&touch.corners[i]);
+                normals.push_back(touch.normal);
+                if (isBearing && std::abs(touch.corners[i].gap) > 0.5 * limits_.gap * touch.size)
+                    rest_.state = Rest::State::drifted;
+            }
+        }
         const auto n = static_cast<Eigen::Index>(corners.size());
         Eigen::MatrixXd rows(n, 3), turning(n, 3);
         Eigen::VectorXd gaps(n);

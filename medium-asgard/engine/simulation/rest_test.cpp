@@ -369,6 +369,24 @@ TEST(Rest, ABoxThatSpinsLeavesATablesEdgeWhereItsOwnCrossesIt) {
         }
 }
 
+// LIMIT: how a box that falls beside the middle of two rails comes to bear on both is not followed
+// (docs/numerics.md); that ends soon, and in bounded work.
+TEST(Rest, ABoxThatFallsOnTwoRailsEndsInBoundedWork) {
+    for (const double accuracy : {1e-4, 1e-5}) {
+        SceneBuilder b(1, accuracy);
+        for (const double side : {-0.3, 0.3})
+            b.box("rail" + std::to_string(side), {side, -0.5, 0}, {0.2, 1, 6}).fixed = true;
+        scene::Body& box = b.box("box", {0.05, 1, 0}, {1, 0.6, 0.8});
+        box.restitution = 0.3;
+        box.initialAttitude = geometry::fromRotationVector({0, 0, 0.05});
+        b.weight("box");
+        const Result result = simulate(b.scene);
+        EXPECT_LT(result.statistics.steps, 20'000u) << accuracy;
+        for (int i = 0; i <= 100 && !result.motion->stop(2); ++i)
+            EXPECT_GT(result.motion->at(2, 0.01 * i).position.y(), 0.3 - 1e-4) << accuracy;
+    }
+}
+
 // Nothing meets: that the one rests is what joins them.
 TEST(Rest, ABodyRestsOnOneThatIsHeldInPlaceAndAttitude) {
     SceneBuilder b(1);

@@ -4,6 +4,7 @@
 #include "simulation/testing.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace simulation::testing {
 namespace {
@@ -217,6 +218,30 @@ TEST(NoRoom, ABallThatFitsBetweenElasticWallsIsSaidToLoseItsSpeed) {
     EXPECT_THAT(result.motion->notes()[0],
                 HasSubstr("Body \"ball\" has no room between \"left\" and \"right\""));
     EXPECT_LT(distance(result.motion->at(2, 1).position, {0, 1, 0}), 1e-9);
+}
+
+// A cube in a V of two walls comes to lie on both, at any accuracy.
+TEST(Groove, ACubeThatFallsBesideTheMiddleComesToLie) {
+    for (const double accuracy : {1e-3, 1e-4, 1e-6})
+        for (const double beside : {0.02, 0.1, 0.3}) {
+            SceneBuilder b(4, accuracy);
+            const double half = std::sqrt(0.5);
+            for (const double side : {-1.0, 1.0}) {
+                scene::Body& wall = b.box(side < 0 ? "left" : "right",
+                                          {side * 3.5 * half, 2.5 * half, 0}, {6, 1, 6});
+                wall.fixed = true;
+                wall.initialAttitude =
+                    geometry::fromRotationVector({0, 0, side * std::numbers::pi / 4});
+            }
+            scene::Body& cube = b.box("cube", {beside, 1.5, 0}, {1, 1, 1});
+            cube.restitution = 0.3;
+            cube.initialAttitude = geometry::fromRotationVector({0, 0, std::numbers::pi / 4});
+            b.weight("cube");
+            const Result result = simulate(b.scene);
+            ASSERT_FALSE(result.motion->stop(2)) << accuracy << " " << beside;
+            EXPECT_LT(distance(result.motion->at(2, 4).position, {0, half, 0}), 1e-5)
+                << accuracy << " " << beside;
+        }
 }
 
 } // namespace
