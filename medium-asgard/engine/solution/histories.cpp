@@ -57,14 +57,18 @@ void History::append(const Step& step, std::span<const double> rows) {
     std::ranges::copy(rows, append(step).begin());
 }
 
-// Most have one step for all time; who has several has many. Rows are much of one length.
-void History::Chunk::grow(std::size_t row) {
-    const std::size_t more = steps.size() < 2    ? steps.size() + 1
+// Most have one step for all time; who has several has many, and who curves at once. Rows are much
+// of one length.
+void History::Chunk::grow(std::size_t columns, std::size_t coefficients) {
+    constexpr std::size_t ofFlight = 3;
+    const bool isCurved = coefficients > ofFlight && !steps.empty();
+    const std::size_t more = isCurved            ? stepsPerChunk
+                             : steps.size() < 2  ? steps.size() + 1
                              : steps.size() < 16 ? 16
                                                  : stepsPerChunk;
     steps.reserve(more);
     if (more > 2)
-        values.reserve(more * row);
+        values.reserve(more * columns * coefficients);
 }
 
 std::span<double> History::append(const Step& step) {
@@ -77,7 +81,7 @@ std::span<double> History::append(const Step& step) {
     }
     Chunk& chunk = writableTail();
     if (chunk.steps.size() == chunk.steps.capacity())
-        chunk.grow(columns_ * step.coefficients);
+        chunk.grow(columns_, step.coefficients);
     Step placed = step;
     placed.offset = static_cast<std::uint32_t>(chunk.values.size());
     chunk.steps.push_back(placed);
@@ -96,7 +100,7 @@ std::span<double> History::startAnew(double t, std::uint8_t coefficients) {
     const std::size_t row = columns_ * coefficients, offset = chunk.values.size();
     chunk.steps.back().until = t;
     if (chunk.steps.size() == chunk.steps.capacity())
-        chunk.grow(row);
+        chunk.grow(columns_, coefficients);
     chunk.steps.push_back(made);
     chunk.steps.back().offset = static_cast<std::uint32_t>(offset);
     chunk.values.resize(offset + row);

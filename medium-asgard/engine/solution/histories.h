@@ -110,7 +110,7 @@ private:
     struct Chunk {
         std::vector<Step> steps;
         std::vector<double, Unwritten<double>> values;
-        void grow(std::size_t row);
+        void grow(std::size_t columns, std::size_t coefficients);
     };
     [[nodiscard]] Chunk& writableTail();
     void dropLast();
