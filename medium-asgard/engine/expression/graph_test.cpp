@@ -76,6 +76,38 @@ TEST(Simplify, LocalAlgebraAsAnAuthorWouldWriteIt) {
         EXPECT_EQ(testing::simplified(row.given), row.expected) << row.given;
 }
 
+// So that what switches at the same place is seen to.
+TEST(Simplify, WritesSwitchesInOneWay) {
+    const Row rows[] = {
+        {"sign(3*(x - y))", "sign(x - y)"},
+        {"sign(3*x - 3*y)", "sign(x - y)"},
+        {"sign(-3*x + 3*y)", "-sign(x - y)"},
+        {"sign((x - y)/-2)", "-sign(x - y)"},
+        {"abs(3*x)", "3*abs(x)"},
+        {"abs(-x)", "abs(x)"},
+        {"max(0, 3*x)", "3*max(0, x)"},
+        {"max(0, -3*x)", "-3*min(0, x)"},
+        {"min(2*x, 2*y)", "2*min(x, y)"},
+        {"min(2*x, 3*y)", "min(2*x, 3*y)"},
+        {"max(1, 3*x)", "max(1, 3*x)"},
+        {"3*x < 3*y", "x < y"},
+        {"-3*x < -3*y", "y < x"},
+        {"3*x > 0", "0 < x"},
+        {"-3*x > 0", "x < 0"},
+        {"3*x < 1", "3*x < 1"},
+        {"sign(x*abs(x))", "sign(x)"},
+        {"sign(sign(x)*sqrt(abs(x)))", "sign(x)"},
+        {"sign(sign(x)*abs(x)^1.5)", "sign(x)"},
+        {"sign(x^3)", "sign(x)"},
+        {"sign(x^2)", "sign(x^2)"},
+        {"sign(max(0, x)^2)", "sign(max(0, x))"},
+        {"x*abs(x) > 0", "0 < x"},
+        {"sign(x*abs(y))", "sign(x*abs(y))"},
+    };
+    for (const Row& row : rows)
+        EXPECT_EQ(testing::simplified(row.given), row.expected) << row.given;
+}
+
 TEST(Graph, EqualExpressionsAreOneNode) {
     Graph graph;
     EXPECT_EQ(parsed(graph, "a*b + sin(c)"), parsed(graph, "sin(c) + b*a"));

@@ -44,7 +44,19 @@ struct Rules {
     [[nodiscard]] Result divide(Node a, Node b) const;
     [[nodiscard]] Result power(Node a, Node b) const;
     [[nodiscard]] Result function(Op op, Node a) const;
-    [[nodiscard]] Result least(Node a, Node b) const;
+    struct Scaled {
+        Node of;
+        double by = 1; // not 0
+    };
+    [[nodiscard]] Scaled scaled(Node n) const;
+    [[nodiscard]] Node times(Node n, double by) const;
+    [[nodiscard]] bool isLengthOf(Node n, Node of) const;
+    [[nodiscard]] bool isNeverNegative(Node n) const;
+    [[nodiscard]] Node ofSameSign(Node n) const;
+    [[nodiscard]] Result sign(Node a) const;
+    [[nodiscard]] Result abs(Node a) const;
+    [[nodiscard]] Result compared(Op op, Node a, Node b) const;
+    [[nodiscard]] Result lesser(Op op, Node a, Node b) const;
     [[nodiscard]] Result hypot(Node a, Node b) const;
     [[nodiscard]] Result logical(Op op, Node a, Node b) const;
     [[nodiscard]] Node truthOf(Node n) const;
@@ -182,7 +194,125 @@ Result Rules::power(Node a, Node b) const {
     return std::nullopt;
 }
 
+// What switches at the same place reads the same: friction on one body may be written with
+// sign(v), and that on the other with sign(3*v). Numbers in front go outside.
+Rules::Scaled Rules::scaled(Node n) const {
+    const auto isFactor = [this](Node number) {
+        return isNumber(number) && std::isnormal(g.value(number));
+    };
+    if (is(n, Op::negate)) {
+        const Scaled inner = scaled(first(n));
+        return {inner.of, -inner.by};
+    }
+    if (isScaled(n) && isFactor(first(n)))
+        return {second(n), g.value(first(n))};
+    if (is(n, Op::divide) && isFactor(second(n)) && std::isnormal(1 / g.value(second(n))))
+        return {first(n), 1 / g.value(second(n))};
+    if (is(n, Op::add) || is(n, Op::subtract)) {
+        const double turn = is(n, Op::add) ? -1 : 1;
+        const Node a = first(n), b = second(n);
+        if (isScaled(a) && isScaled(b) && isFactor(first(a)) &&
+            g.value(first(b)) == turn * g.value(first(a)))
+            return {g.subtract(second(a), second(b)), g.value(first(a))};
+    }
+    return {n, 1};
+}
+
+Node Rules::times(Node n, double by) const { return by == 1 ? n : g.multiply(g.constant(by), n); }
+
+// 0 where that is 0, and above it elsewhere.
+bool Rules::isLengthOf(Node n, Node of) const {
+    constexpr int deepest = 3;
+    for (int depth = 0; depth < deepest; ++depth) {
+        if (is(n, Op::abs))
+            return first(n) == of;
+        if (!is(n, Op::sqrt) &&
+            !(is(n, Op::power) && isNumber(second(n)) && g.value(second(n)) > 0))
+            return false;
+        n = first(n);
+    }
+    return false;
+}
+
+bool Rules::isNeverNegative(Node n) const {
+    return is(n, Op::abs) || is(n, Op::sqrt) ||
+           (is(n, Op::max) && (g.isConstant(first(n), 0) || g.isConstant(second(n), 0)));
+}
+
+// The least that has its sign: v of v*abs(v), of v^3, of sign(v)*sqrt(abs(v)).
+Node Rules::ofSameSign(Node n) const {
+    if (is(n, Op::sign))
+        return first(n);
+    if (is(n, Op::sqrt) && isNeverNegative(first(n)))
+        return first(n);
+    if (is(n, Op::power) && isNumber(second(n)) && g.value(second(n)) > 0 &&
+        (isNeverNegative(first(n)) || std::fmod(g.value(second(n)), 2) == 1))
+        return first(n);
+    if (is(n, Op::multiply)) {
+        const Node a = first(n), b = second(n);
+        const Node signOfA = is(a, Op::sign) ? first(a) : a,
+                   signOfB = is(b, Op::sign) ? first(b) : b;
+        if (isLengthOf(b, signOfA))
+            return signOfA;
+        if (isLengthOf(a, signOfB))
+            return signOfB;
+    }
+    return n;
+}
+
+Result Rules::sign(Node a) const {
+    const Scaled inner = scaled(a);
+    const Node least = ofSameSign(inner.of);
+    if (least == a)
+        return std::nullopt;
+    const Node sign = g.apply(Op::sign, least);
+    return inner.by < 0 ? g.negate(sign) : sign;
+}
+
+Result Rules::abs(Node a) const {
+    const Scaled inner = scaled(a);
+    if (inner.of == a)
+        return std::nullopt;
+    return times(g.apply(Op::abs, inner.of), std::abs(inner.by));
+}
+
+Result Rules::compared(Op op, Node a, Node b) const {
+    const Scaled one = scaled(a), other = scaled(b);
+    const auto made = [&](Node x, Node y, double by) {
+        return by < 0 ? g.apply(op, y, x) : g.apply(op, x, y);
+    };
+    if (g.isConstant(b, 0)) {
+        const Node least = ofSameSign(one.of);
+        return least == a ? Result() : Result(made(least, b, one.by));
+    }
+    if (g.isConstant(a, 0)) {
+        const Node least = ofSameSign(other.of);
+        return least == b ? Result() : Result(made(a, least, other.by));
+    }
+    if (one.by == other.by && std::abs(one.by) != 1)
+        return made(one.of, other.of, one.by);
+    return std::nullopt;
+}
+
+// The lesser or greater of two.
+Result Rules::lesser(Op op, Node a, Node b) const {
+    if (a == b)
+        return a;
+    const Scaled one = scaled(a), other = scaled(b);
+    const bool isZero = g.isConstant(a, 0) || g.isConstant(b, 0);
+    const double by = g.isConstant(a, 0) ? other.by : one.by;
+    if (std::abs(by) == 1 || (!isZero && one.by != other.by))
+        return std::nullopt;
+    const Op turned = by > 0 ? op : op == Op::min ? Op::max : Op::min;
+    return times(
+        g.apply(turned, g.isConstant(a, 0) ? a : one.of, g.isConstant(b, 0) ? b : other.of), by);
+}
+
 Result Rules::function(Op op, Node a) const {
+    if (op == Op::sign)
+        return sign(a);
+    if (op == Op::abs)
+        return abs(a);
     if (op == Op::logicalNot && is(a, Op::logicalNot))
         return truthOf(first(a));
     if (!is(a, Op::negate))
@@ -194,18 +324,14 @@ Result Rules::function(Op op, Node a) const {
     case Op::atan:
     case Op::sinh:
     case Op::tanh:
-    case Op::sign:
         return g.negate(g.apply(op, first(a)));
     case Op::cos:
     case Op::cosh:
-    case Op::abs:
         return g.apply(op, first(a));
     default:
         return std::nullopt;
     }
 }
-
-Result Rules::least(Node a, Node b) const { return a == b ? Result(a) : std::nullopt; }
 
 // A length that has no third part. Of what may be negative it would be abs(), which switches.
 Result Rules::hypot(Node a, Node b) const {
@@ -258,7 +384,12 @@ std::optional<Node> simplified(Graph& graph, Op op, std::span<const Node> argume
         return rules.hypot(arguments[0], arguments[1]);
     case Op::min:
     case Op::max:
-        return rules.least(arguments[0], arguments[1]);
+        return rules.lesser(op, arguments[0], arguments[1]);
+    case Op::less:
+    case Op::lessEqual:
+    case Op::equal:
+    case Op::notEqual:
+        return rules.compared(op, arguments[0], arguments[1]);
     case Op::logicalAnd:
     case Op::logicalOr:
         return rules.logical(op, arguments[0], arguments[1]);

@@ -86,9 +86,11 @@ void Component::startAt(double t, std::span<const double> values) {
 void Component::openRegime(bool withJumps) {
     std::vector<std::size_t> phases(unknowns_.size());
     nextPhase_ = infinity;
+    phasesFrom_ = options_.start;
     for (std::size_t i = 0; i < unknowns_.size(); ++i) {
         const expression::Unknown& unknown = set_->unknowns[unknowns_[i]];
         phases[i] = phaseAt(unknown, time_);
+        phasesFrom_ = std::max(phasesFrom_, unknown.phases[phases[i]].from);
         if (phases[i] + 1 < unknown.phases.size())
             nextPhase_ = std::min(nextPhase_, unknown.phases[phases[i] + 1].from);
     }
@@ -106,7 +108,6 @@ void Component::takeEquations(std::vector<std::size_t> phases) {
     if (equations_ && phases == phases_)
         return;
     phases_ = std::move(phases);
-    recentSwitches_.clear();
     equations_ = std::make_unique<ComponentEquations>(
         std::make_shared<const BoundModel>(
             boundModel(*set_, around_.index, around_.zero, unknowns_, phases_, around_.models)),
@@ -271,6 +272,8 @@ void Component::backTo(double t) {
         checkpoints_.pop_back();
     while (!recentSwitches_.empty() && recentSwitches_.back().time > t)
         recentSwitches_.pop_back();
+    while (!rests_.empty() && rests_.back() > t)
+        rests_.pop_back();
     while (!stays_.empty() && stays_.back() > t)
         stays_.pop_back();
     time_ = t;

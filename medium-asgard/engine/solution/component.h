@@ -205,7 +205,7 @@ private:
     std::optional<Stop> stop_;
 
     std::vector<std::size_t> phases_;
-    double nextPhase_ = infinity;
+    double phasesFrom_ = 0, nextPhase_ = infinity;
     std::unique_ptr<ComponentEquations> equations_;
     ErrorControl control_;
     std::vector<std::vector<std::size_t>> quaternions_; // places; without entries that stay 0
@@ -234,6 +234,7 @@ private:
         std::vector<std::size_t> surfaces;
     };
     std::deque<Switch> recentSwitches_;
+    std::vector<double> rests_; // when swings came to their end
     std::vector<double> stays_; // on surfaces that rounding crossed to and fro: when
 
     // What later steps depend on besides the values, for going back.

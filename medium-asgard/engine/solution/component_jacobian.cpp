@@ -32,12 +32,18 @@ bool ComponentEquations::jacobian(double t, std::span<const double> y, std::span
 }
 
 // While sliding f is a mixture whose weights depend on y too; few unknowns slide, so differences
-// do.
+// do. What stays on its surface exactly moves nothing, and may have no value beside it.
 bool ComponentEquations::differences(double t, std::span<const double> y,
                                      std::span<double> entries) {
     std::vector<double> at(y.begin(), y.end()), low(states().size()), high(states().size());
     const Pattern& pattern = model_.jacobian().pattern;
     for (std::size_t column = 0; column < states().size(); ++column) {
+        if (std::ranges::any_of(
+                sliding_, [&](std::size_t s) { return model_.gradient(s).state == column; })) {
+            for (int k = pattern.columnStarts[column]; k < pattern.columnStarts[column + 1]; ++k)
+                entries[static_cast<std::size_t>(k)] = 0;
+            continue;
+        }
         const double step = 6e-6 * std::max(1e-3, std::abs(y[column]));
         at[column] = y[column] + step;
         if (!rates(t, at, high))

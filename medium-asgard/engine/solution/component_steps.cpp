@@ -198,12 +198,15 @@ bool Component::refuse(const Attempt& attempt, double h) {
     ++counts_.rejectedSteps;
     if (attempt.outcome == Attempt::Outcome::notConverged)
         ++counts_.unconvergedSteps;
-    if (!options_.fixedStep && attempt.next > shortestStep(time_) && attempt.next < h) {
-        proposed_ = attempt.next;
+    const bool isWithout = attempt.outcome == Attempt::Outcome::notFinite;
+    // Steps of fixed length too come to the end of a branch that has no value beyond it.
+    const bool comesToEnd = isWithout && equations_->watches() > 0;
+    const double next = options_.fixedStep ? (comesToEnd ? h / 4 : h) : attempt.next;
+    if (next > shortestStep(time_) && next < h) {
+        proposed_ = next;
         return true;
     }
-    const bool isWithout = attempt.outcome == Attempt::Outcome::notFinite;
-    if (!stepAcross(h) && !(isWithout && reachLastRate(h)))
+    if (!(comesToEnd && stepAcross(h)) && !(isWithout && !options_.fixedStep && reachLastRate(h)))
         stopAtUnderflow(attempt.outcome, h);
     return false;
 }

@@ -43,9 +43,9 @@ void Component::pass(const Violation& violation, bool immediate) {
     } else {
         immediate_ = 0;
         recentSwitches_.push_back({time_, equations_->surfacesOf(violation)});
-        if (recentSwitches_.size() > window)
+        if (recentSwitches_.size() > 4 * window) // an event may take some back
             recentSwitches_.pop_front();
-        if (recentSwitches_.size() == window && haveSwitched(window))
+        if (haveSwitched(window))
             return giveUp();
     }
     std::vector<double> y = stateValues();
@@ -87,6 +87,9 @@ bool Component::swingsShrink() const {
     constexpr double least = 0.9, alike = 4;
     if (!haveSwitched(often) || recentSwitches_.size() <= 3 * group)
         return false;
+    const double begin = recentSwitches_[recentSwitches_.size() - 1 - 3 * group].time;
+    if (begin < phasesFrom_ || (!rests_.empty() && begin <= rests_.back()))
+        return false;
     const auto last = [this](std::size_t groups) {
         return recentSwitches_[recentSwitches_.size() - 1 - groups * group].time;
     };
@@ -109,7 +112,7 @@ bool Component::comesToRest(std::vector<double>& y) {
     if (surfaces.size() < 2 ||
         !equations_->holdOn(std::vector(surfaces.begin(), surfaces.end()), time_, reach, y))
         return false;
-    recentSwitches_.clear();
+    rests_.push_back(time_);
     return true;
 }
 

@@ -57,6 +57,37 @@ TEST(Holding, WithASpringADamperOrAWind) {
     expectAt(body("-3*sign(2*x-1)-sign(dx+0.2*(x-0.5))", 2), 20, 0.5, 0);
 }
 
+// Friction 2 binds two bodies, one of which is pulled by 1: both gain speed by 1/2, whichever way
+// it is written; a gauge of it reads 1 of a block that is pulled by 1 and held.
+TEST(Holding, ByFrictionThatIsWrittenInTwoWays) {
+    for (const std::string force :
+         {"2*sign(dx-dy)", "-2*sign(dy-dx)", "2*sign(3*(dx-dy))", "2*sign(3*dx-3*dy)",
+          "dx/2>dy/2?2:-2", "2*sign((dx-dy)*abs(dx-dy))"}) {
+        std::vector<Line> lines = body("1-2*sign(dx-dy)", 0);
+        lines.push_back({"y", "dy", 0, 1});
+        lines.push_back({"dy", force, 0});
+        const Solver solver = solved(equationsOf(lines), 4);
+        ASSERT_EQ(solver.histories().stop(3), nullptr) << force;
+        EXPECT_NEAR(solver.histories().value(1, 4), 2, 1e-9) << force;
+        EXPECT_NEAR(solver.histories().value(3, 4), 2, 1e-9) << force;
+    }
+    std::vector<Line> gauge = body("1-2*sign(dx)", 0);
+    gauge.push_back({"g", "-2*sign(3*dx)", 0});
+    EXPECT_NEAR(solved(equationsOf(gauge), 4).histories().value(2, 4), -4, 1e-9);
+}
+
+TEST(Holding, ByWhatHasNoSlopeThere) {
+    expectAt(body("1-2*sign(dx*abs(dx))", 1, -1), 4, 1 - 1.0 / 6, 0);
+    expectAt(body("1-2*sign(max(0,dx)^2)", 1, -1), 4, 0.5, 0);
+    expectAt(body("-sign(sign(dx)*sqrt(abs(dx)))", 0, 1), 4, 0.5, 0);
+}
+
+// The denominator is kept away from 0, and has no value a little beyond it on the other branch.
+TEST(Holding, AtTheEndOfABranchThatHasNoValueBeyond) {
+    for (const std::string small : {"1e-8", "1e-9", "1e-10", "1e-12"})
+        expectAt(body("-dx/sqrt(abs(dx)+" + small + ")", 0, -1), 4, -2.0 / 3, 0, 1e-4);
+}
+
 // What is more than both together lets it go: from t = 23 on, when the push is 1.5.
 TEST(Holding, LetsGoWhenItIsOvercome) {
     const std::string force = "-sign(x)-0.5*sign(dx)+max(0,0.1*(t-8))";

@@ -50,6 +50,20 @@ TEST(AskedFor, FixedStepsAreThatLongFromTheStart) {
     }
 }
 
+// The branch of max() that holds has no value beyond x = 0: the last step ends there, and none goes
+// far across. From there on the speed is kept.
+TEST(AskedFor, FixedStepsEndWhereABranchHasNoValue) {
+    const expression::EquationSet set =
+        equationsOf({{"x", "dx", 1, 1}, {"dx", "-sqrt(max(0,x))", -1}});
+    const double speed = solved(set, 4, tolerance(1e-10)).histories().value(1, 4);
+    EXPECT_NEAR(speed, -std::sqrt(1 + 4.0 / 3), 1e-6);
+    for (const std::string method : {"dop853", "tsit5", "rk4"}) {
+        const Solver solver = solved(set, 4, asked(method, 1e-6, 0.05));
+        ASSERT_EQ(solver.histories().stop(1), nullptr) << method;
+        EXPECT_NEAR(solver.histories().value(1, 4), speed, 1e-3) << method;
+    }
+}
+
 // The step before a phase is shortened, and steps are counted from there.
 TEST(AskedFor, FixedStepsBeginAgainAtAnEvent) {
     for (const std::string& method : methodNames()) {
