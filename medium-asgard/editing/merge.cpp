@@ -116,9 +116,9 @@ std::vector<std::size_t> startsOf(const Pieces& pieces, std::size_t at) {
 
 bool touch(Range a, Range b) { return a.from <= b.to && b.from <= a.to; }
 
-} // namespace
+thread_local std::size_t sought = 0;
 
-static thread_local std::size_t sought = 0;
+} // namespace
 
 std::size_t differencesSought() { return sought; }
 

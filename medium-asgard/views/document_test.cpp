@@ -235,6 +235,125 @@ TEST_F(DocumentTest, UndoAndRedoWalkThroughTheTexts) {
     EXPECT_FALSE(document.canRedo());
 }
 
+// --- under a host, and files ------------------------------------------------------------------
+
+TEST_F(DocumentTest, UnderAHostChangesGoThereAndUndoIsAskedForThere) {
+    std::vector<TextEdit> edits;
+    int undos = 0;
+    document.setTextFromHost("# a b c\n");
+    document.setHostLink({[&](const TextEdit& edit, const QString&) { edits.push_back(edit); },
+                          [&] { ++undos; }, [] {}});
+    document.setText("# a bx c\n", "Edit");
+    ASSERT_EQ(edits.size(), 1U);
+    EXPECT_EQ(edits[0].from, 5U);
+    EXPECT_EQ(edits[0].to, 5U);
+    EXPECT_EQ(edits[0].text, "x");
+    document.undo();
+    EXPECT_EQ(undos, 1);
+    EXPECT_EQ(document.text(), "# a bx c\n"); // until the host's answer arrives
+    document.setTextFromHost("# a b c\n");
+    EXPECT_EQ(document.text(), "# a b c\n");
+    EXPECT_EQ(edits.size(), 1U);
+}
+
+TEST_F(DocumentTest, WhoIsToldOfAChangeSeesItInTheText) {
+    document.setTextFromHost("# a\n");
+    std::string seen;
+    document.setHostLink(
+        {[&](const TextEdit&, const QString&) { seen = document.text(); }, [] {}, [] {}});
+    document.setText("# b\n", "Edit");
+    EXPECT_EQ(seen, "# b\n");
+}
+
+TEST_F(DocumentTest, ARefusedChangeLeavesTheTextOfTheHost) {
+    document.setTextFromHost("# a\n");
+    document.setHostLink({[](const TextEdit&, const QString&) {}, [] {}, [] {}});
+    QString why;
+    QObject::connect(&document, &SceneDocument::changeRefused,
+                     [&](const QString& sentence) { why = sentence; });
+    document.setText("# mine\n", "Edit");
+    document.didRefuse("# theirs\n", "too late");
+    EXPECT_EQ(document.text(), "# theirs\n");
+    EXPECT_EQ(why, "too late");
+}
+
+TEST_F(DocumentTest, WhatAnotherComputedIsShownAndNothingIsComputedHere) {
+    SceneDocument shown{Workshop{}};
+    int scenes = 0, motions = 0, faults = 0, asked = 0;
+    QObject::connect(&shown, &SceneDocument::sceneChanged, [&] { ++scenes; });
+    QObject::connect(&shown, &SceneDocument::motionChanged, [&] { ++motions; });
+    QObject::connect(&shown, &SceneDocument::diagnosticsChanged, [&] { ++faults; });
+    shown.setHostLink({[](const TextEdit&, const QString&) {}, [] {}, [] {}, [&] { ++asked; }});
+    shown.setTextFromHost(ballScene);
+    shown.recompute();
+    EXPECT_EQ(asked, 1);
+    EXPECT_EQ(made.reads, 0);
+    Computed computed;
+    const auto scene = std::make_shared<const scene::Scene>(theReader().read(ballScene).scene);
+    computed.shown = {scene, flight(*scene)};
+    computed.text = ballScene;
+    computed.current = true;
+    shown.setComputed(computed);
+    EXPECT_TRUE(shown.sceneIsCurrent());
+    EXPECT_EQ(shown.shown().motion, computed.shown.motion);
+    shown.setComputed(computed); // the same again is no news
+    EXPECT_EQ(scenes, 1);
+    EXPECT_EQ(motions, 1);
+    computed.diagnostics.push_back({scene::Severity::error, {}, 1, 1, 1, 2, "faulty", ""});
+    computed.current = false;
+    shown.setComputed(computed);
+    EXPECT_EQ(scenes, 1);
+    EXPECT_EQ(faults, 2);
+    EXPECT_TRUE(shown.hasErrors());
+}
+
+// What is shown may be of an older text than the host's: elements are found again by that one.
+TEST_F(DocumentTest, TheSceneThatAnotherReadBelongsToTheTextThatItWasReadFrom) {
+    SceneDocument shown{Workshop{}};
+    shown.setHostLink({[](const TextEdit&, const QString&) {}, [] {}, [] {}});
+    const std::string head = "shape_set s -desc {-sub {-sphere 1}}\nbody b s\n";
+    const std::string one = head + "force -body b -x 1\n";
+    const std::string both = head + "force -body b -x 2\n" + "force -body b -x 1\n";
+    const auto computed = [](const std::string& text, bool current) {
+        Computed all;
+        all.shown.scene = std::make_shared<const scene::Scene>(theReader().read(text).scene);
+        all.text = text;
+        all.current = current;
+        return all;
+    };
+    shown.setTextFromHost(one);
+    shown.setComputed(computed(one, true));
+    shown.select({{editing::Kind::force, 0}});
+    shown.setTextFromHost(both);
+    shown.setComputed(computed(one, false)); // it was on its way
+    EXPECT_EQ(shown.shownText(), one);
+    shown.setComputed(computed(both, true));
+    EXPECT_EQ(shown.shownText(), both);
+    ASSERT_EQ(shown.selected().size(), 1U);
+    EXPECT_EQ(shown.selected().front(), (editing::Element{editing::Kind::force, 1}));
+}
+
+TEST_F(DocumentTest, FilesAreReadAndWrittenByteForByte) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("scene.al");
+    const std::string text = ballScene + "# \xC3\xA4\r\n\t# no newline at the end";
+    document.setText(text, "Edit");
+    EXPECT_TRUE(document.isModified());
+    EXPECT_EQ(document.save(path), QString());
+    EXPECT_FALSE(document.isModified());
+    SceneDocument other{made.workshop()};
+    EXPECT_EQ(other.open(path), QString());
+    EXPECT_EQ(other.text(), text);
+    EXPECT_EQ(other.name(), "scene.al");
+    EXPECT_FALSE(other.canUndo());
+}
+
+TEST_F(DocumentTest, FilesThatCannotBeReadOrWrittenSaySo) {
+    EXPECT_TRUE(document.open("/nowhere/at-all.al").contains("/nowhere/at-all.al"));
+    EXPECT_TRUE(document.save("/nowhere/at-all.al").contains("/nowhere/at-all.al"));
+    EXPECT_EQ(document.path(), QString());
+}
+
 // --- edits ----------------------------------------------------------------------------------
 
 TEST(EditBetween, IsTheSmallestAndKeepsCharactersWhole) {

@@ -323,6 +323,12 @@ void LanguageViewer::tellChanges() {
     const auto before = std::exchange(updating_, std::nullopt);
     if (!before || !document_.sceneIsCurrent())
         return;
+    // LIMIT: of long texts, where it would hold up the window, it is not counted.
+    constexpr std::size_t quick = 500'000; // bytes
+    if (document_.text().size() > quick) {
+        updated_ = tr("Updated");
+        return;
+    }
     const editing::Changes changes = editing::changesBetween(
         {before->first, *before->second}, {document_.text(), *document_.shown().scene});
     QStringList parts;
