@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <variant>
 
 namespace editing {
 
@@ -54,6 +55,8 @@ public:
 private:
     [[nodiscard]] Answer refuse(const std::string& what, scene::Range cause) const;
     [[nodiscard]] Answer insert() const;
+    [[nodiscard]] std::variant<TextEdit, Answer> number(const Origin& origin,
+                                                        std::size_t which) const;
     [[nodiscard]] Answer rewrite(const std::vector<Origin>& origins) const;
     [[nodiscard]] bool isNow() const; // nothing is to change
     // The parameter whose value stands there and may not become that.
@@ -98,6 +101,30 @@ Answer Edit::insert() const {
     return answer;
 }
 
+// The number that stands there becomes the wish's; or why it cannot.
+std::variant<TextEdit, Answer> Edit::number(const Origin& origin, std::size_t which) const {
+    const double wish = wish_.values[which];
+    const bool known = !wish_.now.empty();
+    const std::string before = origins_.slice(origin.literal);
+    const auto old = script::decimalNumber(before);
+    if (!old)
+        return refuse("is not written as a number", origin.literal);
+    if (known && !nearly(*old * origin.factor, wish_.now[which]))
+        return refuse("stands in the text as " + before + ", but is " +
+                          numberText(wish_.now[which], 0),
+                      origin.literal);
+    const double wanted = wish / origin.factor;
+    const double resolution = wish_.resolution / std::abs(origin.factor);
+    if (const scene::Parameter* bound = boundOn(origin.literal, wanted))
+        return refuse("comes from the parameter " + bound->name + ", which ends at " +
+                          numberText(wanted < *old ? *bound->minimum : *bound->maximum, 0),
+                      origin.literal);
+    const bool stays = known && same(wish_.now[which], wish, wish_.resolution);
+    return TextEdit{
+        origin.literal.from, origin.literal.to,
+        stays || same(*old, wanted, resolution) ? before : numberText(wanted, resolution, before)};
+}
+
 Answer Edit::rewrite(const std::vector<Origin>& origins) const {
     if (origins.size() == 1 && !origins.front().reason.empty())
         return isNow() ? Answer{} : refuse(origins.front().reason, origins.front().cause);
@@ -107,33 +134,16 @@ Answer Edit::rewrite(const std::vector<Origin>& origins) const {
     Answer answer;
     for (std::size_t i = 0; i < wish_.values.size(); ++i) {
         const Origin& origin = origins[i];
-        const bool stays =
-            !wish_.now.empty() && same(wish_.now[i], wish_.values[i], wish_.resolution);
         if (!origin.reason.empty()) {
-            if (stays) // what cannot be written may still be what it is to be
-                continue;
+            if (!wish_.now.empty() && same(wish_.now[i], wish_.values[i], wish_.resolution))
+                continue; // what cannot be written may still be what it is to be
             return refuse(origin.reason, origin.cause);
         }
-        const std::string before = origins_.slice(origin.literal);
-        const auto old = script::decimalNumber(before);
-        if (!old)
-            return refuse("is not written as a number", origin.literal);
-        if (!wish_.now.empty() && !nearly(*old * origin.factor, wish_.now[i]))
-            return refuse("stands in the text as " + before + ", but is " +
-                              numberText(wish_.now[i], 0),
-                          origin.literal);
-        const double wanted = wish_.values[i] / origin.factor;
-        const double resolution = wish_.resolution / std::abs(origin.factor);
-        if (const scene::Parameter* bound = boundOn(origin.literal, wanted))
-            return refuse("comes from the parameter " + bound->name + ", which ends at " +
-                              numberText(wanted < *old ? *bound->minimum : *bound->maximum, 0),
-                          origin.literal);
-        const TextEdit edit = {origin.literal.from, origin.literal.to,
-                               stays || same(*old, wanted, resolution)
-                                   ? before
-                                   : numberText(wanted, resolution, before)};
-        const auto clash = std::ranges::find_if(
-            answer.edits, [&](const TextEdit& other) { return other.from == edit.from; });
+        const auto number = this->number(origin, i);
+        if (const auto* refusal = std::get_if<Answer>(&number))
+            return *refusal;
+        const TextEdit& edit = std::get<TextEdit>(number);
+        const auto clash = std::ranges::find(answer.edits, edit.from, &TextEdit::from);
         if (clash == answer.edits.end())
             answer.edits.push_back(edit);
         else if (clash->text != edit.text)
