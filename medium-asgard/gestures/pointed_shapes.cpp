@@ -1,4 +1,7 @@
 // The shapes of bodies as solids that one can point at, each made once.
+//
+// LIMIT: one that nobody has prepared yet is made by who asks for it, on the interface's thread
+// too: of hundreds of parts that is felt, once.
 #include "gestures/picking.h"
 #include "scene/shape_of.h"
 
