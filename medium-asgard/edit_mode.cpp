@@ -1,5 +1,6 @@
 #include "edit_mode.h"
 
+#include "service/menu.h"
 #include "views/editor.h"
 
 #include <QApplication>
@@ -62,7 +63,10 @@ public:
     }
 
     std::optional<std::string> open(const std::string& entry) override {
-        if (entry == "open-graphical-viewer")
+        if (entry == service::updateDrafts)
+            for (views::LanguageViewer* viewer : editor_.languageViewers())
+                viewer->updateDocument();
+        else if (entry == "open-graphical-viewer")
             raise(editor_.openGraphicalViewer());
         else
             raise(editor_.openLanguageViewer());
@@ -138,8 +142,10 @@ private:
 
     void tellWindows() {
         const auto texts = editor_.languageViewers();
-        const bool drafts = std::any_of(texts.begin(), texts.end(),
-                                        [](const auto* one) { return one->hasDraft(); });
+        // A change that the host has not answered is no change of the document yet.
+        const bool drafts =
+            proposed_ || std::any_of(texts.begin(), texts.end(),
+                                     [](const auto* one) { return one->hasDraft(); });
         const ipc::WindowsChanged now{
             static_cast<ipc::Integer>(texts.size() + editor_.graphicalViewers().size()), drafts};
         if (now == told_)
@@ -163,6 +169,7 @@ private:
             label_.toStdString(), [this](const std::optional<std::string>& refusal) {
                 proposed_ = false;
                 answered(refusal);
+                tellWindows();
             });
         connection_.flush();
         output_.setEnabled(connection_.sending());

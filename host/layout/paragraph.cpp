@@ -149,6 +149,15 @@ QString Paragraph::textOfLine(int line) const {
     return text_.mid(found.textStart(), found.textLength());
 }
 
+std::pair<int, int> Paragraph::rangeOfLine(int line) const {
+    const QTextLine found = layout_->lineAt(line);
+    return {found.textStart(), found.textStart() + found.textLength()};
+}
+
+double Paragraph::leftOf(int line, int position) const {
+    return layout_->lineAt(line).cursorToX(position);
+}
+
 Widths widthsOf(const document::Model& model, const document::Block& block,
                 const Objects& objects) {
     document::Block left = block;

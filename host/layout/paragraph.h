@@ -49,6 +49,9 @@ public:
     [[nodiscard]] const document::Run* runAt(int line, double x) const;
     [[nodiscard]] QString text() const { return text_; }
     [[nodiscard]] QString textOfLine(int line) const;
+    // The letters [first, second) of text() that stand on it, and where one begins in it.
+    [[nodiscard]] std::pair<int, int> rangeOfLine(int line) const;
+    [[nodiscard]] double leftOf(int line, int position) const;
 
 private:
     void append(const document::Model& model, const document::Run& run, const Objects& objects);

@@ -9,6 +9,7 @@ namespace {
 constexpr int minuteMs = 60'000;
 constexpr int restartDelayMs = 100;
 constexpr std::size_t longestState = 4096; // of a rendition, as the protocol says
+constexpr const char* updateDrafts = "update-drafts";
 
 // Failures that another start cannot cure.
 bool isHopeless(const QString& reason) {
@@ -175,6 +176,15 @@ void LiveSubdocument::adopt(std::unique_ptr<MediumProcess> process) {
                       });
     setCondition(Condition::live);
     Q_EMIT menusChanged();
+    invokeWaiting();
+}
+
+void LiveSubdocument::invokeWaiting() {
+    for (const Invocation& one : std::exchange(whenReady_, {})) {
+        const auto of = std::ranges::find_if(
+            renditions_, [&](const Rendition* each) { return each->id() == one.rendition; });
+        invoke(one.id, of == renditions_.end() ? nullptr : *of);
+    }
 }
 
 void LiveSubdocument::restoreTime(const std::optional<ipc::TimeChanged>& last) {
@@ -216,6 +226,8 @@ void LiveSubdocument::makeStill() {
     restartTimer_.stop();
     discard(next_);
     discard(process_);
+    afterSwitch_.clear();
+    whenReady_.clear();
     if (condition_ != Condition::failed)
         setCondition(Condition::still);
     Q_EMIT processGone();
@@ -234,6 +246,7 @@ void LiveSubdocument::processEnded(const QString& reason, bool wasAsked) {
     discard(process_);
     loaded_ = false;
     reason_ = QStringLiteral("%1 %2.").arg(manifest_.name, reason);
+    whenReady_.clear(); // it may be what ended it
     const bool again = !wasAsked && !isHopeless(reason) && mayRestart();
     setCondition(again ? Condition::starting : Condition::failed);
     if (again)
@@ -243,10 +256,10 @@ void LiveSubdocument::processEnded(const QString& reason, bool wasAsked) {
 }
 
 void LiveSubdocument::switchMode(Mode mode, std::function<void()> then) {
+    afterSwitch_.push_back(std::move(then));
     if (next_)
         return;
     mode_ = mode;
-    afterSwitch_ = std::move(then);
     next_ = createProcess(mode);
     connect(next_.get(), &MediumProcess::ended, this, &LiveSubdocument::nextEnded);
     connect(next_.get(), &MediumProcess::ready, this, [this] {
@@ -254,7 +267,7 @@ void LiveSubdocument::switchMode(Mode mode, std::function<void()> then) {
         connect(next_.get(), &MediumProcess::ended, this, &LiveSubdocument::processEnded);
         discard(process_);
         adopt(std::move(next_));
-        if (const auto todo = std::move(afterSwitch_))
+        for (const auto& todo : std::exchange(afterSwitch_, {}))
             todo();
     });
     next_->start();
@@ -262,6 +275,7 @@ void LiveSubdocument::switchMode(Mode mode, std::function<void()> then) {
 
 void LiveSubdocument::nextEnded(const QString& reason) {
     discard(next_);
+    afterSwitch_.clear();
     mode_ = Mode::play;
     Q_EMIT message(QStringLiteral("%1 %2.").arg(manifest_.name, reason));
 }
@@ -282,6 +296,7 @@ void LiveSubdocument::told(const ipc::ToHost& report) {
         Q_EMIT diagnosticsChanged();
     } else if (const auto* windows = std::get_if<ipc::WindowsChanged>(&report)) {
         windows_ = *windows;
+        Q_EMIT windowsChanged();
     } else if (std::holds_alternative<ipc::PresentationResized>(report)) {
         askForSize();
     } else if (const auto* unhandled = std::get_if<ipc::RenditionUnhandled>(&report)) {
@@ -421,6 +436,7 @@ void LiveSubdocument::invoke(const QString& id, const Rendition* rendition) {
     if (entry == menus_.end())
         return;
     if (!process_ || process_->state() != MediumProcess::State::ready) {
+        whenReady_.push_back({id, rendition ? rendition->id() : 0});
         start();
         Q_EMIT message(name() + QStringLiteral(" is starting."));
         return;
@@ -442,6 +458,15 @@ void LiveSubdocument::invoke(const QString& id, const Rendition* rendition) {
     else
         tell();
 }
+
+bool LiveSubdocument::takesDrafts() const {
+    return process_ && process_->state() == MediumProcess::State::ready &&
+           std::ranges::any_of(menus_, [](const ipc::MenuEntry& entry) {
+               return entry.id == updateDrafts && entry.enabled;
+           });
+}
+
+void LiveSubdocument::takeDrafts() { invoke(updateDrafts, nullptr); }
 
 void LiveSubdocument::play() {
     if (!process_)

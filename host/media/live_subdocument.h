@@ -77,7 +77,12 @@ public:
 
     // --- its commands
     [[nodiscard]] const std::vector<ipc::MenuEntry>& menus() const { return menus_; }
+    // While its process starts or changes, it is done as soon as it can be.
     void invoke(const QString& id, const Rendition* rendition);
+    // What was typed in windows of the medium can be made a change of the text, by the entry
+    // `update-drafts` of its menu; then windowsChanged() says that no draft is left.
+    [[nodiscard]] bool takesDrafts() const;
+    void takeDrafts();
     // Of what moves: nothing for a medium without time.
     [[nodiscard]] const std::optional<ipc::TimeChanged>& time() const { return time_; }
     void play();
@@ -102,6 +107,7 @@ Q_SIGNALS:
     void redoRequested();
     void message(const QString& text); // for the status line
     void firstPicture();
+    void windowsChanged();
     void processGone(); // there is room for another one
 
 private:
@@ -122,6 +128,7 @@ private:
     void processEnded(const QString& reason, bool wasAsked);
     void nextEnded(const QString& reason);
     void switchMode(Mode mode, std::function<void()> then);
+    void invokeWaiting();
     void discard(std::unique_ptr<MediumProcess>& process);
     void setCondition(Condition condition);
     [[nodiscard]] bool mayRestart();
@@ -140,7 +147,12 @@ private:
     QString reason_;
     std::unique_ptr<MediumProcess> process_;
     std::unique_ptr<MediumProcess> next_; // of another mode, until it is ready
-    std::function<void()> afterSwitch_;
+    std::vector<std::function<void()>> afterSwitch_;
+    struct Invocation {
+        QString id;
+        ipc::Integer rendition; // 0: none
+    };
+    std::vector<Invocation> whenReady_;
     std::vector<Rendition*> renditions_;
     ipc::Integer lastRendition_ = 0;
     std::vector<ipc::Presentation> presentations_;

@@ -58,7 +58,9 @@ void Rendition::painted() {
 }
 
 void Rendition::input(ipc::Input input) {
-    if (!process_ || (input.type == ipc::InputType::move && process_->isCongested()))
+    if (!process_)
+        return keepPress(input);
+    if (input.type == ipc::InputType::move && process_->isCongested())
         return;
     input.rendition = id_;
     process_->notify(ipc::RenditionInput{input});
@@ -74,6 +76,20 @@ void Rendition::attach(MediumProcess* process) {
     sendGeometry(true);
     if (shown_)
         process_->notify(ipc::RenditionShow{id_});
+    if (auto pressed = std::exchange(pressed_, std::nullopt)) {
+        ipc::Input chosen;
+        chosen.type = ipc::InputType::focusIn;
+        input(chosen);
+        input(std::move(*pressed));
+    }
+}
+
+// A drag that begins before there is a process goes on where it began.
+void Rendition::keepPress(const ipc::Input& input) {
+    if (input.type == ipc::InputType::press)
+        pressed_ = input;
+    else if (input.type == ipc::InputType::release || input.type == ipc::InputType::focusOut)
+        pressed_.reset();
 }
 
 void Rendition::sendGeometry(bool create) {

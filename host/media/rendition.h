@@ -50,6 +50,7 @@ private:
 
     void attach(MediumProcess* process); // makes itself there; nullptr: the process is gone
     void sendGeometry(bool create);
+    void keepPress(const ipc::Input& input);
     [[nodiscard]] bool take(const ipc::RenditionFrame& frame); // false: not a frame of ours
     void freeSlots(const std::vector<Slot>& slots) const;
     [[nodiscard]] QImage decoded(const ipc::RenditionFrame& frame) const;
@@ -64,6 +65,7 @@ private:
     QImage picture_;
     ipc::CursorShape cursor_ = ipc::CursorShape::arrow;
     QPointer<MediumProcess> process_;
+    std::optional<ipc::Input> pressed_;   // a button that is held since before there was a process
     std::vector<Slot> slots_;             // that the medium draws into now
     std::vector<ipc::Integer> unpainted_; // serials of frames that are not acknowledged yet
     int unanswered_ = 0;                  // changes of the geometry that the medium has yet to obey

@@ -67,6 +67,8 @@ void OpenDocument::readSubdocuments() {
             [this, id](const ipc::SubdocumentChanged& change) { return applyChange(id, change); });
         connect(made.get(), &media::LiveSubdocument::diagnosticsChanged, this,
                 &OpenDocument::faultsChanged);
+        connect(made.get(), &media::LiveSubdocument::windowsChanged, this,
+                &OpenDocument::draftsChanged);
         connect(made.get(), &media::LiveSubdocument::message, this, &OpenDocument::message);
         connect(made.get(), &media::LiveSubdocument::undoRequested, document_.get(),
                 &document::Document::undo);
@@ -105,6 +107,18 @@ QStringList OpenDocument::drafts() const {
         if (subdocument->windows().drafts && !names.contains(subdocument->name()))
             names << subdocument->name();
     return names;
+}
+
+bool OpenDocument::takesDrafts() const {
+    return std::ranges::all_of(live_, [](const auto& one) {
+        return !one.second->windows().drafts || one.second->takesDrafts();
+    });
+}
+
+void OpenDocument::takeDrafts() {
+    for (const auto& [id, subdocument] : live_)
+        if (subdocument->windows().drafts)
+            subdocument->takeDrafts();
 }
 
 media::LiveSubdocument* OpenDocument::live(document::SubdocumentId id) const {

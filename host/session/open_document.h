@@ -45,6 +45,9 @@ public:
     [[nodiscard]] QSizeF sizeOf(document::SubdocumentId id) const;
     // The media in whose windows something was typed that is not in the document yet.
     [[nodiscard]] QStringList drafts() const;
+    // Whether all of these can be made changes of the document, and does it; draftsChanged() tells.
+    [[nodiscard]] bool takesDrafts() const;
+    void takeDrafts();
 
     // Of the format, of the schemas, of subdocuments as their media say, in order of place.
     [[nodiscard]] std::vector<ListedFault> faults() const;
@@ -54,6 +57,7 @@ public:
 Q_SIGNALS:
     void structureChanged(); // something else than the text of subdocuments
     void faultsChanged();
+    void draftsChanged();
     void message(const QString& text);
 
 private:

@@ -333,6 +333,42 @@ void DocumentView::scrollTo(document::SubdocumentId id) {
         std::max(20, (viewport()->height() - static_cast<int>(place.height())) / 2));
 }
 
+// --- finding -----------------------------------------------------------------------------------
+
+void DocumentView::find(const QString& words) {
+    found_ = layout::findText(pages_, words);
+    viewport()->update();
+    const auto isBelow = [this](const layout::Found& one) {
+        return pageTopLeft(one.page).y() + one.rects.front().bottom() * scale() > 0;
+    };
+    const auto first = std::ranges::find_if(found_, isBelow);
+    if (!found_.empty())
+        showFound(first == found_.end() ? 0 : static_cast<int>(first - found_.begin()));
+}
+
+void DocumentView::showFound(int which) {
+    const int count = foundCount();
+    if (count == 0)
+        return;
+    shownFound_ = (which % count + count) % count;
+    const layout::Found& one = found_[static_cast<std::size_t>(shownFound_)];
+    const double y = pageTopLeft(one.page).y() + one.rects.front().center().y() * scale();
+    constexpr double edge = 40;
+    if (y < edge || y > viewport()->height() - edge)
+        verticalScrollBar()->setValue(
+            static_cast<int>(verticalScrollBar()->value() + y - viewport()->height() / 3.0));
+    viewport()->update();
+}
+
+void DocumentView::paintFound(QPainter& painter, std::size_t page) const {
+    for (std::size_t i = 0; i < found_.size(); ++i)
+        if (found_[i].page == page)
+            for (const QRectF& rect : found_[i].rects)
+                painter.fillRect(rect, static_cast<int>(i) == shownFound_
+                                           ? QColor(255, 150, 30, 130)
+                                           : QColor(255, 220, 60, 110));
+}
+
 // --- painting ----------------------------------------------------------------------------------
 
 void DocumentView::paintEvent(QPaintEvent* event) {
@@ -371,6 +407,7 @@ void DocumentView::paintPages(QPainter& painter, const QRect& area) {
                           QSizeF(area.size()) / scale());
         layout::paintPage(painter, pages_.pages[i], clip,
                           [](QPainter&, const layout::SubdocumentPiece&) {});
+        paintFound(painter, i);
         painter.restore();
     }
 }

@@ -6,6 +6,7 @@
 // Escape gives them back.
 #pragma once
 
+#include "layout/find.h"
 #include "layout/paint.h"
 #include "window/shown.h"
 
@@ -36,6 +37,13 @@ public:
     [[nodiscard]] media::Rendition* rendition(document::SubdocumentId id) const;
     [[nodiscard]] QRectF placeOf(document::SubdocumentId id) const; // in the viewport
     void scrollTo(document::SubdocumentId id);
+
+    // Marks the words wherever they stand, and shows the first of them at or below what is seen;
+    // "": none any more.
+    void find(const QString& words);
+    [[nodiscard]] int foundCount() const { return static_cast<int>(found_.size()); }
+    [[nodiscard]] int shownFound() const { return shownFound_; }
+    void showFound(int which); // around the ends
 
     [[nodiscard]] const layout::Pages& pages() const { return pages_; }
     [[nodiscard]] const document::Model& model() const { return model_; }
@@ -88,6 +96,7 @@ private:
     void updateGeometries();
     void updateOne(document::SubdocumentId id);
     void paintPages(QPainter& painter, const QRect& area);
+    void paintFound(QPainter& painter, std::size_t page) const;
     void useKey(int key, Qt::KeyboardModifiers modifiers);
     void follow(const QString& target);
     void updatePlayBar();
@@ -99,6 +108,8 @@ private:
     document::Model model_;
     layout::Pages pages_;
     std::map<document::SubdocumentId, Shown> shown_;
+    std::vector<layout::Found> found_;
+    int shownFound_ = 0;
     document::SubdocumentId chosen_ = document::noSubdocument;
     document::SubdocumentId grabbed_ = document::noSubdocument; // has a button held down
     document::SubdocumentId hovered_ = document::noSubdocument;

@@ -3,7 +3,9 @@
 #include "paper/paper.h"
 #include "window/application.h"
 #include "window/faults_pane.h"
+#include "window/find_bar.h"
 #include "window/icons.h"
+#include "window/manual.h"
 #include "window/medium_commands.h"
 
 #include <QApplication>
@@ -21,6 +23,7 @@
 #include <QScreen>
 #include <QScrollBar>
 #include <QStatusBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 namespace window {
@@ -57,9 +60,9 @@ QLabel* makeBanner(QWidget* parent) {
 DocumentWindow::DocumentWindow(Application& application,
                                std::shared_ptr<session::OpenDocument> document)
     : application_(application), document_(std::move(document)), banner_(makeBanner(this)),
-      view_(new DocumentView(*document_)), faults_(new FaultsPane(*document_, this)),
-      tools_(new QToolBar(tr("Tools"), this)), pageLabel_(new QLabel(this)),
-      zoomLabel_(new QLabel(this)) {
+      view_(new DocumentView(*document_)), find_(new FindBar(*view_, this)),
+      faults_(new FaultsPane(*document_, this)), tools_(new QToolBar(tr("Tools"), this)),
+      pageLabel_(new QLabel(this)), zoomLabel_(new QLabel(this)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setAcceptDrops(true);
     auto* middle = new QWidget(this);
@@ -68,6 +71,7 @@ DocumentWindow::DocumentWindow(Application& application,
     column->setSpacing(0);
     column->addWidget(banner_);
     column->addWidget(view_, 1);
+    column->addWidget(find_);
     setCentralWidget(middle);
     addDockWidget(Qt::BottomDockWidgetArea, faults_);
     constexpr int faultsHeight = 130;
@@ -129,6 +133,7 @@ DocumentWindow::DocumentWindow(Application& application,
 DocumentWindow::~DocumentWindow() {
     // Its commands look at the view and the document, which go first otherwise.
     delete commands_;
+    delete find_;
     delete faults_;
     delete view_;
 }
@@ -181,6 +186,11 @@ void DocumentWindow::buildEditMenu() {
     undo_ = add(menu, tr("&Undo"), QKeySequence::Undo, [this] { document_->document().undo(); });
     redo_ = add(menu, tr("&Redo"), QKeySequence("Ctrl+Shift+Z"),
                 [this] { document_->document().redo(); });
+    menu->addSeparator();
+    add(menu, tr("&Find..."), QKeySequence::Find, [this] { find_->open(); });
+    add(menu, tr("Find &Next"), QKeySequence(Qt::Key_F3), [this] { find_->next(1); });
+    add(menu, tr("Find &Previous"), QKeySequence(Qt::SHIFT | Qt::Key_F3),
+        [this] { find_->next(-1); });
 }
 
 void DocumentWindow::buildViewMenu() {
@@ -221,6 +231,7 @@ void DocumentWindow::fillPresentations() {
 
 void DocumentWindow::buildHelpMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&Help"));
+    add(menu, tr("&Keys and Buttons"), QKeySequence(Qt::Key_F1), [this] { showManual(this); });
     add(menu, tr("&About Ensemble"), {}, [this] {
         QStringList installed;
         for (const media::Manifest& manifest : document_->media().registry().media())
@@ -290,7 +301,8 @@ void DocumentWindow::updateFaults(int errors, int warnings) {
                          ? tr("This file is damaged. It is shown as far as it can be read, and is "
                               "not overwritten without your consent.")
                          : tr("This file is no document: documents begin with the word DOCUMENT. "
-                              "It may be one for another program."));
+                              "It may be one for another program, and is not overwritten without "
+                              "your consent."));
     banner_->setVisible(broken);
 }
 
@@ -333,6 +345,20 @@ bool DocumentWindow::saveBy(
 }
 
 bool DocumentWindow::save() {
+    switch (askAboutDrafts(tr("Save"), tr("&Update and Save"), tr("Save &Without It"))) {
+    case Drafts::stay:
+        return false;
+    case Drafts::update:
+        updateDrafts([this] { saveNow(); });
+        return false;
+    case Drafts::none:
+    case Drafts::leave:
+        break;
+    }
+    return saveNow();
+}
+
+bool DocumentWindow::saveNow() {
     document::Document& of = document_->document();
     if (of.fileName().isEmpty())
         return saveAs();
@@ -358,19 +384,59 @@ bool DocumentWindow::isLastOfDocument() const {
 
 // What was typed in a window of a medium and is no change of the document yet goes with its
 // process.
-bool DocumentWindow::mayLoseDrafts() {
+DocumentWindow::Drafts DocumentWindow::askAboutDrafts(const QString& title, const QString& update,
+                                                      const QString& leave) {
     const QStringList where = document_->drafts();
-    return where.isEmpty() ||
-           QMessageBox::warning(this, tr("Close"),
-                                tr("What you typed in a window of %1 is not yet in the document. "
-                                   "Close it all the same?")
-                                    .arg(where.join(tr(" and "))),
-                                QMessageBox::Discard | QMessageBox::Cancel,
-                                QMessageBox::Cancel) == QMessageBox::Discard;
+    if (where.isEmpty())
+        return Drafts::none;
+    QMessageBox box(QMessageBox::Warning, title,
+                    tr("What you typed in a window of %1 is not yet in the document.")
+                        .arg(where.join(tr(" and "))),
+                    QMessageBox::Cancel, this);
+    if (document_->takesDrafts())
+        box.addButton(QMessageBox::Apply)->setText(update);
+    box.addButton(QMessageBox::Discard)->setText(leave);
+    box.setDefaultButton(QMessageBox::Cancel);
+    switch (box.exec()) {
+    case QMessageBox::Apply:
+        return Drafts::update;
+    case QMessageBox::Discard:
+        return Drafts::leave;
+    default:
+        return Drafts::stay;
+    }
+}
+
+void DocumentWindow::updateDrafts(std::function<void()> then) {
+    constexpr int longestMs = 10'000;
+    auto* waiting = new QTimer(this); // and what it waits for, which goes with it
+    waiting->setSingleShot(true);
+    const auto look = [this, waiting, then = std::move(then)] {
+        if (!document_->drafts().isEmpty())
+            return;
+        waiting->stop();
+        waiting->deleteLater();
+        // Not in the medium's own call.
+        QTimer::singleShot(0, this, then);
+    };
+    connect(document_.get(), &session::OpenDocument::draftsChanged, waiting, look);
+    connect(waiting, &QTimer::timeout, this, [this, waiting] {
+        waiting->deleteLater();
+        QMessageBox::warning(this, tr("Update"),
+                             tr("%1 did not take what was typed. It is in its window still.")
+                                 .arg(document_->drafts().join(tr(" and "))));
+    });
+    waiting->start(longestMs);
+    document_->takeDrafts();
 }
 
 void DocumentWindow::closeEvent(QCloseEvent* event) {
-    if (isLastOfDocument() && !mayLoseDrafts()) {
+    const Drafts drafts = isLastOfDocument()
+                              ? askAboutDrafts(tr("Close"), tr("&Update"), tr("Close &Without It"))
+                              : Drafts::none;
+    if (drafts == Drafts::update)
+        updateDrafts([this] { close(); });
+    if (drafts == Drafts::update || drafts == Drafts::stay) {
         event->ignore();
         return;
     }
@@ -378,7 +444,7 @@ void DocumentWindow::closeEvent(QCloseEvent* event) {
         const auto answer = QMessageBox::question(
             this, tr("Close"), tr("The document has changes that are not saved."),
             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
-        if (answer == QMessageBox::Cancel || (answer == QMessageBox::Save && !save())) {
+        if (answer == QMessageBox::Cancel || (answer == QMessageBox::Save && !saveNow())) {
             event->ignore();
             return;
         }

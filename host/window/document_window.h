@@ -11,6 +11,7 @@ namespace window {
 
 class Application;
 class FaultsPane;
+class FindBar;
 class MediumCommands;
 
 class DocumentWindow : public QMainWindow {
@@ -25,7 +26,7 @@ public:
     [[nodiscard]] DocumentView& view() const { return *view_; }
     [[nodiscard]] MediumCommands& commands() const { return *commands_; }
 
-    bool save();
+    bool save(); // false: not, or not yet: what was typed elsewhere is being taken in
     bool saveAs();
     void exportPdfTo(const QString& fileName);
 
@@ -49,7 +50,13 @@ private:
     void exportPdf();
     bool saveBy(const std::function<document::SaveResult(document::SaveOptions)>& saving);
     [[nodiscard]] bool isLastOfDocument() const;
-    [[nodiscard]] bool mayLoseDrafts(); // asks when there are any
+    // What was typed in windows of media and is no change of the document yet: asks when there is
+    // any. `update`: it becomes the document's, and then `then` is done.
+    enum class Drafts { none, update, leave, stay };
+    [[nodiscard]] Drafts askAboutDrafts(const QString& title, const QString& update,
+                                        const QString& leave);
+    void updateDrafts(std::function<void()> then);
+    bool saveNow();
     void useShortcut(int key, Qt::KeyboardModifiers modifiers);
     QAction* add(QMenu* menu, const QString& text, const QKeySequence& keys,
                  const std::function<void()>& done, const QString& icon = {});
@@ -58,6 +65,7 @@ private:
     std::shared_ptr<session::OpenDocument> document_;
     QLabel* banner_;
     DocumentView* view_;
+    FindBar* find_;
     FaultsPane* faults_;
     QToolBar* tools_;
     MediumCommands* commands_;

@@ -1,6 +1,7 @@
 #include "window/application.h"
 #include "window/document_window.h"
 #include "window/faults_pane.h"
+#include "window/find_bar.h"
 #include "window/icons.h"
 #include "window/medium_commands.h"
 #include "window/play_bar.h"
@@ -19,6 +20,7 @@
 #include <QScrollBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextBrowser>
 #include <QTimer>
 #include <csignal>
 #include <random>
@@ -280,6 +282,35 @@ TEST_F(WindowTest, AThousandSubdocumentsOpenAtOnceWithEightProcesses) {
     EXPECT_TRUE(waitFor([&] { return children().size() <= 8u; }));
 }
 
+TEST_F(WindowTest, WordsAreFoundWhereTheyStand) {
+    QByteArray lines;
+    for (int i = 0; i < 150; ++i)
+        lines += "<PARAGRAPH><TEXT>{line " + QByteArray::number(i) + "}</TEXT></PARAGRAPH>\n";
+    DocumentWindow* window = open(memo(lines + "<PARAGRAPH><TEXT>{the Needle}</TEXT></PARAGRAPH>\n"
+                                               "<PARAGRAPH><TEXT>{a needle}</TEXT></PARAGRAPH>\n"),
+                                  {900, 500});
+    for (QAction* one : window->findChildren<QAction*>())
+        if (one->shortcut() == QKeySequence(QKeySequence::Find))
+            one->trigger();
+    auto* bar = window->findChild<FindBar*>();
+    ASSERT_TRUE(bar && bar->isVisible());
+    QTest::keyClicks(&bar->field(), "needle");
+    EXPECT_EQ(bar->says(), "1 of 2");
+    const QScrollBar* scroll = window->view().verticalScrollBar();
+    EXPECT_GT(scroll->value(), 500); // it is seen
+    QTest::keyClick(&bar->field(), Qt::Key_Return);
+    EXPECT_EQ(bar->says(), "2 of 2");
+    QTest::keyClick(&bar->field(), Qt::Key_Return, Qt::ShiftModifier);
+    EXPECT_EQ(bar->says(), "1 of 2");
+    const QImage marked = window->view().viewport()->grab().toImage();
+    bar->field().setText("nothing like it");
+    EXPECT_EQ(bar->says(), "Not found");
+    EXPECT_NE(window->view().viewport()->grab().toImage(), marked);
+    QTest::keyClick(&bar->field(), Qt::Key_Escape);
+    EXPECT_FALSE(bar->isVisible());
+    EXPECT_EQ(window->view().foundCount(), 0);
+}
+
 // --- what goes wrong ---------------------------------------------------------------------------
 
 TEST_F(WindowTest, ACrashedMediumKeepsItsPictureAndStartsOnAClick) {
@@ -391,6 +422,78 @@ TEST_F(WindowTest, WhatIsTypedInAMediumsWindowIsNotLostUnasked) {
     const QString said = answered(QMessageBox::Cancel, [&] { EXPECT_FALSE(window->close()); });
     EXPECT_THAT(said.toStdString(), HasSubstr("not yet in the document"));
     answered(QMessageBox::Discard, [&] { EXPECT_TRUE(window->close()); });
+}
+
+TEST_F(WindowTest, WhatIsTypedInAMediumsWindowIsTakenIn) {
+    DocumentWindow* window = open(memo(scripted("colour 102030\ndraft  #typed")));
+    const std::string typed = "#typed";
+    ASSERT_TRUE(waitFor([&] { return live(*window, 0).takesDrafts(); }));
+    const auto text = [&] { return live(*window, 0).text().toStdString(); };
+    const std::size_t before = text().size();
+    answered(QMessageBox::Cancel, [&] { EXPECT_FALSE(window->save()); });
+    EXPECT_EQ(text().size(), before);
+    const QString said = answered(QMessageBox::Apply, [&] { EXPECT_FALSE(window->save()); });
+    EXPECT_THAT(said.toStdString(), HasSubstr("not yet in the document"));
+    ASSERT_TRUE(waitFor([&] { return text().size() == before + typed.size(); }));
+    ASSERT_TRUE(waitFor([&] { return !window->document().document().isModified(); })); // saved
+    QFile file(window->document().document().fileName());
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_THAT(file.readAll().toStdString(), HasSubstr("#typed#typed"));
+    EXPECT_TRUE(window->save()); // nobody is asked any more
+}
+
+TEST_F(WindowTest, ClosingMayTakeInWhatWasTyped) {
+    QPointer<DocumentWindow> window = open(memo(scripted("colour 102030\ndraft #typed")));
+    const std::shared_ptr<session::OpenDocument> kept = window->shared();
+    ASSERT_TRUE(waitFor([&] { return live(*window, 0).takesDrafts(); }));
+    QTimer saving; // then it asks about the change
+    QObject::connect(&saving, &QTimer::timeout, [] {
+        if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget()))
+            if (QAbstractButton* save = box->button(QMessageBox::Save))
+                save->click();
+    });
+    saving.start(20);
+    answered(QMessageBox::Apply, [&] { EXPECT_FALSE(window->close()); });
+    EXPECT_TRUE(waitFor([&] { return !window; }));
+    EXPECT_FALSE(kept->document().isModified());
+    EXPECT_TRUE(kept->document().canUndo());
+}
+
+// What is asked for while a process takes the place of another is done by that one.
+TEST_F(WindowTest, ACommandThatComesWhileTheMediumChangesIsKept) {
+    DocumentWindow* window = open(memo(scripted("colour 102030")));
+    ASSERT_TRUE(waitFor([&] { return !live(*window, 0).menus().empty(); }));
+    live(*window, 0).invoke("editor", nullptr);
+    live(*window, 0).invoke("editor", nullptr);
+    EXPECT_TRUE(waitFor([&] { return live(*window, 0).windows().open == 2; }));
+    live(*window, 0).makeStill();
+    live(*window, 0).invoke("editor", nullptr);
+    live(*window, 0).invoke("editor", nullptr);
+    EXPECT_TRUE(waitFor([&] { return live(*window, 0).windows().open == 2; }));
+}
+
+TEST_F(WindowTest, APressBeforeTheMediumIsThereIsNotLost) {
+    DocumentWindow* window = open(memo(scripted("colour 102030")));
+    const QPoint at =
+        (window->view().placeOf(nth(*window, 0)).topLeft() + QPointF(60, 60)).toPoint();
+    ASSERT_FALSE(hasPicture(*window, 0));
+    QTest::mousePress(window->view().viewport(), Qt::LeftButton, {}, at);
+    EXPECT_TRUE(waitFor([&] { return colourShown(*window, 0) == QColor(0xFF, 0, 0xFF); }));
+    QTest::mouseRelease(window->view().viewport(), Qt::LeftButton, {}, at);
+}
+
+TEST_F(WindowTest, HelpSaysWhatKeysAndButtonsDo) {
+    DocumentWindow* window = open(memo(scripted("colour 102030")));
+    QAction* help = nullptr;
+    for (QAction* one : window->findChildren<QAction*>())
+        if (one->shortcut() == QKeySequence(Qt::Key_F1))
+            help = one;
+    ASSERT_TRUE(help);
+    help->trigger();
+    auto* text = window->findChild<QTextBrowser*>("manual");
+    ASSERT_TRUE(text);
+    EXPECT_THAT(text->toPlainText().toStdString(), HasSubstr("Space plays"));
+    text->window()->close();
 }
 
 TEST_F(WindowTest, AMediumWithWindowsOfItsOwnIsNotEndedToMakeRoom) {

@@ -1,6 +1,7 @@
 #include "batch/table.h"
 
 #include <array>
+#include <charconv>
 #include <cmath>
 
 namespace batch {
@@ -27,14 +28,15 @@ std::string header(const scene::Scene& scene, const Columns& columns) {
     return line + "\n";
 }
 
-void addBody(std::string& line, const simulation::Motion& motion, std::size_t body, double time) {
+void addBody(std::string& line, const simulation::Motion& motion, std::size_t body, double time,
+             Digits digits) {
     const auto stop = motion.stop(body);
     if (stop && time > stop->time) {
         line.append(bodyColumns.size(), ',');
         return;
     }
     for (const double value : values(motion.at(body, time)))
-        line += "," + cell(value);
+        line += "," + cell(value, digits);
 }
 
 } // namespace
@@ -48,10 +50,12 @@ std::string cell(const std::string& text) {
     return quoted + "\"";
 }
 
-std::string cell(double value) {
+std::string cell(double value, Digits digits) {
     if (std::isnan(value))
         return "";
     char text[40];
+    if (digits == Digits::shortest)
+        return {text, std::to_chars(text, text + sizeof text, value).ptr};
     const int length = std::snprintf(text, sizeof text, "%.17g", value);
     return {text, static_cast<std::size_t>(length)};
 }
@@ -64,13 +68,13 @@ bool writeTable(std::FILE* file, const scene::Scene& scene, const simulation::Mo
     for (const double time : times) {
         if (time > motion.computed())
             continue;
-        line = cell(time);
+        line = cell(time, columns.digits);
         if (columns.bodies)
             for (std::size_t body = 0; body < scene.bodies.size(); ++body)
-                addBody(line, motion, body, time);
+                addBody(line, motion, body, time, columns.digits);
         if (!columns.quantities.empty())
             for (const double value : quantities.at(time))
-                line += "," + cell(value);
+                line += "," + cell(value, columns.digits);
         line += "\n";
         written = written && std::fwrite(line.data(), 1, line.size(), file) == line.size();
     }

@@ -14,9 +14,13 @@
 
 namespace batch {
 
+// Either way reading a number gives the same double: seventeen digits, or as few as do.
+enum class Digits { all, shortest };
+
 struct Columns {
     bool bodies = true;                  // false: only `t` and the quantities
     std::vector<std::string> quantities; // as written
+    Digits digits = Digits::all;
 };
 
 // Rows after the time that the motion reached are left out. False: the file could not be written.
@@ -26,6 +30,7 @@ struct Columns {
                               const std::vector<double>& times);
 
 [[nodiscard]] std::string cell(const std::string& text); // quoted where it must be
-[[nodiscard]] std::string cell(double value);            // empty where it is not a number
+// Empty where it is not a number.
+[[nodiscard]] std::string cell(double value, Digits digits = Digits::all);
 
 } // namespace batch

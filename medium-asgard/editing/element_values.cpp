@@ -26,6 +26,8 @@ Values component(const std::array<scene::Expression, 3>& components, const std::
 Values ofBody(const scene::Body& body, const std::string& option) {
     if (option == "-mass")
         return body.mass ? Values(std::vector<double>{*body.mass}) : std::nullopt;
+    if (option == "-fixed")
+        return std::vector<double>{body.fixed ? 1.0 : 0.0};
     if (option == "-init_rot")
         return listed(Vector(geometry::toRotationVector(body.initialAttitude)));
     return option == "-init_pos"    ? listed(body.initialPosition)

@@ -42,12 +42,13 @@ bool HandleEditing::press(gestures::Ground ground, const render::Drawing& drawin
                           render::Size size, double scale, render::CameraControl::Button button,
                           const Eigen::Vector2d& pixels) {
     using What = gestures::Grasp::What;
-    const auto set = handles(ground.scene, drawing);
-    if (!set || active())
+    if (active())
         return false;
+    const auto set = handles(ground.scene, drawing);
     const gestures::Sight sight{drawing.camera, size};
-    const auto grasp =
-        gestures::graspAt(drawing, *set, sight, button, pixels, gestures::handleReach * scale);
+    // Bodies are there without handles too.
+    const auto grasp = gestures::graspAt(drawing, set ? *set : render::HandleSet(), sight, button,
+                                         pixels, gestures::handleReach * scale);
     if (!grasp)
         return false;
     button_ = button;

@@ -1,10 +1,10 @@
 // Handles in the document's own picture (dissertation 6.2.4), dragged as in a graphical viewer and
 // by the same code (gestures/).
 //
-// Where a rendition shows handles, a shifted button takes hold of what is under the pointer. While
-// something is held `z` and `x` push it away and bring it nearer, `a` frees the end of a link from
-// its body, Escape gives the text back. The picture shows what is held where the pointer has it,
-// however long the motion takes.
+// A shifted button takes hold of what is under the pointer: a handle that is shown, or a body.
+// While something is held `z` and `x` push it away and bring it nearer, `a` frees the end of a link
+// from its body, Escape gives the text back. The picture shows what is held where the pointer has
+// it, however long the motion takes.
 #pragma once
 
 #include "gestures/grasp.h"

@@ -214,15 +214,42 @@ TEST_F(HandleEditingTest, ForcesVelocitiesLinksAndPointsAreDraggedAsInAViewer) {
     EXPECT_EQ(scene().trajectories[0].points.size(), 2U);
 }
 
-TEST_F(HandleEditingTest, WithoutHandlesOrShiftThePointerTurnsTheView) {
+// As in a viewer: a body is there without its handles.
+TEST_F(HandleEditingTest, ABodyIsDraggedWithoutHandlesToo) {
+    open(ball + "body b1 ball\nbody b2 ball -init_pos {3 1 1}\n", {});
+    const auto at = pixels({0, 0, 0});
+    press(at);
+    move(at + Eigen::Vector2d(30, 10));
+    EXPECT_THAT(said, testing::Contains(testing::StartsWith("b1: position")));
+    release(at + Eigen::Vector2d(30, 10));
+    settle();
+    EXPECT_THAT(asked, SizeIs(1));
+}
+
+TEST_F(HandleEditingTest, WhoChoosesAPictureIsToldWhatTheButtonsDo) {
+    open(ball + "body b1 ball\n", {});
+    ipc::RenditionInput chosen;
+    chosen.rendition = 1;
+    chosen.type = ipc::InputType::focusIn;
+    host.notify(chosen);
+    exchange();
+    EXPECT_THAT(saidLast, HasSubstr("Shift-drag moves a body"));
+    ask(ipc::MenuInvoke{"position-handles", 1});
+    host.notify(chosen);
+    exchange();
+    EXPECT_THAT(saidLast, HasSubstr("Shift-drag changes what is under the pointer"));
+}
+
+TEST_F(HandleEditingTest, WithoutShiftOrBesideBodiesThePointerTurnsTheView) {
     const std::string before = ball + "body b1 ball\nbody b2 ball -init_pos {3 1 1}\n";
     open(before, {});
     const auto at = pixels({0, 0, 0});
     const Eigen::Vector2d aside(30, 10);
     const auto attitude = camera.rotation;
-    press(at); // no handles are shown
-    move(at + aside);
-    release(at + aside);
+    const Eigen::Vector2d nowhere(3, 3);
+    press(nowhere);
+    move(nowhere + aside);
+    release(nowhere + aside);
     ask(ipc::MenuInvoke{"position-handles", 1});
     pointer(ipc::InputType::press, at, ipc::Button::left, false);
     pointer(ipc::InputType::move, at + aside, ipc::Button::left, false);

@@ -60,7 +60,7 @@ ipc::MenuEntry window(std::string id, std::string label, std::string shortcut) {
 
 bool MenuState::operator==(const MenuState& other) const {
     bool same = hasMotion == other.hasMotion && playing == other.playing && loops == other.loops &&
-                computing == other.computing && rate == other.rate;
+                computing == other.computing && rate == other.rate && drafts == other.drafts;
     for (const Switch& s : switches)
         same = same && display.*s.value == other.display.*s.value;
     return same;
@@ -92,6 +92,8 @@ std::vector<ipc::MenuEntry> menuOf(const MenuState& state) {
     menu.push_back(entry("recompute", "Recompute Motion", "view-refresh"));
     menu.push_back(window("open-graphical-viewer", "Open Graphical Viewer", "Ctrl+G"));
     menu.push_back(window("open-language-viewer", "Open Language Viewer", "Ctrl+L"));
+    menu.push_back(window(updateDrafts, "Update from the Language Viewers", ""));
+    menu.back().enabled = state.drafts;
     return menu;
 }
 

@@ -11,12 +11,16 @@ namespace service {
 // What the menus show.
 struct MenuState {
     bool hasMotion = false, playing = false, loops = false, computing = false;
+    bool drafts = false; // something typed in a window is not in the document yet
     double rate = 1;
     render::Display display; // of the visible renditions
     bool operator==(const MenuState&) const;
 };
 
 inline constexpr std::array rates{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
+
+// What was typed becomes the document's; hosts offer it before they save or close.
+inline constexpr const char* updateDrafts = "update-drafts";
 
 [[nodiscard]] std::vector<ipc::MenuEntry> menuOf(const MenuState& state);
 

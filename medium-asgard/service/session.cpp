@@ -215,6 +215,7 @@ MenuState Session::menuNow() const {
     state.playing = playback.playing();
     state.loops = playback.loops();
     state.rate = playback.rate();
+    state.drafts = drafts_;
     state.display = display_;
     for (const auto& [id, rendition] : renditions_)
         if (rendition.visible) {

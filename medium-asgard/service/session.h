@@ -51,7 +51,7 @@ public:
     // it is the text here too, and `done` hears nothing; else why not.
     void propose(const ipc::TextEdit& edit, const std::string& label,
                  std::function<void(std::optional<std::string> refusal)> done);
-    void tellWindows(const ipc::WindowsChanged& windows) { channel_.notify(windows); }
+    void tellWindows(const ipc::WindowsChanged& windows);
     [[nodiscard]] const std::optional<ipc::Mode>& mode() const { return mode_; } // none: not yet
 
 private:
@@ -105,6 +105,7 @@ private:
     [[nodiscard]] gestures::Ground ground();
     void finishGesture(const std::string& text, const std::string& label);
     void tellGesture();
+    void tellHint(const Rendition& rendition); // what pointer and keys do in it
 
     std::optional<std::string> shape(Rendition& rendition, const ipc::RenditionGeometry& geometry);
     Reply<ipc::Taken> take(const ipc::RenditionSnapshot& call);
@@ -155,6 +156,7 @@ private:
     Subdocument subdocument_;
     std::string title_; // what the host calls it
     std::optional<ipc::Mode> mode_;
+    bool drafts_ = false; // in windows
     std::optional<FrameMemory> memory_;
     std::map<ipc::Integer, Rendition> renditions_;
     render::Display display_; // that new renditions start with

@@ -84,6 +84,12 @@ void Session::propose(const ipc::TextEdit& edit, const std::string& label,
     });
 }
 
+void Session::tellWindows(const ipc::WindowsChanged& windows) {
+    drafts_ = windows.drafts;
+    channel_.notify(windows);
+    tellMenu();
+}
+
 auto Session::serve(const ipc::PresentationList&) -> Reply<ipc::Presentations> {
     return ipc::Presentations{{{"picture", "Picture"}}};
 }
@@ -260,6 +266,8 @@ void Session::hear(const ipc::RenditionInput& call) {
     if (found == renditions_.end())
         return;
     Rendition& rendition = found->second;
+    if (call.type == ipc::InputType::focusIn)
+        tellHint(rendition);
     if (edit(rendition, call))
         return;
     const bool before = rendition.beingTurned();
@@ -362,7 +370,8 @@ auto Session::serve(const ipc::MenuInvoke& call) -> Reply<ipc::Done> {
             rendition->follow("");
     } else if (call.id == "recompute") {
         subdocument_.recompute(now_);
-    } else if (call.id == "open-graphical-viewer" || call.id == "open-language-viewer") {
+    } else if (call.id == "open-graphical-viewer" || call.id == "open-language-viewer" ||
+               call.id == updateDrafts) {
         if (!platform_.openViewer)
             return notPossible("windows are opened by a process in mode \"edit\"");
         if (const auto sentence = platform_.openViewer(call.id))

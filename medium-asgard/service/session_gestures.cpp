@@ -65,6 +65,17 @@ bool Session::edit(Rendition& rendition, const ipc::Input& input) {
     return true;
 }
 
+void Session::tellHint(const Rendition& rendition) {
+    const std::string what = render::showsHandles(rendition.display)
+                                 ? "Shift-drag changes what is under the pointer"
+                                 : "Shift-drag moves a body";
+    const ipc::Integer token = ++lastToken_;
+    channel_.notify(ipc::ProgressBegin{token, "Editing", false});
+    channel_.notify(ipc::ProgressEnd{token, "Drag turns the view, the wheel scales it  \u00b7  " +
+                                                what + "  \u00b7  Space plays  \u00b7  " +
+                                                "right button: menu"});
+}
+
 // What a drag says of itself goes to the host as the message of something that goes on.
 void Session::tellGesture() {
     const std::string& words = refusedWords_.empty() ? handles_.words() : refusedWords_;

@@ -6,6 +6,9 @@
 #include <QPainter>
 #include <QPalette>
 
+#include <algorithm>
+#include <cmath>
+
 namespace views {
 
 void paintAxes(QPainter& painter, const ChartAxes& axes, const QPalette& palette) {
@@ -30,12 +33,20 @@ void paintAxes(QPainter& painter, const ChartAxes& axes, const QPalette& palette
         const QString label = QString::number(time, 'g', 6);
         write({x - metrics.horizontalAdvance(label) / 2, a.bottom() + 4 + metrics.ascent()}, label);
     }
-    for (const double value :
-         multiplesOf(roundStep(height * 30 / a.height()), axes.low, axes.high)) {
+    const double step = roundStep(height * 30 / a.height());
+    // Values that differ in their last digits only are written by what they are above a round one.
+    constexpr int widest = 8; // digits
+    const double size = std::max(std::abs(axes.low), std::abs(axes.high));
+    const double round = 10 * roundStep(height);
+    const double base = digitsFor(size, step) > widest ? std::floor(axes.low / round) * round : 0;
+    if (base != 0)
+        write({2, a.top() - 4}, QString::number(base, 'g', digitsFor(base, round)) + " +");
+    for (const double value : multiplesOf(step, axes.low, axes.high)) {
         const double y = axes.place(axes.from, value).y();
         setLine(value == 0);
         painter.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));
-        const QString label = QString::number(value, 'g', 6);
+        const double above = std::abs(value - base) < step / 2 ? 0 : value - base;
+        const QString label = QString::number(above, 'g', base != 0 ? 4 : digitsFor(value, step));
         write({a.left() - 6 - metrics.horizontalAdvance(label), y + metrics.ascent() / 2 - 1},
               label);
     }

@@ -14,6 +14,7 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStyle>
@@ -22,6 +23,15 @@
 namespace views {
 
 namespace {
+
+// What nobody notices is no number of seconds.
+QString lastedText(const simulation::Statistics& statistics) {
+    const double seconds = statistics.seconds;
+    if (seconds < 1e-3)
+        return ControlPanel::tr("less than 1 ms");
+    return seconds < 1 ? ControlPanel::tr("%1 ms").arg(seconds * 1000, 0, 'f', 0)
+                       : ControlPanel::tr("%1 s").arg(seconds, 0, 'f', seconds < 100 ? 1 : 0);
+}
 
 QString sceneFiles() { return ControlPanel::tr("Scenes (*.al);;All files (*)"); }
 
@@ -56,7 +66,9 @@ ControlPanel::ControlPanel(SceneDocument& document, Windows windows)
     column->addSpacing(6);
     column->addWidget(progress_);
     column->addWidget(state_);
-    column->addWidget(new MotionSpan(document_));
+    auto* span = new MotionSpan(document_);
+    connect(span, &MotionSpan::left, simulate_, [this] { simulate_->setFocus(); });
+    column->addWidget(span);
     column->addSpacing(6);
     auto* graphical = new QPushButton(tr("New &Graphical Viewer"));
     auto* language = new QPushButton(tr("New &Language Viewer"));
@@ -80,6 +92,7 @@ ControlPanel::ControlPanel(SceneDocument& document, Windows windows)
                         &SceneDocument::workChanged, &SceneDocument::diagnosticsChanged})
         connect(&document_, signal, this, &ControlPanel::showState);
     showState();
+    simulate_->setFocus(); // not a field: what is typed by mistake changes nothing
     setFixedWidth(320);
 }
 
@@ -87,7 +100,7 @@ void ControlPanel::buildMenus() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
     // Elsewhere Ctrl+N is a new viewer; a new scene is seldom wanted, and its loss is asked about.
     file->addAction(tr("&New Scene"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), this,
-                    &ControlPanel::newScene);
+                    [this] { newScene(); });
     file->addAction(tr("&Open…"), QKeySequence::Open, this, [this] { open(); });
     fillWithRecentFiles(file->addMenu(tr("Open &Recent")),
                         [this](const QString& path) { open(path); });
@@ -138,18 +151,17 @@ void ControlPanel::showState() {
     else if (document_.waitsToBeAsked())
         state_->setText(tr("The motion is stale: Simulate computes that of the scene as it is."));
     else if (motion)
-        state_->setText(
-            tr("%1 of motion computed%2.")
-                .arg(timeText(length, length),
-                     document_.statistics()
-                         ? tr(" in %1 s").arg(document_.statistics()->seconds, 0, 'g', 2)
-                         : QString()));
+        state_->setText(tr("%1 of motion computed%2.")
+                            .arg(timeText(length, length),
+                                 document_.statistics()
+                                     ? tr(" in %1").arg(lastedText(*document_.statistics()))
+                                     : QString()));
     else
         state_->setText({});
 }
 
-void ControlPanel::newScene() {
-    if (mayLeave())
+void ControlPanel::newScene(QWidget* from) {
+    if (mayLeave(from))
         document_.reset();
 }
 
@@ -169,39 +181,51 @@ void ControlPanel::open() {
         open(path);
 }
 
-bool ControlPanel::saveTo(const QString& path) {
+bool ControlPanel::saveTo(const QString& path, QWidget* from) {
+    MotionSpan::settleAll(document_);
     const QString fault = document_.save(path);
     if (!fault.isEmpty())
-        QMessageBox::warning(this, tr("Save"), fault);
+        QMessageBox::warning(from, tr("Save"), fault);
     else
         rememberFile(path);
     return fault.isEmpty();
 }
 
-bool ControlPanel::save() {
-    return document_.path().isEmpty() ? saveAs() : saveTo(document_.path());
+bool ControlPanel::save(QWidget* from) {
+    return document_.path().isEmpty() ? saveAs(from) : saveTo(document_.path(), from ? from : this);
 }
 
-bool ControlPanel::saveAs() {
-    QFileDialog dialog(this, tr("Save the Scene"), QFileInfo(document_.path()).absolutePath(),
+bool ControlPanel::saveAs(QWidget* from) {
+    const QPointer<QWidget> asked = from ? from : this;
+    QFileDialog dialog(asked, tr("Save the Scene"), QFileInfo(document_.path()).absolutePath(),
                        sceneFiles());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(QStringLiteral("al"));
     dialog.selectFile(document_.path().isEmpty() ? QStringLiteral("scene.al")
                                                  : QFileInfo(document_.path()).fileName());
-    return dialog.exec() == QDialog::Accepted && saveTo(dialog.selectedFiles().front());
+    const bool saved =
+        dialog.exec() == QDialog::Accepted && saveTo(dialog.selectedFiles().front(), asked);
+    if (asked)
+        asked->activateWindow();
+    return saved;
 }
 
-bool ControlPanel::mayLeave() {
+bool ControlPanel::mayLeave(QWidget* from) {
+    MotionSpan::settleAll(document_);
+    if (exports_.isBusy() &&
+        QMessageBox::question(from ? from : this, tr("Export"),
+                              tr("An export is still being written. End it, unfinished?")) !=
+            QMessageBox::Yes)
+        return false;
     if (windows_.settleDrafts && !windows_.settleDrafts())
         return false;
     if (!document_.isModified())
         return true;
     const auto answer = QMessageBox::question(
-        this, tr("Asgard"), tr("%1 was changed and not saved.").arg(document_.name()),
+        from ? from : this, tr("Asgard"), tr("%1 was changed and not saved.").arg(document_.name()),
         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
     if (answer == QMessageBox::Save)
-        return save();
+        return save(from);
     return answer == QMessageBox::Discard;
 }
 

@@ -22,12 +22,13 @@ public:
     // Opens a file in place of the present one; asks first when that would lose changes.
     void open();
     void open(const QString& path);
-    void newScene();
-    bool save(); // false: not saved
+    // `from`: the window that it is asked in, which has the dialogs, and the keyboard afterwards.
+    void newScene(QWidget* from = nullptr);
+    bool save(QWidget* from = nullptr); // false: not saved
     [[nodiscard]] Exports& exports() { return exports_; }
-    bool saveAs();
+    bool saveAs(QWidget* from = nullptr);
     // Nothing would be lost, or the user agreed to what is.
-    bool mayLeave();
+    bool mayLeave(QWidget* from = nullptr);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -35,7 +36,7 @@ protected:
 private:
     void buildMenus();
     void showState();
-    bool saveTo(const QString& path);
+    bool saveTo(const QString& path, QWidget* from);
 
     SceneDocument& document_;
     Windows windows_;

@@ -2,16 +2,15 @@
 
 #include "editing/shape_library.h"
 #include "script/numbers.h"
+#include "views/plot_dialog.h"
 #include "views/scene_display.h"
 
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QInputDialog>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
-#include <QRegularExpression>
 
 namespace views {
 
@@ -53,27 +52,13 @@ void askForParameter(SceneDocument& document, SceneDisplay& display) {
 }
 
 void askForPlot(SceneDocument& document, SceneDisplay& display) {
-    const auto& bodies = document.shown().scene->bodies;
-    bool taken = false;
-    const QString expression = QInputDialog::getText(
-        &display, QObject::tr("New Plot"),
-        QObject::tr("What is charted against time, an expression:"), QLineEdit::Normal,
-        bodies.empty() ? QStringLiteral("t") : QString::fromStdString(bodies[0].name + ".y"),
-        &taken);
-    // A bracket that is not closed would take the rest of the text with it; expressions have none.
-    if (taken && expression.contains(QRegularExpression(QStringLiteral("[{}\\[\\]\"\\\\$;]"))))
-        Q_EMIT display.creating().refused(QObject::tr("An expression has no braces, brackets, "
-                                                      "quotes, backslashes, $ and semicolons."));
-    else if (taken && !expression.trimmed().isEmpty())
-        display.creating().start(newPlot(expression.trimmed().toStdString()));
+    PlotDialog dialog(document.shown().scene, &display);
+    if (dialog.exec() == QDialog::Accepted)
+        display.creating().start(newPlot(dialog.expression().toStdString()));
 }
 
 void fillBodies(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
     menu->clear();
-    for (const scene::ShapeSet& set : document.shown().scene->shapeSets)
-        menu->addAction(QString::fromStdString(set.name), &display,
-                        [&display, name = set.name] { display.creating().start(newBody(name)); });
-    menu->addSeparator();
     menu->addAction(QObject::tr("New &Sphere"), &display,
                     [&display] { display.creating().start(newBody(BasicShape::sphere)); });
     menu->addAction(QObject::tr("New &Box"), &display,
@@ -82,6 +67,10 @@ void fillBodies(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
     for (const editing::LibraryShape& shape : editing::shapeLibrary())
         library->addAction(QString::fromStdString(shape.name), &display,
                            [&display, &shape] { display.creating().start(newBody(shape)); });
+    menu->addSeparator(); // what grows stands below: the rest stays where the hand knows it
+    for (const scene::ShapeSet& set : document.shown().scene->shapeSets)
+        menu->addAction(QString::fromStdString(set.name), &display,
+                        [&display, name = set.name] { display.creating().start(newBody(name)); });
 }
 
 } // namespace

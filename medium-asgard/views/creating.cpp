@@ -40,9 +40,7 @@ void Creating::start(Recipe recipe) {
     if (recipe_->steps.empty())
         return finish();
     offerBody();
-    // The first body is framed, whatever its size.
-    if (!document_.shown().scene->bodies.empty())
-        display_.keepCamera();
+    display_.keepCamera(); // what is clicked is where it stands
     display_.setFocus();
     for (const Step& one : recipe_->steps)
         if (one.wanted == Wanted::trajectory)

@@ -7,6 +7,7 @@
 #include "views/icons.h"
 #include "views/plots_window.h"
 #include "views/recent_files.h"
+#include "views/session_actions.h"
 #include "views/shape_editor.h"
 #include "views/shape_names.h"
 #include "views/study_window.h"
@@ -50,14 +51,17 @@ void placeBeside(QWidget& window, const QWidget* asked) {
 void arrange(ControlPanel& panel, GraphicalViewer& graphical, LanguageViewer& language) {
     const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
     const int gap = 12, title = 32;
-    const int left = std::max(panel.sizeHint().width(), screen.width() * 2 / 5);
+    const int left = std::max(panel.sizeHint().width(), screen.width() * 9 / 25);
     panel.move(screen.left() + gap, screen.top() + title);
-    const int below = panel.sizeHint().height() + 2 * title + gap;
-    language.resize(left - 2 * gap, std::max(280, screen.height() - below - 2 * gap));
-    language.move(screen.left() + gap, screen.top() + below);
-    graphical.resize(
-        screen.width() - left - 2 * gap,
-        std::min(screen.height() - title - 3 * gap, (screen.width() - left) * 4 / 5 + 80));
+    const int under = panel.sizeHint().height() + 2 * title + gap;
+    language.resize(left - 2 * gap, std::max(280, screen.height() - under - 2 * gap));
+    language.move(screen.left() + gap, screen.top() + under);
+    // The picture four to three, as scenes' views are made for, or as high as what stands beside
+    // it.
+    constexpr int beside = 232, below = 168, panelHeight = 610; // what else stands in the window
+    const int width = screen.width() - left - 2 * gap;
+    graphical.resize(width, std::min(screen.height() - title - 3 * gap,
+                                     std::max((width - beside) * 3 / 4, panelHeight) + below));
     graphical.move(screen.left() + left + gap / 2, screen.top() + title);
 }
 
@@ -109,9 +113,24 @@ Windows Editor::windows() {
     if (!document_.hasHost())
         windows.save = [this] {
             if (controlPanel_)
-                controlPanel_->save();
+                controlPanel_->save(QApplication::activeWindow());
         };
     return windows;
+}
+
+void Editor::showBeside(QMainWindow& window) {
+    Session session;
+    if (controlPanel_) {
+        session.newScene = [this] { controlPanel_->newScene(QApplication::activeWindow()); };
+        session.quit = [this] { controlPanel_->close(); };
+    }
+    const char* prepared = "prepared";
+    if (!window.property(prepared).toBool()) { // later it lies where it was put
+        addSessionActions(window, session);
+        placeBeside(window, QApplication::activeWindow());
+    }
+    window.setProperty(prepared, true);
+    window.show();
 }
 
 GraphicalViewer* Editor::openGraphicalViewer() {
@@ -121,21 +140,19 @@ GraphicalViewer* Editor::openGraphicalViewer() {
     // A new viewer begins where the last one is.
     if (const auto open = graphicalViewers(); !open.isEmpty())
         viewer->playback().seek(open.back()->playback().time());
-    placeBeside(*viewer, QApplication::activeWindow());
     graphical_.push_back(viewer);
     connect(viewer, &QObject::destroyed, this, &Editor::viewersChanged);
-    viewer->show();
+    showBeside(*viewer);
     Q_EMIT viewersChanged();
     return viewer;
 }
 
 LanguageViewer* Editor::openLanguageViewer() {
     auto* viewer = new LanguageViewer(document_, windows(), ++languageCount_);
-    placeBeside(*viewer, QApplication::activeWindow());
     language_.push_back(viewer);
     connect(viewer, &QObject::destroyed, this, &Editor::viewersChanged);
     connect(viewer, &LanguageViewer::draftChanged, this, &Editor::viewersChanged);
-    viewer->show();
+    showBeside(*viewer);
     Q_EMIT viewersChanged();
     return viewer;
 }
@@ -157,35 +174,29 @@ ControlPanel* Editor::openControlPanel() {
 }
 
 TrajectoryEditor* Editor::openTrajectoryEditor() {
-    if (!trajectoryEditor_) {
+    if (!trajectoryEditor_)
         trajectoryEditor_ = new TrajectoryEditor(document_);
-        placeBeside(*trajectoryEditor_, QApplication::activeWindow());
-    }
-    trajectoryEditor_->show();
+    showBeside(*trajectoryEditor_);
     trajectoryEditor_->raise();
     trajectoryEditor_->activateWindow();
     return trajectoryEditor_;
 }
 
 ShapeEditor* Editor::openShapeEditor(const QString& name) {
-    if (!shapeEditor_) {
+    if (!shapeEditor_)
         shapeEditor_ = new ShapeEditor(document_);
-        placeBeside(*shapeEditor_, QApplication::activeWindow());
-    }
     if (const QString wanted = name.isEmpty() ? selectedShape(document_) : name; !wanted.isEmpty())
         shapeEditor_->showShape(wanted);
-    shapeEditor_->show();
+    showBeside(*shapeEditor_);
     shapeEditor_->raise();
     shapeEditor_->activateWindow();
     return shapeEditor_;
 }
 
 PlotsWindow* Editor::openPlots() {
-    if (!plots_) {
+    if (!plots_)
         plots_ = new PlotsWindow(document_);
-        placeBeside(*plots_, QApplication::activeWindow());
-    }
-    plots_->show();
+    showBeside(*plots_);
     plots_->raise();
     plots_->activateWindow();
     return plots_;
@@ -196,8 +207,7 @@ StudyWindow* Editor::openStudy() {
     auto* study = new StudyWindow(scene, simulation::usualPlan(*scene), document_.name());
     studies_.removeIf([](const QPointer<StudyWindow>& one) { return one.isNull(); });
     studies_.push_back(study);
-    placeBeside(*study, QApplication::activeWindow());
-    study->show();
+    showBeside(*study);
     return study;
 }
 
@@ -206,6 +216,8 @@ QList<GraphicalViewer*> Editor::graphicalViewers() const { return alive(graphica
 QList<LanguageViewer*> Editor::languageViewers() const { return alive(language_); }
 
 bool Editor::settleDrafts() {
+    if (shapeEditor_) // what leaving it makes of a shape is part of what is saved
+        shapeEditor_->settle();
     for (LanguageViewer* viewer : languageViewers())
         if (!viewer->settleDraft())
             return false;

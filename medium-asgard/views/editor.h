@@ -55,6 +55,7 @@ Q_SIGNALS:
 
 private:
     [[nodiscard]] Windows windows();
+    void showBeside(QMainWindow& window); // with what every window has
 
     SceneDocument document_;
     std::shared_ptr<PictureThread> pictures_; // of all viewers

@@ -79,6 +79,20 @@ void Building::create(QMenu* menu, const QString& label, std::function<Recipe()>
 
 void Building::body() {
     SceneDisplay& display = display_;
+    const std::size_t index = place_.element->index;
+    const scene::Body& one = scene().bodies[index];
+    menu_.addAction(QObject::tr("&Size…"), &display_,
+                    [&display, index] { display.editing().openSize(index); });
+    QAction* fixed = menu_.addAction(QObject::tr("Fi&xed"), &display_, [&display, index](bool on) {
+        display.editing().setFixed(index, on);
+    });
+    fixed->setCheckable(true);
+    fixed->setChecked(one.fixed);
+    menu_.addAction(QObject::tr("S&hape Editor"), &display_,
+                    [&display, shape = QString::fromStdString(one.shape)] {
+                        Q_EMIT display.editing().shapeWanted(shape);
+                    });
+    menu_.addSeparator();
     QMenu* force = menu_.addMenu(QObject::tr("New &Force"));
     create(force, QObject::tr("&Constant"),
            [&display] { return newForce(false, display.arrowLength(false)); });
@@ -154,6 +168,25 @@ void Building::background() {
                     [&display = display_] { display.frameAll(); });
 }
 
+std::size_t countOf(const scene::Scene& scene, Kind kind) {
+    std::size_t count = 0;
+    while (editing::sourceOf(scene, {kind, count}))
+        ++count;
+    return count;
+}
+
+// While its scene changes it stays, unless what it is about may be another element.
+void closeWithElement(QMenu& menu, SceneDocument& document, const Element& element) {
+    const auto before = document.shown().scene;
+    QObject::connect(&document, &SceneDocument::sceneChanged, &menu,
+                     [&menu, &document, before, element] {
+                         const scene::Scene& now = *document.shown().scene;
+                         if (countOf(*before, element.kind) != countOf(now, element.kind) ||
+                             editing::nameOf(*before, element) != editing::nameOf(now, element))
+                             menu.close();
+                     });
+}
+
 } // namespace
 
 MenuPlace menuPlaceAt(SceneDocument& document, SceneDisplay& display, const QPointF& position) {
@@ -189,14 +222,14 @@ MenuPlace menuPlaceOfSelection(SceneDocument& document, SceneDisplay& display) {
 
 std::unique_ptr<QMenu> elementMenu(SceneDocument& document, SceneDisplay& display,
                                    const MenuPlace& place, const MenuWindows& windows) {
-    // It goes with the scene whose elements it names.
     auto menu = std::make_unique<QMenu>(&display);
-    QObject::connect(&document, &SceneDocument::sceneChanged, menu.get(), &QMenu::close);
     Building building(*menu, document, display, place, windows);
     if (place.element)
         building.element();
     else
         building.background();
+    if (place.element)
+        closeWithElement(*menu, document, *place.element);
     return menu;
 }
 

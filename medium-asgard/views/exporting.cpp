@@ -137,7 +137,9 @@ std::string Exporting::writeMotion() const {
     std::FILE* file = std::fopen(path_.c_str(), "wb");
     if (!file)
         return path_ + ": " + std::strerror(errno);
-    const bool written = batch::writeTable(file, *what_.shown.scene, *motion, none, {}, times);
+    batch::Columns columns;
+    columns.digits = batch::Digits::shortest;
+    const bool written = batch::writeTable(file, *what_.shown.scene, *motion, none, columns, times);
     return std::fclose(file) == 0 && written ? std::string() : path_ + ": cannot be written";
 }
 

@@ -20,15 +20,17 @@ void Exports::ask() {
     QStringList filters;
     for (const ExportFormat format : formats)
         filters += labelOf(format);
-    QString chosen = filters.front();
     const QString folder = QFileInfo(document_.path()).absolutePath();
-    const QString stem = QFileInfo(document_.name()).completeBaseName();
-    const QString path =
-        QFileDialog::getSaveFileName(&window_, tr("Export"), QDir(folder).filePath(stem),
-                                     filters.join(QStringLiteral(";;")), &chosen);
-    const auto which = std::max<qsizetype>(0, filters.indexOf(chosen));
-    if (!path.isEmpty())
-        write(path, formats[static_cast<std::size_t>(which)]);
+    QFileDialog dialog(&window_, tr("Export"), folder);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setNameFilters(filters);
+    dialog.selectFile(QFileInfo(document_.name()).completeBaseName());
+    // The name gets its ending first; write() asks about that one.
+    dialog.setOption(QFileDialog::DontConfirmOverwrite);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    const auto which = std::max<qsizetype>(0, filters.indexOf(dialog.selectedNameFilter()));
+    write(dialog.selectedFiles().front(), formats[static_cast<std::size_t>(which)]);
 }
 
 void Exports::write(const QString& asked, ExportFormat chosen) {
@@ -50,7 +52,7 @@ void Exports::write(const QString& asked, ExportFormat chosen) {
                                .arg(pictures, 0, 'g', 3)
                                .arg(mostPictures));
     const QString path = withEnding(asked, format);
-    if (isMotionMeant(what->shown, format) && mayWrite(asked, path, format))
+    if (isMotionMeant(what->shown, format) && mayWrite(path, format))
         begin(std::move(*what), path, format);
 }
 
@@ -59,16 +61,15 @@ bool Exports::isAgreed(const QString& question) {
                   : QMessageBox::question(&window_, tr("Export"), question) == QMessageBox::Yes;
 }
 
-// The dialog that asked for the name asked about that name alone.
-bool Exports::mayWrite(const QString& asked, const QString& path, ExportFormat format) {
+bool Exports::mayWrite(const QString& path, ExportFormat format) {
     if (format == ExportFormat::film) {
         const QDir folder(path);
         return !folder.exists() || folder.isEmpty() ||
                isAgreed(tr("%1 is not empty. Pictures there with the same names (00001.png, ...) "
-                           "are overwritten. Go on?")
+                           "are overwritten, all others stay. Go on?")
                             .arg(QDir::toNativeSeparators(path)));
     }
-    return path == asked || !QFileInfo::exists(path) ||
+    return !QFileInfo::exists(path) ||
            isAgreed(tr("%1 exists. Overwrite it?").arg(QDir::toNativeSeparators(path)));
 }
 
@@ -104,14 +105,16 @@ void Exports::begin(ToExport what, const QString& path, ExportFormat format) {
     connect(exporting, &Exporting::progressed, dialog, &QProgressDialog::setValue);
     connect(dialog, &QProgressDialog::canceled, exporting, &Exporting::cancel);
     // What is told after the dialog went is told to nobody.
-    connect(exporting, &Exporting::finished, dialog, [this, dialog](const QString& fault) {
+    const QString native = QDir::toNativeSeparators(path);
+    const QString done = format == ExportFormat::film
+                             ? tr("%1 pictures are in %2.").arg(exporting->pictures()).arg(native)
+                             : tr("%1 is written.").arg(native);
+    connect(exporting, &Exporting::finished, dialog, [=, this](const QString& fault) {
         const bool cancelled = dialog->wasCanceled();
         progress_.clear();
         dialog->hide();
         dialog->deleteLater();
-        Q_EMIT says(!fault.isEmpty() ? fault
-                    : cancelled      ? tr("The export was cancelled.")
-                                     : tr("Exported."));
+        Q_EMIT says(!fault.isEmpty() ? fault : cancelled ? tr("The export was cancelled.") : done);
         if (!fault.isEmpty() && !agrees)
             QMessageBox::warning(&window_, tr("Export"), fault);
     });

@@ -21,7 +21,7 @@ public:
     std::function<bool(const QString& question)> agrees;
 
     void ask();
-    // One at a time. Asks before it overwrites what the person was not asked about, and where the
+    // One at a time. Asks before it overwrites, about the name that is written, and where the
     // motion is not (all) that of the scene.
     void write(const QString& path, ExportFormat format);
     [[nodiscard]] bool isBusy() const { return !progress_.isNull(); }
@@ -31,7 +31,7 @@ Q_SIGNALS:
 
 private:
     [[nodiscard]] bool isAgreed(const QString& question);
-    [[nodiscard]] bool mayWrite(const QString& asked, const QString& path, ExportFormat format);
+    [[nodiscard]] bool mayWrite(const QString& path, ExportFormat format);
     [[nodiscard]] bool isMotionMeant(const Shown& shown, ExportFormat format);
     void begin(ToExport what, const QString& path, ExportFormat format);
 

@@ -63,18 +63,26 @@ protected:
 
 TEST_F(ExportsTest, WhatIsSeenAndTheMotionAreWritten) {
     const int width = viewer->display().sight().size.width;
-    EXPECT_EQ(write("now", ExportFormat::png), "Exported.");
+    EXPECT_EQ(write("now", ExportFormat::png), in("now.png") + " is written.");
     EXPECT_EQ(QImage(in("now.png")).width(), width);
-    EXPECT_EQ(write("motion", ExportFormat::table), "Exported.");
+    EXPECT_EQ(write("motion", ExportFormat::table), in("motion.csv") + " is written.");
     EXPECT_EQ(bytes("motion.csv").count('\n'), 102);
-    EXPECT_EQ(write("film", ExportFormat::film), "Exported.");
+    // As short as they are the same numbers: a twentieth of the motion, and not
+    // 0.050000000000000003.
+    EXPECT_EQ(bytes("motion.csv").split('\n')[5].split(',').first(), "0.08");
+    EXPECT_EQ(write("film", ExportFormat::film), "51 pictures are in " + in("film") + ".");
     EXPECT_EQ(QDir(in("film")).entryList(QDir::Files).size(), 51); // two seconds
     EXPECT_EQ(asked, "");
 }
 
-// The dialog asked about the name without its ending.
+// Asked about is the name that is written.
 TEST_F(ExportsTest, NothingIsOverwrittenUnasked) {
+    put("scene.al");
+    EXPECT_EQ(write("scene.al", ExportFormat::png), in("scene.al.png") + " is written.");
+    EXPECT_EQ(asked, "");
+    EXPECT_EQ(bytes("scene.al"), "mine");
     put("now.png");
+    EXPECT_EQ(write("now.png", ExportFormat::png), "");
     EXPECT_EQ(write("now", ExportFormat::png), "");
     EXPECT_TRUE(asked.contains(QStringLiteral("now.png exists"))) << asked.toStdString();
     EXPECT_EQ(bytes("now.png"), "mine");
@@ -84,7 +92,7 @@ TEST_F(ExportsTest, NothingIsOverwrittenUnasked) {
     EXPECT_TRUE(asked.contains(QStringLiteral("not empty"))) << asked.toStdString();
     EXPECT_EQ(bytes("film/00001.png"), "mine");
     agreed = true;
-    EXPECT_EQ(write("now", ExportFormat::png), "Exported.");
+    EXPECT_EQ(write("now", ExportFormat::png), in("now.png") + " is written.");
     EXPECT_FALSE(QImage(in("now.png")).isNull());
 }
 
@@ -94,7 +102,7 @@ TEST_F(ExportsTest, ASecondOneWaitsUntilTheFirstIsDone) {
     exports().write(in("second"), ExportFormat::png);
     EXPECT_EQ(said, "Another export is still being written.");
     EXPECT_TRUE(waitFor([&] { return !exports().isBusy(); }));
-    EXPECT_EQ(said, "Exported.");
+    EXPECT_TRUE(said.startsWith("51 pictures")) << said.toStdString();
     EXPECT_FALSE(QFile::exists(in("second.png")));
 }
 

@@ -69,6 +69,7 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document, std::shared_ptr<Pictur
     connect(&display_->creating(), &Creating::created, this, &GraphicalViewer::showCreated);
     connect(&display_->creating(), &Creating::needs, panel_, &StatusPanel::show);
     connect(panel_, &StatusPanel::displayChanged, display_, &SceneDisplay::setDisplay);
+    connectBody();
     connect(&playback_, &Playback::timeChanged, this, [this] {
         display_->setTime(playback_.time(), playback_.isPlaying() || timeBar_->isSliderDown());
         timeBar_->setTime(playback_.time());
@@ -171,15 +172,26 @@ void GraphicalViewer::buildMenus() {
     file->addAction(tr("New &Language Viewer"), QKeySequence(Qt::CTRL | Qt::Key_L), this,
                     [this] { windows_.openLanguageViewer(); });
     file->addSeparator();
-    if (windows_.save)
-        file->addAction(tr("&Save"), QKeySequence::Save, this, [this] { windows_.save(); });
+    file->addAction(tr("&Save"), QKeySequence::Save, this, [this] {
+        if (windows_.save)
+            windows_.save();
+        else
+            display_->editing().say(tr("What is changed here is in the document already; the "
+                                       "document is saved in its own window, with Ctrl+S."),
+                                    false);
+    });
     file->addAction(tr("&Close"), QKeySequence::Close, this, &QWidget::close);
 
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     addUndoActions(edit, document_);
     edit->addSeparator();
-    edit->addAction(tr("&Delete"), this, [this] { display_->editing().deleteMarked(); });
-    edit->addAction(tr("E&xact Value…"), this, [this] { display_->editing().openEntry(); });
+    deleteAction_ =
+        edit->addAction(tr("&Delete"), this, [this] { display_->editing().deleteMarked(); });
+    valueAction_ =
+        edit->addAction(tr("E&xact Value…"), this, [this] { display_->editing().openEntry(); });
+    connect(&display_->editing(), &PictureEditing::changed, this, &GraphicalViewer::updateEditMenu);
+    connect(&document_, &SceneDocument::selectionChanged, this, &GraphicalViewer::updateEditMenu);
+    updateEditMenu();
     buildShapesMenu(menuBar()->addMenu(tr("&Shapes")), document_, windows_);
     buildCreateMenu(menuBar()->addMenu(tr("&Create")), document_, *display_);
     buildViewMenu();
@@ -328,6 +340,15 @@ void GraphicalViewer::showCreated(editing::Element element, HandleSwitch handles
     display_->editing().expect(element);
 }
 
+void GraphicalViewer::connectBody() {
+    PictureEditing& editing = display_->editing();
+    connect(&panel_->body(), &BodyPanel::fixWanted, &editing, &PictureEditing::setFixed);
+    connect(&panel_->body(), &BodyPanel::sizeWanted, &editing, &PictureEditing::openSize);
+    const auto open = [this](const QString& name) { windows_.openShapeEditor(name); };
+    connect(&panel_->body(), &BodyPanel::shapeWanted, this, open);
+    connect(&editing, &PictureEditing::shapeWanted, this, open);
+}
+
 // A point that is chosen in the strip is chosen in the picture, and the other way about.
 void GraphicalViewer::connectTimeStrip() {
     PictureEditing& editing = display_->editing();
@@ -358,10 +379,13 @@ void GraphicalViewer::showMenu(const MenuPlace& place) {
         display_->editing().choose(place.handle->kind, place.handle->element, place.handle->part);
     else if (place.element)
         document_.select({*place.element});
-    const auto menu =
+    // It goes when it is closed, or with the window.
+    QMenu* menu =
         elementMenu(document_, *display_, place,
-                    {windows_.openTrajectoryEditor, windows_.showText, windows_.openPlots});
-    menu->exec(display_->mapToGlobal(place.position.toPoint()));
+                    {windows_.openTrajectoryEditor, windows_.showText, windows_.openPlots})
+            .release();
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->popup(display_->mapToGlobal(place.position.toPoint()));
 }
 
 void GraphicalViewer::fillViewsMenu() {
@@ -425,6 +449,13 @@ void GraphicalViewer::updateTitle() {
         number_ == 1 ? tr("Graphical Viewer") : tr("Graphical Viewer %1").arg(number_);
     setWindowTitle(tr("%1[*] – %2").arg(document_.name(), viewer));
     setWindowModified(document_.hasHost() ? false : document_.isModified());
+}
+
+// Nothing selected: nothing to delete, and no value.
+void GraphicalViewer::updateEditMenu() {
+    const bool marked = display_->editing().marked().has_value();
+    deleteAction_->setEnabled(marked || !document_.selected().empty());
+    valueAction_->setEnabled(marked);
 }
 
 // Space presses the button or box that has the keyboard; elsewhere it plays.

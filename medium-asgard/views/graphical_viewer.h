@@ -59,12 +59,14 @@ private:
     QToolButton* addButton(QHBoxLayout* row, Icon which, const QString& tip,
                            std::function<void()> action);
     void connectTimeStrip();
+    void connectBody();
     void showMenu(const MenuPlace& place);
     void fillViewsMenu();
     void updateRange();
     void updateState();
     void updateIcons();
     void updateTitle();
+    void updateEditMenu();
     void showHint();
     void togglePlaying();
     void stop();
@@ -81,6 +83,7 @@ private:
     TimeStrip* timeStrip_;
     QMenu* viewsMenu_ = nullptr;
     QAction *playAction_ = nullptr, *loopAction_ = nullptr;
+    QAction *deleteAction_ = nullptr, *valueAction_ = nullptr;
     QToolButton *playButton_ = nullptr, *loopButton_ = nullptr, *rateButton_ = nullptr;
     std::vector<std::pair<QToolButton*, Icon>> buttons_;
     QLabel *timeLabel_ = nullptr, *hint_ = nullptr;

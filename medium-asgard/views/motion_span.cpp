@@ -5,6 +5,7 @@
 #include "editing/value_edit.h"
 #include "script/numbers.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -22,6 +23,14 @@ constexpr const char* finishOption = "-finish";
 
 QString written(double value) { return QString::fromStdString(editing::numberText(value, 0)); }
 
+// A field in which nothing was typed has nothing to undo: the key is the window's.
+bool isOthersUndo(const QLineEdit& field, const QEvent& event) {
+    if (event.type() != QEvent::ShortcutOverride || field.isModified())
+        return false;
+    const auto& key = static_cast<const QKeyEvent&>(event);
+    return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
+}
+
 } // namespace
 
 MotionSpan::MotionSpan(SceneDocument& document, QWidget* parent)
@@ -35,7 +44,13 @@ MotionSpan::MotionSpan(SceneDocument& document, QWidget* parent)
                        finishOption);
     row->addWidget(new QLabel(tr("s")));
     row->addStretch();
-    connect(&document_, &SceneDocument::sceneChanged, this, &MotionSpan::show);
+    connect(&document_, &SceneDocument::sceneChanged, this, [this] {
+        show();
+        for (const auto& [field, option] :
+             {std::pair(start_, startOption), std::pair(finish_, finishOption)})
+            if (!field->hasFocus())
+                take(field, option);
+    });
     show();
 }
 
@@ -49,7 +64,6 @@ QLineEdit* MotionSpan::addField(const QString& label, const QString& name, const
     field->installEventFilter(this);
     connect(field, &QLineEdit::editingFinished, this,
             [this, field, option] { take(field, option); });
-    connect(field, &QLineEdit::returnPressed, this, &MotionSpan::left);
     auto* before = new QLabel(label);
     before->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
     layout()->addWidget(before);
@@ -66,7 +80,8 @@ void MotionSpan::show() {
 }
 
 void MotionSpan::take(QLineEdit* field, const char* option) {
-    if (!field->isModified())
+    // While the text is being read it stays, and is taken then.
+    if (!field->isModified() || (!document_.sceneIsCurrent() && !document_.hasErrors()))
         return;
     field->setModified(false);
     const auto value = script::decimalNumber(field->text().trimmed().toStdString());
@@ -84,6 +99,8 @@ QString MotionSpan::change(const char* option, double value) {
     const auto& scene = document_.shown().scene;
     const bool isStart = option == std::string_view(startOption);
     const scene::Simulator& now = scene->simulator;
+    if (value == (isStart ? now.start : now.finish))
+        return {};
     if (isStart ? value >= now.finish : value <= now.start)
         return isStart ? tr("The motion ends at %1 s; it begins before.").arg(written(now.finish))
                        : tr("The motion begins at %1 s; it ends after.").arg(written(now.start));
@@ -106,18 +123,64 @@ QString MotionSpan::change(const char* option, double value) {
     return QString::fromStdString(answer.reason);
 }
 
-// Escape leaves the field as it was, and is no shortcut of the window then.
+void MotionSpan::takeBoth() {
+    take(start_, startOption);
+    take(finish_, finishOption);
+}
+
+void MotionSpan::settleAll(const SceneDocument& document) {
+    for (QWidget* window : QApplication::topLevelWidgets())
+        for (MotionSpan* span : window->findChildren<MotionSpan*>())
+            if (&span->document_ == &document)
+                span->takeBoth();
+}
+
+// A press beside the field, or a shortcut, is what one does with what was typed.
+bool MotionSpan::leavesField(QObject* watched, const QEvent& event) const {
+    const auto* widget = qobject_cast<QWidget*>(watched);
+    if (event.type() == QEvent::Shortcut)
+        return true;
+    return event.type() == QEvent::MouseButtonPress && widget && widget->window() == window() &&
+           widget != start_ && widget != finish_;
+}
+
+// All of the program's events are looked at only while one of the fields has the keyboard.
+void MotionSpan::watch(QEvent::Type focus) {
+    if (focus == QEvent::FocusIn)
+        qApp->installEventFilter(this);
+    else if (focus == QEvent::FocusOut)
+        qApp->removeEventFilter(this);
+}
+
+// Escape leaves the field as it was, Return takes it; neither is the window's then.
 bool MotionSpan::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != start_ && watched != finish_) {
+        if (leavesField(watched, *event) && (start_->isModified() || finish_->isModified())) {
+            takeBoth();
+            Q_EMIT left();
+        }
+        return false;
+    }
+    watch(event->type());
+    auto* field = static_cast<QLineEdit*>(watched);
+    if (isOthersUndo(*field, *event)) {
+        event->ignore();
+        return true;
+    }
     const bool asks = event->type() == QEvent::ShortcutOverride;
-    if ((!asks && event->type() != QEvent::KeyPress) ||
-        static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
+    if (!asks && event->type() != QEvent::KeyPress)
+        return QWidget::eventFilter(watched, event);
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key != Qt::Key_Escape && key != Qt::Key_Return && key != Qt::Key_Enter)
         return QWidget::eventFilter(watched, event);
     event->accept();
-    if (!asks) {
-        static_cast<QLineEdit*>(watched)->setModified(false);
-        show();
-        Q_EMIT left();
-    }
+    if (asks)
+        return true;
+    if (key == Qt::Key_Escape)
+        field->setModified(false);
+    takeBoth();
+    show();
+    Q_EMIT left();
     return true;
 }
 

@@ -1,8 +1,12 @@
 // From when to when a scene moves: two fields in a window, the `simulator` of the text.
+//
+// What is typed is taken with Return, and before whatever is done next in the window: a click
+// elsewhere, a key that is a command.
 #pragma once
 
 #include "views/scene_document.h"
 
+#include <QEvent>
 #include <QWidget>
 
 class QLineEdit;
@@ -14,8 +18,11 @@ class MotionSpan : public QWidget {
 public:
     explicit MotionSpan(SceneDocument& document, QWidget* parent = nullptr);
 
+    // Takes what was typed, in all windows of the document.
+    static void settleAll(const SceneDocument& document);
+
 Q_SIGNALS:
-    void left(); // with Return or Escape
+    void left(); // with Return or Escape, or for something else
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -25,6 +32,9 @@ private:
                         const char* option);
     void show(); // what the scene has
     void take(QLineEdit* field, const char* option);
+    void takeBoth();
+    [[nodiscard]] bool leavesField(QObject* watched, const QEvent& event) const;
+    void watch(QEvent::Type focus);
     [[nodiscard]] QString change(const char* option, double value); // "" or why not
 
     SceneDocument& document_;

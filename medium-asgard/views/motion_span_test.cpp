@@ -2,6 +2,7 @@
 #include "views/control_panel.h"
 #include "views/editor.h"
 #include "views/manual.h"
+#include "views/manual_window.h"
 #include "views/motion_span.h"
 #include "views/shape_editor.h"
 #include "views/test_workshop.h"
@@ -127,12 +128,12 @@ TEST_F(MotionSpanTest, EveryWindowHasHelpThatOpensTheManualAtItsChapter) {
     showManual("Shapes");
     QTextBrowser* manual = nullptr;
     for (QWidget* one : QApplication::topLevelWidgets())
-        if (auto* browser = qobject_cast<QTextBrowser*>(one))
-            manual = browser;
+        if (auto* browser = qobject_cast<ManualWindow*>(one))
+            manual = &browser->text();
     ASSERT_NE(manual, nullptr);
     EXPECT_TRUE(waitFor([&] { return manual->textCursor().block().text() == "Shapes"; }));
     EXPECT_THAT(manual->toPlainText().toStdString(), HasSubstr("gravitational")); // the language
-    manual->close();
+    manual->window()->close();
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace views {
@@ -33,6 +34,17 @@ QString shortest(double value, double resolution) {
             text.chop(1);
         }
     return text;
+}
+
+// For the longest that a drag can show: then the name beside it breaks its lines once for all.
+void reserveWidth(QLabel& label, const std::function<QString(double)>& text, double least,
+                  double most) {
+    int width = 0;
+    constexpr int tries = 97; // of the thousand positions
+    for (int i = 0; i <= tries; ++i)
+        width = std::max(
+            width, label.fontMetrics().horizontalAdvance(text(least + (most - least) * i / tries)));
+    label.setMinimumWidth(width + 2);
 }
 
 } // namespace
@@ -105,6 +117,9 @@ void ParametersPanel::refresh() {
             row.least = parameter.minimum.value_or(std::min(0.0, 2 * value));
             row.most = parameter.maximum.value_or(value == 0 ? 1 : std::max(0.0, 2 * value));
             row.slider->setValue(positionOf(row, value));
+            reserveWidth(
+                *row.value, [&row](double any) { return valueText(row, any); }, row.least,
+                row.most);
         }
         show(row, value);
     }
@@ -134,10 +149,12 @@ double ParametersPanel::valueOf(const Row& row, int position) {
     return row.least + (row.most - row.least) * position / whole;
 }
 
-void ParametersPanel::show(Row& row, double value) {
+QString ParametersPanel::valueText(const Row& row, double value) {
     const QString unit = row.unit.empty() ? QString() : " " + QString::fromStdString(row.unit);
-    row.value->setText(shortest(value, resolutionOf(row.least, row.most)) + unit);
+    return shortest(value, resolutionOf(row.least, row.most)) + unit;
 }
+
+void ParametersPanel::show(Row& row, double value) { row.value->setText(valueText(row, value)); }
 
 editing::Answer ParametersPanel::asked(const editing::Mapper& mapper, std::size_t row,
                                        double value) const {

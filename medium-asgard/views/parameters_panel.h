@@ -47,6 +47,7 @@ private:
     void refresh();
     void rebuild();
     void show(Row& row, double value);
+    [[nodiscard]] static QString valueText(const Row& row, double value);
     [[nodiscard]] static int positionOf(const Row& row, double value);
     [[nodiscard]] static double valueOf(const Row& row, int position);
     void moved(std::size_t row, int position);

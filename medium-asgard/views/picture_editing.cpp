@@ -175,7 +175,7 @@ bool PictureEditing::doubleClick(QMouseEvent& event) {
     const auto handle =
         event.button() == Qt::LeftButton ? handleUnder(event.position()) : std::nullopt;
     if (!handle)
-        return false;
+        return event.button() == Qt::LeftButton && openBodyAt(event.position());
     say({});
     if (!mayChange())
         return true;
@@ -207,8 +207,9 @@ void PictureEditing::offerOthers(const gestures::HandleDrag& drag) {
     if (document_.text() != drag.text())
         return; // it was changed elsewhere meanwhile
     delete entry_;
-    entry_ = new ValueEntry(document_, {drag.ground().scene, drag.ground().motion}, drag.handle(),
-                            &display_);
+    entry_ = new ValueEntry(
+        document_, askedOf(document_, {drag.ground().scene, drag.ground().motion}, drag.handle()),
+        &display_);
     entry_->propose(drag.wishes());
     entry_->openAt(display_.fromPixels(display_.sight().pixels(drag.place())).toPoint());
     Q_EMIT changed();
@@ -496,9 +497,13 @@ void PictureEditing::openEntry() {
     const auto handle = marked();
     if (!handle || !mayChange())
         return;
+    openEntry(askedOf(document_, document_.shown(), *handle), handle->place);
+}
+
+void PictureEditing::openEntry(AskedValue asked, const geometry::Vector& place) {
     delete entry_;
-    entry_ = new ValueEntry(document_, document_.shown(), *handle, &display_);
-    entry_->openAt(display_.fromPixels(display_.sight().pixels(handle->place)).toPoint());
+    entry_ = new ValueEntry(document_, std::move(asked), &display_);
+    entry_->openAt(display_.fromPixels(display_.sight().pixels(place)).toPoint());
     Q_EMIT changed();
 }
 

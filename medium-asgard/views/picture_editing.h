@@ -5,8 +5,8 @@
 // one removes. Delete takes out what is marked, with what depends on it; Insert puts a point after
 // the marked one. Keys: `H` goes from handle to handle (Shift: back), Shift and the
 // arrows move the one that is marked, `z` and `x` push it away and bring it nearer, Return asks for
-// its exact value as a double click does. While the end of a link is dragged, `a` frees it from its
-// body's surface. Escape gives the old text back.
+// its exact value as a double click does, on a body for the size of its shape. While the end of a
+// link is dragged, `a` frees it from its body's surface. Escape gives the old text back.
 #pragma once
 
 #include "gestures/grasp.h"
@@ -64,11 +64,18 @@ public:
     // The handle that keys move.
     [[nodiscard]] std::optional<render::Handle> marked() const;
     void openEntry(); // for the marked handle
+    // Of a body: the size of its shape, in an entry if it is one sphere or box, else in the shape
+    // editor; whether it never moves.
+    void openSize(std::size_t body);
+    void setFixed(std::size_t body, bool fixed);
 
 Q_SIGNALS:
     void changed();
+    void shapeWanted(const QString& name); // in the shape editor
 
 private:
+    void openEntry(AskedValue asked, const geometry::Vector& place);
+    bool openBodyAt(const QPointF& position); // false: there is none
     void begin(const render::Handle& handle, const std::optional<Eigen::Vector2d>& pixels);
     // The text was changed elsewhere, and what is dragged is let go.
     bool letGo();

@@ -1,6 +1,7 @@
 #include "views/plot_chart.h"
 
 #include "charts/marks.h"
+#include "views/scale.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -15,15 +16,23 @@ namespace {
 
 constexpr double leftSpace = 64, rightSpace = 16, bottomSpace = 24;
 
-QColor colorOf(std::size_t curve) {
+// With the digits that a thousandth of the range needs.
+QString number(double value, double range) {
+    return QString::number(value, 'g', digitsFor(value, range / 1000));
+}
+
+} // namespace
+
+QColor PlotChart::usualColor(std::size_t curve) {
     const charts::Color color = charts::colorOf(curve);
     return QColor::fromRgbF(static_cast<float>(color.red), static_cast<float>(color.green),
                             static_cast<float>(color.blue));
 }
 
-QString number(double value) { return QString::number(value, 'g', 6); }
-
-} // namespace
+QPen PlotChart::penOf(std::size_t curve, double width) const {
+    const PlotCurve& one = samples_.curves[curve];
+    return {one.color.isValid() ? one.color : usualColor(curve), width, one.line};
+}
 
 PlotChart::PlotChart() {
     setMouseTracking(true);
@@ -44,9 +53,9 @@ void PlotChart::setSamples(PlotSamples samples, double start, double finish) {
             }
     if (!(low_ <= high_))
         low_ = high_ = 0;
-    // What does not change is a line in the middle.
+    // What does not change, but for rounding, is a line in the middle.
     const double size = std::max(std::abs(low_), std::abs(high_));
-    const double least = size > 0 ? 0.02 * size : 1;
+    const double least = size > 0 ? 1e-9 * size : 1;
     const double room = 0.08 * (high_ - low_) + std::max(0.0, least - (high_ - low_)) / 2;
     low_ -= room;
     high_ += room;
@@ -81,9 +90,10 @@ QString PlotChart::readingAt(const QPointF& position) const {
     const auto at = sampleAt(position);
     if (!at)
         return {};
-    QString words = tr("t = %1 s").arg(number(samples_.times[*at]));
+    QString words = tr("t = %1 s").arg(number(samples_.times[*at], finish_ - start_));
     for (const PlotCurve& curve : samples_.curves)
-        words += QStringLiteral("   %1 = %2").arg(curve.label, number(curve.values[*at]));
+        words +=
+            QStringLiteral("   %1 = %2").arg(curve.label, number(curve.values[*at], high_ - low_));
     return words;
 }
 
@@ -119,7 +129,7 @@ void PlotChart::paintCurves(QPainter& painter) const {
                 path.moveTo(place);
             joined = true;
         }
-        painter.setPen(QPen(colorOf(i), 1.8));
+        painter.setPen(penOf(i, 1.8));
         painter.drawPath(path);
         if (now && std::isfinite(values[*now]))
             painter.drawEllipse(placeOf(samples_.times[*now], values[*now]), 3.5, 3.5);
@@ -144,11 +154,11 @@ void PlotChart::paintTitle(QPainter& painter) const {
     }
     double x = behind;
     for (std::size_t i = 0; i < samples_.curves.size(); ++i) {
-        painter.setPen(QPen(colorOf(i), 2.5));
-        painter.drawLine(QPointF(x, line - 4), QPointF(x + 14, line - 4));
+        painter.setPen(penOf(i, 2.5));
+        painter.drawLine(QPointF(x, line - 4), QPointF(x + 22, line - 4));
         painter.setPen(palette().color(QPalette::WindowText));
-        painter.drawText(QPointF(x + 19, line), samples_.curves[i].label);
-        x += 36 + fontMetrics().horizontalAdvance(samples_.curves[i].label);
+        painter.drawText(QPointF(x + 27, line), samples_.curves[i].label);
+        x += 44 + fontMetrics().horizontalAdvance(samples_.curves[i].label);
     }
 }
 

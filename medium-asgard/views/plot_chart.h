@@ -2,6 +2,8 @@
 #pragma once
 
 #include "views/chart_axes.h"
+
+#include <QColor>
 #include <QString>
 #include <QWidget>
 
@@ -9,12 +11,15 @@
 #include <vector>
 
 class QPainter;
+class QPen;
 
 namespace views {
 
 struct PlotCurve {
     QString label;
     std::vector<double> values; // at the times of the samples; NaN: not defined there
+    QColor color = {};          // none: the usual one of its place
+    Qt::PenStyle line = Qt::SolidLine;
 };
 
 struct PlotSamples {
@@ -29,6 +34,7 @@ class PlotChart : public QWidget {
 public:
     PlotChart();
 
+    [[nodiscard]] static QColor usualColor(std::size_t curve);
     void setSamples(PlotSamples samples, double start, double finish);
     [[nodiscard]] const PlotSamples& samples() const { return samples_; }
     // What the pointer at that place reads: the time and each curve's value.
@@ -48,6 +54,7 @@ private:
     [[nodiscard]] QRectF area() const;
     [[nodiscard]] std::optional<std::size_t> sampleAt(const QPointF& position) const;
     void paintAxes(QPainter& painter) const;
+    [[nodiscard]] QPen penOf(std::size_t curve, double width) const;
     void paintCurves(QPainter& painter) const;
     void paintTitle(QPainter& painter) const;
 

@@ -1,6 +1,13 @@
 #include "views/plots_window.h"
 
+#include "views/manual.h"
+#include "views/plot_colors.h"
+#include "views/session_actions.h"
+#include "views/undo_actions.h"
+
 #include <QLabel>
+#include <QMenuBar>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -18,27 +25,15 @@ QString listed(const std::vector<std::string>& sentences) {
     return text;
 }
 
-PlotSamples samplesOf(const Shown& shown, const scene::Plot& plot) {
+PlotSamples namedOnly(const scene::Scene& scene, const scene::Plot& plot) {
     PlotSamples samples;
     samples.title = QString::fromStdString(plot.title.empty() ? plot.name : plot.title);
     for (std::size_t i = 0; i < plot.values.size(); ++i)
         samples.curves.push_back(
-            {QString::fromStdString(i < plot.labels.size() ? plot.labels[i] : plot.values[i]), {}});
-    if (!shown.motion)
-        return samples;
-    std::vector<std::string> faults;
-    const simulation::Quantities quantities(*shown.scene, {}, shown.motion, plot.values, faults);
-    samples.fault = listed(faults);
-    if (!faults.empty())
-        return samples;
-    const double start = shown.motion->start(), length = shown.motion->computed() - start;
-    for (int i = 0; i <= intervals; ++i) {
-        const double time = start + length * i / intervals;
-        const std::vector<double> values = quantities.at(time);
-        samples.times.push_back(time);
-        for (std::size_t k = 0; k < values.size() && k < samples.curves.size(); ++k)
-            samples.curves[k].values.push_back(values[k]);
-    }
+            {QString::fromStdString(i < plot.labels.size() ? plot.labels[i] : plot.values[i]),
+             {},
+             {}});
+    colorCurves(scene, plot, samples.curves);
     return samples;
 }
 
@@ -55,18 +50,53 @@ PlotsWindow::PlotsWindow(SceneDocument& document) : document_(document) {
     none_->setAlignment(Qt::AlignCenter);
     none_->setWordWrap(true);
     column_->addWidget(none_);
-    setCentralWidget(whole);
-    const auto name = [this] { setWindowTitle(tr("%1 – Plots").arg(document_.name())); };
+    auto* scroll = new QScrollArea; // many plots are higher than the screen
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(whole);
+    setCentralWidget(scroll);
+    addUndoActions(menuBar()->addMenu(tr("&Edit")), document_);
+    addHelpMenu(this, QStringLiteral("In a picture"));
+    const auto name = [this] {
+        setWindowTitle(tr("%1[*] – Plots").arg(document_.name()));
+        setWindowModified(!document_.hasHost() && document_.isModified());
+    };
     name();
     connect(&document_, &SceneDocument::nameChanged, this, name);
     connect(&document_, &SceneDocument::sceneChanged, this, &PlotsWindow::ask);
     connect(&document_, &SceneDocument::motionChanged, this, &PlotsWindow::ask);
+    closeByEscape(*this);
     resize(620, 380);
     thread_ = std::thread([this] { run(); });
     ask();
 }
 
+// None: something newer is asked for, or nothing any more.
+std::optional<PlotSamples> PlotsWindow::samplesOf(const Shown& shown,
+                                                  const scene::Plot& plot) const {
+    PlotSamples samples = namedOnly(*shown.scene, plot);
+    if (!shown.motion)
+        return samples;
+    std::vector<std::string> faults;
+    const simulation::Quantities quantities(*shown.scene, {}, shown.motion, plot.values, faults);
+    samples.fault = listed(faults);
+    if (!faults.empty())
+        return samples;
+    const double start = shown.motion->start(), length = shown.motion->computed() - start;
+    for (int i = 0; i <= intervals; ++i) {
+        if (isOvertaken())
+            return std::nullopt;
+        const double time = start + length * i / intervals;
+        const std::vector<double> values = quantities.at(time);
+        samples.times.push_back(time);
+        for (std::size_t k = 0; k < values.size() && k < samples.curves.size(); ++k)
+            samples.curves[k].values.push_back(values[k]);
+    }
+    return samples;
+}
+
 PlotsWindow::~PlotsWindow() {
+    overtaken_ = true;
     {
         const std::lock_guard lock(mutex_);
         stop_ = true;
@@ -78,9 +108,29 @@ PlotsWindow::~PlotsWindow() {
 void PlotsWindow::ask() {
     {
         const std::lock_guard lock(mutex_);
+        // While a motion grows each piece is shown; another scene's is not waited for.
+        if (sampled_ != document_.shown().scene)
+            overtaken_ = true;
         wish_ = document_.shown();
     }
     asked_.notify_one();
+    makeCharts();
+}
+
+void PlotsWindow::makeCharts() {
+    const scene::Scene& scene = *document_.shown().scene;
+    while (charts_.size() > scene.plots.size()) {
+        delete charts_.back();
+        charts_.pop_back();
+    }
+    while (charts_.size() < scene.plots.size()) {
+        charts_.push_back(new PlotChart);
+        column_->addWidget(charts_.back(), 1);
+        PlotSamples soon = namedOnly(scene, scene.plots[charts_.size() - 1]);
+        soon.fault = tr("The values are being computed…");
+        charts_.back()->setSamples(std::move(soon), scene.simulator.start, scene.simulator.finish);
+    }
+    none_->setVisible(scene.plots.empty());
 }
 
 void PlotsWindow::run() {
@@ -90,26 +140,23 @@ void PlotsWindow::run() {
         if (stop_)
             return;
         const Shown shown = *std::exchange(wish_, std::nullopt);
+        sampled_ = shown.scene;
+        overtaken_ = false;
         lock.unlock();
         std::vector<PlotSamples> samples;
         for (const scene::Plot& plot : shown.scene->plots)
-            samples.push_back(samplesOf(shown, plot));
-        QMetaObject::invokeMethod(
-            this, [this, shown, samples] { take(shown, samples); }, Qt::QueuedConnection);
+            if (auto one = samplesOf(shown, plot))
+                samples.push_back(std::move(*one));
+        if (samples.size() == shown.scene->plots.size())
+            QMetaObject::invokeMethod(
+                this, [this, shown, samples] { take(shown, samples); }, Qt::QueuedConnection);
         lock.lock();
     }
 }
 
 void PlotsWindow::take(const Shown& of, std::vector<PlotSamples> samples) {
-    while (charts_.size() > samples.size()) {
-        delete charts_.back();
-        charts_.pop_back();
-    }
-    while (charts_.size() < samples.size()) {
-        charts_.push_back(new PlotChart);
-        column_->addWidget(charts_.back(), 1);
-    }
-    none_->setVisible(samples.empty());
+    if (samples.size() != charts_.size())
+        return; // of a scene that is no more
     const scene::Simulator& simulator = of.scene->simulator;
     for (std::size_t i = 0; i < samples.size(); ++i)
         charts_[i]->setSamples(std::move(samples[i]),

@@ -8,6 +8,7 @@
 
 #include <QMainWindow>
 
+#include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
@@ -27,8 +28,13 @@ public:
     [[nodiscard]] const std::vector<PlotChart*>& charts() const { return charts_; }
 
 private:
-    void ask(); // for what is shown now
-    void run(); // on the thread
+    void ask();        // for what is shown now
+    void makeCharts(); // of its plots, still without values
+    void run();        // on the thread
+    // What is sampled is of no use any more.
+    [[nodiscard]] bool isOvertaken() const { return overtaken_; }
+    [[nodiscard]] std::optional<PlotSamples> samplesOf(const Shown& shown,
+                                                       const scene::Plot& plot) const;
     void take(const Shown& of, std::vector<PlotSamples> samples);
 
     SceneDocument& document_;
@@ -38,8 +44,10 @@ private:
 
     std::mutex mutex_;
     std::condition_variable asked_;
-    std::optional<Shown> wish_; // under mutex_
-    bool stop_ = false;         // under mutex_
+    std::optional<Shown> wish_;                   // under mutex_
+    bool stop_ = false;                           // under mutex_
+    std::shared_ptr<const scene::Scene> sampled_; // under mutex_: what the thread works on
+    std::atomic<bool> overtaken_{false};
     std::thread thread_;
 };
 

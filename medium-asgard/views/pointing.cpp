@@ -121,7 +121,8 @@ QString Pointing::hint() const {
     if (handle_)
         return tr("Shift-drag changes %1  ·  double click: exact value  ·  %2").arg(subject_, menu);
     if (body_)
-        return tr("Shift-drag moves %1  ·  Shift-middle turns it  ·  Shift-click selects it  ·  %2")
+        return tr("Shift-drag moves %1  ·  Shift-middle turns it  ·  Shift-click selects it  ·  "
+                  "double click: size  ·  %2")
             .arg(subject_, menu);
     if (path_)
         return tr("Shift-click selects %1  ·  %2").arg(subject_, menu);

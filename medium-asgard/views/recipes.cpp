@@ -302,8 +302,9 @@ Recipe newLink(Wanted second) {
 Recipe newLight(bool point) {
     return {QObject::tr("New Light"),
             {{Wanted::point,
-              point ? QObject::tr("Click where the light shall stand.")
-                    : QObject::tr("Click where the light comes from."),
+              (point ? QObject::tr("Click where the light shall stand.")
+                     : QObject::tr("Click where the light comes from.")) +
+                  " " + QObject::tr("A scene's own lights replace the usual one."),
               ""}},
             [point](const std::string& text, const scene::Scene& scene,
                     const std::vector<Indicated>& shown) {

@@ -9,7 +9,7 @@ namespace views {
 
 // The smallest of 1, 2, 5 times a power of ten that is at least x.
 [[nodiscard]] inline double roundStep(double x) {
-    const double power = std::pow(10, std::floor(std::log10(std::max(x, 1e-12))));
+    const double power = std::pow(10, std::floor(std::log10(std::max(x, 1e-300))));
     for (const double factor : {1.0, 2.0, 5.0})
         if (factor * power >= x)
             return factor * power;
@@ -24,6 +24,15 @@ namespace views {
     for (int i = 0; i < 100 && (first + i) * step <= to + 1e-9 * step; ++i)
         all.push_back((first + i) * step);
     return all;
+}
+
+// How many digits tell values apart that differ by a step.
+[[nodiscard]] inline int digitsFor(double value, double step) {
+    constexpr int usual = 6, most = 17;
+    if (!(step > 0) || !(std::abs(value) > 0))
+        return usual;
+    return std::clamp(1 + static_cast<int>(std::ceil(std::log10(std::abs(value) / step))), usual,
+                      most);
 }
 
 } // namespace views

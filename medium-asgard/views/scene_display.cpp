@@ -120,16 +120,20 @@ void SceneDisplay::take() {
     auto last = pictures_->last(this);
     if (!last || last == picture_)
         return;
-    if (auto old = std::exchange(picture_, std::move(last)))
-        pictures_->drop(std::move(old));
-    // Where it is seen from, unless that was changed meanwhile.
-    const PictureWish& of = picture_->of;
+    // Where it is seen from, unless that was changed meanwhile: then another one is on its way, and
+    // what is pointed at stays where it is seen.
+    const PictureWish& of = last->of;
     const bool follows = of.from == SeenFrom::view && of.view == followed_.toStdString();
     const bool frames = of.from == SeenFrom::framed && followed_.isEmpty() && framesItself_;
     const bool turns = of.from == SeenFrom::turned && turned_;
+    if (picture_ &&
+        ((of.from == SeenFrom::framed && !frames) || (of.from == SeenFrom::turned && !turns)))
+        return;
+    if (auto old = std::exchange(picture_, std::move(last)))
+        pictures_->drop(std::move(old));
     if (!follows && !frames && !turns)
         return;
-    if (of.serial == wished_)
+    if (picture_->of.serial == wished_)
         turned_ = false;
     control_.set(picture_->camera);
     Q_EMIT cameraChanged();
@@ -154,6 +158,7 @@ void SceneDisplay::setTime(double time, bool moving) {
     if (time == time_)
         return;
     time_ = time;
+    pointing_.follow(); // a force's arrow moves
     redraw(moving);
 }
 
@@ -271,7 +276,13 @@ double SceneDisplay::arrowLength(bool couple) {
     return couple ? picture_->torqueArrow : picture_->forceArrow;
 }
 
-void SceneDisplay::keepCamera() { framesItself_ = false; }
+void SceneDisplay::keepCamera() {
+    if ((!framesItself_ && !turned_) || !picture_)
+        return;
+    framesItself_ = turned_ = false;
+    if (!showsNewest()) // what is on its way may be seen from elsewhere
+        redraw(false);
+}
 
 std::vector<geometry::Vector> SceneDisplay::verticesAndHandles() {
     const Shown& shown = document_.shown();

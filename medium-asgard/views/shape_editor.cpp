@@ -379,6 +379,11 @@ void ShapeEditor::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
 }
 
+void ShapeEditor::settle() {
+    if (isVisible())
+        leaveShape(shownName_);
+}
+
 void ShapeEditor::closeEvent(QCloseEvent* event) {
     cancel();
     const bool waits = edited_.contains(shownName_) && !document_.sceneIsCurrent() &&

@@ -38,6 +38,7 @@ public:
     void addParts(const std::vector<scene::Part>& parts, const QString& label);
     void setColour(std::size_t part, std::optional<scene::Color> color);
 
+    void settle(); // as when the shape is left: inner vertices go, if it was edited here
     [[nodiscard]] QString shape() const;
     [[nodiscard]] ShapeDisplay& display() { return *display_; }
     [[nodiscard]] const std::vector<editing::DraftPart>& draft() const { return draft_; }

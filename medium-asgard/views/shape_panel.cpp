@@ -2,6 +2,7 @@
 
 #include "editing/shape_library.h"
 #include "editing/shape_points.h"
+#include "views/round_part.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -85,8 +86,8 @@ void ShapePanel::buildNewParts(QVBoxLayout* column) {
     column->addWidget(new QLabel(tr("New part")));
     auto* grid = new QGridLayout;
     const std::pair<QString, scene::Part> kinds[] = {
-        {tr("&Sphere"), editing::sphere(0.5)},        {tr("&Box"), editing::box({1, 1, 1})},
-        {tr("C&ylinder"), editing::cylinder(0.5, 1)}, {tr("Ca&psule"), editing::capsule(0.3, 1)},
+        {tr("&Sphere"), editing::sphere(0.5)},
+        {tr("&Box"), editing::box({1, 1, 1})},
         {tr("Polyhed&ron"), editing::tetrahedron(1)},
     };
     int place = 0;
@@ -94,6 +95,18 @@ void ShapePanel::buildNewParts(QVBoxLayout* column) {
         const QString label = tr("Add %1").arg(QString(text).remove('&'));
         auto* one = button(text, tr("Adds one of size 1 about the origin; its sizes stand below"),
                            [this, label, what = part] { Q_EMIT addWanted({what}, label); });
+        grid->addWidget(one, place / 2, place % 2);
+        ++place;
+    }
+    for (const auto& [text, kind] : {std::pair(tr("C&ylinder…"), RoundPart::cylinder),
+                                     std::pair(tr("Ca&psule…"), RoundPart::capsule)}) {
+        const QString label = tr("Add %1").arg(QString(text).remove('&').remove(u'…'));
+        auto* one = button(text, tr("Adds a polyhedron as round as you want it"),
+                           [this, label, which = kind] {
+                               RoundPartDialog dialog(which, this);
+                               if (dialog.exec() == QDialog::Accepted)
+                                   Q_EMIT addWanted({dialog.part()}, label);
+                           });
         grid->addWidget(one, place / 2, place % 2);
         ++place;
     }

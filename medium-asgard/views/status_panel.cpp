@@ -4,6 +4,7 @@
 #include "views/parameters_panel.h"
 
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QGroupBox>
 #include <QPainter>
 #include <QVBoxLayout>
@@ -70,11 +71,13 @@ StatusPanel::StatusPanel(SceneDocument& document, Playback& playback,
     impacts_ = addRow(form, tr("Collisions"), tr("How many so far"));
     state_ = new QLabel;
     state_->setWordWrap(true);
-    state_->setMinimumHeight(3 * state_->fontMetrics().height()); // what is below stays
+    state_->setMinimumHeight(2 * state_->fontMetrics().height()); // what is below stays
     state_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     state_->setAccessibleName(tr("State"));
     form->addRow(state_);
     column->addWidget(status);
+    body_ = new BodyPanel(document_);
+    column->addWidget(body_);
     column->addWidget(new ParametersPanel(document_));
     addSwitches(display);
     column->addStretch();
@@ -89,16 +92,21 @@ StatusPanel::StatusPanel(SceneDocument& document, Playback& playback,
 
 void StatusPanel::addSwitches(const render::Display& display) {
     auto* group = new QGroupBox(tr("Show"));
-    auto* column = new QVBoxLayout(group);
-    column->setContentsMargins(10, 6, 10, 8);
-    column->setSpacing(4);
+    auto* grid = new QGridLayout(group); // two beside each other
+    grid->setContentsMargins(10, 6, 10, 8);
+    grid->setVerticalSpacing(3);
+    QVBoxLayout* column = nullptr;
     bool areHandles = false;
     const auto add = [&](const QString& label, const QString& tip, bool render::Display::*what) {
         auto* box = new QCheckBox(label);
         box->setToolTip(tip);
         box->setChecked(display.*what);
         box->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the picture
-        column->addWidget(box);
+        const int place = static_cast<int>(switches_.size());
+        if (column)
+            column->addWidget(box);
+        else
+            grid->addWidget(box, place / 2, place % 2);
         switches_.push_back({box, what, areHandles});
         connect(box, &QCheckBox::toggled, this, [this, what](bool on) {
             display_.*what = on;
@@ -117,7 +125,7 @@ void StatusPanel::addSwitches(const render::Display& display) {
                          "asks for the exact value"));
     column = new QVBoxLayout(group);
     column->setContentsMargins(10, 6, 10, 8);
-    column->setSpacing(4);
+    column->setSpacing(2);
     using render::HandleKind;
     const struct {
         QString label, tip;

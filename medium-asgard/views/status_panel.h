@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/renderer.h"
+#include "views/body_panel.h"
 #include "views/playback.h"
 #include "views/scene_document.h"
 
@@ -27,6 +28,7 @@ public:
         bool isHandle = false;
     };
     [[nodiscard]] const std::vector<Switch>& switches() const { return switches_; }
+    [[nodiscard]] BodyPanel& body() { return *body_; }
 
     // Switches it on.
     void show(bool render::Display::*what);
@@ -42,6 +44,7 @@ private:
     SceneDocument& document_;
     Playback& playback_;
     render::Display display_;
+    BodyPanel* body_;
     QLabel *time_, *computed_, *accuracy_, *predictable_, *impacts_, *state_;
     std::vector<Switch> switches_;
 };

@@ -1,6 +1,8 @@
 #include "views/study_window.h"
 
 #include "charts/study_chart.h"
+#include "views/manual.h"
+#include "views/session_actions.h"
 
 #include <QFileDialog>
 #include <QHBoxLayout>
@@ -48,6 +50,8 @@ StudyWindow::StudyWindow(std::shared_ptr<const scene::Scene> scene, simulation::
     row->addWidget(save_);
     column->addLayout(row);
     setCentralWidget(whole);
+    addHelpMenu(this, {});
+    closeByEscape(*this);
     resize(940, 700);
     const std::size_t fixed = std::ranges::count_if(
         plan_.methods, [](const std::string& method) { return method != "auto"; });

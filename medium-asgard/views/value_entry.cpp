@@ -1,8 +1,6 @@
 #include "views/value_entry.h"
 
 #include "editing/number_text.h"
-#include "gestures/handle_meaning.h"
-#include "gestures/new_point.h"
 #include "script/numbers.h"
 #include "views/edit_preview.h"
 
@@ -12,53 +10,45 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
+
 namespace views {
 
 namespace {
 
-QString plain(double value) { return QString::fromStdString(script::numberText(value, true)); }
-
-std::vector<double> allOf(const std::vector<editing::Wish>& wishes,
-                          std::vector<double> editing::Wish::*which) {
-    std::vector<double> all;
-    for (const editing::Wish& wish : wishes)
-        all.insert(all.end(), (wish.*which).begin(), (wish.*which).end());
-    return all;
+// Of what is computed: without the last digits, which are the rounding's.
+QString plain(double value) {
+    const double resolution = editing::decimalStep(1e-13 * std::max(1.0, std::abs(value)));
+    return QString::fromStdString(editing::numberText(value, resolution));
 }
 
 } // namespace
 
-ValueEntry::ValueEntry(SceneDocument& document, const Shown& of, const render::Handle& handle,
-                       QWidget* parent)
-    : QFrame(parent), document_(document), text_(document.text()), scene_(of.scene),
-      motion_(of.motion), mapper_(text_, scene_,
-                                  [this](const std::string& name) {
-                                      return render::constantValue(*scene_, motion_.get(), name);
-                                  }),
-      handle_(handle) {
+ValueEntry::ValueEntry(SceneDocument& document, AskedValue asked, QWidget* parent)
+    : QFrame(parent), document_(document), asked_(std::move(asked)) {
     setObjectName(QStringLiteral("valueEntry"));
     setFrameStyle(QFrame::StyledPanel | QFrame::Raised);
     setAutoFillBackground(true);
     setFocusPolicy(Qt::StrongFocus);
-    wishes_ = gestures::wishesFor(*scene_, handle_, handle_.place, 0, false);
-    if (handle_.kind == render::HandleKind::orientation && mapper_.count(wishes_.front()) == 4)
-        wishes_ = gestures::wishesFor(*scene_, handle_, handle_.place, 0, true);
-    if (handle_.kind == render::HandleKind::trajectoryPoint) {
-        path_.emplace(text_, scene_, handle_.element);
-        wishes_ = {path_->wishOf(gestures::pointOf(*path_, handle_))};
-    }
-    now_ = allOf(wishes_, &editing::Wish::values);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 8, 10, 8);
     column->setSpacing(6);
-    auto* title = new QLabel(
-        tr("%1: %2").arg(QString::fromStdString(gestures::subjectOf(*scene_, handle_)),
-                         QString::fromStdString(gestures::quantityOf(*scene_, handle_))));
+    auto* title = new QLabel(asked_.title);
     QFont bold = title->font();
     bold.setBold(true);
     title->setFont(bold);
     column->addWidget(title);
     addFields(column);
+    const auto addQuiet = [&](const QString& words) {
+        auto* quiet = new QLabel(words);
+        quiet->setWordWrap(true);
+        quiet->setForegroundRole(QPalette::PlaceholderText);
+        column->addWidget(quiet);
+    };
+    if (!asked_.note.isEmpty())
+        addQuiet(asked_.note);
+    addQuiet(tr("Return takes it  ·  Escape leaves it as it is"));
     says_ = new QLabel;
     says_->setWordWrap(true);
     says_->setTextFormat(Qt::RichText);
@@ -76,27 +66,19 @@ void ValueEntry::addFields(QVBoxLayout* column) {
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(3);
-    std::vector<std::string> written;
-    for (const editing::Wish& wish : wishes_)
-        for (const std::string& one : mapper_.written(wish))
-            written.push_back(one);
-    const bool four = now_.size() == 4;
-    const QStringList names = !four ? QStringList{tr("x"), tr("y"), tr("z")}
-                              : handle_.kind == render::HandleKind::orientation
-                                  ? QStringList{tr("w"), tr("x"), tr("y"), tr("z")}
-                                  : QStringList{tr("t"), tr("x"), tr("y"), tr("z")};
-    for (std::size_t i = 0; i < now_.size(); ++i) {
+    for (std::size_t i = 0; i < asked_.now.size(); ++i) {
         const int row = static_cast<int>(i);
-        const bool literal = script::decimalNumber(written[i]).has_value();
-        const QString text = literal ? QString::fromStdString(written[i]) : plain(now_[i]);
+        const std::string& written = asked_.written[i];
+        const bool literal = script::decimalNumber(written).has_value();
+        const QString text = literal ? QString::fromStdString(written) : plain(asked_.now[i]);
         auto* field = new QLineEdit(text);
-        field->setAccessibleName(names[row]);
+        field->setAccessibleName(asked_.names[row]);
         field->installEventFilter(this);
         connect(field, &QLineEdit::textEdited, this, &ValueEntry::update);
-        grid->addWidget(new QLabel(names[row]), row, 0);
+        grid->addWidget(new QLabel(asked_.names[row]), row, 0);
         grid->addWidget(field, row, 1);
-        if (!literal && !written[i].empty()) { // the source text, where it is no number
-            auto* source = new QLabel(QString::fromStdString(written[i]));
+        if (!literal && !written.empty()) { // the source text, where it is no number
+            auto* source = new QLabel(QString::fromStdString(written));
             source->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
             source->setForegroundRole(QPalette::PlaceholderText);
             source->setToolTip(tr("What stands in the text"));
@@ -110,7 +92,7 @@ void ValueEntry::addFields(QVBoxLayout* column) {
 }
 
 std::optional<std::vector<double>> ValueEntry::values() const {
-    std::vector<double> values = now_;
+    std::vector<double> values = asked_.now;
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         if (fields_[i]->text() == first_[i])
             continue;
@@ -122,31 +104,20 @@ std::optional<std::vector<double>> ValueEntry::values() const {
     return values;
 }
 
-// A point that ends one curve and begins the next moves in both, with its tangents.
-editing::Answer ValueEntry::asked(const std::vector<double>& wanted) const {
-    if (!path_ || !path_->hasOwnTangents())
-        return mapper_.answer(gestures::withValues(wishes_, wanted));
-    const std::size_t point = gestures::pointOf(*path_, handle_);
-    return path_->move(point, path_->points()[point].time, {wanted[0], wanted[1], wanted[2]}, 0);
-}
-
 void ValueEntry::update() {
     const auto wanted = values();
     answer_ = {};
     if (!wanted) {
         says_->setText(tr("Decimal numbers, please."));
-    } else if (*wanted == now_) {
+    } else if (*wanted == asked_.now) {
         // Nothing is typed yet: can it be changed at all?
-        auto asked = wishes_;
-        for (editing::Wish& wish : asked)
-            wish.now.clear();
-        answer_ = mapper_.answer(asked);
+        answer_ = asked_.answer(*wanted);
         answer_.edits.clear();
         says_->setText(QString::fromStdString(answer_.reason).toHtmlEscaped());
         answer_.offers.clear();
     } else {
-        answer_ = asked(*wanted);
-        says_->setText(answer_.possible() ? previewOf(text_, answer_.edits)
+        answer_ = asked_.answer(*wanted);
+        says_->setText(answer_.possible() ? previewOf(asked_.text, answer_.edits)
                                           : QString::fromStdString(answer_.reason).toHtmlEscaped());
     }
     says_->setStyleSheet(answer_.possible() && wanted ? QString()
@@ -168,7 +139,7 @@ void ValueEntry::showOffers() {
         auto* button = new QPushButton(QString::fromStdString(offer.label));
         connect(button, &QPushButton::clicked, this, [this, edits = offer.edits] { take(edits); });
         offers_->addWidget(button);
-        auto* shown = new QLabel(previewOf(text_, offer.edits));
+        auto* shown = new QLabel(previewOf(asked_.text, offer.edits));
         shown->setWordWrap(true);
         offers_->addWidget(shown);
     }
@@ -180,7 +151,7 @@ void ValueEntry::propose(const std::vector<editing::Wish>& wishes) {
         for (const double value : wish.values) {
             if (at == fields_.size())
                 return;
-            const bool same = std::abs(value - now_[at]) <= 0.5 * wish.resolution;
+            const bool same = std::abs(value - asked_.now[at]) <= 0.5 * wish.resolution;
             if (!same)
                 fields_[at]->setText(
                     QString::fromStdString(editing::numberText(value, wish.resolution)));
@@ -203,8 +174,8 @@ void ValueEntry::openAt(const QPoint& handle) {
 }
 
 void ValueEntry::take(const std::vector<editing::TextEdit>& edits) {
-    const std::string text = editing::applied(text_, edits);
-    const QString label = QString::fromStdString(gestures::labelOf(*scene_, handle_));
+    const std::string text = editing::applied(asked_.text, edits);
+    const QString label = asked_.label;
     SceneDocument& document = document_;
     leave();
     document.setText(text, label);
@@ -215,7 +186,7 @@ void ValueEntry::accept() {
     if (!wanted)
         return;
     if (answer_.possible())
-        take(*wanted == now_ ? std::vector<editing::TextEdit>() : answer_.edits);
+        take(*wanted == asked_.now ? std::vector<editing::TextEdit>() : answer_.edits);
 }
 
 // Back to the picture; deleted later, since a child of this may be sending the event.

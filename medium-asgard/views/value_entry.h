@@ -1,14 +1,11 @@
-// The exact value of a handle: what stands in the text for each of its numbers, to be typed anew.
+// An exact value: what stands in the text for each of its numbers, to be typed anew.
 //
-// Opens over the picture beside the handle. While one types it shows the line of the text before
-// and after, or says why the number cannot be changed there and offers what can be done, previewed
-// in the same way. Return takes the value, Escape leaves everything as it is.
+// Opens over the picture beside what it is about. While one types it shows the line of the text
+// before and after, or says why the number cannot be changed there and offers what can be done,
+// previewed in the same way. Return takes the value, Escape leaves everything as it is.
 #pragma once
 
-#include "editing/trajectory_edit.h"
-#include "editing/value_edit.h"
-#include "render/handles.h"
-#include "views/scene_document.h"
+#include "views/asked_value.h"
 
 #include <QFrame>
 #include <QLabel>
@@ -21,9 +18,7 @@ namespace views {
 class ValueEntry : public QFrame {
     Q_OBJECT
 public:
-    // `of`: the scene that was read from the text as it is.
-    ValueEntry(SceneDocument& document, const Shown& of, const render::Handle& handle,
-               QWidget* parent);
+    ValueEntry(SceneDocument& document, AskedValue asked, QWidget* parent);
 
     void openAt(const QPoint& handle);
     // What a gesture asked for, as if it was typed.
@@ -40,21 +35,13 @@ protected:
 private:
     [[nodiscard]] std::optional<std::vector<double>> values() const;
     void addFields(QVBoxLayout* column);
-    [[nodiscard]] editing::Answer asked(const std::vector<double>& wanted) const;
     void update();
     void showOffers();
     void take(const std::vector<editing::TextEdit>& edits);
     void leave();
 
     SceneDocument& document_;
-    std::string text_;
-    std::shared_ptr<const scene::Scene> scene_;
-    simulation::MotionPointer motion_;
-    editing::Mapper mapper_;
-    render::Handle handle_;
-    std::optional<editing::TrajectoryEdits> path_; // of a trajectory's point
-    std::vector<editing::Wish> wishes_;
-    std::vector<double> now_;
+    const AskedValue asked_;
     std::vector<QLineEdit*> fields_;
     std::vector<QString> first_; // what they showed at first
     QLabel* says_;

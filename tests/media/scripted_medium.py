@@ -10,6 +10,7 @@ The text of its subdocument is lines of `WORD VALUES`:
   fault LINE COLUMN SENTENCE
   behave BEHAVIOUR     as the argument, from the moment that the text is loaded
   windows N DRAFTS     says that it has N windows of its own, with drafts (1) or none (0)
+  draft TEXT           says that TEXT was typed in a window; update-drafts asks the host to append it
   change TEXT          asks the host to append TEXT to the subdocument, once
 
 A press of a button turns the rendition magenta; that is its state, which the next process is given.
@@ -76,6 +77,7 @@ class Medium:
         self.colour, self.size, self.duration = (0x30, 0x60, 0xA0), (320, 200), 0.0
         self.time, self.playing, self.rate, self.loop = 0.0, False, 1.0, False
         self.handles = False
+        self.draft, self.opened = "", 0
         self.stay = False
         self.slow = 0.0
         self.serial = 0
@@ -155,6 +157,9 @@ class Medium:
                 pending.append(words[1:])
             elif words[0] == "windows":
                 notify("windows/changed", open=int(words[1]), drafts=words[2] == "1")
+            elif words[0] == "draft":
+                self.draft = " ".join(words[1:])
+                notify("windows/changed", open=1, drafts=True)
             elif words[0] == "change":
                 changes.append(" ".join(words[1:]))
             else:
@@ -231,7 +236,7 @@ class Medium:
             {"id": "handles", "label": "Show Handles", "checkable": True, "checked": self.handles, "enabled": True, "scope": "rendition"},
             {"id": "crash", "label": "Crash", "enabled": True, "scope": "subdocument"},
             {"id": "editor", "label": "Open Editor", "enabled": True, "scope": "subdocument", "mode": "edit"},
-        ]
+        ] + ([{"id": "update-drafts", "label": "Update", "enabled": True}] if self.draft else [])
 
     def answer(self, method, p):
         if method == "initialize":
@@ -284,6 +289,15 @@ class Medium:
                 raise Impossible("there is no such command")
             if p["id"] == "play":
                 self.playing = True
+            if p["id"] == "editor":
+                self.opened += 1
+                notify("windows/changed", open=self.opened, drafts=False)
+            if p["id"] == "update-drafts":
+                end = len(self.text.encode())
+                send({"id": 2, "method": "subdocument/changed", "params": {"base": self.revision, "label": "Append", "edits": [
+                    {"from": end, "to": end, "text": self.draft}]}})
+                self.draft = ""
+                notify("windows/changed", open=1, drafts=False)
             if p["id"] == "handles":
                 self.handles = not self.handles
                 notify("menu/changed", menus=self.menus())

@@ -1,0 +1,70 @@
+#include "views/body_panel.h"
+
+#include "views/asked_value.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace views {
+
+BodyPanel::BodyPanel(SceneDocument& document, QWidget* parent)
+    : QGroupBox(tr("Body"), parent), document_(document), name_(new QLabel),
+      fixed_(new QCheckBox(tr("Fi&xed"))), size_(new QPushButton(tr("Si&ze…"))),
+      shape_(new QPushButton(tr("S&hape…"))) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(10, 6, 10, 8);
+    column->setSpacing(4);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(4);
+    column->addWidget(name_);
+    column->addWidget(fixed_);
+    column->addLayout(buttons);
+    buttons->addWidget(size_);
+    buttons->addWidget(shape_);
+    fixed_->setToolTip(tr("It never moves, whatever hits it: a floor, a wall"));
+    size_->setToolTip(tr("The radius or the edges of its shape (double click on the body)"));
+    shape_->setToolTip(tr("Its shape, in the shape editor"));
+    for (QWidget* one : {static_cast<QWidget*>(fixed_), static_cast<QWidget*>(size_),
+                         static_cast<QWidget*>(shape_)})
+        one->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the picture
+    connect(fixed_, &QCheckBox::clicked, this, [this](bool on) {
+        if (const auto now = body())
+            Q_EMIT fixWanted(*now, on);
+        refresh(); // as the text has it
+    });
+    connect(size_, &QPushButton::clicked, this, [this] {
+        if (const auto now = body())
+            Q_EMIT sizeWanted(*now);
+    });
+    connect(shape_, &QPushButton::clicked, this, [this] {
+        if (const auto now = body())
+            Q_EMIT shapeWanted(QString::fromStdString(document_.shown().scene->bodies[*now].shape));
+    });
+    connect(&document_, &SceneDocument::sceneChanged, this, &BodyPanel::refresh);
+    connect(&document_, &SceneDocument::selectionChanged, this, &BodyPanel::refresh);
+    refresh();
+}
+
+std::optional<std::size_t> BodyPanel::body() const {
+    const auto& selected = document_.selected();
+    const auto& bodies = document_.shown().scene->bodies;
+    if (selected.size() == 1 && selected.front().kind == editing::Kind::body &&
+        selected.front().index < bodies.size())
+        return selected.front().index;
+    return std::nullopt;
+}
+
+void BodyPanel::refresh() {
+    const auto now = body();
+    const scene::Body* one = now ? &document_.shown().scene->bodies[*now] : nullptr;
+    name_->setText(one ? QString::fromStdString(one->name) : tr("None is selected"));
+    name_->setToolTip(tr("Shift and a click select a body"));
+    name_->setForegroundRole(one ? QPalette::WindowText : QPalette::PlaceholderText);
+    fixed_->setChecked(one && one->fixed);
+    for (QWidget* each : {static_cast<QWidget*>(fixed_), static_cast<QWidget*>(size_),
+                          static_cast<QWidget*>(shape_)})
+        each->setEnabled(one != nullptr);
+}
+
+} // namespace views

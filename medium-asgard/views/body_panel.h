@@ -1,0 +1,39 @@
+// The body that is selected, beside the picture: whether it is fixed, and the way to its size.
+//
+// Always as high, so that what is below stays where it is.
+#pragma once
+
+#include "views/scene_document.h"
+
+#include <QCheckBox>
+#include <QGroupBox>
+#include <QPushButton>
+
+class QLabel;
+
+namespace views {
+
+class BodyPanel : public QGroupBox {
+    Q_OBJECT
+public:
+    explicit BodyPanel(SceneDocument& document, QWidget* parent = nullptr);
+
+    [[nodiscard]] QCheckBox& fixed() { return *fixed_; }
+    [[nodiscard]] QPushButton& size() { return *size_; }
+
+Q_SIGNALS:
+    void fixWanted(std::size_t body, bool fixed);
+    void sizeWanted(std::size_t body);
+    void shapeWanted(const QString& name);
+
+private:
+    void refresh();
+    [[nodiscard]] std::optional<std::size_t> body() const; // the one that is selected
+
+    SceneDocument& document_;
+    QLabel* name_;
+    QCheckBox* fixed_;
+    QPushButton *size_, *shape_;
+};
+
+} // namespace views
