@@ -48,8 +48,10 @@ public:
             attend();
         };
         document().setHostLink(std::move(link));
-        QObject::connect(&editor_, &views::Editor::viewersChanged, &due_,
-                         [this] { tellWindows(); });
+        // Queued: a change goes to the host before the word that no draft is left.
+        QObject::connect(
+            &editor_, &views::Editor::viewersChanged, &due_, [this] { tellWindows(); },
+            Qt::QueuedConnection);
         due_.setSingleShot(true);
         due_.setTimerType(Qt::PreciseTimer);
         QObject::connect(&input_, &QSocketNotifier::activated, &input_, [this] {
@@ -142,10 +144,11 @@ private:
 
     void tellWindows() {
         const auto texts = editor_.languageViewers();
-        // A change that the host has not answered is no change of the document yet.
-        const bool drafts =
-            proposed_ || std::any_of(texts.begin(), texts.end(),
-                                     [](const auto* one) { return one->hasDraft(); });
+        // What follows with the next change is not on its way to the document yet.
+        const bool waits =
+            proposed_ && !document().isPreview() && document().text() != proposedText_;
+        const bool drafts = waits || std::any_of(texts.begin(), texts.end(),
+                                                 [](const auto* one) { return one->hasDraft(); });
         const ipc::WindowsChanged now{
             static_cast<ipc::Integer>(texts.size() + editor_.graphicalViewers().size()), drafts};
         if (now == told_)
@@ -164,6 +167,7 @@ private:
         if (edit.from == edit.to && edit.text.empty())
             return document().didAccept(); // it was taken back meanwhile
         proposed_ = true;
+        proposedText_ = document().text();
         connection_.session().propose(
             {static_cast<ipc::Integer>(edit.from), static_cast<ipc::Integer>(edit.to), edit.text},
             label_.toStdString(), [this](const std::optional<std::string>& refusal) {
@@ -199,8 +203,9 @@ private:
     QTimer due_;
     ipc::Integer followed_ = -1; // the revision whose text the windows show
     bool proposed_ = false;
-    bool preview_ = false; // the windows show a gesture's text
-    QString label_;        // of the last change
+    std::string proposedText_; // by the last change
+    bool preview_ = false;     // the windows show a gesture's text
+    QString label_;            // of the last change
     struct Followed {
         service::ScenePointer scene;
         simulation::MotionPointer motion;

@@ -318,7 +318,8 @@ protected:
             return meaningOf(model.text())->usable ? Act::arrive : Act::undo;
         static constexpr std::array<std::size_t, kinds> shares = {36, 12, 4,  8, 24, 12, 48,
                                                                   40, 24, 24, 1, 11, 24, 36};
-        static constexpr std::size_t all = std::accumulate(shares.begin(), shares.end(), std::size_t{0});
+        static constexpr std::size_t all =
+            std::accumulate(shares.begin(), shares.end(), std::size_t{0});
         std::size_t kind = 0;
         for (std::size_t at = below(all); at >= shares[kind]; ++kind)
             at -= shares[kind];

@@ -96,7 +96,9 @@ TEST_F(ViewersTest, PlayingAdvancesTimeAndMovesThePicture) {
     QTest::keyClick(&viewer->display(), Qt::Key_End);
     EXPECT_EQ(viewer->playback().time(), 2);
     // On a check box the space bar is the box's own.
-    auto* box = viewer->findChild<QCheckBox*>();
+    const auto boxes = viewer->findChildren<QCheckBox*>();
+    auto* box = *std::ranges::find_if(
+        boxes, [](const QCheckBox* one) { return one->isVisible() && one->isEnabled(); });
     const bool checked = box->isChecked();
     box->setFocus();
     QTest::keyClick(box, Qt::Key_Space);

@@ -17,7 +17,7 @@ from person import Person
 from screen import until
 
 ASGARD = os.path.abspath(sys.argv[1])
-PICTURE = (12, 24, 650, 690)  # in the graphical viewer's window
+PICTURE = (12, 24, 705, 655)  # in the graphical viewer's window
 
 
 class SevenSteps(unittest.TestCase):
@@ -83,7 +83,7 @@ class SevenSteps(unittest.TestCase):
         left, top, right, bottom = PICTURE
         middle = ((left + right) / 2, (top + bottom) / 2)
         person.press(person.graphical, "3")
-        self.createBody(person, "Return", middle)
+        self.createBody(person, "Up Up Return", middle)
         person.says(r"^body rod1 rod")
         self.exactly(person, "-5", "0", "0")
         person.says(r"^body rod1 rod -init_pos \{-5 0 0\}")
@@ -98,9 +98,9 @@ class SevenSteps(unittest.TestCase):
         self.unit = (x1 - x0) / 10
         self.origin = (x1, (y0 + y1) / 2)
         person.look("first-rod")
-        self.createBody(person, "Return", self.at(-15, 0))
+        self.createBody(person, "Up Up Return", self.at(-15, 0))
         person.says(r"^body rod2 rod")
-        self.createBody(person, "Down Return", self.at(10.1, -17))
+        self.createBody(person, "Up Return", self.at(10.1, -17))
         self.ball = person.says(r"^body (\w+) ball").group(1)
         person.look("bodies")
 
