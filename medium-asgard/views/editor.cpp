@@ -80,6 +80,15 @@ Editor::Editor(Workshop workshop, QObject* parent)
     : QObject(parent), document_(std::move(workshop)) {}
 
 Editor::~Editor() {
+    // A hand that holds something lets go while all windows are there to hear of it.
+    for (GraphicalViewer* viewer : graphicalViewers())
+        viewer->hide();
+    for (LanguageViewer* viewer : languageViewers())
+        viewer->hide();
+    for (QWidget* window :
+         std::initializer_list<QWidget*>{plots_, trajectoryEditor_, shapeEditor_, controlPanel_})
+        if (window)
+            window->hide();
     for (GraphicalViewer* viewer : graphicalViewers())
         delete viewer;
     for (LanguageViewer* viewer : languageViewers())
