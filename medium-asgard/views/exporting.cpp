@@ -101,7 +101,7 @@ std::string Exporting::drawAll() {
     if (const auto* sentence = std::get_if<std::string>(&created))
         return *sentence;
     render::Renderer& renderer = *std::get<std::unique_ptr<render::Renderer>>(created);
-    const auto stride = static_cast<std::size_t>(4 * what_.size.width);
+    const auto stride = 4 * static_cast<std::size_t>(what_.size.width);
     std::vector<std::byte> pixels(stride * static_cast<std::size_t>(what_.size.height));
     const render::Image image{pixels, stride, what_.size};
     std::optional<render::SceneView> view;
