@@ -56,7 +56,8 @@ Interval product(const Interval& a, const Interval& b) {
     const auto ends = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
     if (std::ranges::any_of(ends, [](double x) { return std::isnan(x); })) // 0 times anything
         return anything;
-    return {std::ranges::min(ends), std::ranges::max(ends)};
+    const auto [least, most] = std::minmax_element(ends.begin(), ends.end());
+    return {*least, *most};
 }
 
 Interval magnitude(const Interval& a) {
