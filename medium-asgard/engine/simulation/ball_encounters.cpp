@@ -302,6 +302,16 @@ bool CollisionSource::touchesMoreInRally(const Present& one, const Rally::Ball& 
     return false;
 }
 
+static solution::Turn turnOf(const Rally::Ball& ball, const Vector& before, const Vector& after) {
+    solution::Turn turn = ball.turn;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto axis = static_cast<Eigen::Index>(k);
+        turn.jumps[k] = after[axis] != before[axis];
+        turn.velocity[k] = after[axis];
+    }
+    return turn;
+}
+
 // As handle(), meetInFlight() and turn() do.
 CollisionSource::Rallied CollisionSource::meetInRally(const Rally::Meeting& met) {
     const double time = met.time;
@@ -324,18 +334,9 @@ CollisionSource::Rallied CollisionSource::meetInRally(const Rally::Meeting& met)
         return Rallied::isEndless;
     std::array<solution::Turn, 2> turns;
     std::size_t count = 0;
-    for (const auto& [who, present, then] :
-         {std::tuple{one, &ball, &push->velocities[isInOrder ? 0 : 1]},
-          std::tuple{two, &other, &push->velocities[isInOrder ? 1 : 0]}}) {
-        if (!who)
-            continue;
-        solution::Turn& turn = turns[count++] = who->turn;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto axis = static_cast<Eigen::Index>(k);
-            turn.jumps[k] = (*then)[axis] != present->velocity[axis];
-            turn.velocity[k] = (*then)[axis];
-        }
-    }
+    turns[count++] = turnOf(*one, ball.velocity, push->velocities[isInOrder ? 0 : 1]);
+    if (two)
+        turns[count++] = turnOf(*two, other.velocity, push->velocities[isInOrder ? 1 : 0]);
     if (!turns_->turn(time, std::span(turns).first(count)))
         return Rallied::isRefused;
     add({.time = time,
@@ -354,4 +355,5 @@ CollisionSource::Rallied CollisionSource::meetInRally(const Rally::Meeting& met)
     const bool forGood = parted && push->isClear && contact.gap > -deep * ball.ball.radius;
     return search_.turned(rally_, met, time, forGood) ? Rallied::goesOn : Rallied::isUnclear;
 }
+
 } // namespace simulation

@@ -192,6 +192,9 @@ private:
     void searchGenerally(const Pair& pair, collision::Interval during);
     void search(const Pair& pair, double from);
     [[nodiscard]] bool isRallying(std::size_t body) const;
+    [[nodiscard]] bool join(std::size_t body, Rally& rally) const;
+    [[nodiscard]] bool gatherBalls(std::size_t body, Rally& rally);
+    [[nodiscard]] bool gatherStanding(std::size_t ball, Rally& rally) const;
     [[nodiscard]] bool gatherBodies(const Pair& pair, Rally& rally);
     [[nodiscard]] bool keep(const Pair& pair, const collision::FlightMeeting& met);
     void keep(const Pair& pair, double time, bool pressing, bool isLost);

@@ -22,6 +22,19 @@ void Rally::tried(std::size_t hits) {
     wait_ = hits > wait_ ? shortWait : std::min(2 * wait_, longWait);
 }
 
+void Rally::shareMeetings() {
+    std::ranges::sort(meetings, {}, &Meeting::pair);
+    for (std::size_t m = 0; m < meetings.size(); ++m) {
+        Meeting& meeting = meetings[m];
+        if (!meeting.isStanding) {
+            meeting.ball = indexOf(balls, meeting.pair.first);
+            meeting.other = indexOf(balls, meeting.pair.second);
+            balls[meeting.other].meetings.push_back(m);
+        }
+        balls[meeting.ball].meetings.push_back(m);
+    }
+}
+
 void Rally::Ball::fly(const solution::Turn& turned, double from) {
     flight.from = from;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -132,68 +145,66 @@ bool EncounterSearch::isRallying(std::size_t body) const {
            unclear_[body].empty() && !ended_[body];
 }
 
+// False: it cannot be followed in a rally, or there is no room for it.
+bool EncounterSearch::join(std::size_t body, Rally& rally) const {
+    if (Rally::indexOf(rally.balls, body) < rally.balls.size())
+        return true;
+    if (rally.balls.size() == Rally::mostBalls || !isRallying(body))
+        return false;
+    const Window& window = windows_[body];
+    rally.balls.push_back({.body = body,
+                           .flight = window.flight,
+                           .cell = cells_.cell(body),
+                           .until = window.until,
+                           .isStraight = window.flight.half.isZero(0),
+                           .meetings = {}});
+    return true;
+}
+
+// The balls that may come near one of the rally's, each a ball of it from now on.
+bool EncounterSearch::gatherBalls(std::size_t body, Rally& rally) {
+    for (const std::uint32_t near : cells_.near(body)) {
+        if (!mayMeet(body, near))
+            continue;
+        if (!join(near, rally))
+            return false;
+        const Pair both = std::minmax(body, std::size_t{near});
+        if (std::ranges::find(rally.meetings, both, &Rally::Meeting::pair) == rally.meetings.end())
+            rally.meetings.push_back({.pair = both, .time = infinity});
+    }
+    return true;
+}
+
+// Who stands where a ball of the rally may come to.
+bool EncounterSearch::gatherStanding(std::size_t ball, Rally& rally) const {
+    const std::size_t body = rally.balls[ball].body;
+    for (const std::size_t partner : partners_[body]) {
+        if (!records_[partner].isFixed || standing_[partner].empty())
+            return false;
+        const std::size_t s = Rally::indexOf(rally.standing, partner);
+        if (s == Rally::mostStanding)
+            return false;
+        if (s == rally.standing.size())
+            rally.standing.push_back(
+                {.body = partner, .parts = standing_[partner], .box = windows_[partner].box});
+        rally.meetings.push_back({.pair = std::minmax(body, partner),
+                                  .ball = ball,
+                                  .other = s,
+                                  .isStanding = true,
+                                  .time = infinity});
+    }
+    return true;
+}
+
 // The balls, and who stands where they may come to; false: somebody else may.
 bool EncounterSearch::gatherBodies(const Pair& pair, Rally& rally) {
-    const auto indexOf = [](const auto& list, std::size_t body) {
-        const auto found =
-            std::ranges::find_if(list, [&](const auto& x) { return x.body == body; });
-        return static_cast<std::size_t>(found - list.begin());
-    };
-    const auto join = [&](std::size_t body) {
-        if (indexOf(rally.balls, body) < rally.balls.size())
-            return true;
-        if (rally.balls.size() == Rally::mostBalls || !isRallying(body))
-            return false;
-        const Window& window = windows_[body];
-        rally.balls.push_back({.body = body,
-                               .flight = window.flight,
-                               .cell = cells_.cell(body),
-                               .until = window.until,
-                               .isStraight = window.flight.half.isZero(0),
-                               .meetings = {}});
-        return true;
-    };
     for (const std::size_t body : {pair.first, pair.second})
-        if (!records_[body].isFixed && !join(body))
+        if (!records_[body].isFixed && !join(body, rally))
             return false;
-    for (std::size_t b = 0; b < rally.balls.size(); ++b) {
-        const std::size_t body = rally.balls[b].body;
-        for (const std::uint32_t near : cells_.near(body)) {
-            if (!mayMeet(body, near))
-                continue;
-            if (!join(near))
-                return false;
-            const Pair both = std::minmax(body, std::size_t{near});
-            if (std::ranges::find(rally.meetings, both, &Rally::Meeting::pair) ==
-                rally.meetings.end())
-                rally.meetings.push_back({.pair = both, .time = infinity});
-        }
-        for (const std::size_t partner : partners_[body]) {
-            if (!records_[partner].isFixed || standing_[partner].empty())
-                return false;
-            const std::size_t s = indexOf(rally.standing, partner);
-            if (s == Rally::mostStanding)
-                return false;
-            if (s == rally.standing.size())
-                rally.standing.push_back(
-                    {.body = partner, .parts = standing_[partner], .box = windows_[partner].box});
-            rally.meetings.push_back({.pair = std::minmax(body, partner),
-                                      .ball = b,
-                                      .other = s,
-                                      .isStanding = true,
-                                      .time = infinity});
-        }
-    }
-    std::ranges::sort(rally.meetings, {}, &Rally::Meeting::pair);
-    for (std::size_t m = 0; m < rally.meetings.size(); ++m) {
-        Rally::Meeting& meeting = rally.meetings[m];
-        if (!meeting.isStanding) {
-            meeting.ball = indexOf(rally.balls, meeting.pair.first);
-            meeting.other = indexOf(rally.balls, meeting.pair.second);
-            rally.balls[meeting.other].meetings.push_back(m);
-        }
-        rally.balls[meeting.ball].meetings.push_back(m);
-    }
+    for (std::size_t b = 0; b < rally.balls.size(); ++b) // they become more meanwhile
+        if (!gatherBalls(rally.balls[b].body, rally) || !gatherStanding(b, rally))
+            return false;
+    rally.shareMeetings();
     return true;
 }
 

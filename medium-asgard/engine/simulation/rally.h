@@ -21,6 +21,7 @@
 #include "collision/time_of_impact.h"
 #include "solution/event_source.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -62,6 +63,14 @@ public:
     std::size_t tests = 0;
 
     void clear();
+    // In a list of Ball or Standing; its size: not there.
+    template <class Member>
+    [[nodiscard]] static std::size_t indexOf(const std::vector<Member>& list, std::size_t body) {
+        return static_cast<std::size_t>(std::ranges::find(list, body, &Member::body) -
+                                        list.begin());
+    }
+    // Puts the meetings in order, and tells each ball its own.
+    void shareMeetings();
     // The earliest meeting; null: none before something else happens.
     [[nodiscard]] const Meeting* next() const;
     // All were in their cells up to a time: straight ways leave what is convex but once.

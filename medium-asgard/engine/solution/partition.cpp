@@ -192,59 +192,81 @@ std::vector<bool> unreadBy(const std::vector<std::size_t>& asked, const Reads& r
     return unread;
 }
 
-Partition partitionOf(const Reads& reads, const std::vector<bool>& leftOut) {
-    constexpr std::size_t unseen = std::numeric_limits<std::size_t>::max();
-    const std::size_t n = reads.size();
-    std::vector<std::size_t> number(n, unseen), low(n, 0), stack;
-    std::vector<bool> onStack(n, false);
+namespace {
+
+// Tarjan's strongly connected components, without recursion. Arcs are followed from an equation to
+// what it reads, so that a component closes after its inputs.
+class StrongComponents {
+public:
+    explicit StrongComponents(const Reads& reads)
+        : reads_(reads), number_(reads.size(), unseen), low_(reads.size(), 0),
+          onStack_(reads.size(), false) {}
+
+    // Adds those that are reached from here and were not seen before.
+    void visit(std::size_t start, std::vector<std::vector<std::size_t>>& components) {
+        if (number_[start] == unseen)
+            enter(start);
+        while (!visits_.empty()) {
+            Visit& last = visits_.back();
+            if (last.arc < reads_[last.node].size())
+                look(last.node, reads_[last.node][last.arc++]);
+            else
+                leave(components);
+        }
+    }
+
+private:
+    static constexpr std::size_t unseen = std::numeric_limits<std::size_t>::max();
     struct Visit {
         std::size_t node, arc;
     };
-    std::vector<Visit> visits;
-    std::size_t count = 0;
-    Partition partition;
 
-    const auto enter = [&](std::size_t v) {
-        number[v] = low[v] = count++;
-        stack.push_back(v);
-        onStack[v] = true;
-        visits.push_back({v, 0});
-    };
-    const auto close = [&](std::size_t root) {
-        std::vector<std::size_t> component;
-        std::size_t v = unseen;
-        do {
-            v = stack.back();
-            stack.pop_back();
-            onStack[v] = false;
-            component.push_back(v);
-        } while (v != root);
-        std::sort(component.begin(), component.end());
-        partition.components.push_back(std::move(component));
-    };
-
-    // Arcs are followed from an equation to what it reads, so a component closes after its inputs.
-    for (std::size_t start = 0; start < n; ++start) {
-        if (number[start] != unseen || (!leftOut.empty() && leftOut[start]))
-            continue;
-        enter(start);
-        while (!visits.empty()) {
-            const std::size_t v = visits.back().node;
-            if (visits.back().arc < reads[v].size()) {
-                const std::size_t w = reads[v][visits.back().arc++];
-                if (number[w] == unseen)
-                    enter(w);
-                else if (onStack[w])
-                    low[v] = std::min(low[v], number[w]);
-                continue;
-            }
-            visits.pop_back();
-            if (!visits.empty())
-                low[visits.back().node] = std::min(low[visits.back().node], low[v]);
-            if (low[v] == number[v])
-                close(v);
-        }
+    void enter(std::size_t v) {
+        number_[v] = low_[v] = count_++;
+        stack_.push_back(v);
+        onStack_[v] = true;
+        visits_.push_back({v, 0});
     }
+    void look(std::size_t from, std::size_t to) {
+        if (number_[to] == unseen)
+            enter(to);
+        else if (onStack_[to])
+            low_[from] = std::min(low_[from], number_[to]);
+    }
+    void leave(std::vector<std::vector<std::size_t>>& components) {
+        const std::size_t v = visits_.back().node;
+        visits_.pop_back();
+        if (!visits_.empty())
+            low_[visits_.back().node] = std::min(low_[visits_.back().node], low_[v]);
+        if (low_[v] == number_[v])
+            components.push_back(closed(v));
+    }
+    std::vector<std::size_t> closed(std::size_t root) {
+        std::vector<std::size_t> component;
+        do {
+            component.push_back(stack_.back());
+            onStack_[stack_.back()] = false;
+            stack_.pop_back();
+        } while (component.back() != root);
+        std::sort(component.begin(), component.end());
+        return component;
+    }
+
+    const Reads& reads_;
+    std::vector<std::size_t> number_, low_, stack_;
+    std::vector<bool> onStack_;
+    std::vector<Visit> visits_;
+    std::size_t count_ = 0;
+};
+
+} // namespace
+
+Partition partitionOf(const Reads& reads, const std::vector<bool>& leftOut) {
+    Partition partition;
+    StrongComponents search(reads);
+    for (std::size_t start = 0; start < reads.size(); ++start)
+        if (leftOut.empty() || !leftOut[start])
+            search.visit(start, partition.components);
     connect(partition, reads);
     return partition;
 }

@@ -144,14 +144,7 @@ Solver::Implementation::Flight* Solver::Implementation::takeOff(double time, Tur
             return nullptr;
         turn.place[axis.coordinate] = piece.value(time);
     }
-    flightOf_.resize(set_->unknowns.size(), 0);
-    if (flightOf_[turn.places[0]] == 0) {
-        flights_.emplace_back();
-        for (std::size_t k = 0; k < 3; ++k)
-            flightOf_[turn.places[k]] = flightOf_[turn.velocities[k]] =
-                static_cast<std::uint32_t>(flights_.size());
-    }
-    Flight& flight = flights_[flightOf_[turn.places[0]] - 1];
+    Flight& flight = openFlight(turn);
     if (!flight.history || flight.history->columns() != axes->size())
         flight.history = std::make_shared<History>(axes->size());
     flight.axes = std::move(*axes);
@@ -162,7 +155,25 @@ Solver::Implementation::Flight* Solver::Implementation::takeOff(double time, Tur
     paces_.join(turn.places);
     paces_.join(turn.velocities);
     paces_.join(std::array{turn.places[0], turn.velocities[0]});
-    const auto follow = [&](std::size_t unknown, std::size_t column) {
+    follow(flight, turn, time);
+    return &flight;
+}
+
+// The one of these unknowns, new or old.
+Solver::Implementation::Flight& Solver::Implementation::openFlight(const Turn& turn) {
+    flightOf_.resize(set_->unknowns.size(), 0);
+    if (flightOf_[turn.places[0]] == 0) {
+        flights_.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k)
+            flightOf_[turn.places[k]] = flightOf_[turn.velocities[k]] =
+                static_cast<std::uint32_t>(flights_.size());
+    }
+    return flights_[flightOf_[turn.places[0]] - 1];
+}
+
+// From now on the unknowns are read from the flight, and their components wait.
+void Solver::Implementation::follow(const Flight& flight, const Turn& turn, double time) {
+    const auto read = [&](std::size_t unknown, std::size_t column) {
         auto& spans = histories_.tracks_[unknown].spans;
         while (!spans.empty() && spans.back().from >= time)
             spans.pop_back();
@@ -171,13 +182,12 @@ Solver::Implementation::Flight* Solver::Implementation::takeOff(double time, Tur
     for (std::size_t i = 0; i < flight.axes.size(); ++i) {
         const Flight::Axis& axis = flight.axes[i];
         components_[axis.place]->leave(time);
-        follow(turn.places[axis.coordinate], i);
+        read(turn.places[axis.coordinate], i);
         if (axis.velocity == noComponent)
             continue;
         components_[axis.velocity]->leave(time);
-        follow(turn.velocities[axis.coordinate], flight.axes.size() + i);
+        read(turn.velocities[axis.coordinate], flight.axes.size() + i);
     }
-    return &flight;
 }
 
 void Solver::Implementation::land(std::span<const std::size_t> components) {

@@ -79,6 +79,8 @@ private:
     [[nodiscard]] bool turn(double time, Turn& turn);
     [[nodiscard]] std::optional<std::vector<Flight::Axis>> axesOf(const Turn& turn) const;
     [[nodiscard]] Flight* takeOff(double time, Turn& turn);
+    [[nodiscard]] Flight& openFlight(const Turn& turn);
+    void follow(const Flight& flight, const Turn& turn, double time);
     void land(std::span<const std::size_t> components);
     void land(Flight& flight);
     [[nodiscard]] std::vector<std::size_t> touchedBy(const Event& event,
