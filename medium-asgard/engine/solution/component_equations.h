@@ -16,6 +16,10 @@
 //
 // On floor and ceil it slides along a whole number, between the branches beside it.
 //
+// What switches at the same place switches together: sign(v), v >= 0, floor(v) and ceil(v) at 0,
+// floor(v) and v >= 1 at 1. Such surfaces are joined where one of them is passed, and have one
+// weight where they are slid upon.
+//
 // LIMIT: with several surfaces at once f is taken as affine in the weights, which holds unless
 // switching terms multiply each other or stand in each other's guards. Such motion ends with a
 // reason when it cannot go on.
@@ -27,6 +31,7 @@
 #include "solution/switching.h"
 #include "solution/system.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -120,7 +125,9 @@ private:
 
     void fill(double t, std::span<const double> y);
     void evaluate(std::span<double> out);
-    void setSide(std::size_t surface, int side);
+    void setSide(std::size_t surface, int side); // and that of those that are joined with it
+    void setOwnSide(std::size_t surface, int side);
+    void setGrazed(std::size_t surface, bool isGrazed);
     void refreshWatches();
     struct Slope {
         double rate;
@@ -144,14 +151,29 @@ private:
         bool isAlone = false;                   // no other falls at the same time
         std::vector<std::size_t> surfaces = {}; // the field behind them may lead back
         std::vector<std::size_t> settled = {};  // where nothing more is asked
+        std::vector<std::size_t> joined = {};   // passed with one of `surfaces`
+        std::vector<std::size_t> stood = {};    // of `surfaces`, those on which it stood
     };
     void follow(const Passed& passed);
     [[nodiscard]] bool follow(std::size_t surface, std::span<const double> rates, bool passed);
     void pass(const Watch& watch, Passing how, Passed& passed);
-    [[nodiscard]] bool isTouched(std::size_t surface);
+    void passAcross(std::size_t surface, Passed& passed);
+    void slideWhereLedBack(const Passed& passed);
+    enum class Front { leadsHere, rests, leadsAway };
+    [[nodiscard]] Front front(std::size_t surface);
     [[nodiscard]] std::vector<std::size_t> symbolsOf(const Violation& violation) const;
     [[nodiscard]] bool passWhole(std::size_t surface, bool insist);
-    void slideBetween(std::size_t surface, expression::Decision before);
+    // Joining (component_joined.cpp).
+    [[nodiscard]] bool isJoined(std::size_t surface) const;
+    [[nodiscard]] bool takeLevel(std::size_t surface);
+    void join(std::size_t surface);
+    using Distances = std::array<double, 4>;
+    [[nodiscard]] Distances distancesAround(std::size_t surface);
+    [[nodiscard]] std::optional<int>
+    orientationBeside(std::size_t surface, std::span<const Distances, 2> mine, std::size_t other);
+    [[nodiscard]] bool isOnSide(std::size_t surface) const;
+    [[nodiscard]] expression::Decision decisionBeside(std::size_t surface, int side) const;
+    [[nodiscard]] double distance(std::size_t surface);
     [[nodiscard]] double valueOf(std::size_t surface);
     [[nodiscard]] bool holdsOn(const std::vector<std::size_t>& surfaces);
     [[nodiscard]] bool settleWeights(double t, std::span<const double> y);
@@ -166,11 +188,16 @@ private:
     std::vector<double> out_, base_, other_, guards_;
 
     std::vector<int> sides_; // -1, 0, 1; of sliding surfaces -1
-    // Of floors and ceilings that slide: the whole number on which they do.
+    // Of floors and ceilings that slide, or were passed: the whole number where they did.
     std::vector<expression::Decision> levels_;
-    std::vector<int> ahead_; // those that looksAhead() saw, by surface
-    // Of floors and ceilings: they are passed to and fro by rounding alone, which counts for
-    // nothing.
+    struct Joined {
+        std::size_t surface;
+        int orientation; // of its sides, as seen from those of the one with which it is joined
+    };
+    std::vector<std::vector<Joined>> joined_; // by surface; empty but for what slides or is passed
+    std::vector<int> ahead_;                  // those that looksAhead() saw, by surface
+    // Passed to and fro by rounding alone, which counts for nothing, or with nothing behind that
+    // moves it on.
     std::vector<char> isGrazed_;
     std::vector<expression::Decision> decisions_;
     std::vector<std::size_t> sliding_; // surfaces

@@ -12,22 +12,39 @@ using expression::Decision;
 using expression::Node;
 
 void ComponentEquations::setSide(std::size_t surface, int side) {
+    setOwnSide(surface, side);
+    for (const Joined& other : joined_[surface])
+        setOwnSide(other.surface, side * other.orientation);
+}
+
+void ComponentEquations::setOwnSide(std::size_t surface, int side) {
     sides_[surface] = side;
     if (model_.surfaces()[surface].whole) { // the branches beside that whole number
-        const Decision above = model_.surfaces()[surface].ceiling ? 1 : 0;
-        decisions_[model_.surfaces()[surface].members[0].decision] =
-            levels_[surface] + above - (side > 0 ? 0 : 1);
+        decisions_[model_.surfaces()[surface].members[0].decision] = decisionBeside(surface, side);
         return;
     }
     for (const Surface::Member& member : model_.surfaces()[surface].members)
         decisions_[member.decision] = Decision{side} * member.orientation;
 }
 
+void ComponentEquations::setGrazed(std::size_t surface, bool isGrazed) {
+    isGrazed_[surface] = isGrazed ? 1 : 0;
+    for (const Joined& other : joined_[surface])
+        isGrazed_[other.surface] = isGrazed_[surface];
+}
+
 void ComponentEquations::refreshWatches() {
     watches_.clear();
+    const auto slides = [this](std::size_t s) {
+        return std::find(sliding_.begin(), sliding_.end(), s) != sliding_.end();
+    };
+    for (std::size_t s = 0; s < model_.surfaces().size(); ++s)
+        if (!slides(s))
+            joined_[s].clear();
     for (std::size_t s = 0; s < model_.surfaces().size(); ++s) {
-        const bool slides = std::find(sliding_.begin(), sliding_.end(), s) != sliding_.end();
-        if (!slides) {
+        if (isJoined(s))
+            continue;
+        if (!slides(s)) {
             watches_.push_back({Watch::Kind::side, s});
             continue;
         }
@@ -71,14 +88,14 @@ void ComponentEquations::watch(double t, std::span<const double> y, std::span<do
         } else if (kind != Watch::Kind::side) {
             const auto place = std::find(sliding_.begin(), sliding_.end(), s) - sliding_.begin();
             const double w = weights_[static_cast<std::size_t>(place)];
-            values[k] = kind == Watch::Kind::least ? w : 1 - w;
+            values[k] = (kind == Watch::Kind::least ? w : 1 - w) + (isGrazed_[s] ? 1e-12 : 0);
         } else if (surface.whole) {
             const auto taken = static_cast<double>(decisions_[surface.members[0].decision]);
             values[k] = g + (isGrazed_[s] ? 1e-12 * std::max(1.0, std::abs(taken)) : 0);
         } else if (sides_[s] == onSurface) {
             values[k] = 1e-12 - std::abs(g);
         } else {
-            values[k] = sides_[s] * g;
+            values[k] = sides_[s] * g + (isGrazed_[s] ? 1e-12 : 0);
         }
     }
 }
@@ -119,6 +136,8 @@ void ComponentEquations::decide(double t, std::span<double> y) {
     sliding_.clear();
     standing_.clear();
     isGrazed_.assign(model_.surfaces().size(), 0);
+    for (std::vector<Joined>& joined : joined_)
+        joined.clear();
     if (model_.surfaces().empty())
         return;
     fill(t, y);
@@ -164,7 +183,8 @@ bool ComponentEquations::isRight(std::size_t surface) {
     return g > slope.near || (g >= -slope.near && slope.rate * sides_[surface] > slope.noise);
 }
 
-// The integer that floor or ceil takes next, on the branches of what its argument reads.
+// The integer that floor or ceil takes next, on the branches of what its argument reads. What rests
+// on a whole number stays on its side of it.
 Decision ComponentEquations::wholeBranch(std::size_t surface, std::span<const double> rates) {
     const Slope slope = guardRate(surface, rates);
     const double nearest = std::round(slope.value);
@@ -172,7 +192,10 @@ Decision ComponentEquations::wholeBranch(std::size_t surface, std::span<const do
     double whole = ceiling ? std::ceil(slope.value) : std::floor(slope.value);
     if (std::abs(slope.value - nearest) <= slope.near) {
         const bool leaves = ceiling ? slope.rate > slope.noise : slope.rate < -slope.noise;
-        whole = leaves ? nearest + (ceiling ? 1 : -1) : nearest;
+        const double beside = nearest + (ceiling ? 1 : -1);
+        const Decision taken = decisions_[model_.surfaces()[surface].members[0].decision];
+        const bool rests = !slope.still && std::abs(slope.rate) <= slope.noise;
+        whole = leaves || (rests && static_cast<double>(taken) == beside) ? beside : nearest;
     }
     constexpr double largest = 9e18;
     return std::abs(whole) < largest ? static_cast<Decision>(whole) : expression::noBranch;
@@ -190,21 +213,45 @@ void ComponentEquations::pass(const Watch& watch, Passing how, Passed& passed) {
         setSide(s, watch.kind == Watch::Kind::least ? -1 : +1);
         if (model_.surfaces()[s].whole)
             passed.settled.push_back(s);
+        for (const Joined& other : joined_[s])
+            passed.settled.push_back(other.surface);
+    } else if (how == Passing::across) {
+        passAcross(s, passed);
     } else if (model_.surfaces()[s].whole) {
-        const Decision before = decisions_[model_.surfaces()[s].members[0].decision];
         if (passWhole(s, how == Passing::stays) && passed.isAlone)
             passed.settled.push_back(s);
-        if (passed.isAlone && how == Passing::across)
-            slideBetween(s, before);
-    } else if (how != Passing::across) {
+    } else {
         setSide(s, onSurface);
         standing_.push_back(s);
-    } else if (passed.surfaces.empty() || !isRight(s)) {
-        model_.function().guards(in_, guards_, scratch_, decisions_);
-        const double g = guard(s);
-        setSide(s, sides_[s] == onSurface ? (g > 0) - (g < 0) : -sides_[s]);
-        passed.surfaces.push_back(s);
     }
+}
+
+// With all that switches there. Of several at different places the later ones are passed only where
+// the first have not put them right.
+void ComponentEquations::passAcross(std::size_t surface, Passed& passed) {
+    if (std::ranges::find(passed.joined, surface) != passed.joined.end())
+        return;
+    const bool isWhole = model_.surfaces()[surface].whole;
+    if (isWhole && !takeLevel(surface)) {
+        if (passWhole(surface, false) && passed.isAlone)
+            passed.settled.push_back(surface);
+        return;
+    }
+    if (!isWhole && !passed.surfaces.empty() && isRight(surface))
+        return;
+    field();
+    const double g = distance(surface);
+    join(surface);
+    if (sides_[surface] == onSurface)
+        passed.stood.push_back(surface);
+    setSide(surface, sides_[surface] == onSurface ? (g > 0) - (g < 0) : -sides_[surface]);
+    passed.surfaces.push_back(surface);
+    for (const Joined& other : joined_[surface]) {
+        passed.joined.push_back(other.surface);
+        passed.settled.push_back(other.surface);
+    }
+    if (isWhole && passed.isAlone)
+        passed.settled.push_back(surface);
 }
 
 // To and fro without end: where both branches move it the same way, rounding alone passes it, and
@@ -231,27 +278,6 @@ bool ComponentEquations::passWhole(std::size_t surface, bool insist) {
     return isForced;
 }
 
-// Where the branch before leads to the one that was taken beside it, which leads back.
-void ComponentEquations::slideBetween(std::size_t surface, Decision before) {
-    const Decision taken = decisions_[model_.surfaces()[surface].members[0].decision];
-    if (before == expression::noBranch || taken == expression::noBranch ||
-        std::abs(taken - before) != 1)
-        return;
-    levels_[surface] =
-        model_.surfaces()[surface].ceiling ? std::min(before, taken) : std::max(before, taken);
-    const int side = taken > before ? +1 : -1;
-    const auto slopeOn = [&](int of) {
-        setSide(surface, of);
-        field();
-        const std::vector<double> rates = out_;
-        return guardRate(surface, rates);
-    };
-    const Slope front = slopeOn(-side), behind = slopeOn(side);
-    const double off = std::abs(behind.value - static_cast<double>(levels_[surface]));
-    if (off <= behind.near && front.rate * side > front.noise && behind.rate * side < -behind.noise)
-        sliding_.push_back(surface);
-}
-
 // Guards that jumped when other surfaces were passed: their sides follow their values. One that is
 // constant now, like floor(t) - 3, may stay at 0 for a while; there what lies on the surface holds.
 void ComponentEquations::follow(const Passed& passed) {
@@ -266,7 +292,7 @@ void ComponentEquations::follow(const Passed& passed) {
         field();
         const std::vector<double> now = out_;
         for (std::size_t s = 0; s < model_.surfaces().size() && !changed; ++s)
-            if (!in(sliding_, s) && !isSettled(s))
+            if (!in(sliding_, s) && !isJoined(s) && !isSettled(s))
                 changed = follow(s, now, in(passed.surfaces, s));
         if (!changed)
             return;
@@ -331,16 +357,46 @@ bool ComponentEquations::looksAhead(const Violation& violation, double t,
     return any;
 }
 
-// Behind the surface the field leads back to it. Does it in front of it too? Then the motion only
-// touched it, and nothing could slide there.
-bool ComponentEquations::isTouched(std::size_t surface) {
+// Behind the surface the field leads back to it. What does it do in front of it? Where it leads
+// back too the motion only touched the surface, and nothing could slide there. Where nothing moves
+// it there, what passed was an error of polynomials, and it rests.
+ComponentEquations::Front ComponentEquations::front(std::size_t surface) {
     const int side = sides_[surface];
     setSide(surface, -side);
     field();
     const std::vector<double> before = out_;
-    const bool leadsBack = guardRate(surface, before).rate * side <= 0;
+    const Slope slope = guardRate(surface, before);
     setSide(surface, side);
-    return leadsBack;
+    if (!slope.still && std::abs(slope.rate) <= slope.noise)
+        return Front::rests;
+    return slope.rate * side <= 0 ? Front::leadsAway : Front::leadsHere;
+}
+
+// Does the field behind each passed surface lead away from it?
+void ComponentEquations::slideWhereLedBack(const Passed& passed) {
+    field();
+    const std::vector<double> behind = out_;
+    model_.function().guards(in_, guards_, scratch_, decisions_);
+    std::vector<std::size_t> back;
+    for (const std::size_t s : passed.surfaces) {
+        const Slope slope = guardRate(s, behind);
+        setGrazed(s, !slope.still && std::abs(slope.rate) <= slope.noise);
+        if (isOnSide(s) && slope.rate * sides_[s] < -slope.noise &&
+            std::abs(distance(s)) <= slope.near)
+            back.push_back(s);
+    }
+    std::vector<Front> fronts;
+    std::ranges::transform(back, std::back_inserter(fronts),
+                           [this](std::size_t s) { return front(s); });
+    for (std::size_t k = 0; k < back.size(); ++k) {
+        const std::size_t s = back[k];
+        if (fronts[k] != Front::leadsAway) {
+            sliding_.push_back(s);
+            setGrazed(s, fronts[k] == Front::rests);
+        } else if (std::ranges::find(passed.stood, s) == passed.stood.end()) {
+            setSide(s, -sides_[s]);
+        }
+    }
 }
 
 ComponentEquations::Crossing ComponentEquations::cross(const Violation& violation, double t,
@@ -353,24 +409,7 @@ ComponentEquations::Crossing ComponentEquations::cross(const Violation& violatio
     for (const std::size_t k : violation.watches)
         pass(watches_[k], how, passed);
     follow(passed);
-    // Does the field behind each passed surface lead away from it?
-    field();
-    const std::vector<double> behind = out_;
-    model_.function().guards(in_, guards_, scratch_, decisions_);
-    std::vector<std::size_t> back, touched;
-    for (const std::size_t s : passed.surfaces) {
-        const Slope slope = guardRate(s, behind);
-        if (slope.rate * sides_[s] < -slope.noise && std::abs(guard(s)) <= slope.near)
-            back.push_back(s);
-    }
-    std::ranges::copy_if(back, std::back_inserter(touched),
-                         [this](std::size_t s) { return isTouched(s); });
-    for (const std::size_t s : back) {
-        if (std::ranges::find(touched, s) == touched.end())
-            sliding_.push_back(s);
-        else
-            setSide(s, -sides_[s]);
-    }
+    slideWhereLedBack(passed);
     const std::vector<std::size_t> slid = sliding_;
     if (!settleWeights(t, y)) { // beside the surface a side may have no value, as a root's
         sliding_ = slid;

@@ -133,13 +133,14 @@ bool ComponentEquations::holdsOn(const std::vector<std::size_t>& surfaces) {
 
 bool ComponentEquations::holdOn(const std::vector<std::size_t>& surfaces, double t,
                                 std::span<const double> reach, std::span<double> y) {
-    const auto before = std::tuple(sides_, levels_, decisions_, sliding_);
+    const auto before = std::tuple(sides_, levels_, decisions_, sliding_, joined_);
     fill(t, y);
     for (const std::size_t s : surfaces) {
-        if (std::ranges::find(sliding_, s) != sliding_.end())
+        if (std::ranges::find(sliding_, s) != sliding_.end() || isJoined(s))
             continue;
         if (model_.surfaces()[s].whole)
             levels_[s] = std::llround(valueOf(s));
+        join(s);
         sliding_.push_back(s);
     }
     std::vector<double> at(y.begin(), y.end());
@@ -148,7 +149,7 @@ bool ComponentEquations::holdOn(const std::vector<std::size_t>& surfaces, double
     for (std::size_t i = 0; i < at.size(); ++i)
         isHeld = isHeld && std::abs(at[i] - y[i]) <= reach[i];
     if (!isHeld) {
-        std::tie(sides_, levels_, decisions_, sliding_) = before;
+        std::tie(sides_, levels_, decisions_, sliding_, joined_) = before;
         return false;
     }
     std::ranges::copy(at, y.begin());

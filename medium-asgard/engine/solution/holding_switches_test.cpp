@@ -129,3 +129,55 @@ TEST(Holding, AlongAWholeNumberOfPlaceAndVelocity) {
         EXPECT_LT(solver.statistics().switches, 10u);
     }
 }
+
+// Beyond the step nothing acts: it goes on at that speed, as where it is written with comparisons.
+TEST(Holding, NothingThatActsBeyondAStepIsRest) {
+    const double before = 2.15 * 0.15 + 1.5; // by 2 and by 1, for 1.15 s
+    for (const char* force : {"-floor(dx)", "-(dx>=1)-(dx>=2)", "1-ceil(dx)", "-floor(dx+5)+5"})
+        expectAt(body(force, 0, 2.3), 10, before + 8.85, 1);
+    expectAt(body("-ceil(dx)", 0, -2.3), 10, -before - 8.85, -1);
+    expectAt(body("-floor(dx+0.5)", 0, 2.3), 10, 1.9 * 0.4 + 1 + 0.5 * 8.6, 0.5);
+    expectAt(body("-floor(dx)", 0, 1), 5, 5, 1);
+}
+
+// sign at 0, floor and ceil at whole numbers, comparisons with these: they switch together, however
+// they are written and whichever way the motion comes.
+TEST(Holding, OnWhatSwitchesAtTheSamePlace) {
+    const double way = 2.15 * 0.1 + 1.5 * 0.5 + 0.5; // by 3, by 2 and by 1
+    for (const char* force :
+         {"-sign(dx)-floor(dx)", "-floor(dx)-sign(2*dx)", "-sign(dx)+1-ceil(dx)",
+          "-sign(dx)-floor(dx+3)+3", "-floor(dx)-(dx>0?1:-1)", "-0.5-(ceil(dx)+floor(dx))/2"})
+        expectAt(body(force, 0, 2.3), 10, way, 0);
+    expectAt(body("sign(-dx)-ceil(dx)", 0, -2.3), 10, -way, 0);
+    expectAt(body("-0.3-ceil(dx)-floor(dx)", 0, 2.3), 10, 2.15 * 0.3 / 5.3 + 1.5 / 3.3 + 0.5 / 1.3,
+             0);
+}
+
+// Friction that is written with sign and floor of the same speed keeps the momentum of two bodies,
+// one of which has it the other way round.
+TEST(Holding, OnWhatSwitchesAtTheSamePlaceOfTwoBodies) {
+    for (const char* force : {"sign(dx-dy)+floor(dx-dy)", "-sign(dy-dx)-ceil(dy-dx)"}) {
+        std::vector<Line> lines = body("-sign(dx-dy)-floor(dx-dy)", 0, 2.3);
+        lines.push_back({"y", "dy", 0, 1});
+        lines.push_back({"dy", force, 0});
+        expectAt(lines, 6, 0.5 * (2.3 * 6 + 2.15 * 0.05 + 1.5 * 0.25 + 0.5 * 0.5), 1.15);
+    }
+}
+
+// The same where it moves on by itself, so that rounding alone says on which side of the step it
+// is.
+TEST(Holding, RestOnAStepWhileOthersMove) {
+    expectAt(body("-1.3*ceil(dx)-1.3*ceil(x)", -0.2, -1.4), 0.7,
+             -0.2 - 1.2 * 0.4 / 1.3 - (0.7 - 0.4 / 1.3), -1);
+    std::vector<Line> lines = body("-9.8-x-floor(dx-dy)", 0, 2.3);
+    lines.push_back({"y", "dy", 0, 1});
+    lines.push_back({"dy", "-9.8-x", 0});
+    for (const double accuracy : accuracies) {
+        const Solver solver = solved(equationsOf(lines), 6, tolerance(accuracy));
+        const Histories& h = solver.histories();
+        ASSERT_EQ(h.stop(1), nullptr) << h.stop(1)->sentence;
+        EXPECT_NEAR(h.value(1, 6) - h.value(3, 6), 1, 1e-9);
+        EXPECT_NEAR(h.value(0, 6) - h.value(2, 6), 1.8225 + 4.85, 10 * accuracy + 1e-9);
+        EXPECT_LT(solver.statistics().switches, 12u);
+    }
+}
