@@ -12,7 +12,7 @@ namespace collision {
 
 namespace {
 
-constexpr double flatLanding = 1e-9; // of the size: less tilt than this is none
+constexpr double flatLanding = 2e-9; // of the smaller part's size: less tilt than this is none
 constexpr double sameAxis = 1e-4;    // difference of normals: faces may yet land on each other
 
 // The two posed parts at one time and the line between them.
@@ -123,7 +123,7 @@ Vector normalOfHit(const PartPair& pair, double t, const Separation& separation)
     Touching before = now;
     if (!isRound(pair)) {
         if (isAlongOneAxis(pair, t, now))
-            return normalOfLanding(now, flatLanding * pair.size());
+            return normalOfLanding(now, flatLanding * pair.smallerSize());
         const double earlier = shortlyBefore(pair, t);
         WarmStart cold;
         const Separation then = pair.separationAt(earlier, cold);
@@ -132,12 +132,12 @@ Vector normalOfHit(const PartPair& pair, double t, const Separation& separation)
             before = {pair.first.posedAt(earlier, there), pair.second.posedAt(earlier, there),
                       then.normal};
     }
-    return normalOf(before, now, 3 * flatLanding * pair.size());
+    return normalOf(before, now, 3 * flatLanding * pair.smallerSize());
 }
 
 Contact contactAlong(const PartPair& pair, double t, const Vector& normal, double gap) {
     const Vector origin = pair.originAt(t);
-    const double tolerance = std::max(flatLanding * pair.size(), 2 * pair.roundOff(t));
+    const double tolerance = std::max(flatLanding * pair.smallerSize(), 2 * pair.roundOff(t));
     const Patch patch = patchOf(pair.first.posedAt(t, origin), pair.second.posedAt(t, origin),
                                 normal, tolerance, tolerance);
     const Velocity va = velocityAt(pair.first.piece, t), vb = velocityAt(pair.second.piece, t);

@@ -195,6 +195,7 @@ private:
     [[nodiscard]] double softenLastHops(const solution::Histories& histories, Cluster& cluster,
                                         std::span<const physics::ImpactBody> bodies,
                                         double time) const;
+    static void aimAtFastest(Cluster& cluster, const std::vector<physics::ImpactBody>& bodies);
     [[nodiscard]] physics::ImpactResult
     resolve(Cluster& cluster, const std::vector<physics::ImpactBody>& before) const;
     [[nodiscard]] physics::ImpactBody impactBody(const solution::Histories& histories,

@@ -158,6 +158,7 @@ std::optional<Event> CollisionSource::meet(const Histories& histories, const Pai
     std::vector<ImpactBody> before;
     for (const std::size_t body : cluster.bodies)
         before.push_back(impactBody(histories, body, time));
+    aimAtFastest(cluster, before);
     const double settling = softenLastHops(histories, cluster, before, time);
     const physics::ImpactResult result = resolve(cluster, before);
     if (result.jammed)

@@ -14,11 +14,21 @@ using physics::ImpactContact;
 using solution::Histories;
 using solution::infinity;
 
-bool sinksIn(const ImpactContact& corner, const std::vector<ImpactBody>& bodies) {
+struct Closing {
+    double rate = 0; // of the gap; negative: they approach
+    double speeds = 0;
+};
+
+Closing closingAt(const ImpactContact& corner, const std::vector<ImpactBody>& bodies) {
     const ImpactBody &a = bodies[corner.first], &b = bodies[corner.second];
     const Vector va = a.velocity + a.angularVelocity.cross(corner.point - a.centre);
     const Vector vb = b.velocity + b.angularVelocity.cross(corner.point - b.centre);
-    return corner.normal.dot(va - vb) < -1e-9 * (va.norm() + vb.norm());
+    return {.rate = corner.normal.dot(va - vb), .speeds = va.norm() + vb.norm()};
+}
+
+bool sinksIn(const ImpactContact& corner, const std::vector<ImpactBody>& bodies) {
+    const Closing closing = closingAt(corner, bodies);
+    return closing.rate < -1e-9 * closing.speeds;
 }
 
 // With the corners of plastic contacts instead of their centres. The impulses are told by contact,
@@ -63,7 +73,7 @@ double ballRadius(const MovingBody& body) {
 
 ImpactBody CollisionSource::impactBody(const Histories& histories, std::size_t body,
                                        double time) const {
-    BodyState state = stateOf(records_[body], histories, time);
+    BodyState state = resting_.bearingState(histories, body, time);
     if (bodies_[body].isBall() && !state.angularVelocity.allFinite())
         state.angularVelocity.setZero(); // its blows go through its centre
     return resting_.impactBody(body, time, state);
@@ -224,17 +234,18 @@ CollisionSource::Hop CollisionSource::hopOf(const Histories& histories, const Cl
                                             const std::array<double, 2>& radii,
                                             std::span<const ImpactBody> bodies, double time) const {
     const double push = pushAt(histories, cluster, contact, radii, bodies, time);
-    double approach = 0, radius = infinity, reach = 0;
+    double approach = 0, speed = 0, radius = infinity, reach = 0;
     for (const auto& [index, sign] :
          {std::pair{contact.first, 1.0}, std::pair{contact.second, -1.0}}) {
         const std::size_t body = cluster.bodies[index];
         const Vector arm = contact.point - bodies[index].centre;
-        approach += sign * contact.normal.dot(bodies[index].velocity +
-                                              bodies[index].angularVelocity.cross(arm));
+        const Vector velocity = bodies[index].velocity + bodies[index].angularVelocity.cross(arm);
+        approach += sign * contact.normal.dot(velocity);
+        speed += velocity.norm();
         radius = std::min(radius, records_[body].radius);
         reach += records_[body].radius + bodies[index].centre.norm();
     }
-    if (!(approach < 0))
+    if (!(approach < -collision::approachThreshold * speed))
         return {};
     // Hops that the search may pass over (time_of_impact.h) are lower still; where a body rests,
     // what sinks in unnoticed would hop again by that much without end.
@@ -242,11 +253,36 @@ CollisionSource::Hop CollisionSource::hopOf(const Histories& histories, const Cl
         resting_.slack(cluster.bodies[contact.first], cluster.bodies[contact.second]);
     const double lowest =
         std::max({limits_.hopHeight * radius, 2e-9 * radius, 2 * slack * radius, 1e-13 * reach});
-    const double speed = -contact.restitution * approach;
-    Hop hop{.approaches = true, .isLow = push < 0 && speed * speed / (-2 * push) < lowest};
+    const double parting = -contact.restitution * approach;
+    Hop hop{.approaches = true, .isLow = push < 0 && parting * parting / (-2 * push) < lowest};
     if (hop.isLow && contact.restitution < 1)
-        hop.settling = 2 * speed / (-push * (1 - contact.restitution));
+        hop.settling = 2 * parting / (-push * (1 - contact.restitution));
     return hop;
+}
+
+// Of a patch one end of which hits much faster than the other, as where what rattles itself flat
+// hits with its ends in turn, the blow is at that end.
+void CollisionSource::aimAtFastest(Cluster& cluster, const std::vector<ImpactBody>& bodies) {
+    constexpr double together = 0.25; // of the fastest
+    for (std::size_t c = 0; c < cluster.contacts.size(); ++c) {
+        double fastest = 0;
+        std::vector<std::pair<double, Vector>> corners;
+        for (std::size_t i = 0; i < cluster.corners.size(); ++i)
+            if (cluster.contactOf[i] == c) {
+                const double rate = closingAt(cluster.corners[i], bodies).rate;
+                corners.emplace_back(rate, cluster.corners[i].point);
+                fastest = std::min(fastest, rate);
+            }
+        std::erase_if(corners,
+                      [&](const auto& corner) { return !(corner.first <= together * fastest); });
+        const auto all = static_cast<std::size_t>(std::ranges::count(cluster.contactOf, c));
+        if (!(fastest < 0) || corners.size() == all)
+            continue;
+        Vector sum = Vector::Zero();
+        for (const auto& [rate, point] : corners)
+            sum += point;
+        cluster.contacts[c].point = sum / static_cast<double>(corners.size());
+    }
 }
 
 // A patch gets one impulse at its centre. Where it then sinks in at a corner, corners take part:

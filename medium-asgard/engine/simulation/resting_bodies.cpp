@@ -1,5 +1,6 @@
 #include "simulation/resting_bodies.h"
 
+#include "simulation/bearing_rates.h"
 #include "simulation/encounter_search.h"
 
 #include <algorithm>
@@ -73,6 +74,22 @@ physics::ImpactBody RestingBodies::impactBody(std::size_t body, double time,
         impact.inverseInertia = r * motion.mass.inertia.inverse() * r.transpose();
     }
     return impact;
+}
+
+BodyState RestingBodies::bearingState(const Histories& histories, std::size_t body,
+                                      double time) const {
+    const BodyState state = stateOf(records_[body], histories, time);
+    const auto found = resting_.find(body);
+    if (found == resting_.end() || !canGiveWay(body, time))
+        return state;
+    std::vector<physics::GapRow> rows;
+    for (const Footing& footing : found->second.rest.footings) {
+        const BodyState support = stateOf(records_[footing.support], histories, time);
+        for (const physics::GapConstraint& constraint : footing.constraints)
+            rows.push_back(bearingRow(constraint, records_[body], state, support));
+    }
+    const physics::BodyMotion& motion = equations_.bodies[body];
+    return withoutRates(state, motion, motion.heldAt(time).attitude, rows);
 }
 
 Acceleration RestingBodies::freeAcceleration(const Histories& histories, std::size_t body,

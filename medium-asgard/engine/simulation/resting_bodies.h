@@ -53,6 +53,9 @@ public:
                                 const States& changed = {}) const;
     [[nodiscard]] physics::ImpactBody impactBody(std::size_t body, double time,
                                                  const BodyState& state) const;
+    // The state of a body, at rest along the normals of what bears.
+    [[nodiscard]] BodyState bearingState(const solution::Histories& histories, std::size_t body,
+                                         double time) const;
     [[nodiscard]] bool canGiveWay(std::size_t body, double time) const;
 
     // From `time` on the body rests like this, or is free.

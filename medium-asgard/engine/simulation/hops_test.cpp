@@ -1,0 +1,184 @@
+// A box that lands tilted on a floor hops and rocks itself to rest: each hop is right, not only the
+// rest that all of them lead to. Held against an integration that shares nothing with the engine.
+#include "simulation/testing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace simulation::testing {
+namespace {
+
+struct Fall {
+    double height = 1;                // of the box, whose width is 1
+    double restitution = 0, tilt = 0; // about the z axis
+};
+constexpr double width = 1, depth = 0.8, drop = 0.3, finish = 1.2;
+
+// In the plane, from event to event in long double: in free flight the next time at which a corner
+// can touch follows from its speed and a bound on its acceleration; on one corner the box falls by
+// an equation in its angle, by the method of Runge and Kutta; hops end where they are slower than
+// `still`.
+class RockingBox {
+    using Real = long double;
+
+public:
+    explicit RockingBox(const Fall& fall)
+        : height_(fall.height), restitution_(fall.restitution),
+          inertia_((width * width + height_ * height_) / 12), y_(height_ / 2 + drop),
+          angle_(fall.tilt) {}
+
+    [[nodiscard]] double y() const { return static_cast<double>(y_); }
+    [[nodiscard]] double angle() const { return static_cast<double>(angle_); }
+
+    void advanceTo(double time) {
+        while (time_ < time && !isAtRest_)
+            if (pivot_ < 0)
+                fly(time);
+            else
+                rock(time);
+    }
+
+private:
+    static constexpr Real still = 1e-7L, touching = 1e-17L, step = 1e-4L;
+    struct Arm { // from the centre of mass to a lower corner
+        Real x, y;
+    };
+    [[nodiscard]] Arm arm(int corner, Real angle) const {
+        const Real along = corner == 0 ? -width / 2.0L : width / 2.0L;
+        const Real c = std::cos(angle), s = std::sin(angle);
+        return {along * c + height_ / 2 * s, along * s - height_ / 2 * c};
+    }
+    [[nodiscard]] Real gap(int corner) const { return y_ + arm(corner, angle_).y; }
+    [[nodiscard]] Real rate(int corner) const { return v_ + spin_ * arm(corner, angle_).x; }
+
+    void fly(Real until) {
+        const Real radius = std::hypot(Real(width), height_) / 2;
+        const Real most = Real(g) + radius * spin_ * spin_; // acceleration towards the floor
+        Real dt = until - time_;
+        int next = -1;
+        for (const int corner : {0, 1}) {
+            const Real h = std::max<Real>(gap(corner), 0), u = rate(corner);
+            const Real root = std::sqrt(u * u + 2 * most * h);
+            const Real safe = u < 0 ? 2 * h / (root - u) : (u + root) / most;
+            if (safe < dt) {
+                dt = safe;
+                next = corner;
+            }
+        }
+        y_ += v_ * dt - Real(g) * dt * dt / 2;
+        v_ -= Real(g) * dt;
+        angle_ += spin_ * dt;
+        time_ = next < 0 ? until : time_ + dt;
+        if (next >= 0 && rate(next) < 0 && gap(next) < touching)
+            hit(next);
+    }
+
+    [[nodiscard]] Real turning(Real angle, Real spin) const { // about the pivot, without friction
+        const Arm a = arm(pivot_, angle);
+        return a.x * (Real(g) + a.y * spin * spin) / (inertia_ + a.x * a.x);
+    }
+    void turn(Real dt) {
+        const Real k1 = spin_, l1 = turning(angle_, spin_);
+        const Real k2 = spin_ + dt / 2 * l1, l2 = turning(angle_ + dt / 2 * k1, k2);
+        const Real k3 = spin_ + dt / 2 * l2, l3 = turning(angle_ + dt / 2 * k2, k3);
+        const Real k4 = spin_ + dt * l3, l4 = turning(angle_ + dt * k3, k4);
+        angle_ += dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+        spin_ += dt / 6 * (l1 + 2 * l2 + 2 * l3 + l4);
+        y_ = -arm(pivot_, angle_).y;
+        v_ = -arm(pivot_, angle_).x * spin_;
+        time_ += dt;
+    }
+    void rock(Real until) {
+        const RockingBox before = *this;
+        const int other = 1 - pivot_;
+        turn(std::min(step, until - time_));
+        if (gap(other) > 0)
+            return;
+        Real early = 0, late = time_ - before.time_;
+        for (int i = 0; i < 80; ++i) {
+            const Real middle = (early + late) / 2;
+            *this = before;
+            turn(middle);
+            (gap(other) > 0 ? early : late) = middle;
+        }
+        hit(other);
+    }
+
+    bool push(int corner, Real restitution) {
+        const Real u = rate(corner), x = arm(corner, angle_).x;
+        if (u >= 0)
+            return false;
+        const Real impulse = -(1 + restitution) * u / (1 + x * x / inertia_);
+        v_ += impulse;
+        spin_ += impulse * x / inertia_;
+        return true;
+    }
+    // What the box stood on is hit after it, and so on in turn.
+    void hit(int corner) {
+        const int other = 1 - corner;
+        push(corner, restitution_);
+        for (int i = 0; i < 10'000 && pivot_ == other; ++i)
+            if (!push(other, restitution_) && !push(corner, restitution_))
+                break;
+        const bool stoodOn = std::exchange(pivot_, -1) == other;
+        const bool isSlow = std::abs(rate(corner)) < still;
+        isAtRest_ = isSlow && (stoodOn || gap(other) < touching) && std::abs(rate(other)) < still;
+        if (isAtRest_)
+            return;
+        for (const int slow : {corner, other})
+            if (std::abs(rate(slow)) < still && (slow == corner || stoodOn)) {
+                push(slow, 0);
+                pivot_ = slow;
+            }
+    }
+
+    Real height_, restitution_, inertia_;
+    Real time_ = 0, y_, v_ = 0, angle_, spin_ = 0;
+    int pivot_ = -1;
+    bool isAtRest_ = false;
+};
+
+Result fallOf(const Fall& fall, double accuracy) {
+    SceneBuilder b(finish, accuracy);
+    b.floor();
+    scene::Body& box = b.box("box", {0, fall.height / 2 + drop, 0}, {width, fall.height, depth});
+    box.restitution = fall.restitution;
+    box.initialAttitude = geometry::fromRotationVector({0, 0, fall.tilt});
+    b.weight("box");
+    return simulate(b.scene);
+}
+
+// Over the size of what moves, as the accuracy is.
+double largestError(const Fall& fall, const Motion& motion) {
+    const double radius = Vector(width, fall.height, depth).norm() / 2;
+    RockingBox truth(fall);
+    double largest = 0;
+    constexpr int times = 1200;
+    for (int i = 0; i <= times; ++i) {
+        const double t = finish * i / times;
+        truth.advanceTo(t);
+        const BodyState state = motion.at(1, t);
+        const double angle = 2 * std::atan2(state.attitude.z(), state.attitude.w());
+        largest = std::max({largest, std::abs(state.position.y() - truth.y()),
+                            radius * std::abs(angle - truth.angle())});
+    }
+    return largest / (2 * radius + drop);
+}
+
+TEST(Hops, OfABoxThatRocksItselfToRestAreRight) {
+    for (const double accuracy : {1e-4, 1e-6, 1e-7})
+        for (const double height : {0.2, 0.4, 1.0})
+            for (const double restitution : {0.04, 0.3, 0.6})
+                for (const double tilt : {0.001, 0.01, 0.03}) {
+                    const Fall fall{.height = height, .restitution = restitution, .tilt = tilt};
+                    const Result result = fallOf(fall, accuracy);
+                    ASSERT_FALSE(result.motion->stop(1)) << result.motion->stop(1)->sentence;
+                    const double estimate = result.motion->errorEstimate().value_or(0);
+                    EXPECT_LE(largestError(fall, *result.motion), std::max(accuracy, 3 * estimate))
+                        << accuracy << " " << height << " " << restitution << " " << tilt;
+                }
+}
+
+} // namespace
+} // namespace simulation::testing
