@@ -28,7 +28,10 @@ constexpr double orderly = 0.1; // the largest difference that shows an order
 constexpr double leastOrder = 0.7, mostOrder = 1.45, leastBelieved = 0.5, mostBelieved = 1.5;
 constexpr double closer = 0.5; // of the difference before: what comes closer
 constexpr double later = 1.02; // than wrong runs parted before: what comes closer, too
-constexpr int patience = 2;    // pairs of runs that come no closer, before tightening is given up
+// Pairs of runs that come no closer, before tightening is given up: where they differ by little
+// more than the accuracy, and rounding is too far off to be why, errors may yet begin to fall.
+constexpr int patience = 2, morePatience = 5;
+constexpr double farAboveRounding = 1e4; // a tolerance
 // What rounding does in a step, as a tolerance: where errors of the reference scenes stop falling.
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double roundingUnits = 64, leastUnits = 4;
@@ -95,6 +98,7 @@ double Tightening::next(std::size_t b, const IslandError& difference, BodyError&
     const bool isNoCloser = body.before >= 0 && !(error < closer * body.before) &&
                             !(isWrong && beyond > later * body.beyondBefore);
     const double unsettled = std::max(ahead.estimate, std::min(error, 1.0));
+    const bool mayYetFall = error <= far * accuracy_ && tight > farAboveRounding * rounding;
     body.failures += isNoCloser ? 1 : 0;
     body.before = error;
     body.beyondBefore = beyond;
@@ -104,7 +108,7 @@ double Tightening::next(std::size_t b, const IslandError& difference, BodyError&
         settle(b, difference, ahead.estimate, growth, known);
         body.wantsProof =
             difference.steps <= fewSteps && error > 0 && tightening * tight > rounding;
-    } else if (body.failures >= patience)
+    } else if (body.failures >= (mayYetFall ? morePatience : patience))
         settle(b, difference, unsettled, 1, known);
     else if (tight <= rounding)
         settle(b, difference, isWrong ? unsettled : ahead.estimate, growth, known);

@@ -184,6 +184,25 @@ TEST(Rounding, AHeadOnHitOfEqualBallsAmplifiesNothing) {
     EXPECT_THAT(result.motion->notes(), IsEmpty());
 }
 
+// How the velocity turns round is hit or missed by single steps, until they are as short as that
+// takes: runs come no closer for a while, and rounding has no part in it.
+TEST(Rounding, IsNotBlamedWhereItIsFar) {
+    const auto rubbed = [](double accuracy) {
+        SceneBuilder b(10, accuracy);
+        b.ball("b", {0, 0, 0}).initialVelocity = {3, 0, 0};
+        b.force("b", "20*sin(t) + -5*tanh(b.dx/0.001)", "0", "0");
+        return simulate(b.scene);
+    };
+    const std::vector<double> truth = rows(*rubbed(1e-11).motion, 0); // some 20 long
+    for (const double accuracy : {2e-6, 1e-6, 7e-7, 1e-7}) {
+        const Result result = rubbed(accuracy);
+        EXPECT_THAT(result.motion->notes(), IsEmpty()) << accuracy;
+        const std::vector<double> found = rows(*result.motion, 0);
+        for (std::size_t i = 0; i < truth.size(); i += 8) // x
+            EXPECT_NEAR(found[i], truth[i], 10 * accuracy) << accuracy << ", row " << i / 8;
+    }
+}
+
 // Two masses on rods, in their two angles: the motion is chaotic, and rounding reaches any size.
 SceneBuilder doublePendulum(double finish, double accuracy) {
     SceneBuilder b(finish, accuracy);
