@@ -98,8 +98,10 @@ public:
     // How surfaces are passed. Where each side seems to lead to the other, by rounding or since the
     // motion only touches the surface, it `stands` on it until it is seen where the motion goes,
     // and then `leaves` to that side, from where it stood. What goes neither way `stays` until it
-    // has left by itself.
-    enum class Passing { across, stands, leaves, stays };
+    // has left by itself. Where several meet, and passing one after the other does not end, what
+    // all of them do is `solved` at once: each is slid upon, or left to a side to which the field
+    // leads.
+    enum class Passing { across, solved, stands, leaves, stays };
     // Passes the surfaces of those watches, or slides on them; y is put onto surfaces of sliding.
     [[nodiscard]] Crossing cross(const Violation& violation, double t, std::span<double> y,
                                  Passing how);
@@ -176,6 +178,13 @@ private:
     [[nodiscard]] double distance(std::size_t surface);
     [[nodiscard]] double valueOf(std::size_t surface);
     [[nodiscard]] bool holdsOn(const std::vector<std::size_t>& surfaces);
+    // Corners (component_corners.cpp).
+    [[nodiscard]] std::vector<std::size_t> surfacesHere();
+    struct Solution {
+        bool within, leaves; // weights within (0, 1); all others lead away, and none along
+    };
+    [[nodiscard]] bool isSolved(std::span<const std::size_t> surfaces, Solution asked);
+    [[nodiscard]] bool solveCorner();
     [[nodiscard]] bool settleWeights(double t, std::span<const double> y);
     void project(double t, std::span<double> y);
     [[nodiscard]] bool differences(double t, std::span<const double> y, std::span<double> entries);

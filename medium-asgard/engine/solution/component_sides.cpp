@@ -405,6 +405,11 @@ ComponentEquations::Crossing ComponentEquations::cross(const Violation& violatio
     if (t != standingAt_)
         standing_.clear();
     standingAt_ = t;
+    if (how == Passing::solved && solveCorner()) {
+        project(t, y);
+        refreshWatches();
+        return Crossing::done;
+    }
     Passed passed{.isAlone = violation.watches.size() == 1};
     for (const std::size_t k : violation.watches)
         pass(watches_[k], how, passed);
@@ -414,7 +419,7 @@ ComponentEquations::Crossing ComponentEquations::cross(const Violation& violatio
     if (!settleWeights(t, y)) { // beside the surface a side may have no value, as a root's
         sliding_ = slid;
         project(t, y);
-        if (!settleWeights(t, y))
+        if (!settleWeights(t, y) && !solveCorner())
             return Crossing::impossible;
     }
     project(t, y);

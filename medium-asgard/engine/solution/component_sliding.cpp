@@ -13,13 +13,24 @@ namespace solution {
 namespace {
 
 // Where several will do, as at rest on the surface of a place and on that of its velocity, those
-// that are nearest to the middle.
+// that are nearest to the middle; what then lies beyond [0, 1] is put to its end, one after the
+// other.
 Eigen::VectorXd weightsFor(const Eigen::MatrixXd& change, const Eigen::VectorXd& wanted) {
     const Eigen::FullPivLU<Eigen::MatrixXd> lu = change.fullPivLu();
     if (lu.isInvertible())
         return lu.solve(wanted);
-    const Eigen::VectorXd middle = Eigen::VectorXd::Constant(wanted.size(), 0.5);
-    return middle + change.completeOrthogonalDecomposition().solve(wanted - change * middle);
+    Eigen::MatrixXd open = change; // columns of those that are not at an end
+    Eigen::VectorXd w = Eigen::VectorXd::Constant(wanted.size(), 0.5);
+    for (Eigen::Index round = 0; round < wanted.size(); ++round) {
+        w += open.completeOrthogonalDecomposition().solve(wanted - change * w);
+        Eigen::Index farthest = 0;
+        const double beyond = (w.array() - 0.5).abs().maxCoeff(&farthest);
+        if (beyond <= 0.5 + 1e-12)
+            break;
+        w(farthest) = w(farthest) > 0.5 ? 1 : 0;
+        open.col(farthest).setZero();
+    }
+    return w;
 }
 
 } // namespace

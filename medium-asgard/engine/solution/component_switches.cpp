@@ -123,6 +123,8 @@ ComponentEquations::Passing Component::passing(const Violation& violation, bool 
     using enum ComponentEquations::Passing;
     if (immediate && violation.time > time_)
         return leaves;
+    if (immediate && immediate_ == patience() + 1)
+        return solved;
     if (immediate)
         return immediate_ > 2 * patience() ? stays : immediate_ > patience() ? stands : across;
     const double near = 1e-5 * std::max(std::abs(time_), time_ - options_.start);

@@ -181,3 +181,26 @@ TEST(Holding, RestOnAStepWhileOthersMove) {
         EXPECT_LT(solver.statistics().switches, 12u);
     }
 }
+
+// Two bodies that rub on the ground and on each other come to rest at the same time: of three
+// switches no two say all, and no order of passing them comes to an end.
+TEST(Holding, WhereMoreSwitchesMeetThanThereAreSpeeds) {
+    const auto expectEnd = [](const std::vector<Line>& lines, double dx, double dy) {
+        for (const double accuracy : accuracies) {
+            const Solver solver = solved(equationsOf(lines), 9, tolerance(accuracy));
+            ASSERT_EQ(solver.histories().stop(1), nullptr) << solver.histories().stop(1)->sentence;
+            EXPECT_NEAR(solver.histories().value(1, 9), dx, 1e-12);
+            EXPECT_NEAR(solver.histories().value(3, 9), dy, 1e-12);
+        }
+    };
+    expectEnd({{"x", "dx", 0, 1},
+               {"dx", "-2*sign(dx-dy)-0.5*floor(dx)-sign(dx)", 1.5},
+               {"y", "dy", 0, 1},
+               {"dy", "2*sign(dx-dy)-0.5*floor(dy)-sign(dy)", 0.5}},
+              0, 0);
+    expectEnd({{"x", "dx", 0, 1},
+               {"dx", "-0.7*floor(dx-dy)-1.3*ceil(dx)-0.7*floor(2*dx)+0.3*ceil(dx)", 0},
+               {"y", "dy", 0, 1},
+               {"dy", "0.3*ceil(dy)-0.7*floor(dy-dx)-0.5*floor(dy)+0.25-0.25*dy", 0.9}},
+              0, 1);
+}
