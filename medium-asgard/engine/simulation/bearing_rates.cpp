@@ -1,5 +1,7 @@
 #include "simulation/bearing_rates.h"
 
+#include <cmath>
+
 namespace simulation {
 namespace {
 
@@ -10,6 +12,7 @@ using Kind = physics::GapConstraint::Kind;
 struct Contact { // world
     Vector normal = Vector::UnitX();
     Vector onBody = Vector::Zero(), onSupport = Vector::Zero(); // material points
+    double gap = 0;
 };
 
 Vector along(const Vector& v, const Vector& direction) { return direction * direction.dot(v); }
@@ -27,15 +30,24 @@ Contact contactOf(const GapConstraint& c, const BodyState& body, const BodyState
     switch (c.kind) {
     case Kind::onSupportPlane: {
         const Vector normal = support.attitude * c.normal;
-        return {.normal = normal, .onBody = p, .onSupport = p - c.radius * normal};
+        return {.normal = normal,
+                .onBody = p,
+                .onSupport = p - c.radius * normal,
+                .gap = normal.dot(p - q) - c.radius};
     }
     case Kind::onBodyPlane: {
         const Vector normal = body.attitude * c.normal;
-        return {.normal = normal, .onBody = q + c.radius * normal, .onSupport = q};
+        return {.normal = normal,
+                .onBody = q + c.radius * normal,
+                .onSupport = q,
+                .gap = normal.dot(p - q) - c.radius};
     }
     case Kind::roundOnLine: {
         const Vector foot = q + along(p - q, edge);
-        return {.normal = (p - foot).normalized(), .onBody = p, .onSupport = foot};
+        return {.normal = (p - foot).normalized(),
+                .onBody = p,
+                .onSupport = foot,
+                .gap = (p - foot).norm() - c.radius};
     }
     case Kind::edgeOnEdge: {
         const Vector own = body.attitude * c.bodyEdge;
@@ -45,7 +57,10 @@ Contact contactOf(const GapConstraint& c, const BodyState& body, const BodyState
             .normal = c.flipped ? Vector(-across) : across, .onBody = place, .onSupport = place};
     }
     default:
-        return {.normal = (p - q).normalized(), .onBody = p, .onSupport = q};
+        return {.normal = (p - q).normalized(),
+                .onBody = p,
+                .onSupport = q,
+                .gap = (p - q).norm() - c.radius};
     }
 }
 
@@ -53,38 +68,65 @@ Vector velocityAt(const BodyState& state, const Vector& point) {
     return state.velocity + state.angularVelocity.cross(point - state.position);
 }
 
+Vector inWorld(const Vector& turning, const physics::BodyMotion& motion, const BodyState& state) {
+    return motion.symbols.isSpinInWorldAxes ? turning : Vector(state.attitude * turning);
+}
+
 } // namespace
 
-GapRow bearingRow(const GapConstraint& constraint, const BodyRecord& record, const BodyState& body,
-                  const BodyState& support) {
-    GapRow row;
+BearingRow bearingRow(const GapConstraint& constraint, const BodyRecord& record,
+                      const BodyState& body, const BodyState& support) {
+    BearingRow row;
     Vector turning;
     if (constraint.kind == Kind::tilt) {
         turning = body.attitude * constraint.bodyEdge;
-        row.rate = turning.dot(body.angularVelocity);
+        row.rates.rate = turning.dot(body.angularVelocity);
     } else {
         const Contact contact = contactOf(constraint, body, support);
-        row.linear = contact.normal;
+        row.rates.linear = contact.normal;
         turning = (contact.onBody - body.position).cross(contact.normal);
-        row.rate = contact.normal.dot(velocityAt(body, contact.onBody) -
-                                      velocityAt(support, contact.onSupport));
+        row.rates.rate = contact.normal.dot(velocityAt(body, contact.onBody) -
+                                            velocityAt(support, contact.onSupport));
+        row.gap = contact.gap;
     }
-    row.angular = record.isSpinInWorldAxes ? turning : Vector(body.attitude.conjugate() * turning);
+    row.rates.angular =
+        record.isSpinInWorldAxes ? turning : Vector(body.attitude.conjugate() * turning);
     return row;
 }
 
-BodyState withoutRates(const BodyState& state, const physics::BodyMotion& motion,
-                       bool attitudeIsHeld, std::span<const GapRow> rows) {
-    std::vector<GapRow> independent;
-    for (const std::size_t i : physics::independentOf(motion, attitudeIsHeld, rows))
-        independent.push_back(rows[i]);
-    const physics::VelocityChange change =
-        physics::changeToRates(motion, attitudeIsHeld, independent);
-    BodyState still = state;
-    still.velocity += change.linear;
-    still.angularVelocity +=
-        motion.symbols.isSpinInWorldAxes ? change.angular : Vector(state.attitude * change.angular);
-    return still;
+BodyState bearingExactly(const BodyState& state, const physics::BodyMotion& motion,
+                         bool attitudeIsHeld, std::span<const BearingRow> rows) {
+    std::vector<GapRow> all;
+    for (const BearingRow& row : rows)
+        all.push_back(row.rates);
+    std::vector<GapRow> rates, gaps;
+    for (const std::size_t i : physics::independentOf(motion, attitudeIsHeld, all)) {
+        rates.push_back(all[i]);
+        gaps.push_back(all[i]);
+        gaps.back().rate = rows[i].gap;
+    }
+    const physics::VelocityChange speed = physics::changeToRates(motion, attitudeIsHeld, rates);
+    const physics::VelocityChange place = physics::changeToRates(motion, attitudeIsHeld, gaps);
+    BodyState exact = state;
+    exact.velocity += withoutRounding(speed.linear);
+    exact.angularVelocity += withoutRounding(inWorld(speed.angular, motion, state));
+    exact.position += withoutRounding(place.linear);
+    const Vector turn = withoutRounding(inWorld(place.angular, motion, state));
+    if (!turn.isZero(0))
+        exact.attitude = turnedBy(state.attitude, turn);
+    return exact;
+}
+
+Vector withoutRounding(const Vector& v) {
+    constexpr double rounding = 1e-9;
+    return v.unaryExpr([least = rounding * v.cwiseAbs().maxCoeff()](double x) {
+        return std::abs(x) <= least ? 0 : x;
+    });
+}
+
+Quaternion turnedBy(const Quaternion& attitude, const Vector& turn) {
+    const Quaternion rotation(1, turn.x() / 2, turn.y() / 2, turn.z() / 2);
+    return (rotation * attitude).normalized();
 }
 
 } // namespace simulation

@@ -1,25 +1,39 @@
-// What bears has no speed along the normal of its contact.
+// What bears touches, and has no speed along the normal of its contact.
 //
-// Its constraint says so of the exact motion; the integration errs, and leaves the gap opening or
-// closing by next to nothing. An impact elsewhere on the body asks which of its contacts approach
-// at that instant (physics/impact.h), and another answer is another motion: what bears is at rest,
-// and takes part once the blow has reached it. So the error is taken out of the velocities before,
-// by the least change in the sense of kinetic energy.
+// Its constraint says so of the exact motion; the integration errs, and leaves a gap that opens or
+// closes by next to nothing. An impact elsewhere on the body asks which of its contacts approach
+// at that instant (physics/impact.h), and after it an edge that bore lands again on both of its
+// ends at once, or on one and then the other: another answer is another motion. So the error is
+// taken out of places and velocities before, by the least change in the sense of kinetic energy.
 #pragma once
 
 #include "simulation/body_motion.h"
 
 #include "physics/resting.h"
 
+#include <span>
+
 namespace simulation {
 
-// J and g' of a contact that bears (physics/resting.h), from the states of both.
-[[nodiscard]] physics::GapRow bearingRow(const physics::GapConstraint& constraint,
-                                         const BodyRecord& record, const BodyState& body,
-                                         const BodyState& support);
+struct BearingRow {
+    physics::GapRow rates; // J and g' (physics/resting.h)
+    double gap = 0;        // 0 of a tilt: what lies flat does not turn, and so errs in none
+};
 
-// The body's state with these rates 0.
-[[nodiscard]] BodyState withoutRates(const BodyState& state, const physics::BodyMotion& motion,
-                                     bool attitudeIsHeld, std::span<const physics::GapRow> rows);
+// Of a contact that bears, from the states of both.
+[[nodiscard]] BearingRow bearingRow(const physics::GapConstraint& constraint,
+                                    const BodyRecord& record, const BodyState& body,
+                                    const BodyState& support);
+
+// The body's state with these gaps and rates 0.
+[[nodiscard]] BodyState bearingExactly(const BodyState& state, const physics::BodyMotion& motion,
+                                       bool attitudeIsHeld, std::span<const BearingRow> rows);
+
+// A vector without what is rounding beside its largest component: in a plane nothing is to leave it
+// (solution/zero_states.h).
+[[nodiscard]] Vector withoutRounding(const Vector& v);
+
+// By a rotation vector next to nothing, about the world's axes.
+[[nodiscard]] Quaternion turnedBy(const Quaternion& attitude, const Vector& turn);
 
 } // namespace simulation

@@ -164,6 +164,7 @@ private:
                                        double time);
     void settle(const solution::Histories& histories, std::size_t body, double time,
                 const RestingBodies::States& states, solution::Event& event);
+    void jump(std::size_t body, const BodyState& from, const BodyState& to, solution::Event& event);
     [[nodiscard]] std::string bodiesQuoted(const Pair& pair) const;
     [[nodiscard]] std::string leaning(std::size_t a, std::size_t b) const;
     [[nodiscard]] std::string lost(const Pair& pair, double time) const;

@@ -171,21 +171,12 @@ std::optional<Event> CollisionSource::meet(const Histories& histories, const Pai
         const std::size_t body = cluster.bodies[i];
         if (records_[body].isFixed)
             continue;
-        BodyState state = stateOf(records_[body], histories, time);
-        const auto first = equations_.bodies[body].unknownsOf(
-            {state.position, state.velocity, state.attitude, state.angularVelocity});
-        state.velocity = result.bodies[i].velocity;
-        state.angularVelocity = result.bodies[i].angularVelocity;
-        after[body] = state;
-        const auto then = equations_.bodies[body].unknownsOf(
-            {state.position, state.velocity, state.attitude, state.angularVelocity});
-        const bool linear = before[i].velocity != result.bodies[i].velocity;
-        const bool angular = before[i].angularVelocity != result.bodies[i].angularVelocity;
-        for (std::size_t k = physics::dx; k < physics::bodyUnknowns; ++k)
-            if ((k < physics::qw ? linear : k >= physics::w1 && angular) && first[k] != then[k]) {
-                outcome_.jumps.push_back({records_[body].firstUnknown + k, then[k]});
-                event.touched.push_back(records_[body].firstUnknown + k);
-            }
+        after[body] = resting_.bearingState(histories, body, time);
+        after[body].velocity = result.bodies[i].velocity;
+        after[body].angularVelocity = result.bodies[i].angularVelocity;
+        if (before[i].velocity != result.bodies[i].velocity ||
+            before[i].angularVelocity != result.bodies[i].angularVelocity)
+            jump(body, stateOf(records_[body], histories, time), after[body], event);
     }
     if (event.touched.empty())
         return std::nullopt;
@@ -195,6 +186,21 @@ std::optional<Event> CollisionSource::meet(const Histories& histories, const Pai
         if (resting_.canGiveWay(body, time) && (isPlastic || resting_.isResting(body)))
             settle(histories, body, time, after, event);
     return event;
+}
+
+// Of the body's unknowns those that are not the same.
+void CollisionSource::jump(std::size_t body, const BodyState& from, const BodyState& to,
+                           Event& event) {
+    const physics::BodyMotion& motion = equations_.bodies[body];
+    const auto first =
+        motion.unknownsOf({from.position, from.velocity, from.attitude, from.angularVelocity});
+    const auto then =
+        motion.unknownsOf({to.position, to.velocity, to.attitude, to.angularVelocity});
+    for (std::size_t k = 0; k < physics::bodyUnknowns; ++k)
+        if (first[k] != then[k]) {
+            outcome_.jumps.push_back({records_[body].firstUnknown + k, then[k]});
+            event.touched.push_back(records_[body].firstUnknown + k);
+        }
 }
 
 // Whatever the body touches now and does not part from, it rests on.

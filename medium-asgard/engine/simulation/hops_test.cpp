@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace simulation::testing {
 namespace {
@@ -154,7 +155,7 @@ double largestError(const Fall& fall, const Motion& motion) {
     const double radius = Vector(width, fall.height, depth).norm() / 2;
     RockingBox truth(fall);
     double largest = 0;
-    constexpr int times = 1200;
+    constexpr int times = 600;
     for (int i = 0; i <= times; ++i) {
         const double t = finish * i / times;
         truth.advanceTo(t);
@@ -167,7 +168,7 @@ double largestError(const Fall& fall, const Motion& motion) {
 }
 
 TEST(Hops, OfABoxThatRocksItselfToRestAreRight) {
-    for (const double accuracy : {1e-4, 1e-6, 1e-7})
+    for (const double accuracy : {1e-4, 1e-7})
         for (const double height : {0.2, 0.4, 1.0})
             for (const double restitution : {0.04, 0.3, 0.6})
                 for (const double tilt : {0.001, 0.01, 0.03}) {

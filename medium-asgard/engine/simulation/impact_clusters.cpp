@@ -241,7 +241,7 @@ CollisionSource::Hop CollisionSource::hopOf(const Histories& histories, const Cl
         const Vector arm = contact.point - bodies[index].centre;
         const Vector velocity = bodies[index].velocity + bodies[index].angularVelocity.cross(arm);
         approach += sign * contact.normal.dot(velocity);
-        speed += velocity.norm();
+        speed += bodies[index].velocity.norm() + bodies[index].angularVelocity.norm() * arm.norm();
         radius = std::min(radius, records_[body].radius);
         reach += records_[body].radius + bodies[index].centre.norm();
     }

@@ -1,5 +1,7 @@
 #include "simulation/rest.h"
 
+#include "simulation/bearing_rates.h"
+
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -259,14 +261,6 @@ private:
         const Eigen::VectorXd impulses = solver.compute(mobility).solve(-gaps);
         rest_.correction = withoutRounding(q_.mobility.inverseMass * rows.transpose() * impulses);
         rest_.turn = withoutRounding(q_.mobility.inverseInertia * (turning.transpose() * impulses));
-    }
-
-    // In a plane nothing is to leave it (solution/zero_states.h).
-    static Vector withoutRounding(const Vector& v) {
-        constexpr double rounding = 1e-9;
-        return v.unaryExpr([least = rounding * v.cwiseAbs().maxCoeff()](double x) {
-            return std::abs(x) <= least ? 0 : x;
-        });
     }
 
     // Of the axes of a touch that along which they part fastest.

@@ -24,12 +24,6 @@ std::array<double, physics::bodyUnknowns> unknownsOf(const physics::BodyMotion& 
     return body.unknownsOf({state.position, state.velocity, state.attitude, state.angularVelocity});
 }
 
-// By a rotation vector next to nothing, about the world's axes.
-Quaternion turnedBy(const Quaternion& attitude, const Vector& turn) {
-    const Quaternion rotation(1, turn.x() / 2, turn.y() / 2, turn.z() / 2);
-    return (rotation * attitude).normalized();
-}
-
 // To the next look at forces, so long after the start. It does not depend on when the motion ends.
 double strideAfter(double elapsed) {
     const double octave = elapsed > 0 ? std::exp2(std::ceil(std::log2(elapsed))) : 0;
@@ -80,16 +74,16 @@ BodyState RestingBodies::bearingState(const Histories& histories, std::size_t bo
                                       double time) const {
     const BodyState state = stateOf(records_[body], histories, time);
     const auto found = resting_.find(body);
-    if (found == resting_.end() || !canGiveWay(body, time))
+    if (found == resting_.end() || !canGiveWay(body, time) || !state.angularVelocity.allFinite())
         return state;
-    std::vector<physics::GapRow> rows;
+    std::vector<BearingRow> rows;
     for (const Footing& footing : found->second.rest.footings) {
         const BodyState support = stateOf(records_[footing.support], histories, time);
         for (const physics::GapConstraint& constraint : footing.constraints)
             rows.push_back(bearingRow(constraint, records_[body], state, support));
     }
     const physics::BodyMotion& motion = equations_.bodies[body];
-    return withoutRates(state, motion, motion.heldAt(time).attitude, rows);
+    return bearingExactly(state, motion, motion.heldAt(time).attitude, rows);
 }
 
 Acceleration RestingBodies::freeAcceleration(const Histories& histories, std::size_t body,

@@ -53,7 +53,7 @@ public:
                                 const States& changed = {}) const;
     [[nodiscard]] physics::ImpactBody impactBody(std::size_t body, double time,
                                                  const BodyState& state) const;
-    // The state of a body, at rest along the normals of what bears.
+    // The state of a body; where it bears, without what the integration errs there.
     [[nodiscard]] BodyState bearingState(const solution::Histories& histories, std::size_t body,
                                          double time) const;
     [[nodiscard]] bool canGiveWay(std::size_t body, double time) const;
