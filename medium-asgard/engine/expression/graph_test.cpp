@@ -103,6 +103,10 @@ TEST(Simplify, WritesSwitchesInOneWay) {
         {"sign(max(0, x)^2)", "sign(max(0, x))"},
         {"x*abs(x) > 0", "0 < x"},
         {"sign(x*abs(y))", "sign(x*abs(y))"},
+        {"floor(-sign(x))", "-sign(x)"},
+        {"ceil(2*floor(x) - (x < y))", "2*floor(x) - (x < y)"},
+        {"floor(0.5*sign(x))", "floor(0.5*sign(x))"},
+        {"floor(max(x, 1))", "floor(max(x, 1))"},
     };
     for (const Row& row : rows)
         EXPECT_EQ(testing::simplified(row.given), row.expected) << row.given;

@@ -52,6 +52,7 @@ struct Rules {
     [[nodiscard]] Node times(Node n, double by) const;
     [[nodiscard]] bool isLengthOf(Node n, Node of) const;
     [[nodiscard]] bool isNeverNegative(Node n) const;
+    [[nodiscard]] bool isWhole(Node n, int depth = 0) const;
     [[nodiscard]] Node ofSameSign(Node n) const;
     [[nodiscard]] Result sign(Node a) const;
     [[nodiscard]] Result abs(Node a) const;
@@ -239,6 +240,32 @@ bool Rules::isNeverNegative(Node n) const {
            (is(n, Op::max) && (g.isConstant(first(n), 0) || g.isConstant(second(n), 0)));
 }
 
+// It takes whole values only: floor and ceil of it are no switches of their own.
+bool Rules::isWhole(Node n, int depth) const {
+    constexpr int deepest = 8;
+    if (depth > deepest)
+        return false;
+    switch (g.op(n)) {
+    case Op::constant:
+        return g.value(n) == std::floor(g.value(n)) && std::abs(g.value(n)) < 1e6;
+    case Op::sign:
+    case Op::floor:
+    case Op::ceil:
+        return true;
+    case Op::negate:
+    case Op::abs:
+        return isWhole(first(n), depth + 1);
+    case Op::add:
+    case Op::subtract:
+    case Op::multiply:
+    case Op::min:
+    case Op::max:
+        return isWhole(first(n), depth + 1) && isWhole(second(n), depth + 1);
+    default:
+        return isTruth(g.op(n));
+    }
+}
+
 // The least that has its sign: v of v*abs(v), of v^3, of sign(v)*sqrt(abs(v)).
 Node Rules::ofSameSign(Node n) const {
     if (is(n, Op::sign))
@@ -313,6 +340,8 @@ Result Rules::function(Op op, Node a) const {
         return sign(a);
     if (op == Op::abs)
         return abs(a);
+    if ((op == Op::floor || op == Op::ceil) && isWhole(a))
+        return a;
     if (op == Op::logicalNot && is(a, Op::logicalNot))
         return truthOf(first(a));
     if (!is(a, Op::negate))

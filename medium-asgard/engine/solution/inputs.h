@@ -1,6 +1,7 @@
 // What a component reads of others during one of its steps: their dense output.
 //
-// At the end of the step an input may restart; there the value before its event is the right one.
+// At the end of the step an input may restart; there, and by rounding beyond, the value before its
+// event is the right one, whatever is known of what comes later.
 #pragma once
 
 #include "solution/histories.h"
@@ -42,7 +43,7 @@ public:
     [[nodiscard]] const Piece& at(std::size_t i, double t) {
         Piece& piece = pieces_[i];
         if (t < piece.origin || t > piece.until)
-            piece = t >= end_ ? histories_.pieceBefore(unknowns_[i], t)
+            piece = t >= end_ ? histories_.pieceBefore(unknowns_[i], end_)
                               : histories_.piece(unknowns_[i], t);
         return piece;
     }
