@@ -14,7 +14,8 @@ unsigned Function::lanes() { return manyAtOnce().lanes; }
 
 const Kernel::Code* Function::askFor(Purpose purpose, Width width) const {
     Use& use = shared_->uses[static_cast<std::size_t>(purpose)][static_cast<std::size_t>(width)];
-    if (use.evaluations.fetch_add(1, std::memory_order_relaxed) + 1 < batch)
+    const std::uint32_t instances = width == Width::many ? lanes() : 1;
+    if (use.evaluations.fetch_add(instances, std::memory_order_relaxed) + instances < batch)
         return nullptr;
     std::call_once(shared_->asked,
                    [this] { shared_->kernel = Kernel::of(shared_->tape.sequence()); });

@@ -58,6 +58,12 @@ public:
     // Instances that are not needed may repeat another. Same bits as one at a time.
     [[nodiscard]] static unsigned lanes(); // 4, 2, or 1 where the processor has no more to give
     void evaluateLanes(std::span<const double> in, std::span<double> out, Scratch& scratch) const;
+    // There is machine code for that. It is made when this is asked, if there is some for one at a
+    // time.
+    [[nodiscard]] bool hasCodeForLanes() const {
+        return used(Purpose::values, Width::one).code.load(std::memory_order_acquire) != nullptr &&
+               codeFor(Purpose::values, Width::many) != nullptr;
+    }
     void evaluateLanes(std::span<const double> in, std::span<double> out, Scratch& scratch,
                        std::span<const Decision> decisions) const;
 

@@ -60,7 +60,8 @@ const Kernel::Code* Kernel::code(Purpose purpose, Width width, std::uint32_t eva
         variants_[static_cast<std::size_t>(purpose)][static_cast<std::size_t>(width)];
     if (const Code* const code = variant.ready.load(std::memory_order_acquire))
         return code;
-    if (!isAllowed() || variant.evaluations.fetch_add(evaluations) + evaluations < worthwhile_)
+    if (!isAllowed() || !(variant.evaluations.fetch_add(evaluations) + evaluations >= worthwhile_ ||
+                          (width == Width::many && isReady(purpose))))
         return nullptr;
     const std::scoped_lock lock(compiling_);
     if (!variant.tried)

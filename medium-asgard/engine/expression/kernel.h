@@ -35,7 +35,8 @@ public:
     [[nodiscard]] static std::shared_ptr<Kernel> of(const Sequence& sequence);
 
     // The code, once that many evaluations more make it worthwhile; null before, and where no code
-    // can be had. Safe from any thread; the code lives as long as the kernel.
+    // can be had. For many at once it is worthwhile as soon as there is code for one. Safe from any
+    // thread; the code lives as long as the kernel.
     [[nodiscard]] const Code* code(Purpose purpose, Width width, std::uint32_t evaluations);
 
     // Measured (decision 42): making code costs as much as interpreting 8000 operations, and as
@@ -62,6 +63,10 @@ private:
         Code code{};
         ExecutableMemory memory;
     };
+    [[nodiscard]] bool isReady(Purpose purpose) const { // for one at a time
+        const auto& variant = variants_[static_cast<std::size_t>(purpose)][0];
+        return variant.ready.load(std::memory_order_acquire) != nullptr;
+    }
     void compile(Variant& variant, Purpose purpose, Width width);
 
     const Sequence sequence_;

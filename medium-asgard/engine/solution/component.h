@@ -41,6 +41,8 @@ inline constexpr double heldPart = 1e-3; // of the tolerance, that polynomials o
            std::numeric_limits<double>::min();
 }
 
+class ExplicitRungeKutta;
+
 class Component {
 public:
     // What a component is told of its solver, all of which outlives it. `zero` may change with the
@@ -73,6 +75,26 @@ public:
     // An unknown of another component that must be known for longer before the next step.
     [[nodiscard]] std::optional<std::size_t> waitsFor();
     void step();
+
+    // Its next step is one of an explicit method that nothing watches and that reads no other: it
+    // may be made beside those of others (side_by_side.h), as step() would make it.
+    [[nodiscard]] bool mayGoSideBySide() const;
+    [[nodiscard]] bool isInStride() const { return strides_ && method_ && !stop_; }
+    [[nodiscard]] ExplicitRungeKutta& stride() const;
+    [[nodiscard]] ErrorControl& control() { return control_; }
+    [[nodiscard]] const ComponentEquations& equations() const { return *equations_; }
+    // Where the next attempt is to end; none: there is more to it, for step().
+    [[nodiscard]] std::optional<double> strideEnd() const;
+    // False: no shorter one can be made. Then it is out of stride for endStride().
+    [[nodiscard]] bool refuseStride(const Attempt& attempt, double h);
+    void endStride(const Attempt& attempt, double h);
+    // What was accepted, by its polynomials, which columns() takes.
+    [[nodiscard]] std::span<Coefficients> columns() { return columns_; }
+    void takeStride(double h, double to, double next);
+    [[nodiscard]] bool changesAfterStride(double h, double crossing);
+    void changeMethodAfterStride() { changeMethod(); }
+    // With the values at time(), from where it steps by itself again.
+    void leaveStride(std::span<const double> y);
 
     void backTo(double t);
     struct Jump {
@@ -142,9 +164,11 @@ private:
     [[nodiscard]] bool isUnseen(double h);
     void findPlainRate();
     void stepHeld();
+    [[nodiscard]] bool isPaceDue() const;
     [[nodiscard]] bool isHopeless();
     void integrate();
     [[nodiscard]] bool beginMethod();
+    [[nodiscard]] bool mayStride() const;
     [[nodiscard]] std::unique_ptr<Method> chooseMethod();
     void endWithoutRate(double t, std::span<const double> y);
     void finish(double to);
@@ -219,6 +243,7 @@ private:
     std::unique_ptr<Method> method_;
     MethodChoice choice_;
     bool mayChange_ = false;          // the method, by cost
+    bool strides_ = false;            // as long as it has this method
     double proposed_ = 0;             // length of the next step; 0: not known yet
     double limit_ = infinity;         // where the next step must end at the latest
     bool limitRestarts_ = false;      // an input restarts at limit_

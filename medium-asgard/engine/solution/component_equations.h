@@ -51,8 +51,15 @@ public:
     // Held unknowns that are defined by each other; then nothing else may be asked.
     [[nodiscard]] const std::vector<std::size_t>& loop() const { return bound_->loop; }
     [[nodiscard]] Inputs& inputs() { return inputs_; }
+    [[nodiscard]] bool readsInputs() const { return readsInputs_; }
     [[nodiscard]] const ComponentModel& model() const { return model_; }
     [[nodiscard]] const std::shared_ptr<const BoundModel>& bound() const { return bound_; }
+
+    // Nothing switches and nothing is held.
+    [[nodiscard]] bool isPlain() const { return isPlain_; }
+    [[nodiscard]] std::span<const double> constants() const {
+        return std::span(in_).subspan(model_.variables());
+    }
 
     // System, for the integrators.
     [[nodiscard]] std::size_t size() const override { return states().size(); }

@@ -118,12 +118,19 @@ void Component::step() {
         integrate();
 }
 
+// Looked at after so many steps, twice, four times as many, and so on.
+bool Component::isPaceDue() const {
+    constexpr std::size_t least = 16'384;
+    const std::size_t n = history_->size();
+    return n >= least && (n & (n - 1)) == 0;
+}
+
 // A motion by itself, on equations that never change, has one pace. Others may change theirs: there
 // as many steps are made first as a burst is likely to need.
 bool Component::isHopeless() {
-    constexpr std::size_t least = 16'384, burst = 2'097'152;
+    constexpr std::size_t burst = 2'097'152;
     const std::size_t n = history_->size();
-    if (n < least || (n & (n - 1)) != 0)
+    if (!isPaceDue())
         return false;
     const bool mayChange = nextPhase_ < infinity || !equations_->model().surfaces().empty() ||
                            !equations_->inputs().unknowns().empty();
@@ -168,6 +175,7 @@ bool Component::beginMethod() {
         proposed_ = *options_.fixedStep;
     else if (proposed_ == 0)
         proposed_ = options_.firstStep.value_or(method_->firstStep(limit_ - time_));
+    strides_ = mayStride();
     return true;
 }
 

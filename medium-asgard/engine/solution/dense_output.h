@@ -41,20 +41,24 @@ struct StepBefore {
 // The whole is about what the polynomial without it errs by. What is left to err with it, local
 // errors h^9 and h^6, is guessed from how the terms fall: each by the root of what every second one
 // does, since one alone may pass through 0; of a cubic's two terms the last is taken.
-struct Correction {
-    double terms[3] = {};
-    double whole = 0, left = 0;           // at most, in units of the value
-    double wholeSlope = 0, leftSlope = 0; // at most, times h
+template <class Real> struct CorrectionOf {
+    Real terms[3];
+    Real whole, left;           // at most, in units of the value
+    Real wholeSlope, leftSlope; // at most, times h
 };
+using Correction = CorrectionOf<double>;
+// Differences over much shorter steps magnify what the steps err by; much longer ones say little.
+inline constexpr double leastRatio = 0.3, largestRatio = 4;
 [[nodiscard]] bool usable(const StepBefore& before);
 // What all corrections of a step have in common: with u = s(1-s) at s = -r, w = u^3 or u^2 and its
 // derivatives.
-struct CorrectionBasis {
-    explicit CorrectionBasis(double ratio);
-    double ratio, reach;
-    double cube, cubeSlope, cubeBend; // 1/w, w', w'' of u^3
-    double square, squareSlope;       // 1/w, w' of u^2
+template <class Real> struct CorrectionBasisOf {
+    Real ratio, reach;
+    Real cube, cubeSlope, cubeBend; // 1/w, w', w'' of u^3
+    Real square, squareSlope;       // 1/w, w' of u^2
 };
+using CorrectionBasis = CorrectionBasisOf<double>;
+[[nodiscard]] CorrectionBasis correctionBasis(double ratio);
 [[nodiscard]] Correction quinticCorrection(const Coefficients& place, double before,
                                            double velocity, double acceleration,
                                            const CorrectionBasis& basis);

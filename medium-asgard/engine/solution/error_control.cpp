@@ -8,8 +8,6 @@ namespace solution {
 
 namespace {
 
-constexpr double units = 16; // in the last place, that errors are allowed to be
-
 // Most lengths are 1, and a division takes long.
 double over(double value, double length) { return length == 1 ? value : value / length; }
 

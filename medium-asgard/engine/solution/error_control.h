@@ -61,7 +61,10 @@ public:
     // How long the largest speed takes through the extent; infinite while nothing has moved.
     [[nodiscard]] double crossing() const;
 
+    static constexpr double units = 16; // in the last place, that errors are allowed to be
+
 private:
+    friend class AlikeSteps;
     struct Seen {
         double low = 0, high = 0;
     };

@@ -8,10 +8,8 @@ namespace solution {
 
 namespace {
 
-// Of what a step may err by, what the polynomials between its ends may; more of it where the guess
-// is some ten times too large.
-constexpr double allowed = 0.5, allowedSpeed = 1, pessimism = 8;
-
+constexpr double allowed = BetweenEnds::allowed, allowedSpeed = BetweenEnds::allowedSpeed,
+                 pessimism = BetweenEnds::pessimism;
 const double smallestLogarithm = std::log(1e-4); // of an error that the controller remembers
 
 } // namespace
@@ -123,7 +121,10 @@ Attempt ExplicitRungeKutta::attempt(double h) {
     if (fixed_)
         return {Attempt::Outcome::accepted, h};
     control_.prepare(end_, h);
-    return judge(errorNorm());
+    const Attempt attempt = judge(errorNorm());
+    if (attempt.outcome == Attempt::Outcome::accepted)
+        estimateStiffness();
+    return attempt;
 }
 
 double ExplicitRungeKutta::errorNorm() {
@@ -154,7 +155,6 @@ Attempt ExplicitRungeKutta::judge(double error) {
     factor = std::clamp(factor, 0.2, afterRejection_ ? 1.0 : 6.0);
     previousLogarithm_ = std::max(logarithm, smallestLogarithm);
     afterRejection_ = false;
-    estimateStiffness();
     return {Attempt::Outcome::accepted, h_ * factor};
 }
 
@@ -253,7 +253,7 @@ bool ExplicitRungeKutta::correct(std::span<Coefficients> columns) {
     const auto within = [this](double value, std::size_t n, double part) {
         return value <= part * control_.scale(n);
     };
-    const CorrectionBasis basis(before.ratio);
+    const CorrectionBasis basis = correctionBasis(before.ratio);
     bool needed = false;
     corrections_.clear();
     for (const auto& [x, v] : system_.integrals()) {

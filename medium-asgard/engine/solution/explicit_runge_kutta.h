@@ -40,6 +40,12 @@ struct Tableau {
 
 [[nodiscard]] Tableau finished(Tableau table);
 
+// Of what a step may err by, what the polynomials between its ends may; more of it where the guess
+// is some ten times too large.
+struct BetweenEnds {
+    static constexpr double allowed = 0.5, allowedSpeed = 1, pessimism = 8;
+};
+
 // Null for a name that is not in the tables: dop853, dopri5, tsit5, gbs, rk4, forward-euler.
 [[nodiscard]] const Tableau* tableauNamed(const std::string& name);
 
@@ -47,6 +53,7 @@ class ExplicitRungeKutta final : public Method {
 public:
     ExplicitRungeKutta(const Tableau& tableau, System& system, ErrorControl& control, bool fixed);
 
+    [[nodiscard]] const Tableau& tableau() const { return tableau_; }
     [[nodiscard]] const char* name() const override { return tableau_.name; }
     [[nodiscard]] std::size_t order() const override { return tableau_.order; }
     [[nodiscard]] bool implicit() const override { return false; }
@@ -57,6 +64,7 @@ public:
     [[nodiscard]] double stabilityUsed() const override { return stabilityUsed_; }
 
 private:
+    friend class AlikeSteps; // which makes its steps beside those of others
     // All stages of a step; of so many unknowns, or of any number (0).
     template <std::size_t Size> [[nodiscard]] bool makeStages();
     template <std::size_t Size> [[nodiscard]] bool stage(std::size_t i, double* at);

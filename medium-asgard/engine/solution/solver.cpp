@@ -1,5 +1,7 @@
 #include "solution/solver.h"
 
+#include "solution/alike_steps.h"
+#include "solution/side_by_side.h"
 #include "solution/solver_implementation.h"
 
 #include <algorithm>
@@ -183,16 +185,58 @@ void Solver::Implementation::advanceAlone(std::size_t place, double until, bool 
     schedule_.stepped(place);
 }
 
+// Those that are by themselves go side by side.
+void Solver::Implementation::advanceGroups(std::span<const std::size_t> groups, double until) {
+    std::vector<std::size_t> single;
+    for (const std::size_t group : groups) {
+        const std::vector<std::size_t>& places = schedule_.components(group);
+        const bool maySo = groups.size() > 1 && places.size() == 1 && options_.eventDriven &&
+                           components_[places[0]]->mayGoSideBySide();
+        if (maySo)
+            single.push_back(places[0]);
+        else
+            advanceGroup(group, until);
+    }
+    if (!single.empty())
+        advanceSideBySide(single, until);
+}
+
+void Solver::Implementation::advanceSideBySide(std::span<const std::size_t> places, double until) {
+    const bool isCaller = std::this_thread::get_id() == caller_;
+    std::vector<Component*> components;
+    for (const std::size_t place : places)
+        components.push_back(components_[place].get());
+    solution::advanceSideBySide(components, until, [this, isCaller](double time) {
+        if (isCaller)
+            poll(time);
+        return !cancelled_;
+    });
+    for (const std::size_t place : places) {
+        if (components_[place]->ended())
+            stopsChanged_ = true;
+        schedule_.stepped(place);
+    }
+}
+
+// That a thread takes: few, so that none waits long for the last, but enough to go side by side.
+static std::size_t groupsAtOnce(std::size_t groups, std::size_t threads) {
+    constexpr std::size_t parts = 16, side = AlikeSteps::lanes;
+    if (threads == 1)
+        return std::max<std::size_t>(1, groups);
+    return std::max(1 + groups / (parts * threads), std::min(side, groups / (2 * threads)));
+}
+
 // Starting threads costs more than a few small steps do.
 void Solver::Implementation::doRound(double until) {
     constexpr std::size_t enough = 64; // unknowns
     const bool unbroken = !source_ || !options_.eventDriven;
     const Schedule::Round round = schedule_.nextRound(until, unbroken);
     const std::size_t count = round.groups.size();
-    const std::size_t atOnce = 1 + count / (16 * workers_.threads()); // that a thread takes
+    const std::size_t atOnce = groupsAtOnce(count, workers_.threads());
     const auto advance = [&](std::size_t piece) {
-        for (std::size_t i = atOnce * piece; i < std::min(count, atOnce * (piece + 1)); ++i)
-            advanceGroup(round.groups[i], round.until);
+        const std::size_t first = atOnce * piece;
+        advanceGroups(std::span(round.groups).subspan(first, std::min(atOnce, count - first)),
+                      round.until);
     };
     const std::size_t pieces = (count + atOnce - 1) / atOnce;
     caller_ = std::this_thread::get_id();

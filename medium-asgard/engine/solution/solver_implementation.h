@@ -55,6 +55,8 @@ private:
     void doRound(double until);
     void advanceGroup(std::size_t group, double until);
     void advanceAlone(std::size_t place, double until, bool isCaller);
+    void advanceGroups(std::span<const std::size_t> groups, double until);
+    void advanceSideBySide(std::span<const std::size_t> places, double until);
     void poll(double time);
     [[nodiscard]] Component& readyFor(Component& component);
     [[nodiscard]] double known() const { return schedule_.known(); }
