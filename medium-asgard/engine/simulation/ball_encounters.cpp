@@ -124,12 +124,14 @@ bool CollisionSource::isLastHop(const Present& first, const Present& second, con
                         (second.flight ? 2 * normal.dot(second.flight->half) : 0);
     if (!(push < 0))
         return false;
-    double radius = solution::infinity, reach = 0;
+    double radius = solution::infinity, reach = 0, lowest = solution::infinity;
     for (const Present* one : {&first, &second}) {
+        if (!records_[one->body].isFixed)
+            lowest = std::min(lowest, limits_[one->body].hopHeight);
         radius = std::min(radius, records_[one->body].radius);
         reach += records_[one->body].radius + (one->flight ? one->ball.centre.norm() : 0);
     }
-    const double lowest = std::max({limits_.hopHeight * radius, 2e-9 * radius, 1e-13 * reach});
+    lowest = std::max({lowest * radius, 2e-9 * radius, 1e-13 * reach});
     return speed * speed / (-2 * push) < 2 * lowest;
 }
 

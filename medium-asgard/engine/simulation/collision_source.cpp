@@ -27,13 +27,13 @@ std::vector<MovingBody> movingBodies(const std::vector<BodyRecord>& records,
 CollisionSource::CollisionSource(const scene::Scene& scene,
                                  const physics::EquationsOfMotion& equations,
                                  const std::vector<geometry::Shape>& shapes, double start,
-                                 double finish, const RestLimits& limits,
+                                 double finish, std::vector<RestLimits> limits,
                                  std::function<bool()> cancelled)
     : scene_(scene), equations_(equations), records_(recordsOf(equations)),
-      bodies_(movingBodies(records_, shapes)), start_(start), finish_(finish), limits_(limits),
-      cancelled_(std::move(cancelled)),
-      resting_(equations, records_, bodies_, start, finish, limits),
-      search_(scene, equations, records_, bodies_, resting_, start, 4 * limits.gap),
+      bodies_(movingBodies(records_, shapes)), start_(start), finish_(finish),
+      limits_(std::move(limits)), cancelled_(std::move(cancelled)),
+      resting_(equations, records_, bodies_, start, finish, limits_),
+      search_(scene, equations, records_, bodies_, resting_, start, 4 * RestLimits::mostGap),
       meetings_(records_.size()), changes_(records_.size()) {
     findDependents();
 }

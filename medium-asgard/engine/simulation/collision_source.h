@@ -40,7 +40,7 @@ public:
     // own reading of the scene: shapes are valid here.
     CollisionSource(const scene::Scene& scene, const physics::EquationsOfMotion& equations,
                     const std::vector<geometry::Shape>& shapes, double start, double finish,
-                    const RestLimits& limits, std::function<bool()> cancelled = {});
+                    std::vector<RestLimits> limits, std::function<bool()> cancelled = {});
     ~CollisionSource() override;
 
     void use(solution::Turns& turns) override { turns_ = &turns; }
@@ -212,7 +212,7 @@ private:
     std::vector<BodyRecord> records_;
     std::vector<MovingBody> bodies_;
     double start_, finish_;
-    RestLimits limits_;
+    std::vector<RestLimits> limits_;  // by body
     std::function<bool()> cancelled_; // then next() answers early, and nobody reads it
 
     solution::Turns* turns_ = nullptr;

@@ -90,7 +90,7 @@ Event CollisionSource::endWithoutEnd(const Histories& histories, const Pair& pai
         for (const std::size_t other : search_.partners(body))
             if (resting_.canGiveWay(body, time) && resting_.canGiveWay(other, time) &&
                 !touchesOf(resting_.placed(histories, body, time),
-                           resting_.placed(histories, other, time), limits_.gap)
+                           resting_.placed(histories, other, time), limits_[body].gap)
                      .empty())
                 return end(std::minmax(body, other), time, leaning(body, other));
     const bool isBetweenSeveral =

@@ -138,9 +138,9 @@ void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, 
     if (!isSure && (resting_.canGiveWay(a, time) != resting_.canGiveWay(b, time))) {
         const bool isFirst = resting_.canGiveWay(a, time);
         const double slow = collision::approachThreshold * speedOf({a, b}, time);
-        for (const Touch& touch :
-             touchesOf(resting_.placed(histories, isFirst ? a : b, time),
-                       resting_.placed(histories, isFirst ? b : a, time), limits_.gap))
+        for (const Touch& touch : touchesOf(resting_.placed(histories, isFirst ? a : b, time),
+                                            resting_.placed(histories, isFirst ? b : a, time),
+                                            limits_[isFirst ? a : b].gap))
             for (const Corner& corner : touch.corners)
                 if (isHit || !touch.passes(slow))
                     add(corner.point, isFirst ? touch.normal : Vector(-touch.normal),
@@ -234,7 +234,7 @@ CollisionSource::Hop CollisionSource::hopOf(const Histories& histories, const Cl
                                             const std::array<double, 2>& radii,
                                             std::span<const ImpactBody> bodies, double time) const {
     const double push = pushAt(histories, cluster, contact, radii, bodies, time);
-    double approach = 0, speed = 0, radius = infinity, reach = 0;
+    double approach = 0, speed = 0, radius = infinity, reach = 0, lowest = infinity;
     for (const auto& [index, sign] :
          {std::pair{contact.first, 1.0}, std::pair{contact.second, -1.0}}) {
         const std::size_t body = cluster.bodies[index];
@@ -243,6 +243,8 @@ CollisionSource::Hop CollisionSource::hopOf(const Histories& histories, const Cl
         approach += sign * contact.normal.dot(velocity);
         speed += bodies[index].velocity.norm() + bodies[index].angularVelocity.norm() * arm.norm();
         radius = std::min(radius, records_[body].radius);
+        if (!records_[body].isFixed)
+            lowest = std::min(lowest, limits_[body].hopHeight);
         reach += records_[body].radius + bodies[index].centre.norm();
     }
     if (!(approach < -collision::approachThreshold * speed))
@@ -251,8 +253,7 @@ CollisionSource::Hop CollisionSource::hopOf(const Histories& histories, const Cl
     // what sinks in unnoticed would hop again by that much without end.
     const double slack =
         resting_.slack(cluster.bodies[contact.first], cluster.bodies[contact.second]);
-    const double lowest =
-        std::max({limits_.hopHeight * radius, 2e-9 * radius, 2 * slack * radius, 1e-13 * reach});
+    lowest = std::max({lowest * radius, 2e-9 * radius, 2 * slack * radius, 1e-13 * reach});
     const double parting = -contact.restitution * approach;
     Hop hop{.approaches = true, .isLow = push < 0 && parting * parting / (-2 * push) < lowest};
     if (hop.isLow && contact.restitution < 1)

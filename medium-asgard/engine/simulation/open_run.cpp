@@ -3,6 +3,7 @@
 #include "simulation/cpu_seconds.h"
 #include "simulation/nudge.h"
 #include "simulation/stops.h"
+#include "simulation/tightening.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +31,27 @@ double secondsOf(const Run& before, const solution::TakenMotion& taken) {
         part += taken.unknowns[component.unknowns[0]] ? evaluations : 0;
     }
     return before.secondsMoving * part / all;
+}
+
+// What decides when hops end follows the tolerance of each body, as its steps do, so that runs
+// which are compared differ in it too: at the tolerance that the first of them has, a hop that is
+// lower than a thousandth of the accuracy is the last. The nudged run follows lower ones, to show
+// what they do.
+std::vector<RestLimits> restLimits(const Problem& problem, const std::vector<double>& tolerances,
+                                   Rounding rounding) {
+    constexpr double hop = 1e-3, touching = 1e-2;
+    constexpr double finest = 1e-3, finestTouching = 0.25; // beside the first run's
+    const double accuracy = problem.accuracy(), first = Tightening::firstTolerance(accuracy);
+    const double gap = std::clamp(touching * accuracy, RestLimits::leastGap, RestLimits::mostGap);
+    std::vector<RestLimits> limits;
+    for (const double tolerance : tolerances) {
+        const double fine =
+            rounding == Rounding::nudged ? 0.1 : std::clamp(tolerance / first, finest, 1.0);
+        limits.push_back(
+            {.gap = std::max(gap * std::max(fine, finestTouching), RestLimits::leastGap),
+             .hopHeight = hop * accuracy * fine});
+    }
+    return limits;
 }
 
 // What a step from the finish on, or one for a reader, ran into: all is known up to there. What an
@@ -76,11 +98,6 @@ OpenRun::~OpenRun() = default;
 
 void OpenRun::makeMachinery(const std::shared_ptr<const solution::TakenMotion>& taken) {
     machinery_ = std::make_unique<Machinery>();
-    // A hop that is lower than this moves nothing by more than the accuracy allows. The nudged run
-    // follows lower ones, to show what they do.
-    const double hop = rounding_ == Rounding::nudged ? 1e-4 : 1e-3;
-    const RestLimits limits{.gap = std::clamp(1e-2 * problem_.accuracy(), 1e-8, 1e-6),
-                            .hopHeight = hop * problem_.accuracy()};
     solution::Options options = solverOptions(problem_, tolerances_);
     options.taken = taken;
     if (use_ == Use::again || observer_.cancelled)
@@ -93,9 +110,9 @@ void OpenRun::makeMachinery(const std::shared_ptr<const solution::TakenMotion>& 
                 observer_.working(time);
         };
     if (problem_.collides())
-        machinery_->collisions.emplace(problem_.scene, problem_.equations, problem_.shapes,
-                                       problem_.start(), problem_.finish(), limits,
-                                       options.cancelled);
+        machinery_->collisions.emplace(
+            problem_.scene, problem_.equations, problem_.shapes, problem_.start(),
+            problem_.finish(), restLimits(problem_, tolerances_, rounding_), options.cancelled);
     solution::EventSource* source = machinery_->collisions ? &*machinery_->collisions : nullptr;
     if (rounding_ == Rounding::nudged) {
         options.initial = nudgedStart(problem_.equations.set);

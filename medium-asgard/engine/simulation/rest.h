@@ -45,6 +45,7 @@ struct Rest {
 };
 
 struct RestLimits {
+    static constexpr double leastGap = 1e-8, mostGap = 1e-6;
     double gap = 1e-7;       // of the parts' size: touching
     double hopHeight = 1e-9; // of the body's radius: parting slower than for that is not parting
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace simulation {
 namespace {
@@ -35,9 +36,9 @@ double strideAfter(double elapsed) {
 RestingBodies::RestingBodies(const physics::EquationsOfMotion& equations,
                              const std::vector<BodyRecord>& records,
                              const std::vector<MovingBody>& bodies, double start, double finish,
-                             const RestLimits& limits)
+                             std::vector<RestLimits> limits)
     : equations_(equations), records_(records), bodies_(bodies), start_(start), finish_(finish),
-      limits_(limits) {
+      limits_(std::move(limits)) {
     for (const physics::BodyMotion& body : equations.bodies)
         names_.push_back(body.name);
 }
@@ -167,7 +168,7 @@ Rest RestingBodies::restAt(const Histories& histories, std::size_t body, double 
         question.supports.push_back(placed(histories, other, time, changed));
         question.givesWay.push_back(canGiveWay(other, time));
     }
-    return restOf(question, limits_, names_);
+    return restOf(question, limits_[body], names_);
 }
 
 // --- what rests -----------------------------------------------------------------------------

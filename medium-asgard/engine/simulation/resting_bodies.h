@@ -16,6 +16,7 @@
 #include "simulation/rest.h"
 #include "solution/event_source.h"
 
+#include <algorithm>
 #include <map>
 #include <span>
 
@@ -28,7 +29,7 @@ public:
     // All must outlive this.
     RestingBodies(const physics::EquationsOfMotion& equations,
                   const std::vector<BodyRecord>& records, const std::vector<MovingBody>& bodies,
-                  double start, double finish, const RestLimits& limits);
+                  double start, double finish, std::vector<RestLimits> limits);
     // The motion is wanted for longer than before.
     void lengthen(double finish) { finish_ = finish; }
 
@@ -42,7 +43,7 @@ public:
     [[nodiscard]] bool hasFooting(std::size_t a, std::size_t b) const;
     // What rests lies on its footing to the limits' gap, and no better: of all that it meets.
     [[nodiscard]] collision::Slack slack(std::size_t a, std::size_t b) const {
-        return isResting(a) || isResting(b) ? limits_.gap : 0;
+        return std::max(isResting(a) ? limits_[a].gap : 0, isResting(b) ? limits_[b].gap : 0);
     }
 
     using States = std::map<std::size_t, BodyState>; // of bodies that an impact just changed
@@ -107,7 +108,7 @@ private:
     const std::vector<BodyRecord>& records_;
     const std::vector<MovingBody>& bodies_;
     double start_, finish_;
-    RestLimits limits_;
+    std::vector<RestLimits> limits_; // by body
     std::vector<std::string> names_;
     std::map<std::size_t, Watch> resting_;
     mutable std::map<std::size_t, Free> free_;

@@ -9,7 +9,7 @@ namespace simulation {
 namespace {
 
 // Constants of the search, measured on all reference scenes (docs/numerics.md, "Accuracy").
-constexpr double firstTolerance = 0.5;     // of the accuracy, in the first run
+constexpr double firstPart = 0.5;          // of the accuracy, in the first run
 constexpr double loosest = 1e-3;           // and at most this
 constexpr double tightening = 1.0 / 8;     // between the first two runs
 constexpr double enough = 0.625;           // of the accuracy: the estimate that is accepted
@@ -45,8 +45,12 @@ double coarseness(const IslandError& difference) {
 } // namespace
 
 Tightening::Tightening(double accuracy, std::size_t bodies)
-    : accuracy_(accuracy), loose_(bodies, std::min(firstTolerance * accuracy, loosest)),
-      tight_(bodies, tightening * std::min(firstTolerance * accuracy, loosest)), bodies_(bodies) {}
+    : accuracy_(accuracy), loose_(bodies, firstTolerance(accuracy)),
+      tight_(bodies, tightening * firstTolerance(accuracy)), bodies_(bodies) {}
+
+double Tightening::firstTolerance(double accuracy) {
+    return std::min(firstPart * accuracy, loosest);
+}
 
 Tightening::Outlook Tightening::outlook(std::size_t b, const IslandError& difference,
                                         double rounding) const {

@@ -27,6 +27,7 @@ namespace simulation {
 class Tightening {
 public:
     Tightening(double accuracy, std::size_t bodies);
+    [[nodiscard]] static double firstTolerance(double accuracy); // of the first run
 
     // What one step may err, relative, by body.
     [[nodiscard]] const std::vector<double>& loose() const { return loose_; }
