@@ -42,6 +42,8 @@ struct Rules {
     [[nodiscard]] Result multiply(Node a, Node b) const;
     [[nodiscard]] Result multiplyByNumber(Node number, Node b) const;
     [[nodiscard]] Result divide(Node a, Node b) const;
+    [[nodiscard]] Result quotientByLength(Node a, Node b) const;
+    [[nodiscard]] Result without(Node product, Node factor, int depth = 0) const;
     [[nodiscard]] Result power(Node a, Node b) const;
     [[nodiscard]] Result function(Op op, Node a) const;
     struct Scaled {
@@ -153,6 +155,39 @@ Result Rules::multiply(Node a, Node b) const {
     return std::nullopt;
 }
 
+// A product in which that factor is 1; none where it is no factor.
+Result Rules::without(Node product, Node factor, int depth) const {
+    constexpr int deepest = 8;
+    if (product == factor)
+        return g.constant(1);
+    if (depth > deepest || !is(product, Op::multiply))
+        return std::nullopt;
+    if (const Result rest = without(first(product), factor, depth + 1))
+        return g.multiply(*rest, second(product));
+    if (const Result rest = without(second(product), factor, depth + 1))
+        return g.multiply(first(product), *rest);
+    return std::nullopt;
+}
+
+// v/abs(v) and v/hypot(v, 0) mean the sign, at 0 too.
+Result Rules::quotientByLength(Node a, Node b) const {
+    const Node length = isScaled(b) ? second(b) : b;
+    Node of = length;
+    if (is(length, Op::abs))
+        of = first(length);
+    else if (is(length, Op::hypot) && g.isConstant(second(length), 0))
+        of = first(length);
+    else if (is(length, Op::hypot) && g.isConstant(first(length), 0))
+        of = second(length);
+    if (of == length)
+        return std::nullopt;
+    const Result rest = without(a, of);
+    if (!rest)
+        return std::nullopt;
+    const Node signs = g.multiply(*rest, g.apply(Op::sign, of));
+    return isScaled(b) ? g.divide(signs, first(b)) : signs;
+}
+
 Result Rules::divide(Node a, Node b) const {
     if (g.isConstant(b, 1))
         return a;
@@ -170,6 +205,8 @@ Result Rules::divide(Node a, Node b) const {
         return g.negate(g.divide(a, first(b)));
     if (isNegative(b))
         return g.negate(g.divide(a, g.negate(b)));
+    if (const Result signs = quotientByLength(a, b))
+        return signs;
     if (is(a, Op::divide) && !g.isConstant(second(a), 0))
         return g.divide(first(a), g.multiply(second(a), b));
     if (isNumber(b) && isScaled(a)) {

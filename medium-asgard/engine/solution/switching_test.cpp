@@ -184,6 +184,26 @@ TEST(Friction, WrittenAsAQuotientIsTheSame) {
     }
 }
 
+// Along a line that is no axis the speed is a sum, and friction has a part along each axis: down
+// the slope 0.6 against at most 0.8, so that it stops after 1.4 t = 2.1 and stays.
+TEST(Friction, WrittenAsAQuotientAlongASlope) {
+    for (const char* quotient :
+         {"(0.8*dx+0.6*dy)/abs(0.8*dx+0.6*dy)",
+          "(0.8*dx+0.6*dy==0?0:(0.8*dx+0.6*dy)/abs(0.8*dx+0.6*dy))", "sign(4*dx+3*dy)"}) {
+        const std::string q = quotient;
+        const Solver solver = solved(equationsOf({{"x", "dx", 0, 1},
+                                                  {"dx", "-0.48-0.64*" + q, 1.68},
+                                                  {"y", "dy", 0, 1},
+                                                  {"dy", "-0.36-0.48*" + q, 1.26}}),
+                                     6, tolerance(1e-9));
+        const Histories& h = solver.histories();
+        ASSERT_EQ(h.stop(1), nullptr) << q << ": " << h.stop(1)->sentence;
+        EXPECT_NEAR(h.value(0, 6), 0.8 * 2.1 * 1.5 / 2, 1e-9) << q;
+        EXPECT_NEAR(h.value(2, 6), 0.6 * 2.1 * 1.5 / 2, 1e-9) << q;
+        EXPECT_NEAR(h.value(1, 6), 0, 1e-12) << q;
+    }
+}
+
 TEST(Friction, ABlockAtRestThatIsNotPushedHardStays) {
     const Solver solver =
         solved(equationsOf({{"x", "dx", 0, 1}, {"dx", "1.9*sin(3*t)-2*sign(dx)", 0}}), 20);
