@@ -191,7 +191,7 @@ private:
     // Passes in a row, without time going on, that may go to and fro.
     [[nodiscard]] std::size_t patience() const { return equations_->watches() + 1; }
     [[nodiscard]] ComponentEquations::Passing passing(const Violation& violation, bool immediate);
-    [[nodiscard]] bool haveSwitched(std::size_t times) const;
+    [[nodiscard]] bool haveSwitched(std::size_t times, double part = 1e-10) const;
     [[nodiscard]] bool swingsShrink() const;
     [[nodiscard]] bool comesToRest(std::vector<double>& y);
     [[nodiscard]] bool leaves(const Violation& found, double scale,

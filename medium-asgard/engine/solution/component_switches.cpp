@@ -12,6 +12,15 @@ namespace {
 
 constexpr std::size_t often = 10; // switches in next to no time
 
+// So many switches in such a part of the time have no end. What goes to and fro by itself, however
+// fast, has as many in a part of the time as in any other.
+struct Endless {
+    std::size_t times;
+    double part;
+};
+constexpr Endless endless[] = {{100, 1e-10}, {1'000, 1e-7}};
+constexpr std::size_t kept = 4'000; // an event may take some back
+
 } // namespace
 
 std::optional<Violation> Component::violation(double from, double to, double scale,
@@ -28,13 +37,11 @@ std::optional<Violation> Component::violation(double from, double to, double sca
 }
 
 void Component::pass(const Violation& violation, bool immediate) {
-    constexpr std::size_t window = 100;
     const auto giveUp = [&] {
         const std::vector<std::size_t> flipping = equations_->unknownsOf(violation);
         end(Stop::Reason::decisions, flipping.empty() ? std::vector<std::size_t>{0} : flipping,
             "expressions that switch with " + switchingWith(violation) +
-                " change their branches without end: motion on several switches at once, or along "
-                "a step of floor or ceil, is not modelled");
+                " change their branches without end: no motion between these was found");
     };
     ++counts_.switches;
     if (immediate) {
@@ -43,9 +50,10 @@ void Component::pass(const Violation& violation, bool immediate) {
     } else {
         immediate_ = 0;
         recentSwitches_.push_back({time_, equations_->surfacesOf(violation)});
-        if (recentSwitches_.size() > 4 * window) // an event may take some back
+        if (recentSwitches_.size() > kept)
             recentSwitches_.pop_front();
-        if (haveSwitched(window))
+        if (std::ranges::any_of(endless,
+                                [this](const Endless& e) { return haveSwitched(e.times, e.part); }))
             return giveUp();
     }
     std::vector<double> y = stateValues();
@@ -74,9 +82,9 @@ std::string Component::switchingWith(const Violation& violation) const {
     return text.empty() ? "the time" : text;
 }
 
-// So often in next to no time.
-bool Component::haveSwitched(std::size_t times) const {
-    const double shortest = 1e-10 * std::max(std::abs(time_), time_ - options_.start) + 1e-16;
+// So often in that part of the time.
+bool Component::haveSwitched(std::size_t times, double part) const {
+    const double shortest = part * std::max(std::abs(time_), time_ - options_.start) + 1e-16;
     return recentSwitches_.size() >= times &&
            time_ - recentSwitches_[recentSwitches_.size() - times].time <= shortest;
 }
