@@ -10,7 +10,10 @@
 
 namespace solution::formulas {
 
-inline double chosen(bool condition, double x, double y) { return condition ? x : y; }
+// The root of by what part `third` is less than `first`; 1 where it is not.
+inline double decay(double first, double third) {
+    return first > third ? std::sqrt(third / first) : 1;
+}
 
 template <class Real> using Column = std::array<Real, maximumCoefficients>;
 
@@ -62,7 +65,7 @@ template <class Real>
 inline CorrectionOf<Real> quinticCorrection(const Column<Real>& place, const Real& before,
                                             const Real& velocity, const Real& acceleration,
                                             const CorrectionBasisOf<Real>& basis) {
-    using std::abs, std::sqrt, std::max, std::min;
+    using std::abs, std::max, std::min;
     const Real r = basis.ratio, reach = basis.reach;
     Real value = 0, slope = 0, bend = 0; // of the quintic at -r; bend: half the second derivative
     for (std::size_t k = 6; k-- > 0;) {
@@ -79,8 +82,8 @@ inline CorrectionOf<Real> quinticCorrection(const Column<Real>& place, const Rea
     constexpr double largest = 1.0 / 64, steepest = 0.0537; // of w in [0, 1]
     const Real first = abs(c.terms[0]), second = abs(c.terms[1]) * reach;
     const Real third = abs(c.terms[2]) * reach * reach;
-    const Real decay = chosen(first > third, sqrt(third / first), Real(1));
-    const Real left = min(Real(1), 2 * decay) * max(third, decay * second);
+    const Real falls = decay(first, third);
+    const Real left = min(Real(1), 2 * falls) * max(third, falls * second);
     const Real whole = first + second + third;
     c.left = largest * left;
     c.whole = largest * whole;
