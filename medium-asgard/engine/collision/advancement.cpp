@@ -83,10 +83,12 @@ private:
         Contact contact = contactOf(pair_, t_, now);
         const double least = pair_.leastApproach(t_);
         Vector axis = now.normal;
+        bool isRoundPassing = false; // what it comes upon next is met there, and presses not here
         if (contact.closingSpeed > least)
             if (std::optional<Contact> kept = passing(pair_, t_)) {
                 contact = std::move(*kept);
                 axis = contact.normal;
+                isRoundPassing = pair_.first.part->isSphere() || pair_.second.part->isSphere();
             }
         if (contact.closingSpeed > least) {
             // Having touched without approaching and sunk in, they were pressed together.
@@ -97,9 +99,10 @@ private:
             return;
         }
         pressed_.reset();
-        if (contact.closingSpeed >= -least)
-            pressed_ = {t_, contact};
-        else if (now.gap < -100 * pair_.roundOff(t_)) {
+        if (contact.closingSpeed >= -least) {
+            if (!isRoundPassing)
+                pressed_ = {t_, contact};
+        } else if (now.gap < -100 * pair_.roundOff(t_)) {
             // They part from an overlap that counts: out of it first, or the way back is that long.
             stepOutOf(now);
             return;

@@ -117,21 +117,21 @@ Vector normalOfLanding(const Touching& now, double tolerance) {
 // between closest points is lost. Along one they are those of now: a body that turns while it
 // lands was tilted the other way a little before.
 Vector normalOfHit(const PartPair& pair, double t, const Separation& separation) {
+    if (isRound(pair)) // known from the sphere's centre (nearest_feature.h)
+        return separation.normal;
     const Vector origin = pair.originAt(t);
     const Touching now{pair.first.posedAt(t, origin), pair.second.posedAt(t, origin),
                        separation.normal};
+    if (isAlongOneAxis(pair, t, now))
+        return normalOfLanding(now, flatLanding * pair.smallerSize());
     Touching before = now;
-    if (!isRound(pair)) {
-        if (isAlongOneAxis(pair, t, now))
-            return normalOfLanding(now, flatLanding * pair.smallerSize());
-        const double earlier = shortlyBefore(pair, t);
-        WarmStart cold;
-        const Separation then = pair.separationAt(earlier, cold);
-        const Vector there = pair.originAt(earlier);
-        if (then.gap > separation.gap && then.gap > 0)
-            before = {pair.first.posedAt(earlier, there), pair.second.posedAt(earlier, there),
-                      then.normal};
-    }
+    const double earlier = shortlyBefore(pair, t);
+    WarmStart cold;
+    const Separation then = pair.separationAt(earlier, cold);
+    const Vector there = pair.originAt(earlier);
+    if (then.gap > separation.gap && then.gap > 0)
+        before = {pair.first.posedAt(earlier, there), pair.second.posedAt(earlier, there),
+                  then.normal};
     return normalOf(before, now, 3 * flatLanding * pair.smallerSize());
 }
 
@@ -174,9 +174,53 @@ std::vector<Separation> axesAt(const PartPair& pair, double t) {
     return axes;
 }
 
+Vector velocityOfPoint(const PartMotion& part, double t, const Vector& point) {
+    const Velocity v = velocityAt(part.piece, t);
+    return v.linear + v.angular.cross(point - positionAt(part.piece, t));
+}
+
+// A sphere at an edge or a vertex passes over it where it does not approach along another axis
+// along which they touch, too: the normal of the face beside, or what of the line to the sphere's
+// centre is across the way that it goes. Along that one it touches what it goes over or up to
+// without a step.
+std::vector<Separation> axesBesideRound(const PartPair& pair, double t, const Vector& normal) {
+    const bool isFirst = pair.first.part->isSphere();
+    const PartMotion& owner = isFirst ? pair.second : pair.first;
+    if (owner.part->isSphere())
+        return {};
+    const Vector origin = pair.originAt(t);
+    const Posed posed = owner.posedAt(t, origin);
+    const Posed ball = (isFirst ? pair.first : pair.second).posedAt(t, origin);
+    const Vector centre = ball.world(0);
+    std::vector<Vector> directions; // outward
+    double most = -HUGE_VAL;
+    for (const geometry::Face& face : owner.part->core.faces)
+        if (const double above =
+                face.normal.dot(posed.rotation.transpose() * Vector(centre - posed.offset)) -
+                face.offset;
+            above > most) {
+            most = above;
+            directions = {posed.rotation * face.normal};
+        }
+    const Vector outward = isFirst ? normal : Vector(-normal);
+    const Vector way = velocityOfPoint(isFirst ? pair.first : pair.second, t, centre + origin) -
+                       velocityOfPoint(owner, t, centre + origin);
+    if (const double square = way.squaredNorm(); square > 0)
+        directions.push_back((outward - way * (outward.dot(way) / square)).normalized());
+    std::vector<Separation> axes;
+    for (const Vector& n : directions) {
+        const double gap = n.dot(centre - posed.world(posed.support(n))) - ball.part->radius;
+        if (gap >= -pair.unnoticedDepth(t))
+            axes.push_back({.gap = gap, .normal = isFirst ? n : Vector(-n)});
+    }
+    return axes;
+}
+
 // They touch along several axes, and do not approach along each.
 bool isPassing(const PartPair& pair, double t, const Contact& contact) {
-    if (isRound(pair) || contact.patch.size() > 2)
+    if (isRound(pair))
+        return contact.closingSpeed > pair.leastApproach(t) && passing(pair, t).has_value();
+    if (contact.patch.size() > 2)
         return false;
     if (contact.closingSpeed > pair.leastApproach(t))
         return passing(pair, t).has_value();
@@ -192,10 +236,12 @@ Contact contactOf(const PartPair& pair, double t, const Separation& separation) 
 }
 
 std::optional<Contact> passing(const PartPair& pair, double t) {
-    if (isRound(pair))
-        return std::nullopt;
+    WarmStart cold;
+    const std::vector<Separation> axes =
+        isRound(pair) ? axesBesideRound(pair, t, pair.separationAt(t, cold).normal)
+                      : axesAt(pair, t);
     std::optional<Contact> least;
-    for (const Separation& axis : axesAt(pair, t)) {
+    for (const Separation& axis : axes) {
         Contact along = contactAlong(pair, t, axis.normal, axis.gap);
         if (!least || along.closingSpeed < least->closingSpeed)
             least = std::move(along);

@@ -9,8 +9,8 @@
 // gap of any size at the seam, however small, tends to. Hence
 //     the normal is that axis along which they approach least, if they do not approach there;
 //     else that of the face when one touches, the common perpendicular of two edges that cross,
-//     and else (vertex on vertex or edge, parallel edges, spheres) the line between the closest
-//     points just before.
+//     and else (vertex on vertex or edge, parallel edges) the line between the closest points just
+//     before; of a sphere, that from the feature to its centre (nearest_feature.h).
 // The point is the centre of the patch in which they touch: two convex polygons clipped against
 // each other, two segments, or a point.
 //

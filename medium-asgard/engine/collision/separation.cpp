@@ -1,5 +1,6 @@
 #include "collision/separation.h"
 
+#include "collision/nearest_feature.h"
 #include "collision/simplex.h"
 
 #include <algorithm>
@@ -178,6 +179,22 @@ void forEachPairOfEdges(const Posed& first, const Posed& second, Visit&& visit) 
         }
 }
 
+// A sphere and a polyhedron that all but touch: from the feature itself, without the rounding of
+// the line between closest points.
+void refineRound(const Posed& first, const Posed& second, double size, Separation& best) {
+    constexpr double close = 1e-3; // of the radius
+    constexpr double border = 8 * std::numeric_limits<double>::epsilon();
+    const bool isFirst = first.part->isSphere();
+    const double radius = (isFirst ? first : second).part->radius;
+    if (isFirst == second.part->isSphere() || std::abs(best.gap) > close * radius)
+        return;
+    const Posed &ball = isFirst ? first : second, &polyhedron = isFirst ? second : first;
+    const double coordinates = size + (first.offset - second.offset).norm();
+    const NearestFeature feature = nearestFeature(polyhedron, ball.world(0), border * coordinates);
+    best.gap = feature.distance - radius;
+    best.normal = isFirst ? feature.normal : Vector(-feature.normal);
+}
+
 } // namespace
 
 std::vector<Separation> axesOfTouch(const Posed& first, const Posed& second, double depth) {
@@ -229,6 +246,7 @@ Separation separate(const Posed& first, const Posed& second, WarmStart& warm) {
             best.normal = closest.vector / distance;
         }
     }
+    refineRound(first, second, size, best);
     best.coreDistance = distance;
     best.iterations = closest.iterations;
     return best;

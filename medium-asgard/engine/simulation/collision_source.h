@@ -162,6 +162,9 @@ private:
                                                        const Pair& pair, double time);
     [[nodiscard]] solution::Event stir(const solution::Histories& histories, std::size_t body,
                                        double time);
+    [[nodiscard]] RestingBodies::States leaving(const solution::Histories& histories,
+                                                std::size_t body, double time,
+                                                const Rest& rest) const;
     void settle(const solution::Histories& histories, std::size_t body, double time,
                 const RestingBodies::States& states, solution::Event& event);
     void jump(std::size_t body, const BodyState& from, const BodyState& to, solution::Event& event);

@@ -256,8 +256,25 @@ Event CollisionSource::stir(const Histories& histories, std::size_t body, double
     if (rest.state == Rest::State::approaching)
         if (auto met = meet(histories, std::minmax(body, rest.partner), time))
             return *met;
-    settle(histories, body, time, {}, event);
+    settle(histories, body, time, leaving(histories, body, time, rest), event);
     return event;
+}
+
+// A ball that lets go has no speed along the normals of what bore it, but for what the integration
+// errs in it; with that it might hit what it leaves.
+RestingBodies::States CollisionSource::leaving(const Histories& histories, std::size_t body,
+                                               double time, const Rest& rest) const {
+    if (!rest.footings.empty() || !bodies_[body].isBall())
+        return {};
+    const BodyState now = stateOf(records_[body], histories, time);
+    const BodyState bearing = resting_.bearingState(histories, body, time);
+    const double radius = records_[body].radius;
+    const double change = (bearing.velocity - now.velocity).norm() +
+                          (bearing.angularVelocity - now.angularVelocity).norm() * radius;
+    const double speed = now.velocity.norm() + now.angularVelocity.norm() * radius;
+    if (change > limits_[body].gap * speed)
+        return {};
+    return {{body, bearing}};
 }
 
 void CollisionSource::record(const Cluster& cluster, const physics::ImpactResult& result,

@@ -135,8 +135,9 @@ private:
         });
     }
 
-    [[nodiscard]] double slow() const {
-        return std::sqrt(2 * accelerations_ * limits_.hopHeight * q_.body.record->radius);
+    [[nodiscard]] double slow() const { return slowFor(limits_.hopHeight); }
+    [[nodiscard]] double slowFor(double hopHeight) const {
+        return std::sqrt(2 * accelerations_ * hopHeight * q_.body.record->radius);
     }
 
     // Slower than this nothing parts or approaches.
@@ -149,6 +150,23 @@ private:
         return std::ranges::find(q_.footings, partsOf(touch)) != q_.footings.end();
     }
 
+    // A ball that rolls up to an edge ahead touches that before it is there, and without
+    // approaching when it is: what bore it until then, or is hit, counts so far, and not the edge's
+    // slanting normal.
+    [[nodiscard]] bool isYetToCome(const Touch& touch, double rate) const {
+        const double speed = q_.body.state.velocity.norm() +
+                             q_.body.state.angularVelocity.norm() * q_.body.record->radius;
+        return !isFooting(touch) && rate < -limits_.gap * speed - 1e-6 * slow();
+    }
+
+    // Faster than this a corner parts. A hop of a ball off what it rests on that is lower than what
+    // it may sink in there unnoticed is none: in a groove, off the one wall that it slides on when
+    // it meets the other, such hops would follow each other without end, each put back.
+    [[nodiscard]] double slowestParting(const Touch& touch) const {
+        return touch.isRound && isFooting(touch) ? std::max(slowest(), slowFor(2 * limits_.gap))
+                                                 : slowest();
+    }
+
     // Corners that neither part nor approach.
     void gather() {
         for (std::size_t t = 0; t < touches_.size(); ++t) {
@@ -156,6 +174,8 @@ private:
             const double most = slowest();
             for (std::size_t i = 0; i < touch.corners.size(); ++i) {
                 const double rate = touch.corners[i].rate, gap = touch.corners[i].gap;
+                if (touch.isRoundOnEdge && isYetToCome(touch, rate))
+                    continue;
                 if (rate < -most && gap > landed * touch.size)
                     continue;
                 const bool sinks = gap < -limits_.gap * touch.size && rate < 0 && isFooting(touch);
@@ -164,7 +184,7 @@ private:
                         continue;
                     rest_.state = Rest::State::approaching;
                     rest_.partner = touch.support;
-                } else if (rate <= most) {
+                } else if (rate <= slowestParting(touch)) {
                     corners_.push_back({t, i});
                 }
             }

@@ -1,10 +1,13 @@
 #include "simulation/touching.h"
 
+#include "collision/nearest_feature.h"
 #include "collision/patch.h"
 #include "collision/separation.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace simulation {
 namespace {
@@ -94,6 +97,7 @@ public:
         touch.support = support.index;
         touch.bodyPart = bodyPart;
         touch.supportPart = supportPart;
+        touch.isRound = first_.part->isSphere() || second_.part->isSphere();
         touch.size = std::min(sizeOf(*first_.part), sizeOf(*second_.part));
         const PartsInTouch parts{support.index, bodyPart, supportPart};
         const bool isResting = std::ranges::find(resting, parts) != resting.end();
@@ -108,10 +112,11 @@ public:
         touch.normal = separation.normal;
         if (std::abs(touch.gap) > 10 * tolerance_ || touch.gap > tolerance_)
             return false;
-        preferFaces();
+        if (!touch.isRound)
+            preferFaces();
         addCorners();
         // A patch with an area, and what is round, has one normal.
-        if (touch.corners.size() < 3 && !first_.part->isSphere() && !second_.part->isSphere())
+        if (touch.corners.size() < 3 && !touch.isRound)
             addOthers();
         return true;
     }
@@ -139,14 +144,27 @@ private:
     }
 
     void addCorners() {
+        if (first_.part->isSphere())
+            return addRound();
+        if (second_.part->isSphere())
+            return addOnRound();
         ofBody_ = collision::furthestFeature(first_, -touch.normal, tolerance_);
         ofSupport_ = collision::furthestFeature(second_, touch.normal, tolerance_);
-        if (first_.part->isSphere())
-            addRound();
-        else if (second_.part->isSphere())
-            addOnRound();
-        else
-            addPatch();
+        addPatch();
+    }
+
+    // Of a polyhedron, that in whose cell the sphere's centre lies; the normal away from it.
+    [[nodiscard]] collision::NearestFeature under(const Posed& centre, const Posed& polyhedron) {
+        constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+        const Vector place = centre.world(0);
+        const double coordinates = origin_.cwiseAbs().maxCoeff() +
+                                   polyhedron.offset.cwiseAbs().maxCoeff() +
+                                   sizeOf(*polyhedron.part);
+        collision::NearestFeature feature =
+            collision::nearestFeature(polyhedron, place, rounding * coordinates);
+        touch.gap = feature.distance - centre.part->radius;
+        touch.isRoundOnEdge = feature.corners.size() < 3;
+        return feature;
     }
 
     // The gap is along one normal; where a face has all but that gap, its own normal is the
@@ -258,10 +276,14 @@ private:
     void addRound() {
         const Vector centre = first_.world(0);
         const double radius = first_.part->radius;
+        if (second_.part->isSphere())
+            return add(Kind::roundOnPoint, centre - radius * touch.normal, centre, second_.world(0),
+                       radius + second_.part->radius);
+        collision::NearestFeature feature = under(first_, second_);
+        touch.normal = feature.normal;
+        ofSupport_ = std::move(feature.corners);
         const Vector place = centre - radius * touch.normal;
-        if (second_.part->isSphere()) {
-            add(Kind::roundOnPoint, place, centre, second_.world(0), radius + second_.part->radius);
-        } else if (ofSupport_.size() > 2) {
+        if (ofSupport_.size() > 2) {
             add(Kind::onSupportPlane, place, centre, ofSupport_[0], radius);
         } else if (ofSupport_.size() == 2) {
             touch.isModelled = !support_.turns;
@@ -275,6 +297,9 @@ private:
     void addOnRound() {
         const Vector centre = second_.world(0);
         const double radius = second_.part->radius;
+        collision::NearestFeature feature = under(second_, first_);
+        touch.normal = -feature.normal;
+        ofBody_ = std::move(feature.corners);
         const Vector place = centre + radius * touch.normal;
         if (ofBody_.size() > 2) {
             add(Kind::onBodyPlane, place, ofBody_[0], centre, radius);

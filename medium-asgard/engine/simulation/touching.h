@@ -9,6 +9,7 @@
 //     round on a point    n.(w x (w x r) - a_s) + |u|^2 / R       u: the speed across the normal
 // with n' from the turning of the plane's owner, r from the body's centre of mass to the point.
 //
+// A sphere touches the feature in whose cell its centre lies (collision/nearest_feature.h).
 // Where edges or vertices touch, the parts may touch along several axes at once, and stay apart as
 // long as they do along one of them (collision/contact.h). Then each is told.
 //
@@ -50,6 +51,8 @@ struct Touch { // of one pair of parts
     double size = 0; // of the two parts
     bool isFlat = false;
     bool isModelled = true;
+    bool isRound = false;       // one of the two is a sphere
+    bool isRoundOnEdge = false; // a sphere on an edge or a vertex
     std::vector<Corner> corners;
     std::vector<Vector> bodyFace, supportFace; // outlines, world; of polyhedra
     // The same parts along the other axes along which they touch: with these none of their own.
