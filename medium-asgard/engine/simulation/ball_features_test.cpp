@@ -161,6 +161,30 @@ TEST(Crest, ABallGoesRoundItFromFaceToFaceAndBack) {
     }
 }
 
+// Up a slope so slowly over its upper edge that it would be back within half a second, could the
+// slope hold it there: between two looks.
+TEST(Crest, ASlowBallPassesItOnItsWayUpToo) {
+    const double angle = 0.35;
+    const Round round{0.1, 0.3};
+    const Vector down(std::cos(angle), -std::sin(angle), 0),
+        up(std::sin(angle), std::cos(angle), 0);
+    const double around = round.timeTo(angle), fast = 0.1 * round.rateAt(angle);
+    for (const double accuracy : accuracies) {
+        SceneBuilder b = floorAndSlope(1.2, accuracy, -angle);
+        scene::Body& ball =
+            b.ball("ball", 0.1 * up + (fast * 0.2 + g / 2 * std::sin(angle) * 0.2 * 0.2) * down);
+        ball.restitution = 0;
+        ball.initialVelocity = -(fast + g * std::sin(angle) * 0.2) * down;
+        b.weight("ball");
+        const Result result = simulate(b.scene);
+        EXPECT_TRUE(result.motion->impacts().empty()) << accuracy;
+        for (const double t : {0.2, 0.4, 0.6})
+            EXPECT_LT(distance(result.motion->at(2, 0.2 + around + t).position, {-0.3 * t, 0.1, 0}),
+                      0.5 * accuracy + 1e-11)
+                << accuracy << " at " << t;
+    }
+}
+
 // Onto a slope and back onto the floor: what is across the new face is lost each time.
 TEST(Foot, OfASlopeTakesWhatIsAcrossIt) {
     const double angle = 0.35, lost = std::cos(angle), pull = g * std::sin(angle);
