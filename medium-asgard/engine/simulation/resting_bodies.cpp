@@ -37,13 +37,18 @@ struct Bearing { // by a face of what stands still
     const Footing& footing;
 };
 
+bool isStandingFace(const MovingBody& support, const BodyRecord& record, const Footing& footing) {
+    return record.isFixed && !support.shape().parts[footing.supportPart].isSphere() &&
+           footing.constraints[0].kind == physics::GapConstraint::Kind::onSupportPlane;
+}
+
 struct Path { // of a body
     const Histories& histories;
     std::size_t first; // of its unknowns
 };
 
-// How far along the inward normal of a side's plane, in one piece from t on: in + rate s + bend
-// s^2.
+// How far along the inward normal of a side's plane, in one piece from t on:
+//     in + rate s + bend s^2
 struct Inward {
     double in = 0, rate = 0, bend = 0;
 
@@ -347,14 +352,13 @@ void RestingBodies::look(const Histories& histories, std::size_t body, double un
         freeAcceleration(histories, body, good, stateOf(records_[body], histories, good));
     const double radius = records_[body].radius;
     std::vector<double> beyond;
-    for (const Footing& f : watch.rest.footings) {
-        const geometry::Part& part = bodies_[f.support].shape().parts[f.supportPart];
-        if (bodies_[body].isBall() && records_[f.support].isFixed && !part.isSphere() &&
-            f.constraints[0].kind == physics::GapConstraint::Kind::onSupportPlane)
-            addTurnsBeyond({.part = part, .record = records_[f.support], .footing = f},
+    for (const Footing& f : watch.rest.footings)
+        if (bodies_[body].isBall() && isStandingFace(bodies_[f.support], records_[f.support], f))
+            addTurnsBeyond({.part = bodies_[f.support].shape().parts[f.supportPart],
+                            .record = records_[f.support],
+                            .footing = f},
                            {.histories = histories, .first = records_[body].firstUnknown},
                            {good, end}, beyond);
-    }
     std::vector<double> times = timesOf(histories, body, watch.seenUntil, end);
     times.insert(times.end(), beyond.begin(), beyond.end());
     std::ranges::sort(times);
