@@ -320,7 +320,8 @@ std::vector<double> RestingBodies::timesOf(const Histories& histories, std::size
                                            double from, double until) const {
     std::vector<double> times;
     const std::size_t first = records_[body].firstUnknown;
-    const bool isConstant = free_.contains(body) && free_.at(body).isConstant;
+    const bool isConstant =
+        free_.contains(body) && free_.at(body).isConstant && !isCarried(resting_.at(body));
     const double factor = isConstant ? sparse : 1;
     double looked = from + factor * strideAfter(from - start_);
     while (looked < until) {
@@ -338,10 +339,17 @@ std::vector<double> RestingBodies::timesOf(const Histories& histories, std::size
             t = end;
         }
     }
+    times.push_back(std::nextafter(until, from)); // before what begins there
     times.push_back(until);
     std::ranges::sort(times);
     times.erase(std::unique(times.begin(), times.end()), times.end());
     return times;
+}
+
+bool RestingBodies::isCarried(const Watch& watch) const {
+    return std::ranges::any_of(watch.rest.footings, [this](const Footing& footing) {
+        return !records_[footing.support].isFixed;
+    });
 }
 
 void RestingBodies::look(const Histories& histories, std::size_t body, double until,
@@ -362,6 +370,7 @@ void RestingBodies::look(const Histories& histories, std::size_t body, double un
     std::vector<double> times = timesOf(histories, body, watch.seenUntil, end);
     times.insert(times.end(), beyond.begin(), beyond.end());
     std::ranges::sort(times);
+    const bool carried = isCarried(watch); // what carries it pushes otherwise at each look
     std::size_t skipped = 0;
     for (const double t : times) {
         const BodyState state = stateOf(records_[body], histories, t);
@@ -369,7 +378,8 @@ void RestingBodies::look(const Histories& histories, std::size_t body, double un
         const double change =
             (now.linear - last.linear).norm() + (now.angular - last.angular).norm() * radius;
         const double scale = last.linear.norm() + last.angular.norm() * radius;
-        if (change <= notableChange * scale && t < end && ++skipped % 16 != 0 &&
+        const bool isBeforeEnd = t >= std::nextafter(end, watch.seenUntil);
+        if (change <= notableChange * scale && !carried && !isBeforeEnd && ++skipped % 16 != 0 &&
             std::ranges::find(beyond, t) == beyond.end())
             continue;
         last = now;

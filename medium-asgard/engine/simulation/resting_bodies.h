@@ -6,6 +6,9 @@
 // solver's steps, and wherever the forces have changed by more than a little since it was asked
 // last; between an answer that agrees and one that does not, the instant is found by bisection.
 //
+// Where forces are constant and nothing moves below the body, looks are rarer. One is just before a
+// piece of what drives the support ends, where the push may jump.
+//
 // LIMIT: forces are looked at every half millisecond, from 2 s on 2048 times while the time
 // doubles: what lifts a body for less than that and puts it down again between two looks is passed
 // over.
@@ -86,6 +89,7 @@ private:
         double ends = 0; // a trajectory takes hold, lets go or bends: all is asked anew
         std::optional<double> change;
     };
+    [[nodiscard]] bool isCarried(const Watch& watch) const; // by what moves
     [[nodiscard]] Acceleration freeAcceleration(const solution::Histories& histories,
                                                 std::size_t body, double time,
                                                 const BodyState& state) const;
