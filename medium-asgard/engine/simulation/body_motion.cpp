@@ -79,6 +79,15 @@ double knownUntil(const BodyRecord& body, const Histories& histories) {
     return until;
 }
 
+std::optional<double> endOf(const BodyRecord& body, const Histories& histories) {
+    std::optional<double> end;
+    for (std::size_t i = 0; i < physics::bodyUnknowns && !body.isFixed; ++i)
+        if (const auto* stop = histories.stop(body.firstUnknown + i);
+            stop && !(end && *end <= stop->time))
+            end = stop->time;
+    return end;
+}
+
 Acceleration accelerationOf(const BodyRecord& body, const Histories& histories, double time) {
     if (body.isFixed)
         return {};
@@ -97,6 +106,12 @@ Acceleration accelerationOf(const BodyRecord& body, const Histories& histories, 
 
 void MovingBody::read(const Histories& histories) {
     histories_ = &histories;
+    forget();
+}
+
+void MovingBody::standAt(const geometry::Pose& centre) {
+    record_.isFixed = true;
+    record_.start = centre;
     forget();
 }
 

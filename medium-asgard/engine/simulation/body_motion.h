@@ -31,6 +31,10 @@ enum class Side { after, before }; // which value counts at an event's own time
 // The least time up to which an unknown of the body is known; infinity when fixed.
 [[nodiscard]] double knownUntil(const BodyRecord& body, const solution::Histories& histories);
 
+// When the first unknown of the body ended; none: all go on.
+[[nodiscard]] std::optional<double> endOf(const BodyRecord& body,
+                                          const solution::Histories& histories);
+
 // Linear acceleration of the centre of mass and angular acceleration, world axes.
 struct Acceleration {
     Vector linear = Vector::Zero(), angular = Vector::Zero();
@@ -47,6 +51,8 @@ public:
 
     // The histories that pieceAt() reads; they must outlive its calls. Forgets pieces read before.
     void read(const solution::Histories& histories);
+    // Its motion has ended: from here on it stands like a fixed body, its centre of mass here.
+    void standAt(const geometry::Pose& centre);
     // What was read: the motion was cut.
     void forget() const { piece_.reset(); }
 

@@ -79,21 +79,32 @@ std::optional<Event> CollisionSource::next(const Histories& histories, double kn
     }
 }
 
+// Where its motion has ended.
+void CollisionSource::stand(const Histories& histories, std::size_t body, double time) {
+    resting_.forget(body);
+    const double end = endOf(records_[body], histories).value_or(time);
+    const BodyState last = stateOf(records_[body], histories, end);
+    bodies_[body].standAt({last.position, last.attitude});
+    search_.stand(body, time, renewal_);
+}
+
 std::optional<Event> CollisionSource::renew(const Histories& histories) {
     const double time = search_.next().time;
     search_.renew(histories, renewal_);
     if (renewal_.ended)
-        resting_.forget(renewal_.body);
+        stand(histories, renewal_.body, time);
     lookAtJoined(time);
     std::optional<Event> lost;
     for (const Pair& pair : search_.takeOverlaps()) {
         const std::string both = quoted(scene_.bodies[pair.first].name) + " and " +
                                  quoted(scene_.bodies[pair.second].name) + " overlap ";
         if (hasMet(pair, time) && !lost)
-            lost = end(pair, time,
-                       "bodies " + both +
-                           "after they have met, since a hit of theirs was not found; another "
-                           "accuracy may find it");
+            lost = search_.hasAnyEnded(pair)
+                       ? meetEnded(histories, pair, time).event
+                       : end(pair, time,
+                             "bodies " + both +
+                                 "after they have met, since a hit of theirs was not found; "
+                                 "another accuracy may find it");
         else
             noteOnce(pair, time,
                      "Bodies " + both +
@@ -138,6 +149,14 @@ std::vector<Impact> CollisionSource::impacts(double until) const {
             found.back().time = std::min(found.back().time, until);
         }
     return found;
+}
+
+std::vector<collision::Pair> CollisionSource::blocked(double until) const {
+    std::vector<Pair> pairs;
+    for (const Blocked& blocked : blocked_)
+        if (blocked.time <= until)
+            pairs.push_back(blocked.pair);
+    return pairs;
 }
 
 std::vector<std::string> CollisionSource::notes(double until) const {

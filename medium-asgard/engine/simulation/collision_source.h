@@ -10,6 +10,8 @@
 //                 some impulse: that is the event; else the search goes on from there
 //             the window of a body ends: its next one is searched
 //
+// Who meets a body whose motion has ended, at its last place, ends there too.
+//
 // Pairs keep what was found beyond an event that does not concern them (dissertation 5.2.3).
 // Bouncing under restitution < 1 whose next hop is lower than RestLimits::hopHeight ends in a
 // plastic impact, and then the body rests; so does one that is pressed onto what it touches. Where
@@ -54,6 +56,8 @@ public:
     // What happened up to a time.
     [[nodiscard]] std::vector<Impact> impacts(double until) const;
     [[nodiscard]] std::vector<std::string> notes(double until) const;
+    // Pairs of whom one met the other where its motion had ended, up to a time.
+    [[nodiscard]] std::vector<collision::Pair> blocked(double until) const;
     // By body that rests or slides where the search stands: on what.
     [[nodiscard]] std::map<std::size_t, std::vector<std::size_t>> supports() const {
         return resting_.supports();
@@ -102,6 +106,7 @@ private:
     // An event: two that had met overlap without having met again, which ends their motion.
     [[nodiscard]] std::optional<solution::Event> renew(const solution::Histories& histories);
     [[nodiscard]] bool hasMet(const Pair& pair, double time) const;
+    void stand(const solution::Histories& histories, std::size_t body, double time);
     void lookAtJoined(double time);
     // What a hit came to: an event to be announced, or none, and the search goes on from there; or
     // all is done.
@@ -177,6 +182,10 @@ private:
     [[nodiscard]] solution::Event endWithoutEnd(const solution::Histories& histories,
                                                 const Pair& pair, double time);
     [[nodiscard]] bool isRestless(std::size_t body, double time);
+    [[nodiscard]] double nextBreakpoint(double time) const;
+    // What it meets where a motion ended: its own ends there too.
+    [[nodiscard]] Handled meetEnded(const solution::Histories& histories, const Pair& pair,
+                                    double time);
     [[nodiscard]] solution::Event end(const Pair& pair, double time, const std::string& sentence);
     [[nodiscard]] std::vector<std::size_t> unknownsOf(const Pair& pair, double time) const;
     [[nodiscard]] double pushAt(const solution::Histories& histories, const Cluster& cluster,
@@ -242,6 +251,11 @@ private:
     };
     std::vector<Recorded> impacts_; // in order of their own times
     std::vector<Note> notes_;
+    struct Blocked {
+        Pair pair;
+        double time = 0;
+    };
+    std::vector<Blocked> blocked_;
     std::vector<double> events_; // times
 };
 

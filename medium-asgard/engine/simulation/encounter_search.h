@@ -19,6 +19,8 @@
 // flight and faces that stand still are searched in closed form (collision/ball_flight.h), all else
 // by collision/time_of_impact.h.
 //
+// A body whose motion has ended stays in the tree at its last place, and is met there.
+//
 // Balls in flight are not in the tree but in cells (collision/ball_cells.h), and a window of theirs
 // is the way through a cell. Two of them are searched once for as long as they fly: when one turns,
 // or comes into the cells about the other. Where the solver settles their hits on the spot
@@ -74,11 +76,13 @@ public:
     // The body whose window ended, and whether it has partners now that it had not.
     struct Renewal {
         std::size_t body = 0;
-        bool ended = false;              // its motion has ended: it meets nobody any more
+        bool ended = false;              // its motion has ended: stand() says where it stays
         std::vector<std::size_t> joined; // its partners that had no such partner before
     };
     void renew(const solution::Histories& histories, Renewal& renewal);
 
+    // What ended is met where it stands from then on: its MovingBody says where.
+    void stand(std::size_t body, double time, Renewal& renewal);
     // The motion of the body was cut at `time`.
     void cut(std::size_t body, double time);
     // A ball in flight that flies on for ever, if nobody turns it: turn() tells who does.
@@ -109,8 +113,8 @@ public:
     meetingWithStanding(const collision::BallFlight& ball,
                         std::span<const collision::StandingPart> parts, collision::Interval during);
 
-    // Bodies that this one may meet during its window, in order; none for fixed bodies, whom the
-    // others list.
+    // Bodies that this one may meet during its window, in order, but for those that ended; none for
+    // fixed bodies, whom the others list.
     [[nodiscard]] std::vector<std::size_t> partners(std::size_t body) const;
     // The same, in no order.
     template <typename Visit> void forEachPartner(std::size_t body, Visit&& visit) {
@@ -122,6 +126,9 @@ public:
                     visit(other);
     }
     [[nodiscard]] bool hasEnded(std::size_t body) const { return ended_[body]; }
+    [[nodiscard]] bool hasAnyEnded(const Pair& pair) const {
+        return ended_[pair.first] || ended_[pair.second];
+    }
     // The motion from the front on that was looked at.
     [[nodiscard]] double windowEnd(std::size_t body) const { return windows_[body].until; }
 

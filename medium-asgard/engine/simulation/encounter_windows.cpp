@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace simulation {
@@ -229,6 +230,19 @@ void EncounterSearch::renew(const Histories& histories, Renewal& renewal) {
     searchAround(body, time);
 }
 
+void EncounterSearch::stand(std::size_t body, double time, Renewal& renewal) {
+    Window& window = windows_[body];
+    window.from = time;
+    window.until = window.pieceEnd = infinity;
+    window.box = collision::boundsDuring(bodies_[body], time, time);
+    grow(window.box, slack_ * records_[body].radius);
+    tree_.put(body, window.box);
+    findPartners(body, window.box, renewal);
+    renewal.joined.clear(); // nobody rests on it
+    for (const std::size_t other : partners_[body])
+        search(std::minmax(body, other), time);
+}
+
 void EncounterSearch::searchAround(std::size_t body, double time, std::size_t but) {
     for (const std::size_t other : partners_[body])
         if (other != but)
@@ -252,7 +266,9 @@ void EncounterSearch::searchAround(std::size_t body, double time, std::size_t bu
 }
 
 std::vector<std::size_t> EncounterSearch::partners(std::size_t body) const {
-    std::vector<std::size_t> partners = partners_[body];
+    std::vector<std::size_t> partners;
+    std::ranges::copy_if(partners_[body], std::back_inserter(partners),
+                         [this](std::size_t other) { return !ended_[other]; });
     if (cells_.contains(body))
         cells_.forEachNear(body, [&](std::size_t other) {
             if (mayMeet(body, other))
@@ -334,7 +350,10 @@ void EncounterSearch::findPartners(std::size_t body, const geometry::Box& leaf, 
             if (partners_[ball].empty() && windows_[ball].isFlight)
                 boxFlight(ball);
         });
-    std::erase_if(found_, [&](std::size_t other) { return !mayMeet(body, other); });
+    std::erase_if(found_, [&](std::size_t other) {
+        const bool bothStand = ended_[body] && (ended_[other] || records_[other].isFixed);
+        return bothStand || !mayMeet(body, other);
+    });
     std::ranges::sort(found_);
     partners_[body] = found_;
     for (const std::size_t other : found_) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -33,19 +34,45 @@ bool CollisionSource::givesWay(std::size_t body, double time) const {
     return search_.isFollowed(body) || resting_.canGiveWay(body, time);
 }
 
+double CollisionSource::nextBreakpoint(double time) const {
+    double next = infinity;
+    for (const double t : equations_.breakpoints)
+        if (t > time)
+            next = std::min(next, t);
+    return next;
+}
+
+// What is held goes on, whatever stands there.
+CollisionSource::Handled CollisionSource::meetEnded(const Histories& histories, const Pair& pair,
+                                                    double time) {
+    const bool isFirst = !search_.hasEnded(pair.first);
+    const std::size_t body = isFirst ? pair.first : pair.second;
+    const std::size_t ended = isFirst ? pair.second : pair.first;
+    if (!givesWay(body, time)) {
+        search_.letPass(pair, nextBreakpoint(time));
+        return {};
+    }
+    char when[40];
+    std::snprintf(when, sizeof when, "%.6g", endOf(records_[ended], histories).value_or(time));
+    blocked_.push_back({pair, time});
+    return {.event = end({body, body}, time,
+                         "body " + quoted(scene_.bodies[body].name) + " meets " +
+                             quoted(scene_.bodies[ended].name) + ", whose motion stopped at t = " +
+                             when + "; what happens then is not known"),
+            .isDone = false};
+}
+
 CollisionSource::Handled CollisionSource::handle(const Histories& histories,
                                                  const EncounterSearch::Found& hit) {
     const Pair& pair = hit.pair;
+    if (search_.hasAnyEnded(pair))
+        return meetEnded(histories, pair, hit.time);
     if (!givesWay(pair.first, hit.time) && !givesWay(pair.second, hit.time)) {
         noteOnce(pair, hit.time,
                  "Bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
                      quoted(scene_.bodies[pair.second].name) +
                      " are both held where they meet, so they pass through each other.");
-        double until = infinity;
-        for (const double time : equations_.breakpoints)
-            if (time > hit.time)
-                until = std::min(until, time);
-        search_.letPass(pair, until);
+        search_.letPass(pair, nextBreakpoint(hit.time));
         return {};
     }
     if (hit.isLost)

@@ -171,11 +171,18 @@ void KnownMotion::index() {
 
 namespace {
 
+struct Mover { // one that stands where it is then
+    const MovingBody& body;
+    double until = 0;
+
+    [[nodiscard]] geometry::Box bounds(double from, double to) const {
+        return collision::boundsDuring(body, std::min(from, until), std::min(to, until));
+    }
+};
+
 // Boxes that still overlap over the shortest times: the bodies touch, or only just do not.
-bool boxesMeet(const MovingBody& a, const MovingBody& b, double from, double to, double room,
-               int halvings) {
-    if (!grown(collision::boundsDuring(a, from, to), room)
-             .intersects(collision::boundsDuring(b, from, to)))
+bool boxesMeet(const Mover& a, const Mover& b, double from, double to, double room, int halvings) {
+    if (!grown(a.bounds(from, to), room).intersects(b.bounds(from, to)))
         return false;
     const double middle = from + (to - from) / 2;
     if (halvings == 0 || !(from < middle && middle < to))
@@ -199,10 +206,11 @@ bool meet(const SolvedPart& one, std::size_t first, const SolvedPart& other, std
         return false;
     const double start =
         one.motion.histories ? one.motion.histories->start() : other.motion.histories->start();
-    const double until = std::min(one.until[first], other.until[second]);
+    const double until = std::max(one.until[first], other.until[second]);
     const double room =
         touching * ((*one.motion.bodies)[first].radius + (*other.motion.bodies)[second].radius);
-    return boxesMeet(one.bodies[first], other.bodies[second], start, until, room, halvings);
+    return boxesMeet({one.bodies[first], one.until[first]},
+                     {other.bodies[second], other.until[second]}, start, until, room, halvings);
 }
 
 } // namespace simulation

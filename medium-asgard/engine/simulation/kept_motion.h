@@ -28,7 +28,7 @@ struct SolvedPart {
 
     ComputedMotion::Part motion;
     std::vector<MovingBody> bodies;   // of the motion; for one thread
-    std::vector<double> until;        // by body: what comes after is no motion
+    std::vector<double> until;        // by body: from then on it stands, or the motion is over
     std::vector<geometry::Box> reach; // by body: holds its shape at all times
     std::shared_ptr<Reserve> reserve; // none: it was too large to keep
 };

@@ -175,8 +175,10 @@ Run OpenRun::collect(double until) {
     run.stops = stopsOf(problem_, *run.histories, until);
     run.statistics = machinery_->solver->statistics();
     run.before = std::exchange(counted_, run.statistics);
+    std::vector<collision::Pair> blocked;
     if (machinery_->collisions) {
         CollisionSource& collisions = *machinery_->collisions;
+        blocked = collisions.blocked(until);
         run.impacts = collisions.impacts(until);
         run.notes = collisions.notes(until);
         const std::size_t tests = collisions.pairTests();
@@ -188,7 +190,7 @@ Run OpenRun::collect(double until) {
     if (problem_.options.explain)
         run.equations =
             std::make_shared<const expression::EquationSet>(machinery_->solver->equations());
-    run.island = islandsOf(problem_, run.impacts);
+    run.island = islandsOf(problem_, run.impacts, blocked);
     run.isIntegrated.assign(problem_.bodies->size(), false);
     const std::vector<std::size_t> owners = ownersOf(problem_);
     for (const solution::Statistics::Integrated& integrated : run.statistics.integrated)

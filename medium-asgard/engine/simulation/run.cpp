@@ -156,11 +156,14 @@ solution::Options solverOptions(const Problem& problem, const std::vector<double
     return options;
 }
 
-std::vector<std::size_t> islandsOf(const Problem& problem, const std::vector<Impact>& impacts) {
+std::vector<std::size_t> islandsOf(const Problem& problem, const std::vector<Impact>& impacts,
+                                   const std::vector<collision::Pair>& blocked) {
     Groups groups(problem.readers);
     for (const Impact& impact : impacts)
         if (!(*problem.bodies)[impact.first].isFixed && !(*problem.bodies)[impact.second].isFixed)
             groups.join(impact.first, impact.second);
+    for (const auto& [first, second] : blocked)
+        groups.join(first, second);
     std::vector<std::size_t> island(problem.bodies->size());
     for (std::size_t b = 0; b < island.size(); ++b)
         island[b] = groups.root(b);

@@ -74,9 +74,11 @@ struct Run {
 [[nodiscard]] std::string shortfallOf(double accuracy, double estimate,
                                       std::optional<double> predictableUntil);
 
-// Which bodies belong together when these impacts happen.
+// Which bodies belong together when these impacts happen, and some meet where another's motion has
+// ended.
 [[nodiscard]] std::vector<std::size_t> islandsOf(const Problem& problem,
-                                                 const std::vector<Impact>& impacts);
+                                                 const std::vector<Impact>& impacts,
+                                                 const std::vector<collision::Pair>& blocked = {});
 
 // By unknown: its body.
 [[nodiscard]] std::vector<std::size_t> ownersOf(const Problem& problem);

@@ -172,6 +172,74 @@ TEST(Stops, ALaterFinishIsGivenUpWhereARunFromTheStartGivesUp) {
     EXPECT_EQ(stop->time, scratch->time);
 }
 
+// "stone" stops at t = 1, where its force has no value any more; "comer" comes by at t = 3.
+SceneBuilder stoneInTheWay(double speed, const std::string& drag = "0") {
+    SceneBuilder b(8, 1e-6);
+    b.ball("stone", {0, 0, 0}, 0.5);
+    b.force("stone", "0", "0", "1e-3*sqrt(1-t)");
+    b.ball("comer", {4, 0, 0}, 0.5).initialVelocity = {-speed, 0, 0};
+    b.force("comer", drag, "0", "0");
+    b.ball("late", {20, 0, 0}, 0.5).initialVelocity = {-speed, 0, 0};
+    b.ball("far", {0, 50, 0}, 0.5).initialVelocity = {-speed, 0, 0};
+    return b;
+}
+
+// What then happens to it is as little known.
+TEST(Stops, WhatMeetsABodyThatStoppedStopsThereToo) {
+    for (const std::string drag : {"0", "-1e-9*comer.dx^3"}) {
+        const SceneBuilder b = stoneInTheWay(1.5, drag);
+        const Result result = simulate(b.scene);
+        const auto stop = result.motion->stop(1), late = result.motion->stop(2);
+        ASSERT_TRUE(stop && !late) << drag;
+        EXPECT_NEAR(stop->time, 2, 1e-6);
+        EXPECT_EQ(stop->sentence, "Stopped at t = 2: body \"comer\" meets \"stone\", whose motion "
+                                  "stopped at t = 1; what happens then is not known.");
+        EXPECT_NEAR(result.motion->at(1, 8).position.x(), 1, 1e-6);
+        EXPECT_FALSE(result.motion->stop(3));
+        EXPECT_EQ(reportOf(b.scene, *result.motion).size(), 2u) << "each who stops says so";
+    }
+}
+
+// And so does what meets that one, and what falls onto it.
+TEST(Stops, WhoMeetsOneThatMetAStopStopsToo) {
+    SceneBuilder b = stoneInTheWay(2.5);
+    b.ball("rider", {0, 8, 0}, 0.5);
+    b.weight("rider");
+    const Result result = simulate(b.scene);
+    ASSERT_TRUE(result.motion->stop(2) && result.motion->stop(4));
+    EXPECT_NEAR(result.motion->stop(2)->time, 7.2, 1e-6);
+    EXPECT_THAT(result.motion->stop(2)->sentence, HasSubstr("meets \"comer\", whose motion"));
+    EXPECT_NEAR(result.motion->stop(4)->time, std::sqrt(14 / testing::g), 1e-6);
+}
+
+// What is held goes its way, and nobody meets a stop that is not in the way.
+TEST(Stops, WhatIsHeldPassesWhereAMotionStopped) {
+    SceneBuilder b = stoneInTheWay(0);
+    b.ball("held", {-9, 0, 0}, 0.5);
+    b.hold("held", 0, 8, {{-9, 0, 0}, {-3, 0, 0}, {3, 0, 0}, {9, 0, 0}});
+    b.ball("beside", {0, 9, 0}, 0.5).initialVelocity = {0, -1, 1};
+    const Result result = simulate(b.scene);
+    EXPECT_FALSE(result.motion->stop(4));
+    EXPECT_FALSE(result.motion->stop(5));
+}
+
+// Whoever is edited into its way, or out of it; and where the stop itself is moved there.
+TEST(Stops, EditsMeetAStopAsARunFromTheStartDoes) {
+    Resimulation edited;
+    SceneBuilder b = stoneInTheWay(1.5);
+    EXPECT_TRUE(testing::updated(edited, b.scene).motion->stop(1));
+    b.scene.bodies[1].initialPosition.y() = 5;
+    EXPECT_FALSE(testing::updated(edited, b.scene).motion->stop(1));
+    b.scene.bodies[3].initialVelocity = {0, -8, 0};
+    EXPECT_TRUE(testing::updated(edited, b.scene).motion->stop(3));
+    b.scene.bodies[0].initialPosition.x() = 6;
+    EXPECT_FALSE(testing::updated(edited, b.scene).motion->stop(3));
+    b.scene.bodies[0].initialPosition = {1.2, 5, 0};
+    const auto stop = testing::updated(edited, b.scene).motion->stop(1);
+    ASSERT_TRUE(stop);
+    EXPECT_NEAR(stop->time, 1.2, 1e-6);
+}
+
 TEST(Report, SpeaksOfTheBodyThatASentenceNames) {
     scene::Scene scene = orbit(1);
     scene.bodies[0].source.line = 7;
