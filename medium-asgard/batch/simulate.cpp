@@ -70,12 +70,13 @@ simulation::Options optionsOf(const SimulateArguments& arguments,
     return options;
 }
 
-bool writeStatistics(const std::string& file, const simulation::Statistics& statistics,
-                     double secondsReading) {
+bool writeStatistics(const std::string& file, const scene::Scene& scene,
+                     const simulation::Result& result, double secondsReading) {
     Output output(file);
     if (!output.good())
         return false;
-    const std::string json = statisticsJson(statistics, secondsReading);
+    const std::string json =
+        statisticsJson(scene, *result.motion, result.statistics, secondsReading);
     return output.finish(std::fwrite(json.data(), 1, json.size(), output.stream()) == json.size());
 }
 
@@ -126,7 +127,8 @@ int compute(const SceneText& scene, const SimulateArguments& arguments,
     if (!output.good() || !output.finish(writeTable(output.stream(), scene.reading.scene,
                                                     *result.motion, quantities, columns, times)))
         return failure;
-    if (arguments.stats && !writeStatistics(*arguments.stats, result.statistics, secondsReading))
+    if (arguments.stats &&
+        !writeStatistics(*arguments.stats, scene.reading.scene, result, secondsReading))
         return failure;
     return stopped || result.motion->computed() < result.motion->finish() ? failure : success;
 }

@@ -2,10 +2,48 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace batch {
 
-std::string statisticsJson(const simulation::Statistics& s, double secondsReading) {
-    using Json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json stopsOf(const scene::Scene& scene, const simulation::Motion& motion) {
+    Json stops = Json::array();
+    for (std::size_t b = 0; b < motion.bodies(); ++b)
+        if (const auto stop = motion.stop(b))
+            stops.push_back({{"body", scene.bodies[b].name},
+                             {"time", stop->time},
+                             {"sentence", stop->sentence}});
+    return stops;
+}
+
+// All bodies are known up to here.
+double reachedBy(const simulation::Motion& motion) {
+    double reached = motion.computed();
+    for (std::size_t b = 0; b < motion.bodies(); ++b)
+        if (const auto stop = motion.stop(b))
+            reached = std::min(reached, stop->time);
+    return reached;
+}
+
+// Where all stopped as soon as they started, nothing was estimated.
+bool isAnyMotion(const scene::Scene& scene, const simulation::Motion& motion) {
+    bool isAny = false, isStopped = false;
+    for (std::size_t b = 0; b < motion.bodies(); ++b) {
+        const auto stop = motion.stop(b);
+        isStopped = isStopped || stop;
+        isAny = isAny || (!scene.bodies[b].fixed && !(stop && stop->time <= motion.start()));
+    }
+    return isAny || !isStopped;
+}
+
+} // namespace
+
+std::string statisticsJson(const scene::Scene& scene, const simulation::Motion& motion,
+                           const simulation::Statistics& s, double secondsReading) {
     const auto orNull = [](const std::optional<double>& value) {
         return value ? Json(*value) : Json(nullptr);
     };
@@ -16,6 +54,7 @@ std::string statisticsJson(const simulation::Statistics& s, double secondsReadin
                               {"method", c.method},
                               {"steps", c.steps},
                               {"evaluations", c.evaluations}});
+    const auto estimate = isAnyMotion(scene, motion) ? s.errorEstimate : std::nullopt;
     const Json json = {{"seconds", s.seconds},
                        {"seconds_reading", secondsReading},
                        {"steps", s.steps},
@@ -29,9 +68,10 @@ std::string statisticsJson(const simulation::Statistics& s, double secondsReadin
                        {"components", s.components},
                        {"largest_component", s.largestComponent},
                        {"history_bytes", s.historyBytes},
-                       {"reached", s.reached},
-                       {"error_estimate", orNull(s.errorEstimate)},
+                       {"reached", reachedBy(motion)},
+                       {"error_estimate", orNull(estimate)},
                        {"predictable_until", orNull(s.predictableUntil)},
+                       {"stops", stopsOf(scene, motion)},
                        {"component_list", components}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -7,7 +7,9 @@
 
 namespace batch {
 
-[[nodiscard]] std::string statisticsJson(const simulation::Statistics& statistics,
+[[nodiscard]] std::string statisticsJson(const scene::Scene& scene,
+                                         const simulation::Motion& motion,
+                                         const simulation::Statistics& statistics,
                                          double secondsReading);
 
 } // namespace batch

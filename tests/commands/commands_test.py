@@ -94,8 +94,35 @@ class Commands(unittest.TestCase):
             statistics = json.load(file)
         wanted = ("seconds seconds_reading steps rejected_steps discarded_steps evaluations equation_evaluations factorisations "
                   "pair_tests collisions components largest_component history_bytes reached error_estimate predictable_until "
-                  "component_list")
+                  "stops component_list")
         self.assertEqual(sorted(statistics), sorted(wanted.split()))
+
+    def test_statistics_tell_who_stopped_and_that_not_all_is_reached(self):
+        scene = os.path.join(self.folder, "stops.al")
+        out = os.path.join(self.folder, "stops.json")
+        with open(scene, "w", encoding="utf-8") as file:
+            file.write("simulator -finish 4\nshape_set s -desc {-sub {-sphere 0.5}}\n"
+                       "body a s -mass 1\nforce -body a -x {1e-3*sqrt(1-t)}\n"
+                       "body b s -mass 1 -init_pos {4 0 0} -init_dpos {-2 0 0}\n"
+                       "body c s -mass 1 -init_pos {0 9 0}\n")
+        self.assertIn("whose motion stopped at t = 1;", self.simulate(scene, "--stats", out, code=1)[1])
+        with open(out, encoding="utf-8") as file:
+            statistics = json.load(file)
+        self.assertEqual([stop["body"] for stop in statistics["stops"]], ["a", "b"])
+        self.assertEqual(statistics["reached"], statistics["stops"][0]["time"])
+        self.assertAlmostEqual(statistics["stops"][1]["time"], 1.5, places=3)
+        self.assertIn("meets \"a\"", statistics["stops"][1]["sentence"])
+        self.assertEqual(self.stopsAtOnce(out)["error_estimate"], None)
+
+    def stopsAtOnce(self, out):
+        scene = os.path.join(self.folder, "at_once.al")
+        with open(scene, "w", encoding="utf-8") as file:
+            file.write("shape_set s -desc {-sub {-sphere 0.5}}\nbody a s -mass 1\nforce -body a -x {sqrt(-t)}\n")
+        self.simulate(scene, "--stats", out, code=1)
+        with open(out, encoding="utf-8") as file:
+            statistics = json.load(file)
+        self.assertEqual(statistics["reached"], 0)
+        return statistics
 
     def refused(self, code, *arguments, scene=None):
         """Nothing is written and something is said."""
