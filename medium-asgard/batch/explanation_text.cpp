@@ -81,6 +81,8 @@ std::vector<Kind> kindsOf(const Explanation& explanation) {
 }
 
 std::string howOf(const Component& c) {
+    if (c.method.empty()) // it stopped before a method was chosen
+        return "not solved: its motion stopped where it would have begun";
     const std::string by =
         " by " + c.method + (c.order > 0 ? " (order " + std::to_string(c.order) + ")" : "");
     if (c.model == "closed-form")
@@ -154,18 +156,12 @@ std::string lawOf(const std::vector<std::string>& equations, Numbers numbers) {
     return law;
 }
 
-std::string sentenceOf(const std::vector<std::string>& parts) {
-    std::string text;
-    for (const std::string& part : parts)
-        text += (text.empty() ? "" : "; ") + part;
-    return text;
-}
-
 class Writer {
 public:
     Writer(const Explanation& explanation, Detail detail) : explanation_(explanation) {
         if (detail == Detail::all)
-            mostNames_ = mostLines_ = longestLine_ = mostBodies_ = mostLaws_ = everything;
+            mostNames_ = mostLines_ = longestLine_ = mostBodies_ = mostLaws_ = longestPart_ =
+                everything;
     }
     [[nodiscard]] std::string text() const;
 
@@ -174,6 +170,7 @@ private:
     [[nodiscard]] std::string more(std::size_t count, const std::string& what) const {
         return "    and " + std::to_string(count) + " more" + what + " (--all shows all)\n";
     }
+    [[nodiscard]] std::string sentenceOf(const std::vector<std::string>& parts) const;
     [[nodiscard]] std::string acting() const;
     [[nodiscard]] std::string laws(const std::vector<const Component*>& components) const;
     [[nodiscard]] std::string equations(const Component& component) const;
@@ -184,7 +181,7 @@ private:
 
     const Explanation& explanation_;
     std::size_t mostNames_ = 6, mostLines_ = 13, longestLine_ = 160, mostBodies_ = 12,
-                mostLaws_ = 8;
+                mostLaws_ = 8, longestPart_ = 80;
 };
 
 std::string Writer::shortened(const std::string& line) const {
@@ -194,11 +191,25 @@ std::string Writer::shortened(const std::string& line) const {
                : line.substr(0, longestLine_ - cut.size()) + std::string(cut);
 }
 
+// Each part cut where it is too long, so that a long one hides no other.
+std::string Writer::sentenceOf(const std::vector<std::string>& parts) const {
+    std::string text = parts.empty() ? "nothing" : "";
+    bool isCut = parts.size() > mostLines_;
+    for (std::size_t i = 0; i < std::min(parts.size(), mostLines_); ++i) {
+        const bool isLong = parts[i].size() > longestPart_;
+        isCut = isCut || isLong;
+        text += (i == 0 ? "" : "; ") + parts[i].substr(0, longestPart_) + (isLong ? " ..." : "");
+    }
+    if (parts.size() > mostLines_)
+        text += "; and " + std::to_string(parts.size() - mostLines_) + " more";
+    return text + (isCut ? " (--all shows all)" : "");
+}
+
 // Bodies on which the same acts are told together, in the order of the scene.
 std::string Writer::acting() const {
-    std::vector<std::pair<std::string, std::vector<std::string>>> groups;
+    std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> groups;
     for (const simulation::Acting& acting : explanation_.acting) {
-        const std::string what = acting.what.empty() ? "nothing" : sentenceOf(acting.what);
+        const std::vector<std::string>& what = acting.what;
         auto group = std::ranges::find(groups, what, [](const auto& g) { return g.first; });
         if (group == groups.end())
             group = groups.insert(groups.end(), {what, {}});
@@ -209,8 +220,8 @@ std::string Writer::acting() const {
     std::string text = "What acts:\n";
     std::size_t told = 0;
     for (std::size_t i = 0; i < std::min(groups.size(), mostBodies_); ++i) {
-        text += shortened("    " + listOf(groups[i].second, mostNames_) + ": " + groups[i].first) +
-                "\n";
+        const std::vector<std::string>& what = groups[i].first;
+        text += "    " + listOf(groups[i].second, mostNames_) + ": " + sentenceOf(what) + "\n";
         told += groups[i].second.size();
     }
     if (groups.size() > mostBodies_)
@@ -275,8 +286,9 @@ std::string Writer::paragraph(const std::vector<const Component*>& components) c
     }
     std::string text = counted(count, "component", "components") + " of " +
                        counted(unknowns, "unknown", "unknowns") + (count == 1 ? "" : " each") +
-                       " (" + listOf(kindsOf(first), 5) + "), " + howOf(first) + ": " + first.why +
-                       ". " + counted(steps, "step", "steps") + ", " +
+                       " (" + listOf(kindsOf(first), 5) + "), " + howOf(first) +
+                       (first.why.empty() ? "" : ": " + first.why) + ". " +
+                       counted(steps, "step", "steps") + ", " +
                        counted(evaluations, "evaluation", "evaluations") + ".\n" + laws(components);
     return text;
 }

@@ -54,14 +54,14 @@ class Explain(unittest.TestCase):
     def test_what_acts_at_rest_and_in_motion(self):
         self.compare("acting")
 
-    def explained(self, *lines, arguments=()):
+    def explained(self, *lines, arguments=(), code=0):
         text = "shape_set s -desc {-sub {-sphere 1}}\n" + "\n".join(lines) + "\n"
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "a.al")
             with open(path, "w", encoding="utf-8") as file:
                 file.write(text)
             ran = run(path, *arguments)
-        self.assertEqual((ran.returncode, ran.stderr), (0, ""))
+        self.assertEqual((ran.returncode, ran.stderr == ""), (code, code == 0))
         return ran.stdout
 
     def test_small_terms_and_numbers_are_told(self):
@@ -89,6 +89,21 @@ class Explain(unittest.TestCase):
         self.assertIn("(--all shows all)", cut)
         self.assertNotIn("--all", whole)
         self.assertGreater(len(whole), len(cut))
+
+    def test_a_long_force_hides_nothing_else(self):
+        text = self.explained("shape_set plane -desc {-sub {-box {20 1 4}}}", "body plane plane -fixed 1 -init_pos {0 -1.5 0}",
+                              "body b s -mass 1 -restitution 0", "force -body b -gravitational {0 -9.81 0}",
+                              "force -body b -x {1e-9*(" + "+".join(f"sin({i}*t)" for i in range(1, 40)) + ")}")
+        line = text.split("\n")[1]
+        self.assertTrue(line.endswith(" (--all shows all)"), line)
+        self.assertIn(" ...; plane, on which it ", line)
+
+    def test_what_stopped_before_it_began_is_not_said_to_be_integrated(self):
+        text = self.explained("shape_set box -desc {-sub {-box {1 1 1}}}", "body floor box -fixed 1 -init_pos {0 -1 0}",
+                              "body b box -mass 1 -restitution 0", "body c box -mass 1 -restitution 0 -init_pos {0 1 0}",
+                              "force -body b -gravitational {0 -9.81 0}", "force -body c -gravitational {0 -9.81 0}", code=1)
+        self.assertIn("not solved: its motion stopped where it would have begun. 0 steps", text)
+        self.assertNotIn("integrated by ,", text)
 
     def test_the_memo_of_the_dissertation(self):
         self.compare("memo")

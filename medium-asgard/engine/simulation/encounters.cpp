@@ -124,10 +124,10 @@ Event CollisionSource::endWithoutEnd(const Histories& histories, const Pair& pai
         meetings_[pair.first].isWithSeveral || meetings_[pair.second].isWithSeveral;
     return end(pair, time,
                bodiesQuoted(pair) + " meet again and again in ever shorter time; " +
-                   (isBetweenSeveral ? "more room between them would end that"
-                                     : "nothing else is met in between. How they go on in touch is "
-                                       "not modelled; a little change of how they start may "
-                                       "avoid it"));
+                   (isBetweenSeveral
+                        ? "more room between them would end that"
+                        : "nothing else is met in between, and how they go on in touch "
+                          "is not modelled"));
 }
 
 bool CollisionSource::isWithoutEnd(std::size_t body, std::size_t other, double time) {

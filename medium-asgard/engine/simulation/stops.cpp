@@ -82,9 +82,14 @@ std::string adviceFor(solution::Stop::Reason reason, bool isBlamed) {
     }
 }
 
-Stop stopOf(const Problem& problem, const physics::Suspects& suspects,
-            const solution::Histories& histories, const std::vector<std::size_t>& owners,
-            const solution::Stop& stop) {
+struct Why {
+    std::string reason; // no time in it
+    std::optional<Stop::Culprit> culprit = {};
+};
+
+Why whyOf(const Problem& problem, const physics::Suspects& suspects,
+          const solution::Histories& histories, const std::vector<std::size_t>& owners,
+          const solution::Stop& stop) {
     using Reason = solution::Stop::Reason;
     std::string reason = stop.sentence;
     std::vector<physics::Blame> blames;
@@ -103,11 +108,36 @@ Stop stopOf(const Problem& problem, const physics::Suspects& suspects,
         reason = named;
     else if (!named.empty())
         reason += ", since " + named;
-    Stop told{.time = stop.time,
-              .sentence = sentenceAt(stop.time, reason + adviceFor(stop.reason, !named.empty()))};
+    Why why{.reason = reason + adviceFor(stop.reason, !named.empty())};
     if (!blames.empty())
-        told.culprit = culpritOf(problem, blames[0]);
-    return told;
+        why.culprit = culpritOf(problem, blames[0]);
+    return why;
+}
+
+// What ended first, of which the others read that it had ended.
+const solution::Stop& rootOf(const solution::Histories& histories, const solution::Stop& stop) {
+    const solution::Stop* root = &stop;
+    for (std::size_t i = 0; i < histories.stops().size(); ++i) { // no longer than there are links
+        if (root->reason != solution::Stop::Reason::inputEnded || root->culprits.empty())
+            break;
+        const solution::Stop* before = histories.stop(root->culprits[0]);
+        if (!before)
+            break;
+        root = before;
+    }
+    return *root;
+}
+
+Stop stopOf(const Problem& problem, const physics::Suspects& suspects,
+            const solution::Histories& histories, const std::vector<std::size_t>& owners,
+            const solution::Stop& stop) {
+    const solution::Stop& root = rootOf(histories, stop);
+    Why why = whyOf(problem, suspects, histories, owners, root);
+    if (owners[root.unknowns[0]] != owners[stop.unknowns[0]])
+        why.reason = stop.sentence + ": " + why.reason;
+    return {.time = stop.time,
+            .sentence = sentenceAt(stop.time, why.reason),
+            .culprit = std::move(why.culprit)};
 }
 
 // Of what is solved, by body.

@@ -98,6 +98,28 @@ TEST(Stops, AnInfiniteForceAtTheFinishIsSaid) {
     }
 }
 
+// What reads a motion that ended says whose fault it was, however long the chain.
+TEST(Stops, WhatReadsAMotionThatEndedNamesTheCause) {
+    SceneBuilder b(4, 1e-4);
+    b.ball("a", {0, 0, 0});
+    b.force("a", "sqrt(1-t)", "0", "0");
+    b.ball("b", {5, 0, 0});
+    b.force("b", "a.x-b.x", "0", "0");
+    b.ball("c", {9, 0, 0});
+    b.force("c", "b.x-c.x", "0", "0");
+    const Result result = simulate(b.scene);
+    for (const std::size_t body : {1u, 2u}) {
+        const auto stop = result.motion->stop(body);
+        ASSERT_TRUE(stop);
+        EXPECT_THAT(stop->sentence,
+                    HasSubstr(", whose motion ended: the force on body \"a\" is not "
+                              "finite: its x, \"sqrt(1-t)\", is not a number"));
+        EXPECT_EQ(stop->culprit, (Stop::Culprit{"a", false, 0, "-x"}));
+    }
+    EXPECT_THAT(result.motion->stop(0)->sentence,
+                HasSubstr("Stopped at t = 1: the force on body \"a\" is"));
+}
+
 // x = 1 + v t.
 TEST(Stops, MotionInClosedFormEndsWhereItGoesOver1e100) {
     SceneBuilder b(1e60, 1e-4);

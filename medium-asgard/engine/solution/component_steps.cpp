@@ -79,6 +79,7 @@ void Component::step() {
     if (ends_ && limit_ <= time_) {
         end(Stop::Reason::inputEnded, {},
             names({0}) + " reads " + set_->unknowns[*ends_].name + ", whose motion ended");
+        stop_->culprits.push_back(*ends_);
         return;
     }
     if (history_->size() > options_.maximumSteps) { // what events threw away does not count
