@@ -63,13 +63,31 @@ TEST(Rest, ABallLeavesAShakingTableWhereItsPushVanishes) {
                     v = std::max(v, table.velocity.y());
                 }
                 highest = std::max(highest, gap);
-                if (i % 1000 == 0)
+                if (i % 250 == 0)
                     largest =
                         std::max(largest, std::abs(result.motion->at(1, i * dt).position.y() - y));
             }
             EXPECT_GT(highest, 0.02);
             EXPECT_LT(largest, 1e-3) << isBall << " " << spacing;
         }
+}
+
+// By a force that is linear in its place: pieces of the exact motion, which begin as it does.
+TEST(Carried, ASpringLiftsABallOffTheFloorFromRest) {
+    for (const double accuracy : {1e-3, 1e-6, 1e-9}) {
+        SceneBuilder b(3, accuracy);
+        b.floor();
+        b.ball("load", {0, 0.1, 0}).restitution = 0;
+        b.weight("load");
+        b.force("load", "0", "200*(0.5-(load.y-0.1))", "0");
+        const Result result = simulate(b.scene);
+        ASSERT_FALSE(result.motion->stop(1)) << result.motion->stop(1)->sentence;
+        const double middle = 0.5 - g / 200, frequency = std::sqrt(200.0);
+        for (double t = 0; t < 0.4; t += 0.01) // before it is back on the floor
+            EXPECT_NEAR(result.motion->at(1, t).position.y(),
+                        0.1 + middle * (1 - std::cos(frequency * t)), 1e-12)
+                << accuracy << ", t = " << t;
+    }
 }
 
 } // namespace

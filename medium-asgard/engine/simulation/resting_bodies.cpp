@@ -140,7 +140,7 @@ physics::ImpactBody RestingBodies::impactBody(std::size_t body, double time,
 
 BodyState RestingBodies::bearingState(const Histories& histories, std::size_t body,
                                       double time) const {
-    const BodyState state = stateOf(records_[body], histories, time);
+    BodyState state = stateOf(records_[body], histories, time);
     const auto found = resting_.find(body);
     if (found == resting_.end() || !canGiveWay(body, time) || !state.angularVelocity.allFinite())
         return state;

@@ -59,6 +59,10 @@ LinearMotion::LinearMotion(const LinearForm& form) : until_(form.until) {
         for (Eigen::Index column = 0; column < columns; ++column)
             m_(row, column) = form.matrix[static_cast<std::size_t>(row * columns + column)];
     largest_ = Vector::Zero(columns);
+    for (Eigen::Index row = 0; row + 1 < columns; ++row)
+        for (Eigen::Index column = 0; column + 1 < columns; ++column)
+            if (column != row && m_(row, column) == 1 && m_.row(row).cwiseAbs().sum() == 1)
+                rates_.emplace_back(row, column);
     balance();
     constexpr double shortEnough = 0.25;
     Matrix power = m_.topLeftCorner(columns - 1, columns - 1);
@@ -148,9 +152,21 @@ LinearMotion::Propagators LinearMotion::rounded(const Precise& precise) {
     return result;
 }
 
-double LinearMotion::misfit(const Propagators& propagators, const Vector& start,
-                            std::span<Coefficients> columns, Vector& end) {
+// By what vanishes at both ends.
+void LinearMotion::beginAtRates(double h, const Vector& start,
+                                std::span<Coefficients> columns) const {
+    for (const auto& [place, rate] : rates_) {
+        Coefficients& column = columns[static_cast<std::size_t>(place)];
+        const double exact = h * m_(place, rate) * start(rate);
+        column[2] += column[1] - exact;
+        column[1] = exact;
+    }
+}
+
+double LinearMotion::misfit(int level, const Vector& start, std::span<Coefficients> columns,
+                            Vector& end) {
     constexpr double rounding = 1e-13;
+    const Propagators& propagators = this->propagators(level);
     std::array<Vector, points> at;
     Vector largest = largest_;
     for (std::size_t i = 0; i < points; ++i) {
@@ -163,6 +179,7 @@ double LinearMotion::misfit(const Propagators& propagators, const Vector& start,
             values[i] = at[i](static_cast<Eigen::Index>(n));
         columns[n] = through(values);
     }
+    beginAtRates(lengthOf(level), start, columns);
     double worst = 0;
     for (std::size_t i = 0; i < checks; ++i) {
         const Vector exact = start + propagators.check[i].lazyProduct(start);
@@ -191,7 +208,7 @@ double LinearMotion::advance(std::span<double> y, std::span<Coefficients> column
     waiting_ = std::max(waiting_ - 1, 0);
     if (level_ < range && (waiting_ == 0 || twiceAsLong * misfit_ < 1))
         ++level_;
-    while ((misfit_ = misfit(propagators(level_), start, columns, end)) == infinity) {
+    while ((misfit_ = misfit(level_, start, columns, end)) == infinity) {
         if (--level_ < shortest)
             return 0;
         waiting_ = patience_;

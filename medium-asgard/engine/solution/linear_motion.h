@@ -16,6 +16,9 @@
 // 7, so that what integrates it still is a polynomial that a history can keep.) The misfit grows
 // with the eighth power of the length, which says when pieces of twice the length will do; now and
 // then they are tried without. An oscillation has some 25 in each period, what has decayed few.
+//
+// Where one unknown is the rate of another, the polynomial of that one begins with just this rate:
+// what rests on something and is lifted does not sink into it by rounding first.
 #pragma once
 
 #include "solution/closed_form.h"
@@ -23,6 +26,8 @@
 #include <Eigen/Core>
 
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace solution {
 
@@ -62,12 +67,15 @@ private:
     [[nodiscard]] const Propagators& propagators(int level);
     [[nodiscard]] double lengthOf(int level) const;
     // What the polynomial errs by over what it may; `end`: the values at its end.
-    [[nodiscard]] double misfit(const Propagators& propagators, const Vector& start,
-                                std::span<Coefficients> columns, Vector& end);
+    [[nodiscard]] double misfit(int level, const Vector& start, std::span<Coefficients> columns,
+                                Vector& end);
+    void beginAtRates(double h, const Vector& start, std::span<Coefficients> columns) const;
 
     double until_;
     Matrix m_;
-    Vector unit_;                     // of each unknown
+    Vector unit_; // of each unknown
+    std::vector<std::pair<Eigen::Index, Eigen::Index>>
+        rates_;                       // an unknown, and the one that is its rate
     double base_ = 1;                 // length of level 0
     int level_ = 0;                   // lengths are powers of 2 of it
     int waiting_ = 16;                // pieces until a longer one is tried
