@@ -6,6 +6,7 @@
 
 #include "simulation/resimulation.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdio>
@@ -40,6 +41,17 @@ bool sameNumber(const std::optional<double>& a, const std::optional<double>& b) 
 
 std::string text(const std::optional<double>& x) { return x ? std::to_string(*x) : "none"; }
 
+std::string text(const simulation::Impact& impact) {
+    char words[300];
+    std::snprintf(words, sizeof words,
+                  "%zu and %zu at t = %.17g, point %.17g %.17g %.17g, normal %.17g %.17g %.17g, "
+                  "impulse %.17g",
+                  impact.first, impact.second, impact.time, impact.point.x(), impact.point.y(),
+                  impact.point.z(), impact.normal.x(), impact.normal.y(), impact.normal.z(),
+                  impact.impulse);
+    return words;
+}
+
 // "" or what differs.
 std::string differenceOfImpacts(const Motion& a, const Motion& b) {
     if (a.impacts().size() != b.impacts().size())
@@ -50,7 +62,7 @@ std::string differenceOfImpacts(const Motion& a, const Motion& b) {
         if (bits(x.time) != bits(y.time) || x.first != y.first || x.second != y.second ||
             !sameVector(x.point, y.point) || !sameVector(x.normal, y.normal) ||
             bits(x.impulse) != bits(y.impulse))
-            return "impact " + std::to_string(i) + " at t = " + std::to_string(x.time);
+            return "impact " + std::to_string(i) + ": " + text(x) + ", not " + text(y);
     }
     return "";
 }
@@ -209,6 +221,18 @@ TEST(Edits, EqualARunFromScratchBitForBit) {
             ADD_FAILURE() << found;
         }
     print(tally);
+}
+
+// Edit 54 changes a body that hops on its edge: when it tips is told by rounding, and was asked at
+// other times when others were near.
+TEST(Edits, EqualARunFromScratchWhereRoundingTellsWhenABodyTips) {
+    std::vector<NamedScene> all = scenes();
+    const auto heaps = std::ranges::find(all, "heaps", &NamedScene::name);
+    ASSERT_NE(heaps, all.end());
+    RandomEdits session(std::move(*heaps), 75005, {});
+    std::vector<Tally> tally(kindsOfEdits().size());
+    for (int i = 0; i < 56; ++i)
+        EXPECT_EQ(session.editOnce(tally), "");
 }
 
 } // namespace

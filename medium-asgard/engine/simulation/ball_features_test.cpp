@@ -120,13 +120,18 @@ SceneBuilder floorAndSlope(double finish, double accuracy, double angle) {
     return b;
 }
 
+// A ball of 0.1 that comes to the crest at 0.3 and goes down a slope beyond.
+struct Over {
+    double angle = 0.35;
+    Round round{0.1, 0.3};
+    Vector down{std::cos(angle), -std::sin(angle), 0}, up{std::sin(angle), std::cos(angle), 0};
+    double around = round.timeTo(angle), fast = 0.1 * round.rateAt(angle); // as it leaves the edge
+};
+const Over slowly;
+
 // Slowly over the crest: round the edge, down the slope, at all accuracies; and the same way up.
 TEST(Crest, ABallGoesRoundItFromFaceToFaceAndBack) {
-    const double angle = 0.35;
-    const Round round{0.1, 0.3};
-    const Vector down(std::cos(angle), -std::sin(angle), 0),
-        up(std::sin(angle), std::cos(angle), 0);
-    const double around = round.timeTo(angle), fast = 0.1 * round.rateAt(angle);
+    const auto& [angle, round, down, up, around, fast] = slowly;
     const Round upwards{0.1, 0.8};
     const double aroundUp = upwards.timeTo(angle), fastUp = 0.1 * upwards.rateAt(angle);
     for (const double accuracy : accuracies) {
@@ -164,11 +169,7 @@ TEST(Crest, ABallGoesRoundItFromFaceToFaceAndBack) {
 // Up a slope so slowly over its upper edge that it would be back within half a second, could the
 // slope hold it there: between two looks.
 TEST(Crest, ASlowBallPassesItOnItsWayUpToo) {
-    const double angle = 0.35;
-    const Round round{0.1, 0.3};
-    const Vector down(std::cos(angle), -std::sin(angle), 0),
-        up(std::sin(angle), std::cos(angle), 0);
-    const double around = round.timeTo(angle), fast = 0.1 * round.rateAt(angle);
+    const auto& [angle, round, down, up, around, fast] = slowly;
     for (const double accuracy : accuracies) {
         SceneBuilder b = floorAndSlope(1.2, accuracy, -angle);
         scene::Body& ball =

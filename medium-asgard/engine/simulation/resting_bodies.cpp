@@ -346,6 +346,24 @@ std::vector<double> RestingBodies::timesOf(const Histories& histories, std::size
     return times;
 }
 
+namespace {
+
+// The first time at which `holds`, which does at `yes` and did not at `no`. Times are halved
+// between powers of 2, not between these two: where rounding decides, close by, the same times are
+// asked whatever was looked at before, so that who else is in the scene changes no bit.
+template <typename Holds> double firstFrom(double no, double yes, const Holds& holds) {
+    double high = std::exp2(1 + std::ilogb(std::max({1.0, std::abs(no), std::abs(yes)})));
+    double low = -high;
+    while (true) {
+        const double middle = low + (high - low) / 2;
+        if (!(middle > low && middle < high))
+            return high;
+        (middle >= yes || (middle > no && holds(middle)) ? high : low) = middle;
+    }
+}
+
+} // namespace
+
 bool RestingBodies::isCarried(const Watch& watch) const {
     return std::ranges::any_of(watch.rest.footings, [this](const Footing& footing) {
         return !records_[footing.support].isFixed;
@@ -387,14 +405,8 @@ void RestingBodies::look(const Histories& histories, std::size_t body, double un
             good = t;
             continue;
         }
-        double bad = t;
-        while (true) {
-            const double middle = good + (bad - good) / 2;
-            if (!(middle > good && middle < bad))
-                break;
-            (agrees(histories, body, middle, partners, watch) ? good : bad) = middle;
-        }
-        watch.change = bad;
+        watch.change = firstFrom(
+            good, t, [&](double at) { return !agrees(histories, body, at, partners, watch); });
         return;
     }
     watch.seenUntil = end;

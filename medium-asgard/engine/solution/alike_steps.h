@@ -78,6 +78,7 @@ private:
         return data_[(lane / block) * block * rows_.all + block * row + lane % block];
     }
     void evaluate(std::size_t stage);
+    void giveBack(std::size_t lane);
     void denseAlone(std::size_t lane);
 
     static constexpr std::size_t block = 4; // that lie side by side

@@ -74,22 +74,30 @@ void AlikeSteps::enter(std::size_t lane, ExplicitRungeKutta& method, ErrorContro
     at(rows_.rounding, lane) = control.rounding_;
 }
 
-void AlikeSteps::leave(std::size_t lane) {
+// What a step leads from and to, as the method alone has it.
+void AlikeSteps::giveBack(std::size_t lane) {
     ExplicitRungeKutta& method = *methods_[lane];
-    ErrorControl& control = *controls_[lane];
+    method.t_ = at(rows_.time, lane);
+    method.beforeStep_ = at(rows_.beforeStep, lane);
     for (std::size_t n = 0; n < size_; ++n) {
         method.start_[n] = at(rows_.start + n, lane);
         method.end_[n] = at(rows_.end + n, lane);
         method.slope_[n] = at(rows_.slope + n, lane);
-        method.lost_[n] = at(rows_.lost + n, lane);
         method.before_[n] = at(rows_.before + n, lane);
         method.beforeSlope_[n] = at(rows_.beforeSlope + n, lane);
-        control.seen_[n] = {at(rows_.low + n, lane), at(rows_.high + n, lane)};
-        control.weights_[n] = at(rows_.weights + n, lane);
+        controls_[lane]->weights_[n] = at(rows_.weights + n, lane);
     }
-    method.t_ = at(rows_.time, lane);
+}
+
+void AlikeSteps::leave(std::size_t lane) {
+    giveBack(lane);
+    ExplicitRungeKutta& method = *methods_[lane];
+    ErrorControl& control = *controls_[lane];
+    for (std::size_t n = 0; n < size_; ++n) {
+        method.lost_[n] = at(rows_.lost + n, lane);
+        control.seen_[n] = {at(rows_.low + n, lane), at(rows_.high + n, lane)};
+    }
     method.h_ = control.step_ = at(rows_.step, lane);
-    method.beforeStep_ = at(rows_.beforeStep, lane);
     control.extent_ = at(rows_.extent, lane);
     control.speed_ = at(rows_.speed, lane);
     control.other_ = at(rows_.other, lane);
@@ -118,17 +126,8 @@ Attempt AlikeSteps::judge(std::size_t lane) {
 
 // With stages of its own between the ends, if need be.
 void AlikeSteps::denseAlone(std::size_t lane) {
+    giveBack(lane);
     ExplicitRungeKutta& method = *methods_[lane];
-    method.t_ = at(rows_.time, lane);
-    method.beforeStep_ = at(rows_.beforeStep, lane);
-    for (std::size_t n = 0; n < size_; ++n) {
-        method.start_[n] = at(rows_.start + n, lane);
-        method.end_[n] = at(rows_.end + n, lane);
-        method.slope_[n] = at(rows_.slope + n, lane);
-        method.before_[n] = at(rows_.before + n, lane);
-        method.beforeSlope_[n] = at(rows_.beforeSlope + n, lane);
-        controls_[lane]->weights_[n] = at(rows_.weights + n, lane);
-    }
     for (std::size_t i = 0; i < (tableau_.stages + 1) * size_; ++i)
         method.k_[i] = at(rows_.slopes + i, lane);
     own_[lane].resize(size_);

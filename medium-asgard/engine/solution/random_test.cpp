@@ -1,6 +1,7 @@
 // Random equation sets that switch, nest switches, read each other and are struck by events: work
 // is bounded, bits do not depend on how far things were solved, and the tolerance is met.
 #include "solution/solver_testing.h"
+#include "solution/strikes.h"
 
 #include <gtest/gtest.h>
 
@@ -72,40 +73,6 @@ private:
     std::string variable(std::size_t unknowns) { return prefix_ + std::to_string(below(unknowns)); }
     std::mt19937 random_;
     std::string prefix_;
-};
-
-// Reverses given unknowns at given times.
-class Strikes final : public EventSource {
-public:
-    struct Strike {
-        double time;
-        std::size_t unknown;
-    };
-    explicit Strikes(std::vector<Strike> strikes) : strikes_(std::move(strikes)) {
-        std::sort(strikes_.begin(), strikes_.end(),
-                  [](const Strike& a, const Strike& b) { return a.time < b.time; });
-    }
-    std::optional<Event> next(const Histories& h, double known) override {
-        for (; next_ < strikes_.size(); ++next_) {
-            const auto& [time, unknown] = strikes_[next_];
-            if (h.stop(unknown) && h.stop(unknown)->time <= time)
-                continue;
-            if (time > known)
-                return std::nullopt;
-            ++next_;
-            return Event{time, {unknown}, 0};
-        }
-        return std::nullopt;
-    }
-    void apply(const Histories& h, const Event& event, EquationsInForce&,
-               Changes& changes) override {
-        const std::size_t u = event.touched[0];
-        changes.jumps.push_back({u, -h.pieceBefore(u, event.time).value(event.time)});
-    }
-
-private:
-    std::vector<Strike> strikes_;
-    std::size_t next_ = 0;
 };
 
 unsigned rounds() {

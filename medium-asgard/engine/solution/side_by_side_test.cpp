@@ -2,6 +2,7 @@
 // whoever is beside them and however many threads there are.
 #include "solution/side_by_side.h"
 #include "solution/solver_testing.h"
+#include "solution/strikes.h"
 
 #include <gtest/gtest.h>
 
@@ -149,36 +150,6 @@ std::string written(const Solver& solver, std::size_t first, std::size_t count) 
         }
     return text;
 }
-
-// Reverses given unknowns at given times.
-class Strikes final : public EventSource {
-public:
-    explicit Strikes(std::vector<std::pair<double, std::size_t>> strikes)
-        : strikes_(std::move(strikes)) {
-        std::ranges::sort(strikes_);
-    }
-    std::optional<Event> next(const Histories& h, double known) override {
-        for (; next_ < strikes_.size(); ++next_) {
-            const auto& [time, unknown] = strikes_[next_];
-            if (h.stop(unknown) && h.stop(unknown)->time <= time)
-                continue;
-            if (time > known)
-                return std::nullopt;
-            ++next_;
-            return Event{time, {unknown}, 0};
-        }
-        return std::nullopt;
-    }
-    void apply(const Histories& h, const Event& event, EquationsInForce& /*equations*/,
-               Changes& changes) override {
-        const std::size_t u = event.touched[0];
-        changes.jumps.push_back({u, -h.pieceBefore(u, event.time).value(event.time)});
-    }
-
-private:
-    std::vector<std::pair<double, std::size_t>> strikes_;
-    std::size_t next_ = 0;
-};
 
 } // namespace
 
