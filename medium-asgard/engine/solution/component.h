@@ -193,6 +193,7 @@ private:
     [[nodiscard]] ComponentEquations::Passing passing(const Violation& violation, bool immediate);
     [[nodiscard]] bool haveSwitched(std::size_t times, double part = 1e-10) const;
     [[nodiscard]] bool swingsShrink() const;
+    [[nodiscard]] bool goesToAndFro() const;
     [[nodiscard]] bool comesToRest(std::vector<double>& y);
     [[nodiscard]] bool leaves(const Violation& found, double scale,
                               std::span<const Coefficients> columns);

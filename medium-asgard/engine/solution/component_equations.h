@@ -119,6 +119,9 @@ public:
     // on all of them, within that reach of its states? Then it is from now on, and y is put there.
     [[nodiscard]] bool holdOn(const std::vector<std::size_t>& surfaces, double t,
                               std::span<const double> reach, std::span<double> y);
+    // There it is on all of these, but for what counts as standing on them.
+    [[nodiscard]] bool standsOn(const std::vector<std::size_t>& surfaces, double t,
+                                std::span<const double> y);
     [[nodiscard]] std::vector<std::size_t> surfacesOf(const Violation& violation) const;
     [[nodiscard]] bool sliding() const { return !sliding_.empty(); }
     // Unknowns (places) that the guards of its watches read, and those of other components.
@@ -131,6 +134,7 @@ private:
         std::size_t surface;
     };
     static constexpr int onSurface = 0;
+    static constexpr double standing = 1e-12; // on a surface, by the value of its guard
 
     void fill(double t, std::span<const double> y);
     void evaluate(std::span<double> out);
@@ -184,6 +188,8 @@ private:
     [[nodiscard]] expression::Decision decisionBeside(std::size_t surface, int side) const;
     [[nodiscard]] double distance(std::size_t surface);
     [[nodiscard]] double valueOf(std::size_t surface);
+    [[nodiscard]] std::vector<double> distancesOfSliding();
+    [[nodiscard]] bool leaveWhereJumped(std::span<const double> before);
     [[nodiscard]] bool holdsOn(const std::vector<std::size_t>& surfaces);
     // Corners (component_corners.cpp).
     [[nodiscard]] std::vector<std::size_t> surfacesHere();

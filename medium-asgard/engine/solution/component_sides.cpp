@@ -88,14 +88,14 @@ void ComponentEquations::watch(double t, std::span<const double> y, std::span<do
         } else if (kind != Watch::Kind::side) {
             const auto place = std::find(sliding_.begin(), sliding_.end(), s) - sliding_.begin();
             const double w = weights_[static_cast<std::size_t>(place)];
-            values[k] = (kind == Watch::Kind::least ? w : 1 - w) + (isGrazed_[s] ? 1e-12 : 0);
+            values[k] = (kind == Watch::Kind::least ? w : 1 - w) + (isGrazed_[s] ? standing : 0);
         } else if (surface.whole) {
             const auto taken = static_cast<double>(decisions_[surface.members[0].decision]);
-            values[k] = g + (isGrazed_[s] ? 1e-12 * std::max(1.0, std::abs(taken)) : 0);
+            values[k] = g + (isGrazed_[s] ? standing * std::max(1.0, std::abs(taken)) : 0);
         } else if (sides_[s] == onSurface) {
-            values[k] = 1e-12 - std::abs(g);
+            values[k] = standing - std::abs(g);
         } else {
-            values[k] = sides_[s] * g + (isGrazed_[s] ? 1e-12 : 0);
+            values[k] = sides_[s] * g + (isGrazed_[s] ? standing : 0);
         }
     }
 }
@@ -154,8 +154,12 @@ void ComponentEquations::decide(double t, std::span<double> y) {
     }
     for (const std::size_t s : touching)
         settleOn(s);
-    if (!touching.empty())
+    if (!touching.empty()) {
         follow({}); // what was decided by values on surfaces that are left at once
+        const std::vector<double> touched(sides_.size());
+        while (leaveWhereJumped(touched))
+            follow({});
+    }
     if (!settleWeights(t, y))
         sliding_.clear();
     project(t, y);
@@ -411,9 +415,12 @@ ComponentEquations::Crossing ComponentEquations::cross(const Violation& violatio
         return Crossing::done;
     }
     Passed passed{.isAlone = violation.watches.size() == 1};
+    const std::vector<double> before = distancesOfSliding();
     for (const std::size_t k : violation.watches)
         pass(watches_[k], how, passed);
     follow(passed);
+    while (leaveWhereJumped(before))
+        follow(passed);
     slideWhereLedBack(passed);
     const std::vector<std::size_t> slid = sliding_;
     if (!settleWeights(t, y)) { // beside the surface a side may have no value, as a root's

@@ -131,6 +131,48 @@ double ComponentEquations::valueOf(std::size_t surface) {
     return guard(surface);
 }
 
+// From the surfaces of sliding, by surface.
+std::vector<double> ComponentEquations::distancesOfSliding() {
+    std::vector<double> distances(model_.surfaces().size());
+    if (!sliding_.empty())
+        field();
+    for (const std::size_t s : sliding_)
+        distances[s] = distance(s);
+    return distances;
+}
+
+// Where the guard itself has jumped since, as that of a belt's friction when the belt turns back,
+// the motion is not on the surface any more: the value says on which side it is. True: it left one.
+bool ComponentEquations::leaveWhereJumped(std::span<const double> before) {
+    const std::vector<std::size_t> slid = sliding_;
+    for (const std::size_t s : slid) {
+        field();
+        const std::vector<double> now = out_;
+        const double near = guardRate(s, now).near + std::abs(before[s]);
+        const double off = distance(s);
+        if (!(std::abs(off - before[s]) > near))
+            continue;
+        std::erase(sliding_, s);
+        joined_[s].clear();
+        if (model_.surfaces()[s].whole)
+            decisions_[model_.surfaces()[s].members[0].decision] = wholeBranch(s, now);
+        else
+            setOwnSide(s, off > 0 ? +1 : -1);
+        return true;
+    }
+    return false;
+}
+
+bool ComponentEquations::standsOn(const std::vector<std::size_t>& surfaces, double t,
+                                  std::span<const double> y) {
+    fill(t, y);
+    return std::ranges::all_of(surfaces, [this](std::size_t s) {
+        const double value = valueOf(s);
+        const double level = model_.surfaces()[s].whole ? std::round(value) : 0;
+        return std::abs(value - level) <= 2 * standing;
+    });
+}
+
 // On those that are left for one of their sides it stays too.
 bool ComponentEquations::holdsOn(const std::vector<std::size_t>& surfaces) {
     field();

@@ -106,19 +106,38 @@ bool Component::swingsShrink() const {
            now * first < alike * before * before && before * before < alike * now * first;
 }
 
-// On all surfaces about which it swung, where that is no farther away than a step may err by.
-bool Component::comesToRest(std::vector<double>& y) {
-    if (!swingsShrink())
+// As long each time, within next to no time.
+bool Component::goesToAndFro() const {
+    constexpr double shortWhile = 1e-4, hardlyLess = 0.9;
+    if (!haveSwitched(2 * often, shortWhile))
         return false;
-    std::set<std::size_t> surfaces;
-    for (std::size_t k = recentSwitches_.size() - often; k < recentSwitches_.size(); ++k)
-        surfaces.insert(recentSwitches_[k].surfaces.begin(), recentSwitches_[k].surfaces.end());
-    control_.prepare(y, time_ - recentSwitches_[recentSwitches_.size() - often].time);
+    const auto since = [this](std::size_t switches) {
+        return recentSwitches_[recentSwitches_.size() - switches].time;
+    };
+    const double first = since(2 * often);
+    return first >= phasesFrom_ && (rests_.empty() || first > rests_.back()) &&
+           time_ - since(often) > hardlyLess * (since(often) - first);
+}
+
+// On all surfaces about which it swung, where that is no farther away than a step may err by. Or on
+// those that it passes in turn about a point where all of them meet: what a switching curve leads
+// to its end goes to and fro there by what counts as standing on a surface.
+bool Component::comesToRest(std::vector<double>& y) {
+    const bool shrinks = swingsShrink();
+    if (!shrinks && !goesToAndFro())
+        return false;
+    const auto last = recentSwitches_.end() - static_cast<std::ptrdiff_t>(often);
+    std::set<std::size_t> found;
+    for (auto passed = last; passed != recentSwitches_.end(); ++passed)
+        found.insert(passed->surfaces.begin(), passed->surfaces.end());
+    const std::vector<std::size_t> surfaces(found.begin(), found.end());
+    if (surfaces.size() < 2 || (!shrinks && !equations_->standsOn(surfaces, time_, y)))
+        return false;
+    control_.prepare(y, time_ - last->time);
     std::vector<double> reach(y.size());
     for (std::size_t i = 0; i < y.size(); ++i)
         reach[i] = control_.scale(i);
-    if (surfaces.size() < 2 ||
-        !equations_->holdOn(std::vector(surfaces.begin(), surfaces.end()), time_, reach, y))
+    if (!equations_->holdOn(surfaces, time_, reach, y))
         return false;
     rests_.push_back(time_);
     return true;

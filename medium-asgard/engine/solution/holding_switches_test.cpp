@@ -204,3 +204,39 @@ TEST(Holding, WhereMoreSwitchesMeetThanThereAreSpeeds) {
                {"dy", "0.3*ceil(dy)-0.7*floor(dy-dx)-0.5*floor(dy)+0.25-0.25*dy", 0.9}},
               0, 1);
 }
+
+// A belt that turns back, or goes faster from some place on: what it carried rubs until it keeps
+// pace again. The guard is far from 0 then, although the motion was held there.
+TEST(Holding, EndsWhereItsGuardJumps) {
+    const double ramp = 0.5; // seconds of rubbing from 0 to 1 at 2
+    for (const char* friction : {"2*sign((t<3?1:-1)-dx)", "dx < (t<3?1:-1) ? 2 : -2"}) {
+        const auto belt = body(friction, 0);
+        expectAt(belt, 3, 3 - ramp / 2, 1);
+        expectAt(belt, 3.75, 2.9375, -0.5);
+        expectAt(belt, 6, 0.75, -1);
+    }
+    const auto two = body("2*sign((x<2?1:2)-dx)", 0);
+    expectAt(two, 2.25 + ramp / 2, 2 + ramp / 2 + ramp * ramp / 4, 1.5);
+    expectAt(two, 5.75, 2 + 1.5 * ramp + 2 * 3, 2);
+    expectAt(body("2*sign(floor(t/2)-dx)", 0), 5, 0.25 + 1.5 + 0.75 + 1, 2);
+    const double turn = std::acos(-1.0);
+    const auto square = body("2*sign(sign(sin(t))-dx)", 0);
+    expectAt(square, 0.25, 0.0625, 0.5);
+    expectAt(square, turn, turn - ramp / 2, 1);
+    expectAt(square, turn + 0.75, turn - 0.0625, -0.5);
+}
+
+// Time-optimal control: braked along the switching curve, it comes to its end in 2 sqrt(3) and
+// stays there.
+TEST(Holding, ASwitchingCurveLeadsToRest) {
+    const auto lines = body("-sign(x+dx*abs(dx)/2)", 3);
+    const double turn = std::sqrt(3.0);
+    expectAt(lines, turn + 1, 1.5 - turn + 0.5, 1 - turn);
+    expectAt(lines, 6, 0, 0);
+    for (const double accuracy : accuracies) {
+        const Solver solver = solved(equationsOf(lines), 100, tolerance(accuracy));
+        EXPECT_EQ(solver.histories().value(1, 4), 0);
+        EXPECT_LT(solver.statistics().steps, 1000u);
+    }
+    expectAt(body("-2*sign(x-1+dx*abs(dx)/4)", 3, -1), 12, 1, 0);
+}
