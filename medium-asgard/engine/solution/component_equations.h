@@ -172,6 +172,12 @@ private:
     void pass(const Watch& watch, Passing how, Passed& passed);
     void passAcross(std::size_t surface, Passed& passed);
     void slideWhereLedBack(const Passed& passed);
+    struct Late { // after a switch was passed, and the rates before it
+        double seconds = 0;
+        std::vector<double> rates = {};
+    };
+    [[nodiscard]] Late lateness(const Violation& violation);
+    void makeUp(const Late& late, double t, std::span<double> y);
     enum class Front { leadsHere, rests, leadsAway };
     [[nodiscard]] Front front(std::size_t surface);
     [[nodiscard]] std::vector<std::size_t> symbolsOf(const Violation& violation) const;
