@@ -246,6 +246,32 @@ std::size_t compareBody(const Problem& problem, std::size_t b, const Run& first,
     return after.steps();
 }
 
+// Error control, or arithmetic, ended the motion of the body.
+bool endsByIntegration(const BodyRecord& body, const solution::Histories& histories) {
+    using enum solution::Stop::Reason;
+    for (std::size_t i = 0; i < physics::bodyUnknowns; ++i)
+        if (const auto* stop = histories.stop(body.firstUnknown + i))
+            if (stop->reason == stepUnderflow || stop->reason == notConverged ||
+                stop->reason == overflow || stop->reason == notFinite)
+                return true;
+    return false;
+}
+
+// One run ends by integration where the other goes on: one of them is wrong from there on, or
+// before, however near they were. When.
+std::optional<double> partsAtAnEnd(const Problem& problem, std::size_t b, const Run& first,
+                                   const Run& second) {
+    const BodyRecord& body = (*problem.bodies)[b];
+    if (!endsByIntegration(body, *first.histories) && !endsByIntegration(body, *second.histories))
+        return std::nullopt;
+    const auto [earlier, later] =
+        std::minmax({std::min(problem.finish(), knownUntil(body, *first.histories)),
+                     std::min(problem.finish(), knownUntil(body, *second.histories))});
+    if (later - earlier <= lastPart * (later - problem.start()))
+        return std::nullopt;
+    return earlier;
+}
+
 } // namespace
 
 double IslandError::beyondFrom(double limit) const {
@@ -287,9 +313,15 @@ std::vector<IslandError> compareRuns(const Problem& problem, const Run& first, c
             errors[i].largest /= errors[i].size;
         }
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        if (bodies[b].isFixed || isSame(second, b) || !(errors[second.island[b]].largest > limit))
+        if (bodies[b].isFixed || isSame(second, b))
             continue;
         IslandError& error = errors[second.island[b]];
+        if (const auto end = partsAtAnEnd(problem, b, first, second)) {
+            error.largest = std::max(error.largest, 1.0);
+            error.growth.emplace_back(*end, 1);
+        }
+        if (!(error.largest > limit))
+            continue;
         Records records(error.growth);
         (void)compareBody(problem, b, first, second, poll,
                           [&](double t, const Trace::Place& place, const Trace::Place& truth) {

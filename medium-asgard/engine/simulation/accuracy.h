@@ -28,8 +28,9 @@ struct IslandError {
 
 // By body: the error of its island (bodies of one island share it). Compared at the steps of the
 // second run, at their ends and middles in turn, as far as both are known; of a body that stops,
-// without the last hundredth. The growth of errors is
-// told of islands where the largest exceeds `limit`. Nothing is said of what the second run took
+// without the last hundredth; where integration ends in one run a hundredth before it does in the
+// other, if at all, they are the whole size apart from there on. The growth of errors is told of
+// islands where the largest exceeds `limit`. Nothing is said of what the second run took
 // from the first.
 // `cancelled` is asked once in `comparisonsPerPoll` places that are compared, or oftener. When it
 // is cancelled meanwhile the answer says nothing.

@@ -219,5 +219,21 @@ TEST(Horizon, OfBallsIsFoundBesideWhatIsIntegrated) {
     EXPECT_NEAR(*read, *alone, 0.25 * *alone);
 }
 
+// Robertson's reaction: a loose run takes a concentration below 0, from where the equations grow
+// without bound. The motion ends there only if a tighter run says so too.
+TEST(Accuracy, AnEndThatOnlyOneRunComesToIsNotBelieved) {
+    for (const double accuracy : {1e-2, 3e-3, 1e-3, 3e-4, 1e-4}) {
+        SceneBuilder b(4000, accuracy);
+        b.ball("b", Vector::Zero()).initialVelocity = {1, 0, 0};
+        b.scene.simulator.collisions = false;
+        b.force("b", "-0.04*b.dx+1e4*b.dy*b.dz", "0.04*b.dx-1e4*b.dy*b.dz-3e7*b.dy^2",
+                "3e7*b.dy^2");
+        const Result result = simulate(b.scene);
+        EXPECT_EQ(result.motion->stop(0), std::nullopt) << accuracy;
+        EXPECT_NEAR(result.motion->at(0, 4000).velocity.x(), 0.18320226, 1e-3 * accuracy + 1e-6)
+            << accuracy;
+    }
+}
+
 } // namespace
 } // namespace simulation::testing
