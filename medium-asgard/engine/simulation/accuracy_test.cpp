@@ -235,5 +235,21 @@ TEST(Accuracy, AnEndThatOnlyOneRunComesToIsNotBelieved) {
     }
 }
 
+// Seconds since 1970: impacts are known to 2e-7 s then, which the nudged run shows.
+TEST(Accuracy, FarFromTheStartOfTimeWhatItsResolutionTakesIsSaid) {
+    for (const double start : {0.0, 1.7e9}) {
+        SceneBuilder b(start + 10, 1e-8);
+        b.scene.simulator.start = start;
+        b.floor();
+        b.ball("ball", {0, 2, 0}).restitution = 0.8;
+        b.weight("ball");
+        const Result result = simulate(b.scene);
+        ASSERT_TRUE(result.motion->errorEstimate());
+        EXPECT_EQ(result.motion->predictableUntil().has_value(), start > 0);
+        EXPECT_LT(*result.motion->errorEstimate(), start > 0 ? 1e-4 : 1e-10);
+        EXPECT_GT(*result.motion->errorEstimate(), start > 0 ? 1e-7 : 0);
+    }
+}
+
 } // namespace
 } // namespace simulation::testing

@@ -2,11 +2,15 @@
 
 #include "physics/equations_of_motion.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 
 namespace simulation {
 namespace {
+
+constexpr double least = 2; // units in the last place
 
 bool isVelocity(std::size_t unknown) {
     const std::size_t kind = unknown % physics::bodyUnknowns;
@@ -23,9 +27,9 @@ double signFor(double value, std::size_t kind) {
     return (x & 1U) != 0 ? size : -size;
 }
 
-double nudged(double value, std::size_t unknown) {
+double nudged(double value, std::size_t unknown, double units) {
     const double sign = signFor(value, unknown % physics::bodyUnknowns);
-    return value * (1 + 2 * std::numeric_limits<double>::epsilon() * sign);
+    return value * (1 + units * std::numeric_limits<double>::epsilon() * sign);
 }
 
 } // namespace
@@ -39,16 +43,22 @@ std::vector<double> nudgedStart(const expression::EquationSet& equations) {
                            values[i + physics::dz] != 0;
         for (std::size_t k = i; k < i + physics::bodyUnknowns; ++k)
             if (isVelocity(k) || (moves && k - i < physics::dx))
-                values[k] = nudged(values[k], k);
+                values[k] = nudged(values[k], k, least);
     }
     return values;
+}
+
+// Of a velocity. By how much an impact is late, by the resolution of the time, moves what it turns
+// as that many units of its speed would until the time is twice what it has taken.
+double NudgedSource::unitsAt(double time) const {
+    return least * std::max(1.0, std::abs(time) / std::max(time - start_, 1e-300));
 }
 
 bool NudgedSource::turn(double time, std::span<solution::Turn> turns) {
     for (solution::Turn& turn : turns)
         for (std::size_t k = 0; k < 3; ++k)
             if (turn.jumps[k])
-                turn.velocity[k] = nudged(turn.velocity[k], turn.velocities[k]);
+                turn.velocity[k] = nudged(turn.velocity[k], turn.velocities[k], unitsAt(time));
     return turns_->turn(time, turns);
 }
 
@@ -57,7 +67,7 @@ void NudgedSource::apply(const solution::Histories& histories, const solution::E
     source_.apply(histories, event, equations, changes);
     for (solution::Changes::Jump& jump : changes.jumps)
         if (isVelocity(jump.unknown))
-            jump.value = nudged(jump.value, jump.unknown);
+            jump.value = nudged(jump.value, jump.unknown, unitsAt(event.time));
 }
 
 } // namespace simulation

@@ -1,7 +1,8 @@
 // How much of a motion is rounding? The same run again, with values a unit or two in the last place
 // beside what they were wherever they are given: velocities at the start and after each impact, and
 // places of what moves at the start. Where the two runs part, rounding has grown so far that nobody
-// could tell them apart from the truth.
+// could tell them apart from the truth. Far from time 0 impacts are late by more than that, and
+// velocities are nudged by as much more.
 //
 // Places of what stands still are left as they are, so that what touches goes on touching, and
 // zeros stay zeros, so that what never moves need not be modelled in the nudged run either. No
@@ -20,7 +21,7 @@ namespace simulation {
 
 class NudgedSource final : public solution::EventSource, private solution::Turns {
 public:
-    explicit NudgedSource(solution::EventSource& source) : source_(source) {}
+    NudgedSource(solution::EventSource& source, double start) : source_(source), start_(start) {}
 
     void use(solution::Turns& turns) override {
         turns_ = &turns;
@@ -36,7 +37,10 @@ public:
 private:
     [[nodiscard]] bool turn(double time, std::span<solution::Turn> turns) override;
 
+    [[nodiscard]] double unitsAt(double time) const;
+
     solution::EventSource& source_;
+    double start_;
     solution::Turns* turns_ = nullptr;
 };
 
