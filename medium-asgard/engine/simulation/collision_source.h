@@ -194,6 +194,8 @@ private:
                                 std::span<const physics::ImpactBody> bodies, double time) const;
     [[nodiscard]] Cluster clusterAt(const solution::Histories& histories, const Pair& pair,
                                     double time);
+    [[nodiscard]] std::vector<std::pair<Vector, Vector>> // place and normal
+    cornersAt(const solution::Histories& histories, const Pair& pair, double time, bool isHit);
     void addContacts(const solution::Histories& histories, Cluster& cluster, std::size_t a,
                      std::size_t b, double time, bool isHit);
     struct Hop { // that an impact would lead to

@@ -110,6 +110,41 @@ double CollisionSource::contactTolerance(const Pair& pair, double time) const {
            8 * epsilon * (coordinates + std::abs(time) * speedOf(pair, time));
 }
 
+// Of a body that gives way and its support: corners that bear, or that hit at this instant. What is
+// near and comes nearer hits on its own a little later, and that is another motion.
+std::vector<std::pair<Vector, Vector>>
+CollisionSource::cornersAt(const Histories& histories, const Pair& pair, double time, bool isHit) {
+    const auto& [body, support] = pair;
+    const BodyState solved = stateOf(records_[body], histories, time);
+    const BodyState bearing = resting_.bearingState(histories, body, time);
+    const double tolerance = contactTolerance(pair, time);
+    const double slow = collision::approachThreshold * speedOf(pair, time);
+    std::vector<Corner> near;
+    std::vector<Vector> normals;
+    double nearest = infinity;
+    for (const Touch& touch :
+         touchesOf(resting_.placed(histories, body, time, {{body, bearing}}),
+                   resting_.placed(histories, support, time), 2 * limits_[body].gap))
+        for (Corner corner : touch.corners) {
+            if (!isHit && touch.passes(slow))
+                continue;
+            // What bears touches where it bears exactly; what hits, where the search found it.
+            const Vector arm =
+                bearing.attitude.conjugate() * Vector(corner.point - bearing.position);
+            if (std::abs(corner.gap) > tolerance)
+                corner.gap +=
+                    touch.normal.dot(solved.position + solved.attitude * arm - corner.point);
+            nearest = std::min(nearest, corner.gap);
+            near.push_back(corner);
+            normals.push_back(touch.normal);
+        }
+    std::vector<std::pair<Vector, Vector>> corners;
+    for (std::size_t i = 0; i < near.size(); ++i)
+        if (near[i].gap <= std::max(tolerance, isHit ? nearest + tolerance : nearest))
+            corners.emplace_back(near[i].point, normals[i]);
+    return corners;
+}
+
 void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, std::size_t a,
                                   std::size_t b, double time, bool isHit) {
     const auto indexIn = [&](std::size_t body) {
@@ -134,17 +169,14 @@ void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, 
         collision::contactsAt(bodies_[a], bodies_[b], time, tolerance, resting_.slack(a, b));
     // A body that rests turns about what it rests on: each corner counts. So it does where gaps
     // have the integration's errors, not rounding's.
-    const bool isSure = !contacts.empty() && !resting_.hasFooting(a, b);
-    if (!isSure && (resting_.canGiveWay(a, time) != resting_.canGiveWay(b, time))) {
+    const bool isFooting = resting_.hasFooting(a, b);
+    const bool isUnsure = isFooting || (contacts.empty() && isHit);
+    if (isUnsure && (resting_.canGiveWay(a, time) != resting_.canGiveWay(b, time))) {
         const bool isFirst = resting_.canGiveWay(a, time);
-        const double slow = collision::approachThreshold * speedOf({a, b}, time);
-        for (const Touch& touch : touchesOf(resting_.placed(histories, isFirst ? a : b, time),
-                                            resting_.placed(histories, isFirst ? b : a, time),
-                                            limits_[isFirst ? a : b].gap))
-            for (const Corner& corner : touch.corners)
-                if (isHit || !touch.passes(slow))
-                    add(corner.point, isFirst ? touch.normal : Vector(-touch.normal),
-                        {ballRadius(bodies_[a]), ballRadius(bodies_[b])});
+        const Pair ordered = isFirst ? Pair{a, b} : Pair{b, a};
+        for (const auto& [point, normal] : cornersAt(histories, ordered, time, isHit))
+            add(point, isFirst ? normal : Vector(-normal),
+                {ballRadius(bodies_[a]), ballRadius(bodies_[b])});
         return;
     }
     for (const collision::Contact& contact : contacts) {

@@ -19,6 +19,9 @@ using solution::infinity;
 constexpr double firstStride = 0x1p-11, looks = 2048;
 constexpr double sparse = 64;          // times that, where forces are constant
 constexpr double notableChange = 0.02; // of a force, since it was looked at
+// Of what bears, by Newton's method: the first leaves the square of what the integration errs, in
+// speeds too, as the turn that it makes turns what they are along.
+constexpr int corrections = 3;
 
 std::array<double, physics::bodyUnknowns> unknownsOf(const physics::BodyMotion& body,
                                                      const BodyState& state) {
@@ -144,14 +147,18 @@ BodyState RestingBodies::bearingState(const Histories& histories, std::size_t bo
     const auto found = resting_.find(body);
     if (found == resting_.end() || !canGiveWay(body, time) || !state.angularVelocity.allFinite())
         return state;
-    std::vector<BearingRow> rows;
-    for (const Footing& footing : found->second.rest.footings) {
-        const BodyState support = stateOf(records_[footing.support], histories, time);
-        for (const physics::GapConstraint& constraint : footing.constraints)
-            rows.push_back(bearingRow(constraint, records_[body], state, support));
-    }
     const physics::BodyMotion& motion = equations_.bodies[body];
-    return bearingExactly(state, motion, motion.heldAt(time).attitude, rows);
+    const bool isHeld = motion.heldAt(time).attitude;
+    for (int i = 0; i < corrections; ++i) {
+        std::vector<BearingRow> rows;
+        for (const Footing& footing : found->second.rest.footings) {
+            const BodyState support = stateOf(records_[footing.support], histories, time);
+            for (const physics::GapConstraint& constraint : footing.constraints)
+                rows.push_back(bearingRow(constraint, records_[body], state, support));
+        }
+        state = bearingExactly(state, motion, isHeld, rows);
+    }
+    return state;
 }
 
 Acceleration RestingBodies::freeAcceleration(const Histories& histories, std::size_t body,
