@@ -39,7 +39,7 @@ Nearest nearestOnEdges(const Polyhedron& core, const Vector& point, double borde
         const double length = (b - a).norm(), along = (b - a).dot(point - a) / length;
         const Vector place = a + (b - a) * (std::clamp(along, 0.0, length) / length);
         const double square = (point - place).squaredNorm();
-        if (square >= nearest.square)
+        if (square > nearest.square || (square == nearest.square && nearest.vertices.size() == 2))
             continue;
         nearest = {{edge.from, edge.to}, place, square};
         if (along < -border)

@@ -251,5 +251,22 @@ TEST(Accuracy, FarFromTheStartOfTimeWhatItsResolutionTakesIsSaid) {
     }
 }
 
+// Where the drive is 0 the first step would be as long as the motion so far: whole half periods, in
+// which an explicit method sees nothing of it, at all tolerances alike.
+TEST(Accuracy, ARectifiedDriveLosesNoHalfWave) {
+    for (const double accuracy : {1e-6, 1e-7}) {
+        SceneBuilder b(1000, accuracy);
+        b.scene.simulator.collisions = false;
+        b.ball("b", Vector::Zero());
+        b.force("b", "b.mass*abs(sin(20*t))", "0", "0");
+        const Result result = simulate(b.scene);
+        const double size = result.motion->at(0, 1000).position.x(), half = std::numbers::pi / 20;
+        double x = 0; // after each half wave, by 0.1 faster
+        for (int n = 0; n < 6300; ++n, x += half * (0.1 * n - 0.05))
+            ASSERT_NEAR(result.motion->at(0, half * n).position.x(), x, accuracy * size)
+                << accuracy << ", half wave " << n;
+    }
+}
+
 } // namespace
 } // namespace simulation::testing

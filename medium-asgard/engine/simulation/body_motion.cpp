@@ -79,9 +79,10 @@ double knownUntil(const BodyRecord& body, const Histories& histories) {
     return until;
 }
 
-std::optional<double> endOf(const BodyRecord& body, const Histories& histories) {
+std::optional<double> endOf(const BodyRecord& body, const Histories& histories,
+                            std::size_t unknowns) {
     std::optional<double> end;
-    for (std::size_t i = 0; i < physics::bodyUnknowns && !body.isFixed; ++i)
+    for (std::size_t i = 0; i < unknowns && !body.isFixed; ++i)
         if (const auto* stop = histories.stop(body.firstUnknown + i);
             stop && !(end && *end <= stop->time))
             end = stop->time;

@@ -31,9 +31,10 @@ enum class Side { after, before }; // which value counts at an event's own time
 // The least time up to which an unknown of the body is known; infinity when fixed.
 [[nodiscard]] double knownUntil(const BodyRecord& body, const solution::Histories& histories);
 
-// When the first unknown of the body ended; none: all go on.
+// When the first of so many unknowns of the body ended; none: all go on.
 [[nodiscard]] std::optional<double> endOf(const BodyRecord& body,
-                                          const solution::Histories& histories);
+                                          const solution::Histories& histories,
+                                          std::size_t unknowns = physics::bodyUnknowns);
 
 // Linear acceleration of the centre of mass and angular acceleration, world axes.
 struct Acceleration {

@@ -82,7 +82,7 @@ std::optional<Event> CollisionSource::next(const Histories& histories, double kn
 // Where its motion has ended.
 void CollisionSource::stand(const Histories& histories, std::size_t body, double time) {
     resting_.forget(body);
-    const double end = endOf(records_[body], histories).value_or(time);
+    const double end = search_.endOf(histories, body).value_or(time);
     const BodyState last = stateOf(records_[body], histories, end);
     bodies_[body].standAt({last.position, last.attitude});
     search_.stand(body, time, renewal_);

@@ -119,13 +119,20 @@ public:
     // The same, in no order.
     template <typename Visit> void forEachPartner(std::size_t body, Visit&& visit) {
         for (const std::size_t other : partners_[body])
-            visit(other);
+            if (!ended_[other])
+                visit(other);
         if (cells_.contains(body))
             for (const std::size_t other : cells_.near(body))
                 if (mayMeet(body, other))
                     visit(other);
     }
     [[nodiscard]] bool hasEnded(std::size_t body) const { return ended_[body]; }
+    // When what is searched of it ended: of a free ball its way, however far its attitude is known.
+    [[nodiscard]] std::optional<double> endOf(const solution::Histories& histories,
+                                              std::size_t body) const {
+        return simulation::endOf(records_[body], histories,
+                                 isFreeBall_[body] ? physics::qw : physics::bodyUnknowns);
+    }
     [[nodiscard]] bool hasAnyEnded(const Pair& pair) const {
         return ended_[pair.first] || ended_[pair.second];
     }

@@ -75,13 +75,8 @@ geometry::Box boxOf(const collision::BallFlight& flight, double from, double to,
 bool EncounterSearch::isOver(const Histories& histories, std::size_t body, double time) const {
     if (histories.stops().empty())
         return false;
-    // A ball goes on, and is met, however far its attitude is known.
-    const std::size_t count = isFreeBall_[body] ? physics::qw : physics::bodyUnknowns;
-    for (std::size_t i = 0; i < count; ++i)
-        if (const auto* stop = histories.stop(records_[body].firstUnknown + i))
-            if (stop->time <= time)
-                return true;
-    return false;
+    const auto end = endOf(histories, body);
+    return end && *end <= time;
 }
 
 bool EncounterSearch::openFlight(const Histories& histories, std::size_t body,

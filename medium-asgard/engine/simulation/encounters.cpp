@@ -53,7 +53,7 @@ CollisionSource::Handled CollisionSource::meetEnded(const Histories& histories, 
         return {};
     }
     char when[40];
-    std::snprintf(when, sizeof when, "%.6g", endOf(records_[ended], histories).value_or(time));
+    std::snprintf(when, sizeof when, "%.6g", search_.endOf(histories, ended).value_or(time));
     blocked_.push_back({pair, time});
     return {.event = end({body, body}, time,
                          "body " + quoted(scene_.bodies[body].name) + " meets " +
@@ -166,6 +166,9 @@ bool CollisionSource::isRestless(std::size_t body, double time) {
 Event CollisionSource::end(const Pair& pair, double time, const std::string& sentence) {
     outcome_ = {};
     outcome_.ends.push_back({unknownsOf(pair, time), sentence});
+    for (const std::size_t body : {pair.first, pair.second})
+        if (resting_.canGiveWay(body, time)) // nothing changes any more in how it bears
+            resting_.forget(body);
     return {.time = time, .touched = outcome_.ends[0].unknowns, .tag = 0};
 }
 

@@ -262,6 +262,44 @@ TEST(Stops, EditsMeetAStopAsARunFromTheStartDoes) {
     EXPECT_NEAR(stop->time, 1.2, 1e-6);
 }
 
+// A ball whose spin has no value from 1 s on, and its way none from 5 s on, is in others' way where
+// it is seen last, and nowhere else.
+TEST(Stops, ABallIsInTheWayWhereItsWayEnds) {
+    SceneBuilder b(10, 1e-6);
+    b.ball("stone", {0, 0, 0}, 0.5).initialVelocity = {1, 0, 0};
+    b.force("stone", "0", "0", "1e-3*sqrt(5-t)");
+    b.force("stone", "0", "0", "1e-3*sqrt(1-t)").couple = true;
+    b.ball("comer", {5, 9, 0}, 0.5).initialVelocity = {0, -1.2, 0};
+    b.ball("other", {1, 12, 0}, 0.5).initialVelocity = {0, -1.5, 0};
+    const Result result = simulate(b.scene);
+    const auto met = result.motion->stop(1);
+    ASSERT_TRUE(met);
+    EXPECT_THAT(met->sentence, HasSubstr("whose motion stopped at t = 5"));
+    EXPECT_NEAR(met->time, (9 - 1) / 1.2, 1e-2);
+    EXPECT_EQ(result.motion->stop(2), std::nullopt);
+}
+
+// Whatever becomes of a body that stops, others far away go on meeting each other. (The first ball
+// leaves its table so far from the origin that rounding tells how it bears on the edge.)
+TEST(Stops, AStopConcernsNobodyElse) {
+    SceneBuilder b(3, 1e-7);
+    b.box("table", {-300, -0.1, 0}, {6, 0.2, 2}).fixed = true;
+    scene::Body& leaving = b.ball("leaving", {-297.8, 0.1, 0});
+    leaving.restitution = 0;
+    leaving.initialVelocity = {0.946, 0, 0};
+    b.weight("leaving");
+    b.box("floor", {50, -0.1, 0}, {6, 0.2, 2}).fixed = true;
+    b.ball("bouncing", {50, 0.6, 0}).restitution = 1;
+    b.weight("bouncing");
+    const Result result = simulate(b.scene);
+    const double fall = std::sqrt(2 * 0.5 / testing::g);
+    for (double t = 0; t < 3; t += 0.01) {
+        const double since = std::remainder(t, 2 * fall);
+        EXPECT_NEAR(result.motion->at(3, t).position.y(), 0.6 - testing::g / 2 * since * since,
+                    1e-7);
+    }
+}
+
 TEST(Report, SpeaksOfTheBodyThatASentenceNames) {
     scene::Scene scene = orbit(1);
     scene.bodies[0].source.line = 7;

@@ -192,6 +192,7 @@ private:
     [[nodiscard]] std::size_t patience() const { return equations_->watches() + 1; }
     [[nodiscard]] ComponentEquations::Passing passing(const Violation& violation, bool immediate);
     [[nodiscard]] bool haveSwitched(std::size_t times, double part = 1e-10) const;
+    [[nodiscard]] bool isEndless(std::size_t times, double part) const;
     [[nodiscard]] bool swingsShrink() const;
     [[nodiscard]] bool goesToAndFro() const;
     [[nodiscard]] bool comesToRest(std::vector<double>& y);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace solution {
@@ -12,13 +13,14 @@ namespace {
 
 constexpr std::size_t often = 10; // switches in next to no time
 
-// So many switches in such a part of the time have no end. What goes to and fro by itself, however
-// fast, has as many in a part of the time as in any other.
+// So many switches in such a part of the time since the start have no end. What goes to and fro by
+// itself, however fast, has as many in a part of that time as in any other.
 struct Endless {
     std::size_t times;
     double part;
 };
 constexpr Endless endless[] = {{100, 1e-10}, {1'000, 1e-7}};
+constexpr double resolved = 16;     // units in the last place of the time, from switch to switch
 constexpr std::size_t kept = 4'000; // an event may take some back
 
 } // namespace
@@ -53,7 +55,7 @@ void Component::pass(const Violation& violation, bool immediate) {
         if (recentSwitches_.size() > kept)
             recentSwitches_.pop_front();
         if (std::ranges::any_of(endless,
-                                [this](const Endless& e) { return haveSwitched(e.times, e.part); }))
+                                [this](const Endless& e) { return isEndless(e.times, e.part); }))
             return giveUp();
     }
     std::vector<double> y = stateValues();
@@ -87,6 +89,14 @@ bool Component::haveSwitched(std::size_t times, double part) const {
     const double shortest = part * std::max(std::abs(time_), time_ - options_.start) + 1e-16;
     return recentSwitches_.size() >= times &&
            time_ - recentSwitches_[recentSwitches_.size() - times].time <= shortest;
+}
+
+bool Component::isEndless(std::size_t times, double part) const {
+    const double units = resolved * std::numeric_limits<double>::epsilon() * std::abs(time_);
+    return recentSwitches_.size() >= times &&
+           time_ - recentSwitches_[recentSwitches_.size() - times].time <=
+               std::max(part * (time_ - options_.start), static_cast<double>(times) * units) +
+                   1e-16;
 }
 
 // By the same factor again and again: they end at a time that is hardly later.

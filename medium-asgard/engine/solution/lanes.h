@@ -10,8 +10,6 @@
 
 #include <immintrin.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace solution::lanes {

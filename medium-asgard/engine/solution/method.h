@@ -86,6 +86,8 @@ protected:
         return system_.rates(t, y, out);
     }
 
+    [[nodiscard]] double stepByChange(double& h);
+
     System& system_;
     ErrorControl& control_;
     bool fixed_;

@@ -123,9 +123,11 @@ private:
         refill(lane, *component);
     }
     void refill(std::size_t lane, Component& component) {
+        if (!goes_)
+            return;
         if (advanceAlone(component, false, true))
             fill(lane, &component, false);
-        else if (goes_)
+        else
             fill(lane, next(), mustStep_);
     }
 

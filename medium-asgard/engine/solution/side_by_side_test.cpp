@@ -28,10 +28,11 @@ public:
         return "(" + std::to_string(real(low, high)) + ")";
     }
 
-    // Of some kind: several of one kind have one model and other numbers.
-    std::vector<Line> component(const std::string& x) {
+    static constexpr std::size_t kinds = 9;
+    // Several of one kind have one model and other numbers.
+    std::vector<Line> component(const std::string& x, std::size_t kind) {
         const std::string v = "d" + x;
-        switch (below(9)) {
+        switch (kind) {
         case 0: // a pendulum, some of them fast
             return {{x, v, real(-2, 2), 1},
                     {v, "-" + number(1, below(4) == 0 ? 4000 : 20) + "*sin(" + x + ")", 0}};
@@ -111,8 +112,11 @@ Scene randomScene(unsigned seed) {
     Generator generator(seed);
     Scene scene;
     const std::size_t count = 3 + generator.below(60);
+    const std::size_t first = generator.below(Generator::kinds);
+    const bool isMixed = seed % 2 == 0; // else threads have many alike beside each other, too
     for (std::size_t c = 0; c < count; ++c) {
-        scene.components.push_back(generator.component("x" + std::to_string(c)));
+        const std::size_t kind = isMixed ? generator.below(Generator::kinds) : first;
+        scene.components.push_back(generator.component("x" + std::to_string(c), kind));
         scene.tolerances.push_back(std::pow(10, generator.real(-9, -3)));
     }
     scene.changesAt = generator.real(0.5, finish);
@@ -226,4 +230,27 @@ TEST(SideBySide, GoesOnWhereItWasLeft) {
     for (std::size_t c = 0, u = 0; c < count; u += scene.components[c++].size())
         EXPECT_EQ(written(solver, u, scene.components[c].size()),
                   written(whole, u, scene.components[c].size()));
+}
+
+// Whoever is cancelled while lanes are left and filled comes to an end.
+TEST(SideBySide, EndsWhereverItIsCancelled) {
+    std::vector<Line> lines;
+    constexpr int pendulums = 12;
+    for (int c = 0; c < pendulums; ++c) {
+        const std::string x = "x" + std::to_string(c), v = "d" + x;
+        lines.push_back({x, v, 0.5 + 0.1 * c, 1});
+        lines.push_back({v, "-" + std::to_string(3 + c) + "*sin(" + x + ")", 0});
+    }
+    expression::EquationSet set = equationsOf(lines);
+    for (int c = 0; c < pendulums; ++c)
+        addPhase(set, static_cast<std::size_t>(2 * c + 1), 3, "-2*sin(x" + std::to_string(c) + ")");
+    bool isCancelled = true;
+    for (int poll = 1; isCancelled; ++poll) {
+        int polls = 0;
+        Options options;
+        options.cancelled = [&] { return ++polls == poll; };
+        Solver solver(set, options);
+        isCancelled = solver.advanceTo(finish).cancelled;
+        ASSERT_LT(poll, 10'000);
+    }
 }

@@ -31,12 +31,14 @@ bool Solver::Implementation::handleEvents(double finish) {
         stopIsland(placed, "events follow each other so fast that the finish is more than a "
                            "billion of them away; finish earlier");
     paces_.note(time, placed.touched);
-    if (eventsAtOnce_ > 2 * options_.maximumEventsAtOnce) // nothing that it touches moves any more
+    const std::string tooMany =
+        "more than " + std::to_string(options_.maximumEventsAtOnce) + " events at one instant";
+    if (eventsAtOnce_ > 2 * options_.maximumEventsAtOnce) { // at what moves no more
+        stopAll(time, tooMany + " would hide what happens to others");
         return false;
+    }
     if (eventsAtOnce_ >= options_.maximumEventsAtOnce)
-        stopFor(placed, Stop::Reason::tooManyEvents,
-                "more than " + std::to_string(options_.maximumEventsAtOnce) +
-                    " events at one instant");
+        stopFor(placed, Stop::Reason::tooManyEvents, tooMany);
     histories_.known_ = std::min(known(), finish);
     return true;
 }
@@ -168,6 +170,18 @@ void Solver::Implementation::stopFor(const Event& event, Stop::Reason reason,
         schedule_.changed(c);
     }
     noteStops();
+}
+
+// No event is asked for any more: what goes on without them would be wrong.
+void Solver::Implementation::stopAll(double time, const std::string& sentence) {
+    Event all{.time = time, .touched = {}, .tag = 0};
+    for (std::size_t u = 0; u < componentOf_.size(); ++u)
+        all.touched.push_back(u);
+    std::vector<std::size_t> moving = touchedBy(all, {});
+    std::erase_if(moving,
+                  [this](std::size_t c) { return !components_[c] || components_[c]->ended(); });
+    goBack(moving, time);
+    stopFor(all, Stop::Reason::tooManyEvents, sentence);
 }
 
 void Solver::Implementation::noteStops() {

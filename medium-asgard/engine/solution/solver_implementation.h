@@ -108,6 +108,7 @@ private:
     void retire(Component& component);
     void stopFor(const Event& event, Stop::Reason reason, const std::string& sentence);
     void stopIsland(const Event& event, const std::string& sentence);
+    void stopAll(double time, const std::string& sentence);
     void noteStops();
 
     std::vector<Flight> flights_;

@@ -445,3 +445,16 @@ TEST(Switching, SwingsAboutASwitchGainNothingByTheResolutionOfTime) {
         EXPECT_NEAR(x, (phase < quarter ? 1 : -1) * (top - left * left / 2), 4e-9) << force;
     }
 }
+
+// What switches fast does so as often after a late start as after an early one.
+TEST(Switching, ALateStartMakesNoSwitchesEndless) {
+    for (const double start : {0.0, 1e6}) {
+        Options options = tolerance(1e-6);
+        options.start = start;
+        const Solver solver = solved(equationsOf({{"x", "dx", 1e-4, 1}, {"dx", "-4e5*sign(x)", 0}}),
+                                     start + 0.2, options);
+        EXPECT_TRUE(solver.histories().stops().empty()) << start;
+        const double v = solver.histories().value(1, start + 0.2);
+        EXPECT_NEAR(v * v / 2 + 4e5 * std::abs(solver.histories().value(0, start + 0.2)), 40, 0.01);
+    }
+}
