@@ -44,11 +44,12 @@ int explain(const SceneText& scene, const ExplainArguments& arguments,
     const bool stopped = tell(scene, *result.motion);
     const bool jsonOnly = arguments.json && *arguments.json == "-";
     const Detail detail = arguments.all ? Detail::all : Detail::usual;
-    const std::string text = arguments.expressions
-                                 ? phasesText(*result.explanation, options.phasesOf)
-                                 : explanationText(*result.explanation, detail) +
-                                       accuracyText(scene.reading.scene.simulator.accuracy,
-                                                    result.motion->errorEstimate());
+    const std::string text =
+        arguments.expressions
+            ? phasesText(*result.explanation, options.phasesOf)
+            : explanationText(*result.explanation, detail) +
+                  accuracyText(*result.explanation, scene.reading.scene.simulator.accuracy,
+                               result.motion->errorEstimate());
     if (!jsonOnly && !write("-", text))
         return failure;
     if (arguments.json && !write(*arguments.json, explanationJson(*result.explanation)))

@@ -374,14 +374,31 @@ std::string phasesText(const Explanation& explanation, const std::string& name) 
     return text.empty() ? "Nothing of " + name + " is computed: it stays as it is.\n" : text;
 }
 
-std::string accuracyText(double accuracy, std::optional<double> estimate) {
-    char text[160];
+namespace {
+
+// Two runs that differ in nothing: of what does not depend on how it is integrated.
+std::string whyNoError(const Explanation& explanation) {
+    if (explanation.impacts == 0 && !explanation.isAnyResting)
+        return ", since nothing is integrated";
+    return std::string("; nothing is integrated") +
+           (explanation.impacts > 0 ? ", impacts are exact to rounding" : "") +
+           (explanation.isAnyResting
+                ? ", what rests touches to a hundredth of the accuracy of its size"
+                : "");
+}
+
+} // namespace
+
+std::string accuracyText(const Explanation& explanation, double accuracy,
+                         std::optional<double> estimate) {
     if (!estimate)
         return "\nThe error of a method that is asked for by name is not estimated.\n";
-    std::snprintf(text, sizeof text, "\nAccuracy: %.1g asked; the error is estimated at %.1g%s.\n",
-                  accuracy, *estimate,
-                  *estimate == 0 ? ", since nothing is integrated" : " of the size of what moves");
-    return text;
+    char numbers[120];
+    std::snprintf(numbers, sizeof numbers, "\nAccuracy: %.1g asked; the error is estimated at %.1g",
+                  accuracy, *estimate);
+    return numbers +
+           (*estimate == 0 ? whyNoError(explanation) : std::string(" of the size of what moves")) +
+           ".\n";
 }
 
 std::string explanationJson(const Explanation& explanation) {

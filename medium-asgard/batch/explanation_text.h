@@ -20,7 +20,8 @@ enum class Detail { usual, all };
 [[nodiscard]] std::string phasesText(const simulation::Explanation& explanation,
                                      const std::string& name);
 // What was asked, and how far off the motion is; none: not estimated.
-[[nodiscard]] std::string accuracyText(double accuracy, std::optional<double> estimate);
+[[nodiscard]] std::string accuracyText(const simulation::Explanation& explanation, double accuracy,
+                                       std::optional<double> estimate);
 [[nodiscard]] std::string explanationJson(const simulation::Explanation& explanation);
 
 } // namespace batch

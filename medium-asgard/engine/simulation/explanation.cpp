@@ -297,6 +297,8 @@ void addPairs(const Problem& problem, const Run& run, Explanation& explanation) 
     }
     explanation.tested = run.pairTests;
     explanation.candidates = run.candidates.size();
+    explanation.impacts = run.impacts.size();
+    explanation.isAnyResting = !run.supports.empty();
     for (std::size_t a = 0; a < bodies.size(); ++a)
         for (std::size_t b = a + 1; b < bodies.size(); ++b) {
             if (std::ranges::binary_search(run.candidates, std::pair(a, b)) ||

@@ -36,8 +36,10 @@ struct Explanation {
     std::vector<Component> components;
     std::vector<Phases> phases;
     std::vector<NotModelled> notModelled;
-    std::size_t candidates = 0;   // pairs that came near each other
-    std::size_t tested = 0;       // tests of pairs, each over a stretch of the motion
+    std::size_t candidates = 0; // pairs that came near each other
+    std::size_t tested = 0;     // tests of pairs, each over a stretch of the motion
+    std::size_t impacts = 0;
+    bool isAnyResting = false;    // or sliding, at the end
     std::vector<Never> never;     // pairs of which one can move, that were never tested
     std::size_t neverLeftOut = 0; // such pairs that the list has no place for
 };
