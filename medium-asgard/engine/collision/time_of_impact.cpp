@@ -16,10 +16,10 @@ bool centredSphere(const PartMotion& p) {
     return p.part->isSphere() && p.part->center() == p.pivot;
 }
 
-Encounter meetAsSpheres(const PartPair& pair, Interval during) {
+Encounter meetAsSpheres(const PartPair& pair, Interval during, double depth) {
     const RelativePath path = relativePath(pair.first.piece, pair.second.piece, during.from);
     const SphereEncounter met = spheresMeet(
-        path, pair.first.part->radius + pair.second.part->radius, during.to - during.from,
+        path, pair.first.part->radius + pair.second.part->radius - depth, during.to - during.from,
         pair.roundOff(during.from), pair.leastApproach(during.from));
     Encounter result;
     result.overlap = met.overlap;
@@ -42,9 +42,9 @@ bool neverNear(const PartPair& pair, Interval during) {
     return g.terms[0] > 0 && !firstDescent(g, during.to - during.from);
 }
 
-Encounter meetInPiece(const PartPair& pair, Interval during) {
+Encounter meetInPiece(const PartPair& pair, Interval during, double depth) {
     if (centredSphere(pair.first) && centredSphere(pair.second))
-        return meetAsSpheres(pair, during);
+        return meetAsSpheres(pair, during, depth);
     if (neverNear(pair, during))
         return {};
     return advance(pair, during);
@@ -72,7 +72,7 @@ void note(Encounter& all, const Encounter& one, std::size_t i, std::size_t j, bo
 } // namespace
 
 Encounter timeOfImpact(const MovingShape& first, const MovingShape& second, Interval during,
-                       const PartFilter& leaveOut, Slack slack) {
+                       const PartFilter& leaveOut, Slack slack, double depth) {
     Encounter all;
     for (double t = during.from; !all.hit;) {
         const double end = endOfPieces(first, second, t, during.to);
@@ -81,8 +81,8 @@ Encounter timeOfImpact(const MovingShape& first, const MovingShape& second, Inte
                 if (leaveOut && leaveOut(i, j))
                     continue;
                 const double until = all.hit ? all.hit->time : end;
-                note(all, meetInPiece(partPair(first, i, second, j, t, slack), {t, until}), i, j,
-                     t == during.from);
+                note(all, meetInPiece(partPair(first, i, second, j, t, slack), {t, until}, depth),
+                     i, j, t == during.from);
             }
         if (!(end < during.to))
             break;

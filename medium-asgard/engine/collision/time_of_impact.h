@@ -47,10 +47,11 @@ struct Encounter {
     std::size_t evaluations = 0; // gaps computed
 };
 
-// Pairs of parts for which `leaveOut` is true are not looked at.
+// Pairs of parts for which `leaveOut` is true are not looked at. Balls hit where they overlap by
+// `depth`, everything else where it touches.
 using PartFilter = std::function<bool(std::size_t firstPart, std::size_t secondPart)>;
 [[nodiscard]] Encounter timeOfImpact(const MovingShape& first, const MovingShape& second,
                                      Interval during, const PartFilter& leaveOut = nullptr,
-                                     Slack slack = 0);
+                                     Slack slack = 0, double depth = 0);
 
 } // namespace collision

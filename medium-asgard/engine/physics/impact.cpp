@@ -104,6 +104,19 @@ private:
     std::vector<Response> first_, second_;
 };
 
+// What approaches so much slower than the fastest is at relative rest, but for rounding and, of
+// what goes side by side, what forces do to it: it takes part when the blow has reached it.
+void leaveTheSlow(const Round& round, std::span<const ImpactContact> contacts,
+                  std::vector<std::size_t>& approaching) {
+    constexpr double atRest = 1e-9, atRestBeside = 1e-2;
+    double fastest = 0;
+    for (const std::size_t c : approaching)
+        fastest = std::max(fastest, -round.speed(c));
+    std::erase_if(approaching, [&](std::size_t c) {
+        return -round.speed(c) < (contacts[c].isBeside ? atRestBeside : atRest) * fastest;
+    });
+}
+
 // Gives the impulses to the chosen contacts. False when there are none that part them.
 bool solveTogether(Round& round, const std::vector<std::size_t>& chosen, bool plastic,
                    ImpactResult& result) {
@@ -143,6 +156,7 @@ ImpactResult resolveImpact(std::vector<ImpactBody> bodies,
                 approaching.push_back(c);
         if (approaching.empty())
             return result;
+        leaveTheSlow(round, contacts, approaching);
         if (!solveTogether(round, approaching, false, result))
             break;
     }

@@ -8,7 +8,9 @@
 // solved together: j >= 0, u' + e u >= 0, and one of both 0 in each contact (complementarity). Of
 // several solutions (redundant contacts) the velocities are the same; the impulses are the
 // shortest. Contacts that touch at relative rest take part one after another: after each solution,
-// those that now approach make the next one (Newton's cradle), until none approaches.
+// those that now approach make the next one (Newton's cradle), until none approaches. What
+// approaches a billion times slower than the fastest does so by rounding, and is at relative rest;
+// of what goes side by side (simulation/side_by_side.h), a hundred times.
 //
 // Bodies of infinite mass (position held) or infinite inertia (attitude held) have inverse 0. Two
 // bodies that cannot give way pass through each other; that is reported.
@@ -38,6 +40,7 @@ struct ImpactContact {
     Vector point = Vector::Zero();
     Vector normal = Vector::UnitX(); // from second to first
     double restitution = 1;          // the smaller of the two bodies'
+    bool isBeside = false;           // they go side by side: at relative rest before the blow
 };
 
 struct ImpulseGiven {

@@ -22,6 +22,13 @@ std::vector<MovingBody> movingBodies(const std::vector<BodyRecord>& records,
     return bodies;
 }
 
+std::vector<bool> elasticOf(const scene::Scene& scene) {
+    std::vector<bool> elastic;
+    for (const scene::Body& body : scene.bodies)
+        elastic.push_back(body.restitution == 1);
+    return elastic;
+}
+
 } // namespace
 
 CollisionSource::CollisionSource(const scene::Scene& scene,
@@ -32,7 +39,7 @@ CollisionSource::CollisionSource(const scene::Scene& scene,
     : scene_(scene), equations_(equations), records_(recordsOf(equations)),
       bodies_(movingBodies(records_, shapes)), start_(start), finish_(finish),
       limits_(std::move(limits)), cancelled_(std::move(cancelled)),
-      resting_(equations, records_, bodies_, start, finish, limits_),
+      resting_(equations, records_, bodies_, start, finish, limits_, elasticOf(scene)),
       search_(scene, equations, records_, bodies_, resting_, start, 4 * RestLimits::mostGap),
       meetings_(records_.size()), changes_(records_.size()) {
     findDependents();

@@ -118,6 +118,20 @@ private:
                                  const EncounterSearch::Found& hit);
     [[nodiscard]] std::optional<solution::Event> meet(const solution::Histories& histories,
                                                       const Pair& pair, double time);
+    [[nodiscard]] bool areFreeBalls(const Pair& pair, double time) const;
+    [[nodiscard]] double restitutionOf(const Pair& pair) const;
+    struct Closeness {                   // of two balls
+        double radius = 0, rounding = 0; // the smaller one; of places
+        double rate = 0, push = 0;       // the first two derivatives of the gap
+        double turning = 0;              // what of the push is their going past each other
+        double accelerations = 0;        // that enter
+    };
+    [[nodiscard]] Closeness closenessOf(const solution::Histories& histories, const Pair& pair,
+                                        double time) const;
+    // no: it is a hit; tooOften: it would be one too many of those that go side by side.
+    enum class Alongside { no, yes, tooOften };
+    [[nodiscard]] Alongside goAlongside(const solution::Histories& histories,
+                                        const EncounterSearch::Found& hit);
     struct Present { // of two that meet, or one beside them, at an instant
         std::size_t body = 0;
         const collision::BallFlight* flight = nullptr; // none: not in flight

@@ -11,6 +11,7 @@ namespace {
 
 using collision::FlightMeeting;
 using collision::Interval;
+using geometry::Vector;
 using solution::infinity;
 
 constexpr std::size_t recentPairs = 4096;
@@ -244,15 +245,23 @@ void EncounterSearch::searchFlight(std::size_t body, std::size_t other, double t
         searchGenerally(pair, {time, until});
 }
 
+double EncounterSearch::gapOfBalls(const Pair& pair, double time) const {
+    const Vector apart = collision::positionAt(bodies_[pair.first].pieceAt(time), time) -
+                         collision::positionAt(bodies_[pair.second].pieceAt(time), time);
+    return apart.norm() - records_[pair.first].radius - records_[pair.second].radius;
+}
+
 void EncounterSearch::searchGenerally(const Pair& pair, Interval during) {
     collision::PartFilter footing;
     if (resting_.hasFooting(pair.first, pair.second))
         footing = [&](std::size_t i, std::size_t j) {
             return resting_.isFooting(pair.first, i, pair.second, j);
         };
+    if (depth(pair) > 0)
+        sideBySide_.look(pair, gapOfBalls(pair, during.from));
     const collision::Encounter encounter =
         collision::timeOfImpact(bodies_[pair.first], bodies_[pair.second], during, footing,
-                                resting_.slack(pair.first, pair.second));
+                                resting_.slack(pair.first, pair.second), depth(pair));
     if (encounter.overlap > 0)
         overlaps_.push_back(pair);
     if (encounter.hit)

@@ -40,6 +40,7 @@
 #include "simulation/earliest.h"
 #include "simulation/rally.h"
 #include "simulation/resting_bodies.h"
+#include "simulation/side_by_side.h"
 #include "solution/event_source.h"
 
 #include <array>
@@ -92,6 +93,9 @@ public:
     void goOn(const Pair& turned, double time, Renewal& renewal);
     // The pair's hit at `time` was none, or is let pass: search it from there on.
     void searchOn(const Pair& pair, double time);
+    // Balls that touch and neither part nor approach.
+    [[nodiscard]] SideBySide& sideBySide() { return sideBySide_; }
+    [[nodiscard]] double depth(const Pair& pair) const { return sideBySide_.depth(pair); }
     // They let each other pass until then.
     void letPass(const Pair& pair, double until) { passing_.push_back({pair, until}); }
 
@@ -204,6 +208,7 @@ private:
     void searchAround(std::size_t body, double time, std::size_t but = nobody);
     void searchFlight(std::size_t body, std::size_t other, double time);
     void searchGenerally(const Pair& pair, collision::Interval during);
+    [[nodiscard]] double gapOfBalls(const Pair& pair, double time) const;
     void search(const Pair& pair, double from);
     [[nodiscard]] bool isRallying(std::size_t body) const;
     [[nodiscard]] bool join(std::size_t body, Rally& rally) const;
@@ -242,7 +247,8 @@ private:
         double until = 0;
     };
     std::vector<Passing> passing_; // pairs that cannot give way
-    Around around_ = Around::all;  // of the ball that entered a cell last
+    SideBySide sideBySide_;
+    Around around_ = Around::all; // of the ball that entered a cell last
     std::vector<Pair> overlaps_;
     std::size_t pairTests_ = 0;
     std::vector<std::uint64_t> pairs_;        // as numbers; some several times

@@ -77,6 +77,11 @@ CollisionSource::Handled CollisionSource::handle(const Histories& histories,
     }
     if (hit.isLost)
         return {end(pair, hit.time, lost(pair, hit.time))};
+    const Alongside alongside = goAlongside(histories, hit);
+    if (alongside == Alongside::yes)
+        return {};
+    if (alongside == Alongside::tooOften)
+        return {end(pair, hit.time, leaning(pair.first, pair.second))};
     if (isWithoutEnd(pair.first, pair.second, hit.time) ||
         isWithoutEnd(pair.second, pair.first, hit.time))
         return {endWithoutEnd(histories, pair, hit.time)};
@@ -88,6 +93,62 @@ CollisionSource::Handled CollisionSource::handle(const Histories& histories,
     if (auto event = meet(histories, pair, hit.time))
         return {std::move(event)};
     return {press(histories, pair, hit.time)};
+}
+
+bool CollisionSource::areFreeBalls(const Pair& pair, double time) const {
+    return bodies_[pair.first].isBall() && bodies_[pair.second].isBall() &&
+           givesWay(pair.first, time) && givesWay(pair.second, time);
+}
+
+double CollisionSource::restitutionOf(const Pair& pair) const {
+    return std::min(scene_.bodies[pair.first].restitution, scene_.bodies[pair.second].restitution);
+}
+
+// side_by_side.h. They are slow where the forces on them give such a speed on a way of that depth.
+// What loses speed in each hop comes to rest where it is pressed, but for what rounding presses.
+CollisionSource::Alongside CollisionSource::goAlongside(const Histories& histories,
+                                                        const EncounterSearch::Found& hit) {
+    const auto [a, b] = hit.pair;
+    const auto *flight = search_.flight(a), *other = search_.flight(b);
+    // What flies alike nothing pushes together: it parts for ever.
+    if (!areFreeBalls(hit.pair, hit.time) || (flight && other && flight->half == other->half))
+        return Alongside::no;
+    const Closeness near = closenessOf(histories, hit.pair, hit.time);
+    const double least = std::min(limits_[a].depth, limits_[b].depth) * near.radius + near.rounding;
+    const double most = std::min(limits_[a].gap, limits_[b].gap) * near.radius;
+    const double known = search_.depth(hit.pair), square = near.rate * near.rate;
+    constexpr double passing = 1e-3; // of the accelerations: what opens the gap where they graze
+    const bool isPassing = known == 0 && near.turning > passing * near.accelerations;
+    const bool isSlow = square < 4 * near.accelerations * std::max(known, least);
+    if (!hit.pressing && (isPassing || !isSlow))
+        return Alongside::no;
+    const bool isPressed = near.push < -RestLimits::weakPush * near.accelerations;
+    if (restitutionOf(hit.pair) < 1 && isPressed)
+        return Alongside::no;
+    constexpr double low = 1.0 / 16; // of that depth: a hop is none
+    if (known > 0 && !hit.pressing && !(square < -2 * near.push * low * least))
+        return search_.sideBySide().hop(hit.pair) ? Alongside::no : Alongside::tooOften;
+    return search_.sideBySide().sink(hit.pair, least, std::max(most, 16 * least))
+               ? Alongside::yes
+               : Alongside::tooOften;
+}
+
+CollisionSource::Closeness CollisionSource::closenessOf(const Histories& histories,
+                                                        const Pair& pair, double time) const {
+    const BodyRecord &a = records_[pair.first], &b = records_[pair.second];
+    const BodyState one = stateOf(a, histories, time), other = stateOf(b, histories, time);
+    const Vector first = accelerationOf(a, histories, time).linear;
+    const Vector second = accelerationOf(b, histories, time).linear;
+    const Vector normal = (one.position - other.position).normalized();
+    const Vector speed = one.velocity - other.velocity;
+    const double rate = normal.dot(speed);
+    const double turning = (speed - rate * normal).squaredNorm() / (a.radius + b.radius);
+    return {.radius = std::min(a.radius, b.radius),
+            .rounding = 1e-13 * (one.position.norm() + other.position.norm()),
+            .rate = rate,
+            .push = normal.dot(first - second) + turning,
+            .turning = turning,
+            .accelerations = first.norm() + second.norm()};
 }
 
 std::string CollisionSource::bodiesQuoted(const Pair& pair) const {

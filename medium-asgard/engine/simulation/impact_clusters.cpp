@@ -106,7 +106,8 @@ double CollisionSource::contactTolerance(const Pair& pair, double time) const {
             coordinates +=
                 collision::positionAt(bodies_[body].pieceAt(time), time).cwiseAbs().maxCoeff();
     }
-    return collision::touchingGap * reach +
+    const double depth = search_.depth(pair);
+    return (depth > 0 ? depth : collision::touchingGap * reach) +
            8 * epsilon * (coordinates + std::abs(time) * speedOf(pair, time));
 }
 
@@ -157,12 +158,12 @@ void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, 
     const auto add = [&](const Vector& point, const Vector& normal,
                          const std::array<double, 2>& radii) {
         cluster.radii.push_back(radii);
-        cluster.contacts.push_back(
-            {.first = indexIn(a),
-             .second = indexIn(b),
-             .point = point,
-             .normal = normal,
-             .restitution = std::min(scene_.bodies[a].restitution, scene_.bodies[b].restitution)});
+        cluster.contacts.push_back({.first = indexIn(a),
+                                    .second = indexIn(b),
+                                    .point = point,
+                                    .normal = normal,
+                                    .restitution = restitutionOf({a, b}),
+                                    .isBeside = search_.depth({a, b}) > 0});
     };
     const double tolerance = contactTolerance({a, b}, time);
     const auto contacts =
@@ -243,6 +244,10 @@ double CollisionSource::softenLastHops(const Histories& histories, Cluster& clus
                                        std::span<const ImpactBody> bodies, double time) const {
     double longest = -1;
     for (std::size_t c = 0; c < cluster.contacts.size(); ++c) {
+        const Pair pair(cluster.bodies[cluster.contacts[c].first],
+                        cluster.bodies[cluster.contacts[c].second]);
+        if (cluster.contacts[c].restitution == 1 && areFreeBalls(pair, time))
+            continue; // they hop on (side_by_side.h)
         Hop hop = hopOf(histories, cluster, cluster.contacts[c], cluster.radii[c], bodies, time);
         for (std::size_t i = 0; i < cluster.corners.size(); ++i) {
             if (cluster.contactOf[i] != c)

@@ -39,7 +39,7 @@ double secondsOf(const Run& before, const solution::TakenMotion& taken) {
 // what they do.
 std::vector<RestLimits> restLimits(const Problem& problem, const std::vector<double>& tolerances,
                                    Rounding rounding) {
-    constexpr double hop = 1e-3, touching = 1e-2;
+    constexpr double hop = 1e-3, touching = 1e-2, depth = 4e-9;
     constexpr double finest = 1e-3, finestTouching = 0.25; // beside the first run's
     const double accuracy = problem.accuracy(), first = Tightening::firstTolerance(accuracy);
     const double gap = std::clamp(touching * accuracy, RestLimits::leastGap, RestLimits::mostGap);
@@ -49,7 +49,8 @@ std::vector<RestLimits> restLimits(const Problem& problem, const std::vector<dou
             rounding == Rounding::nudged ? 0.1 : std::clamp(tolerance / first, finest, 1.0);
         limits.push_back(
             {.gap = std::max(gap * std::max(fine, finestTouching), RestLimits::leastGap),
-             .hopHeight = hop * accuracy * fine});
+             .hopHeight = hop * accuracy * fine,
+             .depth = depth * fine});
     }
     return limits;
 }

@@ -45,9 +45,12 @@ struct Rest {
 };
 
 struct RestLimits {
+    static constexpr double weakPush = 1e-6; // of the accelerations that enter: rounding's, and so
+                                             // none between bodies that both give way
     static constexpr double leastGap = 1e-8, mostGap = 1e-6;
     double gap = 1e-7;       // of the parts' size: touching
     double hopHeight = 1e-9; // of the body's radius: parting slower than for that is not parting
+    double depth = 4e-9;     // of the smaller radius: at which balls side by side hit
 };
 
 struct RestQuestion {

@@ -106,9 +106,9 @@ void addTurnsBeyond(const Bearing& bearing, const Path& path, collision::Interva
 RestingBodies::RestingBodies(const physics::EquationsOfMotion& equations,
                              const std::vector<BodyRecord>& records,
                              const std::vector<MovingBody>& bodies, double start, double finish,
-                             std::vector<RestLimits> limits)
+                             std::vector<RestLimits> limits, std::vector<bool> elastic)
     : equations_(equations), records_(records), bodies_(bodies), start_(start), finish_(finish),
-      limits_(std::move(limits)) {
+      limits_(std::move(limits)), elastic_(std::move(elastic)) {
     for (const physics::BodyMotion& body : equations.bodies)
         names_.push_back(body.name);
 }
@@ -121,6 +121,11 @@ bool RestingBodies::canGiveWay(std::size_t body, double time) const {
     // What holds to the finish holds at the finish.
     const double t = std::min(time, std::nextafter(finish_, start_));
     return std::ranges::count(equations_.bodies[body].heldAt(t).position, true) == 0;
+}
+
+bool RestingBodies::hopForEver(std::size_t a, std::size_t b, double time) const {
+    return elastic_[a] && elastic_[b] && bodies_[a].isBall() && bodies_[b].isBall() &&
+           canGiveWay(a, time) && canGiveWay(b, time);
 }
 
 physics::ImpactBody RestingBodies::impactBody(std::size_t body, double time,
@@ -239,6 +244,8 @@ Rest RestingBodies::restAt(const Histories& histories, std::size_t body, double 
     if (equations_.bodies[body].heldAt(time).attitude)
         question.free.angular = question.body.acceleration.angular;
     for (const std::size_t other : partners) {
+        if (hopForEver(body, other, time))
+            continue;
         question.supports.push_back(placed(histories, other, time, changed));
         question.givesWay.push_back(canGiveWay(other, time));
     }

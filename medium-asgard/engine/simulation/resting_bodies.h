@@ -32,7 +32,8 @@ public:
     // All must outlive this.
     RestingBodies(const physics::EquationsOfMotion& equations,
                   const std::vector<BodyRecord>& records, const std::vector<MovingBody>& bodies,
-                  double start, double finish, std::vector<RestLimits> limits);
+                  double start, double finish, std::vector<RestLimits> limits,
+                  std::vector<bool> elastic);
     // The motion is wanted for longer than before.
     void lengthen(double finish) { finish_ = finish; }
 
@@ -61,6 +62,8 @@ public:
     [[nodiscard]] BodyState bearingState(const solution::Histories& histories, std::size_t body,
                                          double time) const;
     [[nodiscard]] bool canGiveWay(std::size_t body, double time) const;
+    // Two free elastic balls never come to rest on each other (side_by_side.h).
+    [[nodiscard]] bool hopForEver(std::size_t a, std::size_t b, double time) const;
 
     // From `time` on the body rests like this, or is free.
     void set(std::size_t body, double time, const Rest& rest);
@@ -113,6 +116,7 @@ private:
     const std::vector<MovingBody>& bodies_;
     double start_, finish_;
     std::vector<RestLimits> limits_; // by body
+    std::vector<bool> elastic_;      // by body
     std::vector<std::string> names_;
     std::map<std::size_t, Watch> resting_;
     mutable std::map<std::size_t, Free> free_;

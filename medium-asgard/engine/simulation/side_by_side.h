@@ -1,0 +1,43 @@
+// Balls that go side by side: they touch, and neither part nor approach, or next to nothing.
+//
+// Pendulums of one length on pivots a diameter apart swing so, and so do the balls of a cradle that
+// a blow has gone through. The gap is 0 but for rounding and what the integration errs in it, and
+// its sign says nothing. So from then on they hit only where they overlap by a little, a few
+// billionths of the smaller radius:
+//     nothing pushes them together     they wander by less than that, and never hit
+//     a force pushes them together     they hop on each other to that depth, with the restitution
+//                                      that they have; elastic ones lose nothing by it
+// until they have parted by several times as much. Where they would hit without speed there, too,
+// it is that much deeper. There is a most of it, and of hops: bodies that are pushed together for
+// long come to rest on each other, which is not modelled.
+#pragma once
+
+#include "collision/broad_phase.h"
+
+#include <cstddef>
+#include <map>
+
+namespace simulation {
+
+class SideBySide {
+public:
+    using Pair = collision::Pair;
+
+    // At which they hit; 0: they do not go side by side.
+    [[nodiscard]] double depth(const Pair& pair) const;
+    // From now on they do, or they reached their depth without speed. False: that is the most.
+    [[nodiscard]] bool sink(const Pair& pair, double least, double most);
+    // They hit again while they do. False: too often.
+    [[nodiscard]] bool hop(const Pair& pair);
+    // Their gap now; far apart they do so no longer.
+    void look(const Pair& pair, double gap);
+
+private:
+    struct State {
+        double depth = 0;
+        std::size_t hops = 0;
+    };
+    std::map<Pair, State> pairs_;
+};
+
+} // namespace simulation
