@@ -175,7 +175,9 @@ TEST(Hops, OfABoxThatRocksItselfToRestAreRight) {
                     const Fall fall{.height = height, .restitution = restitution, .tilt = tilt};
                     const Result result = fallOf(fall, accuracy);
                     ASSERT_FALSE(result.motion->stop(1)) << result.motion->stop(1)->sentence;
-                    const double estimate = result.motion->errorEstimate().value_or(0);
+                    ASSERT_TRUE(result.motion->errorEstimate());
+                    const double estimate = *result.motion->errorEstimate();
+                    EXPECT_LE(estimate, 30 * accuracy);
                     EXPECT_LE(largestError(fall, *result.motion), std::max(accuracy, 3 * estimate))
                         << accuracy << " " << height << " " << restitution << " " << tilt;
                 }

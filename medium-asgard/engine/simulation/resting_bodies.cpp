@@ -365,6 +365,8 @@ namespace {
 // The first time at which `holds`, which does at `yes` and did not at `no`. Times are halved
 // between powers of 2, not between these two: where rounding decides, close by, the same times are
 // asked whatever was looked at before, so that who else is in the scene changes no bit.
+// LIMIT: looks lie elsewhere when others meet (look() goes as far as is known): what changes twice
+// between two looks may be seen in one scene and not in another.
 template <typename Holds> double firstFrom(double no, double yes, const Holds& holds) {
     double high = std::exp2(1 + std::ilogb(std::max({1.0, std::abs(no), std::abs(yes)})));
     double low = -high;
