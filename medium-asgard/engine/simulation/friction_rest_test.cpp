@@ -191,5 +191,36 @@ TEST(FrictionRest, TheSignOfTheSpeedAlongTheSlopeHoldsToo) {
         }
 }
 
+// Friction k in the plane of the slope, as a unit vector; thrown across with the speed v it turns
+// downwards, along which the slope pulls by F = g sin a < k. With s and c the speed and the cosine
+// of its angle to that way, s^2 (C + 2 (k/F) C c + C c^2), C = F/(4 (F^2 - k^2)), has the rate s c,
+// and so it comes to rest v^2 F/(4 (k^2 - F^2)) farther down; 2 k v^2/(4 k^2 - F^2) across
+// likewise.
+TEST(FrictionRest, WhatIsThrownAcrossASlopeTurnsAndRests) {
+    constexpr double angle = 0.4, k = 6, v = 2;
+    const double pull = g * std::sin(angle);
+    const double down = v * v * pull / (4 * (k * k - pull * pull));
+    const double across = 2 * k * v * v / (4 * k * k - pull * pull);
+    for (const double accuracy : {1e-2, 1e-4, 1e-6, 1e-8})
+        for (const double speed : {v, 0.0}) {
+            Slope slope(angle, 0, 1, accuracy);
+            slope.put(0);
+            slope.b.scene.bodies[1].initialVelocity = {0, 0, speed};
+            const std::string unit = "/hypot(ball.dx,ball.dy,ball.dz)";
+            slope.b.force("ball", "-6*ball.dx" + unit, "-6*ball.dy" + unit, "-6*ball.dz" + unit);
+            const Result result = slope.run();
+            ASSERT_FALSE(result.motion->stop(1)) << result.motion->stop(1)->sentence;
+            const BodyState end = result.motion->at(1, 3);
+            const double part = speed * speed / (v * v);
+            EXPECT_NEAR(slope.placeIn(result, 3).along, part * down * std::cos(angle),
+                        3 * accuracy);
+            EXPECT_NEAR(end.position.z(), part * across, 3 * accuracy);
+            EXPECT_LT(end.velocity.norm(), 1e-13);
+            EXPECT_EQ(slope.placeIn(result, 3).along, slope.placeIn(result, 2).along);
+            EXPECT_EQ(result.statistics.collisions, 0u);
+            EXPECT_LT(result.statistics.steps, 300u);
+        }
+}
+
 } // namespace
 } // namespace simulation::testing

@@ -2,6 +2,7 @@
 
 #include "simulation/bearing_rates.h"
 #include "simulation/encounter_search.h"
+#include "solution/directions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -183,7 +184,13 @@ Acceleration RestingBodies::freeAcceleration(const Histories& histories, std::si
             }
         made.isConstant = symbols.empty();
         inputs.push_back(equations_.set.time);
-        made.tape = expression::Tape(equations_.set.graph, inputs, outputs);
+        if (solution::lengthsDividedBy(equations_.set.graph, outputs).empty()) {
+            made.tape = expression::Tape(equations_.set.graph, inputs, outputs);
+        } else { // friction in a plane
+            expression::Graph graph = equations_.set.graph;
+            made.tape =
+                expression::Tape(graph, inputs, solution::withoutForcesAtRest(graph, outputs));
+        }
         free_.emplace(body, std::move(made));
     }
     const Free& free = free_.at(body);

@@ -228,6 +228,8 @@ void Component::begin() {
     equations_->inputs().window(infinity);
     std::vector<double> y = stateValues();
     equations_->decide(time_, y);
+    if (equations_->hasDirections())
+        decideRest(y);
     setStates(y);
     takeHeldValues();
     if (stop_)

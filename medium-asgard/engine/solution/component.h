@@ -198,6 +198,12 @@ private:
     [[nodiscard]] bool comesToRest(std::vector<double>& y);
     [[nodiscard]] bool leaves(const Violation& found, double scale,
                               std::span<const Coefficients> columns);
+    void settle();
+    // Directions (component_rest.cpp).
+    void takeReach(std::span<const double> y);
+    void decideRest(std::vector<double>& y);
+    [[nodiscard]] bool reachesRest();
+    [[nodiscard]] bool goToRest(std::size_t direction, double duration);
     [[nodiscard]] std::string switchingWith(const Violation& violation) const;
 
     // Pieces: `columns` of the states over [time_, until], polynomials of (t - time_)/scale.
@@ -248,6 +254,7 @@ private:
     bool strides_ = false;            // as long as it has this method
     double proposed_ = 0;             // length of the next step; 0: not known yet
     double limit_ = infinity;         // where the next step must end at the latest
+    double restsAfter_ = infinity;    // a length of the next step on this side of rest
     bool limitRestarts_ = false;      // an input restarts at limit_
     std::optional<std::size_t> ends_; // an input's motion ends at limit_
     WatchedTimes watched_;

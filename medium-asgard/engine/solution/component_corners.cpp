@@ -32,7 +32,7 @@ std::vector<std::size_t> ComponentEquations::surfacesHere() {
 bool ComponentEquations::isSolved(std::span<const std::size_t> surfaces, Solution asked) {
     const double margin = asked.within ? 1e-9 : -1e-12;
     const auto isOutside = [margin](double w) { return w < margin || w > 1 - margin; };
-    if (sliding_.empty())
+    if (!sliding())
         evaluate(out_);
     else if (!weigh() || std::ranges::any_of(weights_, isOutside))
         return false;

@@ -26,7 +26,9 @@ ComponentEquations::ComponentEquations(std::shared_ptr<const BoundModel> bound,
       guards_(model_.function().decisions()), sides_(model_.surfaces().size(), onSurface),
       levels_(model_.surfaces().size(), 0), joined_(model_.surfaces().size()),
       isGrazed_(model_.surfaces().size(), 0), decisions_(model_.function().decisions()),
-      isPlain_(decisions_.empty() && bound_->held.empty() && bound_->loop.empty()),
+      units_(model_.directions().parts),
+      isPlain_(decisions_.empty() && bound_->held.empty() && bound_->loop.empty() &&
+               model_.directions().ranges.empty()),
       readsInputs_(!bound_->inputs.empty()) {
     std::ranges::copy(bound_->constants,
                       in_.begin() + static_cast<std::ptrdiff_t>(model_.variables()));
@@ -45,13 +47,13 @@ void ComponentEquations::fill(double t, std::span<const double> y) {
 void ComponentEquations::evaluate(std::span<double> out) {
     constexpr double nextToNothing = 1e-150; // its square is still a number
     if (decisions_.empty()) {
-        model_.function().evaluate(in_, out, scratch_);
+        evaluateOutputs(out);
         return;
     }
     for (const auto& [surface, state] : model_.ownGuards())
         if (in_[1 + state] == 0)
             in_[1 + state] = sides_[surface] * nextToNothing;
-    model_.function().evaluate(in_, out, scratch_, decisions_);
+    evaluateOutputs(out);
     for (const auto& [surface, state] : model_.ownGuards())
         if (std::abs(in_[1 + state]) == nextToNothing)
             in_[1 + state] = 0;
@@ -86,10 +88,10 @@ bool ComponentEquations::rates(double t, std::span<const double> y, std::span<do
         return areFinite(out);
     }
     fill(t, y);
-    slidingFailed_ = !sliding_.empty() && !weigh();
+    slidingFailed_ = sliding() && !weigh();
     if (slidingFailed_)
         return false;
-    if (sliding_.empty())
+    if (!sliding())
         evaluate(out_);
     for (std::size_t i = 0; i < states().size(); ++i)
         out[i] = out_[i];
@@ -98,7 +100,8 @@ bool ComponentEquations::rates(double t, std::span<const double> y, std::span<do
 
 bool ComponentEquations::heldValues(double t, std::span<const double> y, std::span<double> out) {
     fill(t, y);
-    evaluate(out_);
+    if (sticking_.empty() || !weigh())
+        evaluate(out_);
     std::copy(out_.begin() + static_cast<std::ptrdiff_t>(states().size()), out_.end(), out.begin());
     return std::all_of(out.begin(), out.end(), [](double x) { return std::isfinite(x); });
 }

@@ -20,6 +20,13 @@
 // floor(v) and v >= 1 at 1. Such surfaces are joined where one of them is passed, and have one
 // weight where they are slid upon.
 //
+// Directions (directions.h). Where a/|a| is 0/0, f has u in its place, |u| <= 1, such that a stays
+// 0: friction in a plane holds (Filippov's set is the image of a ball). a is put to 0 where it is
+// about to be no more than a step may err by. When |u| would exceed 1, a leaves along the d for
+// which the rate of a is parallel to d itself: with a' = F + M u it is d = (l - M)^-1 F, |d| = 1.
+// Near rest a/|a| turns to that d within |a| / |F|, which is stiff: there d stands for a/|a| until
+// a and d are farther apart than a step may err by.
+//
 // LIMIT: with several surfaces at once f is taken as affine in the weights, which holds unless
 // switching terms multiply each other or stand in each other's guards. Such motion ends with a
 // reason when it cannot go on.
@@ -30,6 +37,8 @@
 #include "solution/inputs.h"
 #include "solution/switching.h"
 #include "solution/system.h"
+
+#include <Eigen/Core>
 
 #include <array>
 #include <memory>
@@ -96,7 +105,7 @@ public:
 
     // Branches. decide() is from the values alone, with what the fields say on a surface itself.
     void decide(double t, std::span<double> y);
-    [[nodiscard]] std::size_t watches() const { return watches_.size(); }
+    [[nodiscard]] std::size_t watches() const { return watches_.size() + sticking_.size(); }
     void watch(double t, std::span<const double> y, std::span<double> values);
     // At its time the rates lead away from all its surfaces, to the sides that hold: what crosses
     // them is an error of polynomials, where a guard is smaller than that.
@@ -123,7 +132,28 @@ public:
     [[nodiscard]] bool standsOn(const std::vector<std::size_t>& surfaces, double t,
                                 std::span<const double> y);
     [[nodiscard]] std::vector<std::size_t> surfacesOf(const Violation& violation) const;
-    [[nodiscard]] bool sliding() const { return !sliding_.empty(); }
+    // On surfaces, or held at 0 where directions have none.
+    [[nodiscard]] bool sliding() const { return !sliding_.empty() || !sticking_.empty(); }
+
+    // Directions (component_sticking.cpp).
+    [[nodiscard]] bool hasDirections() const { return !model_.directions().ranges.empty(); }
+    // What a step may err by, of each state: what is less is 0, for directions.
+    void setReach(std::span<const double> reach, double tolerance) {
+        reach_.assign(reach.begin(), reach.end());
+        tolerance_ = tolerance;
+    }
+    struct Approach {
+        std::size_t direction;
+        double duration; // until its vector is 0, as it now falls
+        bool isNear;     // that is within reach
+    };
+    // Of vectors that fall.
+    [[nodiscard]] std::vector<Approach> approaches(double t, std::span<const double> y);
+    // Those whose vector is 0, but for rounding.
+    [[nodiscard]] std::vector<std::size_t> directionsAtRest(double t, std::span<const double> y);
+    // Puts their vectors to 0, where they stay as long as they can; what cannot leaves at once, by
+    // a hundredth of the reach. False: nothing holds them there, and nothing was done.
+    [[nodiscard]] bool rest(std::span<const std::size_t> directions, double t, std::span<double> y);
     // Unknowns (places) that the guards of its watches read, and those of other components.
     [[nodiscard]] std::vector<std::size_t> unknownsOf(const Violation& violation) const;
     [[nodiscard]] std::vector<std::size_t> inputsOf(const Violation& violation) const;
@@ -151,7 +181,11 @@ private:
     };
     // On the branches that are in force for the equations.
     void evaluate(const ComponentModel::Derived& derived, std::span<double> out);
+    void evaluate(const ComponentModel::Derived& derived, std::span<const double> in,
+                  std::span<double> out);
     [[nodiscard]] Slope guardRate(std::size_t surface, std::span<const double> rates);
+    [[nodiscard]] Slope slopeOf(const ComponentModel::Derived& derivatives,
+                                std::span<const double> rates);
     [[nodiscard]] bool weigh(); // weights_ and rates of sliding at what fill() was given
     void settleOn(std::size_t surface);
     [[nodiscard]] bool leadsInside(const Watch& watch);
@@ -206,6 +240,32 @@ private:
     [[nodiscard]] bool solveCorner();
     [[nodiscard]] bool settleWeights(double t, std::span<const double> y);
     void project(double t, std::span<double> y);
+    // Directions (component_sticking.cpp).
+    void evaluateOutputs(std::span<double> out);
+    void measure();
+    struct Column { // of what is solved for while sliding
+        bool isPart;
+        std::size_t which; // surface, or part
+    };
+    [[nodiscard]] std::vector<Column> columns() const;
+    void setColumn(const Column& column, bool isSet);
+    [[nodiscard]] double rateOf(const Column& column, std::span<const double> rates);
+    [[nodiscard]] bool weighWithDirections();
+    [[nodiscard]] bool solveWithDirections();
+    [[nodiscard]] Eigen::VectorXd vectorOf(std::size_t direction) const;
+    [[nodiscard]] double leeway();
+    [[nodiscard]] bool setFree(double t, std::span<double> y);
+    void releaseWhereJumped(double t, std::span<const double> y);
+    [[nodiscard]] double excess(std::size_t direction) const;
+    struct Response;
+    [[nodiscard]] std::optional<Response> responseOf(std::size_t direction);
+    void put(std::size_t direction, const Eigen::VectorXd& target, const Response& response,
+             std::span<double> y);
+    [[nodiscard]] const ComponentModel::Gradient& gradientOf(const Column& column) const;
+    [[nodiscard]] double scaleOf(std::size_t part) const;
+    [[nodiscard]] double reachOf(std::size_t part);
+    [[nodiscard]] bool leaveRest(std::size_t direction, double t, std::span<double> y);
+    [[nodiscard]] bool leaveRest(const Violation& violation, double t, std::span<double> y);
     [[nodiscard]] bool differences(double t, std::span<const double> y, std::span<double> entries);
 
     std::shared_ptr<const BoundModel> bound_;
@@ -234,6 +294,14 @@ private:
     std::vector<std::size_t> standing_;
     double standingAt_ = 0;
     std::vector<double> weights_;
+    std::vector<std::size_t> sticking_;  // directions whose vectors are held at 0
+    std::optional<std::size_t> given_;   // of these, the one whose units are not to be found
+    std::optional<std::size_t> leaving_; // of these, one that sets off
+    double growth_ = 0, pull_ = 0;       // of that: rate of its vector, and of it without friction
+    std::vector<double> units_;          // for parts of unit vectors that are held, by part
+    std::vector<double> measures_, inHeld_; // of the model's directions
+    std::vector<double> reach_;             // by state
+    double tolerance_ = 0;                  // by which it was made
     bool slidingFailed_ = false;
     std::vector<Watch> watches_;
     std::vector<expression::Decision> derivedDecisions_;

@@ -11,6 +11,11 @@ using expression::Decision;
 const Pattern& ComponentEquations::jacobianPattern() { return model_.jacobian().pattern; }
 
 void ComponentEquations::evaluate(const ComponentModel::Derived& derived, std::span<double> out) {
+    evaluate(derived, in_, out);
+}
+
+void ComponentEquations::evaluate(const ComponentModel::Derived& derived,
+                                  std::span<const double> in, std::span<double> out) {
     derivedDecisions_.clear();
     for (const ComponentModel::Derived::Source& source : derived.sources)
         derivedDecisions_.push_back(source.decision ? decisions_[*source.decision]
@@ -18,13 +23,13 @@ void ComponentEquations::evaluate(const ComponentModel::Derived& derived, std::s
                                         ? Decision{sides_[*source.surface]} * source.orientation
                                         : expression::noBranch);
     if (derivedDecisions_.empty())
-        derived.function.evaluate(in_, out, scratch_);
+        derived.function.evaluate(in, out, scratch_);
     else
-        derived.function.evaluate(in_, out, scratch_, derivedDecisions_);
+        derived.function.evaluate(in, out, scratch_, derivedDecisions_);
 }
 
 bool ComponentEquations::jacobian(double t, std::span<const double> y, std::span<double> entries) {
-    if (!sliding_.empty())
+    if (sliding())
         return differences(t, y, entries);
     fill(t, y);
     evaluate(model_.jacobian().entries, entries);
@@ -38,8 +43,9 @@ bool ComponentEquations::differences(double t, std::span<const double> y,
     std::vector<double> at(y.begin(), y.end()), low(states().size()), high(states().size());
     const Pattern& pattern = model_.jacobian().pattern;
     for (std::size_t column = 0; column < states().size(); ++column) {
-        if (std::ranges::any_of(
-                sliding_, [&](std::size_t s) { return model_.gradient(s).state == column; })) {
+        if (std::ranges::any_of(columns(), [&](const Column& c) {
+                return gradientOf(c).state == column;
+            })) {
             for (int k = pattern.columnStarts[column]; k < pattern.columnStarts[column + 1]; ++k)
                 entries[static_cast<std::size_t>(k)] = 0;
             continue;

@@ -17,6 +17,8 @@ ComponentModel::ComponentModel(Key key) : key_(std::move(key)) {
     readKey();
     findStructure();
     function_ = expression::Function(expression::Tape(graph_, symbols_, outputs_));
+    if (dividesByLength(graph_))
+        findDirections();
 }
 
 void ComponentModel::readKey() {
@@ -140,30 +142,32 @@ const ComponentModel::Gradient& ComponentModel::gradient(std::size_t surface) co
     const std::scoped_lock lock(deriving_);
     std::unique_ptr<const Gradient>& place = gradients_[surface];
     if (!place)
-        place = derivedGradient(surface);
+        place = std::make_unique<Gradient>(gradientOf(surfaces_[surface].guard));
     return *place;
 }
 
-std::unique_ptr<ComponentModel::Gradient>
-ComponentModel::derivedGradient(std::size_t surface) const {
-    auto gradient = std::make_unique<Gradient>();
-    const Node guard = surfaces_[surface].guard;
+ComponentModel::Gradient ComponentModel::gradientOf(Node node) const {
+    Gradient gradient;
     Graph graph = graph_;
     std::vector<Node> derivatives;
     for (const Node symbol : std::span(symbols_).first(variables()))
-        derivatives.push_back(expression::differentiate(graph, guard, symbol));
-    derivatives.push_back(guard);
-    gradient->derivatives = derive(graph, derivatives);
-    const auto place = placeOf(guard);
+        derivatives.push_back(expression::differentiate(graph, node, symbol));
+    derivatives.push_back(node);
+    gradient.derivatives = derive(graph, derivatives);
+    const auto place = placeOf(node);
     if (place && *place >= 1 && *place <= states_)
-        gradient->state = *place - 1;
+        gradient.state = *place - 1;
     return gradient;
 }
 
 // Its own switches are ours, or stand on the same surfaces as ours.
-ComponentModel::Derived ComponentModel::derive(Graph& graph, std::span<const Node> nodes) const {
+// Nodes read the symbols and `more`.
+ComponentModel::Derived ComponentModel::derive(Graph& graph, std::span<const Node> nodes,
+                                               std::span<const Node> more) const {
     Derived derived;
-    derived.function = expression::Function(expression::Tape(graph, symbols_, nodes));
+    std::vector<Node> symbols = symbols_;
+    symbols.insert(symbols.end(), more.begin(), more.end());
+    derived.function = expression::Function(expression::Tape(graph, symbols, nodes));
     for (const Node switching : switchesOf(graph, nodes)) {
         Derived::Source source;
         const auto same = std::ranges::lower_bound(switches_, switching);
@@ -180,6 +184,94 @@ ComponentModel::Derived ComponentModel::derive(Graph& graph, std::span<const Nod
         derived.sources.push_back(source);
     }
     return derived;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Directions
+
+// Some state that its parts read has a rate that reads it: it can hold itself at 0.
+bool ComponentModel::actsOnItself(const Direction& direction) const {
+    std::vector<Node> parts;
+    for (const Direction::Part& part : direction.parts)
+        parts.push_back(part.node);
+    return std::ranges::any_of(expression::symbolsOf(graph_, parts), [&](Node symbol) {
+        const auto place = placeOf(symbol);
+        if (!place || *place < 1 || *place > states_)
+            return false;
+        const auto nodes = expression::reachable(graph_, std::span(&outputs_[*place - 1], 1));
+        return std::ranges::find(nodes, direction.length) != nodes.end();
+    });
+}
+
+// Two lengths of the same parts are one; parts that others have too are in none but the first.
+void ComponentModel::findDirections() {
+    Graph graph = graph_;
+    const auto isNumber = [&](Node n) {
+        const auto place = placeOf(n);
+        return graph.op(n) == Op::constant || (place && *place >= variables());
+    };
+    std::vector<Direction> found;
+    std::vector<std::pair<Node, std::size_t>> lengths; // and of which direction
+    for (const Node length : lengthsDividedBy(graph, outputs_)) {
+        const auto direction = directionOf(graph, length, isNumber);
+        if (!direction || !actsOnItself(*direction))
+            continue;
+        const auto has = [&](const Direction& other, bool all) {
+            const auto isIn = [&](const Direction::Part& part) {
+                return std::ranges::find(other.parts, part.node, &Direction::Part::node) !=
+                       other.parts.end();
+            };
+            return all ? std::ranges::all_of(direction->parts, isIn)
+                       : std::ranges::any_of(direction->parts, isIn);
+        };
+        const auto shares =
+            std::ranges::find_if(found, [&](const Direction& other) { return has(other, false); });
+        if (shares == found.end()) {
+            lengths.emplace_back(length, found.size());
+            found.push_back(*direction);
+        } else if (has(*shares, true) && shares->parts.size() == direction->parts.size()) {
+            lengths.emplace_back(length, static_cast<std::size_t>(shares - found.begin()));
+        }
+    }
+    if (!found.empty())
+        deriveDirections(graph, found, lengths);
+}
+
+void ComponentModel::deriveDirections(Graph& graph, const std::vector<Direction>& found,
+                                      const std::vector<std::pair<Node, std::size_t>>& lengths) {
+    std::vector<Node> parts, weights, symbols;
+    std::unordered_map<std::uint32_t, Node> replacements;
+    for (const Direction& direction : found) {
+        directions_.ranges.push_back({parts.size(), direction.parts.size()});
+        directions_.lengths.push_back(direction.length);
+        for (const Direction::Part& part : direction.parts) {
+            symbols.push_back(graph.symbol("a" + std::to_string(parts.size())));
+            parts.push_back(part.node);
+            weights.push_back(part.weight ? *part.weight : graph.constant(1));
+            directions_.gradients.push_back(gradientOf(part.node));
+            replacements.emplace(part.node.index, symbols.back());
+            if (graph.op(part.node) == Op::subtract) {
+                const std::vector<Node> terms(graph.arguments(part.node).begin(),
+                                              graph.arguments(part.node).end());
+                replacements.emplace(graph.subtract(terms[1], terms[0]).index,
+                                     graph.negate(symbols.back()));
+            }
+        }
+    }
+    directions_.parts = parts.size();
+    for (std::size_t d = 0; d < found.size(); ++d)
+        symbols.push_back(graph.symbol("l" + std::to_string(d)));
+    std::vector<Node> divided;
+    for (const auto& [length, direction] : lengths) {
+        divided.push_back(length);
+        replacements.emplace(length.index, symbols[parts.size() + direction]);
+    }
+    const std::vector<Node> outputs = withDirections(graph, outputs_, divided, replacements);
+    directions_.outputs = derive(graph, outputs, symbols);
+    std::vector<Node> measures = parts;
+    measures.insert(measures.end(), weights.begin(), weights.end());
+    measures.insert(measures.end(), directions_.lengths.begin(), directions_.lengths.end());
+    directions_.measures = derive(graph, measures);
 }
 
 std::string ComponentModel::print() const {

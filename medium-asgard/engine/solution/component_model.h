@@ -15,6 +15,7 @@
 #pragma once
 
 #include "expression/function.h"
+#include "solution/directions.h"
 #include "solution/switching.h"
 #include "solution/system.h"
 
@@ -85,6 +86,23 @@ public:
     };
     [[nodiscard]] const Gradient& gradient(std::size_t surface) const;
 
+    // Unit vectors a/|a| (directions.h) that act on what a is made of: friction in a plane, as a
+    // rule. Their parts a_k are numbered through, one direction after the other.
+    struct Directions {
+        struct Range {
+            std::size_t first, count; // of its parts
+        };
+        std::vector<Range> ranges;
+        std::vector<expression::Node> lengths; // |a|, of each
+        std::size_t parts = 0;
+        Derived measures; // parts, then the weights of their squares, then lengths
+        // Outputs with symbols in place of parts, and then of lengths, where these are divided by.
+        // The symbols stand behind all others.
+        Derived outputs;
+        std::vector<Gradient> gradients; // of each part
+    };
+    [[nodiscard]] const Directions& directions() const { return directions_; }
+
     // The equations as text, one per line: y0' = ..., then held values h0 = ...
     [[nodiscard]] std::string print() const;
     // The entries of the Jacobian that are not 0, one per line: dy0'/dy1 = ...
@@ -95,9 +113,13 @@ private:
     void findStructure();
     [[nodiscard]] std::vector<expression::Node> attitudes() const;
     [[nodiscard]] std::unique_ptr<Jacobian> derivedJacobian() const;
-    [[nodiscard]] std::unique_ptr<Gradient> derivedGradient(std::size_t surface) const;
-    [[nodiscard]] Derived derive(expression::Graph& graph,
-                                 std::span<const expression::Node> nodes) const;
+    [[nodiscard]] Gradient gradientOf(expression::Node node) const;
+    [[nodiscard]] Derived derive(expression::Graph& graph, std::span<const expression::Node> nodes,
+                                 std::span<const expression::Node> more = {}) const;
+    void findDirections();
+    void deriveDirections(expression::Graph& graph, const std::vector<Direction>& found,
+                          const std::vector<std::pair<expression::Node, std::size_t>>& lengths);
+    [[nodiscard]] bool actsOnItself(const Direction& direction) const;
 
     Key key_;
     expression::Graph graph_; // of the outputs and guards alone; derivatives go into copies
@@ -110,6 +132,7 @@ private:
     std::vector<std::size_t> configuration_;
     std::vector<expression::Node> switches_;
     std::vector<Surface> surfaces_;
+    Directions directions_;
 
     mutable std::mutex deriving_;
     mutable std::unique_ptr<const Jacobian> jacobian_;

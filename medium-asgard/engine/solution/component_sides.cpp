@@ -57,9 +57,14 @@ void ComponentEquations::refreshWatches() {
 // d g / dt along given rates of the states, at the point given to fill().
 ComponentEquations::Slope ComponentEquations::guardRate(std::size_t surface,
                                                         std::span<const double> rates) {
+    return slopeOf(model_.gradient(surface).derivatives, rates);
+}
+
+ComponentEquations::Slope ComponentEquations::slopeOf(const ComponentModel::Derived& derivatives,
+                                                      std::span<const double> rates) {
     const std::size_t variables = model_.variables();
     std::vector<double> partial(variables + 1), change(variables, 1.0);
-    evaluate(model_.gradient(surface).derivatives, partial);
+    evaluate(derivatives, partial);
     std::copy_n(rates.begin(), states().size(), change.begin() + 1);
     inputs_.rates(in_[0], std::span(change).subspan(1 + states().size()));
     Slope slope{0, 0, 0, partial.back(), true};
@@ -77,8 +82,13 @@ ComponentEquations::Slope ComponentEquations::guardRate(std::size_t surface,
 
 void ComponentEquations::watch(double t, std::span<const double> y, std::span<double> values) {
     fill(t, y);
-    if (!sliding_.empty() && !weigh())
+    const bool isPossible = !sliding() || weigh();
+    if (!isPossible)
         std::fill(weights_.begin(), weights_.end(), -1.0); // no longer possible: leave
+    for (std::size_t k = 0; k < sticking_.size(); ++k)
+        values[watches_.size() + k] = !isPossible                ? -1
+                                      : sticking_[k] == leaving_ ? leeway()
+                                                                 : -excess(sticking_[k]);
     model_.function().guards(in_, guards_, scratch_, decisions_);
     for (std::size_t k = 0; k < watches_.size(); ++k) {
         const auto [kind, s] = watches_[k];
@@ -135,6 +145,8 @@ void ComponentEquations::settleOn(std::size_t surface) {
 
 void ComponentEquations::decide(double t, std::span<double> y) {
     sliding_.clear();
+    sticking_.clear();
+    leaving_.reset();
     standing_.clear();
     isGrazed_.assign(model_.surfaces().size(), 0);
     for (std::vector<Joined>& joined : joined_)
@@ -173,7 +185,7 @@ double ComponentEquations::guard(std::size_t surface) const {
 }
 
 void ComponentEquations::field() {
-    if (sliding_.empty() || !weigh())
+    if (!sliding() || !weigh())
         evaluate(out_);
 }
 
@@ -340,8 +352,9 @@ bool ComponentEquations::contradicts(const Violation& violation, double t,
         return false;
     fill(t, y);
     field();
-    return std::ranges::all_of(violation.watches,
-                               [this](std::size_t k) { return leadsInside(watches_[k]); });
+    return std::ranges::all_of(violation.watches, [this](std::size_t k) {
+        return k < watches_.size() && leadsInside(watches_[k]);
+    });
 }
 
 // On which side of those surfaces on which it was held is the motion at the violation's time?
@@ -352,6 +365,8 @@ bool ComponentEquations::looksAhead(const Violation& violation, double t,
     ahead_.assign(model_.surfaces().size(), onSurface);
     bool any = false;
     for (const std::size_t k : violation.watches) {
+        if (k >= watches_.size())
+            continue;
         const auto [kind, s] = watches_[k];
         if (kind != Watch::Kind::side || model_.surfaces()[s].whole || sides_[s] != onSurface)
             continue;
@@ -406,12 +421,16 @@ void ComponentEquations::slideWhereLedBack(const Passed& passed) {
 
 ComponentEquations::Crossing ComponentEquations::cross(const Violation& violation, double t,
                                                        std::span<double> y, Passing how) {
+    if (std::ranges::any_of(violation.watches,
+                            [this](std::size_t k) { return k >= watches_.size(); }))
+        return leaveRest(violation, t, y) ? Crossing::done : Crossing::impossible;
     fill(t, y);
     if (t != standingAt_)
         standing_.clear();
     standingAt_ = t;
     if (how == Passing::solved && solveCorner()) {
         project(t, y);
+        releaseWhereJumped(t, y);
         refreshWatches();
         return Crossing::done;
     }
@@ -433,6 +452,7 @@ ComponentEquations::Crossing ComponentEquations::cross(const Violation& violatio
     }
     makeUp(late, t, y);
     project(t, y);
+    releaseWhereJumped(t, y);
     refreshWatches();
     return Crossing::done;
 }
@@ -470,7 +490,9 @@ std::vector<std::size_t> ComponentEquations::symbolsOf(const Violation& violatio
     std::vector<Node> guards;
     guards.reserve(violation.watches.size());
     for (const std::size_t k : violation.watches)
-        guards.push_back(model_.surfaces()[watches_[k].surface].guard);
+        guards.push_back(k < watches_.size()
+                             ? model_.surfaces()[watches_[k].surface].guard
+                             : model_.directions().lengths[sticking_[k - watches_.size()]]);
     std::vector<std::size_t> found;
     for (const Node symbol : expression::symbolsOf(graph(), guards))
         if (const auto place = model_.placeOf(symbol); place)
@@ -481,7 +503,8 @@ std::vector<std::size_t> ComponentEquations::symbolsOf(const Violation& violatio
 std::vector<std::size_t> ComponentEquations::surfacesOf(const Violation& violation) const {
     std::vector<std::size_t> found;
     for (const std::size_t k : violation.watches)
-        found.push_back(watches_[k].surface);
+        if (k < watches_.size())
+            found.push_back(watches_[k].surface);
     return found;
 }
 

@@ -37,6 +37,8 @@ Eigen::VectorXd weightsFor(const Eigen::MatrixXd& change, const Eigen::VectorXd&
 
 // Rates while sliding, into out_.
 bool ComponentEquations::weigh() {
+    if (!sticking_.empty())
+        return weighWithDirections();
     const auto m = static_cast<Eigen::Index>(sliding_.size());
     for (const std::size_t s : sliding_)
         setSide(s, -1);

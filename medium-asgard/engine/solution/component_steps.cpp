@@ -134,7 +134,7 @@ bool Component::isHopeless() {
     if (!isPaceDue())
         return false;
     const bool mayChange = nextPhase_ < infinity || !equations_->model().surfaces().empty() ||
-                           !equations_->inputs().unknowns().empty();
+                           equations_->hasDirections() || !equations_->inputs().unknowns().empty();
     if (mayChange && n < burst)
         return false;
     const auto at = [this](std::size_t step) { return history_->step(step).origin; };
@@ -181,10 +181,13 @@ bool Component::beginMethod() {
 }
 
 void Component::integrate() {
+    if (equations_->hasDirections() && reachesRest())
+        return;
     if (!method_ && !beginMethod())
         return;
     for (;;) { // every refusal shortens the step, until it cannot be
-        const double wanted = std::max(std::min(proposed_, longest()), shortestStep(time_));
+        const double wanted =
+            std::max(std::min({proposed_, longest(), restsAfter_}), shortestStep(time_));
         const bool lands = time_ + landingOf(options_) * wanted >= limit_;
         const double to = lands ? limit_ : time_ + wanted;
         const double h = to - time_;
@@ -195,6 +198,8 @@ void Component::integrate() {
             continue;
         }
         proposed_ = attempt.next;
+        if (options_.fixedStep && restsAfter_ < infinity)
+            proposed_ = *options_.fixedStep;
         if (lands && h < wanted)
             proposed_ = std::max(proposed_, options_.fixedStep ? *options_.fixedStep : wanted);
         finish(to);

@@ -66,6 +66,11 @@ void Component::pass(const Violation& violation, bool immediate) {
         return giveUp();
     setStates(y);
     takeHeldValues();
+    settle();
+}
+
+// On other branches from here on.
+void Component::settle() {
     if (stop_)
         return;
     keepCounts();

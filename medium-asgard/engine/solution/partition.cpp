@@ -1,5 +1,7 @@
 #include "solution/partition.h"
 
+#include "solution/directions.h"
+
 #include "expression/operation.h"
 
 #include <algorithm>
@@ -80,6 +82,8 @@ std::map<Compared, std::vector<std::size_t>> sharersOf(const expression::Equatio
             if (places.empty() || places.back() != place)
                 places.push_back(place);
         }
+        for (const Node length : lengthsDividedBy(equations.graph, nodes)) // friction in a plane
+            sharers[{length, nothing}].push_back(place);
     }
     return sharers;
 }
@@ -126,7 +130,7 @@ Reads readsOf(const expression::EquationSet& equations, const UnknownIndex& inde
     for (std::size_t i = 0; i < reads.size(); ++i)
         if (!zero.contains(i))
             reads[i] = readsOf(equations, index, i, from, zero);
-    if (hasSwitch(equations.graph)) {
+    if (hasSwitch(equations.graph) || dividesByLength(equations.graph)) {
         std::vector<std::size_t> all(reads.size());
         std::iota(all.begin(), all.end(), 0);
         addSharedSwitches(equations, index, all, from, zero, reads);

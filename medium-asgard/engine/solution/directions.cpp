@@ -1,0 +1,193 @@
+#include "solution/directions.h"
+
+#include "expression/operation.h"
+
+#include <algorithm>
+
+namespace solution {
+
+using expression::Graph;
+using expression::Node;
+using expression::Op;
+
+namespace {
+
+bool isLength(const Graph& graph, Node n) {
+    const Op op = graph.op(n);
+    return op == Op::hypot || (op == Op::sqrt && graph.op(graph.arguments(n)[0]) == Op::add);
+}
+
+// The lengths that are factors of a denominator.
+void lengthsIn(const Graph& graph, Node denominator, std::vector<Node>& found) {
+    std::vector<Node> open{denominator};
+    while (!open.empty()) {
+        const Node n = open.back();
+        open.pop_back();
+        if (isLength(graph, n))
+            found.push_back(n);
+        const auto arguments = graph.arguments(n);
+        if (graph.op(n) == Op::multiply)
+            open.insert(open.end(), arguments.begin(), arguments.end());
+        else if (graph.op(n) == Op::negate || graph.op(n) == Op::divide)
+            open.push_back(arguments[0]);
+    }
+}
+
+// A square, of what it is the square, and what it is multiplied with.
+std::optional<Direction::Part> squareIn(Graph& graph, Node n,
+                                        const std::function<bool(Node)>& isNumber) {
+    Direction::Part part{n, {}};
+    const auto arguments = graph.arguments(n);
+    const Node first = arguments.empty() ? n : arguments[0];
+    switch (graph.op(n)) {
+    case Op::power:
+        if (!graph.isConstant(arguments[1], 2))
+            return std::nullopt;
+        part.node = first;
+        return part;
+    case Op::multiply: {
+        const Node second = arguments[1];
+        if (first == second) {
+            part.node = first;
+            return part;
+        }
+        const bool isFirst = isNumber(first);
+        if (!isFirst && !isNumber(second))
+            return std::nullopt;
+        auto inner = squareIn(graph, isFirst ? second : first, isNumber);
+        if (inner) {
+            const Node factor = isFirst ? first : second;
+            inner->weight = inner->weight ? graph.multiply(factor, *inner->weight) : factor;
+        }
+        return inner;
+    }
+    default:
+        return std::nullopt;
+    }
+}
+
+// Of an argument of hypot(): numbers before it and signs are taken off.
+Direction::Part partIn(Graph& graph, Node n, const std::function<bool(Node)>& isNumber) {
+    Direction::Part part{n, {}};
+    for (;;) {
+        const auto arguments = graph.arguments(part.node);
+        const Op op = graph.op(part.node);
+        if (op == Op::negate || op == Op::abs) {
+            part.node = arguments[0];
+            continue;
+        }
+        if (op != Op::multiply || (!isNumber(arguments[0]) && !isNumber(arguments[1])))
+            return part;
+        const Node factor = arguments[isNumber(arguments[0]) ? 0 : 1];
+        part.node = arguments[isNumber(arguments[0]) ? 1 : 0];
+        const Node square = graph.multiply(factor, factor);
+        part.weight = part.weight ? graph.multiply(square, *part.weight) : square;
+    }
+}
+
+// By node: it is divided by one of these lengths, or multiplied with what is.
+std::vector<bool> quotientsAmong(const Graph& graph, std::span<const Node> nodes,
+                                 std::span<const Node> lengths) {
+    std::vector<bool> isQuotient(graph.size(), false);
+    for (const Node n : nodes) { // arguments come first
+        const auto arguments = graph.arguments(n);
+        const auto is = [&](std::size_t k) {
+            return static_cast<bool>(isQuotient[arguments[k].index]);
+        };
+        if (graph.op(n) == Op::divide) {
+            std::vector<Node> found;
+            lengthsIn(graph, arguments[1], found);
+            isQuotient[n.index] = is(0) || std::ranges::any_of(found, [&](Node length) {
+                                      return std::ranges::find(lengths, length) != lengths.end();
+                                  });
+        } else if (graph.op(n) == Op::multiply) {
+            isQuotient[n.index] = is(0) || is(1);
+        } else if (graph.op(n) == Op::negate) {
+            isQuotient[n.index] = is(0);
+        }
+    }
+    return isQuotient;
+}
+
+} // namespace
+
+bool dividesByLength(const Graph& graph) {
+    std::vector<Node> found;
+    for (std::uint32_t n = 0; n < graph.size() && found.empty(); ++n)
+        if (graph.op(Node{n}) == Op::divide)
+            lengthsIn(graph, graph.arguments(Node{n})[1], found);
+    return !found.empty();
+}
+
+std::vector<Node> lengthsDividedBy(const Graph& graph, std::span<const Node> outputs) {
+    std::vector<Node> found;
+    for (const Node n : expression::reachable(graph, outputs))
+        if (graph.op(n) == Op::divide)
+            lengthsIn(graph, graph.arguments(n)[1], found);
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
+std::optional<Direction> directionOf(Graph& graph, Node length,
+                                     const std::function<bool(Node)>& isNumber) {
+    Direction direction{length, {}};
+    const bool isRoot = graph.op(length) == Op::sqrt;
+    std::vector<Node> open(graph.arguments(length).begin(), graph.arguments(length).end());
+    while (!open.empty()) {
+        const Node n = open.back();
+        open.pop_back();
+        if (graph.op(n) == (isRoot ? Op::add : Op::hypot)) {
+            const auto arguments = graph.arguments(n);
+            open.insert(open.end(), arguments.begin(), arguments.end());
+            continue;
+        }
+        if (graph.isConstant(n, 0))
+            continue;
+        const auto part = isRoot ? squareIn(graph, n, isNumber) : partIn(graph, n, isNumber);
+        if (!part || isNumber(part->node))
+            return std::nullopt;
+        direction.parts.push_back(*part);
+    }
+    std::ranges::reverse(direction.parts);
+    constexpr std::size_t most = 3;
+    if (direction.parts.empty() || direction.parts.size() > most)
+        return std::nullopt;
+    return direction;
+}
+
+std::vector<Node> withDirections(Graph& graph, std::span<const Node> outputs,
+                                 std::span<const Node> lengths,
+                                 const std::unordered_map<std::uint32_t, Node>& replacements) {
+    const std::vector<Node> nodes = expression::reachable(graph, outputs);
+    const std::vector<bool> isQuotient = quotientsAmong(graph, nodes, lengths);
+    std::unordered_map<std::uint32_t, Node> inside = replacements, outside;
+    for (const Node n : nodes) // what switches goes on with what it is
+        if (expression::isSwitch(graph.op(n)))
+            inside.emplace(n.index, n);
+    const auto replace = [&](Node quotient) {
+        if (isQuotient[quotient.index] && !outside.contains(quotient.index))
+            outside.emplace(quotient.index, expression::substitute(graph, quotient, inside));
+    };
+    for (const Node n : nodes)
+        if (!isQuotient[n.index]) {
+            const std::vector<Node> arguments(graph.arguments(n).begin(), graph.arguments(n).end());
+            std::ranges::for_each(arguments, replace);
+        }
+    std::ranges::for_each(outputs, replace);
+    std::vector<Node> replaced;
+    for (const Node output : outputs)
+        replaced.push_back(expression::substitute(graph, output, outside));
+    return replaced;
+}
+
+std::vector<Node> withoutForcesAtRest(Graph& graph, std::span<const Node> outputs) {
+    const std::vector<Node> lengths = lengthsDividedBy(graph, outputs);
+    std::unordered_map<std::uint32_t, Node> replacements;
+    for (const Node length : lengths)
+        replacements.emplace(length.index,
+                             graph.apply(Op::select, length, length, graph.constant(1)));
+    return withDirections(graph, outputs, lengths, replacements);
+}
+
+} // namespace solution

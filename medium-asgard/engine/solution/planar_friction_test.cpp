@@ -1,0 +1,284 @@
+// Friction in a plane, k a/|a|: it brings to rest, holds, and lets go.
+#include "solution/solver_testing.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+using namespace solution;
+using namespace solution::testing;
+
+namespace {
+
+constexpr double accuracies[] = {1e-2, 1e-4, 1e-6, 1e-8};
+constexpr double friction = 2.943;
+
+std::vector<Line> puck(const std::string& forceX, const std::string& forceZ, double dx, double dz) {
+    const std::string unit = "/hypot(dx,dz)";
+    return {{"x", "dx", 0, 1},
+            {"z", "dz", 0, 1},
+            {"dx", forceX + "-2.943*dx" + unit, dx},
+            {"dz", forceZ + "-2.943*dz" + unit, dz}};
+}
+
+using State = std::array<double, 5>; // x, z, dx, dz, t
+
+// The same motion by Runge and Kutta's method over s, with dt = |v| ds: smooth to the rest, which
+// lies at the end of all s.
+template <class Force> std::vector<State> slid(State y, const Force& force, double until) {
+    const auto rates = [&](const State& at) {
+        const double v = std::hypot(at[2], at[3]);
+        const auto [fx, fz] = force(at);
+        return State{v * at[2], v * at[3], v * fx - friction * at[2], v * fz - friction * at[3], v};
+    };
+    const auto moved = [](const State& from, const State& rate, double h) {
+        State to = from;
+        for (std::size_t i = 0; i < to.size(); ++i)
+            to[i] += h * rate[i];
+        return to;
+    };
+    const double h = 1e-3;
+    std::vector<State> path{y};
+    while (y[4] < until && std::hypot(y[2], y[3]) > 1e-12) {
+        const State a = rates(y), b = rates(moved(y, a, h / 2)), c = rates(moved(y, b, h / 2)),
+                    d = rates(moved(y, c, h));
+        for (std::size_t i = 0; i < y.size(); ++i)
+            y[i] += h / 6 * (a[i] + 2 * b[i] + 2 * c[i] + d[i]);
+        path.push_back(y);
+    }
+    return path;
+}
+
+// Of both places, at every so many points of that path.
+double farthest(const Histories& h, const std::vector<State>& path) {
+    double largest = 0;
+    for (std::size_t k = 0; k + 1 < path.size(); k += 17)
+        for (const std::size_t i : {std::size_t{0}, std::size_t{1}})
+            largest = std::max(largest, std::abs(h.value(i, path[k][4]) - path[k][i]));
+    return largest;
+}
+
+} // namespace
+
+TEST(PlanarFriction, StopsWhatSlidesStraight) {
+    const double v = 5, rest = v / friction;
+    for (const std::string length : {"hypot(dx,dz)", "sqrt(dx*dx+dz*dz)", "sqrt(dx^2+dz^2)"})
+        for (const double accuracy : accuracies) {
+            const Solver solver = solved(equationsOf({{"x", "dx", 0, 1},
+                                                      {"z", "dz", 0, 1},
+                                                      {"dx", "-0.3*9.81*dx/" + length, 3},
+                                                      {"dz", "-0.3*9.81*dz/" + length, 4}}),
+                                         4, tolerance(accuracy));
+            const Histories& h = solver.histories();
+            ASSERT_EQ(h.stop(2), nullptr) << h.stop(2)->sentence;
+            const auto way = [&](double t) {
+                const double s = std::min(t, rest);
+                return v * s - friction * s * s / 2;
+            };
+            EXPECT_LT(worst(h, 0, 0, 4, [&](double t) { return 0.6 * way(t); }), 5 * accuracy);
+            EXPECT_LT(worst(h, 1, 0, 4, [&](double t) { return 0.8 * way(t); }), 5 * accuracy);
+            EXPECT_EQ(h.value(2, rest + 0.1), 0) << length << " " << accuracy;
+            EXPECT_EQ(h.value(3, 4), 0);
+            EXPECT_EQ(h.value(0, 4), h.value(0, rest + 0.1));
+            EXPECT_LT(solver.statistics().steps, 60u);
+        }
+}
+
+// Below the slope that friction holds it comes to rest, above it goes on.
+TEST(PlanarFriction, OnASlopeItTurnsDownwardsAndRestsOrGoesOn) {
+    for (const double pull : {1.0, 2.0, 3.5})
+        for (const double accuracy : accuracies) {
+            const Solver solver =
+                solved(equationsOf(puck(std::to_string(pull), "0", -1, 2)), 3, tolerance(accuracy));
+            const Histories& h = solver.histories();
+            ASSERT_EQ(h.stop(2), nullptr) << h.stop(2)->sentence;
+            const auto path = slid(
+                {0, 0, -1, 2, 0}, [&](const State&) { return std::pair(pull, 0.0); }, 3);
+            EXPECT_LT(farthest(h, path), 5 * accuracy) << pull;
+            EXPECT_LT(solver.statistics().steps, 150u) << pull << " " << accuracy;
+            if (pull < friction) {
+                EXPECT_NEAR(h.value(0, 3), path.back()[0], 5 * accuracy);
+                EXPECT_EQ(h.value(2, 3), 0);
+                EXPECT_EQ(h.value(3, 3), 0);
+                EXPECT_NEAR(h.value(1, 3), path.back()[1], 5 * accuracy);
+            } else {
+                EXPECT_GT(h.value(2, 3), 1);
+            }
+        }
+}
+
+// Straight up a slope that friction does not hold: it stands for no time, and comes down.
+TEST(PlanarFriction, WhatGoesUpStraightComesDownStraight) {
+    for (const double accuracy : accuracies) {
+        const Solver solver =
+            solved(equationsOf(puck("3.5*0.6", "3.5*0.8", -1.2, -1.6)), 5, tolerance(accuracy));
+        const double up = 2 / (3.5 + friction), down = 5 - up;
+        const double way = (3.5 - friction) * down * down / 2 - 2 * up / 2;
+        EXPECT_NEAR(solver.histories().value(0, 5), 0.6 * way, 20 * accuracy);
+        EXPECT_NEAR(solver.histories().value(1, 5), 0.8 * way, 20 * accuracy);
+        EXPECT_LT(solver.statistics().steps, 60u);
+    }
+}
+
+// It holds until the pull is as strong as friction, and then goes the way of the pull.
+TEST(PlanarFriction, LetsGoWhenThePullIsStronger) {
+    const double begins = friction / 1.5;
+    for (const double accuracy : accuracies) {
+        const Solver solver =
+            solved(equationsOf(puck("1.5*0.6*t", "1.5*0.8*t", 0, 0)), 5, tolerance(accuracy));
+        const Histories& h = solver.histories();
+        ASSERT_EQ(h.stop(2), nullptr) << h.stop(2)->sentence;
+        EXPECT_EQ(h.value(0, begins - 1e-6), 0);
+        const double s = 5 - begins, way = 1.5 * s * s * s / 6;
+        EXPECT_NEAR(h.value(0, 5), 0.6 * way, 5 * accuracy);
+        EXPECT_NEAR(h.value(1, 5), 0.8 * way, 5 * accuracy);
+        EXPECT_LT(solver.statistics().steps, 60u);
+    }
+}
+
+// A pull that turns as it grows: the first hundredth of a second is the power series of
+// a' = F - k F/|F|, from which the motion goes on by itself.
+TEST(PlanarFriction, LetsGoInTheDirectionOfThePull) {
+    const auto force = [](const State& at) { return std::pair(1.5 * at[4], 0.7); };
+    const double begins = std::sqrt(friction * friction - 0.49) / 1.5;
+    State start{0, 0, 0, 0, begins};
+    const int parts = 20000;
+    const double h = 1e-3 / parts;
+    for (int k = 0; k < parts; ++k) {
+        const auto [fx, fz] = force({0, 0, 0, 0, start[4] + h / 2});
+        const double surplus = 1 - friction / std::hypot(fx, fz);
+        start = {start[0] + h * start[2], start[1] + h * start[3], start[2] + h * surplus * fx,
+                 start[3] + h * surplus * fz, start[4] + h};
+    }
+    const auto path = slid(start, force, 4);
+    for (const double accuracy : accuracies) {
+        const Solver solver =
+            solved(equationsOf(puck("1.5*t", "0.7", 0, 0)), 4, tolerance(accuracy));
+        const Histories& histories = solver.histories();
+        ASSERT_EQ(histories.stop(2), nullptr) << histories.stop(2)->sentence;
+        EXPECT_EQ(histories.value(0, begins - 1e-6), 0);
+        EXPECT_LT(farthest(histories, path), 10 * accuracy + 2e-9);
+        EXPECT_LT(solver.statistics().steps, 300u);
+    }
+}
+
+// A spring that is drawn away: slips and sticks, since friction at rest is more than in motion. It
+// is drawn straight, so that it is the motion along one axis, whose switch is a sign.
+TEST(PlanarFriction, SticksAndSlipsOnASpringAsAlongOneAxis) {
+    const std::string pulls = "-20*(x-0.5*t)", rubs = "(2+exp(-3*hypot(dx,dz)))";
+    const auto across = [&](double part) {
+        const std::string p = std::to_string(part);
+        return "-20*(" + std::string(part > 0.7 ? "z" : "x") + "-0.5*" + p + "*t)-" + rubs + "*" +
+               (part > 0.7 ? "dz" : "dx") + "/hypot(dx,dz)";
+    };
+    const Solver along = solved(
+        equationsOf({{"s", "ds", 0, 1}, {"ds", "-20*(s-0.5*t)-(2+exp(-3*abs(ds)))*sign(ds)", 0}}),
+        5, tolerance(1e-10));
+    for (const double accuracy : accuracies) {
+        const Solver solver = solved(equationsOf({{"x", "dx", 0, 1},
+                                                  {"z", "dz", 0, 1},
+                                                  {"dx", across(0.6), 0},
+                                                  {"dz", across(0.8), 0}}),
+                                     5, tolerance(accuracy));
+        ASSERT_EQ(solver.histories().stop(2), nullptr) << solver.histories().stop(2)->sentence;
+        for (double t = 0.25; t <= 5; t += 0.25) {
+            const double s = along.histories().value(0, t);
+            EXPECT_NEAR(solver.histories().value(0, t), 0.6 * s, 10 * accuracy) << t;
+            EXPECT_NEAR(solver.histories().value(1, t), 0.8 * s, 10 * accuracy) << t;
+        }
+        EXPECT_LT(solver.statistics().steps, 300u);
+    }
+}
+
+// On a plate that moves on springs: both come to move together, and their momentum is that of the
+// springs' pull, which here is none.
+TEST(PlanarFriction, TakesAnotherBodyAlong) {
+    const std::string x = "2*(dx-du)/hypot(dx-du,dz-dw)", z = "2*(dz-dw)/hypot(dx-du,dz-dw)";
+    for (const double accuracy : accuracies) {
+        const Solver solver = solved(equationsOf({{"x", "dx", 0, 1},
+                                                  {"z", "dz", 0, 1},
+                                                  {"u", "du", 0, 1},
+                                                  {"w", "dw", 0, 1},
+                                                  {"dx", "-" + x, 1.2},
+                                                  {"dz", "-" + z, 1.6},
+                                                  {"du", x + "/4", 0},
+                                                  {"dw", z + "/4", 0}}),
+                                     4, tolerance(accuracy));
+        const Histories& h = solver.histories();
+        ASSERT_EQ(h.stop(4), nullptr) << h.stop(4)->sentence;
+        const double together = 2 / 2.5, way = 2 * together / 2; // of one over the other
+        EXPECT_NEAR(h.value(0, 4) - h.value(2, 4), 0.6 * way, 5 * accuracy);
+        EXPECT_NEAR(h.value(4, 4), 1.2 / 5, accuracy);
+        EXPECT_NEAR(h.value(4, 4) - h.value(6, 4), 0, 1e-13);
+        EXPECT_NEAR(h.value(5, 4) - h.value(7, 4), 0, 1e-13);
+        EXPECT_NEAR(h.value(4, 4) + 4 * h.value(6, 4), 1.2, 5 * accuracy);
+        EXPECT_LT(solver.statistics().steps, 60u);
+    }
+}
+
+// What lies on a belt is carried until the belt turns back at t = 2, and then slides.
+TEST(PlanarFriction, ABeltThatTurnsBackCarriesNothingAtOnce) {
+    const std::string belt = "(t<2?0.6:-0.6)", unit = "/hypot(dx-" + belt + ",dz)";
+    for (const double accuracy : accuracies) {
+        const Solver solver = solved(equationsOf({{"x", "dx", 0, 1},
+                                                  {"z", "dz", 0, 1},
+                                                  {"dx", "-2*(dx-" + belt + ")" + unit, 0.6},
+                                                  {"dz", "-2*dz" + unit, 0}}),
+                                     4, tolerance(accuracy));
+        const Histories& h = solver.histories();
+        ASSERT_EQ(h.stop(2), nullptr) << h.stop(2)->sentence;
+        EXPECT_NEAR(h.value(0, 2), 1.2, accuracy);
+        EXPECT_NEAR(h.value(2, 2.5), -0.4, accuracy);
+        EXPECT_NEAR(h.value(0, 4), 1.2 - 0.6 * 1.4, 5 * accuracy);
+    }
+}
+
+// In space, weaker along one axis, and as steps of fixed length make it.
+TEST(PlanarFriction, InSpaceAndByAxes) {
+    const std::string unit = "/sqrt(dx^2+dy^2+dz^2)";
+    const Solver space = solved(equationsOf({{"x", "dx", 0, 1},
+                                             {"y", "dy", 0, 1},
+                                             {"z", "dz", 0, 1},
+                                             {"dx", "-2*dx" + unit, 1},
+                                             {"dy", "-2*dy" + unit, 2},
+                                             {"dz", "-2*dz" + unit, 2}}),
+                                4, tolerance(1e-8));
+    EXPECT_NEAR(space.histories().value(1, 4), 2.0 / 3 * 9 / 4, 1e-7);
+    EXPECT_EQ(space.histories().value(4, 4), 0);
+    // Held while (Fx/1)^2 + (Fz/3)^2 < 1.
+    const Solver axes = solved(equationsOf({{"x", "dx", 0, 1},
+                                            {"z", "dz", 0, 1},
+                                            {"dx", "0.1*t-dx/hypot(dx,dz)", 0},
+                                            {"dz", "0.4*t-3*dz/hypot(dx,dz)", 0}}),
+                               7, tolerance(1e-8));
+    const double begins = 6; // (0.6)^2 + (2.4/3)^2 = 1
+    EXPECT_EQ(axes.histories().value(0, begins - 1e-6), 0);
+    EXPECT_GT(axes.histories().value(2, begins + 1e-2), 0);
+    Options fixed;
+    fixed.method = "rk4";
+    fixed.fixedStep = 0.01;
+    const Solver steps = solved(equationsOf(puck("1", "0", -1, 2)), 3, fixed);
+    EXPECT_EQ(steps.histories().value(2, 3), 0);
+    EXPECT_LT(steps.statistics().steps, 1000u); // of three components
+}
+
+// What else reads the force reads what holds, as a gauge does.
+TEST(PlanarFriction, AGaugeReadsWhatHolds) {
+    std::vector<Line> lines = puck("2", "1", 0, 0);
+    lines.push_back({"g", "2.943*dx/hypot(dx,dz)", 0});
+    const Solver solver = solved(equationsOf(lines), 4, tolerance(1e-6));
+    ASSERT_EQ(solver.histories().stop(4), nullptr) << solver.histories().stop(4)->sentence;
+    EXPECT_NEAR(solver.histories().value(4, 4), 8, 1e-6);
+    EXPECT_EQ(solver.histories().value(0, 4), 0);
+}
+
+// Force along the speed is no friction, a root beside it is no length: nothing is held.
+TEST(PlanarFriction, WhatDrivesIsNotHeld) {
+    const Solver solver = solved(equationsOf({{"x", "dx", 0, 1},
+                                              {"z", "dz", 0, 1},
+                                              {"dx", "2*dx/hypot(dx,dz)", 0.3},
+                                              {"dz", "2*dz/hypot(dx,dz)", 0.4}}),
+                                 4, tolerance(1e-8));
+    EXPECT_NEAR(solver.histories().value(2, 4), 0.6 * 8.5, 1e-7);
+}
