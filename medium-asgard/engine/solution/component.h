@@ -168,6 +168,7 @@ private:
     [[nodiscard]] bool isHopeless();
     void integrate();
     [[nodiscard]] bool beginMethod();
+    [[nodiscard]] double longestFirst() const;
     [[nodiscard]] bool mayStride() const;
     [[nodiscard]] std::unique_ptr<Method> chooseMethod();
     void endWithoutRate(double t, std::span<const double> y);

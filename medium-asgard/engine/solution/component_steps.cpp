@@ -156,6 +156,18 @@ std::unique_ptr<Method> Component::chooseMethod() {
     return makeMethod(name, *equations_, control_, options_.fixedStep.has_value());
 }
 
+// Where rates are next to 0 by chance, as those of a rectified drive, they say nothing of how long
+// a step may be: the steps before do.
+double Component::longestFirst() const {
+    constexpr std::size_t asked = 8;
+    constexpr double times = 16;
+    double longest = 0;
+    for (std::size_t k = history_->size(); k-- > 0 && k + asked >= history_->size();)
+        if (const auto step = history_->step(k); step.until > step.origin) // no anchor
+            longest = std::max(longest, step.scale);
+    return longest > 0 ? times * longest : infinity;
+}
+
 bool Component::beginMethod() {
     method_ = chooseMethod();
     const bool quadrature = equations_->states().size() == 1 && !equations_->readsStates();
@@ -175,7 +187,8 @@ bool Component::beginMethod() {
     if (options_.fixedStep)
         proposed_ = *options_.fixedStep;
     else if (proposed_ == 0)
-        proposed_ = options_.firstStep.value_or(method_->firstStep(limit_ - time_));
+        proposed_ = options_.firstStep.value_or(
+            method_->firstStep(std::min(limit_ - time_, longestFirst())));
     strides_ = mayStride();
     return true;
 }

@@ -32,8 +32,11 @@ double timeScale(const ErrorControl& control, std::span<const double> rates) {
 
 } // namespace
 
-// How far the rates let a step go, by how they change over h; h is shortened until there are some.
-double Method::stepByChange(double& h) {
+// After Hairer, Norsett and Wanner (Solving ODEs I, II.4), with time scales in place of |y|/|f|:
+// a hundredth of the time scale of y, then what the change of f over that allows.
+double Method::firstStep(double limit) {
+    const double scale = timeScale(control_, slope_);
+    double h = std::min(scale < infinity ? 0.01 * scale : 1e-3, limit);
     std::vector<double> y(start_), f(start_.size());
     for (int tries = 0; tries < 60; ++tries) {
         for (std::size_t i = 0; i < y.size(); ++i)
@@ -52,23 +55,7 @@ double Method::stepByChange(double& h) {
     }
     const double exponent = 1.0 / static_cast<double>(order());
     const double bend = std::sqrt(2 / std::max(change, 1e-30)); // when y'' has moved y by its size
-    return bend * std::pow(control_.tolerance(), exponent);
-}
-
-// After Hairer, Norsett and Wanner (Solving ODEs I, II.4), with time scales in place of |y|/|f|:
-// a hundredth of the time scale of y, then what the change of f over that allows. Where f is next
-// to 0 by chance that looks too far ahead: what was seen beyond the step is looked at again within
-// it.
-double Method::firstStep(double limit) {
-    constexpr double within = 0.25;
-    constexpr int looks = 60;
-    const double scale = timeScale(control_, slope_);
-    double h = std::min(scale < infinity ? 0.01 * scale : 1e-3, limit);
-    double wanted = stepByChange(h);
-    for (int look = 1; look < looks && wanted < within * h; ++look) {
-        h = wanted;
-        wanted = stepByChange(h);
-    }
+    const double wanted = bend * std::pow(control_.tolerance(), exponent);
     return std::min({std::isfinite(wanted) ? wanted : h, 100 * h, limit});
 }
 

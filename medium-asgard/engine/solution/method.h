@@ -86,8 +86,6 @@ protected:
         return system_.rates(t, y, out);
     }
 
-    [[nodiscard]] double stepByChange(double& h);
-
     System& system_;
     ErrorControl& control_;
     bool fixed_;
