@@ -74,6 +74,11 @@ public:
     [[nodiscard]] std::size_t size() const override { return states().size(); }
     [[nodiscard]] bool rates(double t, std::span<const double> y, std::span<double> out) override;
     [[nodiscard]] double* place() override { return isPlain_ ? in_.data() + 1 : nullptr; }
+    [[nodiscard]] Direct direct() override {
+        if (!isPlain_ || readsInputs_ || !code_.entry)
+            return {};
+        return {code_, in_.data(), scratch_.data()};
+    }
     [[nodiscard]] const Pattern& jacobianPattern() override;
     [[nodiscard]] bool jacobian(double t, std::span<const double> y,
                                 std::span<double> entries) override;

@@ -31,9 +31,9 @@ Tableau finished(Tableau table) {
 ExplicitRungeKutta::ExplicitRungeKutta(const Tableau& tableau, System& system,
                                        ErrorControl& control, bool fixed)
     : Method(system, control, fixed), tableau_(tableau), size_(system.size()),
-      stages_(stagesFor(size_)), k_(tableau.a.size() * size_), at_(size_), stiffAt_(size_),
-      sum_(size_), lost_(size_), lostNext_(size_), error_(size_), secondError_(size_),
-      before_(size_), beforeSlope_(size_) {
+      stages_(stagesFor(size_)), direct_(DirectStep::of(tableau, size_)),
+      k_(tableau.a.size() * size_), at_(size_), stiffAt_(size_), sum_(size_), lost_(size_),
+      lostNext_(size_), error_(size_), secondError_(size_), before_(size_), beforeSlope_(size_) {
     start_.resize(size_);
     end_.resize(size_);
     slope_.resize(size_);
@@ -111,10 +111,27 @@ ExplicitRungeKutta::Stages ExplicitRungeKutta::stagesFor(std::size_t size) {
     (std::make_index_sequence<most + 1>());
 }
 
+bool ExplicitRungeKutta::makeAllStages() {
+    const System::Direct rates = direct_.stages ? system_.direct() : System::Direct{};
+    if (!rates.code.entry)
+        return (this->*stages_)();
+    const DirectStep::Made made = direct_.stages({.t = t_,
+                                                  .h = h_,
+                                                  .start = start_.data(),
+                                                  .lost = lost_.data(),
+                                                  .end = end_.data(),
+                                                  .lostNext = lostNext_.data(),
+                                                  .stiffAt = stiffAt_.data(),
+                                                  .slopes = k_.data()},
+                                                 rates);
+    counts_.evaluations += made.evaluations;
+    return !made.failed;
+}
+
 Attempt ExplicitRungeKutta::attempt(double h) {
     h_ = h;
     std::copy(slope_.begin(), slope_.end(), k_.begin());
-    if (!(this->*stages_)()) {
+    if (!makeAllStages()) {
         afterRejection_ = true;
         return {Attempt::Outcome::notFinite, 0.25 * h};
     }
@@ -128,6 +145,10 @@ Attempt ExplicitRungeKutta::attempt(double h) {
 }
 
 double ExplicitRungeKutta::errorNorm() {
+    if (direct_.errors) {
+        direct_.errors(h_, k_.data(), error_.data());
+        return control_.norm(error_);
+    }
     weightedSum(tableau_.errorTerms, k_.data(), size_, error_.data());
     if (!tableau_.secondErrorTerms.empty()) {
         weightedSum(tableau_.secondErrorTerms, k_.data(), size_, secondError_.data());

@@ -15,6 +15,7 @@
 #pragma once
 
 #include "solution/dense_output.h"
+#include "solution/direct_step.h"
 #include "solution/method.h"
 #include "solution/weighted_sum.h"
 
@@ -69,6 +70,7 @@ private:
     template <std::size_t Size> [[nodiscard]] bool makeStages();
     template <std::size_t Size> [[nodiscard]] bool stage(std::size_t i, double* at);
     void finishStages(std::size_t size);
+    [[nodiscard]] bool makeAllStages();
     using Stages = bool (ExplicitRungeKutta::*)();
     [[nodiscard]] static Stages stagesFor(std::size_t size);
     [[nodiscard]] double* slopesOf(std::size_t stage) { return k_.data() + stage * size_; }
@@ -83,6 +85,7 @@ private:
     const Tableau& tableau_;
     std::size_t size_;
     Stages stages_;         // makeStages() for this size
+    DirectStep direct_;     // the same, where rates are machine code
     std::vector<double> k_; // slopes of all stages, one after the other
     std::vector<double> at_, stiffAt_, sum_;
     std::vector<double> lost_, lostNext_; // to rounding, by the state at the start and at the end

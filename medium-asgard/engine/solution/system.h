@@ -1,6 +1,8 @@
 // What an integrator sees of a component: y' = f(t, y), and the Jacobian df/dy when it asks.
 #pragma once
 
+#include "expression/function.h"
+
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -25,6 +27,14 @@ public:
     // Where y may be put for rates() to find it, which saves copying it; null: nowhere. Every call
     // of anything here may change what lies there.
     [[nodiscard]] virtual double* place() { return nullptr; }
+    // The rates as machine code, of time and the states, which are put at `arguments`: what rates()
+    // would give, but for whether they are finite. No code: there is none, or none yet, or more to
+    // it. Calls of anything else here may change what lies there.
+    struct Direct {
+        expression::Function::Code code;
+        double *arguments = nullptr, *scratch = nullptr;
+    };
+    [[nodiscard]] virtual Direct direct() { return {}; }
     [[nodiscard]] virtual const Pattern& jacobianPattern() = 0;
     [[nodiscard]] virtual bool jacobian(double t, std::span<const double> y,
                                         std::span<double> entries) = 0;
