@@ -119,10 +119,12 @@ CollisionSource::Alongside CollisionSource::goAlongside(const Histories& histori
     const double known = search_.depth(hit.pair), square = near.rate * near.rate;
     constexpr double passing = 1e-3; // of the accelerations: what opens the gap where they graze
     const bool isPassing = known == 0 && near.turning > passing * near.accelerations;
-    const bool isSlow = square < 4 * near.accelerations * std::max(known, least);
+    const double floor = RestLimits::leastPush * near.radius;
+    const bool isSlow = square < 4 * std::max(near.accelerations, floor) * std::max(known, least);
     if (!hit.pressing && (isPassing || !isSlow))
         return Alongside::no;
-    const bool isPressed = near.push < -RestLimits::weakPush * near.accelerations;
+    const double weak = std::max(RestLimits::weakPush * near.accelerations, floor);
+    const bool isPressed = near.push < -weak;
     if (restitutionOf(hit.pair) < 1 && isPressed)
         return Alongside::no;
     constexpr double low = 1.0 / 16; // of that depth: a hop is none

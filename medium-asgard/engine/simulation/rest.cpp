@@ -210,11 +210,12 @@ private:
             if (forces.gapAccelerations[i] <= stillBearing * accelerations_)
                 touches_[corners_[i].touch].bearing.push_back(corners_[i].corner);
         }
-        const double force = accelerations_ / q_.mobility.inverseMass;
+        const double floor = RestLimits::leastPush * q_.body.record->radius;
+        const double weak = std::max(RestLimits::weakPush * accelerations_, floor);
         for (std::size_t t = 0; t < touches_.size(); ++t) {
             const bool givesWay = q_.givesWay[touches_[t].support];
-            const double least = (givesWay ? RestLimits::weakPush : 1e-12) * force;
-            if (pushes[t] > least && !touches_[t].bearing.empty())
+            const double least = givesWay ? weak : 1e-12 * accelerations_;
+            if (pushes[t] * q_.mobility.inverseMass > least && !touches_[t].bearing.empty())
                 addFooting(touches_[t]);
         }
         if (rest_.state == Rest::State::bearing)

@@ -45,8 +45,10 @@ struct Rest {
 };
 
 struct RestLimits {
-    static constexpr double weakPush = 1e-6; // of the accelerations that enter: rounding's, and so
-                                             // none between bodies that both give way
+    // Between bodies that both give way a push is rounding's, and so none, if it gives less than
+    // that part of the accelerations that enter, or than so many radii per second squared, where
+    // the forces themselves are next to 0.
+    static constexpr double weakPush = 1e-6, leastPush = 1e-12;
     static constexpr double leastGap = 1e-8, mostGap = 1e-6;
     double gap = 1e-7;       // of the parts' size: touching
     double hopHeight = 1e-9; // of the body's radius: parting slower than for that is not parting
