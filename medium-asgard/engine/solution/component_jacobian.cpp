@@ -43,9 +43,8 @@ bool ComponentEquations::differences(double t, std::span<const double> y,
     std::vector<double> at(y.begin(), y.end()), low(states().size()), high(states().size());
     const Pattern& pattern = model_.jacobian().pattern;
     for (std::size_t column = 0; column < states().size(); ++column) {
-        if (std::ranges::any_of(columns(), [&](const Column& c) {
-                return gradientOf(c).state == column;
-            })) {
+        if (std::ranges::any_of(columns(),
+                                [&](const Column& c) { return gradientOf(c).state == column; })) {
             for (int k = pattern.columnStarts[column]; k < pattern.columnStarts[column + 1]; ++k)
                 entries[static_cast<std::size_t>(k)] = 0;
             continue;
