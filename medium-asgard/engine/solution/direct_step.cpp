@@ -63,13 +63,14 @@ template <std::size_t Size, class Work> inline void forAll(const Work& work) {
         work.template of<double>(twos);
 }
 
+template <std::size_t Stage> constexpr auto rowOf = std::get<Stage>(dop853::rows);
+
 template <std::size_t Size, std::size_t Stage> struct Argument {
-    static constexpr const auto& row = std::get<Stage>(dop853::rows);
     const DirectStep::Stages& step;
     double* argument;
     template <class Value> void of(std::size_t n) const {
         const Value y =
-            at<Value>(step.start + n) + step.h * sumOf<Value, Size, row>(step.slopes + n);
+            at<Value>(step.start + n) + step.h * sumOf<Value, Size, rowOf<Stage>>(step.slopes + n);
         put(argument + n, y);
         if constexpr (Stage == dop853::stiffStage)
             put(step.stiffAt + n, y);
