@@ -152,8 +152,10 @@ ImpactResult resolveImpact(std::vector<ImpactBody> bodies,
     for (; rounds < most; ++rounds) {
         std::vector<std::size_t> approaching;
         for (std::size_t c : yielding)
-            if (round.approaches(c))
+            if (round.approaches(c) && (rounds > 0 || !contacts[c].isResting))
                 approaching.push_back(c);
+        if (approaching.empty() && rounds == 0)
+            continue;
         if (approaching.empty())
             return result;
         leaveTheSlow(round, contacts, approaching);

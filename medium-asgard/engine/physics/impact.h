@@ -41,6 +41,9 @@ struct ImpactContact {
     Vector normal = Vector::UnitX(); // from second to first
     double restitution = 1;          // the smaller of the two bodies'
     bool isBeside = false;           // they go side by side: at relative rest before the blow
+    // Touches at relative rest: it takes part when a blow has reached it, not with the first,
+    // though rounding or an integration may leave it a speed.
+    bool isResting = false;
 };
 
 struct ImpulseGiven {

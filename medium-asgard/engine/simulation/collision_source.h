@@ -208,8 +208,15 @@ private:
                                 std::span<const physics::ImpactBody> bodies, double time) const;
     [[nodiscard]] Cluster clusterAt(const solution::Histories& histories, const Pair& pair,
                                     double time);
-    [[nodiscard]] std::vector<std::pair<Vector, Vector>> // place and normal
-    cornersAt(const solution::Histories& histories, const Pair& pair, double time, bool isHit);
+    struct Standing { // a corner of what bears, or lands on what bears it already
+        Vector point, normal;
+        double gap = 0, solved = 0; // where what bears does so exactly, and as solved
+        bool bears = false;
+    };
+    [[nodiscard]] std::vector<Standing> cornersNear(const solution::Histories& histories,
+                                                    const Pair& pair, double time, bool isHit);
+    [[nodiscard]] std::vector<Standing> cornersAt(const solution::Histories& histories,
+                                                  const Pair& pair, double time, bool isHit);
     void addContacts(const solution::Histories& histories, Cluster& cluster, std::size_t a,
                      std::size_t b, double time, bool isHit);
     struct Hop { // that an impact would lead to

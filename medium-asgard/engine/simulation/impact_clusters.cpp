@@ -111,38 +111,54 @@ double CollisionSource::contactTolerance(const Pair& pair, double time) const {
            8 * epsilon * (coordinates + std::abs(time) * speedOf(pair, time));
 }
 
-// Of a body that gives way and its support: corners that bear, or that hit at this instant. What is
-// near and comes nearer hits on its own a little later, and that is another motion.
-std::vector<std::pair<Vector, Vector>>
-CollisionSource::cornersAt(const Histories& histories, const Pair& pair, double time, bool isHit) {
+// Of a body that gives way and its support.
+std::vector<CollisionSource::Standing> CollisionSource::cornersNear(const Histories& histories,
+                                                                    const Pair& pair, double time,
+                                                                    bool isHit) {
     const auto& [body, support] = pair;
     const BodyState solved = stateOf(records_[body], histories, time);
     const BodyState bearing = resting_.bearingState(histories, body, time);
-    const double tolerance = contactTolerance(pair, time);
-    const double slow = collision::approachThreshold * speedOf(pair, time);
-    std::vector<Corner> near;
-    std::vector<Vector> normals;
-    double nearest = infinity;
+    const double speed = speedOf(pair, time), tolerance = contactTolerance(pair, time);
+    std::vector<Standing> corners;
     for (const Touch& touch :
          touchesOf(resting_.placed(histories, body, time, {{body, bearing}}),
                    resting_.placed(histories, support, time), 2 * limits_[body].gap))
-        for (Corner corner : touch.corners) {
-            if (!isHit && touch.passes(slow))
+        for (const Corner& corner : touch.corners) {
+            if (!isHit && touch.passes(collision::approachThreshold * speed))
                 continue;
-            // What bears touches where it bears exactly; what hits, where the search found it.
             const Vector arm =
                 bearing.attitude.conjugate() * Vector(corner.point - bearing.position);
-            if (std::abs(corner.gap) > tolerance)
-                corner.gap +=
-                    touch.normal.dot(solved.position + solved.attitude * arm - corner.point);
-            nearest = std::min(nearest, corner.gap);
-            near.push_back(corner);
-            normals.push_back(touch.normal);
+            const Vector there = solved.position + solved.attitude * arm;
+            corners.push_back({.point = corner.point,
+                               .normal = touch.normal,
+                               .gap = corner.gap,
+                               .solved = corner.gap + touch.normal.dot(there - corner.point),
+                               .bears = std::abs(corner.gap) <= tolerance &&
+                                        std::abs(corner.rate) <= limits_[body].gap * speed});
         }
-    std::vector<std::pair<Vector, Vector>> corners;
-    for (std::size_t i = 0; i < near.size(); ++i)
-        if (near[i].gap <= std::max(tolerance, isHit ? nearest + tolerance : nearest))
-            corners.emplace_back(near[i].point, normals[i]);
+    return corners;
+}
+
+// Corners that bear, or that hit at this instant. What is near and comes nearer hits on its own a
+// little later, and that is another motion. The search found the hit as solved; who else is as near
+// is seen where what bears does so exactly, as both ends of an edge that lands.
+std::vector<CollisionSource::Standing>
+CollisionSource::cornersAt(const Histories& histories, const Pair& pair, double time, bool isHit) {
+    const double tolerance = contactTolerance(pair, time);
+    std::vector<Standing> corners = cornersNear(histories, pair, time, isHit);
+    double nearest = infinity, level = infinity; // of what hits: as solved, and exactly
+    bool isAnyTouching = false;
+    for (const Standing& corner : corners)
+        if (std::abs(corner.gap) <= tolerance) {
+            isAnyTouching = true;
+        } else if (corner.solved < nearest) {
+            nearest = corner.solved;
+            level = corner.gap;
+        }
+    const bool isReached = nearest <= 2 * tolerance || (isHit && !isAnyTouching);
+    std::erase_if(corners, [&](const Standing& corner) {
+        return std::abs(corner.gap) > tolerance && !(isReached && corner.gap <= level + tolerance);
+    });
     return corners;
 }
 
@@ -175,9 +191,11 @@ void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, 
     if (isUnsure && (resting_.canGiveWay(a, time) != resting_.canGiveWay(b, time))) {
         const bool isFirst = resting_.canGiveWay(a, time);
         const Pair ordered = isFirst ? Pair{a, b} : Pair{b, a};
-        for (const auto& [point, normal] : cornersAt(histories, ordered, time, isHit))
-            add(point, isFirst ? normal : Vector(-normal),
+        for (const Standing& corner : cornersAt(histories, ordered, time, isHit)) {
+            add(corner.point, isFirst ? corner.normal : Vector(-corner.normal),
                 {ballRadius(bodies_[a]), ballRadius(bodies_[b])});
+            cluster.contacts.back().isResting = corner.bears;
+        }
         return;
     }
     for (const collision::Contact& contact : contacts) {
@@ -284,7 +302,7 @@ CollisionSource::Hop CollisionSource::hopOf(const Histories& histories, const Cl
             lowest = std::min(lowest, limits_[body].hopHeight);
         reach += records_[body].radius + bodies[index].centre.norm();
     }
-    if (!(approach < -collision::approachThreshold * speed))
+    if (contact.isResting || !(approach < -collision::approachThreshold * speed))
         return {};
     // Hops that the search may pass over (time_of_impact.h) are lower still; where a body rests,
     // what sinks in unnoticed would hop again by that much without end.
