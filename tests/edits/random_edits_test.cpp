@@ -74,7 +74,8 @@ std::string differenceOf(const scene::Scene& scene, const Motion& a, const Motio
     if (std::string found = differenceOfImpacts(a, b); !found.empty())
         return found;
     if (a.notes() != b.notes())
-        return "notes";
+        return "notes: " + ::testing::PrintToString(a.notes()) + ", not " +
+               ::testing::PrintToString(b.notes());
     if (!sameNumber(a.predictableUntil(), b.predictableUntil()))
         return "predictable until " + text(a.predictableUntil()) + ", not " +
                text(b.predictableUntil());

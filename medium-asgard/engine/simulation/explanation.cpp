@@ -75,6 +75,7 @@ public:
                 known->second = phases[i + 1].from;
         }
         std::vector<std::string> texts;
+        texts.reserve(ended.size());
         for (const auto& [text, until] : ended)
             texts.push_back(text + ", until t = " + shortNumber(until));
         return texts;
