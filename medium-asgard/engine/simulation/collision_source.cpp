@@ -122,10 +122,8 @@ std::optional<Event> CollisionSource::renew(const Histories& histories) {
 
 // Since either was last taken hold of or let go.
 bool CollisionSource::hasMet(const Pair& pair, double time) const {
-    double since = start_;
-    for (const double change : equations_.breakpoints)
-        if (change <= time)
-            since = std::max(since, change);
+    const double since =
+        std::max(resting_.lastPhase(pair.first, time), resting_.lastPhase(pair.second, time));
     return (givesWay(pair.first, time) || givesWay(pair.second, time)) &&
            std::ranges::any_of(impacts_, [&](const Recorded& recorded) {
                const Impact& impact = recorded.impact;

@@ -196,7 +196,7 @@ private:
     [[nodiscard]] solution::Event endWithoutEnd(const solution::Histories& histories,
                                                 const Pair& pair, double time);
     [[nodiscard]] bool isRestless(std::size_t body, double time);
-    [[nodiscard]] double nextBreakpoint(double time) const;
+    [[nodiscard]] double nextPhase(const Pair& pair, double time) const;
     // What it meets where a motion ended: its own ends there too.
     [[nodiscard]] Handled meetEnded(const solution::Histories& histories, const Pair& pair,
                                     double time);

@@ -34,12 +34,8 @@ bool CollisionSource::givesWay(std::size_t body, double time) const {
     return search_.isFollowed(body) || resting_.canGiveWay(body, time);
 }
 
-double CollisionSource::nextBreakpoint(double time) const {
-    double next = infinity;
-    for (const double t : equations_.breakpoints)
-        if (t > time)
-            next = std::min(next, t);
-    return next;
+double CollisionSource::nextPhase(const Pair& pair, double time) const {
+    return std::min(resting_.nextPhase(pair.first, time), resting_.nextPhase(pair.second, time));
 }
 
 // What is held goes on, whatever stands there.
@@ -49,7 +45,7 @@ CollisionSource::Handled CollisionSource::meetEnded(const Histories& histories, 
     const std::size_t body = isFirst ? pair.first : pair.second;
     const std::size_t ended = isFirst ? pair.second : pair.first;
     if (!givesWay(body, time)) {
-        search_.letPass(pair, nextBreakpoint(time));
+        search_.letPass(pair, nextPhase(pair, time));
         return {};
     }
     char when[40];
@@ -72,7 +68,7 @@ CollisionSource::Handled CollisionSource::handle(const Histories& histories,
                  "Bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
                      quoted(scene_.bodies[pair.second].name) +
                      " are both held where they meet, so they pass through each other.");
-        search_.letPass(pair, nextBreakpoint(hit.time));
+        search_.letPass(pair, nextPhase(pair, hit.time));
         return {};
     }
     if (hit.isLost)

@@ -129,6 +129,22 @@ bool RestingBodies::hopForEver(std::size_t a, std::size_t b, double time) const 
            canGiveWay(a, time) && canGiveWay(b, time);
 }
 
+double RestingBodies::nextPhase(std::size_t body, double time) const {
+    double next = infinity;
+    for (std::size_t i = 0; !records_[body].isFixed && i < physics::bodyUnknowns; ++i)
+        for (const auto& phase : equations_.set.unknowns[records_[body].firstUnknown + i].phases)
+            if (phase.from > time)
+                next = std::min(next, phase.from);
+    return next;
+}
+
+double RestingBodies::lastPhase(std::size_t body, double time) const {
+    double last = start_;
+    for (double next = nextPhase(body, start_); next <= time; next = nextPhase(body, next))
+        last = next;
+    return last;
+}
+
 physics::ImpactBody RestingBodies::impactBody(std::size_t body, double time,
                                               const BodyState& state) const {
     physics::ImpactBody impact{.centre = state.position,
@@ -307,10 +323,7 @@ void RestingBodies::set(std::size_t body, double time, const Rest& rest) {
         if (!records_[footing.support].isFixed)
             concerned.insert(footing.support);
     for (const std::size_t b : concerned)
-        for (std::size_t i = 0; i < physics::bodyUnknowns; ++i)
-            for (const auto& phase : equations_.set.unknowns[records_[b].firstUnknown + i].phases)
-                if (phase.from > time)
-                    watch.ends = std::min(watch.ends, phase.from);
+        watch.ends = std::min(watch.ends, nextPhase(b, time));
     resting_.insert_or_assign(body, std::move(watch));
 }
 

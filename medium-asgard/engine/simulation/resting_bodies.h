@@ -62,6 +62,10 @@ public:
     [[nodiscard]] BodyState bearingState(const solution::Histories& histories, std::size_t body,
                                          double time) const;
     [[nodiscard]] bool canGiveWay(std::size_t body, double time) const;
+    // When a trajectory next takes hold of the body, bends or lets go, after `time`, infinity:
+    // never; and when one last did, the start if none has.
+    [[nodiscard]] double nextPhase(std::size_t body, double time) const;
+    [[nodiscard]] double lastPhase(std::size_t body, double time) const;
     // Two free elastic balls never come to rest on each other (side_by_side.h).
     [[nodiscard]] bool hopForEver(std::size_t a, std::size_t b, double time) const;
 
