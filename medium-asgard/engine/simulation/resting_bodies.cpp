@@ -140,8 +140,10 @@ double RestingBodies::nextPhase(std::size_t body, double time) const {
 
 double RestingBodies::lastPhase(std::size_t body, double time) const {
     double last = start_;
-    for (double next = nextPhase(body, start_); next <= time; next = nextPhase(body, next))
-        last = next;
+    for (std::size_t i = 0; !records_[body].isFixed && i < physics::bodyUnknowns; ++i)
+        for (const auto& phase : equations_.set.unknowns[records_[body].firstUnknown + i].phases)
+            if (phase.from <= time)
+                last = std::max(last, phase.from);
     return last;
 }
 
