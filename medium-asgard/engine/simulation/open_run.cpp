@@ -35,22 +35,23 @@ double secondsOf(const Run& before, const solution::TakenMotion& taken) {
 
 // What decides when hops end follows the tolerance of each body, as its steps do, so that runs
 // which are compared differ in it too: at the tolerance that the first of them has, a hop that is
-// lower than a thousandth of the accuracy is the last. The nudged run follows lower ones, to show
-// what they do.
+// lower than a thousandth of the accuracy is the last. It follows the tolerance's square: where
+// runs left out nearly the same hops, both could be hit elsewhere during one of them, and go the
+// same wrong way. The nudged run follows lower ones yet, to show what they do.
 std::vector<RestLimits> restLimits(const Problem& problem, const std::vector<double>& tolerances,
                                    Rounding rounding) {
     constexpr double hop = 1e-3, touching = 1e-2, depth = 4e-9;
-    constexpr double finest = 1e-3, finestTouching = 0.25; // beside the first run's
+    constexpr double finest = 1e-4, finestDepth = 1e-3, nudgedPart = 0.1; // beside the first run's
     const double accuracy = problem.accuracy(), first = Tightening::firstTolerance(accuracy);
     const double gap = std::clamp(touching * accuracy, RestLimits::leastGap, RestLimits::mostGap);
     std::vector<RestLimits> limits;
     for (const double tolerance : tolerances) {
-        const double fine =
-            rounding == Rounding::nudged ? 0.1 : std::clamp(tolerance / first, finest, 1.0);
-        limits.push_back(
-            {.gap = std::max(gap * std::max(fine, finestTouching), RestLimits::leastGap),
-             .hopHeight = hop * accuracy * fine,
-             .depth = depth * fine});
+        const double nudged = rounding == Rounding::nudged ? nudgedPart : 1;
+        const double part = tolerance / first;
+        const double fine = std::clamp(part * part, finest, 1.0) * nudged;
+        limits.push_back({.gap = std::max(gap * fine, RestLimits::leastGap),
+                          .hopHeight = hop * accuracy * fine,
+                          .depth = depth * std::clamp(part, finestDepth, 1.0) * nudged});
     }
     return limits;
 }
