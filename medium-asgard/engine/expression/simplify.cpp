@@ -43,6 +43,7 @@ struct Rules {
     [[nodiscard]] Result multiplyByNumber(Node number, Node b) const;
     [[nodiscard]] Result divide(Node a, Node b) const;
     [[nodiscard]] Result quotientByLength(Node a, Node b) const;
+    [[nodiscard]] Result productWithLength(Node a, Node b) const;
     [[nodiscard]] Result without(Node product, Node factor, int depth = 0) const;
     [[nodiscard]] Result power(Node a, Node b) const;
     [[nodiscard]] Result function(Op op, Node a) const;
@@ -51,6 +52,7 @@ struct Rules {
         double by = 1; // not 0
     };
     [[nodiscard]] Scaled scaled(Node n) const;
+    [[nodiscard]] std::optional<Scaled> lengthOfOne(Node n) const;
     [[nodiscard]] Node times(Node n, double by) const;
     [[nodiscard]] bool isLengthOf(Node n, Node of) const;
     [[nodiscard]] bool isNeverNegative(Node n) const;
@@ -149,6 +151,9 @@ Result Rules::multiply(Node a, Node b) const {
         return g.multiply(first(a), g.multiply(second(a), b));
     if (isScaled(b))
         return g.multiply(first(b), g.multiply(a, second(b)));
+    for (const auto& [factor, quotient] : {std::pair(a, b), {b, a}})
+        if (const Result signs = productWithLength(factor, quotient))
+            return signs;
     const auto x = wholePower(a), y = wholePower(b);
     if (x.first == y.first && x.second > 0 && y.second > 0)
         return g.apply(Op::power, x.first, g.constant(x.second + y.second));
@@ -169,23 +174,43 @@ Result Rules::without(Node product, Node factor, int depth) const {
     return std::nullopt;
 }
 
-// v/abs(v) and v/hypot(v, 0) mean the sign, at 0 too.
-Result Rules::quotientByLength(Node a, Node b) const {
-    const Node length = isScaled(b) ? second(b) : b;
-    Node of = length;
+// v and 3 of 3*abs(v), 3*hypot(v, 0), sqrt(9*v^2).
+std::optional<Rules::Scaled> Rules::lengthOfOne(Node n) const {
+    const Node length = isScaled(n) ? second(n) : n;
+    const double by = isScaled(n) ? g.value(first(n)) : 1;
     if (is(length, Op::abs))
-        of = first(length);
-    else if (is(length, Op::hypot) && g.isConstant(second(length), 0))
-        of = first(length);
-    else if (is(length, Op::hypot) && g.isConstant(first(length), 0))
-        of = second(length);
-    if (of == length)
+        return Scaled{first(length), by};
+    if (is(length, Op::hypot) && g.isConstant(second(length), 0))
+        return Scaled{first(length), by};
+    if (is(length, Op::hypot) && g.isConstant(first(length), 0))
+        return Scaled{second(length), by};
+    if (!is(length, Op::sqrt))
         return std::nullopt;
-    const Result rest = without(a, of);
+    const Node under = first(length), square = isScaled(under) ? second(under) : under;
+    const double weight = isScaled(under) ? g.value(first(under)) : 1;
+    if (!is(square, Op::power) || !g.isConstant(second(square), 2) || !(weight > 0))
+        return std::nullopt;
+    const Node of = first(square);
+    return Scaled{is(of, Op::negate) ? first(of) : of, by * std::sqrt(weight)};
+}
+
+// v/abs(v), v/hypot(v, 0) and v/sqrt(v^2) mean the sign, at 0 too.
+Result Rules::quotientByLength(Node a, Node b) const {
+    const auto length = lengthOfOne(b);
+    if (!length)
+        return std::nullopt;
+    const Result rest = without(a, length->of);
     if (!rest)
         return std::nullopt;
-    const Node signs = g.multiply(*rest, g.apply(Op::sign, of));
-    return isScaled(b) ? g.divide(signs, first(b)) : signs;
+    const Node signs = g.multiply(*rest, g.apply(Op::sign, length->of));
+    return length->by == 1 ? signs : g.divide(signs, g.constant(length->by));
+}
+
+// v*(1/abs(v)), as where it was written as v*(v^2)^-0.5.
+Result Rules::productWithLength(Node a, Node b) const {
+    if (!is(b, Op::divide) || !lengthOfOne(second(b)))
+        return std::nullopt;
+    return quotientByLength(g.multiply(a, first(b)), second(b));
 }
 
 Result Rules::divide(Node a, Node b) const {
@@ -226,6 +251,8 @@ Result Rules::power(Node a, Node b) const {
         return g.apply(Op::sqrt, a);
     if (g.isConstant(b, -1))
         return g.divide(g.constant(1), a);
+    if (g.isConstant(b, -0.5))
+        return g.divide(g.constant(1), g.apply(Op::sqrt, a));
     const auto base = wholePower(a);
     if (isNumber(b) && g.value(b) == std::floor(g.value(b)) && base.first != a)
         return g.apply(Op::power, base.first, g.constant(base.second * g.value(b)));

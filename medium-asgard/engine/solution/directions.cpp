@@ -12,9 +12,20 @@ using expression::Op;
 
 namespace {
 
+// With a number before it at most: what is left of a sum where the others are 0 throughout.
+bool isOneSquare(const Graph& graph, Node n) {
+    const auto isSquare = [&](Node x) {
+        return graph.op(x) == Op::power && graph.isConstant(graph.arguments(x)[1], 2);
+    };
+    return isSquare(n) || (graph.op(n) == Op::multiply &&
+                           (isSquare(graph.arguments(n)[0]) || isSquare(graph.arguments(n)[1])));
+}
+
 bool isLength(const Graph& graph, Node n) {
-    const Op op = graph.op(n);
-    return op == Op::hypot || (op == Op::sqrt && graph.op(graph.arguments(n)[0]) == Op::add);
+    if (graph.op(n) != Op::sqrt)
+        return graph.op(n) == Op::hypot;
+    const Node under = graph.arguments(n)[0];
+    return graph.op(under) == Op::add || isOneSquare(graph, under);
 }
 
 // The lengths that are factors of a denominator.

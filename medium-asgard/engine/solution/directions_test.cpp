@@ -49,6 +49,9 @@ TEST(Directions, AreFoundInTheWaysInWhichTheyAreWritten) {
         {"u/hypot(u,v)^3", ""},
         {"u*hypot(u,v)", ""},
         {"u/sqrt(v)", ""},
+        {"u/sqrt(m*u^2)", "none "},
+        {"u/sqrt(m*v)", ""},
+        {"-u*(u^2+v^2)^-0.5", "[u v] "},
     };
     for (const auto& [text, expected] : cases)
         EXPECT_EQ(directionsOf(text), expected) << text;

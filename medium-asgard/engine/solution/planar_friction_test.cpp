@@ -86,6 +86,31 @@ TEST(PlanarFriction, StopsWhatSlidesStraight) {
 }
 
 // Below the slope that friction holds it comes to rest, above it goes on.
+// Along an axis the other speed is 0 throughout, and so is no part of the length.
+TEST(PlanarFriction, StopsWhatSlidesAlongAnAxisHoweverTheLengthIsWritten) {
+    for (const std::string divided :
+         {"dx/hypot(dx,dz)", "dx/sqrt(dx*dx+dz*dz)", "dx/(dx^2+dz^2)^0.5", "dx*(dx^2+dz^2)^-0.5",
+          "2*dx/sqrt(dz^2+4*dx^2)", "dx/sqrt(dz^2+dx^2+dy^2)"})
+        for (const double accuracy : accuracies) {
+            SCOPED_TRACE(divided);
+            const Solver solver = solved(equationsOf({{"x", "dx", 0, 1},
+                                                      {"z", "dz", 0, 1},
+                                                      {"dx", "-2.943*" + divided, 5},
+                                                      {"dy", "-dy", 0},
+                                                      {"dz", "-2.943*dz/hypot(dx,dy,dz)", 0}}),
+                                         4, tolerance(accuracy));
+            const Histories& h = solver.histories();
+            ASSERT_EQ(h.stop(2), nullptr) << h.stop(2)->sentence;
+            EXPECT_LT(worst(h, 0, 0, 4,
+                            [&](double t) {
+                                const double s = std::min(t, 5 / friction);
+                                return 5 * s - friction * s * s / 2;
+                            }),
+                      5 * accuracy);
+            EXPECT_LT(solver.statistics().steps, 60u);
+        }
+}
+
 TEST(PlanarFriction, OnASlopeItTurnsDownwardsAndRestsOrGoesOn) {
     for (const double pull : {1.0, 2.0, 3.5})
         for (const double accuracy : accuracies) {
