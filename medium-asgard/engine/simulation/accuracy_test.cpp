@@ -251,6 +251,31 @@ TEST(Accuracy, FarFromTheStartOfTimeWhatItsResolutionTakesIsSaid) {
     }
 }
 
+// A box that tumbles and hits a floor with its corners has an arm to them of few digits there.
+TEST(Accuracy, FarFromTheOriginWhatRoundingOfTheArmsTakesIsSaid) {
+    const auto tumbled = [](double far) {
+        SceneBuilder b(2.5, 1e-8);
+        b.box("floor", {far, -1, 0}, {40, 2, 40}).fixed = true;
+        scene::Body& box = b.box("box", {far, 1.5, 0}, {1, 0.6, 0.4});
+        box.initialAttitude = geometry::fromRotationVector({0, 0, 0.3});
+        box.initialVelocity = {0.5, 0, 0};
+        box.initialAngularVelocity = {0, 0, 0.7};
+        b.weight("box");
+        return simulate(b.scene);
+    };
+    const Result near = tumbled(0);
+    ASSERT_FALSE(near.motion->predictableUntil());
+    for (const double far : {1e5, 1e6, 1e7}) {
+        const Result result = tumbled(far);
+        const double error = std::abs(result.motion->at(1, 2.5).position.y() -
+                                      near.motion->at(1, 2.5).position.y()) /
+                             2.5; // what moves is about as large
+        EXPECT_GT(*result.motion->errorEstimate(), 0.3 * error) << far;
+        EXPECT_LT(*result.motion->errorEstimate(), 300 * error) << far;
+        EXPECT_TRUE(result.motion->predictableUntil()) << far;
+    }
+}
+
 // Where the drive is 0 the first step would be as long as the motion so far: whole half periods, in
 // which an explicit method sees nothing of it, at all tolerances alike.
 TEST(Accuracy, ARectifiedDriveLosesNoHalfWave) {

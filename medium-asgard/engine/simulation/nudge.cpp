@@ -48,17 +48,36 @@ std::vector<double> nudgedStart(const expression::EquationSet& equations) {
     return values;
 }
 
+NudgedSource::NudgedSource(solution::EventSource& source, const std::vector<BodyRecord>& bodies,
+                           double start)
+    : source_(source), start_(start) {
+    for (const BodyRecord& body : bodies) {
+        const std::size_t index = body.firstUnknown / physics::bodyUnknowns;
+        if (body.isFixed)
+            continue;
+        radii_.resize(std::max(radii_.size(), index + 1), 1);
+        radii_[index] = body.radius;
+    }
+}
+
 // Of a velocity. By how much an impact is late, by the resolution of the time, moves what it turns
-// as that many units of its speed would until the time is twice what it has taken.
-double NudgedSource::unitsAt(double time) const {
-    return least * std::max(1.0, std::abs(time) / std::max(time - start_, 1e-300));
+// as that many units of its speed would until the time is twice what it has taken. The resolution
+// of the place is that of the arm, or of the normal, beside the body's radius: half a unit, as a
+// power of 2, so that it is the same however the place was come by.
+double NudgedSource::unitsAt(double time, std::size_t unknown, const Vector& place) const {
+    const double late = std::abs(time) / std::max(time - start_, 1e-300);
+    const double far = place.cwiseAbs().maxCoeff() / radii_[unknown / physics::bodyUnknowns];
+    return least * std::max({1.0, late, far > 2 ? std::exp2(std::ilogb(far) - 1) : 1.0});
 }
 
 bool NudgedSource::turn(double time, std::span<solution::Turn> turns) {
-    for (solution::Turn& turn : turns)
+    for (solution::Turn& turn : turns) {
+        const Vector place(turn.place[0], turn.place[1], turn.place[2]);
         for (std::size_t k = 0; k < 3; ++k)
             if (turn.jumps[k])
-                turn.velocity[k] = nudged(turn.velocity[k], turn.velocities[k], unitsAt(time));
+                turn.velocity[k] = nudged(turn.velocity[k], turn.velocities[k],
+                                          unitsAt(time, turn.velocities[k], place));
+    }
     return turns_->turn(time, turns);
 }
 
@@ -66,8 +85,13 @@ void NudgedSource::apply(const solution::Histories& histories, const solution::E
                          solution::EquationsInForce& equations, solution::Changes& changes) {
     source_.apply(histories, event, equations, changes);
     for (solution::Changes::Jump& jump : changes.jumps)
-        if (isVelocity(jump.unknown))
-            jump.value = nudged(jump.value, jump.unknown, unitsAt(event.time));
+        if (isVelocity(jump.unknown)) {
+            const std::size_t first = jump.unknown - jump.unknown % physics::bodyUnknowns;
+            const Vector place(histories.value(first + physics::x, event.time),
+                               histories.value(first + physics::y, event.time),
+                               histories.value(first + physics::z, event.time));
+            jump.value = nudged(jump.value, jump.unknown, unitsAt(event.time, jump.unknown, place));
+        }
 }
 
 } // namespace simulation

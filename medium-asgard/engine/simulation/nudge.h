@@ -1,13 +1,16 @@
 // How much of a motion is rounding? The same run again, with values a unit or two in the last place
 // beside what they were wherever they are given: velocities at the start and after each impact, and
 // places of what moves at the start. Where the two runs part, rounding has grown so far that nobody
-// could tell them apart from the truth. Far from time 0 impacts are late by more than that, and
-// velocities are nudged by as much more.
+// could tell them apart from the truth. Far from time 0 impacts are late by more than that, and far
+// from the origin the place of a hit on the body has fewer digits: velocities are nudged by as much
+// more.
 //
 // Places of what stands still are left as they are, so that what touches goes on touching, and
 // zeros stay zeros, so that what never moves need not be modelled in the nudged run either. No
 // randomness: the value itself gives its nudge, whatever else is in the scene.
 #pragma once
+
+#include "simulation/body_motion.h"
 
 #include "expression/equations.h"
 #include "solution/event_source.h"
@@ -21,7 +24,8 @@ namespace simulation {
 
 class NudgedSource final : public solution::EventSource, private solution::Turns {
 public:
-    NudgedSource(solution::EventSource& source, double start) : source_(source), start_(start) {}
+    NudgedSource(solution::EventSource& source, const std::vector<BodyRecord>& bodies,
+                 double start);
 
     void use(solution::Turns& turns) override {
         turns_ = &turns;
@@ -37,10 +41,11 @@ public:
 private:
     [[nodiscard]] bool turn(double time, std::span<solution::Turn> turns) override;
 
-    [[nodiscard]] double unitsAt(double time) const;
+    [[nodiscard]] double unitsAt(double time, std::size_t unknown, const Vector& place) const;
 
     solution::EventSource& source_;
     double start_;
+    std::vector<double> radii_; // by body of the equations: unknowns of each follow each other
     solution::Turns* turns_ = nullptr;
 };
 

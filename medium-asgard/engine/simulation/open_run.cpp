@@ -119,7 +119,7 @@ void OpenRun::makeMachinery(const std::shared_ptr<const solution::TakenMotion>& 
     if (rounding_ == Rounding::nudged) {
         options.initial = nudgedStart(problem_.equations.set);
         if (source)
-            source = &machinery_->nudged.emplace(*source, problem_.start());
+            source = &machinery_->nudged.emplace(*source, *problem_.bodies, problem_.start());
     }
     machinery_->solver.emplace(problem_.prepared, std::move(options), source);
 }
