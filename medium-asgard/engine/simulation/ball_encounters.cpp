@@ -255,25 +255,29 @@ std::optional<Event> CollisionSource::rally(const Histories& histories, const Pa
         }
     const bool isUnread = std::ranges::all_of(
         rally_.balls, [this](const Rally::Ball& ball) { return dependents_[ball.body].empty(); });
+    if (isUnread)
+        lineUp();
     Rallied rallied = Rallied::goesOn;
-    Rally::Meeting last;
+    const Rally::Meeting* last = nullptr;
+    double time = 0; // of the last
     while (isUnread && rallied == Rallied::goesOn) {
         const Rally::Meeting* met = rally_.next();
         if (!met || met->time > until || (++hits % 64 == 0 && cancelled_ && cancelled_()))
             break;
-        last = *met; // its own will be the next time
-        rallied = meetInRally(*met);
+        last = met;
+        time = met->time; // its own will be the next time
+        rallied = rally_.axis == Rally::noAxis ? meetInRally(*met) : meetOnLine(*met);
     }
     if (rallied == Rallied::isUnclear)
-        rally_.forgetMeetings(last);
+        rally_.forgetMeetings(*last);
     search_.dissolve(rally_);
     rally_.tried(hits);
     if (rallied == Rallied::isEndless)
-        return endWithoutEnd(histories, last.pair, last.time);
+        return endWithoutEnd(histories, last->pair, time);
     if (rallied == Rallied::isUnclear)
-        search_.goOn(last.pair, last.time, renewal_);
+        search_.goOn(last->pair, time, renewal_);
     if (rallied == Rallied::isRefused)
-        if (auto handled = meetInFlight(histories, last.pair, last.time))
+        if (auto handled = meetInFlight(histories, last->pair, time))
             return std::move(handled->event);
     return std::nullopt;
 }

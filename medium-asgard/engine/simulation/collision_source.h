@@ -158,6 +158,20 @@ private:
     // isOver: the search must answer this hit; isRefused: the solver does not turn on the spot.
     enum class Rallied { goesOn, isOver, isEndless, isRefused, isUnclear };
     [[nodiscard]] Rallied meetInRally(const Rally::Meeting& meeting);
+    // The same on a line, in line_rally.cpp.
+    void lineUp();
+    [[nodiscard]] Rallied meetOnLine(const Rally::Meeting& met);
+    struct LineContact { // of the first and the second of a pair
+        double gap = 0, normal = 0;
+        std::array<double, 2> velocities{}, then{};
+        double impulse = 0;
+        bool isClear = false;
+    };
+    // None: what is not plain.
+    [[nodiscard]] std::optional<LineContact> contactOnLine(const Rally::Meeting& met) const;
+    [[nodiscard]] double toleranceOnLine(const Rally::Meeting& meeting, double time) const;
+    [[nodiscard]] bool isAloneOnLine(const Rally::Ball& ball, const Rally::Meeting& met) const;
+    [[nodiscard]] Impact impactOnLine(const Rally::Meeting& met, const LineContact& contact) const;
     [[nodiscard]] static Present presentOf(std::size_t body, const collision::BallFlight& flight,
                                            double time);
     [[nodiscard]] bool touchesMoreInRally(const Present& one, const Rally::Ball& ball,
@@ -193,6 +207,9 @@ private:
     // As canGiveWay(), known at once of what flies.
     [[nodiscard]] bool givesWay(std::size_t body, double time) const;
     [[nodiscard]] bool isWithoutEnd(std::size_t body, std::size_t other, double time);
+    // The same of a body that gives way.
+    [[nodiscard]] bool meetsWithoutEnd(std::size_t body, std::size_t other, bool otherGivesWay,
+                                       double time);
     [[nodiscard]] solution::Event endWithoutEnd(const solution::Histories& histories,
                                                 const Pair& pair, double time);
     [[nodiscard]] bool isRestless(std::size_t body, double time);

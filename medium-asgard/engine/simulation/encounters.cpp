@@ -190,10 +190,14 @@ Event CollisionSource::endWithoutEnd(const Histories& histories, const Pair& pai
 }
 
 bool CollisionSource::isWithoutEnd(std::size_t body, std::size_t other, double time) {
-    if (!givesWay(body, time))
-        return false;
+    return givesWay(body, time) &&
+           meetsWithoutEnd(body, other, other != body && givesWay(other, time), time);
+}
+
+bool CollisionSource::meetsWithoutEnd(std::size_t body, std::size_t other, bool otherGivesWay,
+                                      double time) {
     Meetings& met = meetings_[body];
-    met.isGivenWay = met.isGivenWay || (other != body && givesWay(other, time));
+    met.isGivenWay = met.isGivenWay || otherGivesWay;
     if (other != body) {
         met.isWithSeveral = met.isWithSeveral || (met.partner && other != *met.partner);
         met.partner = other;

@@ -10,11 +10,28 @@ namespace simulation {
 using collision::FlightMeeting;
 using solution::infinity;
 
+namespace {
+
+// A straight flight that begins now and goes away from its box, or along it.
+bool staysBeyond(const Rally::Ball& ball, const Rally::Standing& standing, double room) {
+    const double reach = ball.flight.radius * (1 + room);
+    for (Eigen::Index i = 0; ball.isStraight && i < 3; ++i) {
+        const double from = ball.flight.place[i], v = ball.flight.velocity[i];
+        if ((v >= 0 && from - reach > standing.box.max()[i]) ||
+            (v <= 0 && from + reach < standing.box.min()[i]))
+            return true;
+    }
+    return false;
+}
+
+} // namespace
+
 void Rally::clear() {
     balls.clear();
     standing.clear();
     meetings.clear();
     tests = 0;
+    axis = noAxis;
 }
 
 void Rally::tried(std::size_t hits) {
@@ -125,18 +142,6 @@ bool Rally::predict(Meeting& meeting, double time, double room) {
     return met.kind != FlightMeeting::Kind::unclear;
 }
 
-// A straight flight that begins now and goes away from its box, or along it.
-bool Rally::staysBeyond(const Ball& ball, const Standing& standing, double room) {
-    const double reach = ball.flight.radius * (1 + room);
-    for (Eigen::Index i = 0; ball.isStraight && i < 3; ++i) {
-        const double from = ball.flight.place[i], v = ball.flight.velocity[i];
-        if ((v >= 0 && from - reach > standing.box.max()[i]) ||
-            (v <= 0 && from + reach < standing.box.min()[i]))
-            return true;
-    }
-    return false;
-}
-
 // --- from the search and back ---------------------------------------------------------------
 
 bool EncounterSearch::isRallying(std::size_t body) const {
@@ -170,7 +175,7 @@ bool EncounterSearch::gatherBalls(std::size_t body, Rally& rally) {
             return false;
         const Pair both = std::minmax(body, std::size_t{near});
         if (std::ranges::find(rally.meetings, both, &Rally::Meeting::pair) == rally.meetings.end())
-            rally.meetings.push_back({.pair = both, .time = infinity});
+            rally.meetings.push_back({.pair = both, .time = infinity, .plane = {}});
     }
     return true;
 }
@@ -191,7 +196,8 @@ bool EncounterSearch::gatherStanding(std::size_t ball, Rally& rally) const {
                                   .ball = ball,
                                   .other = s,
                                   .isStanding = true,
-                                  .time = infinity});
+                                  .time = infinity,
+                                  .plane = {}});
     }
     return true;
 }

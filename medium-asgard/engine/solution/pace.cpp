@@ -107,6 +107,18 @@ void EventPaces::note(double time, std::span<const std::size_t> unknowns) {
     }
 }
 
+std::size_t* EventPaces::plainCount(std::span<const std::size_t> unknowns) {
+    const std::size_t root = rootOf(unknowns[0]);
+    if (root >= islands_.size())
+        return nullptr;
+    for (const std::size_t u : unknowns.subspan(1))
+        if (rootOf(u) != root)
+            return nullptr;
+    // note() marks powers of 2 and 3/4 of them: numbers of one or two bits.
+    const std::size_t n = islands_[root].events + 1, withoutLast = n & (n - 1);
+    return (withoutLast & (withoutLast - 1)) == 0 ? nullptr : &islands_[root].events;
+}
+
 std::vector<std::size_t> EventPaces::islandOf(std::size_t unknown) const {
     std::vector<std::size_t> found;
     const std::size_t root = rootOf(unknown);

@@ -31,6 +31,9 @@ public:
     // The earliest finish that this event, which joins them, would make hopeless.
     [[nodiscard]] double hopelessFrom(double time, std::span<const std::size_t> unknowns) const;
     void note(double time, std::span<const std::size_t> unknowns);
+    // Of unknowns of one island whose next event is but one more: how many it had. Null: else, and
+    // the two above tell.
+    [[nodiscard]] std::size_t* plainCount(std::span<const std::size_t> unknowns);
     // All in the island of an unknown.
     [[nodiscard]] std::vector<std::size_t> islandOf(std::size_t unknown) const;
     [[nodiscard]] double beyond() const { return beyond_; }

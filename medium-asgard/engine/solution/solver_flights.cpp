@@ -16,9 +16,12 @@ bool Solver::Implementation::turn(double time, std::span<Turn> turns) {
     turning_.clear();
     for (const Turn& one : turns)
         turning_.push_back(one.places[0]);
-    if (!(time >= lastEvent_ && time >= options_.start) || atOnce >= options_.maximumEventsAtOnce ||
-        paces_.hopelessFrom(time, turning_) < options_.finish ||
-        (!fliesOn(turns) && !staysInPlane(time, turns)))
+    if (!(time >= lastEvent_ && time >= options_.start) || atOnce >= options_.maximumEventsAtOnce)
+        return false;
+    const bool flies = fliesOn(turns); // then nobody takes off, and islands stay as they are
+    std::size_t* const count = flies ? paces_.plainCount(turning_) : nullptr;
+    if ((!count && paces_.hopelessFrom(time, turning_) < options_.finish) ||
+        (!flies && !staysInPlane(time, turns)))
         return false;
     for (Turn& one : turns) // those before one that cannot are turned again by the event
         if (!turn(time, one))
@@ -26,7 +29,10 @@ bool Solver::Implementation::turn(double time, std::span<Turn> turns) {
     eventsAtOnce_ = atOnce;
     lastEvent_ = asked_ = time;
     ++past_.events;
-    paces_.note(time, turning_);
+    if (count)
+        ++*count;
+    else
+        paces_.note(time, turning_);
     poll(time);
     return true;
 }
@@ -82,9 +88,9 @@ bool Solver::Implementation::turn(double time, Turn& turn) {
         turn.place = {};
         const std::span<const double> before = flight->history->row(last);
         for (std::size_t i = 0; i < flight->axes.size(); ++i) {
-            turn.place[flight->axes[i].coordinate] =
-                evaluate(before.subspan(3 * i, 3), time - origin);
-            row[3 * i + 2] = before[3 * i + 2];
+            const double *const c = before.data() + 3 * i, t = time - origin;
+            turn.place[flight->axes[i].coordinate] = (c[2] * t + c[1]) * t + c[0];
+            row[3 * i + 2] = c[2];
         }
     } else {
         flight = takeOff(time, turn);
