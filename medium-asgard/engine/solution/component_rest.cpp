@@ -35,9 +35,12 @@ bool Component::reachesRest() {
     restsAfter_ = infinity;
     const std::vector<double> y = stateValues();
     takeReach(y);
+    // Along the present rates no farther than a step might go.
+    const double farthest = proposed_ > 0 ? proposed_ : longestFirst();
     for (const auto& [direction, duration, isNear] : equations_->approaches(time_, y)) {
         const bool isHere = duration <= shortest * shortestStep(time_);
-        if ((isHere || (isNear && time_ + duration <= limit_)) && goToRest(direction, duration))
+        if ((isHere || (isNear && duration <= farthest && time_ + duration <= limit_)) &&
+            goToRest(direction, duration))
             return true;
         if (!isHere && !isNear)
             restsAfter_ = std::min(restsAfter_, part * duration);

@@ -387,19 +387,22 @@ ComponentEquations::approaches(double t, std::span<const double> y) {
     field();
     const std::vector<double> rates = out_;
     measure();
-    const auto& ranges = model_.directions().ranges;
+    const ComponentModel::Directions& directions = model_.directions();
+    const auto& ranges = directions.ranges;
     for (std::size_t d = 0; d < ranges.size(); ++d) {
         if (d != leaving_ && std::ranges::find(sticking_, d) != sticking_.end())
             continue;
-        double square = 0, along = 0;
+        double square = 0, along = 0, noise = 0;
         bool isNear = true;
         for (std::size_t p = ranges[d].first; p < ranges[d].first + ranges[d].count; ++p) {
             const double a = scaleOf(p) * measures_[p];
+            const Slope slope = slopeOf(directions.gradients[p].derivatives, rates);
             square += a * a;
-            along += a * rateOf({true, p}, rates);
+            along += a * scaleOf(p) * slope.rate;
+            noise += std::abs(a) * scaleOf(p) * slope.noise;
             isNear = isNear && std::abs(a) <= part * reachOf(p);
         }
-        if (along < 0)
+        if (along < -noise)
             found.push_back({d, -square / along, isNear});
     }
     return found;
