@@ -159,8 +159,10 @@ bool CollisionSource::turn(const Pair& pair, double time, const std::array<Vecto
             return false;
         turned[count] = body;
         solution::Turn& turn = turns[count++];
+        const Vector place = search_.flight(body)->centreAt(time);
         for (std::size_t k = 0; k < 3; ++k) {
             const auto axis = static_cast<Eigen::Index>(k);
+            turn.place[k] = place[axis]; // for who nudges (nudge.h)
             turn.places[k] = records_[body].firstUnknown + physics::x + k;
             turn.velocities[k] = records_[body].firstUnknown + physics::dx + k;
             turn.jumps[k] = after[i][axis] != before[i][axis];
@@ -308,10 +310,13 @@ bool CollisionSource::touchesMoreInRally(const Present& one, const Rally::Ball& 
     return false;
 }
 
-static solution::Turn turnOf(const Rally::Ball& ball, const Vector& before, const Vector& after) {
+static solution::Turn turnOf(const Rally::Ball& ball, double time, const Vector& before,
+                             const Vector& after) {
     solution::Turn turn = ball.turn;
+    const Vector place = ball.flight.centreAt(time);
     for (std::size_t k = 0; k < 3; ++k) {
         const auto axis = static_cast<Eigen::Index>(k);
+        turn.place[k] = place[axis];
         turn.jumps[k] = after[axis] != before[axis];
         turn.velocity[k] = after[axis];
     }
@@ -340,9 +345,9 @@ CollisionSource::Rallied CollisionSource::meetInRally(const Rally::Meeting& met)
         return Rallied::isEndless;
     std::array<solution::Turn, 2> turns;
     std::size_t count = 0;
-    turns[count++] = turnOf(*one, ball.velocity, push->velocities[isInOrder ? 0 : 1]);
+    turns[count++] = turnOf(*one, time, ball.velocity, push->velocities[isInOrder ? 0 : 1]);
     if (two)
-        turns[count++] = turnOf(*two, other.velocity, push->velocities[isInOrder ? 1 : 0]);
+        turns[count++] = turnOf(*two, time, other.velocity, push->velocities[isInOrder ? 1 : 0]);
     if (!turns_->turn(time, std::span(turns).first(count)))
         return Rallied::isRefused;
     add({.time = time,

@@ -281,6 +281,8 @@ CollisionSource::Rallied CollisionSource::meetOnLine(const Rally::Meeting& met) 
     for (Rally::Ball* const ball : {&one, two})
         if (ball) {
             const std::size_t i = ball->body == met.pair.first ? 0 : 1;
+            const Vector place = ball->flight.centreAt(time);
+            ball->turn.place = {place[0], place[1], place[2]};
             ball->turn.jumps[rally_.axis] = contact->then[i] != contact->velocities[i];
             ball->turn.velocity[rally_.axis] = contact->then[i];
             turns[count++] = ball->turn;
