@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace solution::formulas {
 
@@ -26,13 +27,25 @@ template <class Real> inline Column<Real> cubic(const Ends<Real>& y, const Real&
     return {y.start, first, 3 * rise - 2 * first - last, first + last - 2 * rise};
 }
 
+inline double chosen(bool first, double x, double y) { return first ? x : y; }
+
+// By how much a place rises. What rounding of the place takes from so small a rise would show in
+// the velocity, divided by h: there the velocity tells it, where both agree but for rounding.
+template <class Real> inline Real riseOf(const Real& start, const Real& end, const Real& bySpeed) {
+    using std::abs, std::max;
+    constexpr double rounding = std::numeric_limits<double>::epsilon(), small = 65536;
+    const Real rise = end - start, ulp = rounding * max(abs(start), abs(end));
+    const Real lacks = max(small * (abs(rise - bySpeed) - 2 * ulp), abs(rise) - small * ulp);
+    return chosen(lacks <= Real(0), bySpeed, rise);
+}
+
 // Of a place whose ends are x, with its velocity's.
 template <class Real>
 inline Column<Real> quintic(const Real& start, const Real& end, const Ends<Real>& v,
                             const Real& h) {
-    const Real rise = end - start;
     const Real v0 = h * v.start, v1 = h * v.end;
     const Real a0 = h * h * v.startSlope, a1 = h * h * v.endSlope;
+    const Real rise = riseOf(start, end, Real((v0 + v1) / 2 + (a0 - a1) / 12));
     return {start,
             v0,
             a0 / 2,

@@ -1,5 +1,7 @@
 #include "solution/polynomial.h"
 
+#include "solution/dense_output.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,6 +25,17 @@ TEST(Polynomial, ReparametrizedIsTheSameCurve) {
     const Coefficients moved = reparametrize(c, 0.3, 2.5);
     for (const double r : {-0.5, 0.0, 0.2, 1.0})
         EXPECT_NEAR(evaluate(moved, r), evaluate(c, 0.3 + 2.5 * r), 1e-12);
+}
+
+// So short a step that the place does not change at all, but the velocity is known.
+TEST(Quintics, ShowNoRoundingOfThePlaceInTheVelocityOfAShortStep) {
+    const std::vector<double> y = {0.2, 1.6e-5}, slopes = {1.6e-5, 0};
+    const std::vector<std::pair<std::size_t, std::size_t>> pairs = {{0, 1}};
+    std::vector<Coefficients> columns(2);
+    quintics(columns, pairs,
+             {.h = 9e-15, .start = y, .end = y, .startSlope = slopes, .endSlope = slopes});
+    for (const double s : {0.0, 0.3, 0.5, 1.0})
+        EXPECT_NEAR(evaluate(columns[1], s), 1.6e-5, 1e-15) << s;
 }
 
 TEST(Piece, BoundsHoldEveryValueAndAreTightOnShortIntervals) {
