@@ -113,8 +113,15 @@ void leaveTheSlow(const Round& round, std::span<const ImpactContact> contacts,
     for (const std::size_t c : approaching)
         fastest = std::max(fastest, -round.speed(c));
     std::erase_if(approaching, [&](std::size_t c) {
-        return -round.speed(c) < (contacts[c].isBeside ? atRestBeside : atRest) * fastest;
+        return !contacts[c].isPressed &&
+               -round.speed(c) < (contacts[c].isBeside ? atRestBeside : atRest) * fastest;
     });
+}
+
+bool takesPart(const Round& round, const ImpactContact& contact, std::size_t c, bool isFirst) {
+    if (isFirst && contact.isPressed)
+        return true;
+    return round.approaches(c) && !(isFirst && contact.isResting);
 }
 
 // Gives the impulses to the chosen contacts. False when there are none that part them.
@@ -152,7 +159,7 @@ ImpactResult resolveImpact(std::vector<ImpactBody> bodies,
     for (; rounds < most; ++rounds) {
         std::vector<std::size_t> approaching;
         for (std::size_t c : yielding)
-            if (round.approaches(c) && (rounds > 0 || !contacts[c].isResting))
+            if (takesPart(round, contacts[c], c, rounds == 0))
                 approaching.push_back(c);
         if (approaching.empty() && rounds == 0)
             continue;

@@ -10,7 +10,8 @@
 // shortest. Contacts that touch at relative rest take part one after another: after each solution,
 // those that now approach make the next one (Newton's cradle), until none approaches. What
 // approaches a billion times slower than the fastest does so by rounding, and is at relative rest;
-// of what goes side by side (simulation/side_by_side.h), a hundred times.
+// of what goes side by side (simulation/side_by_side.h), a hundred times. What a force presses
+// together moves as one: all such contacts are solved together from the start.
 //
 // Bodies of infinite mass (position held) or infinite inertia (attitude held) have inverse 0. Two
 // bodies that cannot give way pass through each other; that is reported.
@@ -44,6 +45,7 @@ struct ImpactContact {
     // Touches at relative rest: it takes part when a blow has reached it, not with the first,
     // though rounding or an integration may leave it a speed.
     bool isResting = false;
+    bool isPressed = false; // they move as one
 };
 
 struct ImpulseGiven {

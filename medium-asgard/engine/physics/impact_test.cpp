@@ -384,6 +384,28 @@ TEST(Impact, WhatRestsTakesPartAfterTheBlow) {
     }
 }
 
+// The first of a row is pushed onto it: they move as one, each hit once.
+TEST(Impact, WhatIsPressedTogetherMovesAsOne) {
+    std::vector<ImpactBody> bodies(4);
+    std::vector<ImpactContact> contacts;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        bodies[i].inverseMass = 1;
+        bodies[i].centre = {static_cast<double>(i), 0, 0};
+        if (i > 0)
+            contacts.push_back({.first = i - 1,
+                                .second = i,
+                                .point = {static_cast<double>(i) - 0.5, 0, 0},
+                                .normal = {-1, 0, 0},
+                                .restitution = 0,
+                                .isPressed = true});
+    }
+    bodies[0].velocity = {1e-3, 0, 0};
+    const ImpactResult result = resolveImpact(bodies, contacts);
+    for (const ImpactBody& body : result.bodies)
+        EXPECT_NEAR(body.velocity.x(), 0.25e-3, 1e-17);
+    EXPECT_EQ(result.impulses.size(), contacts.size());
+}
+
 TEST(RestingForces, NeverPull) {
     ImpactBody body;
     body.inverseMass = 1;

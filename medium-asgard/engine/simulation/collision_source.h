@@ -248,6 +248,9 @@ private:
     [[nodiscard]] double softenLastHops(const solution::Histories& histories, Cluster& cluster,
                                         std::span<const physics::ImpactBody> bodies,
                                         double time) const;
+    // What goes side by side and only hops by its own push moves on as one.
+    void pressTogether(const solution::Histories& histories, Cluster& cluster,
+                       const std::vector<physics::ImpactBody>& bodies, double time) const;
     static void aimAtFastest(Cluster& cluster, const std::vector<physics::ImpactBody>& bodies);
     [[nodiscard]] physics::ImpactResult
     resolve(Cluster& cluster, const std::vector<physics::ImpactBody>& before) const;

@@ -74,8 +74,7 @@ TEST(Cradle, BallsThatSwingInStepDoNotMeet) {
 constexpr double length = 1, tilt = 0.5;
 
 // Rigid pendulums: each ball is held at a point above it by a stiff link.
-SceneBuilder pendulums(double finish, double accuracy) {
-    constexpr double stiff = 1e8;
+SceneBuilder pendulums(double finish, double accuracy, double stiff = 1e8) {
     SceneBuilder b(finish, accuracy);
     for (std::size_t i = 0; i < 5; ++i) {
         const std::string name = "b" + std::to_string(i);
@@ -115,6 +114,28 @@ TEST(Cradle, WhatAForcePushesOntoTheRowMovesItAsOne) {
             EXPECT_NEAR(x, speed / w * std::sin(w * (1 - met)), 1.5 * accuracy + 4e-6) << i;
         }
     }
+}
+
+// The truth is an independent integration of bodies in contact, in steps of 1e-8 while they press.
+TEST(Cradle, ARowOnStiffLinksIsWithinTheAccuracyOrToldNotToBe) {
+    struct Truth {
+        double stiff, first, others; // moved by at t = 1, in 1e-6
+    };
+    for (const Truth truth : {Truth{1e4, 484.79, 493.44}, Truth{1e8, 490.97, 492.91}})
+        for (const double accuracy : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
+            const Result result = simulate(pendulums(1, accuracy, truth.stiff).scene);
+            constexpr double size = 1.96, known = 2e-8;
+            double worst = 0;
+            for (std::size_t i = 0; i < 4; ++i) {
+                ASSERT_FALSE(result.motion->stop(i)) << result.motion->stop(i)->sentence;
+                const double x =
+                    result.motion->at(i, 1).position.x() - 2 * radius * static_cast<double>(i);
+                worst = std::max(worst, std::abs(x - 1e-6 * (i == 0 ? truth.first : truth.others)));
+            }
+            const double estimate = result.motion->errorEstimate().value();
+            EXPECT_LT(worst / size, accuracy + known) << truth.stiff << " " << accuracy;
+            EXPECT_LT(worst / size, 30 * estimate + known) << truth.stiff << " " << accuracy;
+        }
 }
 
 TEST(Cradle, PendulumsGoOnForManySwings) {

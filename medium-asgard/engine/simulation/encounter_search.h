@@ -95,6 +95,7 @@ public:
     void searchOn(const Pair& pair, double time);
     // Balls that touch and neither part nor approach.
     [[nodiscard]] SideBySide& sideBySide() { return sideBySide_; }
+    [[nodiscard]] const SideBySide& sideBySide() const { return sideBySide_; }
     [[nodiscard]] double depth(const Pair& pair) const { return sideBySide_.depth(pair); }
     // They let each other pass until then.
     void letPass(const Pair& pair, double until) { passing_.push_back({pair, until}); }

@@ -111,7 +111,6 @@ CollisionSource::Alongside CollisionSource::goAlongside(const Histories& histori
         return Alongside::no;
     const Closeness near = closenessOf(histories, hit.pair, hit.time);
     const double least = std::min(limits_[a].depth, limits_[b].depth) * near.radius + near.rounding;
-    const double most = std::min(limits_[a].gap, limits_[b].gap) * near.radius;
     const double known = search_.depth(hit.pair), square = near.rate * near.rate;
     constexpr double passing = 1e-3; // of the accelerations: what opens the gap where they graze
     const bool isPassing = known == 0 && near.turning > passing * near.accelerations;
@@ -126,9 +125,8 @@ CollisionSource::Alongside CollisionSource::goAlongside(const Histories& histori
     constexpr double low = 1.0 / 16; // of that depth: a hop is none
     if (known > 0 && !hit.pressing && !(square < -2 * near.push * low * least))
         return search_.sideBySide().hop(hit.pair) ? Alongside::no : Alongside::tooOften;
-    return search_.sideBySide().sink(hit.pair, least, std::max(most, 16 * least))
-               ? Alongside::yes
-               : Alongside::tooOften;
+    const SideBySide::Now now{.time = hit.time, .rate = near.rate, .push = -near.push};
+    return search_.sideBySide().sink(hit.pair, least, now) ? Alongside::yes : Alongside::tooOften;
 }
 
 CollisionSource::Closeness CollisionSource::closenessOf(const Histories& histories,
@@ -253,6 +251,7 @@ std::optional<Event> CollisionSource::meet(const Histories& histories, const Pai
         before.push_back(impactBody(histories, body, time));
     aimAtFastest(cluster, before);
     const double settling = softenLastHops(histories, cluster, before, time);
+    pressTogether(histories, cluster, before, time);
     const physics::ImpactResult result = resolve(cluster, before);
     if (result.jammed)
         noteJam(cluster, result, time);
@@ -273,8 +272,9 @@ std::optional<Event> CollisionSource::meet(const Histories& histories, const Pai
     }
     if (event.touched.empty())
         return std::nullopt;
-    const bool isPlastic = std::ranges::any_of(
-        cluster.contacts, [](const auto& contact) { return contact.restitution == 0; });
+    const bool isPlastic = std::ranges::any_of(cluster.contacts, [](const auto& contact) {
+        return contact.restitution == 0 && !contact.isPressed;
+    });
     for (const auto& [body, state] : after)
         if (resting_.canGiveWay(body, time) && (isPlastic || resting_.isResting(body)))
             settle(histories, body, time, after, event);

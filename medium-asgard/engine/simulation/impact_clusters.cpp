@@ -316,6 +316,35 @@ CollisionSource::Hop CollisionSource::hopOf(const Histories& histories, const Cl
     return hop;
 }
 
+// side_by_side.h. Where something hits that comes faster, all is an impact as any other.
+void CollisionSource::pressTogether(const Histories& histories, Cluster& cluster,
+                                    const std::vector<ImpactBody>& bodies, double time) const {
+    constexpr double more = 1.5; // than what the push gives
+    std::vector<ImpactContact*> contacts;
+    double fastest = 0, ofPush = 0;
+    for (std::size_t c = 0; c < cluster.contacts.size(); ++c) {
+        ImpactContact& contact = cluster.contacts[c];
+        const Pair pair =
+            std::minmax(cluster.bodies[contact.first], cluster.bodies[contact.second]);
+        if (!areFreeBalls(pair, time))
+            continue;
+        contacts.push_back(&contact);
+        const double rate = closingAt(contact, bodies).rate;
+        fastest = std::max(fastest, -rate);
+        if (!contact.isBeside)
+            continue;
+        const double push = -pushAt(histories, cluster, contact, cluster.radii[c], bodies, time);
+        ofPush = std::max(ofPush, search_.sideBySide().speedOfPush(
+                                      pair, {.time = time, .rate = rate, .push = push}));
+    }
+    if (!(fastest < more * ofPush))
+        return;
+    for (ImpactContact* const contact : contacts) {
+        contact->restitution = 0;
+        contact->isPressed = true;
+    }
+}
+
 // Of a patch one end of which hits much faster than the other, as where what rattles itself flat
 // hits with its ends in turn, the blow is at that end.
 void CollisionSource::aimAtFastest(Cluster& cluster, const std::vector<ImpactBody>& bodies) {

@@ -37,11 +37,12 @@ double secondsOf(const Run& before, const solution::TakenMotion& taken) {
 // which are compared differ in it too: at the tolerance that the first of them has, a hop that is
 // lower than a thousandth of the accuracy is the last. It follows the tolerance's square: where
 // runs left out nearly the same hops, both could be hit elsewhere during one of them, and go the
-// same wrong way. The nudged run follows lower ones yet, to show what they do.
+// same wrong way. The nudged run follows lower ones yet, to show what they do. The depth of balls
+// side by side follows the tolerance itself; far down, where rounding is near, its fourth root.
 std::vector<RestLimits> restLimits(const Problem& problem, const std::vector<double>& tolerances,
                                    Rounding rounding) {
     constexpr double hop = 1e-3, touching = 1e-2, depth = 4e-9;
-    constexpr double finest = 1e-4, finestDepth = 1e-3, nudgedPart = 0.1; // beside the first run's
+    constexpr double finest = 1e-4, fineDepth = 1e-3, nudgedPart = 0.1; // beside the first run's
     const double accuracy = problem.accuracy(), first = Tightening::firstTolerance(accuracy);
     const double gap = std::clamp(touching * accuracy, RestLimits::leastGap, RestLimits::mostGap);
     std::vector<RestLimits> limits;
@@ -49,9 +50,11 @@ std::vector<RestLimits> restLimits(const Problem& problem, const std::vector<dou
         const double nudged = rounding == Rounding::nudged ? nudgedPart : 1;
         const double part = tolerance / first;
         const double fine = std::clamp(part * part, finest, 1.0) * nudged;
+        const double deep =
+            part < fineDepth ? fineDepth * std::pow(part / fineDepth, 0.25) : std::min(part, 1.0);
         limits.push_back({.gap = std::max(gap * fine, RestLimits::leastGap),
                           .hopHeight = hop * accuracy * fine,
-                          .depth = depth * std::clamp(part, finestDepth, 1.0) * nudged});
+                          .depth = depth * deep * nudged});
     }
     return limits;
 }

@@ -8,8 +8,11 @@
 //     a force pushes them together     they hop on each other to that depth, with the restitution
 //                                      that they have; elastic ones lose nothing by it
 // until they have parted by several times as much. Where they would hit without speed there, too,
-// it is that much deeper. There is a most of it, and of hops: bodies that are pushed together for
-// long come to rest on each other, which is not modelled.
+// it is that much deeper. A hop that the push itself has made, on a way of that depth, is none of
+// the motion's: they take on one speed, with all that touches them, and sink that much deeper. So
+// they go on as one that presses, but for what they gain on one such way. There is a most of it,
+// and of hops: bodies that are pushed together for long come to rest on each other, which is not
+// modelled.
 #pragma once
 
 #include "collision/broad_phase.h"
@@ -25,17 +28,24 @@ public:
 
     // At which they hit; 0: they do not go side by side.
     [[nodiscard]] double depth(const Pair& pair) const;
-    // From now on they do, or they reached their depth without speed. False: that is the most.
-    [[nodiscard]] bool sink(const Pair& pair, double least, double most);
+    struct Now {
+        double time = 0, rate = 0; // of the gap
+        double push = 0;           // what presses them together, as an acceleration
+    };
+    // From now on they do, or they reached their depth without speed. False: too often.
+    [[nodiscard]] bool sink(const Pair& pair, double least, const Now& now);
     // They hit again while they do. False: too often.
     [[nodiscard]] bool hop(const Pair& pair);
+    // The speed that their push can have given them on the last part of that depth.
+    [[nodiscard]] double speedOfPush(const Pair& pair, const Now& now) const;
     // Their gap now; far apart they do so no longer.
     void look(const Pair& pair, double gap);
 
 private:
     struct State {
         double depth = 0;
-        std::size_t hops = 0;
+        double way = 0, push = 0, since = 0; // when they last reached their depth without speed
+        std::size_t hops = 0, sinks = 0;
     };
     std::map<Pair, State> pairs_;
 };
