@@ -276,6 +276,27 @@ TEST(Accuracy, FarFromTheOriginWhatRoundingOfTheArmsTakesIsSaid) {
     }
 }
 
+// Far from time 0, too, what is hit at the start or soon after it is not late by as much as it has
+// taken.
+TEST(Accuracy, WhatIsHitSoonAfterALateStartIsPredictable) {
+    for (const double start : {10.0, 1e6})
+        for (const double gap : {0.0, 1e-9, 1e-3}) {
+            SceneBuilder b(start + 2, 1e-4);
+            b.scene.simulator.start = start;
+            b.floor();
+            scene::Body& ball = b.ball("ball", {0, 0.5 + gap, 0}, 0.5);
+            ball.initialVelocity = {0, -1, 0};
+            b.weight("ball");
+            b.ball("resting", {5, 0.5, 0}, 0.5);
+            b.ball("hitting", {4 - gap, 0.5, 0}, 0.5).initialVelocity = {1, 0, 0};
+            const Result result = simulate(b.scene);
+            ASSERT_TRUE(result.motion->errorEstimate());
+            EXPECT_LT(*result.motion->errorEstimate(), 5e-5) << start << " " << gap;
+            EXPECT_FALSE(result.motion->predictableUntil()) << start << " " << gap;
+            EXPECT_NEAR(result.motion->at(2, start + 2).position.x(), 7 - gap, 1e-6);
+        }
+}
+
 // Where the drive is 0 the first step would be as long as the motion so far: whole half periods, in
 // which an explicit method sees nothing of it, at all tolerances alike.
 TEST(Accuracy, ARectifiedDriveLosesNoHalfWave) {

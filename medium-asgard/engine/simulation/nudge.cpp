@@ -10,7 +10,9 @@
 namespace simulation {
 namespace {
 
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double least = 2; // units in the last place
+constexpr double latest = 1e-5 / (least * epsilon);
 
 bool isVelocity(std::size_t unknown) {
     const std::size_t kind = unknown % physics::bodyUnknowns;
@@ -29,7 +31,7 @@ double signFor(double value, std::size_t kind) {
 
 double nudged(double value, std::size_t unknown, double units) {
     const double sign = signFor(value, unknown % physics::bodyUnknowns);
-    return value * (1 + units * std::numeric_limits<double>::epsilon() * sign);
+    return value * (1 + units * epsilon * sign);
 }
 
 } // namespace
@@ -61,11 +63,12 @@ NudgedSource::NudgedSource(solution::EventSource& source, const std::vector<Body
 }
 
 // Of a velocity. By how much an impact is late, by the resolution of the time, moves what it turns
-// as that many units of its speed would until the time is twice what it has taken. The resolution
-// of the place is that of the arm, or of the normal, beside the body's radius: half a unit, as a
-// power of 2, so that it is the same however the place was come by.
+// as that many units of its speed would until the time is twice what it has taken; what touches at
+// the start is hit then, and not late, and what is hit soon after goes on for longer than that. The
+// resolution of the place is that of the arm, or of the normal, beside the body's radius: half a
+// unit, as a power of 2, so that it is the same however the place was come by.
 double NudgedSource::unitsAt(double time, std::size_t unknown, const Vector& place) const {
-    const double late = std::abs(time) / std::max(time - start_, 1e-300);
+    const double late = time > start_ ? std::min(std::abs(time) / (time - start_), latest) : 1;
     const double far = place.cwiseAbs().maxCoeff() / radii_[unknown / physics::bodyUnknowns];
     return least * std::max({1.0, late, far > 2 ? std::exp2(std::ilogb(far) - 1) : 1.0});
 }
