@@ -1,5 +1,6 @@
 // Events from outside: cutting, restarting, new equations.
 #include "solution/solver_testing.h"
+#include "solution/strikes.h"
 
 #include <gtest/gtest.h>
 
@@ -231,4 +232,22 @@ TEST(Events, WithoutEndAtOneInstantEndTheMotion) {
     ASSERT_NE(solver.histories().stop(0), nullptr);
     EXPECT_EQ(solver.histories().stop(0)->time, 1);
     EXPECT_NEAR(solver.histories().value(0, 1), 5 - 5, 1e-12);
+}
+
+// Many that have nothing to do with each other may be struck at the same time.
+TEST(Events, AtOneInstantAreCountedByWhatTheyConcern) {
+    std::vector<Line> lines;
+    std::vector<Strikes::Strike> strikes;
+    constexpr std::size_t many = 120;
+    for (std::size_t u = 0; u < many; ++u) {
+        lines.push_back({"x" + std::to_string(u), "1", 1});
+        strikes.emplace_back(1, u);
+    }
+    Strikes source(strikes);
+    Options options;
+    options.maximumEventsAtOnce = 50;
+    const Solver solver = solved(equationsOf(lines), 3, options, &source);
+    EXPECT_TRUE(solver.histories().stops().empty());
+    EXPECT_EQ(solver.statistics().events, many);
+    EXPECT_EQ(solver.histories().value(many - 1, 3), -2 + 2);
 }

@@ -60,11 +60,16 @@ std::size_t EventPaces::unite(std::span<const std::size_t> unknowns) {
         parents_[other] = root;
         if (islands_[other].events == 0)
             continue;
+        const double latest = std::max(islands_[root].last, islands_[other].last);
+        const std::size_t atLatest =
+            islands_[root].eventsAt(latest) + islands_[other].eventsAt(latest);
         const std::size_t alone = islands_[root].events;
         const Island joined = alone == 0 ? islands_[other] : Island{};
         const std::size_t events = alone + islands_[other].events;
         islands_[root] = joined;
         islands_[root].events = events;
+        islands_[root].last = latest;
+        islands_[root].atLast = atLatest;
     }
     return root;
 }
@@ -93,12 +98,21 @@ double EventPaces::hopelessFrom(double time, std::span<const std::size_t> unknow
                                    .now = time});
 }
 
+std::size_t EventPaces::atOnce(double time, std::span<const std::size_t> unknowns) const {
+    std::size_t most = unknowns.empty() ? nobody_.eventsAt(time) : 0;
+    for (const std::size_t u : unknowns)
+        if (const std::size_t root = rootOf(u); root < islands_.size())
+            most = std::max(most, islands_[root].eventsAt(time));
+    return most;
+}
+
 void EventPaces::note(double time, std::span<const std::size_t> unknowns) {
     if (unknowns.empty())
-        return;
+        return nobody_.noteAt(time);
     beyond_ = std::min(beyond_, hopelessFrom(time, unknowns));
     Island& island = islands_[unite(unknowns)];
-    const std::size_t n = ++island.events;
+    island.noteAt(time);
+    const std::size_t n = island.events;
     if ((n & (n - 1)) == 0) {
         island.quarter = island.half;
         island.half = time;
@@ -107,7 +121,7 @@ void EventPaces::note(double time, std::span<const std::size_t> unknowns) {
     }
 }
 
-std::size_t* EventPaces::plainCount(std::span<const std::size_t> unknowns) {
+EventPaces::Island* EventPaces::plainIsland(std::span<const std::size_t> unknowns) {
     const std::size_t root = rootOf(unknowns[0]);
     if (root >= islands_.size())
         return nullptr;
@@ -116,7 +130,7 @@ std::size_t* EventPaces::plainCount(std::span<const std::size_t> unknowns) {
             return nullptr;
     // note() marks powers of 2 and 3/4 of them: numbers of one or two bits.
     const std::size_t n = islands_[root].events + 1, withoutLast = n & (n - 1);
-    return (withoutLast & (withoutLast - 1)) == 0 ? nullptr : &islands_[root].events;
+    return (withoutLast & (withoutLast - 1)) == 0 ? nullptr : &islands_[root];
 }
 
 std::vector<std::size_t> EventPaces::islandOf(std::size_t unknown) const {

@@ -24,33 +24,48 @@ struct Quarters {
 // Events that unknowns take part in. Those that met, directly or through others, are an island, and
 // share its events: what happens elsewhere has no part in them.
 class EventPaces {
+    static constexpr double never = -std::numeric_limits<double>::infinity();
+
 public:
+    struct Island {
+        std::size_t events = 0;
+        // When as many events had been, at the last powers of 2 and at 3/4 of the last one.
+        double quarter = never, half = never, third = never;
+        double last = never; // of its events, and how many there were at that time
+        std::size_t atLast = 0;
+
+        [[nodiscard]] std::size_t eventsAt(double time) const { return time == last ? atLast : 0; }
+        void noteAt(double time) {
+            atLast = eventsAt(time) + 1;
+            last = time;
+            ++events;
+        }
+    };
+
     explicit EventPaces(double start) : start_(start) {}
     // Of one motion: they share their island from now on.
     void join(std::span<const std::size_t> unknowns);
     // The earliest finish that this event, which joins them, would make hopeless.
     [[nodiscard]] double hopelessFrom(double time, std::span<const std::size_t> unknowns) const;
+    // How many were noted at that time, the last one, of what these take part in: the most of their
+    // islands. Those that no unknown takes part in count together.
+    [[nodiscard]] std::size_t atOnce(double time, std::span<const std::size_t> unknowns) const;
     void note(double time, std::span<const std::size_t> unknowns);
-    // Of unknowns of one island whose next event is but one more: how many it had. Null: else, and
-    // the two above tell.
-    [[nodiscard]] std::size_t* plainCount(std::span<const std::size_t> unknowns);
+    // Of unknowns of one island whose next event is but one more: that island. Null: else, and
+    // those above tell.
+    [[nodiscard]] Island* plainIsland(std::span<const std::size_t> unknowns);
     // All in the island of an unknown.
     [[nodiscard]] std::vector<std::size_t> islandOf(std::size_t unknown) const;
     [[nodiscard]] double beyond() const { return beyond_; }
 
 private:
-    struct Island {
-        std::size_t events = 0;
-        // When as many events had been, at the last powers of 2 and at 3/4 of the last one.
-        double quarter = never, half = never, third = never;
-    };
-    static constexpr double never = -std::numeric_limits<double>::infinity();
     [[nodiscard]] std::size_t rootOf(std::size_t unknown) const;
     std::size_t unite(std::span<const std::size_t> unknowns);
 
     double start_;
     mutable std::vector<std::size_t> parents_; // by unknown; itself: the island's root
     std::vector<Island> islands_;              // by root
+    Island nobody_;                            // events that no unknown takes part in
     double beyond_ = std::numeric_limits<double>::infinity();
 };
 

@@ -64,6 +64,21 @@ TEST(EventPaces, MeetingBeginsAnew) {
     EXPECT_EQ(paces.islandOf(0), (std::vector<std::size_t>{0, 1, 2, 7, 8}));
 }
 
+TEST(EventPaces, CountAtOneInstantByIslandToo) {
+    EventPaces paces(0);
+    const std::vector<std::size_t> nobody, between = {2, 7};
+    for (const std::vector<std::size_t>* unknowns : {&ball, &ball, &other, &nobody})
+        paces.note(1, *unknowns);
+    EXPECT_EQ(paces.atOnce(1, ball), 2u);
+    EXPECT_EQ(paces.atOnce(1, between), 2u);
+    EXPECT_EQ(paces.atOnce(1, nobody), 1u);
+    paces.note(1, between);
+    EXPECT_EQ(paces.atOnce(1, other), 4u);
+    paces.note(2, other);
+    EXPECT_EQ(paces.atOnce(2, ball), 1u);
+    EXPECT_EQ(paces.atOnce(3, ball), 0u);
+}
+
 // A hundred thousand short steps, and then none.
 TEST(Pace, ABurstBeforeASwitchIsNotTakenForIt) {
     const Solver solver =

@@ -96,8 +96,8 @@ struct Options {
     bool whole = false;      // one component of everything
     bool eventDriven = true; // false: run each component to the end before the next
     std::size_t threads = 1; // 0: as many as the machine has cores; the motion is the same
-    std::size_t maximumSteps = 20'000'000; // of one component
-    std::size_t maximumEventsAtOnce = 10'000;
+    std::size_t maximumSteps = 20'000'000;    // of one component
+    std::size_t maximumEventsAtOnce = 10'000; // of what takes part in them, and met by then
     // Where it is to go, which advanceTo() says: what would take more than a billion steps or
     // events at the pace it has come to ends, and says so (pace.h). Nothing else depends on it.
     double finish = infinity;

@@ -19,7 +19,6 @@ bool Solver::Implementation::handleEvents(double finish) {
         return false;
     }
     const double time = std::clamp(event->time, std::max(lastEvent_, options_.start), until);
-    eventsAtOnce_ = time > lastEvent_ ? 1 : eventsAtOnce_ + 1;
     lastEvent_ = asked_ = time;
     ++past_.events;
     Event placed = *event;
@@ -31,15 +30,25 @@ bool Solver::Implementation::handleEvents(double finish) {
         stopIsland(placed, "events follow each other so fast that the finish is more than a "
                            "billion of them away; finish earlier");
     paces_.note(time, placed.touched);
+    if (!goesOnAfter(placed))
+        return false;
+    histories_.known_ = std::min(known(), finish);
+    return true;
+}
+
+// Of what meets what, however many events there are elsewhere at that instant. False: no event is
+// asked for any more.
+bool Solver::Implementation::goesOnAfter(const Event& event) {
+    const std::size_t atOnce = paces_.atOnce(event.time, event.touched);
+    if (atOnce < options_.maximumEventsAtOnce)
+        return true;
     const std::string tooMany =
         "more than " + std::to_string(options_.maximumEventsAtOnce) + " events at one instant";
-    if (eventsAtOnce_ > 2 * options_.maximumEventsAtOnce) { // at what moves no more
-        stopAll(time, tooMany + " would hide what happens to others");
+    if (atOnce > 2 * options_.maximumEventsAtOnce) { // at what moves no more
+        stopAll(event.time, tooMany + " would hide what happens to others");
         return false;
     }
-    if (eventsAtOnce_ >= options_.maximumEventsAtOnce)
-        stopFor(placed, Stop::Reason::tooManyEvents, tooMany);
-    histories_.known_ = std::min(known(), finish);
+    stopFor(event, Stop::Reason::tooManyEvents, tooMany);
     return true;
 }
 

@@ -12,25 +12,25 @@ namespace solution {
 
 // The same as handleEvents() does of such an event.
 bool Solver::Implementation::turn(double time, std::span<Turn> turns) {
-    const std::size_t atOnce = time > lastEvent_ ? 1 : eventsAtOnce_ + 1;
     turning_.clear();
     for (const Turn& one : turns)
         turning_.push_back(one.places[0]);
-    if (!(time >= lastEvent_ && time >= options_.start) || atOnce >= options_.maximumEventsAtOnce)
+    if (!(time >= lastEvent_ && time >= options_.start))
         return false;
     const bool flies = fliesOn(turns); // then nobody takes off, and islands stay as they are
-    std::size_t* const count = flies ? paces_.plainCount(turning_) : nullptr;
-    if ((!count && paces_.hopelessFrom(time, turning_) < options_.finish) ||
+    EventPaces::Island* const plain = flies ? paces_.plainIsland(turning_) : nullptr;
+    const std::size_t atOnce = plain ? plain->eventsAt(time) : paces_.atOnce(time, turning_);
+    if (atOnce + 1 >= options_.maximumEventsAtOnce ||
+        (!plain && paces_.hopelessFrom(time, turning_) < options_.finish) ||
         (!flies && !staysInPlane(time, turns)))
         return false;
     for (Turn& one : turns) // those before one that cannot are turned again by the event
         if (!turn(time, one))
             return false;
-    eventsAtOnce_ = atOnce;
     lastEvent_ = asked_ = time;
     ++past_.events;
-    if (count)
-        ++*count;
+    if (plain)
+        plain->noteAt(time);
     else
         paces_.note(time, turning_);
     poll(time);

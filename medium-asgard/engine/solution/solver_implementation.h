@@ -62,6 +62,7 @@ private:
     [[nodiscard]] double known() const { return schedule_.known(); }
 
     [[nodiscard]] bool handleEvents(double finish);
+    [[nodiscard]] bool goesOnAfter(const Event& event);
     void apply(const Event& event);
     // What flies, in solver_flights.cpp.
     struct Flight {
@@ -134,7 +135,6 @@ private:
     std::vector<std::size_t> turning_; // of each motion that turns, one unknown
     double retiredBeyond_ = infinity;  // hopelessBeyond() of components that were replaced
     std::size_t polls_ = 0;
-    std::size_t eventsAtOnce_ = 0;
     bool disturbed_ = false;   // an event touched what was taken
     double asked_ = -infinity; // the source has answered up to here
 };
