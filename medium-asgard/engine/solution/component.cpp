@@ -223,6 +223,7 @@ void Component::begin() {
     proposed_ = 0;
     fresh_ = true;
     suspect_ = -infinity;
+    falling_.clear();
     immediate_ = 0;
     choice_ = choice_.restarted();
     equations_->inputs().window(infinity);

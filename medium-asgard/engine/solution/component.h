@@ -23,6 +23,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <map>
 #include <memory>
 
 namespace solution {
@@ -204,6 +205,7 @@ private:
     void takeReach(std::span<const double> y);
     void decideRest(std::vector<double>& y);
     [[nodiscard]] bool reachesRest();
+    [[nodiscard]] double partOfWay(std::size_t direction, double length, double duration);
     [[nodiscard]] bool goToRest(std::size_t direction, double duration);
     [[nodiscard]] std::string switchingWith(const Violation& violation) const;
 
@@ -251,13 +253,18 @@ private:
     double lost_ = 0; // by the rounding of time_, of the time to which linear motion has come
     std::unique_ptr<Method> method_;
     MethodChoice choice_;
-    bool mayChange_ = false;          // the method, by cost
-    bool strides_ = false;            // as long as it has this method
-    double proposed_ = 0;             // length of the next step; 0: not known yet
-    double limit_ = infinity;         // where the next step must end at the latest
-    double restsAfter_ = infinity;    // a length of the next step on this side of rest
-    bool limitRestarts_ = false;      // an input restarts at limit_
-    std::optional<std::size_t> ends_; // an input's motion ends at limit_
+    bool mayChange_ = false;       // the method, by cost
+    bool strides_ = false;         // as long as it has this method
+    double proposed_ = 0;          // length of the next step; 0: not known yet
+    double limit_ = infinity;      // where the next step must end at the latest
+    double restsAfter_ = infinity; // a length of the next step on this side of rest
+    struct Falling {               // of a vector whose direction ends at rest, when last looked at
+        double time, length, duration;
+        double part; // of the way to rest that a step may go
+    };
+    std::map<std::size_t, Falling> falling_; // by direction
+    bool limitRestarts_ = false;             // an input restarts at limit_
+    std::optional<std::size_t> ends_;        // an input's motion ends at limit_
     WatchedTimes watched_;
     double suspect_ = -infinity; // a watched time that a step passed over
     int invented_ = 0;           // switches in a row that were not believed

@@ -149,7 +149,8 @@ public:
     }
     struct Approach {
         std::size_t direction;
-        double duration; // until its vector is 0, as it now falls
+        double length;   // of its vector
+        double duration; // until that is 0, as it now falls
         bool isNear;     // that is within reach
     };
     // Of vectors that fall.

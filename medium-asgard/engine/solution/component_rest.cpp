@@ -3,8 +3,10 @@
 //
 // Near rest the rates turn within ever shorter times. A step goes no farther than nine tenths of
 // the way to where the present rates lead to rest, so that explicit steps stay on this side of it
-// and come nearer by a tenth each time where the way is straight. What is nearer than a step may
-// err by goes there along its rates.
+// and come nearer by a tenth each time where the way is straight. Where it is not, since what pulls
+// is nearly as strong as what brakes, directions turn so much faster than the length falls that an
+// explicit step swings about the way: it goes half as far, until the length falls as foreseen. What
+// is nearer than a step may err by goes there along its rates.
 #include "solution/component.h"
 
 #include <algorithm>
@@ -31,21 +33,37 @@ void Component::decideRest(std::vector<double>& y) {
 
 // True: it came to rest, or through it.
 bool Component::reachesRest() {
-    constexpr double part = 0.9, shortest = 8;
+    constexpr double shortest = 8;
     restsAfter_ = infinity;
     const std::vector<double> y = stateValues();
     takeReach(y);
     // Along the present rates no farther than a step might go.
     const double farthest = proposed_ > 0 ? proposed_ : longestFirst();
-    for (const auto& [direction, duration, isNear] : equations_->approaches(time_, y)) {
+    for (const auto& [direction, length, duration, isNear] : equations_->approaches(time_, y)) {
         const bool isHere = duration <= shortest * shortestStep(time_);
         if ((isHere || (isNear && duration <= farthest && time_ + duration <= limit_)) &&
             goToRest(direction, duration))
             return true;
         if (!isHere && !isNear)
-            restsAfter_ = std::min(restsAfter_, part * duration);
+            restsAfter_ = std::min(restsAfter_, partOfWay(direction, length, duration) * duration);
     }
     return false;
+}
+
+// How much of the way to rest the next step may go: a vector that was to fall by much and did not
+// is swung about by steps that are too long for how fast it turns.
+double Component::partOfWay(std::size_t direction, double length, double duration) {
+    constexpr double most = 0.9, least = 0.01, much = 0.3, again = 1.1;
+    const auto [now, isNew] =
+        falling_.try_emplace(direction, Falling{time_, length, duration, most});
+    Falling& falling = now->second;
+    const double way = isNew ? 0 : (time_ - falling.time) / falling.duration;
+    if (way > falling.part * much && way <= 1) {
+        const bool fell = length <= falling.length * (1 - 0.5 * way);
+        falling.part = std::clamp(falling.part * (fell ? again : 0.5), least, most);
+    }
+    falling = {time_, length, duration, falling.part};
+    return falling.part;
 }
 
 // Along the rates, and what they do to places.

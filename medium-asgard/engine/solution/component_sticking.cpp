@@ -403,7 +403,7 @@ ComponentEquations::approaches(double t, std::span<const double> y) {
             isNear = isNear && std::abs(a) <= part * reachOf(p);
         }
         if (along < -noise)
-            found.push_back({d, -square / along, isNear});
+            found.push_back({d, std::sqrt(square), -square / along, isNear});
     }
     return found;
 }

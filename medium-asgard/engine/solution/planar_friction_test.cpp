@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 using namespace solution;
 using namespace solution::testing;
@@ -307,6 +309,80 @@ TEST(PlanarFriction, SlipsOffATableThatIsSpunUp) {
 }
 
 // In space, weaker along one axis, and as steps of fixed length make it.
+// Two on a spring, thrown or let go along its line, aslant to the axes.
+struct Pair {
+    double m0, m1;              // masses
+    double k0, k1;              // friction
+    double stiffness;           // of the spring
+    std::array<double, 2> rest; // of the spring
+    std::array<double, 8> start;
+    std::array<double, 4> end; // places after 4 s, by an independent integration
+};
+
+std::vector<Line> linesOf(const Pair& p) {
+    const auto number = [](double v) {
+        std::ostringstream text;
+        text << std::setprecision(17) << '(' << v << ')';
+        return text.str();
+    };
+    const auto slowed = [&](const std::string& name, double sign, double mass, double friction) {
+        std::vector<std::string> forces;
+        for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+            const std::string axis = i == 0 ? "x" : "z", of = "d" + axis + name;
+            forces.push_back(number(sign * p.stiffness / mass) + "*(" + axis + "b-" + axis + "a-" +
+                             number(p.rest.at(i)) + ")-" + number(friction / mass) + "*" + of +
+                             "/hypot(dx" + name + ",dz" + name + ")");
+        }
+        return forces;
+    };
+    const auto a = slowed("a", 1, p.m0, p.k0), b = slowed("b", -1, p.m1, p.k1);
+    return {{"xa", "dxa", p.start[0], 1}, {"za", "dza", p.start[1], 1},
+            {"dxa", a[0], p.start[2]},    {"dza", a[1], p.start[3]},
+            {"xb", "dxb", p.start[4], 1}, {"zb", "dzb", p.start[5], 1},
+            {"dxb", b[0], p.start[6]},    {"dzb", b[1], p.start[7]}};
+}
+
+// Where what pulls is nearly as strong as friction, steps towards rest swung about the way for
+// millions; where both set off at once, no motion was found.
+TEST(PlanarFriction, TwoOnASpringAlongALineAslantComeToRestAndSetOff) {
+    const Pair pairs[] = {{2.05,
+                           2.42,
+                           4.504752,
+                           3.2998878000000005,
+                           19.9,
+                           {0.9509738925181552, 0.36884774060426123},
+                           {0, 0, 1.4730772060575346, 0.5713523825046399, 0.9323273456060345,
+                            0.361615431964962, 2.5545769269605345, 0.9908262835839959},
+                           {1.4058192755, 0.5452655089, 2.2888817456, 0.88777291051}},
+                          {2.13,
+                           2.53,
+                           2.0268441,
+                           3.8221722,
+                           6.1,
+                           {0.7707916475285035, 0.3078639896127756},
+                           {0, 0, -0.8450848183746243, -0.33753762716581426, 0.9286646355765102,
+                            0.3709204694129827, -0.3528925615190739, -0.14094977837693343},
+                           {-0.21305099774, -0.085095278818, 0.85748357225, 0.34248984719}},
+                          {1,
+                           1,
+                           0.981,
+                           0.981,
+                           20,
+                           {1.6506712298193567, 1.1292849467900707},
+                           {0, 0, 0, 0, 0.8253356149096783, 0.5646424733950354, 0, 0},
+                           {-0.32479833155, -0.2222064939, 1.1501339465, 0.7868489673}}};
+    for (const Pair& pair : pairs)
+        for (const double accuracy : accuracies) {
+            const Solver solver = solved(equationsOf(linesOf(pair)), 4, tolerance(accuracy));
+            const Histories& h = solver.histories();
+            ASSERT_EQ(h.stop(2), nullptr) << h.stop(2)->sentence;
+            for (const std::size_t i : {0, 1, 4, 5})
+                EXPECT_NEAR(h.value(i, 4), pair.end.at(i < 2 ? i : i - 2), 20 * accuracy)
+                    << accuracy;
+            EXPECT_LT(solver.statistics().steps, 3000u) << accuracy;
+        }
+}
+
 TEST(PlanarFriction, InSpaceAndByAxes) {
     const std::string unit = "/sqrt(dx^2+dy^2+dz^2)";
     const Solver space = solved(equationsOf({{"x", "dx", 0, 1},
