@@ -122,12 +122,17 @@ std::vector<bool> quotientsAmong(const Graph& graph, std::span<const Node> nodes
 
 } // namespace
 
-bool dividesByLength(const Graph& graph) {
+bool isDividedByLength(const Graph& graph, Node quotient) {
     std::vector<Node> found;
-    for (std::uint32_t n = 0; n < graph.size() && found.empty(); ++n)
-        if (graph.op(Node{n}) == Op::divide)
-            lengthsIn(graph, graph.arguments(Node{n})[1], found);
+    lengthsIn(graph, graph.arguments(quotient)[1], found);
     return !found.empty();
+}
+
+bool dividesByLength(const Graph& graph) {
+    for (std::uint32_t n = 0; n < graph.size(); ++n)
+        if (graph.op(Node{n}) == Op::divide && isDividedByLength(graph, Node{n}))
+            return true;
+    return false;
 }
 
 std::vector<Node> lengthsDividedBy(const Graph& graph, std::span<const Node> outputs) {

@@ -28,6 +28,9 @@ struct Direction {
     std::vector<Part> parts;
 };
 
+// A quotient by a length, or by a product with one.
+[[nodiscard]] bool isDividedByLength(const expression::Graph& graph, expression::Node quotient);
+
 // Something in it is divided by a length: a look at every node.
 [[nodiscard]] bool dividesByLength(const expression::Graph& graph);
 

@@ -1,5 +1,7 @@
 #include "solution/zero_states.h"
 
+#include "solution/directions.h"
+
 #include <algorithm>
 #include <unordered_set>
 
@@ -30,8 +32,9 @@ bool vanishes(const Graph& graph, Node n, const std::vector<bool>& zero) {
     case Op::sign:
     case Op::floor:
     case Op::ceil:
-    case Op::divide:
         return is(0);
+    case Op::divide: // by what is 0 too it is no number, but where friction rests
+        return is(0) && (!is(1) || isDividedByLength(graph, n));
     case Op::add:
     case Op::subtract:
     case Op::hypot:

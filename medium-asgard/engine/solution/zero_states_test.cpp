@@ -65,6 +65,18 @@ TEST(ZeroStates, AreTheGreatestSetThatStaysZero) {
         ElementsAre(0, 2));
 }
 
+TEST(ZeroStates, ZeroByZeroIsNone) {
+    for (const std::string rate : {"a/0", "sin(a)/a", "a/hypot(a,b)^3", "a/(2*b)"})
+        EXPECT_THAT(zerosOf(equationsOf({{"a", rate, 0}, {"b", "-b", 0}})).unknowns(),
+                    ElementsAre(1))
+            << rate;
+    // but where friction rests
+    for (const std::string rate : {"-a/hypot(a,b)", "-a/abs(a)", "-3*a/(2*sqrt(a^2+b^2))"})
+        EXPECT_THAT(zerosOf(equationsOf({{"a", rate, 0}, {"b", "-b", 0}})).unknowns(),
+                    ElementsAre(0, 1))
+            << rate;
+}
+
 TEST(ZeroStates, EndWhereAPhaseHoldsOrResetsThem) {
     auto held = equationsOf({{"a", "0", 0}, {"b", "a", 0}});
     addPhase(held, 0, 3, "1", "t-3");
