@@ -334,7 +334,8 @@ CollisionSource::Rallied CollisionSource::meetInRally(const Rally::Meeting& met)
     const bool isInOrder = ball.body < other.body;
     const Present &first = isInOrder ? ball : other, &second = isInOrder ? other : ball;
     const FlightContact contact = flightContact(first, second, time);
-    if (contact.kind != FlightContact::Kind::contact || !rally_.areHome(time) ||
+    const bool mayGoAlongside = two && one->flight.half != two->flight.half;
+    if (contact.kind != FlightContact::Kind::contact || mayGoAlongside || !rally_.areHome(time) ||
         touchesMoreInRally(ball, *one, met, time) ||
         (two && touchesMoreInRally(other, *two, met, time)))
         return Rallied::isOver;

@@ -66,7 +66,7 @@ struct Changes {
 struct Turn {
     std::array<std::size_t, 3> places, velocities; // unknowns
     std::array<bool, 3> jumps;                     // these velocities become others
-    std::array<double, 3> place, velocity;         // after it: velocities as the source wants them
+    std::array<double, 3> place, velocity;         // as the source has them; then as they became
 };
 
 class Turns {
