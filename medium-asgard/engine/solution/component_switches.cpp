@@ -212,7 +212,7 @@ bool Component::stepAcross(double h) {
     equations_->watch(to, y, beyond);
     Violation violation{.time = to, .watches = {}};
     for (std::size_t k = 0; k < here.size(); ++k)
-        if (here[k] > 0 && beyond[k] < 0)
+        if (here[k] >= 0 && beyond[k] < 0)
             violation.watches.push_back(k);
     if (violation.watches.empty())
         return false;

@@ -85,6 +85,29 @@ TEST(Touching, ARootThatASwitchBoundsIsPassed) {
         expectIntegral({{"x", one.text, 1}}, 1 + integralOf(one.value, 4), 4, 1e-7, 100);
 }
 
+// The second touches the third at the start; a step ends where they leave each other, to the last
+// bit, and the next one goes across.
+TEST(Touching, BallsOfARowLeaveHertzsContactsWithTheirEnergy) {
+    const std::string left = "1000*max(0,1-(x1-x0))^1.5", right = "1000*max(0,1-(x2-x1))^1.5";
+    for (const double accuracy : {1e-2, 1e-4, 1e-6, 1e-8}) {
+        const Solver solver = solved(equationsOf({{"x0", "v0", -0.3, 1},
+                                                  {"v0", "-" + left, 1},
+                                                  {"x1", "v1", 1, 1},
+                                                  {"v1", left + "-" + right, 0},
+                                                  {"x2", "v2", 2, 1},
+                                                  {"v2", right, 0}}),
+                                     1.2, tolerance(accuracy));
+        const Histories& h = solver.histories();
+        ASSERT_EQ(h.stop(1), nullptr) << h.stop(1)->sentence;
+        const double v0 = h.value(1, 1.2), v1 = h.value(3, 1.2), v2 = h.value(5, 1.2);
+        EXPECT_NEAR(v0 + v1 + v2, 1, 10 * accuracy);
+        EXPECT_NEAR(v0 * v0 + v1 * v1 + v2 * v2, 1, 10 * accuracy);
+        EXPECT_LT(v0, v1);
+        EXPECT_LT(v1, v2);
+        EXPECT_LT(solver.statistics().steps, 2000u);
+    }
+}
+
 TEST(Touching, ABallLeavesHertzsContactAsItCame) {
     for (const double accuracy : accuracies) {
         const Solver solver =
