@@ -118,6 +118,8 @@ TEST(Simplify, WritesSwitchesInOneWay) {
         {"-2*x*(x^2)^-0.5", "-2*sign(x)"},
         {"-2*(x^2)^-0.5*x", "-2*sign(x)"},
         {"x/sqrt(y^2)", "x/sqrt(y^2)"},
+        {"-x^2*x/abs(x)", "-x^2*sign(x)"},
+        {"x^2/hypot(x, 0)", "x*sign(x)"},
         {"x*(x^2 + y^2)^-0.5", "x*(1/sqrt(x^2 + y^2))"},
         {"ceil(2*floor(x) - (x < y))", "2*floor(x) - (x < y)"},
         {"floor(0.5*sign(x))", "floor(0.5*sign(x))"},

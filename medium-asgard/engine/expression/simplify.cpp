@@ -165,6 +165,8 @@ Result Rules::without(Node product, Node factor, int depth) const {
     constexpr int deepest = 8;
     if (product == factor)
         return g.constant(1);
+    if (const auto [base, times] = wholePower(product); base == factor && times > 1)
+        return g.apply(Op::power, factor, g.constant(times - 1));
     if (depth > deepest || !is(product, Op::multiply))
         return std::nullopt;
     if (const Result rest = without(first(product), factor, depth + 1))

@@ -9,13 +9,12 @@
 namespace simulation {
 namespace {
 
+using namespace flight_hits;
+
+using collision::approachThreshold;
 using collision::FlightContact;
 using solution::Event;
 using solution::Histories;
-
-constexpr double timeResolution = 8 * std::numeric_limits<double>::epsilon();
-constexpr double approachThreshold = 1e-12; // of the speeds that enter, as in physics/impact.h
-constexpr double deep = 400 * std::numeric_limits<double>::epsilon(); // of the radius
 
 double farthestOf(const Vector& point) {
     return std::max(std::max(std::abs(point[0]), std::abs(point[1])), std::abs(point[2]));

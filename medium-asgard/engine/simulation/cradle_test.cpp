@@ -3,6 +3,7 @@
 #include "simulation/testing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -173,6 +174,29 @@ TEST(Cradle, AnEditedOneHasTheBytesOfARunFromTheStart) {
     testing::updated(edited, scene);
     scene.bodies[1].initialPosition.x() -= 0.3;
     EXPECT_FALSE(testing::updated(edited, scene).motion->stop(2));
+}
+
+// Whatever hits a pair that a force presses together goes through it: a box as a ball does.
+TEST(Cradle, ABlowOntoBallsThatArePressedIsNoPush) {
+    for (const bool isBox : {false, true})
+        for (const double accuracy : {1e-3, 1e-4, 1e-6}) {
+            SceneBuilder b(0.5, accuracy);
+            b.ball("first", {0, 0, 0}, 0.5);
+            b.ball("second", {1, 0, 0}, 0.5);
+            b.force("first", "1", "0", "0");
+            b.force("second", "-1", "0", "0");
+            scene::Body& hammer = isBox ? b.box("hammer", {-1.05, 0, 0}, {1, 1, 1})
+                                        : b.ball("hammer", {-1.05, 0, 0}, 0.5);
+            hammer.initialVelocity = {1, 0, 0};
+            for (scene::Body& body : b.scene.bodies)
+                body.mass = 1;
+            const Result result = simulate(b.scene);
+            // Hit at 0.05; then each is pushed for 0.04.
+            const std::array<double, 3> speeds{0.04, 0.96, 0};
+            for (std::size_t i = 0; i < 3; ++i)
+                EXPECT_NEAR(result.motion->at(i, 0.09).velocity.x(), speeds[i], 1e-4)
+                    << i << " at " << accuracy;
+        }
 }
 
 // A force that does not end: they would lie on each other.

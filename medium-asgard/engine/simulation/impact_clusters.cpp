@@ -326,11 +326,11 @@ void CollisionSource::pressTogether(const Histories& histories, Cluster& cluster
         ImpactContact& contact = cluster.contacts[c];
         const Pair pair =
             std::minmax(cluster.bodies[contact.first], cluster.bodies[contact.second]);
+        const double rate = closingAt(contact, bodies).rate;
+        fastest = std::max(fastest, -rate);
         if (!areFreeBalls(pair, time))
             continue;
         contacts.push_back(&contact);
-        const double rate = closingAt(contact, bodies).rate;
-        fastest = std::max(fastest, -rate);
         if (!contact.isBeside)
             continue;
         const double push = -pushAt(histories, cluster, contact, cluster.radii[c], bodies, time);

@@ -11,17 +11,15 @@
 
 namespace simulation {
 
+using namespace flight_hits;
+
+using collision::approachThreshold;
 using collision::FlightMeeting;
 using collision::LineFlight;
 using geometry::Vector;
 using solution::infinity;
 
 namespace {
-
-// As in ball_encounters.cpp.
-constexpr double timeResolution = 8 * std::numeric_limits<double>::epsilon();
-constexpr double approachThreshold = 1e-12;
-constexpr double deep = 400 * std::numeric_limits<double>::epsilon();
 
 // As in rally.cpp; sideways it is over the box.
 bool staysBeyond(const LineFlight& ball, const geometry::Box& box, std::size_t axis, double room) {
@@ -111,24 +109,15 @@ bool Rally::areHomeOnLine(double time) const {
 }
 
 bool Rally::turnedOnLine(const Meeting& met, double time, bool parted, double room) {
-    Ball& one = balls[met.ball];
-    Ball* const other = met.isStanding ? nullptr : &balls[met.other];
-    for (Ball* const ball : {&one, other})
-        if (ball) {
-            ball->hasTurned = true;
-            ball->until = time + EncounterSearch::firstSpan;
-        }
-    bool tells = true;
-    for (const std::size_t m : one.meetings) {
-        if (&meetings[m] == &met && parted)
-            meetings[m].time = infinity;
-        else
-            tells = tells && predictOnLine(meetings[m], time, room);
-    }
-    for (std::size_t i = 0; other && i < other->meetings.size(); ++i)
-        if (Meeting& meeting = meetings[other->meetings[i]]; &meeting != &met)
-            tells = tells && predictOnLine(meeting, time, room);
-    return tells;
+    const auto renew = [&](Ball& ball) {
+        ball.hasTurned = true;
+        ball.until = time + EncounterSearch::firstSpan;
+    };
+    renew(balls[met.ball]);
+    if (!met.isStanding)
+        renew(balls[met.other]);
+    return tellNext(met, parted,
+                    [&](Meeting& meeting) { return predictOnLine(meeting, time, room); });
 }
 
 bool Rally::predictOnLine(Meeting& meeting, double time, double room) {

@@ -70,7 +70,8 @@ NudgedSource::NudgedSource(solution::EventSource& source, const std::vector<Body
 double NudgedSource::unitsAt(double time, std::size_t unknown, const Vector& place) const {
     const double late = time > start_ ? std::min(std::abs(time) / (time - start_), latest) : 1;
     const double far = place.cwiseAbs().maxCoeff() / radii_[unknown / physics::bodyUnknowns];
-    return least * std::max({1.0, late, far > 2 ? std::exp2(std::ilogb(far) - 1) : 1.0});
+    return least *
+           std::max({1.0, late, far > 2 ? std::min(std::exp2(std::ilogb(far) - 1), latest) : 1.0});
 }
 
 bool NudgedSource::turn(double time, std::span<solution::Turn> turns) {

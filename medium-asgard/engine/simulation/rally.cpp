@@ -101,22 +101,10 @@ bool Rally::turned(const Meeting& met, double time, bool parted, const collision
         if (!ball.isStraight)
             ball.until = std::min(ball.until, cells.exitOf(ball.body, ball.flight, time).time);
     };
-    Ball& one = balls[met.ball];
-    Ball* const other = met.isStanding ? nullptr : &balls[met.other];
-    renew(one);
-    if (other)
-        renew(*other);
-    bool tells = true;
-    for (const std::size_t m : one.meetings) {
-        if (&meetings[m] == &met && parted)
-            meetings[m].time = infinity;
-        else
-            tells = tells && predict(meetings[m], time, room);
-    }
-    for (std::size_t i = 0; other && i < other->meetings.size(); ++i)
-        if (Meeting& meeting = meetings[other->meetings[i]]; &meeting != &met)
-            tells = tells && predict(meeting, time, room);
-    return tells;
+    renew(balls[met.ball]);
+    if (!met.isStanding)
+        renew(balls[met.other]);
+    return tellNext(met, parted, [&](Meeting& meeting) { return predict(meeting, time, room); });
 }
 
 bool Rally::predict(Meeting& meeting, double time, double room) {

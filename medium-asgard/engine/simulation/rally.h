@@ -27,10 +27,18 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace simulation {
+
+// Of hits in flight, in a rally and outside.
+namespace flight_hits {
+inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
+inline constexpr double timeResolution = 8 * epsilon;
+inline constexpr double deep = 400 * epsilon; // of the radius
+} // namespace flight_hits
 
 class Rally {
 public:
@@ -109,6 +117,9 @@ public:
     void tried(std::size_t hits);
 
 private:
+    // When the two, or the one, meet next, told by predict(meeting). False: formulas do not tell.
+    template <class Predict>
+    [[nodiscard]] bool tellNext(const Meeting& met, bool parted, const Predict& predict);
     [[nodiscard]] bool predict(Meeting& meeting, double time, double room);
     [[nodiscard]] bool predictOnLine(Meeting& meeting, double time, double room);
     [[nodiscard]] bool isOnLine(Ball& ball) const;
@@ -117,5 +128,21 @@ private:
     static constexpr std::size_t shortWait = 4, longWait = 1024;
     std::size_t waited_ = 0, wait_ = shortWait;
 };
+
+template <class Predict>
+bool Rally::tellNext(const Meeting& met, bool parted, const Predict& predict) {
+    bool tells = true;
+    for (const std::size_t m : balls[met.ball].meetings) {
+        if (&meetings[m] == &met && parted)
+            meetings[m].time = std::numeric_limits<double>::infinity();
+        else
+            tells = tells && predict(meetings[m]);
+    }
+    if (!met.isStanding)
+        for (const std::size_t m : balls[met.other].meetings)
+            if (&meetings[m] != &met)
+                tells = tells && predict(meetings[m]);
+    return tells;
+}
 
 } // namespace simulation

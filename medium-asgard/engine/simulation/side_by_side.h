@@ -10,8 +10,8 @@
 // until they have parted by several times as much. Where they would hit without speed there, too,
 // it is that much deeper. A hop that the push itself has made, on a way of that depth, is none of
 // the motion's: they take on one speed, with all that touches them, and sink that much deeper. So
-// they go on as one that presses, but for what they gain on one such way. There is a most of it,
-// and of hops: bodies that are pushed together for long come to rest on each other, which is not
+// they go on as one that presses, but for what they gain on one such way. There is a most of
+// hops: bodies that are pushed together for long come to rest on each other, which is not
 // modelled.
 #pragma once
 

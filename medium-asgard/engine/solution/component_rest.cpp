@@ -62,7 +62,7 @@ double Component::partOfWay(std::size_t direction, double length, double duratio
         const bool fell = length <= falling.length * (1 - 0.5 * way);
         falling.part = std::clamp(falling.part * (fell ? again : 0.5), least, most);
     }
-    falling = {time_, length, duration, falling.part};
+    falling = {time_, length, duration, way > 1 ? most : falling.part};
     return falling.part;
 }
 

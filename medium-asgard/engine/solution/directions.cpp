@@ -3,6 +3,7 @@
 #include "expression/operation.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace solution {
 
@@ -28,20 +29,66 @@ bool isLength(const Graph& graph, Node n) {
     return graph.op(under) == Op::add || isOneSquare(graph, under);
 }
 
-// The lengths that are factors of a denominator.
-void lengthsIn(const Graph& graph, Node denominator, std::vector<Node>& found) {
-    std::vector<Node> open{denominator};
+// Of a product, signs taken off; of a quotient those of its numerator.
+std::vector<Node> factorsOf(const Graph& graph, Node product) {
+    std::vector<Node> open{product}, factors;
     while (!open.empty()) {
         const Node n = open.back();
         open.pop_back();
-        if (isLength(graph, n))
-            found.push_back(n);
         const auto arguments = graph.arguments(n);
         if (graph.op(n) == Op::multiply)
             open.insert(open.end(), arguments.begin(), arguments.end());
         else if (graph.op(n) == Op::negate || graph.op(n) == Op::divide)
             open.push_back(arguments[0]);
+        else
+            factors.push_back(n);
     }
+    return factors;
+}
+
+// The lengths that are factors of a denominator.
+void lengthsIn(const Graph& graph, Node denominator, std::vector<Node>& found) {
+    std::ranges::copy_if(factorsOf(graph, denominator), std::back_inserter(found),
+                         [&](Node n) { return isLength(graph, n); });
+}
+
+// Of a term of a sum, what is squared in it; none: nothing is, or something else in it is 0 too.
+std::optional<Node> squaredIn(const Graph& graph, Node term, const std::vector<bool>& isZero) {
+    std::optional<Node> squared;
+    for (const Node factor : factorsOf(graph, term))
+        if (graph.op(factor) == Op::power && graph.isConstant(graph.arguments(factor)[1], 2))
+            squared = graph.arguments(factor)[0];
+        else if (isZero[factor.index])
+            return std::nullopt;
+    return squared;
+}
+
+// What a length is the length of; none where it is no root of squares. Numbers before them stay
+// out.
+std::vector<Node> partsOfLength(const Graph& graph, Node length, const std::vector<bool>& isZero) {
+    const bool isRoot = graph.op(length) == Op::sqrt;
+    std::vector<Node> open(graph.arguments(length).begin(), graph.arguments(length).end()), parts;
+    while (!open.empty()) {
+        const Node n = open.back();
+        open.pop_back();
+        if (graph.op(n) == (isRoot ? Op::add : Op::hypot)) {
+            const auto arguments = graph.arguments(n);
+            open.insert(open.end(), arguments.begin(), arguments.end());
+        } else if (!isRoot) {
+            std::ranges::copy(factorsOf(graph, n), std::back_inserter(parts));
+        } else if (const auto squared = squaredIn(graph, n, isZero)) {
+            parts.push_back(*squared);
+        } else {
+            return {};
+        }
+    }
+    return parts;
+}
+
+bool isSameButSign(const Graph& graph, Node a, Node b) {
+    return a == b || (graph.op(a) == Op::subtract && graph.op(b) == Op::subtract &&
+                      graph.arguments(a)[0] == graph.arguments(b)[1] &&
+                      graph.arguments(a)[1] == graph.arguments(b)[0]);
 }
 
 // A square, of what it is the square, and what it is multiplied with.
@@ -122,17 +169,24 @@ std::vector<bool> quotientsAmong(const Graph& graph, std::span<const Node> nodes
 
 } // namespace
 
-bool isDividedByLength(const Graph& graph, Node quotient) {
-    std::vector<Node> found;
-    lengthsIn(graph, graph.arguments(quotient)[1], found);
-    return !found.empty();
+bool isDirectionAtRest(const Graph& graph, Node quotient, const std::vector<bool>& isZero) {
+    std::vector<Node> zeros = factorsOf(graph, graph.arguments(quotient)[1]);
+    std::erase_if(zeros, [&](Node factor) { return !isZero[factor.index]; });
+    if (zeros.size() != 1 || !isLength(graph, zeros[0]))
+        return false;
+    const std::vector<Node> parts = partsOfLength(graph, zeros[0], isZero);
+    return std::ranges::any_of(factorsOf(graph, graph.arguments(quotient)[0]), [&](Node factor) {
+        return std::ranges::any_of(parts,
+                                   [&](Node part) { return isSameButSign(graph, factor, part); });
+    });
 }
 
 bool dividesByLength(const Graph& graph) {
-    for (std::uint32_t n = 0; n < graph.size(); ++n)
-        if (graph.op(Node{n}) == Op::divide && isDividedByLength(graph, Node{n}))
-            return true;
-    return false;
+    std::vector<Node> found;
+    for (std::uint32_t n = 0; n < graph.size() && found.empty(); ++n)
+        if (graph.op(Node{n}) == Op::divide)
+            lengthsIn(graph, graph.arguments(Node{n})[1], found);
+    return !found.empty();
 }
 
 std::vector<Node> lengthsDividedBy(const Graph& graph, std::span<const Node> outputs) {

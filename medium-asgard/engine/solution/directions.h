@@ -28,8 +28,10 @@ struct Direction {
     std::vector<Part> parts;
 };
 
-// A quotient by a length, or by a product with one.
-[[nodiscard]] bool isDividedByLength(const expression::Graph& graph, expression::Node quotient);
+// A quotient in which one factor of the denominator alone is 0, a length, and the numerator has one
+// of its parts as a factor: a direction times something.
+[[nodiscard]] bool isDirectionAtRest(const expression::Graph& graph, expression::Node quotient,
+                                     const std::vector<bool>& isZero);
 
 // Something in it is divided by a length: a look at every node.
 [[nodiscard]] bool dividesByLength(const expression::Graph& graph);

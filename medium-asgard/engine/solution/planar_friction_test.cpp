@@ -87,7 +87,6 @@ TEST(PlanarFriction, StopsWhatSlidesStraight) {
         }
 }
 
-// Below the slope that friction holds it comes to rest, above it goes on.
 // Along an axis the other speed is 0 throughout, and so is no part of the length.
 TEST(PlanarFriction, StopsWhatSlidesAlongAnAxisHoweverTheLengthIsWritten) {
     for (const std::string divided :
@@ -113,6 +112,7 @@ TEST(PlanarFriction, StopsWhatSlidesAlongAnAxisHoweverTheLengthIsWritten) {
         }
 }
 
+// Below the slope that friction holds it comes to rest, above it goes on.
 TEST(PlanarFriction, OnASlopeItTurnsDownwardsAndRestsOrGoesOn) {
     for (const double pull : {1.0, 2.0, 3.5})
         for (const double accuracy : accuracies) {
@@ -308,7 +308,6 @@ TEST(PlanarFriction, SlipsOffATableThatIsSpunUp) {
     }
 }
 
-// In space, weaker along one axis, and as steps of fixed length make it.
 // Two on a spring, thrown or let go along its line, aslant to the axes.
 struct Pair {
     double m0, m1;              // masses
@@ -383,6 +382,7 @@ TEST(PlanarFriction, TwoOnASpringAlongALineAslantComeToRestAndSetOff) {
         }
 }
 
+// In space, weaker along one axis, and as steps of fixed length make it.
 TEST(PlanarFriction, InSpaceAndByAxes) {
     const std::string unit = "/sqrt(dx^2+dy^2+dz^2)";
     const Solver space = solved(equationsOf({{"x", "dx", 0, 1},

@@ -34,7 +34,7 @@ bool vanishes(const Graph& graph, Node n, const std::vector<bool>& zero) {
     case Op::ceil:
         return is(0);
     case Op::divide: // by what is 0 too it is no number, but where friction rests
-        return is(0) && (!is(1) || isDividedByLength(graph, n));
+        return is(0) && (!is(1) || isDirectionAtRest(graph, n, zero));
     case Op::add:
     case Op::subtract:
     case Op::hypot:

@@ -66,12 +66,16 @@ TEST(ZeroStates, AreTheGreatestSetThatStaysZero) {
 }
 
 TEST(ZeroStates, ZeroByZeroIsNone) {
-    for (const std::string rate : {"a/0", "sin(a)/a", "a/hypot(a,b)^3", "a/(2*b)"})
+    for (const std::string rate :
+         {"a/0", "sin(a)/a", "a/hypot(a,b)^3", "a/(2*b)", "-a/(hypot(a,b)*(a^2+b^2))",
+          "a/(b*hypot(a,b))", "sin(a)/hypot(a,b)", "-a/sqrt(a+b)", "a/sqrt(b*a^2)"})
         EXPECT_THAT(zerosOf(equationsOf({{"a", rate, 0}, {"b", "-b", 0}})).unknowns(),
                     ElementsAre(1))
             << rate;
     // but where friction rests
-    for (const std::string rate : {"-a/hypot(a,b)", "-a/abs(a)", "-3*a/(2*sqrt(a^2+b^2))"})
+    for (const std::string rate :
+         {"-a/hypot(a,b)", "-a/abs(a)", "-3*a/(2*sqrt(a^2+b^2))", "-a^3/abs(a)",
+          "-a/sqrt(a*a+2*b*b)", "(b-a)/hypot(a-b,2*b)", "-a*cos(b)/((2+b)*hypot(a,b))"})
         EXPECT_THAT(zerosOf(equationsOf({{"a", rate, 0}, {"b", "-b", 0}})).unknowns(),
                     ElementsAre(0, 1))
             << rate;
