@@ -66,7 +66,8 @@ NudgedSource::NudgedSource(solution::EventSource& source, const std::vector<Body
 // as that many units of its speed would until the time is twice what it has taken; what touches at
 // the start is hit then, and not late, and what is hit soon after goes on for longer than that. The
 // resolution of the place is that of the arm, or of the normal, beside the body's radius: half a
-// unit, as a power of 2, so that it is the same however the place was come by.
+// unit, as a power of 2. A turn and an event read the place from the same polynomial, and where
+// they differ by an ulp the power is the same, except next to a power of 2.
 double NudgedSource::unitsAt(double time, std::size_t unknown, const Vector& place) const {
     const double late = time > start_ ? std::min(std::abs(time) / (time - start_), latest) : 1;
     const double far = place.cwiseAbs().maxCoeff() / radii_[unknown / physics::bodyUnknowns];

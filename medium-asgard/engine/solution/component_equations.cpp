@@ -106,6 +106,12 @@ bool ComponentEquations::heldValues(double t, std::span<const double> y, std::sp
     return std::all_of(out.begin(), out.end(), [](double x) { return std::isfinite(x); });
 }
 
+void ComponentEquations::evaluate(const expression::Function& function, double t,
+                                  std::span<const double> y, std::span<double> out) {
+    fill(t, y);
+    function.evaluate(in_, out, scratch_);
+}
+
 std::vector<std::size_t> ComponentEquations::notFinite(double t, std::span<const double> y) {
     fill(t, y);
     evaluate(out_);

@@ -108,6 +108,10 @@ public:
     [[nodiscard]] std::optional<double> constantOf(expression::Node symbol) const;
     [[nodiscard]] bool readsStates() const { return model_.readsStates(); }
 
+    // A function of the model's symbols.
+    void evaluate(const expression::Function& function, double t, std::span<const double> y,
+                  std::span<double> out);
+
     // Branches. decide() is from the values alone, with what the fields say on a surface itself.
     void decide(double t, std::span<double> y);
     [[nodiscard]] std::size_t watches() const { return watches_.size() + sticking_.size(); }

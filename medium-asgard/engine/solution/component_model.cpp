@@ -78,12 +78,22 @@ void ComponentModel::findStructure() {
     readsStates_ = std::ranges::any_of(read, [&](Node n) { return stateOf(n).has_value(); });
     canPeak_ =
         solution::canPeak(graph_, outputs_, std::span(symbols_).subspan(variables()), attitudes());
+    if (canPeak_)
+        findPeaks();
     surfaces_ = surfacesOf(graph_, outputs_);
     switches_ = switchesOf(graph_, outputs_);
     gradients_.resize(surfaces_.size());
     for (std::size_t s = 0; s < surfaces_.size(); ++s)
         if (const auto state = stateOf(surfaces_[s].guard); state && !surfaces_[s].whole)
             ownGuards_.emplace_back(s, *state);
+}
+
+void ComponentModel::findPeaks() {
+    const Peaks peaks =
+        peaksOf(graph_, outputs_, std::span(symbols_).subspan(variables()), attitudes());
+    peaks_.centres = expression::Function(expression::Tape(graph_, symbols_, peaks.centres));
+    peaks_.heights = expression::Function(expression::Tape(graph_, symbols_, peaks.heights));
+    peaks_.arePolynomials = peaks.arePolynomials;
 }
 
 std::vector<Node> ComponentModel::attitudes() const {

@@ -52,6 +52,12 @@ public:
     [[nodiscard]] bool readsStates() const { return readsStates_; } // other than in guards
     // oversight.h: with these constants.
     [[nodiscard]] bool canPeak(std::span<const double> values) const;
+    // Where it can peak (oversight.h): centres, and what peaks there, from symbols().
+    struct PeakFunctions {
+        expression::Function centres, heights;
+        bool arePolynomials = true; // the centres
+    };
+    [[nodiscard]] const PeakFunctions& peaks() const { return peaks_; }
 
     // Pairs of states (x, v) with x' = v, and the states that are positions or attitudes.
     [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& integrals() const {
@@ -111,6 +117,7 @@ public:
 private:
     void readKey();
     void findStructure();
+    void findPeaks();
     [[nodiscard]] std::vector<expression::Node> attitudes() const;
     [[nodiscard]] std::unique_ptr<Jacobian> derivedJacobian() const;
     [[nodiscard]] Gradient gradientOf(expression::Node node) const;
@@ -133,6 +140,7 @@ private:
     std::vector<expression::Node> switches_;
     std::vector<Surface> surfaces_;
     Directions directions_;
+    PeakFunctions peaks_;
 
     mutable std::mutex deriving_;
     mutable std::unique_ptr<const Jacobian> jacobian_;

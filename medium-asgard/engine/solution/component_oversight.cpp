@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace solution {
 
@@ -24,27 +25,87 @@ double Component::longest() const {
                                                                : watched_.longest(time_);
 }
 
-// The first watched time in a step of length h at which the rates are not those of its polynomials.
+// The rates at t are those of the step's polynomials.
+bool Component::isFollowed(double t, double h, double spacing, const ErrorControl& control) {
+    std::vector<double> y(columns_.size()), rates(y.size());
+    const double s = (t - time_) / h;
+    for (std::size_t i = 0; i < y.size(); ++i)
+        y[i] = evaluate(columns_[i], s);
+    ++counts_.evaluations;
+    if (!equations_->rates(t, y, rates))
+        return false;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        const double defect = rates[i] - evaluateDerivative(columns_[i], s) / h;
+        if (!(std::abs(defect) * std::min(h, spacing) <= allowed * control.scale(i)))
+            return false;
+    }
+    return true;
+}
+
+// Times in (origin, until) at which there may be the middle of a peak, however narrow.
+std::vector<double> Component::centresIn(std::span<const Coefficients> states, double origin,
+                                         double scale, double until) {
+    const ComponentModel::PeakFunctions& peaks = equations_->model().peaks();
+    const std::size_t count = peaks.centres.tape().outputs();
+    if (count == 0 || !equations_->bound()->canPeak)
+        return {};
+    std::vector<double> y(states.size());
+    const auto valuesAt = [&](double t, std::span<double> values) {
+        for (std::size_t i = 0; i < y.size(); ++i)
+            y[i] = evaluate(states[i], (t - origin) / scale);
+        equations_->evaluate(peaks.centres, t, y, values);
+    };
+    return centresPassed(count, peaks.arePolynomials, valuesAt, origin, until);
+}
+
+// Something is so much larger at t than at both ends of the step that its stages need not have seen
+// it.
+bool Component::towers(double t, double h) {
+    constexpr double times = 16;
+    const expression::Function& heights = equations_->model().peaks().heights;
+    const auto heightsAt = [&](double at) {
+        std::vector<double> y(columns_.size()), values(heights.tape().outputs());
+        for (std::size_t i = 0; i < y.size(); ++i)
+            y[i] = evaluate(columns_[i], (at - time_) / h);
+        equations_->evaluate(heights, at, y, values);
+        return values;
+    };
+    const std::vector<double> before = heightsAt(time_), here = heightsAt(t),
+                              after = heightsAt(time_ + h);
+    for (std::size_t k = 0; k < here.size(); ++k)
+        if (!(std::abs(here[k]) <= times * std::max(std::abs(before[k]), std::abs(after[k]))))
+            return true;
+    return false;
+}
+
+// The first time up to `until` in a step of length h at which something may peak that the step has
+// not seen. Where it is cut short, by a switch, may be the middle of exp(-abs(t-60)/0.01).
 std::optional<double> Component::overlooked(double h, double until) {
+    if (!options_.isWatched || options_.fixedStep || !equations_->bound()->canPeak)
+        return std::nullopt;
     const double spacing = watched_.spacing(until);
     const bool isSuspect = time_ < suspect_ && suspect_ < until;
-    if (!options_.isWatched || options_.fixedStep || method_->implicit() ||
-        !equations_->bound()->canPeak || (h <= spacing && !isSuspect))
-        return std::nullopt;
-    std::vector<double> y(columns_.size()), rates(y.size());
-    for (const double t : watched_.between(time_, until)) {
-        const double s = (t - time_) / h;
-        for (std::size_t i = 0; i < y.size(); ++i)
-            y[i] = evaluate(columns_[i], s);
-        ++counts_.evaluations;
-        if (!equations_->rates(t, y, rates))
-            return t;
-        for (std::size_t i = 0; i < y.size(); ++i) {
-            const double defect = rates[i] - evaluateDerivative(columns_[i], s) / h;
-            if (!(std::abs(defect) * std::min(h, spacing) <= allowed * control_.scale(i)))
+    if (!method_->implicit() && (h > spacing || isSuspect))
+        for (const double t : watched_.between(time_, until))
+            if (!isFollowed(t, h, spacing, control_))
                 return t;
-        }
-    }
+    std::vector<double> centres = centresIn(columns_, time_, h, until);
+    if (until < time_ + h && !equations_->sliding())
+        centres.push_back(until);
+    if (centres.empty())
+        return std::nullopt;
+    // A peak shorter than this step leaves a speed for longer.
+    ErrorControl control = control_;
+    control.countSpeedsOver(spacing);
+    control.prepare(stateValues(), h);
+    for (const double t : centres)
+        if (method_->implicit() ? towers(t, h) : !isFollowed(t, h, spacing, control))
+            return t;
+    // Between two edges may lie what is 0 on both ends.
+    for (std::size_t k = 1; method_->implicit() && k < centres.size(); ++k)
+        if (const double t = std::midpoint(centres[k - 1], centres[k]);
+            !isFollowed(t, h, spacing, control))
+            return t;
     return std::nullopt;
 }
 

@@ -64,7 +64,10 @@ bool Component::fitHeld(std::span<const Coefficients> states, double origin, dou
     }
     for (std::size_t k = 0; k < held.size(); ++k)
         held[k] = interpolate(samples[k]);
-    for (const double s : {0.13, 0.31, 0.6, 0.93}) {
+    std::vector<double> checks = {0.13, 0.31, 0.6, 0.93};
+    for (const double t : centresIn(states, origin, scale, until))
+        checks.push_back((t - origin) / length);
+    for (const double s : checks) {
         if (!valuesAt(origin + s * length))
             return false;
         for (std::size_t k = 0; k < held.size(); ++k) {

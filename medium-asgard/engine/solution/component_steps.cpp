@@ -290,6 +290,7 @@ void Component::finish(double to) {
     }
     const double until = found ? found->time : to;
     if (const auto at = overlooked(h, until)) {
+        control_.countSpeedsOver(watched_.spacing(*at));
         lookCloser(*at, h);
         return;
     }

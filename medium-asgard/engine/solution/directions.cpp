@@ -22,6 +22,8 @@ bool isOneSquare(const Graph& graph, Node n) {
                            (isSquare(graph.arguments(n)[0]) || isSquare(graph.arguments(n)[1])));
 }
 
+} // namespace
+
 bool isLength(const Graph& graph, Node n) {
     if (graph.op(n) != Op::sqrt)
         return graph.op(n) == Op::hypot;
@@ -29,7 +31,6 @@ bool isLength(const Graph& graph, Node n) {
     return graph.op(under) == Op::add || isOneSquare(graph, under);
 }
 
-// Of a product, signs taken off; of a quotient those of its numerator.
 std::vector<Node> factorsOf(const Graph& graph, Node product) {
     std::vector<Node> open{product}, factors;
     while (!open.empty()) {
@@ -45,6 +46,8 @@ std::vector<Node> factorsOf(const Graph& graph, Node product) {
     }
     return factors;
 }
+
+namespace {
 
 // The lengths that are factors of a denominator.
 void lengthsIn(const Graph& graph, Node denominator, std::vector<Node>& found) {
@@ -63,25 +66,32 @@ std::optional<Node> squaredIn(const Graph& graph, Node term, const std::vector<b
     return squared;
 }
 
-// What a length is the length of; none where it is no root of squares. Numbers before them stay
-// out.
-std::vector<Node> partsOfLength(const Graph& graph, Node length, const std::vector<bool>& isZero) {
-    const bool isRoot = graph.op(length) == Op::sqrt;
-    std::vector<Node> open(graph.arguments(length).begin(), graph.arguments(length).end()), parts;
+// The arguments of hypot(), or the terms of the sum under a root: the last first.
+std::vector<Node> termsOf(const Graph& graph, Node length) {
+    const Op inner = graph.op(length) == Op::sqrt ? Op::add : Op::hypot;
+    std::vector<Node> open(graph.arguments(length).begin(), graph.arguments(length).end()), terms;
     while (!open.empty()) {
         const Node n = open.back();
         open.pop_back();
-        if (graph.op(n) == (isRoot ? Op::add : Op::hypot)) {
-            const auto arguments = graph.arguments(n);
-            open.insert(open.end(), arguments.begin(), arguments.end());
-        } else if (!isRoot) {
-            std::ranges::copy(factorsOf(graph, n), std::back_inserter(parts));
-        } else if (const auto squared = squaredIn(graph, n, isZero)) {
-            parts.push_back(*squared);
-        } else {
-            return {};
-        }
+        if (graph.op(n) == inner)
+            open.insert(open.end(), graph.arguments(n).begin(), graph.arguments(n).end());
+        else
+            terms.push_back(n);
     }
+    return terms;
+}
+
+// What a length is the length of; none where it is no root of squares. Numbers before them stay
+// out.
+std::vector<Node> partsOfLength(const Graph& graph, Node length, const std::vector<bool>& isZero) {
+    std::vector<Node> parts;
+    for (const Node term : termsOf(graph, length))
+        if (graph.op(length) == Op::hypot)
+            std::ranges::copy(factorsOf(graph, term), std::back_inserter(parts));
+        else if (const auto squared = squaredIn(graph, term, isZero))
+            parts.push_back(*squared);
+        else
+            return {};
     return parts;
 }
 
@@ -203,18 +213,10 @@ std::optional<Direction> directionOf(Graph& graph, Node length,
                                      const std::function<bool(Node)>& isNumber) {
     Direction direction{length, {}};
     const bool isRoot = graph.op(length) == Op::sqrt;
-    std::vector<Node> open(graph.arguments(length).begin(), graph.arguments(length).end());
-    while (!open.empty()) {
-        const Node n = open.back();
-        open.pop_back();
-        if (graph.op(n) == (isRoot ? Op::add : Op::hypot)) {
-            const auto arguments = graph.arguments(n);
-            open.insert(open.end(), arguments.begin(), arguments.end());
+    for (const Node term : termsOf(graph, length)) {
+        if (graph.isConstant(term, 0))
             continue;
-        }
-        if (graph.isConstant(n, 0))
-            continue;
-        const auto part = isRoot ? squareIn(graph, n, isNumber) : partIn(graph, n, isNumber);
+        const auto part = isRoot ? squareIn(graph, term, isNumber) : partIn(graph, term, isNumber);
         if (!part || isNumber(part->node))
             return std::nullopt;
         direction.parts.push_back(*part);

@@ -28,6 +28,13 @@ struct Direction {
     std::vector<Part> parts;
 };
 
+// hypot(), or the root of a sum or of a square.
+[[nodiscard]] bool isLength(const expression::Graph& graph, expression::Node node);
+
+// Of a product, signs taken off; of a quotient those of its numerator.
+[[nodiscard]] std::vector<expression::Node> factorsOf(const expression::Graph& graph,
+                                                      expression::Node product);
+
 // A quotient in which one factor of the denominator alone is 0, a length, and the numerator has one
 // of its parts as a factor: a direction times something.
 [[nodiscard]] bool isDirectionAtRest(const expression::Graph& graph, expression::Node quotient,

@@ -109,8 +109,9 @@ void ErrorControl::prepare(std::span<const double> y, double h) {
     rounding_ = coarsest / units;
     const double place = tolerance_ * extent_, speed = tolerance_ * speed_;
     // A speed that does not show within the step.
-    const double unseen = std::max(0.01 * tolerance_ * extent_, coarsest) /
-                          std::max(h, std::numeric_limits<double>::min());
+    constexpr double shortest = std::numeric_limits<double>::min();
+    const double unseen = std::max(0.01 * tolerance_ * extent_ / std::max({h, duration_, shortest}),
+                                   coarsest / std::max(h, shortest));
     for (std::size_t i = 0; i < scales_.size(); ++i) {
         const double length = scales_[i].lengthPerUnit;
         double weight = std::max(rounding * std::abs(y[i]), 1e-280);

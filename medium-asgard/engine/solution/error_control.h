@@ -9,8 +9,9 @@
 //
 // An error in a velocity or a spin that moves nothing by a hundredth of the position's tolerance
 // within the step, or by less than the rounding of the positions, is also allowed, so that a body
-// at rest is not followed into its rounding errors. No scale is below the rounding of the value
-// itself.
+// at rest is not followed into its rounding errors. Where a peak is met (oversight.h) a step is as
+// short as the peak, and the speed that it leaves moves things for long after: from then on that is
+// asked of a longer time. No scale is below the rounding of the value itself.
 //
 // The norm is the maximum, not a mean over unknowns: what is promised holds for each body, and a
 // mean would let one moving body hide among many that rest.
@@ -45,6 +46,8 @@ public:
     [[nodiscard]] double newtonNoise(bool isControlled = true) const;
     // Accepted values widen ranges and largest values.
     void observe(std::span<const double> y);
+    // What an error in a velocity moves is asked of at least that time from now on.
+    void countSpeedsOver(double duration) { duration_ = duration; }
     // Scales for a step of length h to `y`, the values seen so far and these.
     void prepare(std::span<const double> y, double h);
     // max |error_i| / scale_i, with the scales last prepared.
@@ -77,6 +80,7 @@ private:
     double tolerance_ = 1e-6;
     bool any_ = false;
     double leastExtent_ = 0, rounding_ = 0;
+    double duration_ = 0;                       // least time for which an error in a speed counts
     double step_ = 0;                           // last prepared
     double extent_ = 0, speed_ = 0, other_ = 0; // with the values last measured
 };

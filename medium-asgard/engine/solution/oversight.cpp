@@ -1,10 +1,13 @@
 #include "solution/oversight.h"
 
 #include "expression/operation.h"
+#include "solution/directions.h"
 #include "solution/polynomial.h"
+#include "solution/switching.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace solution {
 
@@ -114,21 +117,31 @@ bool isMild(const Interval& denominator) {
 
 } // namespace
 
-bool canPeak(const Graph& graph, std::span<const Node> outputs, std::span<const Node> constants,
-             std::span<const Node> attitudes, std::span<const double> values) {
-    const std::vector<Node> reached = expression::reachable(graph, outputs);
-    std::vector<Interval> ranges;
-    if (!values.empty())
-        ranges = rangesOf(graph, reached, constants, values);
-    const auto readsOnly = [&graph](Node node, std::span<const Node> known,
-                                    std::span<const Node> alsoKnown) {
-        return std::ranges::all_of(
-            expression::symbolsOf(graph, std::span(&node, 1)), [&](Node symbol) {
-                return std::ranges::find(known, symbol) != known.end() ||
-                       std::ranges::find(alsoKnown, symbol) != alsoKnown.end();
-            });
-    };
-    return std::ranges::any_of(reached, [&](Node node) {
+namespace {
+
+// By node: what it reads is among these symbols.
+std::vector<bool> readsOnly(const Graph& graph, std::span<const Node> reached,
+                            std::initializer_list<std::span<const Node>> symbols) {
+    std::vector<bool> only(graph.size(), false);
+    for (const Node node : reached)
+        only[node.index] =
+            graph.op(node) == Op::symbol
+                ? std::ranges::any_of(symbols,
+                                      [&](std::span<const Node> known) {
+                                          return std::ranges::find(known, node) != known.end();
+                                      })
+                : std::ranges::all_of(graph.arguments(node),
+                                      [&](Node argument) { return only[argument.index]; });
+    return only;
+}
+
+// Of what is reached, what can peak; `isNumber`: by node, reads constants only, `isMeasured`:
+// or attitudes.
+std::vector<Node> peakingNodes(const Graph& graph, std::span<const Node> reached,
+                               const std::vector<bool>& isNumber,
+                               const std::vector<bool>& isMeasured) {
+    std::vector<Node> found;
+    std::ranges::copy_if(reached, std::back_inserter(found), [&](Node node) {
         switch (graph.op(node)) {
         case Op::tan:
         case Op::asin:
@@ -141,22 +154,187 @@ bool canPeak(const Graph& graph, std::span<const Node> outputs, std::span<const 
         case Op::exp:
         case Op::log:
         case Op::log10:
-            return !readsOnly(node, constants, {});
-        case Op::divide: {
-            const Node denominator = graph.arguments(node)[1];
-            return !readsOnly(denominator, constants, attitudes) &&
-                   (ranges.empty() || !isMild(ranges[denominator.index]));
-        }
+            return !isNumber[node.index];
+        case Op::divide:
+            return !isMeasured[graph.arguments(node)[1].index];
         case Op::power: {
             const Node exponent = graph.arguments(node)[1];
             const bool isLow = graph.op(exponent) == Op::constant && graph.value(exponent) >= 0 &&
                                graph.value(exponent) <= 4;
-            return !isLow && !readsOnly(node, constants, {});
+            return !isLow && !isNumber[node.index];
         }
         default:
             return false;
         }
     });
+    return found;
+}
+
+bool isEvenPower(const Graph& graph, Node node) {
+    if (graph.op(node) != Op::power)
+        return false;
+    const Node exponent = graph.arguments(node)[1];
+    return graph.op(exponent) == Op::constant && std::fmod(graph.value(exponent), 2) == 0;
+}
+
+void makeUnique(std::vector<Node>& nodes) {
+    std::ranges::sort(nodes);
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+}
+
+// What is brought to one sign within an expression: the bases of even powers, the arguments of
+// hypot(), cosh() and abs(). Not below what peaks by itself.
+std::vector<Node> basesIn(const Graph& graph, Node expression, const std::vector<bool>& isNumber,
+                          std::span<const Node> peaking) {
+    std::vector<Node> open{expression}, bases;
+    while (!open.empty()) {
+        const Node node = open.back();
+        open.pop_back();
+        const auto arguments = graph.arguments(node);
+        const Op op = graph.op(node);
+        if (isNumber[node.index] || std::ranges::find(peaking, node) != peaking.end())
+            continue;
+        if (isEvenPower(graph, node) || op == Op::hypot || op == Op::cosh || op == Op::abs)
+            bases.insert(bases.end(), arguments.begin(), arguments.end());
+        if (op == Op::multiply) {
+            const std::vector<Node> factors = factorsOf(graph, node);
+            std::ranges::copy_if(factors, std::back_inserter(bases), [&](Node factor) {
+                return std::ranges::count(factors, factor) > 1;
+            });
+        }
+        if (op == Op::hypot || op == Op::cosh || op == Op::abs || op == Op::add ||
+            op == Op::subtract || op == Op::multiply || op == Op::divide || op == Op::negate ||
+            op == Op::sqrt)
+            open.insert(open.end(), arguments.begin(), arguments.end());
+        else if (op == Op::power)
+            open.push_back(arguments[0]);
+    }
+    std::erase_if(bases, [&](Node base) { return isNumber[base.index]; });
+    return bases;
+}
+
+// What makes it peak: arguments, of a quotient the factors of its denominator without the lengths
+// that a vector is divided by once. a/|a| turns, but does not peak.
+std::vector<Node> causesOf(const Graph& graph, Node peaking) {
+    const auto arguments = graph.arguments(peaking);
+    if (graph.op(peaking) != Op::divide)
+        return {arguments.begin(), arguments.end()};
+    const std::vector<Node> factors = factorsOf(graph, arguments[1]);
+    std::vector<Node> left;
+    std::ranges::copy_if(factors, std::back_inserter(left), [&](Node factor) {
+        return !isLength(graph, factor) || std::ranges::count(factors, factor) > 1;
+    });
+    return left;
+}
+
+bool isPolynomial(const Graph& graph, Node node, const std::vector<bool>& isNumber) {
+    return std::ranges::all_of(expression::reachable(graph, {&node, 1}), [&](Node n) {
+        switch (graph.op(n)) {
+        case Op::symbol:
+        case Op::negate:
+        case Op::add:
+        case Op::subtract:
+        case Op::multiply:
+            return true;
+        case Op::divide:
+            return static_cast<bool>(isNumber[graph.arguments(n)[1].index]);
+        default:
+            return static_cast<bool>(isNumber[n.index]);
+        }
+    });
+}
+
+} // namespace
+
+bool canPeak(const Graph& graph, std::span<const Node> outputs, std::span<const Node> constants,
+             std::span<const Node> attitudes, std::span<const double> values) {
+    const std::vector<Node> reached = expression::reachable(graph, outputs);
+    std::vector<Interval> ranges;
+    if (!values.empty())
+        ranges = rangesOf(graph, reached, constants, values);
+    const auto peaking = peakingNodes(graph, reached, readsOnly(graph, reached, {constants}),
+                                      readsOnly(graph, reached, {constants, attitudes}));
+    return std::ranges::any_of(peaking, [&](Node node) {
+        return graph.op(node) != Op::divide || ranges.empty() ||
+               !isMild(ranges[graph.arguments(node)[1].index]);
+    });
+}
+
+Peaks peaksOf(const Graph& graph, std::span<const Node> outputs, std::span<const Node> constants,
+              std::span<const Node> attitudes) {
+    const std::vector<Node> reached = expression::reachable(graph, outputs);
+    const std::vector<bool> isNumber = readsOnly(graph, reached, {constants});
+    const std::vector<Node> peaking =
+        peakingNodes(graph, reached, isNumber, readsOnly(graph, reached, {constants, attitudes}));
+    Peaks peaks;
+    for (const Node node : peaking) {
+        std::vector<Node> causes = causesOf(graph, node), centres;
+        std::erase_if(causes, [&](Node cause) { return isNumber[cause.index]; });
+        if (isEvenPower(graph, node))
+            centres = causes;
+        for (const Node cause : causes)
+            std::ranges::copy(basesIn(graph, cause, isNumber, peaking),
+                              std::back_inserter(centres));
+        if (centres.empty())
+            centres = causes;
+        if (!centres.empty())
+            peaks.heights.push_back(node);
+        std::ranges::copy(centres, std::back_inserter(peaks.centres));
+    }
+    makeUnique(peaks.centres);
+    peaks.arePolynomials = std::ranges::all_of(
+        peaks.centres, [&](Node centre) { return isPolynomial(graph, centre, isNumber); });
+    return peaks;
+}
+
+namespace {
+
+// No parabola through three of its values comes near 0.
+bool staysAway(double a, double b, double c) {
+    if (!(a * b > 0 && b * c > 0))
+        return false;
+    const double low = std::min({std::abs(a), std::abs(b), std::abs(c)}),
+                 high = std::max({std::abs(a), std::abs(b), std::abs(c)});
+    // It passes at most an eighth of its second difference below the lowest of them.
+    return low > 0.25 * std::abs(a - 2 * b + c) + 1e-3 * high;
+}
+
+} // namespace
+
+std::vector<double> centresPassed(std::size_t count, bool arePolynomials,
+                                  const std::function<void(double, std::span<double>)>& evaluate,
+                                  double from, double to) {
+    constexpr std::size_t most = 64;
+    std::vector<double> first(count), middle(count), last(count), found;
+    evaluate(from, first);
+    if (arePolynomials) {
+        evaluate(from + 0.5 * (to - from), middle);
+        evaluate(to, last);
+        bool away = true;
+        for (std::size_t k = 0; k < count; ++k)
+            away = away && staysAway(first[k], middle[k], last[k]);
+        if (away)
+            return found;
+    }
+    std::vector<double> sides(count);
+    for (std::size_t k = 0; k < count; ++k)
+        sides[k] = first[k] < 0 ? -1 : 1;
+    const auto besideSides = [&](double t, std::span<double> values) {
+        evaluate(t, values);
+        for (std::size_t k = 0; k < count; ++k)
+            values[k] *= sides[k];
+    };
+    for (std::size_t i = 0; i < most + count; ++i) {
+        const auto next = firstViolation(count, besideSides, from, to);
+        if (!next || next->time >= to)
+            return found;
+        for (const std::size_t k : next->watches)
+            sides[k] = -sides[k];
+        if (next->time > from)
+            found.push_back(next->time);
+        from = next->time;
+    }
+    return found;
 }
 
 } // namespace solution

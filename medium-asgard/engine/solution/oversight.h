@@ -10,14 +10,19 @@
 // long steps by their short ones: a step crosses few joints of what it reads. No step is longer
 // than all the time before it, once it is over 1.
 //
+// What peaks is narrow, but what it peaks by is not: exp(-((t-60)/0.01)^2) has its middle where
+// t - 60 is 0, and a step that passes over that changes the sign of t - 60. So centres are watched
+// too, by their signs, in every step, and the rates are asked for where one is 0.
+//
 // LIMIT: high powers that are built of low ones, by squaring squares, are not seen to peak. What
-// acts for less than a 25th of the time since the start, from its beginning to its end, can lie
-// between two such times, and the first 64th of a unit of time is left to error control; a first
-// step says more of what comes early.
+// has no centre (Peaks), and acts for less than a 25th of the time since the start, from its
+// beginning to its end, can lie between two watched times, and the first 64th of a unit of time is
+// left to error control; a first step says more of what comes early.
 #pragma once
 
 #include "expression/graph.h"
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -51,5 +56,25 @@ private:
                            std::span<const expression::Node> constants,
                            std::span<const expression::Node> attitudes,
                            std::span<const double> values = {});
+
+// Where these expressions may peak, however narrow the peak: at 0 of what is squared, or brought to
+// one sign otherwise, in what can peak, or of its argument where nothing is (tanh((x-700)/w)).
+// LIMIT: a square that is multiplied out (t^2 - 120*t + 3600) has no centre, nor has sin(t)^100.
+struct Peaks {
+    std::vector<expression::Node> centres;
+    std::vector<expression::Node> heights; // what peaks there
+    bool arePolynomials = true;            // the centres, of time, states and inputs
+};
+[[nodiscard]] Peaks peaksOf(const expression::Graph& graph,
+                            std::span<const expression::Node> outputs,
+                            std::span<const expression::Node> constants,
+                            std::span<const expression::Node> attitudes);
+
+// Times in (from, to), in order, at which one of `count` values changes its sign. Of polynomials
+// that stay far from 0 three values are asked for, and no more.
+[[nodiscard]] std::vector<double>
+centresPassed(std::size_t count, bool arePolynomials,
+              const std::function<void(double t, std::span<double> values)>& evaluate, double from,
+              double to);
 
 } // namespace solution

@@ -56,6 +56,117 @@ TEST(Oversight, APlaceThatPushesIsFoundByWhoFliesPast) {
     EXPECT_NEAR(s.histories().value(3, 20), gained, 1e-4 * gained);
 }
 
+// Far narrower than the distance of watched times: found by the sign of what is 0 in its middle.
+TEST(Oversight, APushAsShortAsOneLikesIsFoundByEveryMethod) {
+    const double pi = std::acos(-1.0);
+    struct Shape {
+        std::string text; // of u = (t-60)/w
+        double area;
+    };
+    const std::vector<Shape> shapes = {{"exp(-(U)^2)", std::sqrt(pi)},
+                                       {"1/(1+(U)^2)^2", pi / 2},
+                                       {"1/cosh(U)^2", 2},
+                                       {"exp(-abs(U))", 2},
+                                       {"exp(-(U)*(U)/2)", std::sqrt(2 * pi)}};
+    for (const std::string method : {"auto", "dop853", "gbs", "radau5", "sdirk4"})
+        for (const std::string width : {"0.02", "1e-4"})
+            for (const Shape& shape : shapes) {
+                std::string text = shape.text;
+                text.replace(text.find('U'), 1, "(t-60)/" + width);
+                if (const auto at = text.find('U'); at != std::string::npos)
+                    text.replace(at, 1, "(t-60)/" + width);
+                const double area = shape.area * std::stod(width), size = 1 / area;
+                const Solver s = solved(equationsOf(pushed(std::to_string(size) + "*" + text)), 100,
+                                        watched(1e-6, method));
+                EXPECT_NEAR(s.histories().value(1, 100), 1, 1e-4) << method << " " << text;
+            }
+}
+
+TEST(Oversight, AWallAsThinAsOneLikesIsMetWhereverItIs) {
+    for (const std::string method : {"auto", "tsit5", "radau5"})
+        for (const std::string width : {"0.01", "1e-5"}) {
+            const double area = std::sqrt(std::acos(-1.0)) * std::stod(width);
+            const std::string wall =
+                std::to_string(17.5 / area) + "*exp(-((x-700)/" + width + ")^2)";
+            const Solver s = solved(equationsOf(pushed(wall, 10)), 100, watched(1e-6, method));
+            EXPECT_NEAR(s.histories().value(1, 100), std::sqrt(135), 1e-4)
+                << method << " " << width;
+        }
+}
+
+// 0 on both sides, and between two edges that are far apart beside their width.
+TEST(Oversight, AForceBetweenTwoEdgesIsFoundByEveryMethod) {
+    for (const std::string method : {"auto", "tsit5", "radau5"})
+        for (const std::string width : {"1e-2", "1e-4"})
+            for (const std::string text : {"tanh((X-A)/W+10)-tanh((X-A)/W-10)",
+                                           "2/(1+exp((A-X)/W-10))-2/(1+exp((A-X)/W+10))"}) {
+                std::string force =
+                    std::to_string(17.5 / (40 * std::stod(width))) + "*(" + text + ")";
+                for (const auto& [name, value] : std::vector<std::pair<char, std::string>>{
+                         {'X', "x"}, {'A', "700"}, {'W', width}})
+                    for (auto at = force.find(name); at != std::string::npos; at = force.find(name))
+                        force.replace(at, 1, value);
+                const Solver s = solved(equationsOf(pushed(force, 10)), 100, watched(1e-6, method));
+                EXPECT_NEAR(s.histories().value(1, 100), std::sqrt(135), 1e-3)
+                    << method << " " << force;
+            }
+}
+
+// It switches in its middle, where steps end.
+TEST(Oversight, APeakWithAKinkIsFollowedUpToIt) {
+    for (const double allowed : {1e-3, 1e-4, 1e-6}) {
+        const Solver s = solved(equationsOf(pushed("875000*exp(-abs((x-700)/1e-5))", 10)), 100,
+                                watched(allowed));
+        EXPECT_NEAR(s.histories().value(1, 100), std::sqrt(135), 10 * allowed + 1e-4) << allowed;
+    }
+}
+
+// Within one step it goes through the wall, turns, and comes back through it.
+TEST(Oversight, AWallThatIsPassedTwiceInAStepIsMetTwice) {
+    for (const double height : {400.0, 499.0, 499.9}) {
+        const std::string field = std::to_string(height) + ")/0.01)^2)";
+        std::vector<Line> lines = pushed("-10", 100); // up to 500, down at 20
+        lines.push_back({"y", "dy", 0, 1});
+        lines.push_back({"dy", "30*exp(-((x-" + field, 0});
+        const Solver s = solved(equationsOf(lines), 20, watched(1e-6));
+        const double speed = std::sqrt(20 * (500 - height));
+        const double gained = 2 * 0.3 * std::sqrt(std::acos(-1.0)) / speed;
+        EXPECT_NEAR(s.histories().value(3, 20), gained, 2e-3 * gained) << height;
+    }
+}
+
+TEST(Oversight, PushesThatComeAgainAndAgainAreAllFound) {
+    const double width = 1e-3, gained = 2 * width * std::sqrt(std::acos(-1.0)); // of u = sin(t/2)
+    for (const std::string method : {"auto", "radau5"}) {
+        const Solver s =
+            solved(equationsOf(pushed("exp(-((sin(t/2))/1e-3)^2)")), 1000, watched(1e-6, method));
+        EXPECT_NEAR(s.histories().value(1, 1000), 159.5 * gained, 1e-4 * 159.5 * gained) << method;
+    }
+}
+
+TEST(Oversight, ValuesThatAreHeldFollowTheirPeaks) {
+    expression::EquationSet set = equationsOf({{"x", "0"}});
+    set.unknowns[0].phases[0].given =
+        expression::testing::parsed(set.graph, "1/(1+((t-60)/1e-5)^2)");
+    const Solver s = solved(std::move(set), 100, watched(1e-6));
+    EXPECT_NEAR(s.histories().value(0, 60), 1, 1e-9);
+    EXPECT_NEAR(s.histories().value(0, 60 + 1e-5), 0.5, 1e-6);
+}
+
+// Past a heavy point at a distance much smaller than a step: an angle of 2 atan(m / (b v^2)).
+TEST(Oversight, AFlyPastAHeavyPointTurnsTheWay) {
+    for (const std::string method : {"auto", "dop853"}) {
+        const double near = 1e-4, mass = 1e-4;
+        std::vector<Line> lines = {{"x", "dx", -60, 1},
+                                   {"dx", "-1e-4*x/hypot(x,y)^3", 1},
+                                   {"y", "dy", near, 1},
+                                   {"dy", "-1e-4*y/hypot(x,y)^3", 0}};
+        const Solver s = solved(equationsOf(lines), 100, watched(1e-6, method));
+        const double angle = 2 * std::atan(mass / near);
+        EXPECT_NEAR(s.histories().value(3, 100), -std::sin(angle), 1e-3) << method;
+    }
+}
+
 TEST(Oversight, CostsAnEvaluationForEachWatchedTimeAndNoStepWhereThereIsNothing) {
     const auto set = [] { return equationsOf({{"x", "dx", 1, 1}, {"dx", "-x*exp(-0.1*x^2)", 0}}); };
     const Statistics with = solved(set(), 10, watched(1e-6)).statistics();
@@ -87,6 +198,45 @@ TEST(Oversight, AKickOfWhatIsReadIsSeenByWhoReadsIt) {
         const Solver truth = solved(equationsOf(lines), 10, tolerance(1e-12));
         EXPECT_NEAR(s.histories().value(3, 10), truth.histories().value(3, 10), 1e-5) << at;
     }
+}
+
+TEST(Peaks, HaveCentresWhereSomethingIsBroughtToOneSign) {
+    const auto centresOf = [](const std::string& text) {
+        expression::Graph graph;
+        const expression::Node c = graph.symbol("c");
+        const std::vector outputs = {expression::testing::parsed(graph, text)};
+        std::string all;
+        for (const expression::Node centre : peaksOf(graph, outputs, std::vector{c}, {}).centres)
+            all += print(graph, centre) + ";";
+        return all;
+    };
+    EXPECT_EQ(centresOf("exp(-c*(t-60)^2)"), "t - 60;");
+    EXPECT_EQ(centresOf("exp(c*(x-3)*(x-3)+c*z^2)"), "x - 3;z;");
+    EXPECT_EQ(centresOf("tanh((x-c)/0.1)"), "(x - c)/0.1;");
+    EXPECT_EQ(centresOf("1/cosh(t-60)^2"), "t - 60;cosh(t - 60);");
+    EXPECT_EQ(centresOf("x/hypot(x,z)^3"), "x;z;");
+    EXPECT_EQ(centresOf("1/(c+(x-3)^4)"), "x - 3;");
+    EXPECT_EQ(centresOf("1/(t-60)"), "t - 60;");
+    EXPECT_EQ(centresOf("c*x/hypot(x,z)"), ""); // turns there, and no more
+    EXPECT_EQ(centresOf("sin(x)^2+c*t^2"), "");
+}
+
+TEST(Peaks, HaveTheirCentresPassedAsOftenAsTheyAre) {
+    const auto passed = [](const std::function<double(double)>& centre, bool isPolynomial) {
+        int asked = 0;
+        const auto evaluate = [&](double t, std::span<double> values) {
+            values[0] = centre(t);
+            ++asked;
+        };
+        const std::vector<double> times = centresPassed(1, isPolynomial, evaluate, 0, 10);
+        return std::pair(times, asked);
+    };
+    EXPECT_EQ(passed([](double t) { return t + 1; }, true).second, 3);
+    EXPECT_EQ(passed([](double t) { return (t - 5) * (t - 5) + 30; }, true).second, 3);
+    EXPECT_EQ(passed([](double t) { return t - 4; }, true).first, std::vector{4.0});
+    EXPECT_EQ(passed([](double t) { return (t - 5) * (t - 5.25); }, true).first.size(), 2u);
+    EXPECT_EQ(passed([](double t) { return std::sin(3 * t); }, false).first.size(), 9u);
+    EXPECT_TRUE(passed([](double t) { return t; }, true).first.empty()); // at the start
 }
 
 TEST(CanPeak, IsSaidOfExponentialsAndQuotientsOfWhatMoves) {
