@@ -106,10 +106,19 @@ bool ComponentEquations::heldValues(double t, std::span<const double> y, std::sp
     return std::all_of(out.begin(), out.end(), [](double x) { return std::isfinite(x); });
 }
 
-void ComponentEquations::evaluate(const expression::Function& function, double t,
-                                  std::span<const double> y, std::span<double> out) {
+void ComponentEquations::peakCentres(double t, std::span<const double> y,
+                                     std::span<const double> rates, std::span<double> out) {
     fill(t, y);
-    function.evaluate(in_, out, scratch_);
+    inMoving_.assign(in_.begin(), in_.end());
+    inMoving_.insert(inMoving_.end(), rates.begin(), rates.end());
+    inMoving_.resize(inMoving_.size() + model_.inputs());
+    inputs_.rates(t, std::span(inMoving_).last(model_.inputs()));
+    model_.peaks().centres.evaluate(inMoving_, out, scratch_);
+}
+
+void ComponentEquations::peakHeights(double t, std::span<const double> y, std::span<double> out) {
+    fill(t, y);
+    model_.peaks().heights.evaluate(in_, out, scratch_);
 }
 
 std::vector<std::size_t> ComponentEquations::notFinite(double t, std::span<const double> y) {

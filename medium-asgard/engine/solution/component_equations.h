@@ -108,9 +108,10 @@ public:
     [[nodiscard]] std::optional<double> constantOf(expression::Node symbol) const;
     [[nodiscard]] bool readsStates() const { return model_.readsStates(); }
 
-    // A function of the model's symbols.
-    void evaluate(const expression::Function& function, double t, std::span<const double> y,
-                  std::span<double> out);
+    // The model's peaks (oversight.h): centres where states have these rates, and heights.
+    void peakCentres(double t, std::span<const double> y, std::span<const double> rates,
+                     std::span<double> out);
+    void peakHeights(double t, std::span<const double> y, std::span<double> out);
 
     // Branches. decide() is from the values alone, with what the fields say on a surface itself.
     void decide(double t, std::span<double> y);
@@ -309,6 +310,7 @@ private:
     std::optional<std::size_t> leaving_; // of these, one that sets off
     double growth_ = 0, pull_ = 0;       // of that: rate of its vector, and of it without friction
     std::vector<double> units_;          // for parts of unit vectors that are held, by part
+    std::vector<double> inMoving_;       // symbols, and rates of states and inputs
     std::vector<double> measures_, inHeld_; // of the model's directions
     std::vector<double> reach_;             // by state
     double tolerance_ = 0;                  // by which it was made

@@ -38,7 +38,8 @@ bool ComponentEquations::jacobian(double t, std::span<const double> y, std::span
 }
 
 // While sliding f is a mixture whose weights depend on y too; few unknowns slide, so differences
-// do, and where derivatives overflow (of 1/cosh(x)^2, far out) while rates do not. What stays on its surface exactly moves nothing, and may have no value beside it.
+// do, and where derivatives overflow (of 1/cosh(x)^2, far out) while rates do not. What stays on
+// its surface exactly moves nothing, and may have no value beside it.
 bool ComponentEquations::differences(double t, std::span<const double> y,
                                      std::span<double> entries) {
     std::vector<double> at(y.begin(), y.end()), low(states().size()), high(states().size());

@@ -89,10 +89,17 @@ void ComponentModel::findStructure() {
 }
 
 void ComponentModel::findPeaks() {
+    Graph graph = graph_;
+    std::vector<Node> symbols = symbols_;
+    std::vector<Moving> moving = {{symbols_[0], graph.constant(1)}};
+    for (std::size_t i = 1; i < variables(); ++i) {
+        moving.push_back({symbols_[i], graph.symbol("rate of " + graph.name(symbols_[i]))});
+        symbols.push_back(moving.back().rate);
+    }
     const Peaks peaks =
-        peaksOf(graph_, outputs_, std::span(symbols_).subspan(variables()), attitudes());
-    peaks_.centres = expression::Function(expression::Tape(graph_, symbols_, peaks.centres));
-    peaks_.heights = expression::Function(expression::Tape(graph_, symbols_, peaks.heights));
+        peaksOf(graph, outputs_, std::span(symbols_).subspan(variables()), attitudes(), moving);
+    peaks_.centres = expression::Function(expression::Tape(graph, symbols, peaks.centres));
+    peaks_.heights = expression::Function(expression::Tape(graph, symbols_, peaks.heights));
     peaks_.arePolynomials = peaks.arePolynomials;
 }
 

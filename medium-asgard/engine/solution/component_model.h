@@ -52,7 +52,8 @@ public:
     [[nodiscard]] bool readsStates() const { return readsStates_; } // other than in guards
     // oversight.h: with these constants.
     [[nodiscard]] bool canPeak(std::span<const double> values) const;
-    // Where it can peak (oversight.h): centres, and what peaks there, from symbols().
+    // Where it can peak (oversight.h): centres, from symbols() and the rates of states and inputs,
+    // and what peaks there, from symbols().
     struct PeakFunctions {
         expression::Function centres, heights;
         bool arePolynomials = true; // the centres

@@ -49,11 +49,14 @@ std::vector<double> Component::centresIn(std::span<const Coefficients> states, d
     const std::size_t count = peaks.centres.tape().outputs();
     if (count == 0 || !equations_->bound()->canPeak)
         return {};
-    std::vector<double> y(states.size());
+    std::vector<double> y(states.size()), rates(states.size());
     const auto valuesAt = [&](double t, std::span<double> values) {
-        for (std::size_t i = 0; i < y.size(); ++i)
-            y[i] = evaluate(states[i], (t - origin) / scale);
-        equations_->evaluate(peaks.centres, t, y, values);
+        const double s = (t - origin) / scale;
+        for (std::size_t i = 0; i < y.size(); ++i) {
+            y[i] = evaluate(states[i], s);
+            rates[i] = evaluateDerivative(states[i], s) / scale;
+        }
+        equations_->peakCentres(t, y, rates, values);
     };
     return centresPassed(count, peaks.arePolynomials, valuesAt, origin, until);
 }
@@ -62,12 +65,12 @@ std::vector<double> Component::centresIn(std::span<const Coefficients> states, d
 // it.
 bool Component::towers(double t, double h) {
     constexpr double times = 16;
-    const expression::Function& heights = equations_->model().peaks().heights;
+    const std::size_t heights = equations_->model().peaks().heights.tape().outputs();
     const auto heightsAt = [&](double at) {
-        std::vector<double> y(columns_.size()), values(heights.tape().outputs());
+        std::vector<double> y(columns_.size()), values(heights);
         for (std::size_t i = 0; i < y.size(); ++i)
             y[i] = evaluate(columns_[i], (at - time_) / h);
-        equations_->evaluate(heights, at, y, values);
+        equations_->peakHeights(at, y, values);
         return values;
     };
     const std::vector<double> before = heightsAt(time_), here = heightsAt(t),

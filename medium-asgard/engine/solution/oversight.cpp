@@ -170,47 +170,9 @@ std::vector<Node> peakingNodes(const Graph& graph, std::span<const Node> reached
     return found;
 }
 
-bool isEvenPower(const Graph& graph, Node node) {
-    if (graph.op(node) != Op::power)
-        return false;
-    const Node exponent = graph.arguments(node)[1];
-    return graph.op(exponent) == Op::constant && std::fmod(graph.value(exponent), 2) == 0;
-}
-
 void makeUnique(std::vector<Node>& nodes) {
     std::ranges::sort(nodes);
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-}
-
-// What is brought to one sign within an expression: the bases of even powers, the arguments of
-// hypot(), cosh() and abs(). Not below what peaks by itself.
-std::vector<Node> basesIn(const Graph& graph, Node expression, const std::vector<bool>& isNumber,
-                          std::span<const Node> peaking) {
-    std::vector<Node> open{expression}, bases;
-    while (!open.empty()) {
-        const Node node = open.back();
-        open.pop_back();
-        const auto arguments = graph.arguments(node);
-        const Op op = graph.op(node);
-        if (isNumber[node.index] || std::ranges::find(peaking, node) != peaking.end())
-            continue;
-        if (isEvenPower(graph, node) || op == Op::hypot || op == Op::cosh || op == Op::abs)
-            bases.insert(bases.end(), arguments.begin(), arguments.end());
-        if (op == Op::multiply) {
-            const std::vector<Node> factors = factorsOf(graph, node);
-            std::ranges::copy_if(factors, std::back_inserter(bases), [&](Node factor) {
-                return std::ranges::count(factors, factor) > 1;
-            });
-        }
-        if (op == Op::hypot || op == Op::cosh || op == Op::abs || op == Op::add ||
-            op == Op::subtract || op == Op::multiply || op == Op::divide || op == Op::negate ||
-            op == Op::sqrt)
-            open.insert(open.end(), arguments.begin(), arguments.end());
-        else if (op == Op::power)
-            open.push_back(arguments[0]);
-    }
-    std::erase_if(bases, [&](Node base) { return isNumber[base.index]; });
-    return bases;
 }
 
 // What makes it peak: arguments, of a quotient the factors of its denominator without the lengths
@@ -227,7 +189,47 @@ std::vector<Node> causesOf(const Graph& graph, Node peaking) {
     return left;
 }
 
+Node sumOfSquares(Graph& graph, Node length) {
+    if (graph.op(length) != Op::hypot)
+        return graph.multiply(length, length);
+    const Node first = graph.arguments(length)[0], second = graph.arguments(length)[1];
+    const Node a = sumOfSquares(graph, first), b = sumOfSquares(graph, second);
+    return graph.add(a, b);
+}
+
+// Something simpler that is least or most, or 0, where this is: roots, powers and factors that are
+// numbers are taken off.
+Node withoutPowers(Graph& graph, Node node, const std::vector<bool>& isNumber) {
+    const auto isOne = [&](Node n) { return n.index < isNumber.size() && isNumber[n.index]; };
+    for (;;) {
+        const auto arguments = graph.arguments(node);
+        switch (graph.op(node)) {
+        case Op::hypot:
+            return sumOfSquares(graph, node);
+        case Op::negate:
+        case Op::sqrt:
+        case Op::abs:
+            node = arguments[0];
+            break;
+        case Op::power:
+        case Op::divide:
+            if (!isOne(arguments[1]))
+                return node;
+            node = arguments[0];
+            break;
+        case Op::multiply:
+            if (!isOne(arguments[0]) && !isOne(arguments[1]) && arguments[0] != arguments[1])
+                return node;
+            node = arguments[isOne(arguments[0]) ? 1 : 0];
+            break;
+        default:
+            return node;
+        }
+    }
+}
+
 bool isPolynomial(const Graph& graph, Node node, const std::vector<bool>& isNumber) {
+    const auto isOne = [&](Node n) { return n.index < isNumber.size() && isNumber[n.index]; };
     return std::ranges::all_of(expression::reachable(graph, {&node, 1}), [&](Node n) {
         switch (graph.op(n)) {
         case Op::symbol:
@@ -237,11 +239,32 @@ bool isPolynomial(const Graph& graph, Node node, const std::vector<bool>& isNumb
         case Op::multiply:
             return true;
         case Op::divide:
-            return static_cast<bool>(isNumber[graph.arguments(n)[1].index]);
+            return isOne(graph.arguments(n)[1]);
+        case Op::power:
+            return graph.op(graph.arguments(n)[1]) == Op::constant;
         default:
-            return static_cast<bool>(isNumber[n.index]);
+            return isOne(n);
         }
     });
+}
+
+// d/dt along the motion; none: a number.
+std::optional<Node> rateOf(Graph& graph, Node node, std::span<const Moving> moving) {
+    std::optional<Node> sum;
+    for (const Moving& symbol : moving) {
+        const Node partial = expression::differentiate(graph, node, symbol.symbol);
+        if (graph.isConstant(partial, 0))
+            continue;
+        const Node term = graph.multiply(partial, symbol.rate);
+        sum = sum ? graph.add(*sum, term) : term;
+    }
+    const auto isMoving = [&](Node read) {
+        return std::ranges::any_of(
+            moving, [&](const Moving& m) { return read == m.symbol || read == m.rate; });
+    };
+    if (!sum || std::ranges::none_of(expression::symbolsOf(graph, {&*sum, 1}), isMoving))
+        return std::nullopt;
+    return sum;
 }
 
 } // namespace
@@ -260,27 +283,24 @@ bool canPeak(const Graph& graph, std::span<const Node> outputs, std::span<const 
     });
 }
 
-Peaks peaksOf(const Graph& graph, std::span<const Node> outputs, std::span<const Node> constants,
-              std::span<const Node> attitudes) {
+Peaks peaksOf(Graph& graph, std::span<const Node> outputs, std::span<const Node> constants,
+              std::span<const Node> attitudes, std::span<const Moving> moving) {
     const std::vector<Node> reached = expression::reachable(graph, outputs);
     const std::vector<bool> isNumber = readsOnly(graph, reached, {constants});
-    const std::vector<Node> peaking =
-        peakingNodes(graph, reached, isNumber, readsOnly(graph, reached, {constants, attitudes}));
     Peaks peaks;
-    for (const Node node : peaking) {
-        std::vector<Node> causes = causesOf(graph, node), centres;
-        std::erase_if(causes, [&](Node cause) { return isNumber[cause.index]; });
-        if (isEvenPower(graph, node))
-            centres = causes;
-        for (const Node cause : causes)
-            std::ranges::copy(basesIn(graph, cause, isNumber, peaking),
-                              std::back_inserter(centres));
-        if (centres.empty())
-            centres = causes;
-        if (!centres.empty())
+    for (const Node node :
+         peakingNodes(graph, reached, isNumber, readsOnly(graph, reached, {constants, attitudes})))
+        for (const Node cause : causesOf(graph, node)) {
+            if (isNumber[cause.index])
+                continue;
             peaks.heights.push_back(node);
-        std::ranges::copy(centres, std::back_inserter(peaks.centres));
-    }
+            peaks.centres.push_back(withoutPowers(graph, cause, isNumber));
+        }
+    makeUnique(peaks.heights);
+    makeUnique(peaks.centres);
+    for (std::size_t k = peaks.centres.size(); k-- > 0;)
+        if (const auto rate = rateOf(graph, peaks.centres[k], moving))
+            peaks.centres.push_back(*rate);
     makeUnique(peaks.centres);
     peaks.arePolynomials = std::ranges::all_of(
         peaks.centres, [&](Node centre) { return isPolynomial(graph, centre, isNumber); });

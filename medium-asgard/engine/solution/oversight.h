@@ -10,14 +10,13 @@
 // long steps by their short ones: a step crosses few joints of what it reads. No step is longer
 // than all the time before it, once it is over 1.
 //
-// What peaks is narrow, but what it peaks by is not: exp(-((t-60)/0.01)^2) has its middle where
-// t - 60 is 0, and a step that passes over that changes the sign of t - 60. So centres are watched
-// too, by their signs, in every step, and the rates are asked for where one is 0.
+// What peaks is narrow, but what it peaks by is not: exp(-((t-60)/0.01)^2) is largest where its
+// exponent is, and a step that passes over that changes the sign of the exponent's rate. So signs
+// of such centres are watched too, in every step, and the rates are asked for where one is 0.
 //
-// LIMIT: high powers that are built of low ones, by squaring squares, are not seen to peak. What
-// has no centre (Peaks), and acts for less than a 25th of the time since the start, from its
-// beginning to its end, can lie between two watched times, and the first 64th of a unit of time is
-// left to error control; a first step says more of what comes early.
+// LIMIT: high powers that are built of low ones, by squaring squares, are not seen to peak: what
+// acts by one for less than a 25th of the time since the start, from its beginning to its end, can
+// lie between two watched times.
 #pragma once
 
 #include "expression/graph.h"
@@ -57,18 +56,23 @@ private:
                            std::span<const expression::Node> attitudes,
                            std::span<const double> values = {});
 
-// Where these expressions may peak, however narrow the peak: at 0 of what is squared, or brought to
-// one sign otherwise, in what can peak, or of its argument where nothing is (tanh((x-700)/w)).
-// LIMIT: a square that is multiplied out (t^2 - 120*t + 3600) has no centre, nor has sin(t)^100.
-struct Peaks {
-    std::vector<expression::Node> centres;
-    std::vector<expression::Node> heights; // what peaks there
-    bool arePolynomials = true;            // the centres, of time, states and inputs
+// What changes in time, and the symbol of its rate; of the time itself, 1.
+struct Moving {
+    expression::Node symbol, rate;
 };
-[[nodiscard]] Peaks peaksOf(const expression::Graph& graph,
-                            std::span<const expression::Node> outputs,
+
+// Where these expressions may peak, however narrow the peak: where what it peaks by (an exponent, a
+// denominator) is least or most, which is where its rate is 0, or is 0 itself (a pole, an edge:
+// tanh((x-700)/w)).
+struct Peaks {
+    std::vector<expression::Node> centres; // of time, states, inputs, constants and rates
+    std::vector<expression::Node> heights; // what peaks there
+    bool arePolynomials = true;            // the centres, of what moves
+};
+[[nodiscard]] Peaks peaksOf(expression::Graph& graph, std::span<const expression::Node> outputs,
                             std::span<const expression::Node> constants,
-                            std::span<const expression::Node> attitudes);
+                            std::span<const expression::Node> attitudes,
+                            std::span<const Moving> moving);
 
 // Times in (from, to), in order, at which one of `count` values changes its sign. Of polynomials
 // that stay far from 0 three values are asked for, and no more.
