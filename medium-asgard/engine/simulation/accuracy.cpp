@@ -140,7 +140,7 @@ void PlaceReader::addTimes(std::size_t unknown, double from, double until, Poll&
         if (!here)
             return;
         const bool isNext = here == history && step + 2 < here->size() &&
-                            here->step(step + 1).origin <= t && t < here->step(step + 2).origin;
+                            here->origin(step + 1) <= t && t < here->origin(step + 2);
         step = isNext ? step + 1 : here->find(t, here == history ? step : 0);
         history = here;
         double next = here->empty() ? solution::infinity : here->step(step).until;

@@ -212,13 +212,13 @@ CollisionSource::meetInFlight(const Histories& histories, const Pair& pair, doub
         return std::nullopt;
     const std::array<Vector, 2> velocities{first.velocity, second.velocity};
     const std::array<Vector, 2>& then = push->velocities;
-    add({.time = time,
-         .first = pair.first,
-         .second = pair.second,
-         .point = contact.point,
-         .normal = contact.normal,
-         .impulse = push->impulse},
-        time);
+    impacts_.add({.time = time,
+                  .first = pair.first,
+                  .second = pair.second,
+                  .point = contact.point,
+                  .normal = contact.normal,
+                  .impulse = push->impulse},
+                 time);
     if (turn(pair, time, velocities, then))
         return Handled{.event = {}, .isDone = true};
     // All axes of what could be turned restart, as they do in a turn: whether somebody reads a body
@@ -244,9 +244,9 @@ CollisionSource::meetInFlight(const Histories& histories, const Pair& pair, doub
 
 std::optional<Event> CollisionSource::rally(const Histories& histories, const Pair& pair,
                                             double until) {
-    std::size_t hits = 0;
+    Course course;
     if (!turns_ || !search_.gather(pair, rally_)) {
-        rally_.tried(hits);
+        rally_.tried(course.hits);
         return std::nullopt;
     }
     for (Rally::Ball& ball : rally_.balls)
@@ -256,28 +256,27 @@ std::optional<Event> CollisionSource::rally(const Histories& histories, const Pa
         }
     const bool isUnread = std::ranges::all_of(
         rally_.balls, [this](const Rally::Ball& ball) { return dependents_[ball.body].empty(); });
-    if (isUnread)
-        lineUp();
-    Rallied rallied = Rallied::goesOn;
-    const Rally::Meeting* last = nullptr;
-    double time = 0; // of the last
-    while (isUnread && rallied == Rallied::goesOn) {
-        const Rally::Meeting* met = rally_.next();
+    const bool isOnLine = isUnread && lineUp();
+    auto& [state, hits, last, time] = course;
+    while (isUnread && state == Rallied::goesOn) {
+        if (isOnLine)
+            rallyOnLine(until, course);
+        const Rally::Meeting* met = state == Rallied::goesOn ? rally_.next() : nullptr;
         if (!met || met->time > until || (++hits % 64 == 0 && cancelled_ && cancelled_()))
             break;
         last = met;
         time = met->time; // its own will be the next time
-        rallied = rally_.axis == Rally::noAxis ? meetInRally(*met) : meetOnLine(*met);
+        state = meetInRally(*met);
     }
-    if (rallied == Rallied::isUnclear)
+    if (state == Rallied::isUnclear)
         rally_.forgetMeetings(*last);
     search_.dissolve(rally_);
     rally_.tried(hits);
-    if (rallied == Rallied::isEndless)
+    if (state == Rallied::isEndless)
         return endWithoutEnd(histories, last->pair, time);
-    if (rallied == Rallied::isUnclear)
+    if (state == Rallied::isUnclear)
         search_.goOn(last->pair, time, renewal_);
-    if (rallied == Rallied::isRefused)
+    if (state == Rallied::isRefused)
         if (auto handled = meetInFlight(histories, last->pair, time))
             return std::move(handled->event);
     return std::nullopt;
@@ -350,13 +349,13 @@ CollisionSource::Rallied CollisionSource::meetInRally(const Rally::Meeting& met)
         turns[count++] = turnOf(*two, time, other.velocity, push->velocities[isInOrder ? 1 : 0]);
     if (!turns_->turn(time, std::span(turns).first(count)))
         return Rallied::isRefused;
-    add({.time = time,
-         .first = first.body,
-         .second = second.body,
-         .point = contact.point,
-         .normal = contact.normal,
-         .impulse = push->impulse},
-        time);
+    impacts_.add({.time = time,
+                  .first = first.body,
+                  .second = second.body,
+                  .point = contact.point,
+                  .normal = contact.normal,
+                  .impulse = push->impulse},
+                 time);
     noteEvent(time);
     const bool parted = two ? one->flight.half == two->flight.half
                             : one->isStraight && rally_.standing[met.other].parts.size() == 1;

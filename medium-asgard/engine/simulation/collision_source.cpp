@@ -125,11 +125,7 @@ bool CollisionSource::hasMet(const Pair& pair, double time) const {
     const double since =
         std::max(resting_.lastPhase(pair.first, time), resting_.lastPhase(pair.second, time));
     return (givesWay(pair.first, time) || givesWay(pair.second, time)) &&
-           std::ranges::any_of(impacts_, [&](const Recorded& recorded) {
-               const Impact& impact = recorded.impact;
-               return Pair(std::minmax(impact.first, impact.second)) == pair &&
-                      recorded.found > since;
-           });
+           impacts_.haveMet(pair, since);
 }
 
 // What rests looks at who came near it.
@@ -143,17 +139,6 @@ void CollisionSource::lookAtJoined(double time) {
 void CollisionSource::lengthen(double finish) {
     finish_ = finish;
     resting_.lengthen(finish);
-}
-
-std::vector<Impact> CollisionSource::impacts(double until) const {
-    std::vector<Impact> found;
-    found.reserve(impacts_.size());
-    for (const Recorded& recorded : impacts_)
-        if (recorded.found <= until) {
-            found.push_back(recorded.impact);
-            found.back().time = std::min(found.back().time, until);
-        }
-    return found;
 }
 
 std::vector<collision::Pair> CollisionSource::blocked(double until) const {
@@ -173,7 +158,7 @@ std::vector<std::string> CollisionSource::notes(double until) const {
 }
 
 bool CollisionSource::hasEventAt(double time) const {
-    return std::ranges::binary_search(events_, time);
+    return std::ranges::binary_search(events_, time) || impacts_.hasOnLineAt(time);
 }
 
 std::optional<Event> CollisionSource::announced(Event event) {

@@ -25,6 +25,8 @@
 #include "physics/equations_of_motion.h"
 #include "physics/impact.h"
 #include "simulation/encounter_search.h"
+#include "simulation/impacts.h"
+#include "simulation/line_rally.h"
 #include "simulation/resting_bodies.h"
 #include "solution/event_source.h"
 
@@ -54,7 +56,7 @@ public:
     // The motion is wanted for longer than before; next() goes on from where it was.
     void lengthen(double finish);
     // What happened up to a time.
-    [[nodiscard]] std::vector<Impact> impacts(double until) const;
+    [[nodiscard]] Impacts impacts(double until) const { return impacts_.upTo(until); }
     [[nodiscard]] std::vector<std::string> notes(double until) const;
     // Pairs of whom one met the other where its motion had ended, up to a time.
     [[nodiscard]] std::vector<collision::Pair> blocked(double until) const;
@@ -158,20 +160,18 @@ private:
     // isOver: the search must answer this hit; isRefused: the solver does not turn on the spot.
     enum class Rallied { goesOn, isOver, isEndless, isRefused, isUnclear };
     [[nodiscard]] Rallied meetInRally(const Rally::Meeting& meeting);
-    // The same on a line, in line_rally.cpp.
-    void lineUp();
-    [[nodiscard]] Rallied meetOnLine(const Rally::Meeting& met);
-    struct LineContact { // of the first and the second of a pair
-        double gap = 0, normal = 0;
-        std::array<double, 2> velocities{}, then{};
-        double impulse = 0;
-        bool isClear = false;
+    // The same on a line, in line_encounters.cpp: hit after hit as long as they are plain.
+    struct Course { // of a rally
+        Rallied state = Rallied::goesOn;
+        std::size_t hits = 0;
+        const Rally::Meeting* last = nullptr;
+        double time = -solution::infinity; // of the last
     };
-    // None: what is not plain.
-    [[nodiscard]] std::optional<LineContact> contactOnLine(const Rally::Meeting& met) const;
-    [[nodiscard]] double toleranceOnLine(const Rally::Meeting& meeting, double time) const;
-    [[nodiscard]] bool isAloneOnLine(const Rally::Ball& ball, const Rally::Meeting& met) const;
-    [[nodiscard]] Impact impactOnLine(const Rally::Meeting& met, const LineContact& contact) const;
+    [[nodiscard]] bool lineUp();
+    void rallyOnLine(double until, Course& course);
+    [[nodiscard]] Rallied meetOnLine(const LineRally::Meeting& met, LineRally::Contact& contact);
+    [[nodiscard]] bool turnOnLine(const LineRally::Meeting& met, LineRally::Contact& contact);
+    void tellHits();
     [[nodiscard]] static Present presentOf(std::size_t body, const collision::BallFlight& flight,
                                            double time);
     [[nodiscard]] bool touchesMoreInRally(const Present& one, const Rally::Ball& ball,
@@ -258,7 +258,6 @@ private:
                                                  std::size_t body, double time) const;
     void record(const Cluster& cluster, const physics::ImpactResult& result, double time,
                 double settling);
-    void add(const Impact& impact, double time);
     void noteJam(const Cluster& cluster, const physics::ImpactResult& result, double time);
     void noteOnce(const Pair& pair, double time, const std::string& sentence);
 
@@ -281,25 +280,26 @@ private:
     EncounterSearch search_;
     EncounterSearch::Renewal renewal_;
     Rally rally_;
-    std::vector<std::size_t> cut_;             // by the last event
-    std::vector<Meetings> meetings_, changes_; // of what bears
+    LineRally line_;
+    std::shared_ptr<const ImpactLine> impactLine_; // by meeting on the line
+    std::vector<solution::Turn> flights_;          // on the line
+    std::vector<solution::LineHit> hits_;          // there, not yet told
+    std::size_t promised_ = 0;                     // as many may wait to be told
+    std::vector<std::size_t> cut_;                 // by the last event
+    std::vector<Meetings> meetings_, changes_;     // of what bears
     Outcome outcome_;
-    struct Recorded { // an impact, and when it was found: hops that were cut off count later
-        Impact impact;
-        double found = 0;
-    };
     struct Note {
         double time = 0;
         std::string sentence;
     };
-    std::vector<Recorded> impacts_; // in order of their own times
+    ImpactRecord impacts_;
     std::vector<Note> notes_;
     struct Blocked {
         Pair pair;
         double time = 0;
     };
     std::vector<Blocked> blocked_;
-    std::vector<double> events_; // times
+    std::vector<double> events_; // times, but for hits on lines
 };
 
 } // namespace simulation

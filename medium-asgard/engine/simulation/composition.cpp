@@ -10,23 +10,31 @@ namespace {
 
 using Contents = ComputedMotion::Contents;
 
-void putInOrder(const KnownMotion& known, Contents& contents) {
+void putInOrder(const KnownMotion& known, std::vector<Impact> impacts, Contents& contents) {
     const auto& bodies = known.version->scene->bodies;
+    contents.impacts = Impacts(std::move(impacts));
     putInOrder(contents.impacts, [&](std::size_t b) { return bodies[b].fixed; });
     std::ranges::sort(contents.notes);
 }
 
 void addUnit(const Unit& unit, Contents& contents) {
-    for (Impact impact : unit.impacts) {
-        impact.first = unit.bodyAt(impact.first);
-        impact.second = unit.bodyAt(impact.second);
-        contents.impacts.push_back(impact);
-    }
     for (const auto& [place, stop] : unit.stops)
         contents.stops.emplace(unit.bodyAt(place), stop);
     contents.notes.insert(contents.notes.end(), unit.notes.begin(), unit.notes.end());
 }
 
+std::vector<Impact> impactsOf(const KnownMotion& known) {
+    std::vector<Impact> impacts;
+    for (const UnitPointer& unit : known.units)
+        for (Impact impact : unit->impacts) {
+            impact.first = unit->bodyAt(impact.first);
+            impact.second = unit->bodyAt(impact.second);
+            impacts.push_back(impact);
+        }
+    return impacts;
+}
+
+// All but the impacts.
 Contents contentsOf(const KnownMotion& known) {
     Contents contents;
     contents.start = known.version->scene->simulator.start;
@@ -51,7 +59,7 @@ Contents contentsOf(const KnownMotion& known) {
 
 Result compose(const KnownMotion& known, Statistics work) {
     Contents contents = contentsOf(known);
-    putInOrder(known, contents);
+    putInOrder(known, impactsOf(known), contents);
     bool isEstimated = known.isEstimated;
     BodyError error;
     work.components = work.largestComponent = 0;
@@ -98,15 +106,16 @@ MotionPointer composeDraft(const KnownMotion& kept, const ComputedMotion& draft,
     for (const auto& [place, stop] : grown.stops)
         if (bodies[place] != scene::noElement)
             contents.stops.emplace(bodies[place], stop);
+    std::vector<Impact> impacts = impactsOf(kept);
     for (Impact impact : grown.impacts) {
         if (bodies[impact.first] == scene::noElement || bodies[impact.second] == scene::noElement)
             continue;
         impact.first = bodies[impact.first];
         impact.second = bodies[impact.second];
-        contents.impacts.push_back(impact);
+        impacts.push_back(impact);
     }
     contents.notes.insert(contents.notes.end(), grown.notes.begin(), grown.notes.end());
-    putInOrder(kept, contents);
+    putInOrder(kept, std::move(impacts), contents);
     return std::make_shared<ComputedMotion>(std::move(contents));
 }
 

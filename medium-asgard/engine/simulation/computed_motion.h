@@ -2,6 +2,7 @@
 #pragma once
 
 #include "simulation/body_motion.h"
+#include "simulation/impacts.h"
 #include "simulation/motion.h"
 
 #include <map>
@@ -24,7 +25,7 @@ public:
         std::vector<Part> parts;
         std::vector<Place> places;         // by body
         std::map<std::size_t, Stop> stops; // by body
-        std::vector<Impact> impacts;
+        Impacts impacts;
         std::vector<std::string> notes;
         std::optional<double> errorEstimate, predictableUntil;
     };
@@ -49,7 +50,7 @@ public:
     [[nodiscard]] std::optional<Stop> stop(std::size_t body) const override;
     [[nodiscard]] Vector centroid(std::size_t body) const override;
     [[nodiscard]] double mass(std::size_t body) const override;
-    [[nodiscard]] const std::vector<Impact>& impacts() const override { return c_.impacts; }
+    [[nodiscard]] const std::vector<Impact>& impacts() const override { return c_.impacts.all(); }
     [[nodiscard]] std::vector<double> jumps(std::size_t body) const override;
     [[nodiscard]] std::optional<double> errorEstimate() const override { return c_.errorEstimate; }
     [[nodiscard]] std::optional<double> predictableUntil() const override {

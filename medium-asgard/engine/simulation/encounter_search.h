@@ -108,10 +108,7 @@ public:
                               bool parted) const {
         return rally.turned(met, time, parted, cells_, slack_);
     }
-    [[nodiscard]] bool turnedOnLine(Rally& rally, const Rally::Meeting& met, double time,
-                                    bool parted) const {
-        return rally.turnedOnLine(met, time, parted, slack_);
-    }
+    [[nodiscard]] double slack() const { return slack_; }
     static constexpr double firstSpan = 16; // s, of the first window after a cut at most
     [[nodiscard]] static bool passApart(const collision::Approach& approach,
                                         const collision::BallFlight& a,

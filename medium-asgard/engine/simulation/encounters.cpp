@@ -389,18 +389,8 @@ void CollisionSource::record(const Cluster& cluster, const physics::ImpactResult
             impact.time = time + settling;
             impact.impulse *= (1 + e) / (1 - e);
         }
-        add(impact, time);
+        impacts_.add(impact, time);
     }
-}
-
-void CollisionSource::add(const Impact& impact, double time) {
-    if (impacts_.empty() || impacts_.back().impact.time <= impact.time) {
-        impacts_.push_back({impact, time});
-        return;
-    }
-    const auto timeOf = [](const Recorded& recorded) { return recorded.impact.time; };
-    const auto place = std::ranges::upper_bound(impacts_, impact.time, {}, timeOf);
-    impacts_.insert(place, {impact, time});
 }
 
 // Told of the body that was hit last: it is between others.

@@ -31,16 +31,19 @@ void orderInstant(std::span<Impact> impacts, const std::function<bool(std::size_
 
 } // namespace
 
-void putInOrder(std::vector<Impact>& impacts, const std::function<bool(std::size_t)>& isFixed) {
-    if (!std::ranges::is_sorted(impacts, {}, &Impact::time)) // they mostly are
-        std::ranges::stable_sort(impacts, {}, &Impact::time);
-    for (auto from = impacts.begin(); from != impacts.end();) {
+void putInOrder(Impacts& impacts, const std::function<bool(std::size_t)>& isFixed) {
+    if (impacts.isStrictlyOrdered()) // they mostly are
+        return;
+    std::vector<Impact> list = impacts.all();
+    std::ranges::stable_sort(list, {}, &Impact::time);
+    for (auto from = list.begin(); from != list.end();) {
         const auto to = std::find_if(
-            from, impacts.end(), [&](const Impact& impact) { return impact.time > from->time; });
+            from, list.end(), [&](const Impact& impact) { return impact.time > from->time; });
         if (to - from > 1)
             orderInstant({from, to}, isFixed);
         from = to;
     }
+    impacts = Impacts(std::move(list));
 }
 
 } // namespace simulation

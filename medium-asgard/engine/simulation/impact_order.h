@@ -2,15 +2,14 @@
 // instant to different bodies by the least of these.
 #pragma once
 
-#include "simulation/motion.h"
+#include "simulation/impacts.h"
 
 #include <functional>
-#include <vector>
 
 namespace simulation {
 
 // Impacts of bodies that one of the same instant connects keep their order: it is that of the
 // impulses.
-void putInOrder(std::vector<Impact>& impacts, const std::function<bool(std::size_t)>& isFixed);
+void putInOrder(Impacts& impacts, const std::function<bool(std::size_t)>& isFixed);
 
 } // namespace simulation

@@ -68,7 +68,7 @@ TEST(OpenRuns, DoesNotGoOnFromAHit) {
     b.ball("ball", {0, 0, 0}).initialVelocity = {1, 0, 0};
     const auto longer = posed(b), problem = posed(b);
     const auto run = OpenRun(*longer, tolerancesOf(*longer)).upToFinish({}, nullptr);
-    problem->scene.simulator.finish = run.impacts.at(0).time;
+    problem->scene.simulator.finish = run.impacts.all().at(0).time;
     OpenRun open(*problem, tolerancesOf(*problem));
     (void)open.upToFinish({}, nullptr);
     problem->scene.simulator.finish = 3;

@@ -68,22 +68,27 @@ NudgedSource::NudgedSource(solution::EventSource& source, const std::vector<Body
 // resolution of the place is that of the arm, or of the normal, beside the body's radius: half a
 // unit, as a power of 2. A turn and an event read the place from the same polynomial, and where
 // they differ by an ulp the power is the same, except next to a power of 2.
-double NudgedSource::unitsAt(double time, std::size_t unknown, const Vector& place) const {
+double NudgedSource::unitsAt(double time, std::size_t unknown, double farthest) const {
     const double late = time > start_ ? std::min(std::abs(time) / (time - start_), latest) : 1;
-    const double far = place.cwiseAbs().maxCoeff() / radii_[unknown / physics::bodyUnknowns];
+    const double far = farthest / radii_[unknown / physics::bodyUnknowns];
     return least *
            std::max({1.0, late, far > 2 ? std::min(std::exp2(std::ilogb(far) - 1), latest) : 1.0});
 }
 
 bool NudgedSource::turn(double time, std::span<solution::Turn> turns) {
     for (solution::Turn& turn : turns) {
-        const Vector place(turn.place[0], turn.place[1], turn.place[2]);
+        const double farthest =
+            Vector(turn.place[0], turn.place[1], turn.place[2]).cwiseAbs().maxCoeff();
         for (std::size_t k = 0; k < 3; ++k)
             if (turn.jumps[k])
-                turn.velocity[k] = nudged(turn.velocity[k], turn.velocities[k],
-                                          unitsAt(time, turn.velocities[k], place));
+                turn.velocity[k] = given(turn.velocity[k], turn.velocities[k], time, farthest);
     }
     return turns_->turn(time, turns);
+}
+
+double NudgedSource::given(double velocity, std::size_t unknown, double time,
+                           double farthest) const {
+    return nudged(velocity, unknown, unitsAt(time, unknown, farthest));
 }
 
 void NudgedSource::apply(const solution::Histories& histories, const solution::Event& event,
@@ -95,7 +100,7 @@ void NudgedSource::apply(const solution::Histories& histories, const solution::E
             const Vector place(histories.value(first + physics::x, event.time),
                                histories.value(first + physics::y, event.time),
                                histories.value(first + physics::z, event.time));
-            jump.value = nudged(jump.value, jump.unknown, unitsAt(event.time, jump.unknown, place));
+            jump.value = given(jump.value, jump.unknown, event.time, place.cwiseAbs().maxCoeff());
         }
 }
 

@@ -40,8 +40,18 @@ public:
 
 private:
     [[nodiscard]] bool turn(double time, std::span<solution::Turn> turns) override;
+    [[nodiscard]] std::size_t promisedHits(std::span<const solution::Turn> flights,
+                                           std::size_t axis) override {
+        return turns_->promisedHits(flights, axis);
+    }
+    void turn(std::span<const solution::LineHit> hits, std::span<const solution::Turn> flights,
+              std::size_t axis) override {
+        turns_->turn(hits, flights, axis);
+    }
+    [[nodiscard]] double given(double velocity, std::size_t unknown, double time,
+                               double farthest) const override;
 
-    [[nodiscard]] double unitsAt(double time, std::size_t unknown, const Vector& place) const;
+    [[nodiscard]] double unitsAt(double time, std::size_t unknown, double farthest) const;
 
     solution::EventSource& source_;
     double start_;

@@ -31,7 +31,6 @@ void Rally::clear() {
     standing.clear();
     meetings.clear();
     tests = 0;
-    axis = noAxis;
 }
 
 void Rally::tried(std::size_t hits) {
@@ -104,7 +103,17 @@ bool Rally::turned(const Meeting& met, double time, bool parted, const collision
     renew(balls[met.ball]);
     if (!met.isStanding)
         renew(balls[met.other]);
-    return tellNext(met, parted, [&](Meeting& meeting) { return predict(meeting, time, room); });
+    bool tells = true;
+    for (const std::size_t m : balls[met.ball].meetings) {
+        if (&meetings[m] == &met && parted)
+            meetings[m].time = infinity;
+        else
+            tells = tells && predict(meetings[m], time, room);
+    }
+    for (std::size_t i = 0; !met.isStanding && i < balls[met.other].meetings.size(); ++i)
+        if (Meeting& meeting = meetings[balls[met.other].meetings[i]]; &meeting != &met)
+            tells = tells && predict(meeting, time, room);
+    return tells;
 }
 
 bool Rally::predict(Meeting& meeting, double time, double room) {
@@ -163,7 +172,7 @@ bool EncounterSearch::gatherBalls(std::size_t body, Rally& rally) {
             return false;
         const Pair both = std::minmax(body, std::size_t{near});
         if (std::ranges::find(rally.meetings, both, &Rally::Meeting::pair) == rally.meetings.end())
-            rally.meetings.push_back({.pair = both, .time = infinity, .plane = {}});
+            rally.meetings.push_back({.pair = both, .time = infinity});
     }
     return true;
 }
@@ -184,8 +193,7 @@ bool EncounterSearch::gatherStanding(std::size_t ball, Rally& rally) const {
                                   .ball = ball,
                                   .other = s,
                                   .isStanding = true,
-                                  .time = infinity,
-                                  .plane = {}});
+                                  .time = infinity});
     }
     return true;
 }

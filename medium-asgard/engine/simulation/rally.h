@@ -16,7 +16,7 @@
 // LIMIT: the meetings of a rally are looked through one by one, so its balls are few.
 //
 // Balls in straight flight on one line along an axis, between faces across it, need one coordinate
-// of all vectors (line_rally.cpp). What is not plain there is asked of the formulas in space.
+// of all vectors: line_rally.h.
 #pragma once
 
 #include "collision/ball_cells.h"
@@ -53,7 +53,6 @@ public:
         bool hasTurned = false, isStraight = true;
         solution::Turn turn = {};          // whose unknowns these are
         std::vector<std::size_t> meetings; // that it has a part in
-        double aside = 0;                  // its largest coordinate across the line
 
         void fly(const solution::Turn& turned, double from);
     };
@@ -67,21 +66,12 @@ public:
         std::size_t ball = 0, other = 0; // a ball, or with isStanding what stands
         bool isStanding = false, isNear = false;
         double time = 0; // infinity: none
-
-        // On a line:
-        const collision::StandingFace* face = nullptr; // that it is over
-        collision::LineFace plane;                     // of it
-        double farthest = 0;                           // coordinate of what stands
-        double touching = 0, restitution = 0;          // the least tolerance of contact
-        double inverseFirst = 0, inverseSecond = 0;    // masses
     };
-    static constexpr std::size_t noAxis = 3;
 
     std::vector<Ball> balls;
     std::vector<Standing> standing;
     std::vector<Meeting> meetings; // in order of pairs
     double others = 0;             // when something happens to anybody else
-    std::size_t axis = noAxis;     // along which the line is that all are on
     std::size_t tests = 0;
 
     void clear();
@@ -102,47 +92,15 @@ public:
     [[nodiscard]] bool turned(const Meeting& met, double time, bool parted,
                               const collision::BallCells& cells, double room);
     void forgetMeetings(const Meeting& met); // of both
-    // Finds the line that all are on, if there is one.
-    void lineUp();
-    [[nodiscard]] collision::LineFlight onLine(const Ball& ball) const {
-        const auto a = static_cast<Eigen::Index>(axis);
-        const collision::BallFlight& flight = ball.flight;
-        return {flight.from, flight.place[a], flight.velocity[a], flight.radius, ball.aside};
-    }
-    // As areHome() and turned().
-    [[nodiscard]] bool areHomeOnLine(double time) const;
-    [[nodiscard]] bool turnedOnLine(const Meeting& met, double time, bool parted, double room);
     // Whether a rally is worth a try after this hit: the more often it was not, the less often.
     [[nodiscard]] bool isDue() { return ++waited_ > wait_; }
     void tried(std::size_t hits);
 
 private:
-    // When the two, or the one, meet next, told by predict(meeting). False: formulas do not tell.
-    template <class Predict>
-    [[nodiscard]] bool tellNext(const Meeting& met, bool parted, const Predict& predict);
     [[nodiscard]] bool predict(Meeting& meeting, double time, double room);
-    [[nodiscard]] bool predictOnLine(Meeting& meeting, double time, double room);
-    [[nodiscard]] bool isOnLine(Ball& ball) const;
-    [[nodiscard]] bool isAcrossLine(Meeting& meeting) const;
 
     static constexpr std::size_t shortWait = 4, longWait = 1024;
     std::size_t waited_ = 0, wait_ = shortWait;
 };
-
-template <class Predict>
-bool Rally::tellNext(const Meeting& met, bool parted, const Predict& predict) {
-    bool tells = true;
-    for (const std::size_t m : balls[met.ball].meetings) {
-        if (&meetings[m] == &met && parted)
-            meetings[m].time = std::numeric_limits<double>::infinity();
-        else
-            tells = tells && predict(meetings[m]);
-    }
-    if (!met.isStanding)
-        for (const std::size_t m : balls[met.other].meetings)
-            if (&meetings[m] != &met)
-                tells = tells && predict(meetings[m]);
-    return tells;
-}
 
 } // namespace simulation

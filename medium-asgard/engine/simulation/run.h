@@ -45,7 +45,7 @@ problemOf(const scene::Scene& scene, const Options& options, const Observer& obs
 struct Run {
     std::shared_ptr<const solution::Histories> histories;
     std::map<std::size_t, Stop> stops; // by body
-    std::vector<Impact> impacts;
+    Impacts impacts;
     std::vector<std::string> notes;
     // By body that rests or slides at the end: on what; when to be explained.
     std::map<std::size_t, std::vector<std::size_t>> supports;
@@ -76,8 +76,7 @@ struct Run {
 
 // Which bodies belong together when these impacts happen, and some meet where another's motion has
 // ended.
-[[nodiscard]] std::vector<std::size_t> islandsOf(const Problem& problem,
-                                                 const std::vector<Impact>& impacts,
+[[nodiscard]] std::vector<std::size_t> islandsOf(const Problem& problem, const Impacts& impacts,
                                                  const std::vector<collision::Pair>& blocked = {});
 
 // By unknown: its body.

@@ -94,7 +94,7 @@ bool Study::prepare(StudyResult& result) {
         break;
     }
     truth_ = plan_.reference ? *plan_.reference : traceOf(*reference_, referenceTimes);
-    island_ = islandsOf(*problem_, reference_->impacts());
+    island_ = islandsOf(*problem_, Impacts(reference_->impacts()));
     const auto energy = energyCourse(scene_, options, reference_, *problem_->bodies);
     energyIsKept_ = energy && energy->range < constantEnergy;
     return true;

@@ -69,12 +69,32 @@ struct Turn {
     std::array<double, 3> place, velocity;         // as the source has them; then as they became
 };
 
+// A hit of one or two flights that move along an axis only: nothing else of them changes than this.
+struct LineHit {
+    static constexpr std::uint32_t nobody = ~std::uint32_t{0};
+    double time = 0;
+    std::array<std::uint32_t, 2> flights{nobody, nobody}; // by their place in a list
+    std::array<double, 2> places{}, velocities{};         // as they became
+};
+
 class Turns {
 public:
     virtual ~Turns() = default;
     // At `time`, which is that of an event. True: it is done, and the values are what they became.
     // False: the source must announce the event, as if it had not asked.
     [[nodiscard]] virtual bool turn(double time, std::span<Turn> turns) = 0;
+
+    // So many next hits along an axis, of those of these flights that turned before, would be done
+    // if turn() were asked about one after another: they may be told together afterwards, in order
+    // of time. Nothing may be read or asked before that.
+    [[nodiscard]] virtual std::size_t promisedHits(std::span<const Turn> flights,
+                                                   std::size_t axis) = 0;
+    virtual void turn(std::span<const LineHit> hits, std::span<const Turn> flights,
+                      std::size_t axis) = 0;
+    // What a velocity becomes that a promised hit changes, where the largest coordinate is
+    // `farthest`; turn() does so by itself.
+    [[nodiscard]] virtual double given(double velocity, std::size_t unknown, double time,
+                                       double farthest) const = 0;
 };
 
 class EventSource {

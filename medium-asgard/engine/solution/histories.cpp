@@ -8,9 +8,21 @@ namespace solution {
 // ---------------------------------------------------------------------------------------------
 // One component's steps
 
+std::shared_ptr<History> History::ofFlight(std::size_t columns, std::uint8_t coefficients) {
+    auto made = std::make_shared<History>(columns);
+    made->ofEach_ = coefficients;
+    return made;
+}
+
+History::Step History::flightStep(std::size_t index) const {
+    const double until = index + 1 < size_ ? origin(index + 1) : endOfLast_;
+    const std::size_t offset = index % stepsPerChunk * flightRow() + 1;
+    return {origin(index), until, 1, true, ofEach_, static_cast<std::uint32_t>(offset)};
+}
+
 Piece History::piece(std::size_t index, std::size_t column) const {
     const Chunk& chunk = *chunks_[index / stepsPerChunk];
-    const Step& s = chunk.steps[index % stepsPerChunk];
+    const Step s = step(index);
     if (column >= columns_) { // c1 + 2 c2 s
         const double* place = chunk.values.data() + s.offset + (column - columns_) * s.coefficients;
         return {s.origin, s.until, 0.5, {place + 1, s.coefficients - std::size_t{1}}};
@@ -22,21 +34,31 @@ Piece History::piece(std::size_t index, std::size_t column) const {
 std::size_t History::find(double t, std::size_t near) const {
     if (size_ == 0)
         return 0;
-    if (step(size_ - 1).origin <= t) // where events are asked for
+    if (origin(size_ - 1) <= t) // where events are asked for
         return size_ - 1;
     near = std::min(near, size_ - 1);
     for (std::size_t tries = 0; tries < 4; ++tries) { // readers mostly move a little forward
-        const bool started = step(near).origin <= t;
-        if (started && (near + 1 == size_ || t < step(near + 1).origin))
+        const bool started = origin(near) <= t;
+        if (started && (near + 1 == size_ || t < origin(near + 1)))
             return near;
         if (!started || near + 1 == size_)
             break;
         ++near;
     }
     std::size_t low = 0, high = size_; // the first step that begins after t
+    for (std::size_t ahead = 4; origin(near) <= t; ahead *= 2) { // not far ahead, if it is
+        low = near + 1;
+        if (near + ahead >= size_)
+            break;
+        if (origin(near + ahead) > t) {
+            high = near + ahead;
+            break;
+        }
+        near += ahead;
+    }
     while (low < high) {
         const std::size_t middle = (low + high) / 2;
-        if (step(middle).origin <= t)
+        if (origin(middle) <= t)
             low = middle + 1;
         else
             high = middle;
@@ -90,32 +112,33 @@ std::span<double> History::append(const Step& step) {
     return std::span(chunk.values).subspan(placed.offset);
 }
 
-std::span<double> History::startAnew(double t, std::uint8_t coefficients) {
-    const Step made{t, infinity, 1, true, coefficients, 0};
-    if (size_ % stepsPerChunk == 0 || step(size_ - 1).origin >= t) {
+std::span<double> History::turn(double t) {
+    if (size_ > 0 && origin(size_ - 1) >= t)
         (void)cut(t);
-        return append(made);
-    }
-    Chunk& chunk = writableTail();
-    const std::size_t row = columns_ * coefficients, offset = chunk.values.size();
-    chunk.steps.back().until = t;
-    if (chunk.steps.size() == chunk.steps.capacity())
-        chunk.grow(columns_, coefficients);
-    chunk.steps.push_back(made);
-    chunk.steps.back().offset = static_cast<std::uint32_t>(offset);
-    chunk.values.resize(offset + row);
+    if (size_ % stepsPerChunk == 0)
+        chunks_.push_back(std::make_shared<Chunk>());
+    std::vector<double, Unwritten<double>>& values = writableTail().values;
+    const std::size_t row = flightRow(), offset = size_ % stepsPerChunk * row;
+    if (offset == values.size()) // most of them turn once or twice, or often
+        values.resize(row * (size_ < 2 ? size_ + 1 : size_ < 16 ? 16 : stepsPerChunk));
+    values[offset] = t;
+    endOfLast_ = infinity;
     ++size_;
-    return {chunk.values.data() + offset, row};
+    return {values.data() + offset + 1, row - 1};
 }
 
 void History::dropLast() {
     Chunk& chunk = writableTail();
-    chunk.values.resize(chunk.steps.back().offset);
-    chunk.steps.pop_back();
-    if (chunk.steps.empty())
+    if (isFlight()) {
+        endOfLast_ = origin(size_ - 1);
+    } else {
+        chunk.values.resize(chunk.steps.back().offset);
+        chunk.steps.pop_back();
+    }
+    --size_;
+    if (size_ % stepsPerChunk == 0)
         chunks_.pop_back();
     sharedChunks_ = std::min(sharedChunks_, chunks_.size());
-    --size_;
 }
 
 void History::dropAnchor() {
@@ -125,10 +148,15 @@ void History::dropAnchor() {
 
 std::size_t History::cut(double t) {
     std::size_t dropped = 0;
-    for (; size_ > 0 && step(size_ - 1).origin >= t; ++dropped)
+    for (; size_ > 0 && origin(size_ - 1) >= t; ++dropped)
         dropLast();
-    if (size_ > 0 && step(size_ - 1).until > t)
-        writableTail().steps.back().until = t;
+    if (size_ > 0 && step(size_ - 1).until > t) {
+        if (isFlight())
+            endOfLast_ = t;
+        else
+            writableTail().steps.back().until = t;
+        frozen_.reset();
+    }
     return dropped;
 }
 
@@ -142,10 +170,13 @@ std::shared_ptr<const History> History::freeze() const {
 
 std::shared_ptr<const History> History::upTo(double t) const {
     auto copy = std::make_shared<History>(columns_);
+    copy->ofEach_ = ofEach_;
     copy->size_ = size_;
     const auto isAfter = [t](const Step& s) { return s.origin > t || (s.origin == t && !s.fresh); };
     while (copy->size_ > 1 && isAfter(step(copy->size_ - 1)))
         --copy->size_;
+    if (isFlight())
+        copy->endOfLast_ = copy->size_ < size_ ? origin(copy->size_) : endOfLast_;
     const std::size_t chunks = (copy->size_ + stepsPerChunk - 1) / stepsPerChunk;
     copy->chunks_.assign(chunks_.begin(), chunks_.begin() + static_cast<std::ptrdiff_t>(chunks));
     copy->sharedChunks_ = chunks;
@@ -153,6 +184,8 @@ std::shared_ptr<const History> History::upTo(double t) const {
 }
 
 std::size_t History::bytes() const {
+    if (isFlight())
+        return size_ * flightRow() * sizeof(double);
     std::size_t total = 0;
     for (const auto& chunk : chunks_)
         total += chunk->steps.size() * sizeof(Step) + chunk->values.size() * sizeof(double);
@@ -212,7 +245,7 @@ Piece Histories::pieceBefore(std::size_t unknown, double t) const {
     if (span->history->empty())
         return piece(unknown, t);
     std::size_t index = span->history->find(t);
-    while (index > 0 && span->history->step(index).origin >= t)
+    while (index > 0 && span->history->origin(index) >= t)
         --index;
     return span->history->piece(index, span->column);
 }

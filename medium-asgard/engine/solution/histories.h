@@ -44,17 +44,21 @@ struct Stop {
     std::string sentence; // with names of unknowns as in the equation set; no time in it
 };
 
-// Steps of one component: breakpoints and, per step, a row of coefficients for each column. Columns
-// beyond columns() are the rates of the first ones, of which they need no coefficients of their own
-// as long as these are parabolas over a scale of 1: a flight is kept so.
+// Steps of one component: breakpoints and, per step, a row of coefficients for each column.
+//
+// A flight's steps are all alike: each begins at an event, lasts until the next, and has as many
+// coefficients over a scale of 1. So its row says it all, with the origin in front: 24 bytes for a
+// straight flight along an axis. Columns beyond columns() are the rates of the first ones there.
 class History {
 public:
     explicit History(std::size_t columns) : columns_(columns) {}
+    [[nodiscard]] static std::shared_ptr<History> ofFlight(std::size_t columns,
+                                                           std::uint8_t coefficients);
 
     [[nodiscard]] std::size_t columns() const { return columns_; }
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] bool empty() const { return size_ == 0; }
-    [[nodiscard]] double from() const { return size_ ? step(0).origin : infinity; }
+    [[nodiscard]] double from() const { return size_ ? origin(0) : infinity; }
     [[nodiscard]] double until() const { return size_ ? step(size_ - 1).until : -infinity; }
     [[nodiscard]] std::size_t bytes() const;
 
@@ -64,14 +68,20 @@ public:
         std::uint8_t coefficients = 0; // per column
         std::uint32_t offset = 0;      // into Chunk::values
     };
-    [[nodiscard]] const Step& step(std::size_t index) const {
-        return chunks_[index / stepsPerChunk]->steps[index % stepsPerChunk];
+    [[nodiscard]] Step step(std::size_t index) const {
+        return isFlight() ? flightStep(index)
+                          : chunks_[index / stepsPerChunk]->steps[index % stepsPerChunk];
+    }
+    [[nodiscard]] double origin(std::size_t index) const {
+        const Chunk& chunk = *chunks_[index / stepsPerChunk];
+        return isFlight() ? chunk.values[index % stepsPerChunk * flightRow()]
+                          : chunk.steps[index % stepsPerChunk].origin;
     }
     // The numbers of all columns().
     [[nodiscard]] std::span<const double> row(std::size_t index) const {
-        const Chunk& chunk = *chunks_[index / stepsPerChunk];
-        const Step& s = chunk.steps[index % stepsPerChunk];
-        return {chunk.values.data() + s.offset, columns_ * s.coefficients};
+        const Step s = step(index);
+        return {chunks_[index / stepsPerChunk]->values.data() + s.offset,
+                columns_ * s.coefficients};
     }
     [[nodiscard]] Piece piece(std::size_t index, std::size_t column) const;
     // Index of the step that holds t: the later one at a joint. `near` is where to look first.
@@ -81,8 +91,9 @@ public:
     void append(const Step& step, std::span<const double> rows);
     // The same; the caller writes the numbers. Valid until the next change.
     [[nodiscard]] std::span<double> append(const Step& step);
-    // A fresh step begins at t and has no end; the one before it ends there.
-    [[nodiscard]] std::span<double> startAnew(double t, std::uint8_t coefficients);
+    // Of a flight: a step begins at t and has no end; the one before it ends there. The caller
+    // writes its numbers.
+    [[nodiscard]] std::span<double> turn(double t);
     // A component that has values but no step from them yet stands on an anchor: a step of no
     // length that its first step replaces.
     [[nodiscard]] bool endsInAnchor() const {
@@ -108,14 +119,19 @@ private:
         }
     };
     struct Chunk {
-        std::vector<Step> steps;
+        std::vector<Step> steps; // none of a flight
         std::vector<double, Unwritten<double>> values;
         void grow(std::size_t columns, std::size_t coefficients);
     };
+    [[nodiscard]] bool isFlight() const { return ofEach_ > 0; }
+    [[nodiscard]] std::size_t flightRow() const { return 1 + columns_ * ofEach_; }
+    [[nodiscard]] Step flightStep(std::size_t index) const;
     [[nodiscard]] Chunk& writableTail();
     void dropLast();
 
     std::size_t columns_;
+    std::uint8_t ofEach_ = 0;     // of a flight: coefficients of each step; 0: it is none
+    double endOfLast_ = infinity; // of its last step
     std::size_t size_ = 0;
     std::vector<std::shared_ptr<Chunk>> chunks_;    // all but the last have stepsPerChunk steps
     mutable std::size_t sharedChunks_ = 0;          // the first ones, which a frozen copy holds too

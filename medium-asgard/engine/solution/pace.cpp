@@ -1,6 +1,7 @@
 #include "solution/pace.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace solution {
@@ -121,6 +122,12 @@ void EventPaces::note(double time, std::span<const std::size_t> unknowns) {
     }
 }
 
+// note() marks powers of 2 and 3/4 of them.
+std::size_t EventPaces::Island::plainAhead() const {
+    const std::size_t power = std::bit_ceil(events + 1), before = power / 4 * 3;
+    return (before > events ? before : power) - events - 1;
+}
+
 EventPaces::Island* EventPaces::plainIsland(std::span<const std::size_t> unknowns) {
     const std::size_t root = rootOf(unknowns[0]);
     if (root >= islands_.size())
@@ -128,9 +135,7 @@ EventPaces::Island* EventPaces::plainIsland(std::span<const std::size_t> unknown
     for (const std::size_t u : unknowns.subspan(1))
         if (rootOf(u) != root)
             return nullptr;
-    // note() marks powers of 2 and 3/4 of them: numbers of one or two bits.
-    const std::size_t n = islands_[root].events + 1, withoutLast = n & (n - 1);
-    return (withoutLast & (withoutLast - 1)) == 0 ? nullptr : &islands_[root];
+    return islands_[root].plainAhead() > 0 ? &islands_[root] : nullptr;
 }
 
 std::vector<std::size_t> EventPaces::islandOf(std::size_t unknown) const {

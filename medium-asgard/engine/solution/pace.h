@@ -40,6 +40,8 @@ public:
             last = time;
             ++events;
         }
+        // So many next events are but one more each.
+        [[nodiscard]] std::size_t plainAhead() const;
     };
 
     explicit EventPaces(double start) : start_(start) {}
@@ -54,6 +56,8 @@ public:
     // Of unknowns of one island whose next event is but one more: that island. Null: else, and
     // those above tell.
     [[nodiscard]] Island* plainIsland(std::span<const std::size_t> unknowns);
+    // The island of an unknown that took part in an event.
+    [[nodiscard]] Island& island(std::size_t unknown) { return islands_[rootOf(unknown)]; }
     // All in the island of an unknown.
     [[nodiscard]] std::vector<std::size_t> islandOf(std::size_t unknown) const;
     [[nodiscard]] double beyond() const { return beyond_; }

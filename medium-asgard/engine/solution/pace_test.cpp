@@ -26,6 +26,18 @@ TEST(Pace, OneThatGrowsEvenlyGoesOnGrowing) {
         1e30);
 }
 
+// What note() marks: powers of 2, and 3/4 of them.
+TEST(Pace, TellsHowManyEventsAreButOneMore) {
+    EventPaces::Island island;
+    std::vector<std::size_t> marks;
+    for (; island.events < 70; ++island.events)
+        if (island.plainAhead() == 0)
+            marks.push_back(island.events + 1);
+    EXPECT_EQ(marks, (std::vector<std::size_t>{1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64}));
+    island.events = 16;
+    EXPECT_EQ(island.plainAhead(), 7u);
+}
+
 TEST(Pace, ABurstThatIsOverIsNone) {
     EXPECT_GT(farthestFinish(16'384, {.start = 0, .first = 1, .second = 2, .third = 3, .now = 1e6}),
               1e9);

@@ -1,9 +1,10 @@
 // What flies: solution/event_source.h says what that is.
 //
 // The six components of a body's flight, single unknowns in closed form, share one history from
-// their first turn on: a step for each turn, with place, velocity and half the acceleration along
-// each axis. The first event of another kind gives each of them its own again, from the last turn
-// on. So a turn costs one step however many axes there are, and nothing else is looked at.
+// their first turn on: a step for each turn, with place, velocity and, where there is one, half the
+// acceleration along each axis. The first event of another kind gives each of them its own again,
+// from the last turn on. So a turn costs one step however many axes there are, and nothing else is
+// looked at.
 #include "solution/solver_implementation.h"
 
 #include <cmath>
@@ -79,34 +80,79 @@ bool Solver::Implementation::staysInPlane(double time, std::span<Turn> turns) co
 
 bool Solver::Implementation::turn(double time, Turn& turn) {
     Flight* flight = flightOf(turn);
-    std::array<double, 9> row{};
     if (flight) {
-        const std::size_t last = flight->history->size() - 1;
-        const double origin = flight->history->step(last).origin;
-        if (origin > time)
+        const Piece place = flight->history->piece(flight->history->size() - 1, 0);
+        if (place.origin > time)
             return false;
         turn.place = {};
-        const std::span<const double> before = flight->history->row(last);
-        for (std::size_t i = 0; i < flight->axes.size(); ++i) {
-            const double *const c = before.data() + 3 * i, t = time - origin;
-            turn.place[flight->axes[i].coordinate] = (c[2] * t + c[1]) * t + c[0];
-            row[3 * i + 2] = c[2];
+        const double* c = place.coefficients.data();
+        for (const Flight::Axis& axis : flight->axes) {
+            turn.place[axis.coordinate] = evaluate({c, flight->terms()}, time - place.origin);
+            c += flight->terms();
         }
     } else {
         flight = takeOff(time, turn);
         if (!flight)
             return false;
-        for (std::size_t i = 0; i < flight->axes.size(); ++i)
-            if (const std::size_t v = flight->axes[i].velocity; v != noComponent)
-                row[3 * i + 2] = components_[v]->plainRate()->constant / 2;
     }
-    for (std::size_t i = 0; i < flight->axes.size(); ++i) {
-        row[3 * i] = turn.place[flight->axes[i].coordinate];
-        row[3 * i + 1] = turn.velocity[flight->axes[i].coordinate];
+    double* c = flight->history->turn(time).data();
+    for (const Flight::Axis& axis : flight->axes) {
+        const std::array<double, 3> row{turn.place[axis.coordinate], turn.velocity[axis.coordinate],
+                                        axis.half};
+        c = std::copy_n(row.begin(), flight->terms(), c);
     }
-    const std::span<double> then = flight->history->startAnew(time, 3);
-    std::copy_n(row.begin(), then.size(), then.begin());
     return true;
+}
+
+// Those that the pace of their island has no mark before, even if all were at one instant.
+std::size_t Solver::Implementation::promisedHits(std::span<const Turn> flights, std::size_t axis) {
+    turning_.clear();
+    for (const Turn& turn : flights)
+        if (const Flight* flight = flightOf(turn)) {
+            if (!flight->moves[axis] || flight->isBent)
+                return 0;
+            turning_.push_back(turn.places[0]);
+        }
+    const EventPaces::Island* island = turning_.empty() ? nullptr : paces_.plainIsland(turning_);
+    if (!island || island->atLast + 1 >= options_.maximumEventsAtOnce)
+        return 0;
+    return std::min(island->plainAhead(), options_.maximumEventsAtOnce - 1 - island->atLast);
+}
+
+// Rows of what flies on a line differ in one place and velocity.
+void Solver::Implementation::turn(std::span<const LineHit> hits, std::span<const Turn> flights,
+                                  std::size_t axis) {
+    struct Line {
+        History* history = nullptr;
+        std::array<double, 6> row{};
+        std::size_t place = 0;
+    };
+    std::vector<Line> lines(flights.size());
+    for (std::size_t f = 0; f < flights.size(); ++f) {
+        const Flight* flight = flightOf(flights[f]);
+        if (!flight)
+            continue;
+        lines[f].history = flight->history.get();
+        const auto last = flight->history->row(flight->history->size() - 1);
+        std::ranges::copy(last, lines[f].row.begin());
+        const auto along = std::ranges::find(flight->axes, axis, &Flight::Axis::coordinate);
+        lines[f].place = 2 * static_cast<std::size_t>(along - flight->axes.begin());
+    }
+    EventPaces::Island& island = paces_.island(flights[hits[0].flights[0]].places[0]);
+    for (const LineHit& hit : hits) {
+        island.noteAt(hit.time);
+        for (std::size_t i = 0; i < 2 && hit.flights[i] != LineHit::nobody; ++i) {
+            Line& line = lines[hit.flights[i]];
+            const std::span<double> row = line.history->turn(hit.time);
+            if (row.size() > 2)
+                std::copy_n(line.row.begin(), row.size(), row.begin());
+            row[line.place] = hit.places[i];
+            row[line.place + 1] = hit.velocities[i];
+        }
+    }
+    past_.events += hits.size();
+    lastEvent_ = asked_ = hits.back().time;
+    poll(lastEvent_);
 }
 
 // None: it does not fly.
@@ -132,7 +178,8 @@ Solver::Implementation::axesOf(const Turn& turn) const {
                 readers_[v] != std::vector<std::size_t>{x})
                 return std::nullopt;
         }
-        axes.push_back({.place = x, .velocity = v, .coordinate = k});
+        const double half = v == noComponent ? 0 : components_[v]->plainRate()->constant / 2;
+        axes.push_back({.place = x, .velocity = v, .coordinate = k, .half = half});
     }
     return axes;
 }
@@ -151,9 +198,11 @@ Solver::Implementation::Flight* Solver::Implementation::takeOff(double time, Tur
         turn.place[axis.coordinate] = piece.value(time);
     }
     Flight& flight = openFlight(turn);
-    if (!flight.history || flight.history->columns() != axes->size())
-        flight.history = std::make_shared<History>(axes->size());
     flight.axes = std::move(*axes);
+    flight.isBent =
+        std::ranges::any_of(flight.axes, [](const auto& axis) { return axis.half != 0; });
+    flight.history =
+        History::ofFlight(flight.axes.size(), static_cast<std::uint8_t>(flight.terms()));
     flight.moves = {};
     for (const Flight::Axis& axis : flight.axes)
         flight.moves[axis.coordinate] = axis.velocity != noComponent;
@@ -209,10 +258,10 @@ void Solver::Implementation::land(Flight& flight) {
     if (!std::exchange(flight.isOn, false))
         return;
     const std::size_t last = flight.history->size() - 1;
-    const double origin = flight.history->step(last).origin;
+    const double origin = flight.history->origin(last);
     for (std::size_t i = 0; i < flight.axes.size(); ++i) {
         const Piece place = flight.history->piece(last, i);
-        const std::array<double, 2> rate{place.coefficients[1], 2 * place.coefficients[2]};
+        const std::array<double, 2> rate{place.coefficients[1], 2 * flight.axes[i].half};
         components_[flight.axes[i].place]->goOn(origin, place.coefficients);
         addTracks(*components_[flight.axes[i].place], origin);
         if (flight.axes[i].velocity == noComponent)

@@ -92,6 +92,86 @@ TEST(Flights, ATurnIsTheEventThatItReplaces) {
     }
 }
 
+// Hits on a line that are told in blocks, after a first one that is asked about.
+class Blocks final : public EventSource {
+public:
+    explicit Blocks(std::size_t count) : count_(count) {}
+
+    void use(Turns& turns) override { turns_ = &turns; }
+    std::optional<Event> next(const Histories& /*histories*/, double known) override {
+        if (done_ > 0 || known < at(count_))
+            return std::nullopt;
+        Turn turn{.places = {x, y, z},
+                  .velocities = {dx, dy, dz},
+                  .jumps = {true, false, false},
+                  .place = {},
+                  .velocity = {velocity(0), 0, 0}};
+        const Turn flight = turn;
+        EXPECT_EQ(turns_->promisedHits({&flight, 1}, 0), 0u) << "it does not fly yet";
+        EXPECT_TRUE(turns_->turn(at(0), {&turn, 1}));
+        double place = turn.place[0];
+        for (done_ = 1; done_ < count_;) {
+            std::vector<LineHit> hits;
+            const std::size_t promised = turns_->promisedHits({&flight, 1}, 0);
+            while (hits.size() < promised && done_ < count_) {
+                place += (at(done_) - at(done_ - 1)) * velocity(done_ - 1);
+                hits.push_back({.time = at(done_),
+                                .flights = {0, LineHit::nobody},
+                                .places = {place},
+                                .velocities = {velocity(done_)}});
+                ++done_;
+            }
+            most = std::max(most, hits.size());
+            if (!hits.empty())
+                turns_->turn(hits, {&flight, 1}, 0);
+            if (promised == 0) {
+                turn.velocity = {velocity(done_), 0, 0};
+                EXPECT_TRUE(turns_->turn(at(done_), {&turn, 1}));
+                place = turn.place[0];
+                ++done_;
+            }
+        }
+        return std::nullopt;
+    }
+    void apply(const Histories&, const Event&, EquationsInForce&, Changes&) override {}
+
+    [[nodiscard]] static double at(std::size_t i) { return 0.3 + 0.01 * static_cast<double>(i); }
+    [[nodiscard]] static double velocity(std::size_t i) {
+        return std::sin(static_cast<double>(i)) + 2;
+    }
+    std::size_t most = 0; // told at once
+
+private:
+    std::size_t count_, done_ = 0;
+    Turns* turns_ = nullptr;
+};
+
+TEST(Flights, HitsOnALineMayBeToldTogether) {
+    const auto equations = equationsOf({{"x", "dx", 1, 1},
+                                        {"y", "dy", 2, 1},
+                                        {"z", "dz", 0, 1},
+                                        {"dx", "0", 3},
+                                        {"dy", "0", 0},
+                                        {"dz", "0", 0}});
+    constexpr std::size_t count = 200;
+    std::vector<Kick> hits;
+    for (std::size_t i = 0; i < count; ++i)
+        hits.push_back({Blocks::at(i), {Blocks::velocity(i), 0, 0}});
+    Kicks events(hits, [](std::size_t) { return false; });
+    const Solver right = solved(equations, 3, {}, &events);
+    Blocks blocks(count);
+    const Solver told = solved(equations, 3, {}, &blocks);
+    EXPECT_GT(blocks.most, 20u);
+    EXPECT_EQ(told.statistics().events, count);
+    EXPECT_EQ(told.histories().restarts(x), right.histories().restarts(x));
+    for (int i = 0; i <= 3000; ++i)
+        for (const std::size_t u : {x, y, z, dx, dy, dz})
+            ASSERT_EQ(told.histories().value(u, 0.001 * i), right.histories().value(u, 0.001 * i))
+                << u << " at " << 0.001 * i;
+    constexpr std::size_t row = 4; // time, place and velocity, and the place that stays
+    EXPECT_LT(told.statistics().historyBytes, (count + 64) * row * sizeof(double) + 1000);
+}
+
 // A snapshot keeps what it shows while turns go on.
 TEST(Flights, ASnapshotStaysAsItIs) {
     Kicks turns(kicks, [](std::size_t) { return true; });

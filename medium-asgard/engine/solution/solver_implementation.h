@@ -69,13 +69,24 @@ private:
         struct Axis {                            // that is not 0 for ever
             std::size_t place = 0, velocity = 0; // components; a velocity may stay 0
             std::size_t coordinate = 0;
+            double half = 0; // of the acceleration
         };
         std::vector<Axis> axes;
         std::array<bool, 3> moves{};      // by coordinate: its velocity is not 0 for ever
         std::shared_ptr<History> history; // a column for each axis, then the rates of these
+        bool isBent = false;              // else accelerations are 0
         bool isOn = false;                // else the components go on by themselves
+        [[nodiscard]] std::size_t terms() const { return isBent ? 3 : 2; }
     };
     [[nodiscard]] bool turn(double time, std::span<Turn> turns) override;
+    [[nodiscard]] std::size_t promisedHits(std::span<const Turn> flights,
+                                           std::size_t axis) override;
+    void turn(std::span<const LineHit> hits, std::span<const Turn> flights,
+              std::size_t axis) override;
+    [[nodiscard]] double given(double velocity, std::size_t /*unknown*/, double /*time*/,
+                               double /*farthest*/) const override {
+        return velocity;
+    }
     [[nodiscard]] Flight* flightOf(const Turn& turn);
     [[nodiscard]] bool fliesOn(std::span<const Turn> turns);
     [[nodiscard]] bool staysInPlane(double time, std::span<Turn> turns) const;
