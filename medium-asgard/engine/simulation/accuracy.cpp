@@ -58,13 +58,14 @@ public:
     [[nodiscard]] Trace::Place at(double t) {
         for (Steps& steps : steps_) {
             steps.step = steps.history->find(t, steps.step);
-            const solution::History::Step& step = steps.history->step(steps.step);
-            steps.s = (t - step.origin) / step.scale;
+            steps.first = steps.history->piece(steps.step, 0);
+            steps.s = (t - steps.first.origin) / steps.first.scale;
         }
         for (const Column& column : columns_) {
             const Steps& steps = steps_[column.steps];
+            const std::span<const double> first = steps.first.coefficients;
             values_[column.kind] = solution::evaluate(
-                steps.history->piece(steps.step, column.column).coefficients, steps.s);
+                {first.data() + column.column * first.size(), first.size()}, steps.s);
         }
         for (Other& other : others_)
             values_[other.kind] = valueOf(other, t);
@@ -88,7 +89,8 @@ public:
 private:
     struct Steps {
         const solution::History* history;
-        std::size_t step; // that was read last
+        std::size_t step;      // that was read last
+        solution::Piece first; // of its first column: those of the others follow
         double s;
     };
     struct Column {
@@ -111,7 +113,7 @@ private:
     std::size_t stepsOf(const solution::History* history) {
         const auto known = std::ranges::find(steps_, history, &Steps::history);
         if (known == steps_.end()) {
-            steps_.push_back({.history = history, .step = 0, .s = 0});
+            steps_.push_back({.history = history, .step = 0, .first = {}, .s = 0});
             return steps_.size() - 1;
         }
         return static_cast<std::size_t>(known - steps_.begin());
