@@ -177,7 +177,8 @@ private:
     [[nodiscard]] bool land(double to);
     [[nodiscard]] double longest() const; // that the next step may be, by what is watched
     [[nodiscard]] std::optional<double> overlooked(double h, double until);
-    [[nodiscard]] bool isFollowed(double t, double h, double spacing, const ErrorControl& control);
+    [[nodiscard]] bool isFollowed(double t, double h, double spacing);
+    [[nodiscard]] bool hasCentres() const;
     [[nodiscard]] std::vector<double> centresIn(std::span<const Coefficients> states, double origin,
                                                 double scale, double until);
     [[nodiscard]] bool towers(double t, double h);

@@ -108,9 +108,9 @@ public:
     [[nodiscard]] std::optional<double> constantOf(expression::Node symbol) const;
     [[nodiscard]] bool readsStates() const { return model_.readsStates(); }
 
-    // The model's peaks (oversight.h): centres where states have these rates, and heights.
-    void peakCentres(double t, std::span<const double> y, std::span<const double> rates,
-                     std::span<double> out);
+    // The model's peaks (oversight.h): causes and their rates where states have these, and heights.
+    void peakCauses(double t, std::span<const double> y, std::span<const double> rates,
+                    std::span<double> out);
     void peakHeights(double t, std::span<const double> y, std::span<double> out);
 
     // Branches. decide() is from the values alone, with what the fields say on a surface itself.

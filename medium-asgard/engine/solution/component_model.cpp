@@ -4,14 +4,32 @@
 #include "solution/oversight.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
+#include <numbers>
 
 namespace solution {
 
 using expression::Graph;
 using expression::Node;
 using expression::Op;
+
+namespace {
+
+// atan2(y, x), which jumps by 2 pi where y passes 0 on the left: with switches there, and on each
+// branch an angle that goes on.
+Node angleOf(Graph& graph, Node y, Node x) {
+    const Node zero = graph.constant(0), quarter = graph.constant(std::numbers::pi / 2);
+    const Node left = graph.negate(x), down = graph.negate(y);
+    const Node above = graph.add(quarter, graph.apply(Op::atan2, left, y));
+    const Node below = graph.negate(graph.add(quarter, graph.apply(Op::atan2, left, down)));
+    const Node behind = graph.apply(Op::select, graph.apply(Op::less, y, zero), below, above);
+    const Node ahead = graph.apply(Op::atan2, y, x);
+    return graph.apply(Op::select, graph.apply(Op::less, x, zero), behind, ahead);
+}
+
+} // namespace
 
 ComponentModel::ComponentModel(Key key) : key_(std::move(key)) {
     readKey();
@@ -33,6 +51,11 @@ void ComponentModel::readKey() {
     for (std::size_t i = 0; i < states_; ++i)
         symbols_.push_back(graph_.symbol("y" + std::to_string(i)));
     std::vector<Node> constants, entries;
+    const auto moves = [&](Node a, Node b) {
+        return std::ranges::any_of(
+            expression::symbolsOf(graph_, std::array{a, b}),
+            [&](Node symbol) { return std::ranges::find(constants, symbol) == constants.end(); });
+    };
     while (key_[at] != key::outputs) {
         const std::uint32_t word = next();
         if (word == key::time) {
@@ -53,9 +76,10 @@ void ComponentModel::readKey() {
             const int count = expression::argumentCount(op);
             const Node a = entries[next()], b = count > 1 ? entries[next()] : Node{},
                        c = count > 2 ? entries[next()] : Node{};
-            entries.push_back(count == 1   ? graph_.apply(op, a)
-                              : count == 2 ? graph_.apply(op, a, b)
-                                           : graph_.apply(op, a, b, c));
+            entries.push_back(op == Op::atan2 && moves(a, b) ? angleOf(graph_, a, b)
+                              : count == 1                   ? graph_.apply(op, a)
+                              : count == 2                   ? graph_.apply(op, a, b)
+                                                             : graph_.apply(op, a, b, c));
         }
     }
     ++at;
@@ -98,7 +122,14 @@ void ComponentModel::findPeaks() {
     }
     const Peaks peaks =
         peaksOf(graph, outputs_, std::span(symbols_).subspan(variables()), attitudes(), moving);
-    peaks_.centres = expression::Function(expression::Tape(graph, symbols, peaks.centres));
+    std::vector<Node> causes, rates;
+    for (const Peaks::Cause& cause : peaks.causes) {
+        causes.push_back(cause.value);
+        rates.push_back(cause.rate);
+        peaks_.parts.push_back(cause.part);
+    }
+    causes.insert(causes.end(), rates.begin(), rates.end());
+    peaks_.causes = expression::Function(expression::Tape(graph, symbols, causes));
     peaks_.heights = expression::Function(expression::Tape(graph, symbols_, peaks.heights));
     peaks_.arePolynomials = peaks.arePolynomials;
 }

@@ -52,11 +52,12 @@ public:
     [[nodiscard]] bool readsStates() const { return readsStates_; } // other than in guards
     // oversight.h: with these constants.
     [[nodiscard]] bool canPeak(std::span<const double> values) const;
-    // Where it can peak (oversight.h): centres, from symbols() and the rates of states and inputs,
-    // and what peaks there, from symbols().
+    // Where it can peak (oversight.h): values of causes, then their rates, from symbols() and the
+    // rates of states and inputs; and what peaks there, from symbols().
     struct PeakFunctions {
-        expression::Function centres, heights;
-        bool arePolynomials = true; // the centres
+        expression::Function causes, heights;
+        std::vector<double> parts;
+        bool arePolynomials = true;
     };
     [[nodiscard]] const PeakFunctions& peaks() const { return peaks_; }
 

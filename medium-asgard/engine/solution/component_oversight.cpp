@@ -17,16 +17,20 @@ constexpr double allowed = 10;
 } // namespace
 
 // Implicit methods meet rates that are large beside what a step may err by: nothing is held against
-// their polynomials, and what can peak takes steps that see it.
+// their polynomials, and what can peak takes steps that see it. For explicit ones the limit follows
+// the tolerance, as steps of order 8 do: runs that are compared would take the same steps where no
+// error shows, and err by the same.
 double Component::longest() const {
     if (!options_.isWatched || options_.fixedStep)
         return infinity;
-    return method_->implicit() && equations_->bound()->canPeak ? watched_.longestThatSees(time_)
-                                                               : watched_.longest(time_);
+    if (method_->implicit())
+        return equations_->bound()->canPeak ? watched_.longestThatSees(time_)
+                                            : watched_.longest(time_);
+    return std::pow(std::min(tolerance_, 1.0), 1.0 / 8) * watched_.longest(time_);
 }
 
 // The rates at t are those of the step's polynomials.
-bool Component::isFollowed(double t, double h, double spacing, const ErrorControl& control) {
+bool Component::isFollowed(double t, double h, double spacing) {
     std::vector<double> y(columns_.size()), rates(y.size());
     const double s = (t - time_) / h;
     for (std::size_t i = 0; i < y.size(); ++i)
@@ -36,19 +40,23 @@ bool Component::isFollowed(double t, double h, double spacing, const ErrorContro
         return false;
     for (std::size_t i = 0; i < y.size(); ++i) {
         const double defect = rates[i] - evaluateDerivative(columns_[i], s) / h;
-        if (!(std::abs(defect) * std::min(h, spacing) <= allowed * control.scale(i)))
+        if (!(std::abs(defect) * std::min(h, spacing) <= allowed * control_.scale(i)))
             return false;
     }
     return true;
 }
 
+bool Component::hasCentres() const {
+    return options_.isWatched && !options_.fixedStep && equations_->bound()->canPeak &&
+           !equations_->model().peaks().parts.empty();
+}
+
 // Times in (origin, until) at which there may be the middle of a peak, however narrow.
 std::vector<double> Component::centresIn(std::span<const Coefficients> states, double origin,
                                          double scale, double until) {
-    const ComponentModel::PeakFunctions& peaks = equations_->model().peaks();
-    const std::size_t count = peaks.centres.tape().outputs();
-    if (count == 0 || !equations_->bound()->canPeak)
+    if (!hasCentres())
         return {};
+    const ComponentModel::PeakFunctions& peaks = equations_->model().peaks();
     std::vector<double> y(states.size()), rates(states.size());
     const auto valuesAt = [&](double t, std::span<double> values) {
         const double s = (t - origin) / scale;
@@ -56,9 +64,9 @@ std::vector<double> Component::centresIn(std::span<const Coefficients> states, d
             y[i] = evaluate(states[i], s);
             rates[i] = evaluateDerivative(states[i], s) / scale;
         }
-        equations_->peakCentres(t, y, rates, values);
+        equations_->peakCauses(t, y, rates, values);
     };
-    return centresPassed(count, peaks.arePolynomials, valuesAt, origin, until);
+    return centresPassed(peaks.parts, peaks.arePolynomials, valuesAt, origin, until);
 }
 
 // Something is so much larger at t than at both ends of the step that its stages need not have seen
@@ -90,24 +98,17 @@ std::optional<double> Component::overlooked(double h, double until) {
     const bool isSuspect = time_ < suspect_ && suspect_ < until;
     if (!method_->implicit() && (h > spacing || isSuspect))
         for (const double t : watched_.between(time_, until))
-            if (!isFollowed(t, h, spacing, control_))
+            if (!isFollowed(t, h, spacing))
                 return t;
     std::vector<double> centres = centresIn(columns_, time_, h, until);
     if (until < time_ + h && !equations_->sliding())
         centres.push_back(until);
-    if (centres.empty())
-        return std::nullopt;
-    // A peak shorter than this step leaves a speed for longer.
-    ErrorControl control = control_;
-    control.countSpeedsOver(spacing);
-    control.prepare(stateValues(), h);
     for (const double t : centres)
-        if (method_->implicit() ? towers(t, h) : !isFollowed(t, h, spacing, control))
+        if (method_->implicit() ? towers(t, h) : !isFollowed(t, h, spacing))
             return t;
     // Between two edges may lie what is 0 on both ends.
     for (std::size_t k = 1; method_->implicit() && k < centres.size(); ++k)
-        if (const double t = std::midpoint(centres[k - 1], centres[k]);
-            !isFollowed(t, h, spacing, control))
+        if (const double t = std::midpoint(centres[k - 1], centres[k]); !isFollowed(t, h, spacing))
             return t;
     return std::nullopt;
 }

@@ -198,6 +198,8 @@ void Component::integrate() {
         return;
     if (!method_ && !beginMethod())
         return;
+    if (hasCentres() && !method_->implicit())
+        control_.countSpeedsOver(watched_.spacing(time_));
     for (;;) { // every refusal shortens the step, until it cannot be
         const double wanted =
             std::max(std::min({proposed_, longest(), restsAfter_}), shortestStep(time_));

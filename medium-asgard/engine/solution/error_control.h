@@ -9,8 +9,8 @@
 //
 // An error in a velocity or a spin that moves nothing by a hundredth of the position's tolerance
 // within the step, or by less than the rounding of the positions, is also allowed, so that a body
-// at rest is not followed into its rounding errors. Where a peak is met (oversight.h) a step is as
-// short as the peak, and the speed that it leaves moves things for long after: from then on that is
+// at rest is not followed into its rounding errors. Where something may peak (oversight.h) a step
+// is as short as the peak, and the speed that it leaves moves things for long after: there that is
 // asked of a longer time. No scale is below the rounding of the value itself.
 //
 // The norm is the maximum, not a mean over unknowns: what is promised holds for each body, and a

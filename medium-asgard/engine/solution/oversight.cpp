@@ -54,6 +54,7 @@ double WatchedTimes::longestThatSees(double t) const {
 namespace {
 
 constexpr Interval anything = {-infinity, infinity};
+constexpr double quarter = 0.25; // by that much what peaks changes with its causes at least
 
 Interval product(const Interval& a, const Interval& b) {
     const auto ends = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
@@ -197,33 +198,49 @@ Node sumOfSquares(Graph& graph, Node length) {
     return graph.add(a, b);
 }
 
+struct Power {
+    Node base;
+    double exponent;
+};
+
 // Something simpler that is least or most, or 0, where this is: roots, powers and factors that are
 // numbers are taken off.
-Node withoutPowers(Graph& graph, Node node, const std::vector<bool>& isNumber) {
+Power withoutPowers(Graph& graph, Node node, const std::vector<bool>& isNumber) {
+    constexpr double anyExponent = 100; // of one that is known by its name only
     const auto isOne = [&](Node n) { return n.index < isNumber.size() && isNumber[n.index]; };
+    Power power{node, 1};
     for (;;) {
-        const auto arguments = graph.arguments(node);
-        switch (graph.op(node)) {
+        const auto arguments = graph.arguments(power.base);
+        switch (graph.op(power.base)) {
         case Op::hypot:
-            return sumOfSquares(graph, node);
-        case Op::negate:
+            return {sumOfSquares(graph, power.base), 0.5 * power.exponent};
         case Op::sqrt:
+            power = {arguments[0], 0.5 * power.exponent};
+            break;
+        case Op::negate:
         case Op::abs:
-            node = arguments[0];
+            power.base = arguments[0];
             break;
         case Op::power:
+            if (!isOne(arguments[1]))
+                return power;
+            power.exponent *= graph.op(arguments[1]) == Op::constant
+                                  ? std::abs(graph.value(arguments[1]))
+                                  : anyExponent;
+            power.base = arguments[0];
+            break;
         case Op::divide:
             if (!isOne(arguments[1]))
-                return node;
-            node = arguments[0];
+                return power;
+            power.base = arguments[0];
             break;
         case Op::multiply:
-            if (!isOne(arguments[0]) && !isOne(arguments[1]) && arguments[0] != arguments[1])
-                return node;
-            node = arguments[isOne(arguments[0]) ? 1 : 0];
+            if (!isOne(arguments[0]) && !isOne(arguments[1]))
+                return power;
+            power.base = arguments[isOne(arguments[0]) ? 1 : 0];
             break;
         default:
-            return node;
+            return power;
         }
     }
 }
@@ -248,22 +265,13 @@ bool isPolynomial(const Graph& graph, Node node, const std::vector<bool>& isNumb
     });
 }
 
-// d/dt along the motion; none: a number.
-std::optional<Node> rateOf(Graph& graph, Node node, std::span<const Moving> moving) {
-    std::optional<Node> sum;
+// d/dt along the motion.
+Node rateOf(Graph& graph, Node node, std::span<const Moving> moving) {
+    Node sum = graph.constant(0);
     for (const Moving& symbol : moving) {
         const Node partial = expression::differentiate(graph, node, symbol.symbol);
-        if (graph.isConstant(partial, 0))
-            continue;
-        const Node term = graph.multiply(partial, symbol.rate);
-        sum = sum ? graph.add(*sum, term) : term;
+        sum = graph.add(sum, graph.multiply(partial, symbol.rate));
     }
-    const auto isMoving = [&](Node read) {
-        return std::ranges::any_of(
-            moving, [&](const Moving& m) { return read == m.symbol || read == m.rate; });
-    };
-    if (!sum || std::ranges::none_of(expression::symbolsOf(graph, {&*sum, 1}), isMoving))
-        return std::nullopt;
     return sum;
 }
 
@@ -288,64 +296,96 @@ Peaks peaksOf(Graph& graph, std::span<const Node> outputs, std::span<const Node>
     const std::vector<Node> reached = expression::reachable(graph, outputs);
     const std::vector<bool> isNumber = readsOnly(graph, reached, {constants});
     Peaks peaks;
+    const auto add = [&](Node value, double part) {
+        const auto isKnown = [&](const Peaks::Cause& known) { return known.value == value; };
+        const auto known = std::ranges::find_if(peaks.causes, isKnown);
+        if (known == peaks.causes.end())
+            peaks.causes.push_back({value, rateOf(graph, value, moving), part});
+        else
+            known->part = std::min(known->part, part);
+    };
     for (const Node node :
          peakingNodes(graph, reached, isNumber, readsOnly(graph, reached, {constants, attitudes})))
         for (const Node cause : causesOf(graph, node)) {
             if (isNumber[cause.index])
                 continue;
             peaks.heights.push_back(node);
-            peaks.centres.push_back(withoutPowers(graph, cause, isNumber));
+            const bool isBase = graph.op(node) == Op::power && cause == graph.arguments(node)[0];
+            const Power power = withoutPowers(graph, isBase ? node : cause, isNumber);
+            if (graph.op(node) == Op::divide || (isBase && power.base != node))
+                add(power.base, quarter / std::max(1.0, power.exponent));
+            else
+                add(cause, 0);
         }
     makeUnique(peaks.heights);
-    makeUnique(peaks.centres);
-    for (std::size_t k = peaks.centres.size(); k-- > 0;)
-        if (const auto rate = rateOf(graph, peaks.centres[k], moving))
-            peaks.centres.push_back(*rate);
-    makeUnique(peaks.centres);
-    peaks.arePolynomials = std::ranges::all_of(
-        peaks.centres, [&](Node centre) { return isPolynomial(graph, centre, isNumber); });
+    peaks.arePolynomials = std::ranges::all_of(peaks.causes, [&](const Peaks::Cause& cause) {
+        return isPolynomial(graph, cause.value, isNumber);
+    });
     return peaks;
 }
 
 namespace {
 
-// No parabola through three of its values comes near 0.
-bool staysAway(double a, double b, double c) {
-    if (!(a * b > 0 && b * c > 0))
-        return false;
-    const double low = std::min({std::abs(a), std::abs(b), std::abs(c)}),
-                 high = std::max({std::abs(a), std::abs(b), std::abs(c)});
-    // It passes at most an eighth of its second difference below the lowest of them.
-    return low > 0.25 * std::abs(a - 2 * b + c) + 1e-3 * high;
+// What a few values at even distances say of what lies between them, by parabolas.
+struct Course {
+    explicit Course(std::span<const double> values) {
+        const auto [least, most] = std::ranges::minmax(values);
+        double bend = 0;
+        for (std::size_t i = 2; i < values.size(); ++i)
+            bend = std::max(bend, std::abs(values[i] - 2 * values[i - 1] + values[i - 2]));
+        low = least > 0 ? least : most < 0 ? -most : 0;
+        change = most - least + 0.25 * bend;
+        // Twice what a parabola passes below the lowest of them.
+        staysAway = low > 0.25 * bend + 1e-3 * std::max(most, -least);
+    }
+    double low, change; // of the size
+    bool staysAway;     // from 0
+};
+
+// Of causes and rates, those that may be 0 somewhere.
+std::vector<std::size_t> suspects(const std::vector<double>& parts, bool arePolynomials,
+                                  const std::function<void(double, std::span<double>)>& evaluate,
+                                  double from, double to) {
+    const std::size_t causes = parts.size(), count = arePolynomials ? 3 : 9;
+    std::vector<double> values(2 * causes);
+    std::vector<std::vector<double>> samples(2 * causes);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double s = static_cast<double>(i) / static_cast<double>(count - 1);
+        evaluate(i + 1 == count ? to : from + s * (to - from), values);
+        for (std::size_t k = 0; k < values.size(); ++k)
+            samples[k].push_back(values[k]);
+    }
+    std::vector<std::size_t> found;
+    for (std::size_t k = 0; k < causes; ++k) {
+        const Course value(samples[k]), rate(samples[causes + k]);
+        if (!value.staysAway)
+            found.push_back(k);
+        if (!rate.staysAway && !(value.change <= (parts[k] > 0 ? parts[k] * value.low : quarter)))
+            found.push_back(causes + k);
+    }
+    return found;
 }
 
 } // namespace
 
-std::vector<double> centresPassed(std::size_t count, bool arePolynomials,
+std::vector<double> centresPassed(const std::vector<double>& parts, bool arePolynomials,
                                   const std::function<void(double, std::span<double>)>& evaluate,
                                   double from, double to) {
     constexpr std::size_t most = 64;
-    std::vector<double> first(count), middle(count), last(count), found;
-    evaluate(from, first);
-    if (arePolynomials) {
-        evaluate(from + 0.5 * (to - from), middle);
-        evaluate(to, last);
-        bool away = true;
-        for (std::size_t k = 0; k < count; ++k)
-            away = away && staysAway(first[k], middle[k], last[k]);
-        if (away)
-            return found;
-    }
-    std::vector<double> sides(count);
-    for (std::size_t k = 0; k < count; ++k)
-        sides[k] = first[k] < 0 ? -1 : 1;
+    const auto watched = suspects(parts, arePolynomials, evaluate, from, to);
+    std::vector<double> found, all(2 * parts.size()), sides(watched.size());
+    if (watched.empty())
+        return found;
+    evaluate(from, all);
+    for (std::size_t k = 0; k < watched.size(); ++k)
+        sides[k] = all[watched[k]] < 0 ? -1 : 1;
     const auto besideSides = [&](double t, std::span<double> values) {
-        evaluate(t, values);
-        for (std::size_t k = 0; k < count; ++k)
-            values[k] *= sides[k];
+        evaluate(t, all);
+        for (std::size_t k = 0; k < watched.size(); ++k)
+            values[k] = sides[k] * all[watched[k]];
     };
-    for (std::size_t i = 0; i < most + count; ++i) {
-        const auto next = firstViolation(count, besideSides, from, to);
+    for (std::size_t i = 0; i < most + watched.size(); ++i) {
+        const auto next = firstViolation(watched.size(), besideSides, from, to);
         if (!next || next->time >= to)
             return found;
         for (const std::size_t k : next->watches)

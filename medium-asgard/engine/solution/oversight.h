@@ -65,19 +65,25 @@ struct Moving {
 // denominator) is least or most, which is where its rate is 0, or is 0 itself (a pole, an edge:
 // tanh((x-700)/w)).
 struct Peaks {
-    std::vector<expression::Node> centres; // of time, states, inputs, constants and rates
-    std::vector<expression::Node> heights; // what peaks there
-    bool arePolynomials = true;            // the centres, of what moves
+    struct Cause { // of time, states, inputs and constants
+        expression::Node value;
+        expression::Node rate; // of what moves it, too
+        double part;           // of itself by which it must change to count; 0: by a quarter of 1
+    };
+    std::vector<Cause> causes;
+    std::vector<expression::Node> heights; // what peaks
+    bool arePolynomials = true;            // the causes, of what moves
 };
 [[nodiscard]] Peaks peaksOf(expression::Graph& graph, std::span<const expression::Node> outputs,
                             std::span<const expression::Node> constants,
                             std::span<const expression::Node> attitudes,
                             std::span<const Moving> moving);
 
-// Times in (from, to), in order, at which one of `count` values changes its sign. Of polynomials
-// that stay far from 0 three values are asked for, and no more.
+// Times in (from, to), in order, at which a cause or its rate is 0. `evaluate` gives the values of
+// all causes, then their rates. A rate of next to nothing has any sign: it counts where the cause
+// changes by its part.
 [[nodiscard]] std::vector<double>
-centresPassed(std::size_t count, bool arePolynomials,
+centresPassed(const std::vector<double>& parts, bool arePolynomials,
               const std::function<void(double t, std::span<double> values)>& evaluate, double from,
               double to);
 

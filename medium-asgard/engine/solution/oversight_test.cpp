@@ -147,7 +147,7 @@ TEST(Oversight, PushesThatComeAgainAndAgainAreAllFound) {
              std::map<std::string, double>{{"exp(-(sin(t/2)/1e-3)^2)", 2e-3 * std::sqrt(pi)},
                                            {"cos(t/2)^100000", 2 * std::sqrt(2 * pi / 1e5)}}) {
             const Solver s = solved(equationsOf(pushed(push)), 1000, watched(1e-6, method));
-            EXPECT_NEAR(s.histories().value(1, 1000) / (times * area), 1, 1e-4) << method << push;
+            EXPECT_NEAR(s.histories().value(1, 1000) / (times * area), 1, 2e-4) << method << push;
         }
 }
 
@@ -174,24 +174,27 @@ TEST(Oversight, AFlyPastAHeavyPointTurnsTheWay) {
     }
 }
 
-TEST(Oversight, CostsAnEvaluationForEachWatchedTimeAndNoStepWhereThereIsNothing) {
+// And first steps, which are limited.
+TEST(Oversight, CostsAnEvaluationForEachWatchedTimeAndNoLaterStepWhereThereIsNothing) {
     const auto set = [] { return equationsOf({{"x", "dx", 1, 1}, {"dx", "-x*exp(-0.1*x^2)", 0}}); };
     const Statistics with = solved(set(), 10, watched(1e-6)).statistics();
     Options unwatched = tolerance(1e-6);
     unwatched.isWatched = false;
     const Statistics without = solved(set(), 10, unwatched).statistics();
-    EXPECT_EQ(with.steps, without.steps);
+    EXPECT_LE(with.steps, without.steps + 5);
     EXPECT_EQ(with.rejectedSteps, without.rejectedSteps);
     EXPECT_LE(with.evaluations, without.evaluations + 500);
     EXPECT_GT(with.evaluations, without.evaluations);
 }
 
-TEST(Oversight, CostsNothingWhereNothingCanPeak) {
+TEST(Oversight, CostsNothingButFirstStepsWhereNothingCanPeak) {
     const auto set = [] { return equationsOf({{"x", "dx", 1, 1}, {"dx", "-sin(x)", 0}}); };
     Options unwatched = tolerance(1e-6);
     unwatched.isWatched = false;
-    EXPECT_EQ(solved(set(), 10, watched(1e-6)).statistics().evaluations,
-              solved(set(), 10, unwatched).statistics().evaluations);
+    const Statistics with = solved(set(), 10, watched(1e-6)).statistics();
+    const Statistics without = solved(set(), 10, unwatched).statistics();
+    EXPECT_LE(with.steps, without.steps + 5);
+    EXPECT_LE(with.evaluations, without.evaluations + 5 * 12);
 }
 
 // The reader's own equation is a sum; what it reads is kicked for a moment, and shows it by the
@@ -216,38 +219,49 @@ TEST(Peaks, HaveCentresWhereWhatTheyPeakByIsLeastOrMostOrZero) {
         for (const std::string name : {"x", "z"})
             moving.push_back({graph.symbol(name), graph.symbol("d" + name)});
         std::string all;
-        for (const expression::Node centre :
-             peaksOf(graph, outputs, std::vector{c}, {}, moving).centres)
-            all += print(graph, centre) + ";";
+        for (const Peaks::Cause& cause : peaksOf(graph, outputs, std::vector{c}, {}, moving).causes)
+            all += print(graph, cause.value) + "; " + print(graph, cause.rate) +
+                   (cause.part > 0 ? " by " + std::to_string(cause.part).substr(0, 6) : "") + "; ";
         return all;
     };
-    EXPECT_EQ(centresOf("exp(-c*(t-60)^2)"), "t - 60;");
-    EXPECT_EQ(centresOf("exp(-(t*t-120*t+3600)/c)"), "t^2 - 120*t + 3600;2*t - 120;");
-    EXPECT_EQ(centresOf("tanh((x-c)/0.1)"), "x - c;dx;");
-    EXPECT_EQ(centresOf("x/hypot(x,z)^3"), "x^2 + z^2;2*x*dx + 2*z*dz;");
-    EXPECT_EQ(centresOf("1/(c+(x-3)^4)"), "c + (x - 3)^4;4*(x - 3)^3*dx;");
-    EXPECT_EQ(centresOf("1/(t-60)"), "t - 60;");
-    EXPECT_EQ(centresOf("sin(t)^100"), "sin(t);cos(t);");
+    EXPECT_EQ(centresOf("exp(-c*(t-60)^2)"), "-c*(t - 60)^2; -2*c*(t - 60); ");
+    EXPECT_EQ(centresOf("exp(-(t*t-120*t+3600)/c)"),
+              "-((t^2 - 120*t + 3600)/c); -((2*t - 120)/c); ");
+    EXPECT_EQ(centresOf("tanh((x-c)/0.1)"), "(x - c)/0.1; 10*dx; ");
+    EXPECT_EQ(centresOf("x/hypot(x,z)^3"), "x^2 + z^2; 2*x*dx + 2*z*dz by 0.1666; ");
+    EXPECT_EQ(centresOf("1/(c+(x-3)^4)"), "c + (x - 3)^4; 4*(x - 3)^3*dx by 0.2500; ");
+    EXPECT_EQ(centresOf("1/(t-60)"), "t - 60; 1 by 0.2500; ");
+    EXPECT_EQ(centresOf("sin(t)^100"), "sin(t); cos(t) by 0.0025; ");
     EXPECT_EQ(centresOf("c*x/hypot(x,z)"), ""); // turns there, and no more
     EXPECT_EQ(centresOf("sin(x)^2+c*t^2"), "");
 }
 
 TEST(Peaks, HaveTheirCentresPassedAsOftenAsTheyAre) {
-    const auto passed = [](const std::function<double(double)>& centre, bool isPolynomial) {
-        int asked = 0;
+    const auto passed = [](const std::function<double(double)>& value,
+                           const std::function<double(double)>& rate, bool isPolynomial) {
+        std::size_t asked = 0;
         const auto evaluate = [&](double t, std::span<double> values) {
-            values[0] = centre(t);
+            values[0] = value(t);
+            values[1] = rate(t);
             ++asked;
         };
-        const std::vector<double> times = centresPassed(1, isPolynomial, evaluate, 0, 10);
-        return std::pair(times, asked);
+        const auto times = centresPassed({0.25}, isPolynomial, evaluate, 0, 10);
+        return std::pair(times.size(), asked);
     };
-    EXPECT_EQ(passed([](double t) { return t + 1; }, true).second, 3);
-    EXPECT_EQ(passed([](double t) { return (t - 5) * (t - 5) + 30; }, true).second, 3);
-    EXPECT_EQ(passed([](double t) { return t - 4; }, true).first, std::vector{4.0});
-    EXPECT_EQ(passed([](double t) { return (t - 5) * (t - 5.25); }, true).first.size(), 2u);
-    EXPECT_EQ(passed([](double t) { return std::sin(3 * t); }, false).first.size(), 9u);
-    EXPECT_TRUE(passed([](double t) { return t; }, true).first.empty()); // at the start
+    using Times = std::pair<std::size_t, std::size_t>;
+    const auto one = [](double) { return 1; };
+    EXPECT_EQ(passed([](double t) { return t + 1; }, one, true), Times(0, 3));
+    EXPECT_EQ(passed([](double t) { return t - 4; }, one, true).first, 1u);
+    EXPECT_EQ(passed([](double t) { return t; }, one, true).first, 0u); // at the start
+    const auto falls = [](double t) { return 2 * (t - 5); };
+    EXPECT_EQ(passed([](double t) { return (t - 5) * (t - 5) + 1e-6; }, falls, true).first, 1u);
+    EXPECT_EQ(passed([](double t) { return (t - 5) * (t - 5) + 200; }, falls, true), Times(0, 3));
+    EXPECT_EQ(passed([](double t) { return (t - 5) * (t - 5) - 0.1; }, falls, true).first, 3u);
+    const auto wave = [](double t) { return std::sin(3 * t); };
+    EXPECT_EQ(passed(wave, one, false).first, 9u);
+    // What stays as it is, but for rounding.
+    EXPECT_EQ(passed([](double t) { return 1 + 1e-12 * std::sin(1e6 * t); }, wave, true).second,
+              3u);
 }
 
 TEST(CanPeak, IsSaidOfExponentialsAndQuotientsOfWhatMoves) {

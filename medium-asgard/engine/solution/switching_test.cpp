@@ -458,3 +458,22 @@ TEST(Switching, ALateStartMakesNoSwitchesEndless) {
         EXPECT_NEAR(v * v / 2 + 4e5 * std::abs(solver.histories().value(0, start + 0.2)), 40, 0.01);
     }
 }
+
+// Of a drive, and of a body that goes round: the rate jumps by 2 pi where the angle does.
+TEST(Switching, TheAngleJumpsAtItsCut) {
+    const double pi = std::acos(-1.0);
+    for (const double accuracy : {1e-3, 1e-6, 1e-9}) {
+        const Solver driven =
+            solved(equationsOf({{"x", "atan2(sin(t),cos(t))", 0, 1}}), 30, tolerance(accuracy));
+        const double left = 30 - 10 * pi; // since the last whole turn
+        EXPECT_NEAR(driven.histories().value(0, 30), 0.5 * left * left, 1e-11) << accuracy;
+        EXPECT_EQ(driven.statistics().switches, 19u);
+        const Solver round = solved(equationsOf({{"x", "dx", 1, 1},
+                                                 {"y", "dy", 0, 1},
+                                                 {"dx", "-x", 0},
+                                                 {"dy", "-y", 1},
+                                                 {"w", "atan2(y,x)", 0}}),
+                                    30, tolerance(accuracy));
+        EXPECT_NEAR(round.histories().value(4, 30), 0.5 * left * left, 30 * accuracy) << accuracy;
+    }
+}
