@@ -181,8 +181,8 @@ TEST(Silence, WhatLeavesAnUnstableRestIsNotOffByItsFirstSteps) {
         return std::pair(result.motion->at(0, finish).position.x(),
                          *result.statistics.errorEstimate);
     };
-    for (const auto& [force, finish, exact] :
-         {std::tuple("100*sin(bob.x)", 2.0, 0.24228585446), {"100*sin(bob.x)", 1.5, 1.6345085953e-3}})
+    for (const auto& [force, finish, exact] : {std::tuple("100*sin(bob.x)", 2.0, 0.24228585446),
+                                               {"100*sin(bob.x)", 1.5, 1.6345085953e-3}})
         for (const double accuracy : {1e-4, 1e-5, 1e-6}) {
             const auto [place, estimate] = at(accuracy, force, finish);
             const double error = std::abs(place - exact) / 0.2;

@@ -126,7 +126,7 @@ void ComponentModel::findPeaks() {
     for (const Peaks::Cause& cause : peaks.causes) {
         causes.push_back(cause.value);
         rates.push_back(cause.rate);
-        peaks_.parts.push_back(cause.part);
+        peaks_.ratios.push_back(cause.ratio);
     }
     causes.insert(causes.end(), rates.begin(), rates.end());
     peaks_.causes = expression::Function(expression::Tape(graph, symbols, causes));

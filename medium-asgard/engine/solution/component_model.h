@@ -56,7 +56,7 @@ public:
     // rates of states and inputs; and what peaks there, from symbols().
     struct PeakFunctions {
         expression::Function causes, heights;
-        std::vector<double> parts;
+        std::vector<double> ratios;
         bool arePolynomials = true;
     };
     [[nodiscard]] const PeakFunctions& peaks() const { return peaks_; }

@@ -48,7 +48,7 @@ bool Component::isFollowed(double t, double h, double spacing) {
 
 bool Component::hasCentres() const {
     return options_.isWatched && !options_.fixedStep && equations_->bound()->canPeak &&
-           !equations_->model().peaks().parts.empty();
+           !equations_->model().peaks().ratios.empty();
 }
 
 // Times in (origin, until) at which there may be the middle of a peak, however narrow.
@@ -66,7 +66,7 @@ std::vector<double> Component::centresIn(std::span<const Coefficients> states, d
         }
         equations_->peakCauses(t, y, rates, values);
     };
-    return centresPassed(peaks.parts, peaks.arePolynomials, valuesAt, origin, until);
+    return centresPassed(peaks.ratios, peaks.arePolynomials, valuesAt, origin, until);
 }
 
 // Something is so much larger at t than at both ends of the step that its stages need not have seen

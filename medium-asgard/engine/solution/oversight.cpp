@@ -6,8 +6,11 @@
 #include "solution/switching.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <ranges>
 
 namespace solution {
 
@@ -54,7 +57,8 @@ double WatchedTimes::longestThatSees(double t) const {
 namespace {
 
 constexpr Interval anything = {-infinity, infinity};
-constexpr double quarter = 0.25; // by that much what peaks changes with its causes at least
+// As many times as at a step's ends something may be within it, and be seen by its stages.
+constexpr double seen = 16;
 
 Interval product(const Interval& a, const Interval& b) {
     const auto ends = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
@@ -245,9 +249,10 @@ Power withoutPowers(Graph& graph, Node node, const std::vector<bool>& isNumber) 
     }
 }
 
-bool isPolynomial(const Graph& graph, Node node, const std::vector<bool>& isNumber) {
+bool arePolynomials(const Graph& graph, std::span<const Node> nodes,
+                    const std::vector<bool>& isNumber) {
     const auto isOne = [&](Node n) { return n.index < isNumber.size() && isNumber[n.index]; };
-    return std::ranges::all_of(expression::reachable(graph, {&node, 1}), [&](Node n) {
+    return std::ranges::all_of(expression::reachable(graph, nodes), [&](Node n) {
         switch (graph.op(n)) {
         case Op::symbol:
         case Op::negate:
@@ -265,14 +270,18 @@ bool isPolynomial(const Graph& graph, Node node, const std::vector<bool>& isNumb
     });
 }
 
-// d/dt along the motion.
-Node rateOf(Graph& graph, Node node, std::span<const Moving> moving) {
-    Node sum = graph.constant(0);
-    for (const Moving& symbol : moving) {
-        const Node partial = expression::differentiate(graph, node, symbol.symbol);
-        sum = graph.add(sum, graph.multiply(partial, symbol.rate));
+// d/dt along the motion, of each.
+std::vector<Node> ratesOf(Graph& graph, std::span<const Node> nodes,
+                          std::span<const Moving> moving) {
+    std::vector<Node> symbols, rates;
+    std::ranges::transform(moving, std::back_inserter(symbols), &Moving::symbol);
+    for (const auto& partials : expression::gradients(graph, nodes, symbols)) {
+        Node sum = graph.constant(0);
+        for (const expression::Partial& partial : partials)
+            sum = graph.add(sum, graph.multiply(partial.derivative, moving[partial.symbol].rate));
+        rates.push_back(sum);
     }
-    return sum;
+    return rates;
 }
 
 } // namespace
@@ -296,13 +305,11 @@ Peaks peaksOf(Graph& graph, std::span<const Node> outputs, std::span<const Node>
     const std::vector<Node> reached = expression::reachable(graph, outputs);
     const std::vector<bool> isNumber = readsOnly(graph, reached, {constants});
     Peaks peaks;
-    const auto add = [&](Node value, double part) {
-        const auto isKnown = [&](const Peaks::Cause& known) { return known.value == value; };
-        const auto known = std::ranges::find_if(peaks.causes, isKnown);
-        if (known == peaks.causes.end())
-            peaks.causes.push_back({value, rateOf(graph, value, moving), part});
-        else
-            known->part = std::min(known->part, part);
+    std::map<Node, double> ratios; // of causes
+    const auto add = [&](Node value, double ratio) {
+        const auto [known, isNew] = ratios.emplace(value, ratio);
+        if (!isNew)
+            known->second = std::min(known->second, ratio);
     };
     for (const Node node :
          peakingNodes(graph, reached, isNumber, readsOnly(graph, reached, {constants, attitudes})))
@@ -313,14 +320,17 @@ Peaks peaksOf(Graph& graph, std::span<const Node> outputs, std::span<const Node>
             const bool isBase = graph.op(node) == Op::power && cause == graph.arguments(node)[0];
             const Power power = withoutPowers(graph, isBase ? node : cause, isNumber);
             if (graph.op(node) == Op::divide || (isBase && power.base != node))
-                add(power.base, quarter / std::max(1.0, power.exponent));
+                add(power.base, std::pow(seen, 1 / power.exponent));
             else
                 add(cause, 0);
         }
     makeUnique(peaks.heights);
-    peaks.arePolynomials = std::ranges::all_of(peaks.causes, [&](const Peaks::Cause& cause) {
-        return isPolynomial(graph, cause.value, isNumber);
-    });
+    std::vector<Node> values;
+    std::ranges::copy(ratios | std::views::keys, std::back_inserter(values));
+    peaks.arePolynomials = arePolynomials(graph, values, isNumber);
+    const std::vector<Node> rates = ratesOf(graph, values, moving);
+    for (std::size_t k = 0; k < values.size(); ++k)
+        peaks.causes.push_back({values[k], rates[k], ratios.at(values[k])});
     return peaks;
 }
 
@@ -333,34 +343,42 @@ struct Course {
         double bend = 0;
         for (std::size_t i = 2; i < values.size(); ++i)
             bend = std::max(bend, std::abs(values[i] - 2 * values[i - 1] + values[i - 2]));
-        low = least > 0 ? least : most < 0 ? -most : 0;
+        const double low = least > 0 ? least : most < 0 ? -most : 0;
         change = most - least + 0.25 * bend;
+        high = std::max(most, -least);
         // Twice what a parabola passes below the lowest of them.
-        staysAway = low > 0.25 * bend + 1e-3 * std::max(most, -least);
+        lowest = std::max(low - 0.25 * bend, 0.0);
+        staysAway = lowest > 1e-3 * high;
     }
-    double low, change; // of the size
-    bool staysAway;     // from 0
+    double change, lowest, high; // of the size
+    bool staysAway;              // from 0
 };
 
 // Of causes and rates, those that may be 0 somewhere.
-std::vector<std::size_t> suspects(const std::vector<double>& parts, bool arePolynomials,
+std::vector<std::size_t> suspects(const std::vector<double>& ratios, bool arePolynomials,
                                   const std::function<void(double, std::span<double>)>& evaluate,
                                   double from, double to) {
-    const std::size_t causes = parts.size(), count = arePolynomials ? 3 : 9;
-    std::vector<double> values(2 * causes);
-    std::vector<std::vector<double>> samples(2 * causes);
+    const std::size_t causes = ratios.size(), count = arePolynomials ? 3 : 9;
+    std::array<std::vector<double>, 9> samples;
     for (std::size_t i = 0; i < count; ++i) {
         const double s = static_cast<double>(i) / static_cast<double>(count - 1);
-        evaluate(i + 1 == count ? to : from + s * (to - from), values);
-        for (std::size_t k = 0; k < values.size(); ++k)
-            samples[k].push_back(values[k]);
+        samples[i].resize(2 * causes);
+        evaluate(i + 1 == count ? to : from + s * (to - from), samples[i]);
     }
+    const auto course = [&](std::size_t k) {
+        std::array<double, 9> values{};
+        for (std::size_t i = 0; i < count; ++i)
+            values[i] = samples[i][k];
+        return Course(std::span(values).first(count));
+    };
     std::vector<std::size_t> found;
     for (std::size_t k = 0; k < causes; ++k) {
-        const Course value(samples[k]), rate(samples[causes + k]);
+        const Course value = course(k), rate = course(causes + k);
         if (!value.staysAway)
             found.push_back(k);
-        if (!rate.staysAway && !(value.change <= (parts[k] > 0 ? parts[k] * value.low : quarter)))
+        const bool isSeen =
+            ratios[k] > 0 ? value.high <= ratios[k] * value.lowest : value.change <= std::log(seen);
+        if (!rate.staysAway && !isSeen)
             found.push_back(causes + k);
     }
     return found;
@@ -368,12 +386,12 @@ std::vector<std::size_t> suspects(const std::vector<double>& parts, bool arePoly
 
 } // namespace
 
-std::vector<double> centresPassed(const std::vector<double>& parts, bool arePolynomials,
+std::vector<double> centresPassed(const std::vector<double>& ratios, bool arePolynomials,
                                   const std::function<void(double, std::span<double>)>& evaluate,
                                   double from, double to) {
     constexpr std::size_t most = 64;
-    const auto watched = suspects(parts, arePolynomials, evaluate, from, to);
-    std::vector<double> found, all(2 * parts.size()), sides(watched.size());
+    const auto watched = suspects(ratios, arePolynomials, evaluate, from, to);
+    std::vector<double> found, all(2 * ratios.size()), sides(watched.size());
     if (watched.empty())
         return found;
     evaluate(from, all);

@@ -68,7 +68,7 @@ struct Peaks {
     struct Cause { // of time, states, inputs and constants
         expression::Node value;
         expression::Node rate; // of what moves it, too
-        double part;           // of itself by which it must change to count; 0: by a quarter of 1
+        double ratio;          // to which it must change for a peak to hide; 0: it is an exponent
     };
     std::vector<Cause> causes;
     std::vector<expression::Node> heights; // what peaks
@@ -81,9 +81,9 @@ struct Peaks {
 
 // Times in (from, to), in order, at which a cause or its rate is 0. `evaluate` gives the values of
 // all causes, then their rates. A rate of next to nothing has any sign: it counts where the cause
-// changes by its part.
+// changes enough for something that peaks by it to be 16 times as large in a step as at its ends.
 [[nodiscard]] std::vector<double>
-centresPassed(const std::vector<double>& parts, bool arePolynomials,
+centresPassed(const std::vector<double>& ratios, bool arePolynomials,
               const std::function<void(double t, std::span<double> values)>& evaluate, double from,
               double to);
 
