@@ -207,6 +207,7 @@ void Study::markAuto(StudyResult& result) const {
         else
             steps[c.method] += c.steps;
     std::vector<std::pair<std::size_t, std::string>> order;
+    order.reserve(steps.size());
     for (const auto& [method, count] : steps)
         order.emplace_back(count, method);
     std::ranges::stable_sort(order, std::greater<>(), [](const auto& o) { return o.first; });

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <ranges>
 
 namespace solution {
 
@@ -326,7 +325,9 @@ Peaks peaksOf(Graph& graph, std::span<const Node> outputs, std::span<const Node>
         }
     makeUnique(peaks.heights);
     std::vector<Node> values;
-    std::ranges::copy(ratios | std::views::keys, std::back_inserter(values));
+    values.reserve(ratios.size());
+    for (const auto& [value, ratio] : ratios)
+        values.push_back(value);
     peaks.arePolynomials = arePolynomials(graph, values, isNumber);
     const std::vector<Node> rates = ratesOf(graph, values, moving);
     for (std::size_t k = 0; k < values.size(); ++k)
