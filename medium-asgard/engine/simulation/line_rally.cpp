@@ -160,18 +160,7 @@ void LineRally::giveBack(Rally& rally) const {
 
 // --- hits -----------------------------------------------------------------------------------
 
-const LineRally::Meeting* LineRally::next() const {
-    const Meeting* first = nullptr;
-    double time = others_;
-    for (const Ball& ball : balls)
-        time = std::min(time, ball.until);
-    for (const Meeting& meeting : meetings)
-        if (meeting.time < time) { // of equal times the least pair
-            time = meeting.time;
-            first = &meeting;
-        }
-    return first;
-}
+const LineRally::Meeting* LineRally::next() const { return nextMeeting(balls, meetings, others_); }
 
 bool LineRally::areHome(double time) {
     bool are = true;

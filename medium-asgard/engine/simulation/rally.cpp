@@ -67,18 +67,7 @@ void Rally::forgetMeetings(const Meeting& met) {
         meetings[balls[met.other].meetings[i]].time = infinity;
 }
 
-const Rally::Meeting* Rally::next() const {
-    const Meeting* first = nullptr;
-    double time = others;
-    for (const Ball& ball : balls)
-        time = std::min(time, ball.until);
-    for (const Meeting& meeting : meetings)
-        if (meeting.time < time) { // of equal times the least pair
-            time = meeting.time;
-            first = &meeting;
-        }
-    return first;
-}
+const Rally::Meeting* Rally::next() const { return nextMeeting(balls, meetings, others); }
 
 bool Rally::areHome(double time) const {
     return std::ranges::all_of(balls, [time](const Ball& ball) {
