@@ -45,5 +45,19 @@ TEST(ShapeOf, SaysWhyAPartHasNoVolume) {
               "its points lie in one plane, which bounds no volume");
 }
 
+TEST(ShapeOf, SaysOfWhatSizeNothingCanBeComputed) {
+    ShapeSet set;
+    for (const double radius : {1e-45, 1e45}) {
+        set.parts = {{SphereShape{radius}, Vector::Zero(), Vector::Zero(), {}}};
+        EXPECT_TRUE(std::holds_alternative<geometry::Shape>(shapeOf(set)));
+    }
+    set.parts = {{SphereShape{1e-150}, Vector::Zero(), Vector::Zero(), {}}};
+    EXPECT_EQ(std::get<std::string>(shapeOf(set)),
+              "a part of it is 2e-150 long, and sizes from 1e-50 to 1e+50 can be computed with");
+    set.parts = {{SphereShape{1e150}, Vector::Zero(), Vector::Zero(), {}}};
+    EXPECT_EQ(std::get<std::string>(shapeOf(set)),
+              "a part of it is 2e+150 long, and sizes from 1e-50 to 1e+50 can be computed with");
+}
+
 } // namespace
 } // namespace scene

@@ -2,6 +2,8 @@
 
 #include "geometry/hull.h"
 
+#include <cstdio>
+
 namespace scene {
 namespace {
 
@@ -24,6 +26,20 @@ struct PartMaker {
     }
 };
 
+// Inertia is of the fifth power of sizes, and what divides by it of the sixth.
+constexpr double least = 1e-50, most = 1e50;
+
+std::optional<std::string> refusedSize(const geometry::Part& part) {
+    const double size = geometry::bounds({{part}}).sizes().maxCoeff();
+    if (size >= least && size <= most)
+        return std::nullopt;
+    char text[120];
+    std::snprintf(text, sizeof text,
+                  "a part of it is %g long, and sizes from %g to %g can be computed with", size,
+                  least, most);
+    return text;
+}
+
 } // namespace
 
 std::variant<geometry::Shape, std::string> shapeOf(const ShapeSet& set) {
@@ -34,6 +50,8 @@ std::variant<geometry::Shape, std::string> shapeOf(const ShapeSet& set) {
         if (auto* sentence = std::get_if<std::string>(&made))
             return std::move(*sentence);
         shape.parts.push_back(std::get<geometry::Part>(std::move(made)));
+        if (auto sentence = refusedSize(shape.parts.back()))
+            return std::move(*sentence);
     }
     return shape;
 }

@@ -16,6 +16,9 @@ constexpr double enough = 0.625;           // of the accuracy: the estimate that
 constexpr double aim = 0.15;               // and what is aimed at when it is not
 constexpr std::size_t fewSteps = 24;       // whose errors follow no tolerance
 constexpr double proofCaution = 1.25;      // what a run at an eighth of the tolerance errs by
+constexpr double loosening = 4;            // of a run that proves one at the tolerance of rounding
+constexpr double roundingCaution = 1.5;    // what the tighter of the two errs by
+constexpr double leastDoubted = 0.01;      // of the accuracy: what chance hides more behind
 constexpr double rougher = 512;            // of a third run, when the first two are equal
 constexpr double leastStep = 1e-3;         // of tolerances from run to run, and of errors
 constexpr double mostStep = 0.25;          // of tolerances, where a run was not enough
@@ -87,6 +90,16 @@ void Tightening::settle(std::size_t b, const IslandError& difference, double est
                                                       : solution::infinity};
 }
 
+// What the two runs that were compared leave open.
+Tightening::Proof Tightening::proofFor(std::size_t b, const IslandError& difference,
+                                       double rounding) const {
+    const double error = difference.largest;
+    if (difference.steps <= fewSteps && error > 0 && tightening * tight_[b] > rounding)
+        return Proof::tighter;
+    const bool isAtRounding = tight_[b] <= landing * rounding;
+    return isAtRounding && error > leastDoubted * accuracy_ ? Proof::looser : Proof::none;
+}
+
 // The next tolerance of a body; its last one when it is settled.
 double Tightening::next(std::size_t b, const IslandError& difference, BodyError& known) {
     Body& body = bodies_[b];
@@ -107,17 +120,19 @@ double Tightening::next(std::size_t b, const IslandError& difference, BodyError&
     body.before = error;
     body.beyondBefore = beyond;
     body.looser = loose_[b];
-    body.isSettled = body.wantsProof = false;
-    if (isKept(difference, ahead)) {
+    body.isSettled = false;
+    body.proof = Proof::none;
+    if (isKept(difference, ahead))
         settle(b, difference, ahead.estimate, growth, known);
-        body.wantsProof =
-            difference.steps <= fewSteps && error > 0 && tightening * tight > rounding;
-    } else if (body.failures >= (mayYetFall ? morePatience : patience))
+    else if (body.failures >= (mayYetFall ? morePatience : patience))
         settle(b, difference, unsettled, 1, known);
     else if (tight <= rounding)
         settle(b, difference, isWrong ? unsettled : ahead.estimate, growth, known);
-    if (body.isSettled)
+    if (body.isSettled) {
+        if (known.estimate <= accuracy_)
+            body.proof = proofFor(b, difference, rounding);
         return tight;
+    }
     const double left = error * ahead.gain; // the error of the tighter run
     const double wanted =
         tight * std::clamp(std::isfinite(left) ? aim * accuracy_ / left : 0, leastStep, mostStep);
@@ -182,15 +197,15 @@ void Tightening::share(const std::vector<std::size_t>& island) {
 std::vector<bool> Tightening::unproven() const {
     std::vector<bool> bodies;
     for (const Body& body : bodies_)
-        bodies.push_back(body.wantsProof);
+        bodies.push_back(body.proof != Proof::none);
     return bodies;
 }
 
 std::vector<double> Tightening::proof() const {
     std::vector<double> tolerances = tight_;
     for (std::size_t b = 0; b < bodies_.size(); ++b)
-        if (bodies_[b].wantsProof)
-            tolerances[b] *= tightening;
+        if (bodies_[b].proof != Proof::none)
+            tolerances[b] *= bodies_[b].proof == Proof::tighter ? tightening : loosening;
     return tolerances;
 }
 
@@ -198,9 +213,12 @@ void Tightening::prove(const std::vector<IslandError>& differences,
                        std::vector<BodyError>& errors) {
     const std::vector<double> proven = proof();
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        if (!std::exchange(bodies_[b].wantsProof, false))
-            continue;
+        const Proof kind = std::exchange(bodies_[b].proof, Proof::none);
         const IslandError& difference = differences[b];
+        if (kind == Proof::looser)
+            proveByLooser(b, difference, errors[b]);
+        if (kind != Proof::tighter)
+            continue;
         const double estimate =
             proofCaution * difference.largest + leastUnits * epsilon * coarseness(difference);
         bodies_[b].isSettled = estimate <= accuracy_;
@@ -209,6 +227,13 @@ void Tightening::prove(const std::vector<IslandError>& differences,
         else
             tight_[b] = proven[b];
     }
+}
+
+// The run at tight() is as good as can be: what it errs by is all that can be said.
+void Tightening::proveByLooser(std::size_t b, const IslandError& difference, BodyError& error) {
+    const double estimate = roundingCaution * std::min(difference.largest, 1.0);
+    if (estimate > error.estimate)
+        settle(b, difference, estimate, roundingCaution, error);
 }
 
 bool Tightening::goesOn() const { return !std::ranges::all_of(bodies_, &Body::isSettled); }

@@ -50,23 +50,25 @@ public:
                std::vector<BodyError>& errors);
     [[nodiscard]] bool goesOn() const;
 
-    // By body: its motion has so few steps that its errors follow no tolerance. Then they are
-    // measured, by a run that is tighter still.
+    // By body: its errors follow no tolerance. Then they are measured: of a motion of so few steps
+    // by a run that is tighter still; of one that leapt to the tolerance of rounding, where two
+    // runs may agree by chance, by one that is a little looser.
     [[nodiscard]] std::vector<bool> unproven() const;
     [[nodiscard]] std::vector<double> proof() const;
     // Takes the differences between the runs at tight() and proof(), and writes these errors. Where
-    // they are larger than the accuracy the search goes on.
+    // they are larger than the accuracy the search goes on, or the horizon is written.
     void prove(const std::vector<IslandError>& differences, std::vector<BodyError>& errors);
     [[nodiscard]] bool isSettled(std::size_t body) const { return bodies_[body].isSettled; }
 
 private:
+    enum class Proof { none, tighter, looser };
     struct Body {
         double before = -1; // the difference of the runs compared before; negative: none were
         double looser = 0;  // the tolerance of the looser of them
         double beyondBefore = 0;
         int failures = 0; // to come closer
         bool isSettled = false;
-        bool wantsProof = false;
+        Proof proof = Proof::none;
     };
     struct Outlook { // for the tighter run
         double order = 0, gain = 0, estimate = 0;
@@ -79,6 +81,9 @@ private:
     [[nodiscard]] double next(std::size_t b, const IslandError& difference, BodyError& error);
     void settle(std::size_t b, const IslandError& difference, double estimate, double factor,
                 BodyError& error);
+    [[nodiscard]] Proof proofFor(std::size_t b, const IslandError& difference,
+                                 double rounding) const;
+    void proveByLooser(std::size_t b, const IslandError& difference, BodyError& error);
     void share(const std::vector<std::size_t>& island);
 
     double accuracy_;

@@ -124,6 +124,35 @@ TEST(Tightening, ManyStepsNeedNoProof) {
     EXPECT_EQ(tightening.unproven(), std::vector<bool>{false});
 }
 
+// Runs at the tolerance of rounding: they may agree by chance. `apart`: from a looser one.
+BodyError provenAtRounding(double apart) {
+    const auto differ = [](double by) {
+        return IslandError{
+            .size = 1, .far = 1, .largest = by, .steps = 10000, .growth = {{4.0, by}}};
+    };
+    Tightening tightening(1e-8, 1);
+    std::vector<BodyError> errors(1);
+    for (const double by : {4e-2, 5e-3, 2e-7}) {
+        EXPECT_TRUE(tightening.goesOn());
+        tightening.judge({differ(by)}, {0}, errors);
+    }
+    EXPECT_LT(errors[0].estimate, 1e-8);
+    EXPECT_EQ(tightening.unproven(), std::vector<bool>{true});
+    EXPECT_EQ(tightening.proof()[0], 4 * tightening.tight()[0]);
+    tightening.prove({differ(apart)}, errors);
+    EXPECT_FALSE(tightening.goesOn());
+    return errors[0];
+}
+
+TEST(Tightening, ALooserRunProvesOneAtTheToleranceOfRounding) {
+    const BodyError chance = provenAtRounding(3e-7);
+    EXPECT_GE(chance.estimate, 3e-7);
+    EXPECT_EQ(chance.predictableUntil, 4);
+    const BodyError proven = provenAtRounding(1e-10);
+    EXPECT_LE(proven.estimate, 1e-8);
+    EXPECT_EQ(proven.predictableUntil, solution::infinity);
+}
+
 // --- real scenes ------------------------------------------------------------------------------
 
 // Pendulums in their angles, of these squared frequencies.
@@ -200,6 +229,28 @@ TEST(Rounding, IsNotBlamedWhereItIsFar) {
         const std::vector<double> found = rows(*result.motion, 0);
         for (std::size_t i = 0; i < truth.size(); i += 8) // x
             EXPECT_NEAR(found[i], truth[i], 10 * accuracy) << accuracy << ", row " << i / 8;
+    }
+}
+
+// A box that hangs by its corner on a stiff link without damping, and tumbles: rounding grows some
+// ten million times in 5 s. No run is nearer to the truth than 3e-7, whatever was asked for.
+TEST(Rounding, IsSeenAtItsOwnToleranceToo) {
+    for (const double accuracy : {2e-7, 1e-7, 2e-8, 1e-8, 1e-9}) {
+        SceneBuilder b(5, accuracy);
+        b.scene.simulator.collisions = false;
+        scene::Body& box = b.box("box", {0, 0, 0}, {0.5, 0.6, 0.4});
+        box.mass = 4;
+        box.initialAngularVelocity = {1, 2, 0.5};
+        b.weight("box");
+        scene::Link link;
+        link.first = {"box", Vector(0.3, 0.2, -0.3)};
+        link.second = scene::PointEnd{{"0", "0", "0"}};
+        link.tightness = 50000;
+        link.damping = 0;
+        b.scene.links.push_back(link);
+        const Statistics found = simulate(b.scene).statistics;
+        EXPECT_TRUE(found.predictableUntil) << accuracy;
+        EXPECT_GE(*found.errorEstimate, 1e-7) << accuracy;
     }
 }
 

@@ -187,6 +187,7 @@ private:
     [[nodiscard]] bool overflows();
     [[nodiscard]] bool refuse(const Attempt& attempt, double h);
     [[nodiscard]] bool stepAcross(double h);
+    [[nodiscard]] bool passByRounding();
     [[nodiscard]] bool reachLastRate(double h);
     void stopAtUnderflow(Attempt::Outcome outcome, double h);
     void arrive(); // at limit_: a phase, an input's event, an input's end

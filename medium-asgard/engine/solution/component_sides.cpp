@@ -480,9 +480,11 @@ void ComponentEquations::makeUp(const Late& late, double t, std::span<double> y)
         return;
     fill(t, y);
     field();
-    for (std::size_t i = 0; i < y.size(); ++i)
-        if (std::isfinite(out_[i]))
-            y[i] += late.seconds * (out_[i] - late.rates[i]);
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        const double made = late.seconds * (out_[i] - late.rates[i]);
+        if (std::isfinite(made)) // a branch may have no rate beyond its end
+            y[i] += made;
+    }
 }
 
 // Places among the symbols.

@@ -235,7 +235,8 @@ bool Component::refuse(const Attempt& attempt, double h) {
         proposed_ = next;
         return true;
     }
-    if (!(comesToEnd && stepAcross(h)) && !(isWithout && !options_.fixedStep && reachLastRate(h)))
+    if (!(comesToEnd && (passByRounding() || stepAcross(h))) &&
+        !(isWithout && !options_.fixedStep && reachLastRate(h)))
         stopAtUnderflow(attempt.outcome, h);
     return false;
 }
@@ -314,7 +315,8 @@ void Component::finish(double to) {
         return;
     }
     if (!method_->proceed(y_)) {
-        endWithoutRate(time_, y_);
+        if (!passByRounding())
+            endWithoutRate(time_, y_);
         return;
     }
     reconsider(h);

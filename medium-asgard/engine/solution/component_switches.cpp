@@ -226,6 +226,26 @@ bool Component::stepAcross(double h) {
     return true;
 }
 
+// A step may end beyond a switch by so little that it counts as before it. Where the old branch has
+// no value there, the switch is passed.
+bool Component::passByRounding() {
+    const std::vector<double> y = stateValues();
+    std::vector<double> values(equations_->watches()), slopes(y.size());
+    if (values.empty() || equations_->rates(time_, y, slopes))
+        return false;
+    equations_->watch(time_, y, values);
+    Violation violation{.time = time_, .watches = {}};
+    for (std::size_t k = 0; k < values.size(); ++k)
+        if (values[k] < 0)
+            violation.watches.push_back(k);
+    if (violation.watches.empty())
+        return false;
+    pass(violation, false);
+    if (!stop_ && time_ >= limit_)
+        arrive();
+    return true;
+}
+
 // What has no rate from some time on, as sqrt(1-t), goes along its rates to the last time at which
 // it has one: the motion up to there needs no value beyond.
 bool Component::reachLastRate(double h) {

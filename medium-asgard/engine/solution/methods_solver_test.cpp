@@ -64,6 +64,18 @@ TEST(AskedFor, FixedStepsEndWhereABranchHasNoValue) {
     }
 }
 
+// A ball on an elastic table: where it lifts off, the branch of max() that held has no value any
+// more, and a step may end beyond by less than counts.
+TEST(AskedFor, NoMethodStopsWhereABranchHasNoValue) {
+    const expression::EquationSet set =
+        equationsOf({{"x", "dx", 1, 1}, {"dx", "-9.81+100000*max(0,-x)^1.5", 0}});
+    for (const std::string& method : methodNames())
+        for (const double accuracy : {1e-3, 1e-4, 1e-5, 1e-6}) {
+            const Solver solver = solved(set, 20, asked(method, accuracy));
+            ASSERT_EQ(solver.histories().stop(1), nullptr) << method << ", " << accuracy;
+        }
+}
+
 // The step before a phase is shortened, and steps are counted from there.
 TEST(AskedFor, FixedStepsBeginAgainAtAnEvent) {
     for (const std::string& method : methodNames()) {
