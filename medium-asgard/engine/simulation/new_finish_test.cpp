@@ -2,6 +2,9 @@
 // ones over all scenes: tests/edits.
 #include "simulation/resimulation_testing.h"
 
+#include <cmath>
+#include <random>
+
 namespace simulation::testing {
 namespace {
 
@@ -126,6 +129,41 @@ TEST(NewFinish, OnlyWhoseAccuracyAsksForItIsSolvedAgain) {
         isSeen = isSeen || !kept.work().solved.empty();
     }
     EXPECT_TRUE(isSeen);
+}
+
+// What swings, is chaotic, stiff, switched, hit; far from each other.
+SceneBuilder manyKinds(double accuracy) {
+    SceneBuilder b(1, accuracy);
+    b.ball("swing", {1, 0, 0});
+    b.force("swing", "-3*sin(swing.x)", "0", "0");
+    b.ball("a", {2.1, 0, 40});
+    b.ball("b", {3, 0, 42});
+    b.force("a", "-20*sin(a.x)+5*sin(b.x-a.x)", "0", "0");
+    b.force("b", "-9*sin(b.x)-5*sin(b.x-a.x)", "0", "0");
+    b.ball("stiff", {0, 0, 80});
+    b.force("stiff", "1e6*(cos(stiff.y)-stiff.x)-2e3*stiff.dx", "1", "0");
+    b.ball("switched", {1, 0, 120});
+    b.force("switched", "-4*sign(switched.x)-0.1*switched.dx", "0", "0");
+    scene::Body& box = b.box("box", {0, 0.4, 160}, {0.3, 0.2, 0.4});
+    box.initialAngularVelocity = {1, 2, 3};
+    b.weight("box");
+    b.box("table", {0, -0.5, 160}, {4, 0.2, 4}).fixed = true;
+    return b;
+}
+
+// From a millionth of a second to many periods, to and fro.
+TEST(NewFinish, IsAsFromScratchHoweverFarItGoes) {
+    std::mt19937 random(7);
+    for (const double accuracy : {1e-2, 1e-4, 1e-6}) {
+        SceneBuilder b = manyKinds(accuracy);
+        Resimulation kept;
+        for (int i = 0; i < 12; ++i) {
+            const double part = static_cast<double>(random()) / 0x1p32;
+            b.scene.simulator.finish = std::pow(10, i == 0 ? -6 : -6 + 7.2 * part);
+            SCOPED_TRACE(b.scene.simulator.finish);
+            (void)updated(kept, b.scene);
+        }
+    }
 }
 
 TEST(NewFinish, WhatWasCancelledOnTheWayGoesOnToo) {

@@ -292,6 +292,7 @@ TEST(Stops, AStopConcernsNobodyElse) {
     b.ball("bouncing", {50, 0.6, 0}).restitution = 1;
     b.weight("bouncing");
     const Result result = simulate(b.scene);
+    ASSERT_TRUE(result.motion->stop(1));
     const double fall = std::sqrt(2 * 0.5 / testing::g);
     for (double t = 0; t < 3; t += 0.01) {
         const double since = std::remainder(t, 2 * fall);
