@@ -12,6 +12,7 @@ namespace collision {
 namespace {
 
 constexpr double nearness = 1e-7; // of the parts' size: closer than this, axes decide
+constexpr double parallel = 1e-9, allButParallel = 1e-4; // sines of the angles between edges
 
 double extent(const Posed& p) {
     const auto& vertices = p.part->core.vertices;
@@ -161,6 +162,12 @@ bool faceEachOther(const WorldEdge& a, const WorldEdge& b) {
     return ca * da < 0 && ab * bb < 0 && ca * bb > 0;
 }
 
+double gapAlong(const Posed& first, const Posed& second, const Vector& normal) {
+    return normal.dot(first.world(first.support(-normal)) - second.world(second.support(normal)));
+}
+
+// The common perpendicular of edges that are all but parallel is lost in rounding: what is told is
+// the gap along the axis that was found, and that is one.
 template <typename Visit>
 void forEachPairOfEdges(const Posed& first, const Posed& second, Visit&& visit) {
     const std::vector<WorldEdge> edges = worldEdges(second);
@@ -170,12 +177,13 @@ void forEachPairOfEdges(const Posed& first, const Posed& second, Visit&& visit) 
                 continue;
             Vector normal = a.along.cross(b.along);
             const double length = normal.norm();
-            if (length <= 1e-9 * a.along.norm() * b.along.norm())
-                continue; // parallel: a face's normal says as much
+            if (length <= parallel * a.along.norm() * b.along.norm())
+                continue; // a face's normal says as much
             normal /= length;
             if (normal.dot(a.left + a.right) > 0) // from second to first is into first
                 normal = -normal;
-            visit(normal.dot(a.from - b.from), normal);
+            const bool isSure = length > allButParallel * a.along.norm() * b.along.norm();
+            visit(isSure ? normal.dot(a.from - b.from) : gapAlong(first, second, normal), normal);
         }
 }
 

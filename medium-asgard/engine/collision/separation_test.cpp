@@ -30,6 +30,29 @@ TEST(Separation, OfFacesKeepsItsDigitsHoweverSmallTheGap) {
     }
 }
 
+// A box that lies on a plate, as it was found: the common perpendicular of two edges that are
+// parallel but for 2e-9 is rounding's, and the gap along it, of 1e-7, was none.
+TEST(Separation, OfEdgesThatAreAllButParallelIsNoGuess) {
+    const Part cube =
+        polyhedronPart(box({1.000367887308368, 0.98145589105687558, 1.0523400736339878}));
+    const Part plate = polyhedronPart(box({6, 1, 6}));
+    Matrix turned, slope;
+    turned << 0.69207964341814576, 0.7218211462448384, 1.8117641241921479e-09, //
+        -0.7218211462448384, 0.69207964341814576, 1.7371132385797118e-09,      //
+        -4.1359030627651384e-25, -2.509990367582839e-09, 1;
+    slope << 0.72182114624483829, -0.69207964341814565, 0, //
+        0.69207964341814565, 0.72182114624483829, 0,       //
+        0, 0, 1;
+    const Posed first{&cube, turned, Vector::Zero()};
+    const Posed second{&plate, slope, {1.7816314304774119, 0.32258254370148765, 0}};
+    WarmStart cold;
+    EXPECT_NEAR(separate(first, second, cold).gap, 0, 1e-14);
+    const auto axes = axesOfTouch(first, second, 1e-2);
+    EXPECT_FALSE(axes.empty());
+    for (const Separation& axis : axes)
+        EXPECT_LE(axis.gap, 1e-14);
+}
+
 // Two cubes shifted along one axis: libccd's penetration says depth 0 and no direction here.
 TEST(Separation, OfCubesThatOverlapIsTheSmallestDepth) {
     const Part cube = polyhedronPart(box({2, 2, 2}));

@@ -36,7 +36,7 @@ struct GapConstraint {
         roundOnLine,    // a sphere's centre at its radius from an edge of the support
         roundOnPoint,   // ... from a point of it (its own sphere's centre, a vertex)
         edgeOnEdge,     // an edge of the body crosses one of the support
-        tilt            // no turning about bodyEdge, relative to a support that does not turn
+        tilt            // inPlane stays in the plane: no turning about bodyEdge, which lies in it
     };
     Kind kind = Kind::onSupportPlane;
     std::size_t support = 0;
@@ -44,9 +44,10 @@ struct GapConstraint {
     Vector bodyPoint = Vector::Zero(), supportPoint = Vector::Zero();
     Vector normal = Vector::UnitX(); // from the support to the body, of the plane's owner
     Vector bodyEdge = Vector::Zero(), supportEdge = Vector::Zero();
-    double radius = 0;        // of the gap: the spheres' together
-    bool flipped = false;     // edgeOnEdge: the normal is supportEdge x bodyEdge instead
-    bool supportTurns = true; // else its attitude stays what it is:
+    Vector inPlane = Vector::Zero(); // tilt: a direction of the body across bodyEdge
+    double radius = 0;               // of the gap: the spheres' together
+    bool flipped = false;            // edgeOnEdge: the normal is supportEdge x bodyEdge instead
+    bool supportTurns = true;        // else its attitude stays what it is:
     Matrix supportRotation = Matrix::Identity();
 };
 

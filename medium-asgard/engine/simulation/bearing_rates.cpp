@@ -81,6 +81,8 @@ BearingRow bearingRow(const GapConstraint& constraint, const BodyRecord& record,
     if (constraint.kind == Kind::tilt) {
         turning = body.attitude * constraint.bodyEdge;
         row.rates.rate = turning.dot(body.angularVelocity);
+        const Vector normal = support.attitude * constraint.normal;
+        row.gap = normal.dot(body.attitude * constraint.inPlane);
     } else {
         const Contact contact = contactOf(constraint, body, support);
         row.rates.linear = contact.normal;

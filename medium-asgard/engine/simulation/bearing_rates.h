@@ -17,7 +17,7 @@ namespace simulation {
 
 struct BearingRow {
     physics::GapRow rates; // J and g' (physics/resting.h)
-    double gap = 0;        // 0 of a tilt: what lies flat does not turn, and so errs in none
+    double gap = 0;        // of a tilt: the angle
 };
 
 // Of a contact that bears, from the states of both.
