@@ -22,6 +22,7 @@
 
 #include <cmath>
 #include <deque>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -182,6 +183,8 @@ private:
     [[nodiscard]] std::vector<double> centresIn(std::span<const Coefficients> states, double origin,
                                                 double scale, double until);
     [[nodiscard]] bool towers(double t, double h);
+    [[nodiscard]] std::optional<double>
+    besideCentre(double middle, double until, const std::function<bool(double)>& holds) const;
     void lookCloser(double at, double h);
     [[nodiscard]] bool isInvented(const Violation& found, double h);
     [[nodiscard]] bool overflows();

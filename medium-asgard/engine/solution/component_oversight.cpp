@@ -16,10 +16,10 @@ constexpr double allowed = 10;
 
 } // namespace
 
-// Implicit methods meet rates that are large beside what a step may err by: nothing is held against
-// their polynomials, and what can peak takes steps that see it. For explicit ones the limit follows
-// the tolerance, as steps of order 8 do: runs that are compared would take the same steps where no
-// error shows, and err by the same.
+// Implicit methods meet rates that are large beside what a step may err by: between watched times
+// nothing is held against their polynomials, and what can peak takes steps that see it. For
+// explicit ones the limit follows the tolerance, as steps of order 8 do: runs that are compared
+// would take the same steps where no error shows, and err by the same.
 double Component::longest() const {
     if (!options_.isWatched || options_.fixedStep)
         return infinity;
@@ -89,6 +89,21 @@ bool Component::towers(double t, double h) {
     return false;
 }
 
+// What peaks by something odd, as the force of a hill that is exp(-u^2) high, is 0 in its middle
+// and large beside it: the first such time at the middle or at ever smaller distances from it.
+std::optional<double> Component::besideCentre(double middle, double until,
+                                              const std::function<bool(double)>& holds) const {
+    constexpr double nearer = 0.25, least = 1e-13;
+    if (middle < until && holds(middle))
+        return middle;
+    const double widest = std::max(middle - time_, until - middle);
+    for (double away = widest; away > least * widest; away *= nearer)
+        for (const double t : {middle - away, middle + away})
+            if (t > time_ && t < until && t != middle && holds(t))
+                return t;
+    return std::nullopt;
+}
+
 // The first time up to `until` in a step of length h at which something may peak that the step has
 // not seen. Where it is cut short, by a switch, may be the middle of exp(-abs(t-60)/0.01).
 std::optional<double> Component::overlooked(double h, double until) {
@@ -100,15 +115,23 @@ std::optional<double> Component::overlooked(double h, double until) {
         for (const double t : watched_.between(time_, until))
             if (!isFollowed(t, h, spacing))
                 return t;
-    std::vector<double> centres = centresIn(columns_, time_, h, until);
+    // A step that ends in a middle has one side of the peak, and the next one the other.
+    constexpr double further = 0.25;
+    const bool seesFurther = until == time_ + h && !equations_->readsInputs();
+    std::vector<double> centres =
+        centresIn(columns_, time_, h, seesFurther ? until + further * h : until);
     if (until < time_ + h && !equations_->sliding())
         centres.push_back(until);
+    const auto isPassedOver = [&](double t) {
+        return method_->implicit() ? towers(t, h) : !isFollowed(t, h, spacing);
+    };
     for (const double t : centres)
-        if (method_->implicit() ? towers(t, h) : !isFollowed(t, h, spacing))
-            return t;
+        if (const auto at = besideCentre(t, until, isPassedOver))
+            return at;
     // Between two edges may lie what is 0 on both ends.
     for (std::size_t k = 1; method_->implicit() && k < centres.size(); ++k)
-        if (const double t = std::midpoint(centres[k - 1], centres[k]); !isFollowed(t, h, spacing))
+        if (const double t = std::midpoint(centres[k - 1], centres[k]);
+            t < until && !isFollowed(t, h, spacing))
             return t;
     return std::nullopt;
 }

@@ -10,6 +10,9 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numeric>
+#include <optional>
+#include <utility>
 
 namespace solution {
 
@@ -19,7 +22,7 @@ using expression::Op;
 
 namespace {
 
-constexpr double leastLength = 1; // of time, that a step may have in any case
+constexpr double leastLength = 1; // of time: limits on steps grow from that of so much
 // Of time since the start: before, steps grow from next to nothing, and see what there is.
 constexpr double unwatched = 1.0 / 64;
 constexpr double firstPart = 1.0 / 16;
@@ -238,7 +241,9 @@ Power withoutPowers(Graph& graph, Node node, const std::vector<bool>& isNumber) 
             power.base = arguments[0];
             break;
         case Op::multiply:
-            if (!isOne(arguments[0]) && !isOne(arguments[1]))
+            if (arguments[0] == arguments[1])
+                power.exponent *= 2;
+            else if (!isOne(arguments[0]) && !isOne(arguments[1]))
                 return power;
             power.base = arguments[isOne(arguments[0]) ? 1 : 0];
             break;
@@ -318,10 +323,13 @@ Peaks peaksOf(Graph& graph, std::span<const Node> outputs, std::span<const Node>
             peaks.heights.push_back(node);
             const bool isBase = graph.op(node) == Op::power && cause == graph.arguments(node)[0];
             const Power power = withoutPowers(graph, isBase ? node : cause, isNumber);
-            if (graph.op(node) == Op::divide || (isBase && power.base != node))
+            if (graph.op(node) == Op::divide || (isBase && power.base != node)) {
                 add(power.base, std::pow(seen, 1 / power.exponent));
-            else
+            } else {
                 add(cause, 0);
+                if (power.exponent > 2) // whose rate is 0 more than once there
+                    add(power.base, infinity);
+            }
         }
     makeUnique(peaks.heights);
     std::vector<Node> values;
@@ -387,14 +395,19 @@ std::vector<std::size_t> suspects(const std::vector<double>& ratios, bool arePol
 
 } // namespace
 
-std::vector<double> centresPassed(const std::vector<double>& ratios, bool arePolynomials,
-                                  const std::function<void(double, std::span<double>)>& evaluate,
-                                  double from, double to) {
+namespace {
+
+using Evaluate = std::function<void(double, std::span<double>)>;
+
+// Times in (from, to) at which one of `watched` changes its sign, by which one.
+std::vector<std::pair<double, std::size_t>> signChanges(const std::vector<std::size_t>& watched,
+                                                        std::size_t count, const Evaluate& evaluate,
+                                                        double from, double to) {
     constexpr std::size_t most = 64;
-    const auto watched = suspects(ratios, arePolynomials, evaluate, from, to);
-    std::vector<double> found, all(2 * ratios.size()), sides(watched.size());
+    std::vector<std::pair<double, std::size_t>> found;
     if (watched.empty())
         return found;
+    std::vector<double> all(count), sides(watched.size());
     evaluate(from, all);
     for (std::size_t k = 0; k < watched.size(); ++k)
         sides[k] = all[watched[k]] < 0 ? -1 : 1;
@@ -407,12 +420,63 @@ std::vector<double> centresPassed(const std::vector<double>& ratios, bool arePol
         const auto next = firstViolation(watched.size(), besideSides, from, to);
         if (!next || next->time >= to)
             return found;
-        for (const std::size_t k : next->watches)
+        for (const std::size_t k : next->watches) {
             sides[k] = -sides[k];
-        if (next->time > from)
-            found.push_back(next->time);
+            if (next->time > from)
+                found.emplace_back(next->time, watched[k]);
+        }
         from = next->time;
     }
+    return found;
+}
+
+// Of what is monotone from `low` to `high`, to the last bit; none where its sign is the same there.
+std::optional<double> root(std::size_t k, std::size_t count, const Evaluate& evaluate, double low,
+                           double high) {
+    std::vector<double> all(count);
+    const auto isNegative = [&](double t) {
+        evaluate(t, all);
+        return all[k] < 0;
+    };
+    const bool side = isNegative(low);
+    if (isNegative(high) == side)
+        return std::nullopt;
+    for (;;) {
+        const double middle = std::midpoint(low, high);
+        if (middle <= low || middle >= high)
+            return high;
+        (isNegative(middle) == side ? low : high) = middle;
+    }
+}
+
+} // namespace
+
+// Between the roots of its rate a cause has one root at most. Where it touches 0 there, as squares
+// do, it would be looked for in vain.
+std::vector<double> centresPassed(const std::vector<double>& ratios, bool arePolynomials,
+                                  const Evaluate& evaluate, double from, double to) {
+    std::vector<std::size_t> values, rates;
+    for (const std::size_t k : suspects(ratios, arePolynomials, evaluate, from, to))
+        (k < ratios.size() ? values : rates).push_back(k);
+    const auto turns = signChanges(rates, 2 * ratios.size(), evaluate, from, to);
+    std::vector<double> found;
+    for (const auto& [time, rate] : turns)
+        found.push_back(time);
+    for (const std::size_t k : values) {
+        double low = from;
+        const auto take = [&](double high) {
+            const auto time = root(k, 2 * ratios.size(), evaluate, low, high);
+            if (time && *time > from && *time < to)
+                found.push_back(*time);
+            low = high;
+        };
+        for (const auto& [time, rate] : turns)
+            if (rate == k + ratios.size())
+                take(time);
+        take(to);
+    }
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 

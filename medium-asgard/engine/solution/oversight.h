@@ -12,7 +12,8 @@
 //
 // What peaks is narrow, but what it peaks by is not: exp(-((t-60)/0.01)^2) is largest where its
 // exponent is, and a step that passes over that changes the sign of the exponent's rate. So signs
-// of such centres are watched too, in every step, and the rates are asked for where one is 0.
+// of such centres are watched too, in every step, and the rates are asked for where one is 0, and
+// beside it, where what is odd about it peaks.
 //
 // LIMIT: high powers that are built of low ones, by squaring squares, are not seen to peak: what
 // acts by one for less than a 25th of the time since the start, from its beginning to its end, can
@@ -68,7 +69,8 @@ struct Peaks {
     struct Cause { // of time, states, inputs and constants
         expression::Node value;
         expression::Node rate; // of what moves it, too
-        double ratio;          // to which it must change for a peak to hide; 0: it is an exponent
+        double ratio; // to which it must change for a peak to hide; 0: it is an exponent, infinite:
+                      // only its own 0 counts, not that of its rate
     };
     std::vector<Cause> causes;
     std::vector<expression::Node> heights; // what peaks

@@ -90,6 +90,47 @@ TEST(Oversight, APushAsShortAsOneLikesIsFoundByEveryMethod) {
             }
 }
 
+// What is 0 in its middle too, or ends a step there, or has a flat middle.
+TEST(Oversight, APushWithTwoHumpsIsFoundByEveryMethod) {
+    const double root = std::sqrt(std::acos(-1.0));
+    struct Shape {
+        std::string text; // of u = (t-A)/w
+        double area;
+    };
+    const std::vector<Shape> shapes = {{"(U)^2*exp(-(U)^2)", root / 2},
+                                       {"(U)^2/(1+(U)^2)^3", std::acos(-1.0) / 8},
+                                       {"exp(-(U)^4)", 2 * std::tgamma(1.25)},
+                                       {"exp(-((U)*(U))^2)", 2 * std::tgamma(1.25)}};
+    for (const std::string method : {"auto", "dop853", "tsit5"})
+        for (const auto& [middle, finish] : {std::pair("60", 100.0), {"0.1", 1.0}})
+            for (const std::string width : {"1e-3", "1e-4", "1e-6"})
+                for (const Shape& shape : shapes) {
+                    const std::string u = std::string("(t-") + middle + ")/" + width;
+                    const std::string text = replaced(shape.text, {{'U', u}});
+                    const double size = 1 / (shape.area * std::stod(width));
+                    const Solver s = solved(equationsOf(pushed(std::to_string(size) + "*" + text)),
+                                            finish, watched(1e-6, method));
+                    EXPECT_NEAR(s.histories().value(1, finish), 1, 2e-4) << method << " " << text;
+                }
+}
+
+// Hills by their forces, which are 0 on their tops: what is too slow for one turns back.
+TEST(Oversight, AHillAsNarrowAsOneLikesTurnsBackWhatIsTooSlow) {
+    const std::vector<std::string> slopes = {"2*(U)*exp(-(U)^2)", "2*tanh(U)/cosh(U)^2",
+                                             "2*(U)/(1+(U)^2)^2"}; // of hills of height 1
+    for (const std::string method : {"auto", "tsit5", "radau5"})
+        for (const std::string width : {"1", "0.1", "1e-3", "1e-5"})
+            for (const std::string& slope : slopes)
+                for (const double height : {60.0, 40.0}) { // it comes with 50
+                    const std::string force = std::to_string(height / std::stod(width)) + "*" +
+                                              replaced(slope, {{'U', "(x-700)/" + width}});
+                    const Solver s =
+                        solved(equationsOf(pushed(force, 10)), 100, watched(1e-6, method));
+                    const double speed = s.histories().value(1, 100);
+                    EXPECT_NEAR(speed, height > 50 ? -10 : 10, 1e-2) << method << " " << force;
+                }
+}
+
 TEST(Oversight, AWallAsThinAsOneLikesIsMetWhereverItIs) {
     for (const std::string method : {"auto", "tsit5", "radau5"})
         for (const std::string width : {"0.01", "1e-5"}) {
@@ -231,6 +272,7 @@ TEST(Peaks, HaveCentresWhereWhatTheyPeakByIsLeastOrMostOrZero) {
     EXPECT_EQ(centresOf("tanh((x-c)/0.1)"), "(x - c)/0.1; 10*dx; ");
     EXPECT_EQ(centresOf("x/hypot(x,z)^3"), "x^2 + z^2; 2*x*dx + 2*z*dz by 6.3496; ");
     EXPECT_EQ(centresOf("1/(c+(x-3)^4)"), "c + (x - 3)^4; 4*(x - 3)^3*dx by 16.000; ");
+    EXPECT_EQ(centresOf("exp(-(t-60)^4)"), "t - 60; 1 by inf; -(t - 60)^4; -4*(t - 60)^3; ");
     EXPECT_EQ(centresOf("1/(t-60)"), "t - 60; 1 by 16.000; ");
     EXPECT_EQ(centresOf("sin(t)^100"), "sin(t); cos(t) by 1.0281; ");
     EXPECT_EQ(centresOf("c*x/hypot(x,z)"), ""); // turns there, and no more
@@ -259,7 +301,10 @@ TEST(Peaks, HaveTheirCentresPassedAsOftenAsTheyAre) {
     EXPECT_EQ(passed([](double t) { return (t - 5) * (t - 5) + 200; }, falls, true), Times(0, 3));
     EXPECT_EQ(passed([](double t) { return (t - 5) * (t - 5) - 0.1; }, falls, true).first, 3u);
     const auto wave = [](double t) { return std::sin(3 * t); };
-    EXPECT_EQ(passed(wave, one, false).first, 9u);
+    const auto waves = [](double t) { return 3 * std::cos(3 * t); };
+    EXPECT_EQ(passed(wave, waves, false).first, 9u + 10u);
+    // A square touches 0 where it turns.
+    EXPECT_EQ(passed([](double t) { return (t - 5) * (t - 5); }, falls, true).first, 1u);
     // What stays as it is, but for rounding.
     EXPECT_EQ(passed([](double t) { return 1 + 1e-12 * std::sin(1e6 * t); }, wave, true).second,
               3u);

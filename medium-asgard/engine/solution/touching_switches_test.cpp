@@ -151,7 +151,7 @@ TEST(Touching, RandomClampsAreTheirIntegrals) {
             [&](double t) { return scale * value(t); }, [&](double t) { return scale * value(t); },
             [&](double t) { return scale - scale * value(t); },
             [&](double t) { return scale * value(t) - std::min(0.5, value(t)); }};
-        expectIntegral({{"x", texts[shape], 1}}, 1 + integralOf(values[shape], 5), 5, 1e-7);
+        expectIntegral({{"x", texts[shape], 1}}, 1 + integralOf(values[shape], 5), 5, 1e-8);
     }
 }
 
