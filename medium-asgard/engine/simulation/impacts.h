@@ -42,6 +42,11 @@ public:
     [[nodiscard]] bool isStrictlyOrdered() const;
     // visit(first, second, times): each pair that hit each other, maybe in several parts.
     template <class Visit> void forEachPair(const Visit& visit) const;
+    // visit(impact), in order of time: all that are not on lines.
+    template <class Visit> void forEachPlain(const Visit& visit) const {
+        for (const Impact& impact : *plain_)
+            visit(impact);
+    }
 
 private:
     friend class ImpactRecord;

@@ -2,6 +2,7 @@
 // difference is the error of the looser run, and what differs by too much is solved again more
 // tightly, island by island, so that bodies that never meet do not change each other's numbers.
 #include "simulation/accuracy.h"
+#include "simulation/close_impacts.h"
 #include "simulation/cpu_seconds.h"
 #include "simulation/impact_order.h"
 #include "simulation/solved.h"
@@ -222,9 +223,19 @@ bool tighten(const Problem& problem, const Observer& silent, Tightening& search,
     return !solved.result.cancelled;
 }
 
-// Errors of a few steps are measured by one run more. True: the search goes on.
+// What the errors may have put in another order is looked at once more.
+void doubtCloseImpacts(const Problem& problem, const Run& run, Tightening& search,
+                       const Solved& solved) {
+    const auto close = hasCloseImpacts(problem, run, solved.errors, search.sizes());
+    for (std::size_t b = 0; b < close.size(); ++b)
+        if (close[b] && run.isIntegrated[b] && solved.errors[b].estimate <= problem.accuracy())
+            search.doubt(b);
+}
+
+// What is open is measured by one run more. True: the search goes on.
 bool prove(const Problem& problem, const Run& run, const Observer& silent, Tightening& search,
            KeptRuns& runs, Solved& solved) {
+    doubtCloseImpacts(problem, run, search, solved);
     const std::vector<bool> unproven = search.unproven();
     if (std::ranges::find(unproven, true) == unproven.end())
         return false;

@@ -117,6 +117,7 @@ double Tightening::next(std::size_t b, const IslandError& difference, BodyError&
     const double unsettled = std::max(ahead.estimate, std::min(error, 1.0));
     const bool mayYetFall = error <= far * accuracy_ && tight > farAboveRounding * rounding;
     body.failures += isNoCloser ? 1 : 0;
+    body.size = difference.size;
     body.before = error;
     body.beyondBefore = beyond;
     body.looser = loose_[b];
@@ -192,6 +193,18 @@ void Tightening::share(const std::vector<std::size_t>& island) {
         least[island[b]] = std::min(least[island[b]], tight_[b]);
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         tight_[b] = least[island[b]];
+}
+
+void Tightening::doubt(std::size_t body) {
+    if (bodies_[body].isSettled && bodies_[body].proof == Proof::none)
+        bodies_[body].proof = Proof::tighter;
+}
+
+std::vector<double> Tightening::sizes() const {
+    std::vector<double> sizes;
+    for (const Body& body : bodies_)
+        sizes.push_back(body.size);
+    return sizes;
 }
 
 std::vector<bool> Tightening::unproven() const {

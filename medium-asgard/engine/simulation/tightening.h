@@ -53,6 +53,9 @@ public:
     // By body: its errors follow no tolerance. Then they are measured: of a motion of so few steps
     // by a run that is tighter still; of one that leapt to the tolerance of rounding, where two
     // runs may agree by chance, by one that is a little looser.
+    void doubt(std::size_t body); // settled, and worth a tighter run for another reason
+    [[nodiscard]] std::vector<double>
+    sizes() const; // of islands, by body: errors are scaled by them
     [[nodiscard]] std::vector<bool> unproven() const;
     [[nodiscard]] std::vector<double> proof() const;
     // Takes the differences between the runs at tight() and proof(), and writes these errors. Where
@@ -66,6 +69,7 @@ private:
         double before = -1; // the difference of the runs compared before; negative: none were
         double looser = 0;  // the tolerance of the looser of them
         double beyondBefore = 0;
+        double size = 0;
         int failures = 0; // to come closer
         bool isSettled = false;
         Proof proof = Proof::none;
