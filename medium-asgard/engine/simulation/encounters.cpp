@@ -281,7 +281,8 @@ std::optional<Event> CollisionSource::meet(const Histories& histories, const Pai
     return event;
 }
 
-// Of the body's unknowns those that are not the same.
+// Of the body's unknowns those that are not the same; of the attitude all or none, since what was
+// solved is of length 1 only to its error.
 void CollisionSource::jump(std::size_t body, const BodyState& from, const BodyState& to,
                            Event& event) {
     const physics::BodyMotion& motion = equations_.bodies[body];
@@ -289,8 +290,10 @@ void CollisionSource::jump(std::size_t body, const BodyState& from, const BodySt
         motion.unknownsOf({from.position, from.velocity, from.attitude, from.angularVelocity});
     const auto then =
         motion.unknownsOf({to.position, to.velocity, to.attitude, to.angularVelocity});
+    const bool turns = !std::equal(first.begin() + physics::qw, first.begin() + physics::w1,
+                                   then.begin() + physics::qw);
     for (std::size_t k = 0; k < physics::bodyUnknowns; ++k)
-        if (first[k] != then[k]) {
+        if (k >= physics::qw && k < physics::w1 ? turns : first[k] != then[k]) {
             outcome_.jumps.push_back({records_[body].firstUnknown + k, then[k]});
             event.touched.push_back(records_[body].firstUnknown + k);
         }

@@ -508,6 +508,57 @@ TEST(Groove, AnOrderOfHitsThatErrorsMayChangeIsLookedAtOnceMore) {
                     {1e-2}});
 }
 
+// A blow gives a new attitude as a whole: where an entry that was the same to the last bit kept
+// what was solved, whose length is 1 only to its error, the box was turned by 1e-8 to 1e-6 in no
+// time.
+TEST(Groove, ABlowTurnsNothing) {
+    expectNearFine({{.width = 0.6776608433982819,
+                     .height = 0.8095698997182112,
+                     .restitution = 0,
+                     .tilt = 0.19978447193649596,
+                     .beside = 0.005997724334086685,
+                     .above = 1.6198040676930237,
+                     .slopes = {0.489470882215742, 0.6858546895375139},
+                     .lean = {-0.00791763932599654, 0.16620458729935972},
+                     .depth = 0.602926548587287},
+                    {1e-3}});
+    expectNearFine({{.width = 0.8856886895397234,
+                     .height = 1.0918353799653913,
+                     .restitution = 0,
+                     .tilt = 0.7165716801790698,
+                     .beside = 0.10155775875275708,
+                     .above = 1.5971940097344588,
+                     .slopes = {0.8478243562928849, 0.7143523904144725},
+                     .lean = {-0.2676221821107874, 0},
+                     .depth = 0.519903215578984},
+                    {1e-2}});
+}
+
+// What bears is put back, and is hit one unit of time in the last place later: that hit is not
+// looked for from before it on, again and again.
+TEST(Groove, WhatIsPutBackAndHitAtOnceGoesOn) {
+    expectNearFine({{.width = 1.0018353287240394,
+                     .height = 0.822532247422675,
+                     .restitution = 0,
+                     .tilt = -0.5961690982368923,
+                     .beside = -0.05110138378120452,
+                     .above = 1.7918963000516177,
+                     .slopes = {0.577501197825562, 0.8394135296576519},
+                     .lean = {0.2654215781130734, 0},
+                     .depth = 0.5173054814334441},
+                    {1e-6}});
+    expectNearFine({{.width = 0.8301563835391781,
+                     .height = 1.1451641015074967,
+                     .restitution = 0.46684145904837104,
+                     .tilt = 0.545926605735799,
+                     .beside = 0.04462022551957301,
+                     .above = 1.6712539283153403,
+                     .slopes = {0.7025117664295457, 0.7025117664295457},
+                     .lean = {0.16845195000920593, 0},
+                     .depth = 0.9005734473801439},
+                    {1e-3}});
+}
+
 // With edges all but along those of the wall: their common perpendicular told a gap of 1e-7 where
 // the box lay on the wall, which then was not hit, and the motion stopped.
 TEST(Groove, EdgesThatAreAllButParallelTellNoGap) {

@@ -429,6 +429,8 @@ void RestingBodies::look(const Histories& histories, std::size_t body, double un
     const bool carried = isCarried(watch); // what carries it pushes otherwise at each look
     std::size_t skipped = 0;
     for (const double t : times) {
+        if (t <= watch.seenUntil)
+            continue; // an event there is past
         const BodyState state = stateOf(records_[body], histories, t);
         const Acceleration now = freeAcceleration(histories, body, t, state);
         const double change =
