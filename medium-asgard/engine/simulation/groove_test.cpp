@@ -559,6 +559,21 @@ TEST(Groove, WhatIsPutBackAndHitAtOnceGoesOn) {
                     {1e-3}});
 }
 
+// A corner that has sunk in by 2e-9 beside one that did so by 4e-9 is hit with it, and not never.
+TEST(Groove, AllThatHasSunkInIsHit) {
+    expectNearFine({{.width = 0.6876414408885002,
+                     .height = 1.1709870865423484,
+                     .restitution = 0.43306357188358513,
+                     .tilt = 0.24491432863510942,
+                     .beside = 0.15641253412675438,
+                     .above = 1.4957716696853693,
+                     .slopes = {0.8620268454040128, 0.8620268454040128},
+                     .lean = {-0.012171864580998115, 0.29303478347553585},
+                     .depth = 0.7326488848253392},
+                    {2e-7, 5e-7},
+                    1e-7});
+}
+
 // With edges all but along those of the wall: their common perpendicular told a gap of 1e-7 where
 // the box lay on the wall, which then was not hit, and the motion stopped.
 TEST(Groove, EdgesThatAreAllButParallelTellNoGap) {

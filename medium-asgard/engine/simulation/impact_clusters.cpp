@@ -141,7 +141,8 @@ std::vector<CollisionSource::Standing> CollisionSource::cornersNear(const Histor
 
 // Corners that bear, or that hit at this instant. What is near and comes nearer hits on its own a
 // little later, and that is another motion. The search found the hit as solved; who else is as near
-// is seen where what bears does so exactly, as both ends of an edge that lands.
+// is seen where what bears does so exactly, as both ends of an edge that lands. What has sunk in,
+// by what the integration errs, is there.
 std::vector<CollisionSource::Standing>
 CollisionSource::cornersAt(const Histories& histories, const Pair& pair, double time, bool isHit) {
     const double tolerance = contactTolerance(pair, time);
@@ -156,9 +157,8 @@ CollisionSource::cornersAt(const Histories& histories, const Pair& pair, double 
             level = corner.gap;
         }
     const bool isReached = nearest <= 2 * tolerance || (isHit && !isAnyTouching);
-    std::erase_if(corners, [&](const Standing& corner) {
-        return std::abs(corner.gap) > tolerance && !(isReached && corner.gap <= level + tolerance);
-    });
+    const double farthest = isReached ? std::max(tolerance, level + tolerance) : tolerance;
+    std::erase_if(corners, [&](const Standing& corner) { return corner.gap > farthest; });
     return corners;
 }
 
