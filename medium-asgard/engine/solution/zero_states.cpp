@@ -1,9 +1,9 @@
 #include "solution/zero_states.h"
 
+#include "expression/node_map.h"
 #include "solution/directions.h"
 
 #include <algorithm>
-#include <unordered_set>
 
 namespace solution {
 
@@ -257,9 +257,9 @@ std::vector<std::size_t> ZeroStates::readersOf(const expression::EquationSet& se
                                                std::span<const std::size_t> unknowns) {
     std::vector<std::size_t> found;
     std::vector<std::uint32_t> open;
-    std::unordered_set<std::uint32_t> seen;
+    expression::NodeMap<bool> seen;
     for (const std::size_t u : unknowns)
-        if (seen.insert(set.unknowns[u].symbol.index).second)
+        if (seen.insert(set.unknowns[u].symbol, true))
             open.push_back(set.unknowns[u].symbol.index);
     while (!open.empty()) {
         const std::uint32_t n = open.back();
@@ -267,7 +267,7 @@ std::vector<std::size_t> ZeroStates::readersOf(const expression::EquationSet& se
         ++looks_;
         eachUnknown(n, [&](std::uint32_t u) { found.push_back(u); });
         eachReader(n, [&](std::uint32_t reader) {
-            if (seen.insert(reader).second)
+            if (seen.insert(Node{reader}, true))
                 open.push_back(reader);
         });
     }
@@ -280,11 +280,11 @@ std::vector<Node> ZeroStates::symbolsLeft(const Graph& graph, std::span<const No
     if (empty())
         return expression::symbolsOf(graph, nodes);
     std::vector<Node> open(nodes.begin(), nodes.end()), symbols;
-    std::unordered_set<std::uint32_t> seen;
+    expression::NodeMap<bool> seen;
     while (!open.empty()) {
         const Node n = open.back();
         open.pop_back();
-        if (isZero(n) || !seen.insert(n.index).second)
+        if (isZero(n) || !seen.insert(n, true))
             continue;
         if (graph.op(n) == Op::symbol)
             symbols.push_back(n);
