@@ -78,7 +78,7 @@ bool ComponentEquations::rates(double t, std::span<const double> y, std::span<do
             for (std::size_t i = 0; i < y.size(); ++i)
                 in[i] = y[i];
         if (readsInputs_)
-            inputs_.values(t, std::span(in_).subspan(1 + y.size()));
+            putInputs(t);
         if (code_.entry) {
             code_(in_.data(), out.data(), scratch_.data());
         } else {

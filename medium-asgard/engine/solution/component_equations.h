@@ -75,9 +75,12 @@ public:
     [[nodiscard]] bool rates(double t, std::span<const double> y, std::span<double> out) override;
     [[nodiscard]] double* place() override { return isPlain_ ? in_.data() + 1 : nullptr; }
     [[nodiscard]] Direct direct() override {
-        if (!isPlain_ || readsInputs_ || !code_.entry)
+        if (!isPlain_ || !code_.entry)
             return {};
-        return {code_, in_.data(), scratch_.data()};
+        return {code_, in_.data(), scratch_.data(), readsInputs_ ? this : nullptr};
+    }
+    void putInputs(double t) override {
+        inputs_.values(t, std::span(in_).subspan(1 + size()));
     }
     [[nodiscard]] const Pattern& jacobianPattern() override;
     [[nodiscard]] bool jacobian(double t, std::span<const double> y,

@@ -112,21 +112,30 @@ inline bool makeStage(const DirectStep::Stages& step, const System::Direct& rate
     double* const slopes = step.slopes + Stage * Size;
     rates.arguments[0] = step.t + dop853::nodes[Stage] * step.h;
     forAll<Size>(Argument<Size, Stage>{step, rates.arguments + 1});
+    if (rates.reader)
+        rates.reader->putInputs(rates.arguments[0]);
     rates.code(rates.arguments, slopes, rates.scratch);
     return areFinite<Size>(slopes);
 }
 
-template <std::size_t Size, std::size_t... Before>
+// Stages from First on.
+template <std::size_t Size, std::size_t First, std::size_t... After>
 inline DirectStep::Made makeStages(const DirectStep::Stages& step, const System::Direct& rates,
-                                   std::index_sequence<Before...>) {
+                                   std::index_sequence<After...>) {
     DirectStep::Made made;
-    made.failed = !((++made.evaluations, makeStage<Size, Before + 1>(step, rates)) && ...);
+    made.failed = !((++made.evaluations, makeStage<Size, First + After>(step, rates)) && ...);
     return made;
 }
 
 template <std::size_t Size>
 DirectStep::Made makeStages(const DirectStep::Stages& step, const System::Direct& rates) {
-    return makeStages<Size>(step, rates, std::make_index_sequence<dop853::stages>());
+    return makeStages<Size, 1>(step, rates, std::make_index_sequence<dop853::stages>());
+}
+
+template <std::size_t Size>
+DirectStep::Made makeExtension(const DirectStep::Stages& step, const System::Direct& rates) {
+    constexpr std::size_t first = dop853::stages + 1, all = dop853::nodes.size();
+    return makeStages<Size, first>(step, rates, std::make_index_sequence<all - first>());
 }
 
 inline double rootOf(double x) { return std::sqrt(x); }
@@ -150,6 +159,38 @@ template <std::size_t Size> void findErrors(double h, const double* slopes, doub
     forAll<Size>(Error<Size>{h, slopes, error});
 }
 
+inline double entryOf(double value, std::size_t /*entry*/) { return value; }
+inline double entryOf(Two value, std::size_t entry) { return value[entry]; }
+inline double entryOf(Four value, std::size_t entry) { return value[entry]; }
+
+constexpr std::size_t densePowers = 7;
+
+template <std::size_t Size> struct Dense {
+    double h;
+    const double* slopes;
+    const Tableau& tableau;
+    Coefficients* columns;
+    template <class Value> void of(std::size_t n) const {
+        of<Value>(n, std::make_index_sequence<densePowers>());
+    }
+    template <class Value, std::size_t... Power>
+    void of(std::size_t n, std::index_sequence<Power...>) const {
+        Value sums[densePowers] = {};
+        for (const std::size_t stage : tableau.denseStages) {
+            const double* const weights = tableau.dense[stage].data();
+            const Value slope = at<Value>(slopes + stage * Size + n);
+            ((sums[Power] += weights[Power] * slope), ...);
+        }
+        for (std::size_t i = 0; i < sizeof(Value) / sizeof(double); ++i)
+            ((columns[n + i][Power + 1] = h * entryOf(sums[Power], i)), ...);
+    }
+};
+
+template <std::size_t Size>
+void makeColumns(double h, const double* slopes, const Tableau& tableau, Coefficients* columns) {
+    forAll<Size>(Dense<Size>{h, slopes, tableau, columns});
+}
+
 } // namespace
 } // namespace solution
 
@@ -162,8 +203,10 @@ DirectStep DirectStep::of(const Tableau& tableau, std::size_t size) {
     if (!isThere || size == 0 || size > largest || tableau.name != std::string_view("dop853"))
         return {};
     return [size]<std::size_t... Before>(std::index_sequence<Before...>) {
-        static constexpr DirectStep all[] = {
-            {.stages = &makeStages<Before + 1>, .errors = &findErrors<Before + 1>}...};
+        static constexpr DirectStep all[] = {{.stages = &makeStages<Before + 1>,
+                                              .extension = &makeExtension<Before + 1>,
+                                              .errors = &findErrors<Before + 1>,
+                                              .dense = &makeColumns<Before + 1>}...};
         return all[size - 1];
     }
     (std::make_index_sequence<largest>());

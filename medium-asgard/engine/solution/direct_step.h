@@ -7,6 +7,7 @@
 // LIMIT: on processors that have AVX; elsewhere, and for other methods, stages are made one by one.
 #pragma once
 
+#include "solution/polynomial.h"
 #include "solution/system.h"
 
 namespace solution {
@@ -30,9 +31,14 @@ struct DirectStep {
         std::size_t evaluations = 0;
         bool failed = false;
     };
-    Made (*stages)(const Stages& step, const System::Direct& rates) = nullptr;
+    using Make = Made (*)(const Stages& step, const System::Direct& rates);
+    Make stages = nullptr;
+    Make extension = nullptr; // those after them, of dense output
     // The error of each unknown.
     void (*errors)(double h, const double* slopes, double* error) = nullptr;
+    // Coefficients of powers from 1 on, of each unknown, by those of the method's B_i(s).
+    void (*dense)(double h, const double* slopes, const Tableau& tableau,
+                  Coefficients* columns) = nullptr;
 
     // Without functions where there are none.
     [[nodiscard]] static DirectStep of(const Tableau& tableau, std::size_t size);

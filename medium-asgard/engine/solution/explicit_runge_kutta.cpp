@@ -25,6 +25,9 @@ Tableau finished(Tableau table) {
             weights.push_back(stage[power]);
         table.denseTerms.push_back(termsOf(weights));
     }
+    for (std::size_t stage = 0; stage < table.dense.size(); ++stage)
+        if (std::ranges::any_of(table.dense[stage], [](double weight) { return weight != 0; }))
+            table.denseStages.push_back(stage);
     return table;
 }
 
@@ -111,21 +114,37 @@ ExplicitRungeKutta::Stages ExplicitRungeKutta::stagesFor(std::size_t size) {
     (std::make_index_sequence<most + 1>());
 }
 
-bool ExplicitRungeKutta::makeAllStages() {
-    const System::Direct rates = direct_.stages ? system_.direct() : System::Direct{};
+// None: there are no direct ones.
+std::optional<bool> ExplicitRungeKutta::makeDirectly(DirectStep::Make make) {
+    const System::Direct rates = make ? system_.direct() : System::Direct{};
     if (!rates.code.entry)
-        return (this->*stages_)();
-    const DirectStep::Made made = direct_.stages({.t = t_,
-                                                  .h = h_,
-                                                  .start = start_.data(),
-                                                  .lost = lost_.data(),
-                                                  .end = end_.data(),
-                                                  .lostNext = lostNext_.data(),
-                                                  .stiffAt = stiffAt_.data(),
-                                                  .slopes = k_.data()},
-                                                 rates);
+        return std::nullopt;
+    const DirectStep::Made made = make({.t = t_,
+                                        .h = h_,
+                                        .start = start_.data(),
+                                        .lost = lost_.data(),
+                                        .end = end_.data(),
+                                        .lostNext = lostNext_.data(),
+                                        .stiffAt = stiffAt_.data(),
+                                        .slopes = k_.data()},
+                                       rates);
     counts_.evaluations += made.evaluations;
     return !made.failed;
+}
+
+bool ExplicitRungeKutta::makeAllStages() {
+    const auto made = makeDirectly(direct_.stages);
+    return made ? *made : (this->*stages_)();
+}
+
+// Those of dense output.
+bool ExplicitRungeKutta::makeStagesBeyond() {
+    if (const auto made = makeDirectly(direct_.extension))
+        return *made;
+    for (std::size_t i = tableau_.stages + 1; i < tableau_.a.size(); ++i)
+        if (!stage<0>(i, at_.data()))
+            return false;
+    return true;
 }
 
 Attempt ExplicitRungeKutta::attempt(double h) {
@@ -234,12 +253,13 @@ bool ExplicitRungeKutta::endsSuffice(std::span<const Coefficients> columns) {
 
 // False: a stage of the extension is not finite.
 bool ExplicitRungeKutta::extend(std::span<Coefficients> columns) {
-    for (std::size_t i = tableau_.stages + 1; i < tableau_.a.size(); ++i)
-        if (!stage<0>(i, at_.data()))
-            return false;
+    if (!makeStagesBeyond())
+        return false;
     for (std::size_t n = 0; n < size_; ++n)
         columns[n] = {start_[n]};
-    for (std::size_t power = 0; power < tableau_.denseTerms.size(); ++power) {
+    if (direct_.dense)
+        direct_.dense(h_, k_.data(), tableau_, columns.data());
+    for (std::size_t power = 0; !direct_.dense && power < tableau_.denseTerms.size(); ++power) {
         weightedSum(tableau_.denseTerms[power], k_.data(), size_, sum_.data());
         for (std::size_t n = 0; n < size_; ++n)
             columns[n][power + 1] = h_ * sum_[n];

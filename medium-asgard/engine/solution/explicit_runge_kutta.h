@@ -36,7 +36,8 @@ struct Tableau {
     // The same without zeros, made by finished().
     std::vector<Terms> rows = {};
     Terms errorTerms = {}, secondErrorTerms = {};
-    std::vector<Terms> denseTerms = {}; // by power - 1
+    std::vector<Terms> denseTerms = {};        // by power - 1
+    std::vector<std::size_t> denseStages = {}; // that any of them has
 };
 
 [[nodiscard]] Tableau finished(Tableau table);
@@ -70,7 +71,9 @@ private:
     template <std::size_t Size> [[nodiscard]] bool makeStages();
     template <std::size_t Size> [[nodiscard]] bool stage(std::size_t i, double* at);
     void finishStages(std::size_t size);
+    [[nodiscard]] std::optional<bool> makeDirectly(DirectStep::Make make);
     [[nodiscard]] bool makeAllStages();
+    [[nodiscard]] bool makeStagesBeyond();
     using Stages = bool (ExplicitRungeKutta::*)();
     [[nodiscard]] static Stages stagesFor(std::size_t size);
     [[nodiscard]] double* slopesOf(std::size_t stage) { return k_.data() + stage * size_; }

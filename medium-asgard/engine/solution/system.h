@@ -28,13 +28,17 @@ public:
     // of anything here may change what lies there.
     [[nodiscard]] virtual double* place() { return nullptr; }
     // The rates as machine code, of time and the states, which are put at `arguments`: what rates()
-    // would give, but for whether they are finite. No code: there is none, or none yet, or more to
-    // it. Calls of anything else here may change what lies there.
+    // would give, but for whether they are finite. With a `reader`, putInputs() of that first, for
+    // each time. No code: there is none, or none yet, or more to it. Calls of anything else here
+    // may change what lies there.
     struct Direct {
         expression::Function::Code code;
         double *arguments = nullptr, *scratch = nullptr;
+        System* reader = nullptr;
     };
     [[nodiscard]] virtual Direct direct() { return {}; }
+    // What others are at that time.
+    virtual void putInputs(double /*t*/) {}
     [[nodiscard]] virtual const Pattern& jacobianPattern() = 0;
     [[nodiscard]] virtual bool jacobian(double t, std::span<const double> y,
                                         std::span<double> entries) = 0;
