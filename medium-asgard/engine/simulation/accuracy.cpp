@@ -58,14 +58,13 @@ public:
     [[nodiscard]] Trace::Place at(double t) {
         for (Steps& steps : steps_) {
             steps.step = steps.history->find(t, steps.step);
-            steps.first = steps.history->piece(steps.step, 0);
-            steps.s = (t - steps.first.origin) / steps.first.scale;
+            steps.reading = steps.history->reading(steps.step);
+            const solution::History::Step& step = steps.reading.step();
+            steps.s = (t - step.origin) / step.scale;
         }
         for (const Column& column : columns_) {
             const Steps& steps = steps_[column.steps];
-            const std::span<const double> first = steps.first.coefficients;
-            values_[column.kind] = solution::evaluate(
-                {first.data() + column.column * first.size(), first.size()}, steps.s);
+            values_[column.kind] = steps.reading.value(column.column, steps.s);
         }
         for (Other& other : others_)
             values_[other.kind] = valueOf(other, t);
@@ -89,8 +88,8 @@ public:
 private:
     struct Steps {
         const solution::History* history;
-        std::size_t step;      // that was read last
-        solution::Piece first; // of its first column: those of the others follow
+        std::size_t step; // that was read last
+        solution::History::Reading reading;
         double s;
     };
     struct Column {
@@ -113,7 +112,7 @@ private:
     std::size_t stepsOf(const solution::History* history) {
         const auto known = std::ranges::find(steps_, history, &Steps::history);
         if (known == steps_.end()) {
-            steps_.push_back({.history = history, .step = 0, .first = {}, .s = 0});
+            steps_.push_back({.history = history, .step = 0, .reading = {}, .s = 0});
             return steps_.size() - 1;
         }
         return static_cast<std::size_t>(known - steps_.begin());

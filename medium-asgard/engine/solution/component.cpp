@@ -47,6 +47,7 @@ void Component::findQuaternions() {
 void Component::use(const PreparedEquations::Component& prepared) {
     phases_ = prepared.phases;
     equations_ = std::make_unique<ComponentEquations>(prepared.bound, histories_);
+    findPairs();
 }
 
 std::string Component::names(const std::vector<std::size_t>& places) const {
@@ -112,6 +113,7 @@ void Component::takeEquations(std::vector<std::size_t> phases) {
         std::make_shared<const BoundModel>(
             boundModel(*set_, around_.index, around_.zero, unknowns_, phases_, around_.models)),
         histories_);
+    findPairs();
 }
 
 // Jumps of phases that begin now; they read the values before.
@@ -254,7 +256,7 @@ void Component::placeAnchor() {
         rows[2 * place] = values_[place];
     for (std::size_t i = 0; i < y.size(); ++i)
         rows[2 * equations_->states()[i] + 1] = slopes[i];
-    history_->append({time_, time_, 1, true, 2, 0}, rows);
+    history_->append({time_, time_, 1, true, 2}, rows);
 }
 
 // ---------------------------------------------------------------------------------------------

@@ -226,6 +226,10 @@ private:
                                double until, double part, std::span<Coefficients> held);
     void appendRow(std::span<const Coefficients> states, std::span<const Coefficients> held,
                    double origin, double scale, double until);
+    void findPairs();
+    [[nodiscard]] std::uint8_t lengthOf(std::span<const std::size_t> columns,
+                                        std::size_t least) const;
+    [[nodiscard]] bool tellVelocities(double scale) const;
 
     void reconsider(double h);
     [[nodiscard]] double spectralRadius();
@@ -252,6 +256,9 @@ private:
     double phasesFrom_ = 0, nextPhase_ = infinity;
     std::unique_ptr<ComponentEquations> equations_;
     ErrorControl control_;
+    History::Pairs pairs_;                              // columns, of equations_
+    std::vector<std::size_t> places_, others_, all_;    // of them, of no pair, all
+    std::vector<const Coefficients*> kept_;             // of each column, while one is appended
     std::vector<std::vector<std::size_t>> quaternions_; // places; without entries that stay 0
 
     bool isRead_ = true;

@@ -114,7 +114,7 @@ void Component::leave(double t) { counts_.discardedSteps += history_->cut(t); }
 void Component::goOn(double origin, std::span<const double> coefficients) {
     while (coefficients.size() > 1 && coefficients.back() == 0)
         coefficients = coefficients.first(coefficients.size() - 1);
-    history_->append({origin, infinity, 1, true, static_cast<std::uint8_t>(coefficients.size()), 0},
+    history_->append({origin, infinity, 1, true, static_cast<std::uint8_t>(coefficients.size())},
                      coefficients);
 }
 
@@ -146,7 +146,7 @@ std::optional<Component::PlainPiece> Component::plainPiece(double t, double valu
 
 void Component::append(double t, const PlainPiece& piece) {
     ++counts_.evaluations;
-    history_->append({t, infinity, piece.scale, true, static_cast<std::uint8_t>(piece.count), 0},
+    history_->append({t, infinity, piece.scale, true, static_cast<std::uint8_t>(piece.count)},
                      std::span(piece.row).first(piece.count));
 }
 

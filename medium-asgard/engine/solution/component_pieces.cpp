@@ -83,27 +83,61 @@ bool Component::fitHeld(std::span<const Coefficients> states, double origin, dou
     return true;
 }
 
+// Which columns are places whose velocities are here too, and which are neither.
+void Component::findPairs() {
+    pairs_.clear();
+    for (const auto& [x, v] : equations_->integrals())
+        pairs_.emplace_back(equations_->states()[x], equations_->states()[v]);
+    if (!pairs_.empty() && !history_->takePairs(pairs_))
+        pairs_.clear();
+    std::vector<char> isOther(unknowns_.size(), 1);
+    places_.clear();
+    for (const auto& [place, velocity] : pairs_) {
+        places_.push_back(place);
+        isOther[place] = isOther[velocity] = 0;
+    }
+    all_.clear();
+    others_.clear();
+    for (std::size_t n = 0; n < unknowns_.size(); ++n) {
+        all_.push_back(n);
+        if (isOther[n])
+            others_.push_back(n);
+    }
+}
+
+// The number of coefficients that all these columns need.
+std::uint8_t Component::lengthOf(std::span<const std::size_t> columns, std::size_t least) const {
+    std::size_t count = least;
+    for (const std::size_t column : columns)
+        for (std::size_t k = maximumDegree; k >= count; --k)
+            if ((*kept_[column])[k] != 0) {
+                count = k + 1;
+                break;
+            }
+    return static_cast<std::uint8_t>(count);
+}
+
+bool Component::tellVelocities(double scale) const {
+    return std::ranges::all_of(pairs_, [&](const auto& pair) {
+        return History::tells(*kept_[pair.first], *kept_[pair.second], scale);
+    });
+}
+
 void Component::appendRow(std::span<const Coefficients> states, std::span<const Coefficients> held,
                           double origin, double scale, double until) {
-    std::size_t count = 1;
-    for (const auto& list : {states, held})
-        for (const Coefficients& column : list)
-            for (std::size_t k = maximumDegree; k >= count; --k)
-                if (column[k] != 0) {
-                    count = k + 1;
-                    break;
-                }
-    const std::span<double> rows =
-        history_->append({origin, until, scale, fresh_, static_cast<std::uint8_t>(count), 0});
-    const auto place = [&](std::size_t unknown, const Coefficients& column) {
-        double* row = rows.data() + unknown * count;
-        for (std::size_t k = 0; k < count; ++k)
-            row[k] = column[k];
-    };
+    kept_.resize(unknowns_.size());
     for (std::size_t i = 0; i < states.size(); ++i)
-        place(equations_->states()[i], states[i]);
+        kept_[equations_->states()[i]] = &states[i];
     for (std::size_t i = 0; i < held.size(); ++i)
-        place(equations_->held()[i], held[i]);
+        kept_[equations_->held()[i]] = &held[i];
+    History::Step step{.origin = origin, .until = until, .scale = scale, .fresh = fresh_};
+    if (!pairs_.empty() && tellVelocities(scale)) {
+        step.coefficients = lengthOf(places_, 2);
+        step.others = lengthOf(others_, 1);
+    } else {
+        step.coefficients = lengthOf(all_, 1);
+    }
+    history_->append(step, kept_);
     fresh_ = false;
 }
 

@@ -2,6 +2,8 @@
 
 #include "solution/dense_formulas.h"
 
+#include <cmath>
+
 namespace solution {
 
 void lines(std::span<Coefficients> columns, const StepEnds& ends) {
@@ -84,6 +86,11 @@ void integratePositions(std::span<Coefficients> columns,
         integral[3] -= 2 * lack;
         columns[x] = integral;
     }
+}
+
+// 6 lack s (1-s) / h, where 3 lack is what was added to the square.
+double ownEndMoves(const Coefficients& place, const Coefficients& velocity, double h) {
+    return std::abs(place[2] - h * velocity[1] / 2) / (2 * h);
 }
 
 } // namespace solution

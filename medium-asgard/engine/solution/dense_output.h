@@ -74,5 +74,7 @@ void differentiate(const Coefficients& place, Coefficients& velocity, double h);
 void integratePositions(std::span<Coefficients> columns,
                         std::span<const std::pair<std::size_t, std::size_t>> pairs,
                         const StepEnds& ends);
+// By how much, at most, the derivative of such a position is another than its velocity.
+[[nodiscard]] double ownEndMoves(const Coefficients& place, const Coefficients& velocity, double h);
 
 } // namespace solution

@@ -265,6 +265,9 @@ bool ExplicitRungeKutta::extend(std::span<Coefficients> columns) {
             columns[n][power + 1] = h_ * sum_[n];
     }
     integratePositions(columns, system_.integrals(), ends());
+    for (const auto& [x, v] : system_.integrals())
+        if (ownEndMoves(columns[x], columns[v], h_) <= BetweenEnds::ownEnd * control_.scale(v))
+            differentiate(columns[x], columns[v], h_);
     return true;
 }
 

@@ -46,6 +46,9 @@ struct Tableau {
 // is some ten times too large.
 struct BetweenEnds {
     static constexpr double allowed = 0.5, allowedSpeed = 1, pessimism = 8;
+    // Of what a velocity may err by, what it may move by to be its position's derivative: then
+    // history keeps one of them.
+    static constexpr double ownEnd = 0.1;
 };
 
 // Null for a name that is not in the tables: dop853, dopri5, tsit5, gbs, rk4, forward-euler.

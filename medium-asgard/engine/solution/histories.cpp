@@ -17,18 +17,24 @@ std::shared_ptr<History> History::ofFlight(std::size_t columns, std::uint8_t coe
 History::Step History::flightStep(std::size_t index) const {
     const double until = index + 1 < size_ ? origin(index + 1) : endOfLast_;
     const std::size_t offset = index % stepsPerChunk * flightRow() + 1;
-    return {origin(index), until, 1, true, ofEach_, static_cast<std::uint32_t>(offset)};
+    return {.origin = origin(index),
+            .until = until,
+            .scale = 1,
+            .fresh = true,
+            .coefficients = ofEach_,
+            .offset = static_cast<std::uint32_t>(offset)};
 }
 
 Piece History::piece(std::size_t index, std::size_t column) const {
     const Chunk& chunk = *chunks_[index / stepsPerChunk];
     const Step s = step(index);
+    const double* const row = chunk.values.data() + s.offset;
     if (column >= columns_) { // c1 + 2 c2 s
-        const double* place = chunk.values.data() + s.offset + (column - columns_) * s.coefficients;
-        return {s.origin, s.until, 0.5, {place + 1, s.coefficients - std::size_t{1}}};
+        const double* place = row + (column - columns_) * s.coefficients;
+        return {s.origin, s.until, 0.5,
+                CoefficientList(std::span(place + 1, s.coefficients - std::size_t{1}))};
     }
-    const double* first = chunk.values.data() + s.offset + column * s.coefficients;
-    return {s.origin, s.until, s.scale, {first, s.coefficients}};
+    return {s.origin, s.until, s.scale, read(s, row, column)};
 }
 
 std::size_t History::find(double t, std::size_t near) const {
@@ -81,7 +87,7 @@ void History::append(const Step& step, std::span<const double> rows) {
 
 // Most have one step for all time; who has several has many, and who curves at once. Rows are much
 // of one length.
-void History::Chunk::grow(std::size_t columns, std::size_t coefficients) {
+void History::Chunk::grow(std::size_t row, std::size_t coefficients) {
     constexpr std::size_t ofFlight = 3;
     const bool isCurved = coefficients > ofFlight && !steps.empty();
     const std::size_t more = isCurved            ? stepsPerChunk
@@ -90,7 +96,7 @@ void History::Chunk::grow(std::size_t columns, std::size_t coefficients) {
                                                  : stepsPerChunk;
     steps.reserve(more);
     if (more > 2)
-        values.reserve(more * columns * coefficients);
+        values.reserve(more * row);
 }
 
 std::span<double> History::append(const Step& step) {
@@ -98,16 +104,16 @@ std::span<double> History::append(const Step& step) {
         chunks_.push_back(std::make_shared<Chunk>());
         if (size_ > 0) { // there will be more
             chunks_.back()->steps.reserve(stepsPerChunk);
-            chunks_.back()->values.reserve(stepsPerChunk * columns_ * step.coefficients);
+            chunks_.back()->values.reserve(stepsPerChunk * sizeOf(step));
         }
     }
     Chunk& chunk = writableTail();
     if (chunk.steps.size() == chunk.steps.capacity())
-        chunk.grow(columns_, step.coefficients);
+        chunk.grow(sizeOf(step), step.coefficients);
     Step placed = step;
     placed.offset = static_cast<std::uint32_t>(chunk.values.size());
     chunk.steps.push_back(placed);
-    chunk.values.resize(chunk.values.size() + columns_ * step.coefficients);
+    chunk.values.resize(chunk.values.size() + sizeOf(step));
     ++size_;
     return std::span(chunk.values).subspan(placed.offset);
 }
@@ -171,6 +177,7 @@ std::shared_ptr<const History> History::freeze() const {
 std::shared_ptr<const History> History::upTo(double t) const {
     auto copy = std::make_shared<History>(columns_);
     copy->ofEach_ = ofEach_;
+    copy->order_ = order_;
     copy->size_ = size_;
     const auto isAfter = [t](const Step& s) { return s.origin > t || (s.origin == t && !s.fresh); };
     while (copy->size_ > 1 && isAfter(step(copy->size_ - 1)))
@@ -228,7 +235,7 @@ Piece Histories::piece(std::size_t unknown, double t) const {
     while (span->history->empty() && span != track.spans.data())
         --span;
     if (span->history->empty())
-        return {start_, start_, 1, {&track.initial, 1}};
+        return {start_, start_, 1, CoefficientList(std::span(&track.initial, 1))};
     Piece piece = span->history->piece(span->history->find(t), span->column);
     // What was 0 for ever until an event woke it is so until then.
     const Span* next = span + 1;

@@ -10,6 +10,7 @@
 
 #include "solution/polynomial.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <new>
@@ -49,6 +50,11 @@ struct Stop {
 // A flight's steps are all alike: each begins at an event, lasts until the next, and has as many
 // coefficients over a scale of 1. So its row says it all, with the origin in front: 24 bytes for a
 // straight flight along an axis. Columns beyond columns() are the rates of the first ones there.
+//
+// Of places and velocities, x' = v, a step may keep the places' alone. What is kept of a column
+//
+//     place     x0, v0, c2, c3 ...      x = x0 + h v0 s + c2 s^2 + ...     v = v0 + 2 c2/h s + ...
+//     other     c0, c1, c2, c3 ...
 class History {
 public:
     explicit History(std::size_t columns) : columns_(columns) {}
@@ -65,7 +71,8 @@ public:
     struct Step {
         double origin = 0, until = 0, scale = 1;
         bool fresh = false;            // begins at an event: values or derivatives may jump here
-        std::uint8_t coefficients = 0; // per column
+        std::uint8_t coefficients = 0; // per column; of places, where `others` is not 0
+        std::uint8_t others = 0;       // of columns that are neither place nor velocity
         std::uint32_t offset = 0;      // into Chunk::values
     };
     [[nodiscard]] Step step(std::size_t index) const {
@@ -77,13 +84,34 @@ public:
         return isFlight() ? chunk.values[index % stepsPerChunk * flightRow()]
                           : chunk.steps[index % stepsPerChunk].origin;
     }
-    // The numbers of all columns().
+    // The numbers of all columns(), as they are kept.
     [[nodiscard]] std::span<const double> row(std::size_t index) const {
         const Step s = step(index);
-        return {chunks_[index / stepsPerChunk]->values.data() + s.offset,
-                columns_ * s.coefficients};
+        return {chunks_[index / stepsPerChunk]->values.data() + s.offset, sizeOf(s)};
     }
     [[nodiscard]] Piece piece(std::size_t index, std::size_t column) const;
+    // One step, of which several columns are read at (t - origin) / scale. Until the next change.
+    class Reading {
+    public:
+        Reading() = default;
+        [[nodiscard]] const Step& step() const { return step_; }
+        [[nodiscard]] double value(std::size_t column, double s) const {
+            return evaluate(history_->read(step_, row_, column), s);
+        }
+
+    private:
+        friend class History;
+        const History* history_ = nullptr;
+        const double* row_ = nullptr;
+        Step step_;
+    };
+    [[nodiscard]] Reading reading(std::size_t index) const {
+        Reading made;
+        made.history_ = this;
+        made.row_ = row(index).data();
+        made.step_ = step(index);
+        return made;
+    }
     // Index of the step that holds t: the later one at a joint. `near` is where to look first.
     [[nodiscard]] std::size_t find(double t, std::size_t near = 0) const;
 
@@ -94,6 +122,16 @@ public:
     // Of a flight: a step begins at t and has no end; the one before it ends there. The caller
     // writes its numbers.
     [[nodiscard]] std::span<double> turn(double t);
+
+    // Columns of places and of their velocities, once for all steps. False: there are others.
+    using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+    [[nodiscard]] bool takePairs(const Pairs& pairs);
+    // Polynomials of all columns, in as many numbers as `step` says; with `others` only of those
+    // whose velocities their places tell.
+    void append(const Step& step, std::span<const Coefficients* const> columns);
+    // The velocity's polynomial is the place's derivative, to the last bit.
+    [[nodiscard]] static bool tells(const Coefficients& place, const Coefficients& velocity,
+                                    double scale);
     // A component that has values but no step from them yet stands on an anchor: a step of no
     // length that its first step replaces.
     [[nodiscard]] bool endsInAnchor() const {
@@ -121,7 +159,7 @@ private:
     struct Chunk {
         std::vector<Step> steps; // none of a flight
         std::vector<double, Unwritten<double>> values;
-        void grow(std::size_t columns, std::size_t coefficients);
+        void grow(std::size_t row, std::size_t coefficients);
     };
     [[nodiscard]] bool isFlight() const { return ofEach_ > 0; }
     [[nodiscard]] std::size_t flightRow() const { return 1 + columns_ * ofEach_; }
@@ -129,9 +167,38 @@ private:
     [[nodiscard]] Chunk& writableTail();
     void dropLast();
 
+    // Where columns are in a row with `others`: places in order of pairs, then all others.
+    struct Order {
+        Pairs pairs;
+        enum class Kind { place, velocity, other };
+        struct Column {
+            Kind kind = Kind::other;
+            std::size_t which = 0; // of its kind; of a velocity, of its place's
+        };
+        std::vector<Column> columns;
+    };
+    // The numbers of one column in a row.
+    struct Form {
+        std::size_t first, count;
+        void write(double* row, const Coefficients& numbers) const {
+            std::copy_n(numbers.begin(), count, row + first);
+        }
+        [[nodiscard]] CoefficientList read(const double* row) const {
+            return CoefficientList(std::span(row + first, count));
+        }
+    };
+    [[nodiscard]] static Form placeOf(const Step& step, std::size_t which) {
+        return {which * step.coefficients, step.coefficients};
+    }
+    [[nodiscard]] Form otherOf(const Step& step, std::size_t which) const;
+    [[nodiscard]] std::size_t sizeOf(const Step& step) const;
+    [[nodiscard]] CoefficientList read(const Step& step, const double* row,
+                                       std::size_t column) const;
+
     std::size_t columns_;
     std::uint8_t ofEach_ = 0;     // of a flight: coefficients of each step; 0: it is none
     double endOfLast_ = infinity; // of its last step
+    std::shared_ptr<const Order> order_; // none: there are no pairs
     std::size_t size_ = 0;
     std::vector<std::shared_ptr<Chunk>> chunks_;    // all but the last have stepsPerChunk steps
     mutable std::size_t sharedChunks_ = 0;          // the first ones, which a frozen copy holds too

@@ -6,6 +6,7 @@
 // Bounds come from the Bernstein coefficients of the part asked for, whose hull holds the curve.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -25,10 +26,29 @@ struct Interval {
     double low = 0, high = 0;
 };
 
-// One polynomial piece of one unknown, valid for origin <= t <= until. It borrows coefficients.
+// As many as a polynomial has, at most maximumCoefficients.
+class CoefficientList {
+public:
+    CoefficientList() : size_(0) {}
+    explicit CoefficientList(std::size_t size) : size_(size) {} // to be written
+    explicit CoefficientList(std::span<const double> numbers) : size_(numbers.size()) {
+        std::copy_n(numbers.begin(), size_, numbers_.begin());
+    }
+    [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] const double* begin() const { return numbers_.data(); }
+    [[nodiscard]] const double* end() const { return numbers_.data() + size_; }
+    [[nodiscard]] double operator[](std::size_t power) const { return numbers_[power]; }
+    [[nodiscard]] double& operator[](std::size_t power) { return numbers_[power]; }
+
+private:
+    std::array<double, maximumCoefficients> numbers_; // those from size_ on have no value
+    std::size_t size_;
+};
+
+// One polynomial piece of one unknown, valid for origin <= t <= until.
 struct Piece {
     double origin = 0, until = infinity, scale = 1;
-    std::span<const double> coefficients;
+    CoefficientList coefficients;
 
     [[nodiscard]] double value(double t) const;
     [[nodiscard]] double derivative(double t) const;

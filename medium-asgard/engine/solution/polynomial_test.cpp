@@ -45,7 +45,7 @@ TEST(Piece, BoundsHoldEveryValueAndAreTightOnShortIntervals) {
         Coefficients c{};
         for (double& x : c)
             x = uniform(random);
-        const Piece piece{2, 6, 4, c};
+        const Piece piece{2, 6, 4, CoefficientList(c)};
         const double from = 2 + 2 * (uniform(random) + 1), length = 0.05 * (uniform(random) + 1);
         const Interval values = piece.bounds(from, from + length);
         const Interval slopes = piece.derivativeBounds(from, from + length);
@@ -63,7 +63,7 @@ TEST(Piece, BoundsHoldEveryValueAndAreTightOnShortIntervals) {
 
 TEST(Piece, DerivativesAreThoseOfItsCurve) {
     const Coefficients c = {1, 2, 3, 4, 5, 0, 0, 0, 0};
-    const Piece piece{1, 3, 2, c};
+    const Piece piece{1, 3, 2, CoefficientList(c)};
     const double h = 1e-4;
     EXPECT_NEAR(piece.derivative(2), (piece.value(2 + h) - piece.value(2 - h)) / (2 * h), 1e-6);
     EXPECT_NEAR(piece.secondDerivative(2),

@@ -107,7 +107,7 @@ void Solver::Implementation::takeLonger(std::shared_ptr<const TakenMotion> taken
 void Solver::Implementation::addConstantTracks() {
     const auto constant = [this](double value) {
         auto history = std::make_shared<History>(1);
-        history->append({options_.start, infinity, 1, true, 1, 0}, {&value, 1});
+        history->append({options_.start, infinity, 1, true, 1}, std::span(&value, 1));
         return history;
     };
     const auto zero = constant(0), unread = constant(std::numeric_limits<double>::quiet_NaN());

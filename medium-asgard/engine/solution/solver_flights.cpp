@@ -81,13 +81,14 @@ bool Solver::Implementation::staysInPlane(double time, std::span<Turn> turns) co
 bool Solver::Implementation::turn(double time, Turn& turn) {
     Flight* flight = flightOf(turn);
     if (flight) {
-        const Piece place = flight->history->piece(flight->history->size() - 1, 0);
-        if (place.origin > time)
+        const std::size_t last = flight->history->size() - 1;
+        const double origin = flight->history->origin(last);
+        if (origin > time)
             return false;
         turn.place = {};
-        const double* c = place.coefficients.data();
+        const double* c = flight->history->row(last).data();
         for (const Flight::Axis& axis : flight->axes) {
-            turn.place[axis.coordinate] = evaluate({c, flight->terms()}, time - place.origin);
+            turn.place[axis.coordinate] = evaluate({c, flight->terms()}, time - origin);
             c += flight->terms();
         }
     } else {
