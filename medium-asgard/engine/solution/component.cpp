@@ -19,6 +19,7 @@ Component::Component(const Surroundings& surroundings, std::vector<std::size_t> 
     // At fixed steps no error is controlled, and Newton's iteration must not add one.
     if (options_.fixedStep)
         tolerance_ = std::min(tolerance_, 1e-13);
+    longestPart_ = std::pow(std::min(tolerance_, 1.0), 1.0 / 8);
     findQuaternions();
     counts_.unknowns = unknowns_;
 }

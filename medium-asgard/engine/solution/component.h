@@ -149,7 +149,7 @@ private:
 
     // Steps.
     [[nodiscard]] std::optional<std::size_t> look(std::size_t unknown, double target,
-                                                  std::size_t joints);
+                                                  std::size_t joints, std::size_t& near);
     void decideModel();
     [[nodiscard]] bool tryClosedForm();
     struct PlainPiece {
@@ -245,6 +245,8 @@ private:
     std::vector<std::size_t> unknowns_;
     std::shared_ptr<History> history_;
     double tolerance_;
+    double longestPart_ = 1;            // of what is watched, that an explicit step may be
+    std::vector<std::size_t> lookedAt_; // of each input, the step that the last one began in
 
     double time_ = 0;
     std::vector<double> values_; // of all unknowns at time_

@@ -26,7 +26,7 @@ double Component::longest() const {
     if (method_->implicit())
         return equations_->bound()->canPeak ? watched_.longestThatSees(time_)
                                             : watched_.longest(time_);
-    return std::pow(std::min(tolerance_, 1.0), 1.0 / 8) * watched_.longest(time_);
+    return longestPart_ * watched_.longest(time_);
 }
 
 // The rates at t are those of the step's polynomials.

@@ -25,13 +25,17 @@ std::optional<std::size_t> Component::waitsFor() {
     // A model in closed form, and the choice of a first step, look at one piece of each input.
     const bool single = model_ != Model::integrated || !method_;
     const double target = single ? infinity : time_ + landingOf(options_) * proposed_;
-    for (const std::size_t unknown : equations_->inputs().unknowns())
-        if (const auto waiting = look(unknown, target, single ? 1 : mostJoints))
+    const std::vector<std::size_t>& read = equations_->inputs().unknowns();
+    lookedAt_.resize(read.size());
+    for (std::size_t i = 0; i < read.size(); ++i)
+        if (const auto waiting = look(read[i], target, single ? 1 : mostJoints, lookedAt_[i]))
             return waiting;
     return std::nullopt;
 }
 
-std::optional<std::size_t> Component::look(std::size_t unknown, double target, std::size_t joints) {
+// `near`: the input's step that holds the time, where it is looked for first.
+std::optional<std::size_t> Component::look(std::size_t unknown, double target, std::size_t joints,
+                                           std::size_t& near) {
     const History& input = *histories_.place(unknown, time_).history;
     const auto mayEndAt = [this](double t, bool restarts) {
         if (t < limit_ || (t == limit_ && restarts)) {
@@ -41,10 +45,9 @@ std::optional<std::size_t> Component::look(std::size_t unknown, double target, s
         }
     };
     std::size_t passed = 0;
-    for (std::size_t i = input.find(time_); i < input.size(); ++i) {
-        if (i + 1 == input.size())
-            break;
-        const History::Step& next = input.step(i + 1);
+    near = input.find(time_, near);
+    for (std::size_t i = near; i + 1 < input.size(); ++i) {
+        const History::Step next = input.step(i + 1);
         if (next.origin <= time_)
             continue;
         if (next.fresh || ++passed == joints) {

@@ -6,7 +6,6 @@
 
 #include "solution/histories.h"
 
-#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -15,74 +14,78 @@ namespace solution {
 class Inputs {
 public:
     Inputs(const Histories& histories, std::vector<std::size_t> unknowns)
-        : histories_(histories), unknowns_(std::move(unknowns)), readers_(unknowns_.size()) {}
+        : histories_(histories), unknowns_(std::move(unknowns)), places_(unknowns_.size()) {}
 
     [[nodiscard]] const std::vector<std::size_t>& unknowns() const { return unknowns_; }
 
     // From here on the times asked for lie in [from, to]. Forgets pieces, which others may have
     // moved since.
-    void window(double to) {
-        end_ = to;
-        for (Reader& reader : readers_)
-            reader.pieces.clear();
-    }
+    void window(double to);
     void values(double t, std::span<double> out) {
-        double origin = infinity, scale = 1, s = 0; // several are often of one component
-        for (std::size_t i = 0; i < readers_.size(); ++i) {
-            const Piece& piece = at(i, t);
-            if (piece.origin != origin || piece.scale != scale) {
-                origin = piece.origin;
-                scale = piece.scale;
-                s = (t - origin) / scale;
+        for (Source& source : sources()) {
+            const Piece* const pieces = piecesAt(source, t);
+            double scale = pieces->scale, s = (t - pieces->origin) / scale;
+            for (std::size_t m = 0; m < source.members.size(); ++m) {
+                const Piece& piece = pieces[m];
+                if (piece.scale != scale) { // rates of a flight
+                    scale = piece.scale;
+                    s = (t - piece.origin) / scale;
+                }
+                out[source.members[m].input] = evaluate(piece.coefficients, s);
             }
-            out[i] = evaluate(piece.coefficients, s);
         }
     }
     void rates(double t, std::span<double> out) {
-        for (std::size_t i = 0; i < readers_.size(); ++i)
+        for (std::size_t i = 0; i < unknowns_.size(); ++i)
             out[i] = at(i, t).derivative(t);
     }
     // Until another is asked for.
     [[nodiscard]] const Piece& at(std::size_t i, double t) {
-        Reader& reader = readers_[i];
-        if (reader.last < reader.pieces.size()) {
-            const Piece& last = reader.pieces[reader.last];
-            if (last.origin <= t && t <= last.until)
-                return last;
-        }
-        // At a joint the later one.
-        const auto known = std::ranges::find_if(reader.pieces, [t](const Piece& piece) {
-            return piece.origin <= t && t < piece.until;
-        });
-        reader.last = static_cast<std::size_t>(known - reader.pieces.begin());
-        if (known == reader.pieces.end())
-            reader.pieces.push_back(pieceAt(i, t));
-        return reader.pieces[reader.last];
+        Source& source = sources()[places_[i].source];
+        return piecesAt(source, t)[places_[i].member];
     }
 
 private:
-    // A step's stages go to and fro between the pieces that it crosses.
-    struct Reader {
-        std::vector<Piece> pieces; // of the window, that were asked for
-        std::size_t last = 0;      // of these
-        std::size_t near = 0;      // the step of its history that the window begins in
+    struct Member {
+        std::size_t input, column;
     };
-    [[nodiscard]] Piece pieceAt(std::size_t i, double t) {
-        const std::size_t unknown = unknowns_[i];
-        if (t >= end_)
-            return histories_.pieceBefore(unknown, end_);
-        const auto [history, column] = histories_.place(unknown, t);
-        if (history->empty() || !histories_.isInOnePlace(unknown))
-            return histories_.piece(unknown, t);
-        const std::size_t step = history->find(t, readers_[i].near);
-        if (readers_[i].pieces.empty())
-            readers_[i].near = step;
-        return history->piece(step, column);
+    // Inputs of one component, whose pieces begin and end together. A step's stages go to and fro
+    // between those that it crosses.
+    struct Source {
+        const History* history; // none: its only input is, or was, in several, or has none yet
+        std::vector<Member> members;
+        std::vector<Piece> pieces; // of each member, for each step of it that was asked for
+        std::size_t count = 0;     // of these steps
+        std::size_t last = 0;      // of these
+        std::size_t near = 0;      // the step that the window begins in
+    };
+    struct Place {
+        std::size_t source = 0, member = 0;
+    };
+    [[nodiscard]] std::vector<Source>& sources() {
+        if (!areGrouped_)
+            group();
+        return sources_;
     }
+    [[nodiscard]] const Piece* piecesAt(Source& source, double t) {
+        if (source.last < source.count) {
+            const Piece* const last = source.pieces.data() + source.last * source.members.size();
+            if (last->origin <= t && t <= last->until)
+                return last;
+        }
+        return otherPiecesAt(source, t);
+    }
+    [[nodiscard]] const Piece* otherPiecesAt(Source& source, double t);
+    void read(Source& source, double t, Piece* pieces);
+    // No history: there are several, or it has no steps.
+    [[nodiscard]] Histories::Place onlyPlace(std::size_t input) const;
+    void group();
 
     const Histories& histories_;
     std::vector<std::size_t> unknowns_;
-    std::vector<Reader> readers_;
+    std::vector<Source> sources_;
+    std::vector<Place> places_; // of each input
+    bool areGrouped_ = false;   // as histories are now
     double end_ = infinity;
 };
 
