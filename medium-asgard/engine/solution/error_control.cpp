@@ -6,18 +6,17 @@
 
 namespace solution {
 
-namespace {
-
-// Most lengths are 1, and a division takes long.
-double over(double value, double length) { return length == 1 ? value : value / length; }
-
-} // namespace
-
 ErrorControl::ErrorControl(std::vector<UnknownScale> scales, double tolerance)
     : scales_(std::move(scales)), seen_(scales_.size()), weights_(scales_.size()),
       tolerance_(tolerance) {
-    for (const UnknownScale& s : scales_)
-        leastExtent_ = std::max(leastExtent_, s.extent);
+    for (std::size_t i = 0; i < scales_.size(); ++i) {
+        const auto& [kind, length, extent] = scales_[i];
+        leastExtent_ = std::max(leastExtent_, extent);
+        (kind == UnknownScale::Kind::position   ? positions_
+         : kind == UnknownScale::Kind::velocity ? velocities_
+                                                : others_)
+            .push_back({i, length});
+    }
 }
 
 // Hairer and Wanner, Solving ODEs II, IV.8.
@@ -36,19 +35,25 @@ void ErrorControl::observe(std::span<const double> y) {
 
 // With what was seen before; that and these are what was seen from now on, if it observes.
 template <bool Observes> void ErrorControl::measure(std::span<const double> y) {
-    double extent = leastExtent_, speed = 0, other = 0;
-    for (std::size_t i = 0; i < scales_.size(); ++i) {
-        const double low = any_ ? std::min(seen_[i].low, y[i]) : y[i];
-        const double high = any_ ? std::max(seen_[i].high, y[i]) : y[i];
+    const auto seen = [&](std::size_t i) {
+        const Seen before = any_ ? seen_[i] : Seen{y[i], y[i]};
+        const Seen now = {std::min(before.low, y[i]), std::max(before.high, y[i])};
         if constexpr (Observes)
-            seen_[i] = {low, high};
-        const double length = scales_[i].lengthPerUnit;
-        if (scales_[i].kind == UnknownScale::Kind::position)
-            extent = std::max(extent, length * (high - low));
-        else if (scales_[i].kind == UnknownScale::Kind::velocity)
-            speed = std::max(speed, length * std::max(high, -low));
-        else
-            other = std::max({other, high, -low});
+            seen_[i] = now;
+        return now;
+    };
+    double extent = leastExtent_, speed = 0, other = 0;
+    for (const auto& [i, length] : positions_) {
+        const auto [low, high] = seen(i);
+        extent = std::max(extent, length * (high - low));
+    }
+    for (const auto& [i, length] : velocities_) {
+        const auto [low, high] = seen(i);
+        speed = std::max(speed, length * std::max(high, -low));
+    }
+    for (const auto& [i, length] : others_) {
+        const auto [low, high] = seen(i);
+        other = std::max(std::max(other, high), -low);
     }
     extent_ = extent;
     speed_ = speed;
@@ -98,32 +103,51 @@ double ErrorControl::displacement(std::span<const double> rates, double h) const
     return farthest;
 }
 
+namespace {
+
+// By the lengths of unknowns one after another, of which most are the same; a division takes long.
+class Quotient {
+public:
+    explicit Quotient(double value) : value_(value), quotient_(value) {}
+    [[nodiscard]] double over(double length) {
+        if (length != length_) {
+            length_ = length;
+            quotient_ = value_ / length;
+        }
+        return quotient_;
+    }
+
+private:
+    double value_, length_ = 1, quotient_;
+};
+
+} // namespace
+
 void ErrorControl::prepare(std::span<const double> y, double h) {
     constexpr double rounding = units * std::numeric_limits<double>::epsilon();
     measure<false>(y);
     step_ = h;
     double coarsest = 0; // rounding of the position farthest from the origin
-    for (std::size_t i = 0; i < scales_.size(); ++i)
-        if (scales_[i].kind == UnknownScale::Kind::position)
-            coarsest = std::max(coarsest, rounding * std::abs(y[i]) * scales_[i].lengthPerUnit);
+    for (const auto& [i, length] : positions_)
+        coarsest = std::max(coarsest, rounding * std::abs(y[i]) * length);
     rounding_ = coarsest / units;
-    const double place = tolerance_ * extent_, speed = tolerance_ * speed_;
     // A speed that does not show within the step.
     constexpr double shortest = std::numeric_limits<double>::min();
-    const double unseen = std::max(0.01 * tolerance_ * extent_ / std::max({h, duration_, shortest}),
-                                   coarsest / std::max(h, shortest));
-    for (std::size_t i = 0; i < scales_.size(); ++i) {
-        const double length = scales_[i].lengthPerUnit;
-        double weight = std::max(rounding * std::abs(y[i]), 1e-280);
-        if (scales_[i].kind == UnknownScale::Kind::position)
-            weight = std::max(weight, over(place, length));
-        else if (scales_[i].kind == UnknownScale::Kind::velocity)
-            weight = std::max({weight, over(speed, length), over(unseen, length)});
-        else
-            weight = std::max({weight, tolerance_ * seen_[i].high, -tolerance_ * seen_[i].low,
-                               tolerance_ * std::abs(y[i]), tolerance_ * 1e-3 * other_,
-                               length > 0 ? over(unseen, length) : 0});
-        weights_[i] = weight;
+    Quotient place(tolerance_ * extent_), speed(tolerance_ * speed_);
+    Quotient unseen(std::max(0.01 * tolerance_ * extent_ / std::max({h, duration_, shortest}),
+                             coarsest / std::max(h, shortest)));
+    const auto rounded = [&](std::size_t i) { return std::max(rounding * std::abs(y[i]), 1e-280); };
+    for (const auto& [i, length] : positions_)
+        weights_[i] = std::max(rounded(i), place.over(length));
+    for (const auto& [i, length] : velocities_)
+        weights_[i] = std::max(std::max(rounded(i), speed.over(length)), unseen.over(length));
+    const double all = tolerance_ * 1e-3 * other_;
+    for (const auto& [i, length] : others_) {
+        const auto [low, high] = seen_[i];
+        const double own =
+            std::max(std::max(tolerance_ * high, -tolerance_ * low), tolerance_ * std::abs(y[i]));
+        const double weight = std::max(std::max(rounded(i), own), all);
+        weights_[i] = length > 0 ? std::max(weight, unseen.over(length)) : weight;
     }
 }
 

@@ -74,7 +74,13 @@ private:
     template <bool Observes> void measure(std::span<const double> y);
     [[nodiscard]] double noise() const;
 
+    struct Measured {
+        std::size_t unknown;
+        double lengthPerUnit;
+    };
+
     std::vector<UnknownScale> scales_;
+    std::vector<Measured> positions_, velocities_, others_; // of these
     std::vector<Seen> seen_;
     std::vector<double> weights_;
     double tolerance_ = 1e-6;

@@ -299,23 +299,23 @@ bool ExplicitRungeKutta::correct(std::span<Coefficients> columns) {
     };
     const CorrectionBasis basis = correctionBasis(before.ratio);
     bool needed = false;
-    corrections_.clear();
+    corrections_.resize(system_.integrals().size() + unpaired_.size());
+    auto made = corrections_.begin();
     for (const auto& [x, v] : system_.integrals()) {
-        const Correction c = quinticCorrection(columns[x], before_[x], h_ * before_[v],
-                                               h_ * h_ * beforeSlope_[v], basis);
+        const Correction& c = *made++ = quinticCorrection(columns[x], before_[x], h_ * before_[v],
+                                                          h_ * h_ * beforeSlope_[v], basis);
         if (!within(c.left, x, pessimism * allowed) ||
             !within(c.leftSlope / h_, v, pessimism * allowedSpeed))
             return false;
         needed =
             needed || !within(c.whole, x, allowed) || !within(c.wholeSlope / h_, v, allowedSpeed);
-        corrections_.push_back(c);
     }
     for (const std::size_t n : unpaired_) {
-        const Correction c = cubicCorrection(columns[n], before_[n], h_ * beforeSlope_[n], basis);
+        const Correction& c = *made++ =
+            cubicCorrection(columns[n], before_[n], h_ * beforeSlope_[n], basis);
         if (!within(c.left, n, allowed))
             return false;
         needed = needed || !within(c.whole, n, allowed);
-        corrections_.push_back(c);
     }
     if (!needed)
         return true;

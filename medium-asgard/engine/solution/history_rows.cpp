@@ -1,5 +1,6 @@
 // In what numbers a step is kept; see histories.h.
 #include "solution/histories.h"
+#include "solution/weighted_sum.h"
 
 namespace solution {
 
@@ -23,12 +24,30 @@ bool History::takePairs(const Pairs& pairs) {
     return true;
 }
 
-bool History::tells(const Coefficients& place, const Coefficients& velocity, double scale) {
+namespace {
+
+// From the first power on, as formulas::differentiate() makes them.
+template <std::size_t... I>
+bool areDerivatives(const Coefficients& place, const Coefficients& velocity, double scale,
+                    std::index_sequence<I...>) {
     const double inverse = 1 / scale;
-    bool same = place[1] == scale * velocity[0] && velocity[maximumDegree] == 0;
-    for (std::size_t power = 1; same && power < maximumDegree; ++power)
-        same = velocity[power] == static_cast<double>(power + 1) * place[power + 1] * inverse;
-    return same;
+    const Pair both = {inverse, inverse};
+    const auto differs = [&](std::size_t power) {
+        const Pair factors = {static_cast<double>(power + 1), static_cast<double>(power + 2)};
+        return pairAt(&velocity[power]) != factors * pairAt(&place[power + 1]) * both;
+    };
+    const auto any = (differs(2 * I + 1) | ...);
+    return (any[0] | any[1]) == 0 &&
+           velocity[maximumDegree - 1] == maximumDegree * place[maximumDegree] * inverse;
+}
+
+} // namespace
+
+bool History::tells(const Coefficients& place, const Coefficients& velocity, double scale) {
+    static_assert(maximumDegree % 2 == 0);
+    return place[1] == scale * velocity[0] && velocity[maximumDegree] == 0 &&
+           areDerivatives(place, velocity, scale,
+                          std::make_index_sequence<maximumDegree / 2 - 1>());
 }
 
 History::Form History::otherOf(const Step& step, std::size_t which) const {
