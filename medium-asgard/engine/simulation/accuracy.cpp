@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -46,7 +47,7 @@ public:
             const auto [history, column] = histories.place(unknown, from);
             values_[i] = histories.value(unknown, from);
             if (history->empty() || !histories.isInOnePlace(unknown))
-                others_.push_back({i, nullptr, 0}); // it has, or had, several components
+                others_.push_back({.kind = i, .steps = {}}); // it has, or had, several components
             else if (history->size() > 1 || history->step(0).coefficients > 1)
                 columns_.push_back({.kind = i, .steps = stepsOf(history), .column = column});
             else
@@ -56,15 +57,11 @@ public:
     }
 
     [[nodiscard]] Trace::Place at(double t) {
-        for (Steps& steps : steps_) {
-            steps.step = steps.history->find(t, steps.step);
-            steps.reading = steps.history->reading(steps.step);
-            const solution::History::Step& step = steps.reading.step();
-            steps.s = (t - step.origin) / step.scale;
-        }
         for (const Column& column : columns_) {
-            const Steps& steps = steps_[column.steps];
-            values_[column.kind] = steps.reading.value(column.column, steps.s);
+            Steps& steps = steps_[column.steps];
+            if (steps.t != t)
+                steps.goTo(t);
+            values_[column.kind] = steps.value(column.column);
         }
         for (Other& other : others_)
             values_[other.kind] = valueOf(other, t);
@@ -87,32 +84,44 @@ public:
 
 private:
     struct Steps {
-        const solution::History* history;
-        std::size_t step; // that was read last
-        solution::History::Reading reading;
-        double s;
+        const solution::History* history = nullptr;
+        std::size_t step = 0;                                       // that was read last
+        double t = std::numeric_limits<double>::quiet_NaN(), s = 0; // then
+        solution::History::Reading reading = {};
+
+        void goTo(double time) {
+            t = time;
+            step = history->find(t, step);
+            reading = history->reading(step);
+            s = (t - reading.step().origin) / reading.step().scale;
+        }
+        [[nodiscard]] double value(std::size_t column) const { return reading.value(column, s); }
     };
     struct Column {
         std::size_t kind, steps, column;
     };
     struct Other {
         std::size_t kind;
-        const solution::History* history; // that was read last, and its step
-        std::size_t step;
+        Steps steps; // that were read last
     };
-    [[nodiscard]] double valueOf(Other& other, double t) const {
+    // Several may be in one history, and need only be looked up once.
+    [[nodiscard]] double valueOf(Other& other, double t) {
         const std::size_t unknown = body_.firstUnknown + kinds[other.kind];
         const auto [history, column] = histories_.place(unknown, t);
         if (history->empty()) // what was before goes on
             return histories_.value(unknown, t);
-        other.step =
-            history->find(t, std::exchange(other.history, history) == history ? other.step : 0);
-        return history->piece(other.step, column).value(t);
+        for (const Other& read : others_)
+            if (read.steps.history == history && read.steps.t == t)
+                return read.steps.value(column);
+        if (other.steps.history != history)
+            other.steps = {.history = history};
+        other.steps.goTo(t);
+        return other.steps.value(column);
     }
     std::size_t stepsOf(const solution::History* history) {
         const auto known = std::ranges::find(steps_, history, &Steps::history);
         if (known == steps_.end()) {
-            steps_.push_back({.history = history, .step = 0, .reading = {}, .s = 0});
+            steps_.push_back({.history = history});
             return steps_.size() - 1;
         }
         return static_cast<std::size_t>(known - steps_.begin());
@@ -135,16 +144,21 @@ void PlaceReader::addTimes(std::size_t unknown, double from, double until, Poll&
                            std::vector<double>& times) const {
     const solution::History* history = nullptr;
     std::size_t step = 0;
-    bool isEnd = true;
+    bool isEnd = true, stays = false; // in that history
     for (double t = from; t < until && !poll.isCancelled(); isEnd = !isEnd) {
-        const solution::History* const here = histories_.place(unknown, t).history;
-        if (!here)
-            return;
-        const bool isNext = here == history && step + 2 < here->size() &&
-                            here->origin(step + 1) <= t && t < here->origin(step + 2);
-        step = isNext ? step + 1 : here->find(t, here == history ? step : 0);
-        history = here;
-        double next = here->empty() ? solution::infinity : here->step(step).until;
+        const bool isNext = stays && step + 2 < history->size() && history->origin(step + 1) <= t &&
+                            t < history->origin(step + 2);
+        if (isNext) {
+            ++step;
+        } else {
+            const solution::History* const here = histories_.place(unknown, t).history;
+            if (!here)
+                return;
+            step = here->find(t, here == history ? step : 0);
+            history = here;
+            stays = histories_.staysInPlace(unknown, t);
+        }
+        double next = history->empty() ? solution::infinity : history->until(step);
         if (next > until) // or until it goes on in another component
             next = histories_.piece(unknown, t).until;
         if (!(next > t) || next > until)

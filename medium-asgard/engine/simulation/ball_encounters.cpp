@@ -198,6 +198,17 @@ CollisionSource::pushOf(const Present& first, const Present& second, const Vecto
     return push;
 }
 
+void CollisionSource::record(const Pair& pair, const FlightContact& contact, double impulse,
+                             double time) {
+    impacts_.add({.time = time,
+                  .first = pair.first,
+                  .second = pair.second,
+                  .point = contact.point,
+                  .normal = contact.normal,
+                  .impulse = impulse},
+                 time);
+}
+
 std::optional<CollisionSource::Handled>
 CollisionSource::meetInFlight(const Histories& histories, const Pair& pair, double time) {
     Present first = presentAt(pair.first, time), second = presentAt(pair.second, time);
@@ -212,13 +223,7 @@ CollisionSource::meetInFlight(const Histories& histories, const Pair& pair, doub
         return std::nullopt;
     const std::array<Vector, 2> velocities{first.velocity, second.velocity};
     const std::array<Vector, 2>& then = push->velocities;
-    impacts_.add({.time = time,
-                  .first = pair.first,
-                  .second = pair.second,
-                  .point = contact.point,
-                  .normal = contact.normal,
-                  .impulse = push->impulse},
-                 time);
+    record(pair, contact, push->impulse, time);
     if (turn(pair, time, velocities, then))
         return Handled{.event = {}, .isDone = true};
     // All axes of what could be turned restart, as they do in a turn: whether somebody reads a body
@@ -324,8 +329,8 @@ static solution::Turn turnOf(const Rally::Ball& ball, double time, const Vector&
 // As handle(), meetInFlight() and turn() do.
 CollisionSource::Rallied CollisionSource::meetInRally(const Rally::Meeting& met) {
     const double time = met.time;
-    Rally::Ball* const one = &rally_.balls[met.ball];
-    Rally::Ball* const two = met.isStanding ? nullptr : &rally_.balls[met.other];
+    const Rally::Ball* const one = &rally_.balls[met.ball];
+    const Rally::Ball* const two = met.isStanding ? nullptr : &rally_.balls[met.other];
     const Present ball = presentOf(one->body, one->flight, time);
     const Present other = two ? presentOf(two->body, two->flight, time)
                               : presentAt(rally_.standing[met.other].body, time);
@@ -342,28 +347,30 @@ CollisionSource::Rallied CollisionSource::meetInRally(const Rally::Meeting& met)
         return Rallied::isOver;
     if (isWithoutEnd(first.body, second.body, time) || isWithoutEnd(second.body, first.body, time))
         return Rallied::isEndless;
-    std::array<solution::Turn, 2> turns;
-    std::size_t count = 0;
-    turns[count++] = turnOf(*one, time, ball.velocity, push->velocities[isInOrder ? 0 : 1]);
-    if (two)
-        turns[count++] = turnOf(*two, time, other.velocity, push->velocities[isInOrder ? 1 : 0]);
-    if (!turns_->turn(time, std::span(turns).first(count)))
+    if (!turnInRally(met, {ball.velocity, other.velocity},
+                     {push->velocities[isInOrder ? 0 : 1], push->velocities[isInOrder ? 1 : 0]}))
         return Rallied::isRefused;
-    impacts_.add({.time = time,
-                  .first = first.body,
-                  .second = second.body,
-                  .point = contact.point,
-                  .normal = contact.normal,
-                  .impulse = push->impulse},
-                 time);
+    record({first.body, second.body}, contact, push->impulse, time);
     noteEvent(time);
     const bool parted = two ? one->flight.half == two->flight.half
                             : one->isStraight && rally_.standing[met.other].parts.size() == 1;
-    one->fly(turns[0], time);
-    if (two)
-        two->fly(turns[1], time);
     const bool forGood = parted && push->isClear && contact.gap > -deep * ball.ball.radius;
     return search_.turned(rally_, met, time, forGood) ? Rallied::goesOn : Rallied::isUnclear;
+}
+
+// Velocities: of the ball, and of the other. False: the solver does not do so on the spot.
+bool CollisionSource::turnInRally(const Rally::Meeting& met, const std::array<Vector, 2>& before,
+                                  const std::array<Vector, 2>& then) {
+    std::array<solution::Turn, 2> turns;
+    const std::array<std::size_t, 2> balls{met.ball, met.other};
+    const std::size_t count = met.isStanding ? 1 : 2;
+    for (std::size_t i = 0; i < count; ++i)
+        turns[i] = turnOf(rally_.balls[balls[i]], met.time, before[i], then[i]);
+    if (!turns_->turn(met.time, std::span(turns).first(count)))
+        return false;
+    for (std::size_t i = 0; i < count; ++i)
+        rally_.balls[balls[i]].fly(turns[i], met.time);
+    return true;
 }
 
 } // namespace simulation

@@ -98,6 +98,14 @@ private:
         bool isGivenWay = false;    // by someone
         bool isWithSeveral = false; // not all of them with the same body
         double last = -solution::infinity, markedAt = -solution::infinity;
+        void add(std::optional<std::size_t> other, bool otherGivesWay, double time) {
+            isGivenWay = isGivenWay || otherGivesWay;
+            isWithSeveral = isWithSeveral || (partner && other != partner);
+            partner = other;
+            atOnce = time == last ? atOnce + 1 : 1;
+            last = time;
+            ++count;
+        }
     };
 
     void read(const solution::Histories& histories);
@@ -160,6 +168,8 @@ private:
     // isOver: the search must answer this hit; isRefused: the solver does not turn on the spot.
     enum class Rallied { goesOn, isOver, isEndless, isRefused, isUnclear };
     [[nodiscard]] Rallied meetInRally(const Rally::Meeting& meeting);
+    [[nodiscard]] bool turnInRally(const Rally::Meeting& met, const std::array<Vector, 2>& before,
+                                   const std::array<Vector, 2>& then);
     // The same on a line, in line_encounters.cpp: hit after hit as long as they are plain.
     struct Course { // of a rally
         Rallied state = Rallied::goesOn;
@@ -169,8 +179,7 @@ private:
     };
     [[nodiscard]] bool lineUp();
     void rallyOnLine(double until, Course& course);
-    [[nodiscard]] Rallied meetOnLine(const LineRally::Meeting& met, LineRally::Contact& contact);
-    [[nodiscard]] bool turnOnLine(const LineRally::Meeting& met, LineRally::Contact& contact);
+    [[nodiscard]] std::size_t plainHits();
     void tellHits();
     [[nodiscard]] static Present presentOf(std::size_t body, const collision::BallFlight& flight,
                                            double time);
@@ -207,9 +216,8 @@ private:
     // As canGiveWay(), known at once of what flies.
     [[nodiscard]] bool givesWay(std::size_t body, double time) const;
     [[nodiscard]] bool isWithoutEnd(std::size_t body, std::size_t other, double time);
-    // The same of a body that gives way.
-    [[nodiscard]] bool meetsWithoutEnd(std::size_t body, std::size_t other, bool otherGivesWay,
-                                       double time);
+    // So many next meetings surely have an end.
+    [[nodiscard]] std::size_t plainMeetings(std::size_t body) const;
     [[nodiscard]] solution::Event endWithoutEnd(const solution::Histories& histories,
                                                 const Pair& pair, double time);
     [[nodiscard]] bool isRestless(std::size_t body, double time);
@@ -256,6 +264,8 @@ private:
     resolve(Cluster& cluster, const std::vector<physics::ImpactBody>& before) const;
     [[nodiscard]] physics::ImpactBody impactBody(const solution::Histories& histories,
                                                  std::size_t body, double time) const;
+    void record(const Pair& pair, const collision::FlightContact& contact, double impulse,
+                double time);
     void record(const Cluster& cluster, const physics::ImpactResult& result, double time,
                 double settling);
     void noteJam(const Cluster& cluster, const physics::ImpactResult& result, double time);
@@ -283,8 +293,6 @@ private:
     LineRally line_;
     std::shared_ptr<const ImpactLine> impactLine_; // by meeting on the line
     std::vector<solution::Turn> flights_;          // on the line
-    std::vector<solution::LineHit> hits_;          // there, not yet told
-    std::size_t promised_ = 0;                     // as many may wait to be told
     std::vector<std::size_t> cut_;                 // by the last event
     std::vector<Meetings> meetings_, changes_;     // of what bears
     Outcome outcome_;

@@ -187,22 +187,16 @@ Event CollisionSource::endWithoutEnd(const Histories& histories, const Pair& pai
                           "is not modelled"));
 }
 
+// With itself: its rest changes.
 bool CollisionSource::isWithoutEnd(std::size_t body, std::size_t other, double time) {
-    return givesWay(body, time) &&
-           meetsWithoutEnd(body, other, other != body && givesWay(other, time), time);
-}
-
-bool CollisionSource::meetsWithoutEnd(std::size_t body, std::size_t other, bool otherGivesWay,
-                                      double time) {
+    if (!givesWay(body, time))
+        return false;
     Meetings& met = meetings_[body];
-    met.isGivenWay = met.isGivenWay || otherGivesWay;
-    if (other != body) {
-        met.isWithSeveral = met.isWithSeveral || (met.partner && other != *met.partner);
-        met.partner = other;
-    }
-    met.atOnce = time == met.last ? met.atOnce + 1 : 1;
-    met.last = time;
-    if (++met.count % manyMeetings == 0) {
+    if (other == body)
+        met.add(met.partner, false, time);
+    else
+        met.add(other, givesWay(other, time), time);
+    if (met.count % manyMeetings == 0) {
         const double since = std::exchange(met.markedAt, time);
         const double least = std::exchange(met.isGivenWay, false) ? shorterWhile : shortWhile;
         if (time - since < least * (time - start_))
@@ -210,6 +204,12 @@ bool CollisionSource::meetsWithoutEnd(std::size_t body, std::size_t other, bool 
         met.isWithSeveral = false;
     }
     return met.atOnce > manyAtOnce;
+}
+
+std::size_t CollisionSource::plainMeetings(std::size_t body) const {
+    const Meetings& met = meetings_[body];
+    return std::min(manyMeetings - 1 - met.count % manyMeetings,
+                    manyAtOnce - std::min(met.atOnce, manyAtOnce));
 }
 
 bool CollisionSource::isRestless(std::size_t body, double time) {

@@ -80,18 +80,35 @@ void ImpactRecord::add(const Impact& impact, double found) {
     plain_.insert(plain_.begin() + place, {impact, found});
 }
 
-void ImpactRecord::add(const std::shared_ptr<const ImpactLine>& line, const LineImpact& impact) {
-    constexpr std::size_t most = 1024;
-    const std::size_t after = placeIn(plain_, impact.time);
+// With room for another one.
+Impacts::Block& ImpactRecord::blockFor(const std::shared_ptr<const ImpactLine>& line,
+                                       std::size_t after) {
     if (blocks_.empty() || isShared_ || blocks_.back().line != line ||
-        blocks_.back().after != after || blocks_.back().size == most) {
+        blocks_.back().after != after || blocks_.back().size == mostInBlock) {
         const bool isMore = !blocks_.empty() && blocks_.back().line == line;
         blocks_.push_back({line, std::make_shared<std::vector<LineImpact>>(), after});
-        blocks_.back().impacts->reserve(isMore ? most : 16);
+        blocks_.back().impacts->reserve(isMore ? mostInBlock : 16);
         isShared_ = false;
     }
-    blocks_.back().impacts->push_back(impact);
-    ++blocks_.back().size;
+    return blocks_.back();
+}
+
+void ImpactRecord::add(const std::shared_ptr<const ImpactLine>& line,
+                       std::span<const LineImpact> impacts) {
+    while (!impacts.empty()) {
+        const std::size_t after = placeIn(plain_, impacts[0].time);
+        Impacts::Block& block = blockFor(line, after);
+        std::size_t count = std::min(impacts.size(), mostInBlock - block.size);
+        if (after < plain_.size()) { // one that was found early
+            const auto next =
+                std::ranges::lower_bound(impacts, plain_[after].impact.time, {}, &LineImpact::time);
+            count = std::min(count, static_cast<std::size_t>(next - impacts.begin()));
+        }
+        const auto added = impacts.first(count);
+        block.impacts->insert(block.impacts->end(), added.begin(), added.end());
+        block.size += count;
+        impacts = impacts.subspan(count);
+    }
 }
 
 Impacts ImpactRecord::upTo(double until) const {

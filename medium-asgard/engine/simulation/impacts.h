@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -72,7 +73,8 @@ private:
 class ImpactRecord {
 public:
     void add(const Impact& impact, double found);
-    void add(const std::shared_ptr<const ImpactLine>& line, const LineImpact& impact);
+    // In order of time.
+    void add(const std::shared_ptr<const ImpactLine>& line, std::span<const LineImpact> impacts);
     // What was found until then.
     [[nodiscard]] Impacts upTo(double until) const;
     [[nodiscard]] bool haveMet(const std::pair<std::size_t, std::size_t>& pair, double since) const;
@@ -84,6 +86,10 @@ private:
         double found = 0;
     };
     std::vector<Recorded> plain_; // in order of their own times
+    [[nodiscard]] Impacts::Block& blockFor(const std::shared_ptr<const ImpactLine>& line,
+                                           std::size_t after);
+
+    static constexpr std::size_t mostInBlock = 1024;
     std::vector<Impacts::Block> blocks_;
     mutable bool isShared_ = false; // the last of them: it is not written any more
 };

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace simulation {
 namespace {
 
@@ -33,7 +35,7 @@ using Times = std::vector<double>;
 
 TEST(Impacts, OnALineAreWrittenOut) {
     ImpactRecord record;
-    record.add(line(), {.time = 2, .impulse = 5, .place = 4, .pair = 1});
+    record.add(line(), std::array{LineImpact{.time = 2, .impulse = 5, .place = 4, .pair = 1}});
     const Impacts impacts = record.upTo(10);
     ASSERT_EQ(impacts.size(), 1u);
     const Impact& impact = impacts.all()[0];
@@ -56,10 +58,12 @@ TEST(Impacts, AreInOrderOfTime) {
     const auto first = line();
     record.add(impactAt(1), 1);
     record.add(impactAt(4.5), 1);
+    std::vector<LineImpact> onLine;
     for (int i = 2; i < 7; ++i)
-        record.add(first, {.time = double(i), .impulse = 1, .place = 0, .pair = 0});
+        onLine.push_back({.time = double(i), .impulse = 1, .place = 0, .pair = 0});
+    record.add(first, onLine);
     record.add(impactAt(7), 7);
-    record.add(line(), {.time = 8, .impulse = 1, .place = 0, .pair = 0});
+    record.add(line(), std::array{LineImpact{.time = 8, .impulse = 1, .place = 0, .pair = 0}});
     record.add(impactAt(9), 9);
     const Impacts all = record.upTo(10), some = record.upTo(5);
     EXPECT_EQ(timesOf(all), (Times{1, 2, 3, 4, 4.5, 5, 6, 7, 8, 9}));
@@ -75,10 +79,12 @@ TEST(Impacts, StayAsTheyWereTaken) {
     ImpactRecord record;
     const auto one = line();
     for (int i = 0; i < 3000; ++i) {
-        record.add(one, {.time = double(i), .impulse = 1, .place = 0, .pair = 0});
+        record.add(one,
+                   std::array{LineImpact{.time = double(i), .impulse = 1, .place = 0, .pair = 0}});
         if (i % 700 == 0) {
             const Impacts taken = record.upTo(1e9), copy = taken;
-            record.add(one, {.time = i + 0.5, .impulse = 1, .place = 0, .pair = 1});
+            record.add(
+                one, std::array{LineImpact{.time = i + 0.5, .impulse = 1, .place = 0, .pair = 1}});
             ASSERT_EQ(copy.all().size(), taken.size());
             ASSERT_EQ(copy.all().back().time, i);
         }
@@ -89,7 +95,7 @@ TEST(Impacts, StayAsTheyWereTaken) {
 // At one instant the least body comes first, on a line or not.
 TEST(Impacts, ArePutInOrder) {
     ImpactRecord record;
-    record.add(line(), {.time = 1, .impulse = 1, .place = 0, .pair = 1});
+    record.add(line(), std::array{LineImpact{.time = 1, .impulse = 1, .place = 0, .pair = 1}});
     record.add(impactAt(1, 0), 1);
     Impacts impacts = record.upTo(2);
     EXPECT_FALSE(impacts.isStrictlyOrdered());

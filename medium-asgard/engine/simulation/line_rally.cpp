@@ -107,20 +107,30 @@ bool LineRally::lineUp(const Rally& rally, double room) {
             {.flight = {.radius = ball.flight.radius, .aside = across.cwiseAbs().maxCoeff()},
              .least = ball.cell.min()[a],
              .most = ball.cell.max()[a],
-             .meetings = ball.meetings});
+             .meetings = {}});
     }
     for (const Rally::Meeting& meeting : rally.meetings) {
-        meetings.push_back({.ball = meeting.ball,
-                            .other = meeting.other,
-                            .isStanding = meeting.isStanding,
-                            .plane = {}});
+        meetings.emplace_back();
         if (meeting.isStanding && !isAcrossLine(rally, meeting))
             return false;
         if (!meeting.isStanding)
             meetings.back().normal =
                 sideOf(rally.balls[meeting.ball].flight, rally.balls[meeting.other].flight, a);
     }
+    link(rally);
     return true;
+}
+
+// From then on neither list moves.
+void LineRally::link(const Rally& rally) {
+    for (std::size_t m = 0; m < meetings.size(); ++m) {
+        const Rally::Meeting& inSpace = rally.meetings[m];
+        meetings[m].ball = &balls[inSpace.ball];
+        meetings[m].other = inSpace.isStanding ? nullptr : &balls[inSpace.other];
+    }
+    for (std::size_t b = 0; b < balls.size(); ++b)
+        for (const std::size_t m : rally.balls[b].meetings)
+            balls[b].meetings.push_back(&meetings[m]);
 }
 
 void LineRally::take(const Rally& rally) {
@@ -160,101 +170,111 @@ void LineRally::giveBack(Rally& rally) const {
 
 // --- hits -----------------------------------------------------------------------------------
 
-const LineRally::Meeting* LineRally::next() const { return nextMeeting(balls, meetings, others_); }
-
-bool LineRally::areHome(double time) {
+inline bool LineRally::areHome(double at) {
     bool are = true;
-    for (std::size_t b = 0; b < balls.size(); ++b) {
-        const Ball& ball = balls[b];
-        const double place = ball.flight.at(time);
-        now_[b] = {.place = place,
-                   .speed = std::abs(ball.flight.velocity),
-                   .farthest = ball.flight.farthest(place)};
-        are = are && (!ball.hasTurned || (place >= ball.least && place <= ball.most));
+    for (Ball& ball : balls) {
+        ball.place = ball.flight.at(at);
+        ball.speed = std::abs(ball.flight.velocity);
+        ball.farthest = ball.flight.farthest(ball.place);
+        are = are && (!ball.hasTurned || (ball.place >= ball.least && ball.place <= ball.most));
     }
     return are;
 }
 
-inline double LineRally::toleranceOf(const Meeting& meeting, double time) const {
-    const Now& ball = now_[meeting.ball];
-    double far = ball.farthest, speed = ball.speed;
-    if (meeting.isStanding) {
-        far += meeting.farthest;
+inline double LineRally::toleranceOf(const Meeting& meeting, double at) {
+    double far = meeting.ball->farthest, speed = meeting.ball->speed;
+    if (meeting.other) {
+        far += meeting.other->farthest;
+        speed += meeting.other->speed;
     } else {
-        far += now_[meeting.other].farthest;
-        speed += now_[meeting.other].speed;
+        far += meeting.farthest;
     }
-    return meeting.touching + timeResolution * (far + std::abs(time) * speed);
+    return meeting.touching + timeResolution * (far + std::abs(at) * speed);
 }
 
 // Nothing but `met` touches it.
-bool LineRally::isAlone(std::size_t ball, const Meeting& met) const {
-    for (const std::size_t m : balls[ball].meetings) {
-        const Meeting& meeting = meetings[m];
-        if (&meeting == &met)
+inline bool LineRally::isAlone(const Ball& ball, const Meeting& met) {
+    for (const Meeting* meeting : ball.meetings) {
+        if (meeting == &met)
             continue;
-        const double tolerance = toleranceOf(meeting, met.time), place = now_[meeting.ball].place;
-        const double radius = balls[meeting.ball].flight.radius;
-        if (meeting.isStanding) {
-            if (!(meeting.plane.above(place) - radius > tolerance))
+        const double tolerance = toleranceOf(*meeting, met.time);
+        const Ball &first = *meeting->ball, *second = meeting->other;
+        if (!second) {
+            if (!(meeting->plane.above(first.place) - first.flight.radius > tolerance))
                 return false;
             continue;
         }
-        const double apart = place - now_[meeting.other].place,
-                     far = radius + balls[meeting.other].flight.radius + tolerance;
+        const double apart = first.place - second->place,
+                     far = first.flight.radius + second->flight.radius + tolerance;
         if (!(apart * apart > far * far))
             return false;
     }
     return true;
 }
 
-// As flightContact() and pushOf() of a CollisionSource.
-std::optional<LineRally::Contact> LineRally::contactOf(const Meeting& met) {
-    if (!areHome(met.time) || !isAlone(met.ball, met) ||
-        (!met.isStanding && !isAlone(met.other, met)))
-        return std::nullopt;
-    const LineFlight& ball = balls[met.ball].flight;
-    const double place = now_[met.ball].place;
-    Contact contact;
-    auto& [v, w] = contact.before;
-    v = ball.velocity;
-    if (met.isStanding) {
-        contact.gap = met.plane.above(place) - ball.radius;
-    } else {
-        const LineFlight& other = balls[met.other].flight;
-        const double p = place - now_[met.other].place;
+// As flightContact() and pushOf() of a CollisionSource. False: they do not push each other, or what
+// is not plain; or somebody left its cell.
+inline bool LineRally::isPlain(const Meeting& met, Contact& contact) {
+    const Ball &ball = *met.ball, *other = met.other;
+    if (!areHome(met.time) || !isAlone(ball, met) || (other && !isAlone(*other, met)))
+        return false;
+    const double v = ball.flight.velocity, w = other ? other->flight.velocity : 0;
+    if (other) {
+        const double p = ball.place - other->place;
         if ((p > 0 ? 1 : -1) != met.normal)
-            return std::nullopt;
-        contact.gap = std::abs(p) - (ball.radius + other.radius);
-        w = other.velocity;
+            return false;
+        contact.gap = std::abs(p) - (ball.flight.radius + other->flight.radius);
+    } else {
+        contact.gap = met.plane.above(ball.place) - ball.flight.radius;
     }
     const double speeds = std::abs(v) + std::abs(w), speed = met.normal * (v - w);
     if (std::abs(contact.gap) > toleranceOf(met, met.time) || met.restitution == 0 ||
         !(speed < -approachThreshold * speeds))
-        return std::nullopt;
-    const double one = met.inverseBall, other = met.inverseOther;
-    contact.impulse = physics::centralImpulse(speed, met.restitution, one + other);
-    contact.then = {v + (contact.impulse * one) * met.normal,
-                    w + (-contact.impulse * other) * met.normal};
+        return false;
+    contact.impulse =
+        physics::centralImpulse(speed, met.restitution, met.inverseBall + met.inverseOther);
+    contact.then = {v + (contact.impulse * met.inverseBall) * met.normal,
+                    w + (-contact.impulse * met.inverseOther) * met.normal};
     const bool isClear = met.restitution * -speed > 2 * approachThreshold * (speeds - 2 * speed);
-    contact.isForGood = isClear && contact.gap > -deep * ball.radius;
-    if (contact.then == contact.before || !collision::isPlain(contact.then[0]) ||
-        !collision::isPlain(contact.then[1]))
-        return std::nullopt;
-    return contact;
+    contact.isForGood = isClear && contact.gap > -deep * ball.flight.radius;
+    contact.jumps = {contact.then[0] != v, contact.then[1] != w};
+    return (contact.jumps[0] || contact.jumps[1]) && collision::isPlain(contact.then[0]) &&
+           collision::isPlain(contact.then[1]);
 }
 
-bool LineRally::predict(Meeting& meeting, double time) {
-    const Ball& ball = balls[meeting.ball];
+inline void LineRally::note(const Meeting& met, const Contact& contact) {
+    // From the ball to what stands, or from the other ball.
+    const Ball& from = met.other ? *met.other : *met.ball;
+    const double way = (from.flight.radius + contact.gap / 2) * met.normal;
+    impacts_.push_back({.time = met.time,
+                        .impulse = contact.impulse,
+                        .place = met.other ? from.place + way : from.place - way,
+                        .pair = static_cast<std::uint32_t>(&met - meetings.data())});
+    hits_.times.push_back(met.time);
+}
+
+inline void LineRally::turn(Ball& ball, double velocity) {
+    ball.flight.from = time;
+    ball.flight.place = ball.place;
+    ball.flight.velocity = velocity;
+    ball.until = time + EncounterSearch::firstSpan;
+    std::vector<solution::LineTurn>& turns =
+        hits_.ofFlight[static_cast<std::size_t>(&ball - balls.data())];
+    if (turns.empty() || turns.back().time < time)
+        turns.emplace_back();
+    turns.back() = {time, ball.place, velocity};
+}
+
+bool LineRally::predict(Meeting& meeting) {
+    const LineFlight& flight = meeting.ball->flight;
     meeting.time = infinity;
-    if (meeting.isStanding && staysBeyond(ball.flight, meeting, room_))
+    if (!meeting.other && staysBeyond(flight, meeting, room_))
         return true;
     const FlightMeeting met =
-        meeting.isStanding
-            ? collision::meetingOnLine(ball.flight, meeting.plane, ball.until)
-            : collision::meetingOnLine(ball.flight, balls[meeting.other].flight, time);
-    if (met.kind == FlightMeeting::Kind::none && !meeting.isStanding &&
-        partBeyond(ball.flight, balls[meeting.other].flight))
+        meeting.other ? collision::meetingOnLine(flight, meeting.other->flight, time)
+                      : collision::meetingOnLine(flight, meeting.plane, meeting.ball->until);
+    if (met.kind == FlightMeeting::Kind::none && meeting.other &&
+        partBeyond(flight, meeting.other->flight))
         return true;
     if (met.kind == FlightMeeting::Kind::hit)
         meeting.time = met.time;
@@ -263,33 +283,51 @@ bool LineRally::predict(Meeting& meeting, double time) {
     return met.kind != FlightMeeting::Kind::unclear;
 }
 
-bool LineRally::turned(const Meeting& met, const Contact& contact) {
-    const double time = met.time; // its own will be the next time
-    const std::array<std::size_t, 2> two{met.ball, met.other};
-    const std::size_t count = met.isStanding ? 1 : 2;
-    for (std::size_t i = 0; i < count; ++i) {
-        Ball& ball = balls[two[i]];
-        ball.flight.from = time;
-        ball.flight.place = now_[two[i]].place;
-        ball.flight.velocity = contact.then[i];
-        ball.hasTurned = true;
-        ball.until = time + EncounterSearch::firstSpan;
-    }
+// When both, or the one ball, meet whom next.
+inline bool LineRally::renew(Meeting& met, bool isForGood) {
     const std::size_t tests = tests_;
     bool tells = true;
-    for (std::size_t i = 0; i < count; ++i)
-        for (const std::size_t m : balls[two[i]].meetings) {
-            Meeting& meeting = meetings[m];
-            if (&meeting != &met)
-                tells = predict(meeting, time) && tells;
-            else if (i == 0 && contact.isForGood)
-                meeting.time = infinity;
-            else if (i == 0)
-                tells = predict(meeting, time) && tells;
-        }
+    if (isForGood)
+        met.time = infinity;
+    else
+        tells = predict(met);
+    for (const Ball* ball : {met.ball, met.other})
+        for (std::size_t i = 0; ball && i < ball->meetings.size(); ++i)
+            if (ball->meetings[i] != &met)
+                tells = predict(*ball->meetings[i]) && tells;
     if (!tells)
         tests_ = tests;
     return tells;
+}
+
+std::optional<LineRally::Unclear> LineRally::play(double until, std::size_t most,
+                                                  const solution::Turns& turns) {
+    for (std::size_t played = 0; played < most; ++played) {
+        Meeting* const met = nextMeeting(balls, meetings, others_);
+        Contact contact;
+        if (!met || met->time > until || met->time < time || !met->ball->hasTurned ||
+            (met->other && !met->other->hasTurned) || !isPlain(*met, contact))
+            break;
+        time = met->time; // its own will be the next time
+        note(*met, contact);
+        for (std::size_t i = 0; i < (met->other ? 2 : 1); ++i) {
+            Ball& ball = i == 0 ? *met->ball : *met->other;
+            const double then = contact.then[i];
+            turn(ball,
+                 contact.jumps[i] ? turns.given(then, ball.unknown, time, ball.farthest) : then);
+        }
+        if (!renew(*met, contact.isForGood))
+            return Unclear{static_cast<std::size_t>(met - meetings.data()), contact.isForGood};
+    }
+    return std::nullopt;
+}
+
+void LineRally::forgetHits() {
+    impacts_.clear();
+    hits_.times.clear();
+    hits_.ofFlight.resize(balls.size());
+    for (std::vector<solution::LineTurn>& turns : hits_.ofFlight)
+        turns.clear();
 }
 
 } // namespace simulation

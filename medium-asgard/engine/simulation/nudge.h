@@ -44,7 +44,7 @@ private:
                                            std::size_t axis) override {
         return turns_->promisedHits(flights, axis);
     }
-    void turn(std::span<const solution::LineHit> hits, std::span<const solution::Turn> flights,
+    void turn(const solution::LineHits& hits, std::span<const solution::Turn> flights,
               std::size_t axis) override {
         turns_->turn(hits, flights, axis);
     }

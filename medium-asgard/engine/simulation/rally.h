@@ -106,12 +106,12 @@ private:
 // The next of a rally's meetings, before anything happens to anybody else (`others`) or a ball is
 // no longer known; of equal times the least pair. Null: none.
 template <class Balls, class Meetings>
-[[nodiscard]] auto nextMeeting(const Balls& balls, const Meetings& meetings, double others) {
-    const typename Meetings::value_type* first = nullptr;
+[[nodiscard]] auto nextMeeting(const Balls& balls, Meetings& meetings, double others) {
+    decltype(meetings.data()) first = nullptr;
     double time = others;
     for (const auto& ball : balls)
         time = std::min(time, ball.until);
-    for (const auto& meeting : meetings)
+    for (auto& meeting : meetings)
         if (meeting.time < time) {
             time = meeting.time;
             first = &meeting;

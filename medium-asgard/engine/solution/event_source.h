@@ -69,12 +69,15 @@ struct Turn {
     std::array<double, 3> place, velocity;         // as the source has them; then as they became
 };
 
-// A hit of one or two flights that move along an axis only: nothing else of them changes than this.
-struct LineHit {
-    static constexpr std::uint32_t nobody = ~std::uint32_t{0};
-    double time = 0;
-    std::array<std::uint32_t, 2> flights{nobody, nobody}; // by their place in a list
-    std::array<double, 2> places{}, velocities{};         // as they became
+// Hits of one or two flights each that move along an axis only: nothing else of them changes.
+struct LineTurn { // of one flight: its coordinate and velocity as they became
+    double time = 0, place = 0, velocity = 0;
+};
+struct LineHits {
+    std::vector<double> times; // in order
+    // By their place in a list of flights; in order of time, the last one where several are at
+    // once.
+    std::vector<std::vector<LineTurn>> ofFlight;
 };
 
 class Turns {
@@ -89,8 +92,7 @@ public:
     // of time. Nothing may be read or asked before that.
     [[nodiscard]] virtual std::size_t promisedHits(std::span<const Turn> flights,
                                                    std::size_t axis) = 0;
-    virtual void turn(std::span<const LineHit> hits, std::span<const Turn> flights,
-                      std::size_t axis) = 0;
+    virtual void turn(const LineHits& hits, std::span<const Turn> flights, std::size_t axis) = 0;
     // What a velocity becomes that a promised hit changes, where the largest coordinate is
     // `farthest`; turn() does so by itself.
     [[nodiscard]] virtual double given(double velocity, std::size_t unknown, double time,

@@ -65,7 +65,7 @@ public:
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] bool empty() const { return size_ == 0; }
     [[nodiscard]] double from() const { return size_ ? origin(0) : infinity; }
-    [[nodiscard]] double until() const { return size_ ? step(size_ - 1).until : -infinity; }
+    [[nodiscard]] double until() const { return size_ ? until(size_ - 1) : -infinity; }
     [[nodiscard]] std::size_t bytes() const;
 
     struct Step {
@@ -83,6 +83,11 @@ public:
         const Chunk& chunk = *chunks_[index / stepsPerChunk];
         return isFlight() ? chunk.values[index % stepsPerChunk * flightRow()]
                           : chunk.steps[index % stepsPerChunk].origin;
+    }
+    [[nodiscard]] double until(std::size_t index) const {
+        if (isFlight())
+            return index + 1 < size_ ? origin(index + 1) : endOfLast_;
+        return chunks_[index / stepsPerChunk]->steps[index % stepsPerChunk].until;
     }
     // The numbers of all columns(), as they are kept.
     [[nodiscard]] std::span<const double> row(std::size_t index) const {
@@ -122,6 +127,13 @@ public:
     // Of a flight: a step begins at t and has no end; the one before it ends there. The caller
     // writes its numbers.
     [[nodiscard]] std::span<double> turn(double t);
+    // The same of several, the first at t, as many as lie side by side. The caller writes all of
+    // their rows, the time before the numbers of each, before anything else is asked.
+    struct Rows {
+        std::span<double> numbers;
+        std::size_t length; // of each
+    };
+    [[nodiscard]] Rows turns(double t, std::size_t most);
 
     // Columns of places and of their velocities, once for all steps. False: there are others.
     using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
@@ -196,8 +208,8 @@ private:
                                        std::size_t column) const;
 
     std::size_t columns_;
-    std::uint8_t ofEach_ = 0;     // of a flight: coefficients of each step; 0: it is none
-    double endOfLast_ = infinity; // of its last step
+    std::uint8_t ofEach_ = 0;            // of a flight: coefficients of each step; 0: it is none
+    double endOfLast_ = infinity;        // of its last step
     std::shared_ptr<const Order> order_; // none: there are no pairs
     std::size_t size_ = 0;
     std::vector<std::shared_ptr<Chunk>> chunks_;    // all but the last have stepsPerChunk steps
@@ -233,6 +245,11 @@ public:
     // The same place at all times.
     [[nodiscard]] bool isInOnePlace(std::size_t unknown) const {
         return tracks_[unknown].spans.size() == 1;
+    }
+
+    // The place that it has at t is the last one.
+    [[nodiscard]] bool staysInPlace(std::size_t unknown, double t) const {
+        return tracks_[unknown].spans.back().from <= t;
     }
 
     // Times, in order, at which the unknown was restarted by an event (value or derivative may

@@ -109,23 +109,26 @@ std::size_t EventPaces::atOnce(double time, std::span<const std::size_t> unknown
 
 void EventPaces::note(double time, std::span<const std::size_t> unknowns) {
     if (unknowns.empty())
-        return nobody_.noteAt(time);
+        return nobody_.note(time);
     beyond_ = std::min(beyond_, hopelessFrom(time, unknowns));
-    Island& island = islands_[unite(unknowns)];
-    island.noteAt(time);
-    const std::size_t n = island.events;
+    islands_[unite(unknowns)].note(time);
+}
+
+void EventPaces::Island::note(double time) {
+    atLast = eventsAt(time) + 1;
+    last = time;
+    const std::size_t n = ++events;
     if ((n & (n - 1)) == 0) {
-        island.quarter = island.half;
-        island.half = time;
+        quarter = half;
+        half = time;
     } else if (n % 3 == 0 && (n / 3 & (n / 3 - 1)) == 0) { // 3/4 of the next power of 2
-        island.third = time;
+        third = time;
     }
 }
 
-// note() marks powers of 2 and 3/4 of them.
+// hopelessFrom() looks at powers of 2.
 std::size_t EventPaces::Island::plainAhead() const {
-    const std::size_t power = std::bit_ceil(events + 1), before = power / 4 * 3;
-    return (before > events ? before : power) - events - 1;
+    return std::bit_ceil(std::max(events + 1, patience)) - events - 1;
 }
 
 EventPaces::Island* EventPaces::plainIsland(std::span<const std::size_t> unknowns) {

@@ -35,12 +35,8 @@ public:
         std::size_t atLast = 0;
 
         [[nodiscard]] std::size_t eventsAt(double time) const { return time == last ? atLast : 0; }
-        void noteAt(double time) {
-            atLast = eventsAt(time) + 1;
-            last = time;
-            ++events;
-        }
-        // So many next events are but one more each.
+        void note(double time);
+        // So many next events are but one more each: they make nothing hopeless.
         [[nodiscard]] std::size_t plainAhead() const;
     };
 

@@ -31,7 +31,7 @@ bool Solver::Implementation::turn(double time, std::span<Turn> turns) {
     lastEvent_ = asked_ = time;
     ++past_.events;
     if (plain)
-        plain->noteAt(time);
+        plain->note(time);
     else
         paces_.note(time, turning_);
     poll(time);
@@ -105,7 +105,7 @@ bool Solver::Implementation::turn(double time, Turn& turn) {
     return true;
 }
 
-// Those that the pace of their island has no mark before, even if all were at one instant.
+// Those before the pace of their island is looked at, even if all were at one instant.
 std::size_t Solver::Implementation::promisedHits(std::span<const Turn> flights, std::size_t axis) {
     turning_.clear();
     for (const Turn& turn : flights)
@@ -120,40 +120,44 @@ std::size_t Solver::Implementation::promisedHits(std::span<const Turn> flights, 
     return std::min(island->plainAhead(), options_.maximumEventsAtOnce - 1 - island->atLast);
 }
 
-// Rows of what flies on a line differ in one place and velocity.
-void Solver::Implementation::turn(std::span<const LineHit> hits, std::span<const Turn> flights,
+void Solver::Implementation::turn(const LineHits& hits, std::span<const Turn> flights,
                                   std::size_t axis) {
-    struct Line {
-        History* history = nullptr;
-        std::array<double, 6> row{};
-        std::size_t place = 0;
-    };
-    std::vector<Line> lines(flights.size());
-    for (std::size_t f = 0; f < flights.size(); ++f) {
-        const Flight* flight = flightOf(flights[f]);
-        if (!flight)
-            continue;
-        lines[f].history = flight->history.get();
-        const auto last = flight->history->row(flight->history->size() - 1);
-        std::ranges::copy(last, lines[f].row.begin());
-        const auto along = std::ranges::find(flight->axes, axis, &Flight::Axis::coordinate);
-        lines[f].place = 2 * static_cast<std::size_t>(along - flight->axes.begin());
-    }
-    EventPaces::Island& island = paces_.island(flights[hits[0].flights[0]].places[0]);
-    for (const LineHit& hit : hits) {
-        island.noteAt(hit.time);
-        for (std::size_t i = 0; i < 2 && hit.flights[i] != LineHit::nobody; ++i) {
-            Line& line = lines[hit.flights[i]];
-            const std::span<double> row = line.history->turn(hit.time);
-            if (row.size() > 2)
-                std::copy_n(line.row.begin(), row.size(), row.begin());
-            row[line.place] = hit.places[i];
-            row[line.place + 1] = hit.velocities[i];
+    const Turn* turned = nullptr;
+    for (std::size_t f = 0; f < flights.size(); ++f)
+        if (!hits.ofFlight[f].empty()) {
+            turned = &flights[f];
+            turn(*flightOf(*turned), axis, hits.ofFlight[f]);
         }
-    }
-    past_.events += hits.size();
-    lastEvent_ = asked_ = hits.back().time;
+    EventPaces::Island& island = paces_.island(turned->places[0]);
+    for (const double time : hits.times)
+        island.note(time);
+    past_.events += hits.times.size();
+    lastEvent_ = asked_ = hits.times.back();
     poll(lastEvent_);
+}
+
+// Its rows differ in one place and velocity.
+void Solver::Implementation::turn(const Flight& flight, std::size_t axis,
+                                  std::span<const LineTurn> turns) {
+    History& history = *flight.history;
+    const auto along = std::ranges::find(flight.axes, axis, &Flight::Axis::coordinate);
+    const auto place = 1 + 2 * static_cast<std::size_t>(along - flight.axes.begin());
+    std::array<double, 6> others{};
+    std::ranges::copy(history.row(history.size() - 1), others.begin());
+    while (!turns.empty()) {
+        const History::Rows rows = history.turns(turns[0].time, turns.size());
+        const std::size_t count = rows.numbers.size() / rows.length;
+        double* row = rows.numbers.data();
+        for (const LineTurn& turn : turns.first(count)) {
+            if (flight.axes.size() > 1)
+                std::copy_n(others.begin(), rows.length - 1, row + 1);
+            row[0] = turn.time;
+            row[place] = turn.place;
+            row[place + 1] = turn.velocity;
+            row += rows.length;
+        }
+        turns = turns.subspan(count);
+    }
 }
 
 // None: it does not fly.

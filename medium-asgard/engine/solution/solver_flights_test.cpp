@@ -111,18 +111,16 @@ public:
         EXPECT_TRUE(turns_->turn(at(0), {&turn, 1}));
         double place = turn.place[0];
         for (done_ = 1; done_ < count_;) {
-            std::vector<LineHit> hits;
+            LineHits hits{.times = {}, .ofFlight = {{}}};
             const std::size_t promised = turns_->promisedHits({&flight, 1}, 0);
-            while (hits.size() < promised && done_ < count_) {
+            while (hits.times.size() < promised && done_ < count_) {
                 place += (at(done_) - at(done_ - 1)) * velocity(done_ - 1);
-                hits.push_back({.time = at(done_),
-                                .flights = {0, LineHit::nobody},
-                                .places = {place},
-                                .velocities = {velocity(done_)}});
+                hits.times.push_back(at(done_));
+                hits.ofFlight[0].push_back({at(done_), place, velocity(done_)});
                 ++done_;
             }
-            most = std::max(most, hits.size());
-            if (!hits.empty())
+            most = std::max(most, hits.times.size());
+            if (promised > 0)
                 turns_->turn(hits, {&flight, 1}, 0);
             if (promised == 0) {
                 turn.velocity = {velocity(done_), 0, 0};
