@@ -79,9 +79,7 @@ public:
             return {};
         return {code_, in_.data(), scratch_.data(), readsInputs_ ? this : nullptr};
     }
-    void putInputs(double t) override {
-        inputs_.values(t, std::span(in_).subspan(1 + size()));
-    }
+    void putInputs(double t) override { inputs_.values(t, std::span(in_).subspan(1 + size())); }
     [[nodiscard]] const Pattern& jacobianPattern() override;
     [[nodiscard]] bool jacobian(double t, std::span<const double> y,
                                 std::span<double> entries) override;
