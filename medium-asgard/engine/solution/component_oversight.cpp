@@ -93,11 +93,12 @@ bool Component::towers(double t, double h) {
 // and large beside it: the first such time at the middle or at ever smaller distances from it.
 std::optional<double> Component::besideCentre(double middle, double until,
                                               const std::function<bool(double)>& holds) const {
-    constexpr double nearer = 0.25, least = 1e-13;
+    constexpr double nearer = 0.25;
+    constexpr int distances = 22; // down to a 1e-13th of the widest
     if (middle < until && holds(middle))
         return middle;
-    const double widest = std::max(middle - time_, until - middle);
-    for (double away = widest; away > least * widest; away *= nearer)
+    double away = std::max(middle - time_, until - middle);
+    for (int i = 0; i < distances; ++i, away *= nearer)
         for (const double t : {middle - away, middle + away})
             if (t > time_ && t < until && t != middle && holds(t))
                 return t;

@@ -181,7 +181,8 @@ template <std::size_t Size> struct Dense {
             const Value slope = at<Value>(slopes + stage * Size + n);
             ((sums[Power] += weights[Power] * slope), ...);
         }
-        for (std::size_t i = 0; i < sizeof(Value) / sizeof(double); ++i)
+        constexpr std::size_t entry = sizeof(double);
+        for (std::size_t i = 0; i < sizeof(Value) / entry; ++i)
             ((columns[n + i][Power + 1] = h * entryOf(sums[Power], i)), ...);
     }
 };

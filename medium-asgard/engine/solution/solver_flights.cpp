@@ -122,13 +122,13 @@ std::size_t Solver::Implementation::promisedHits(std::span<const Turn> flights, 
 
 void Solver::Implementation::turn(const LineHits& hits, std::span<const Turn> flights,
                                   std::size_t axis) {
-    const Turn* turned = nullptr;
+    std::size_t turned = 0; // one of those that are
     for (std::size_t f = 0; f < flights.size(); ++f)
         if (!hits.ofFlight[f].empty()) {
-            turned = &flights[f];
-            turn(*flightOf(*turned), axis, hits.ofFlight[f]);
+            turned = f;
+            turn(*flightOf(flights[f]), axis, hits.ofFlight[f]);
         }
-    EventPaces::Island& island = paces_.island(turned->places[0]);
+    EventPaces::Island& island = paces_.island(flights[turned].places[0]);
     for (const double time : hits.times)
         island.note(time);
     past_.events += hits.times.size();
