@@ -3,6 +3,7 @@
 #     USES    modules of ours that it may include and link
 #     LINKS   libraries of others
 #     TESTS   GoogleTest sources; they may also use TEST_USES
+#     SHARDS  so many tests of ctest run its tests in turn: NAME.1, NAME.2, ..., for a program that takes long
 #     PCH     core: the standard library's and Eigen's heavy headers; qt: QtCore's too; widgets: Qt's widgets too
 #     QT)     the sources have Q_OBJECT in them
 #
@@ -44,7 +45,7 @@ function(asgard_precompile target kind)
 endfunction()
 
 function(asgard_module name)
-    cmake_parse_arguments(PARSE_ARGV 1 M "QT" "PCH" "FILES;USES;LINKS;TESTS;TEST_USES;TEST_LINKS")
+    cmake_parse_arguments(PARSE_ARGV 1 M "QT" "PCH;SHARDS" "FILES;USES;LINKS;TESTS;TEST_USES;TEST_LINKS")
     get_filename_component(parent ${CMAKE_CURRENT_SOURCE_DIR} DIRECTORY)
 
     if(M_FILES)
@@ -76,8 +77,18 @@ function(asgard_module name)
             asgard_precompile(${name}_test test)
         endif()
         target_compile_definitions(${name}_test PRIVATE SOURCE_DIR="${CMAKE_SOURCE_DIR}" BINARY_DIR="${CMAKE_BINARY_DIR}")
-        add_test(NAME ${name} COMMAND ${name}_test)
-        set_tests_properties(${name} PROPERTIES LABELS unit TIMEOUT 900
-            ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LC_NUMERIC=C")
+        if(NOT M_SHARDS)
+            set(M_SHARDS 1)
+        endif()
+        foreach(shard RANGE 1 ${M_SHARDS})
+            set(test ${name})
+            if(M_SHARDS GREATER 1)
+                string(APPEND test .${shard})
+            endif()
+            math(EXPR index "${shard} - 1")
+            add_test(NAME ${test} COMMAND ${name}_test)
+            set_tests_properties(${test} PROPERTIES LABELS unit TIMEOUT 900
+                ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LC_NUMERIC=C;GTEST_TOTAL_SHARDS=${M_SHARDS};GTEST_SHARD_INDEX=${index}")
+        endforeach()
     endif()
 endfunction()
