@@ -196,7 +196,8 @@ void Tightening::share(const std::vector<std::size_t>& island) {
 }
 
 void Tightening::doubt(std::size_t body) {
-    if (bodies_[body].isSettled && bodies_[body].proof == Proof::none)
+    const bool canBeTighter = tightening * tight_[body] > roundingUnits * epsilon;
+    if (canBeTighter && bodies_[body].isSettled && bodies_[body].proof == Proof::none)
         bodies_[body].proof = Proof::tighter;
 }
 

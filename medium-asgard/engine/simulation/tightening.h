@@ -53,11 +53,12 @@ public:
     // By body: its errors follow no tolerance. Then they are measured: of a motion of so few steps
     // by a run that is tighter still; of one that leapt to the tolerance of rounding, where two
     // runs may agree by chance, by one that is a little looser.
-    void doubt(std::size_t body); // settled, and worth a tighter run for another reason
-    [[nodiscard]] std::vector<double>
-    sizes() const; // of islands, by body: errors are scaled by them
     [[nodiscard]] std::vector<bool> unproven() const;
     [[nodiscard]] std::vector<double> proof() const;
+    // A settled body is worth a tighter run for another reason, where there is one.
+    void doubt(std::size_t body);
+    // By body, of its island: what errors are scaled by.
+    [[nodiscard]] std::vector<double> sizes() const;
     // Takes the differences between the runs at tight() and proof(), and writes these errors. Where
     // they are larger than the accuracy the search goes on, or the horizon is written.
     void prove(const std::vector<IslandError>& differences, std::vector<BodyError>& errors);

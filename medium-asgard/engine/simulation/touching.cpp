@@ -355,24 +355,14 @@ GapConstraint onPlane(Kind kind, const Vector& bodyPoint, const Vector& supportP
     return c;
 }
 
-// Of a face's outline, on the side of `normal`.
-Vector normalOf(const std::vector<Vector>& outline, const Vector& normal) {
-    Vector widest = Vector::Zero();
-    for (std::size_t i = 2; i < outline.size(); ++i) {
-        const Vector across = (outline[1] - outline[0]).cross(outline[i] - outline[0]);
-        if (across.norm() > widest.norm())
-            widest = across;
-    }
-    return (widest.dot(normal) < 0 ? Vector(-widest) : widest).normalized();
-}
-
 // With a face flat on a plane that does not turn, the centre's distance from it stays, and so do
 // the directions that lie in it. They are those of the face itself, which may yet be tilted by what
 // counts as touching.
 std::vector<GapConstraint> flat(const Touch& touch, const Placed& body, const Placed& support) {
     GapConstraint distance = onPlane(Kind::onSupportPlane, body.state.position,
                                      touch.supportFace[0], touch, body, support);
-    const Vector normal = normalOf(touch.bodyFace, touch.normal);
+    const Vector normal =
+        -faceNormal(posed(body, touch.bodyPart, body.state.position), -touch.normal);
     distance.radius = normal.dot(body.state.position - touch.bodyFace[0]);
     std::vector<GapConstraint> constraints{distance};
     const Vector across = turnedInto(body, normal).unitOrthogonal();

@@ -199,6 +199,7 @@ private:
     [[nodiscard]] std::optional<Violation> violation(double from, double to, double scale,
                                                      std::span<const Coefficients> columns);
     void pass(const Violation& violation, bool immediate);
+    void passWhereItIs(const Violation& violation);
     // Passes in a row, without time going on, that may go to and fro.
     [[nodiscard]] std::size_t patience() const { return equations_->watches() + 1; }
     [[nodiscard]] ComponentEquations::Passing passing(const Violation& violation, bool immediate);

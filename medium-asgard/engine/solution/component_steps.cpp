@@ -312,9 +312,7 @@ void Component::finish(double to) {
     if (!land(until))
         return;
     if (found) {
-        pass(*found, false);
-        if (!stop_ && time_ >= limit_)
-            arrive();
+        passWhereItIs(*found);
         return;
     }
     if (!method_->proceed(y_)) {

@@ -69,6 +69,13 @@ void Component::pass(const Violation& violation, bool immediate) {
     settle();
 }
 
+// At time_, which may be the limit too.
+void Component::passWhereItIs(const Violation& violation) {
+    pass(violation, false);
+    if (!stop_ && time_ >= limit_)
+        arrive();
+}
+
 // On other branches from here on.
 void Component::settle() {
     if (stop_)
@@ -220,9 +227,7 @@ bool Component::stepAcross(double h) {
     y_ = y;
     if (!land(to))
         return true;
-    pass(violation, false);
-    if (!stop_ && time_ >= limit_)
-        arrive();
+    passWhereItIs(violation);
     return true;
 }
 
@@ -240,9 +245,7 @@ bool Component::passByRounding() {
             violation.watches.push_back(k);
     if (violation.watches.empty())
         return false;
-    pass(violation, false);
-    if (!stop_ && time_ >= limit_)
-        arrive();
+    passWhereItIs(violation);
     return true;
 }
 
