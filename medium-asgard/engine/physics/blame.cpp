@@ -97,7 +97,7 @@ std::vector<Blame> Suspects::notFinite(const Instant& now,
 
 std::optional<Blame> Suspects::growing(const Instant& before, const Instant& now,
                                        std::span<const std::size_t> onBodies) const {
-    constexpr double much = 1000;
+    constexpr double much = 1000, enormous = 1e100; // what no motion may reach
     std::optional<Blame> largest;
     for (const std::size_t i : on(onBodies)) {
         const Contribution& c = equations_.contributions[i];
@@ -106,7 +106,7 @@ std::optional<Blame> Suspects::growing(const Instant& before, const Instant& now
         const NodeVector& nodes = isWritten ? *c.written : c.force;
         const auto was = valueOf(nodes, before), is = valueOf(nodes, now);
         for (std::size_t axis = 0; axis < is.size(); ++axis)
-            if (std::abs(is[axis]) > much * std::abs(was[axis]) &&
+            if (std::abs(is[axis]) > std::min(much * std::abs(was[axis]), enormous) &&
                 (!largest || std::abs(is[axis]) > std::abs(largest->value)))
                 largest = Blame{i, axis, isWritten, is[axis]};
     }

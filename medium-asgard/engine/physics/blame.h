@@ -40,7 +40,7 @@ public:
     // Those with a value that is not finite.
     [[nodiscard]] std::vector<Blame> notFinite(const Instant& now,
                                                std::span<const std::size_t> onBodies) const;
-    // The one that is largest now, if it is a thousand times what it was before.
+    // The one that is largest now, if it is a thousand times what it was before or over 1e100.
     [[nodiscard]] std::optional<Blame> growing(const Instant& before, const Instant& now,
                                                std::span<const std::size_t> onBodies) const;
 

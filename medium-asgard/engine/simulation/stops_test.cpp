@@ -50,6 +50,14 @@ TEST(Stops, AMotionThatBlowsUpSaysSoOnce) {
     EXPECT_FALSE(result.motion->predictableUntil());
 }
 
+// With no step made there is nothing that it has grown from.
+TEST(Stops, AForceThatIsEnormousFromTheStartIsNamed) {
+    const auto stop = simulate(pushed("1e300*exp(30*t)")).motion->stop(0);
+    ASSERT_TRUE(stop);
+    EXPECT_THAT(stop->sentence, HasSubstr("since the force on body \"b\" grows without bound: its "
+                                          "x, \"1e300*exp(30*t)\", is 1e+300"));
+}
+
 TEST(Stops, WhatIsNotANumberIsNamedWithItsExpression) {
     const auto stop = simulate(pushed("sqrt(1-t)")).motion->stop(0);
     ASSERT_TRUE(stop);
