@@ -596,5 +596,21 @@ TEST(Groove, EdgesThatAreAllButParallelTellNoGap) {
                     1e-7});
 }
 
+// Hit at an edge, of which one end then sinks in and is hit again: what bears elsewhere takes part
+// in that, too. It was left with a speed into the wall, and the motion stopped.
+TEST(Groove, ABlowAtOneEndOfAnEdgeReachesWhatBears) {
+    expectNearFine({{1.0222519272009052,
+                     0.5474576252131546,
+                     0.6642947768090759,
+                     -0.5340639753785033,
+                     0.15916484906733358,
+                     1.214408855037982,
+                     {0.9433039418244658, 0.8905516450183386},
+                     {0.1657481605847309, -0.2527261352429656},
+                     1.1974943046648225},
+                    {1e-5},
+                    1e-6});
+}
+
 } // namespace
 } // namespace simulation::testing

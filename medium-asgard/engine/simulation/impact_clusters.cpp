@@ -31,30 +31,39 @@ bool sinksIn(const ImpactContact& corner, const std::vector<ImpactBody>& bodies)
     return closing.rate < -1e-9 * closing.speeds;
 }
 
-// With the corners of plastic contacts instead of their centres. The impulses are told by contact,
-// each where those of its corners have the same effect.
-physics::ImpactResult resolveByCorners(std::vector<ImpactContact>& contacts,
-                                       const std::vector<ImpactContact>& corners,
-                                       const std::vector<std::size_t>& contactOf,
-                                       const std::vector<ImpactBody>& before) {
-    std::vector<ImpactContact> all;
+// Contacts, of some the corners instead of the centres, and whose each is.
+struct Corners {
+    std::vector<ImpactContact> contacts;
     std::vector<std::size_t> of;
+};
+
+Corners cornersOf(const std::vector<ImpactContact>& contacts,
+                  const std::vector<ImpactContact>& corners,
+                  const std::vector<std::size_t>& contactOf, bool arePlasticOnly) {
+    Corners all;
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-        for (std::size_t i = 0; i < corners.size() && contacts[c].restitution == 0; ++i)
+        const bool isMeant = !arePlasticOnly || contacts[c].restitution == 0;
+        for (std::size_t i = 0; i < corners.size() && isMeant; ++i)
             if (contactOf[i] == c) {
-                all.push_back(corners[i]);
-                all.back().restitution = 0;
+                all.contacts.push_back(corners[i]);
+                all.contacts.back().restitution = contacts[c].restitution;
             }
-        if (all.size() == of.size())
-            all.push_back(contacts[c]);
-        of.resize(all.size(), c);
+        if (all.contacts.size() == all.of.size())
+            all.contacts.push_back(contacts[c]);
+        all.of.resize(all.contacts.size(), c);
     }
-    physics::ImpactResult result = physics::resolveImpact(before, all);
+    return all;
+}
+
+// The impulses are told by contact, each where those of its corners have the same effect.
+physics::ImpactResult resolveByCorners(std::vector<ImpactContact>& contacts, const Corners& corners,
+                                       const std::vector<ImpactBody>& before) {
+    physics::ImpactResult result = physics::resolveImpact(before, corners.contacts);
     std::vector<double> sums(contacts.size(), 0);
     std::vector<Vector> moments(contacts.size(), Vector::Zero());
     for (const physics::ImpulseGiven& given : result.impulses) {
-        sums[of[given.contact]] += given.impulse;
-        moments[of[given.contact]] += given.impulse * all[given.contact].point;
+        sums[corners.of[given.contact]] += given.impulse;
+        moments[corners.of[given.contact]] += given.impulse * corners.contacts[given.contact].point;
     }
     result.impulses.clear();
     for (std::size_t c = 0; c < contacts.size(); ++c)
@@ -63,6 +72,18 @@ physics::ImpactResult resolveByCorners(std::vector<ImpactContact>& contacts,
             result.impulses.push_back({c, sums[c]});
         }
     return result;
+}
+
+// After the impulses at the centres; what else is touched takes part here, too. Corners are then
+// contacts of their own.
+void addByCorners(std::vector<ImpactContact>& contacts, const Corners& corners,
+                  physics::ImpactResult& result) {
+    physics::ImpactResult then = physics::resolveImpact(result.bodies, corners.contacts);
+    result.bodies = std::move(then.bodies);
+    result.jammed = result.jammed || then.jammed;
+    for (const physics::ImpulseGiven& given : then.impulses)
+        result.impulses.push_back({contacts.size() + given.contact, given.impulse});
+    contacts.insert(contacts.end(), corners.contacts.begin(), corners.contacts.end());
 }
 
 double ballRadius(const MovingBody& body) {
@@ -384,9 +405,13 @@ physics::ImpactResult CollisionSource::resolve(Cluster& cluster,
             isPlastic = isPlastic || cluster.contacts[cluster.contactOf[i]].restitution == 0;
         }
     if (isPlastic)
-        return resolveByCorners(cluster.contacts, cluster.corners, cluster.contactOf, before);
+        return resolveByCorners(
+            cluster.contacts, cornersOf(cluster.contacts, cluster.corners, cluster.contactOf, true),
+            before);
     if (isSunk)
-        result.bodies = physics::resolveImpact(result.bodies, cluster.corners).bodies;
+        addByCorners(cluster.contacts,
+                     cornersOf(cluster.contacts, cluster.corners, cluster.contactOf, false),
+                     result);
     return result;
 }
 

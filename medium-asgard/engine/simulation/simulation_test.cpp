@@ -95,6 +95,34 @@ TEST(Simulation, ABallBouncesWithItsRestitution) {
                 1e-12);
 }
 
+// Hit at the middle of an edge, whose faster end then sinks in and is hit on its own: all that
+// changed the momentum is told.
+TEST(Simulation, ImpulsesAtAnEdgeAndAtItsEndsAreAllTold) {
+    SceneBuilder b(0.1);
+    b.floor(8);
+    scene::Body& box = b.box("box", {0, std::sqrt(0.5), 0}, {1, 1, 1});
+    box.initialAttitude = geometry::fromRotationVector({0, 0, std::numbers::pi / 4});
+    box.initialVelocity = {0, -1, 0};
+    box.initialAngularVelocity = {1, 0, 0};
+    box.restitution = 0.3;
+    const Result result = simulate(b.scene);
+    const auto impacts = result.motion->impacts();
+    ASSERT_GE(impacts.size(), 2u);
+    double impulses = 0;
+    Vector moment = Vector::Zero(); // about where its centre was
+    for (std::size_t i = 0; i < impacts.size(); ++i) {
+        EXPECT_LT(impacts[i].time, 1e-9);
+        impulses += impacts[i].impulse;
+        moment +=
+            impacts[i].impulse * (impacts[i].point - box.initialPosition).cross(Vector(0, 1, 0));
+    }
+    const BodyState after = result.motion->at(1, 0.05);
+    EXPECT_NEAR(impulses, after.velocity.y() + 1, 1e-12);
+    const double inertia = 1.0 / 6;
+    EXPECT_LT(distance(box.initialAngularVelocity + moment / inertia, after.angularVelocity),
+              1e-12);
+}
+
 // --- islands ----------------------------------------------------------------------------------
 
 void addSwinging(SceneBuilder& b, const std::string& name, double x) {
