@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace collision {
@@ -91,8 +92,9 @@ private:
                 isRoundPassing = pair_.first.part->isSphere() || pair_.second.part->isSphere();
             }
         if (contact.closingSpeed > least) {
-            // Having touched without approaching and sunk in, they were pressed together.
-            if (pressed_)
+            // Having touched without approaching and sunk in, they were pressed together; unless
+            // they approach faster than that could make them: then something else has come down.
+            if (pressed_ && contact.closingSpeed <= least + 2 * gainedSince(pressed_->first))
                 hit(pressed_->second, pressed_->first, true);
             else
                 hit(contact, t_, false);
@@ -114,6 +116,23 @@ private:
             moveBy(away);
         else
             moveBy(std::max(away, nextContact(axis, allowed(-now.gap), false)));
+    }
+
+    // How much faster two points of the parts may approach each other than at `then`, at the most.
+    [[nodiscard]] double gainedSince(double then) const {
+        const Velocity a = velocityAt(pair_.first.piece, t_),
+                       b = velocityAt(pair_.second.piece, t_);
+        const Velocity before = velocityAt(pair_.first.piece, then);
+        const Velocity beforeOther = velocityAt(pair_.second.piece, then);
+        double gained = (a.linear - b.linear - before.linear + beforeOther.linear).norm();
+        const double speed = pair_.relativeSpeed(t_);
+        for (const auto& [part, now, was] :
+             {std::tuple(&pair_.first, &a, &before), std::tuple(&pair_.second, &b, &beforeOther)}) {
+            const double spin = std::max(now->angular.norm(), was->angular.norm());
+            gained += (now->angular - was->angular).norm() * part->reach +
+                      spin * (t_ - then) * (spin * part->reach + speed);
+        }
+        return gained;
     }
 
     void stepTowards(const Separation& now) {
