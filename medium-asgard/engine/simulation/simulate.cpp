@@ -5,6 +5,7 @@
 #include "simulation/close_impacts.h"
 #include "simulation/cpu_seconds.h"
 #include "simulation/impact_order.h"
+#include "simulation/restarts.h"
 #include "simulation/solved.h"
 #include "simulation/tightening.h"
 
@@ -223,19 +224,22 @@ bool tighten(const Problem& problem, const Observer& silent, Tightening& search,
     return !solved.result.cancelled;
 }
 
-// What the errors may have put in another order is looked at once more.
-void doubtCloseImpacts(const Problem& problem, const Run& run, Tightening& search,
-                       const Solved& solved) {
+// What the errors may have put in another order is looked at once more, and so is what restarts too
+// often for them to follow tolerances.
+void doubtImpacts(const Problem& problem, const Run& run, Tightening& search,
+                  const Solved& solved) {
     const auto close = hasCloseImpacts(problem, run, solved.errors, search.sizes());
+    const auto often = restartsOften(problem, run, solved.errors);
     for (std::size_t b = 0; b < close.size(); ++b)
-        if (close[b] && run.isIntegrated[b] && solved.errors[b].estimate <= problem.accuracy())
+        if ((close[b] || often[b]) && run.isIntegrated[b] &&
+            solved.errors[b].estimate <= problem.accuracy())
             search.doubt(b);
 }
 
 // What is open is measured by one run more. True: the search goes on.
 bool prove(const Problem& problem, const Run& run, const Observer& silent, Tightening& search,
            KeptRuns& runs, Solved& solved) {
-    doubtCloseImpacts(problem, run, search, solved);
+    doubtImpacts(problem, run, search, solved);
     const std::vector<bool> unproven = search.unproven();
     if (std::ranges::find(unproven, true) == unproven.end())
         return false;
