@@ -87,6 +87,8 @@ private:
     void key();
     [[nodiscard]] std::string letterOf(const std::string& failure);
     [[nodiscard]] double band() const { return lane * static_cast<double>(lanes_.size()); }
+    // Below the lanes, so that their markers keep clear of the numbers of the axis.
+    [[nodiscard]] double axisTop() const { return top + band() + (lanes_.empty() ? 0 : lane); }
 
     const WorkPrecision& chart_;
     Canvas canvas_;
@@ -120,7 +122,7 @@ void Drawing::choosePlaces() {
             lanes_.push_back(i);
     }
     x_ = axisOver(most > 0 ? least : 1e-3, most > 0 ? most : 1, left, right);
-    y_ = axisOver(large > 0 ? small : 1e-6, large > 0 ? large : 1, bottom, top + band());
+    y_ = axisOver(large > 0 ? small : 1e-6, large > 0 ? large : 1, bottom, axisTop());
 }
 
 void Drawing::grid() {
@@ -151,7 +153,8 @@ void Drawing::grid() {
         cairo_rectangle(canvas_.cairo(), left, top, right - left, band());
         cairo_fill(canvas_.cairo());
         canvas_.ink(quiet);
-        canvas_.text(left + 6, top - 5, "no result, or an error larger than the scene", 9.5,
+        canvas_.text(left + 6, top - 5,
+                     "no result, or an error larger than the scene: a row for each method", 9.5,
                      Canvas::Anchor::start);
     }
 }
