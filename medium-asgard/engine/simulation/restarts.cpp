@@ -1,12 +1,13 @@
 #include "simulation/restarts.h"
 
+#include "simulation/tightening.h"
+
 #include <algorithm>
 #include <set>
 
 namespace simulation {
 namespace {
 
-constexpr std::size_t few = 24;       // steps between two restarts
 constexpr double leastDoubted = 0.02; // of the accuracy
 
 } // namespace
@@ -31,7 +32,8 @@ std::vector<bool> restartsOften(const Problem& problem, const Run& run,
     }
     std::vector<bool> islands(bodies), often(bodies);
     for (std::size_t b = 0; b < bodies; ++b)
-        if (run.isIntegrated[b] && restarts[b] > 0 && steps[b] <= few * (restarts[b] + 1) &&
+        if (run.isIntegrated[b] && restarts[b] > 0 &&
+            steps[b] <= Tightening::fewSteps * (restarts[b] + 1) &&
             errors[b].estimate > leastDoubted * problem.accuracy())
             islands[run.island[b]] = true;
     for (std::size_t b = 0; b < bodies; ++b)

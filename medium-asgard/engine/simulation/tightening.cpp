@@ -14,7 +14,6 @@ constexpr double loosest = 1e-3;           // and at most this
 constexpr double tightening = 1.0 / 8;     // between the first two runs
 constexpr double enough = 0.625;           // of the accuracy: the estimate that is accepted
 constexpr double aim = 0.15;               // and what is aimed at when it is not
-constexpr std::size_t fewSteps = 24;       // whose errors follow no tolerance
 constexpr double proofCaution = 1.25;      // what a run at an eighth of the tolerance errs by
 constexpr double loosening = 4;            // of a run that proves one at the tolerance of rounding
 constexpr double roundingCaution = 1.5;    // what the tighter of the two errs by

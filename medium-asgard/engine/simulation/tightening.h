@@ -26,6 +26,7 @@ namespace simulation {
 
 class Tightening {
 public:
+    static constexpr std::size_t fewSteps = 24; // whose errors follow no tolerance
     Tightening(double accuracy, std::size_t bodies);
     [[nodiscard]] static double firstTolerance(double accuracy); // of the first run
 
