@@ -3,8 +3,11 @@
 #     USES    modules of ours that it may include and link
 #     LINKS   libraries of others
 #     TESTS   GoogleTest sources; they may also use TEST_USES
+#     PLACED  those of TESTS that know where the project lies (SOURCE_DIR, a string): they alone are compiled anew
+#             in another clone, where the rest comes from the compiler's cache
 #     SHARDS  so many tests of ctest run its tests in turn: NAME.1, NAME.2, ..., for a program that takes long
-#     PCH     core: the standard library's and Eigen's heavy headers; qt: QtCore's too; widgets: Qt's widgets too
+#     PCH     core: the standard library's and Eigen's heavy headers; qt: QtCore's too; widgets: Qt's widgets too,
+#             for the tests as well
 #     QT)     the sources have Q_OBJECT in them
 #
 # Declares a folder as a module: a static library of that name, linked with what it USES and nothing
@@ -37,6 +40,9 @@ function(asgard_precompile target kind)
             elseif(kind STREQUAL test)
                 target_link_libraries(pch_test PRIVATE GTest::gtest GTest::gmock)
                 list(APPEND headers <gtest/gtest.h> <gmock/gmock.h>)
+            elseif(kind STREQUAL widgets_test)
+                target_link_libraries(pch_widgets_test PRIVATE Qt6::Widgets GTest::gtest GTest::gmock)
+                list(APPEND headers <QtCore/QtCore> <QtGui/QtGui> <QtWidgets/QtWidgets> <gtest/gtest.h> <gmock/gmock.h>)
             endif()
             target_precompile_headers(pch_${kind} PRIVATE ${headers})
         endif()
@@ -45,7 +51,7 @@ function(asgard_precompile target kind)
 endfunction()
 
 function(asgard_module name)
-    cmake_parse_arguments(PARSE_ARGV 1 M "QT" "PCH;SHARDS" "FILES;USES;LINKS;TESTS;TEST_USES;TEST_LINKS")
+    cmake_parse_arguments(PARSE_ARGV 1 M "QT" "PCH;SHARDS" "FILES;USES;LINKS;TESTS;PLACED;TEST_USES;TEST_LINKS")
     get_filename_component(parent ${CMAKE_CURRENT_SOURCE_DIR} DIRECTORY)
 
     if(M_FILES)
@@ -73,10 +79,15 @@ function(asgard_module name)
         target_link_libraries(${name}_test PRIVATE ${name} ${M_TEST_USES} ${M_TEST_LINKS} GTest::gtest GTest::gmock GTest::gtest_main)
         if(M_QT)
             set_target_properties(${name}_test PROPERTIES AUTOMOC ON)
-        else()
+        endif()
+        if(M_PCH STREQUAL "widgets")
+            asgard_precompile(${name}_test widgets_test)
+        elseif(NOT M_QT) # Qt's code is made with other options
             asgard_precompile(${name}_test test)
         endif()
-        target_compile_definitions(${name}_test PRIVATE SOURCE_DIR="${CMAKE_SOURCE_DIR}" BINARY_DIR="${CMAKE_BINARY_DIR}")
+        if(M_PLACED)
+            set_source_files_properties(${M_PLACED} PROPERTIES COMPILE_DEFINITIONS SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+        endif()
         if(NOT M_SHARDS)
             set(M_SHARDS 1)
         endif()
