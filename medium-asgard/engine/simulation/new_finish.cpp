@@ -17,9 +17,9 @@ std::shared_ptr<const scene::Version> endingAt(double finish, const scene::Versi
 
 class Continuation {
 public:
-    Continuation(const KnownMotion& known, double finish, const Observer& observer,
-                 const AddWork& add)
-        : known_(known), finish_(finish), observer_(observer), add_(add),
+    Continuation(const KnownMotion& known, double finish, const std::vector<bool>& isChanging,
+                 const Observer& observer, const AddWork& add)
+        : known_(known), finish_(finish), isChanging_(isChanging), observer_(observer), add_(add),
           isUnclear_(known.version->scene->bodies.size()) {
         made_.motion.version = endingAt(finish, *known.version);
         made_.motion.isEstimated = known.isEstimated;
@@ -30,7 +30,10 @@ public:
 
 private:
     [[nodiscard]] const scene::Scene& scene() const { return *known_.version->scene; }
+    [[nodiscard]] bool isLonger() const { return finish_ > scene().simulator.finish; }
+    [[nodiscard]] bool isChanging(const PlacedPart& placed) const;
     [[nodiscard]] bool takePart(const PlacedPart& placed);
+    void leavePart(const PlacedPart& placed);
     void addUnits(const PartPointer& part, const Solved& solved,
                   const std::vector<std::size_t>& bodies);
     void markMeetings();
@@ -46,6 +49,7 @@ private:
 
     const KnownMotion& known_;
     double finish_;
+    const std::vector<bool>& isChanging_;
     const Observer& observer_;
     const AddWork& add_;
     std::vector<bool> isUnclear_;
@@ -62,24 +66,46 @@ MotionPointer Continuation::beside(const PlacedPart& placed, const MotionPointer
     return composeDraft(others, dynamic_cast<const ComputedMotion&>(*draft), placed.bodies);
 }
 
+bool Continuation::isChanging(const PlacedPart& placed) const {
+    return std::ranges::any_of(
+        placed.bodies, [this](std::size_t body) { return body != noElement && isChanging_[body]; });
+}
+
+// All of it is to be solved again.
+void Continuation::leavePart(const PlacedPart& placed) {
+    made_.motion.parts.push_back(placed);
+    for (const std::size_t body : placed.bodies)
+        mark(body);
+}
+
 // False: it was cancelled.
 bool Continuation::takePart(const PlacedPart& placed) {
+    constexpr std::size_t soon = 1000; // questions whether to go on
     KnownMotion& motion = made_.motion;
     if (!placed.part->reserve) {
-        motion.parts.push_back(placed);
-        for (const std::size_t body : placed.bodies)
-            mark(body);
+        leavePart(placed);
         return true;
     }
     Reserve& reserve = *placed.part->reserve;
     reserve.problem->scene.simulator.finish = finish_;
-    Observer drafts{.cancelled = observer_.cancelled, .progress = {}};
+    const bool isPerhapsInVain = isLonger() && isChanging(placed);
+    std::size_t asked = 0;
+    bool takesLong = false;
+    Observer drafts;
+    drafts.cancelled = [&] {
+        takesLong = isPerhapsInVain && ++asked > soon;
+        return takesLong || (observer_.cancelled && observer_.cancelled());
+    };
     if (observer_.progress)
         drafts.progress = [&](const MotionPointer& draft) {
             observer_.progress(beside(placed, draft));
         };
     const Solved solved = solve(*reserve.problem, drafts, reserve.runs);
     add_(solved.result.statistics, made_.work);
+    if (solved.result.cancelled && takesLong) {
+        leavePart(placed);
+        return true;
+    }
     if (solved.result.cancelled) {
         made_.cancelled = true;
         made_.draft = beside(placed, solved.result.motion);
@@ -160,8 +186,7 @@ NewFinish Continuation::made() {
     for (const PlacedPart& placed : known_.parts)
         if (!takePart(placed))
             return std::move(made_);
-    const bool isLonger = finish_ > known_.version->scene->simulator.finish;
-    if (isLonger && scene().simulator.collisions && made_.motion.parts.size() > 1)
+    if (isLonger() && scene().simulator.collisions && made_.motion.parts.size() > 1)
         markMeetings();
     made_.motion.index();
     for (std::size_t b = 0; b < isUnclear_.size(); ++b)
@@ -172,9 +197,9 @@ NewFinish Continuation::made() {
 
 } // namespace
 
-NewFinish atFinish(const KnownMotion& known, double finish, const Observer& observer,
-                   const AddWork& add) {
-    return Continuation(known, finish, observer, add).made();
+NewFinish atFinish(const KnownMotion& known, double finish, const std::vector<bool>& isChanging,
+                   const Observer& observer, const AddWork& add) {
+    return Continuation(known, finish, isChanging, observer, add).made();
 }
 
 } // namespace simulation

@@ -59,6 +59,31 @@ TEST(NewFinish, ComesWithOtherEdits) {
     EXPECT_EQ(kept.work().print(), "solved:; kept: 5; rounds: 0");
 }
 
+// What was there would bounce from wall to wall 200,000 times in the time that is added, if it were
+// not edited too.
+TEST(NewFinish, OfWhatIsEditedTooIsNotTakenFurtherForLong) {
+    SceneBuilder b(1e-3);
+    b.room();
+    b.ball("first", {0.3, 0.01, 0}).initialVelocity = {2e5, 0, 0};
+    b.ball("second", {-0.3, 0, 0}).initialVelocity = {-1e5, 0, 0};
+    b.weight("first");
+    Resimulation kept;
+    (void)kept.update(shared(b.scene));
+    b.scene.simulator.finish = 1;
+    b.scene.bodies[6].initialVelocity = b.scene.bodies[7].initialVelocity = {0, 0, 0};
+    std::size_t polls = 0;
+    const Result result = kept.update(shared(b.scene), {},
+                                      {.cancelled =
+                                           [&polls] {
+                                               ++polls;
+                                               return false;
+                                           },
+                                       .progress = {}});
+    EXPECT_LT(polls, 5000u);
+    EXPECT_FALSE(kept.work().whole);
+    EXPECT_EQ(rows(*result.motion, 6), rows(*simulate(b.scene).motion, 6));
+}
+
 TEST(NewFinish, BouncesGoOn) {
     SceneBuilder b(1);
     b.floor();

@@ -152,6 +152,15 @@ PartPointer partOf(const std::shared_ptr<Reserve>& reserve, const Solved& solved
     return part;
 }
 
+// By body before: it moves otherwise now, or is not there.
+std::vector<bool> changingBodies(const scene::Version& before, const scene::Version& now) {
+    const scene::Difference difference = scene::differenceBetween(before, now);
+    std::vector<bool> changing;
+    for (const std::size_t after : difference.after)
+        changing.push_back(after == noElement || difference.changed[after]);
+    return changing;
+}
+
 } // namespace
 
 struct Resimulation::Implementation {
@@ -185,7 +194,8 @@ Result Resimulation::Implementation::update(const VersionPointer& version, const
     if (finish == known->version->scene->simulator.finish) {
         result = solveParts(*known, {}, {}, version, options, observer);
     } else {
-        NewFinish there = atFinish(*known, finish, observer, add);
+        NewFinish there =
+            atFinish(*known, finish, changingBodies(*known->version, *version), observer, add);
         if (there.cancelled)
             return cancelledAt(there.draft, there.work);
         result = solveParts(there.motion, there.unclear, there.work, version, options, observer);

@@ -3,7 +3,6 @@
 #include "simulation/tightening.h"
 
 #include <algorithm>
-#include <set>
 
 namespace simulation {
 namespace {
@@ -17,19 +16,13 @@ std::vector<bool> restartsOften(const Problem& problem, const Run& run,
     const std::size_t bodies = errors.size();
     const std::vector<std::size_t> owners = ownersOf(problem);
     std::vector<std::size_t> restarts(bodies), steps(bodies);
-    run.impacts.forEachPair([&](std::size_t first, std::size_t second, std::size_t times) {
-        restarts[first] += times;
-        restarts[second] += times;
-    });
-    for (const solution::ComponentStatistics& c : run.statistics.componentList) {
-        std::set<std::size_t> own;
-        for (const std::size_t unknown : c.unknowns)
-            own.insert(owners[unknown]);
-        for (const std::size_t body : own) {
-            restarts[body] += c.switches;
-            steps[body] = std::max(steps[body], c.integratedSteps);
+    for (std::size_t unknown = 0; unknown < owners.size(); ++unknown)
+        if (const std::size_t body = owners[unknown]; run.isIntegrated[body]) {
+            const auto before = std::ranges::count_if(
+                run.histories->restarts(unknown), [&](double t) { return t < problem.finish(); });
+            restarts[body] = std::max(restarts[body], static_cast<std::size_t>(before));
+            steps[body] = std::max(steps[body], run.histories->steps(unknown, problem.finish()));
         }
-    }
     std::vector<bool> islands(bodies), often(bodies);
     for (std::size_t b = 0; b < bodies; ++b)
         if (run.isIntegrated[b] && restarts[b] > 0 &&

@@ -4,8 +4,7 @@
 // first is a guess and the last is cut, and a run at an eighth of the tolerance may take all but
 // the same ones. Then two runs err alike, phase after phase, and agree where both are off.
 //
-// LIMIT: steps and switches are those of the components that there are at the end, impacts are all:
-// of a body that came to rest, or to slide, only what it did since counts in steps and switches.
+// Told from the motion up to the finish alone, so that it is the same however the run came about.
 #pragma once
 
 #include "simulation/solved.h"

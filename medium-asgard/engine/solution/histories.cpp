@@ -286,6 +286,18 @@ std::vector<double> Histories::restarts(std::size_t unknown) const {
     return times;
 }
 
+std::size_t Histories::steps(std::size_t unknown, double t) const {
+    std::size_t count = 0;
+    const std::vector<Span>& spans = tracks_[unknown].spans;
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+        const double end = i + 1 < spans.size() ? std::min(spans[i + 1].from, t) : t;
+        const History& history = *spans[i].history;
+        for (std::size_t k = 0; k < history.size() && history.step(k).origin < end; ++k)
+            count += history.step(k).origin >= spans[i].from ? 1 : 0;
+    }
+    return count;
+}
+
 std::shared_ptr<const Histories> Histories::upTo(double t) const {
     auto copy = std::make_shared<Histories>(*this);
     copy->known_ = std::min(known_, t);

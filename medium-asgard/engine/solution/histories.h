@@ -255,6 +255,8 @@ public:
     // Times, in order, at which the unknown was restarted by an event (value or derivative may
     // jump).
     [[nodiscard]] std::vector<double> restarts(std::size_t unknown) const;
+    // Those that begin before t, of all components that it was in.
+    [[nodiscard]] std::size_t steps(std::size_t unknown, double t) const;
     [[nodiscard]] std::size_t bytes() const;
 
     // What is known up to t, as it was before anything after t was solved. Of a snapshot.
