@@ -6,6 +6,64 @@
 
 namespace solution {
 
+namespace {
+
+// What values change by when the time changes by its last places: what their formulas lose to
+// rounding, however small they are themselves. `valuesAt` puts them into `values`.
+template <typename ValuesAt>
+std::vector<double> roughness(std::span<const double> times, const ValuesAt& valuesAt,
+                              const std::vector<double>& values) {
+    constexpr int places = 4;
+    std::vector<double> found(values.size()), here;
+    for (const double time : times) {
+        if (!valuesAt(time))
+            continue;
+        here.assign(values.begin(), values.end());
+        double beside = time;
+        for (int i = 0; i < places; ++i) {
+            beside = std::nextafter(beside, infinity);
+            if (!valuesAt(beside))
+                break;
+            for (std::size_t k = 0; k < found.size(); ++k)
+                found[k] = std::max(found[k], std::abs(values[k] - here[k]));
+        }
+    }
+    return found;
+}
+
+struct Stretch {
+    double origin, length;
+};
+
+// Do the curves, of (t - origin)/length, follow the values at these times but for what is allowed,
+// or for what is rough about the values themselves?
+template <typename ValuesAt>
+bool follow(std::span<const Coefficients> curves, std::span<const double> allowed,
+            std::span<const double> times, Stretch stretch, const ValuesAt& valuesAt,
+            const std::vector<double>& values) {
+    constexpr double interpolated = 4;        // what interpolation makes of roughness
+    std::vector<double> wrong(curves.size()); // by more than is allowed
+    for (const double t : times) {
+        if (!valuesAt(t))
+            return false;
+        for (std::size_t k = 0; k < curves.size(); ++k) {
+            const double s = (t - stretch.origin) / stretch.length;
+            const double difference = std::abs(evaluate(curves[k], s) - values[k]);
+            if (!(difference <= allowed[k]))
+                wrong[k] = std::max(wrong[k], difference);
+        }
+    }
+    if (std::ranges::count(wrong, 0.0) == std::ssize(wrong))
+        return true;
+    const std::vector<double> rough = roughness(times, valuesAt, values);
+    for (std::size_t k = 0; k < curves.size(); ++k)
+        if (!(wrong[k] <= interpolated * rough[k]))
+            return false;
+    return true;
+}
+
+} // namespace
+
 void Component::append(std::span<const Coefficients> states, double scale, double until) {
     history_->dropAnchor();
     appendPart(states, time_, scale, until, 0);
@@ -62,25 +120,17 @@ bool Component::fitHeld(std::span<const Coefficients> states, double origin, dou
         for (std::size_t k = 0; k < held.size(); ++k)
             samples[k][p] = out[k];
     }
-    for (std::size_t k = 0; k < held.size(); ++k)
+    std::vector<double> allowed;
+    for (std::size_t k = 0; k < held.size(); ++k) {
         held[k] = interpolate(samples[k]);
-    std::vector<double> checks = {0.13, 0.31, 0.6, 0.93};
-    for (const double t : centresIn(states, origin, scale, until))
-        checks.push_back((t - origin) / length);
-    for (const double s : checks) {
-        if (!valuesAt(origin + s * length))
-            return false;
-        for (std::size_t k = 0; k < held.size(); ++k) {
-            const auto [low, high] = std::minmax_element(samples[k].begin(), samples[k].end());
-            const double size = std::max(std::abs(*low), std::abs(*high));
-            const double spanned = *high - *low;
-            const double allowed =
-                std::max({part * tolerance_ * spanned, late * spanned, 1e-13 * size});
-            if (!(std::abs(evaluate(held[k], s) - out[k]) <= allowed))
-                return false;
-        }
+        const auto [low, high] = std::ranges::minmax(samples[k]);
+        const double size = std::max(std::abs(low), std::abs(high)), spanned = high - low;
+        allowed.push_back(std::max({part * tolerance_ * spanned, late * spanned, 1e-13 * size}));
     }
-    return true;
+    std::vector<double> checks = centresIn(states, origin, scale, until);
+    for (const double s : {0.13, 0.31, 0.6, 0.93})
+        checks.push_back(origin + s * length);
+    return follow(held, allowed, checks, {origin, length}, valuesAt, out);
 }
 
 // Which columns are places whose velocities are here too, and which are neither.
