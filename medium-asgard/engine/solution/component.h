@@ -182,6 +182,9 @@ private:
     [[nodiscard]] bool hasCentres() const;
     [[nodiscard]] std::vector<double> centresIn(std::span<const Coefficients> states, double origin,
                                                 double scale, double until);
+    [[nodiscard]] std::vector<double> centresOf(const ComponentModel::PeakFunctions& peaks,
+                                                std::span<const Coefficients> states, double origin,
+                                                double scale, double until);
     [[nodiscard]] bool towers(double t, double h);
     [[nodiscard]] std::optional<double>
     besideCentre(double middle, double until, const std::function<bool(double)>& holds) const;

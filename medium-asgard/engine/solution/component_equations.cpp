@@ -106,14 +106,15 @@ bool ComponentEquations::heldValues(double t, std::span<const double> y, std::sp
     return std::all_of(out.begin(), out.end(), [](double x) { return std::isfinite(x); });
 }
 
-void ComponentEquations::peakCauses(double t, std::span<const double> y,
-                                    std::span<const double> rates, std::span<double> out) {
+void ComponentEquations::peakCauses(const ComponentModel::PeakFunctions& peaks, double t,
+                                    std::span<const double> y, std::span<const double> rates,
+                                    std::span<double> out) {
     fill(t, y);
     inMoving_.assign(in_.begin(), in_.end());
     inMoving_.insert(inMoving_.end(), rates.begin(), rates.end());
     inMoving_.resize(inMoving_.size() + model_.inputs());
     inputs_.rates(t, std::span(inMoving_).last(model_.inputs()));
-    model_.peaks().causes.evaluate(inMoving_, out, scratch_);
+    peaks.causes.evaluate(inMoving_, out, scratch_);
 }
 
 void ComponentEquations::peakHeights(double t, std::span<const double> y, std::span<double> out) {

@@ -110,8 +110,8 @@ public:
     [[nodiscard]] bool readsStates() const { return model_.readsStates(); }
 
     // The model's peaks (oversight.h): causes and their rates where states have these, and heights.
-    void peakCauses(double t, std::span<const double> y, std::span<const double> rates,
-                    std::span<double> out);
+    void peakCauses(const ComponentModel::PeakFunctions& peaks, double t, std::span<const double> y,
+                    std::span<const double> rates, std::span<double> out);
     void peakHeights(double t, std::span<const double> y, std::span<double> out);
 
     // Branches. decide() is from the values alone, with what the fields say on a surface itself.

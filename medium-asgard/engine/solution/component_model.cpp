@@ -103,8 +103,13 @@ void ComponentModel::findStructure() {
     canPeak_ =
         solution::canPeak(graph_, outputs_, std::span(symbols_).subspan(variables()), attitudes());
     if (canPeak_)
-        findPeaks();
+        peaks_ = peaksAmong(outputs_);
     surfaces_ = surfacesOf(graph_, outputs_);
+    if (canPeak_ && !surfaces_.empty()) {
+        std::vector<Node> guards;
+        std::ranges::transform(surfaces_, std::back_inserter(guards), &Surface::guard);
+        guardPeaks_ = peaksAmong(guards);
+    }
     switches_ = switchesOf(graph_, outputs_);
     gradients_.resize(surfaces_.size());
     for (std::size_t s = 0; s < surfaces_.size(); ++s)
@@ -112,7 +117,8 @@ void ComponentModel::findStructure() {
             ownGuards_.emplace_back(s, *state);
 }
 
-void ComponentModel::findPeaks() {
+ComponentModel::PeakFunctions ComponentModel::peaksAmong(std::span<const Node> nodes) const {
+    PeakFunctions found;
     Graph graph = graph_;
     std::vector<Node> symbols = symbols_;
     std::vector<Moving> moving = {{symbols_[0], graph.constant(1)}};
@@ -121,17 +127,18 @@ void ComponentModel::findPeaks() {
         symbols.push_back(moving.back().rate);
     }
     const Peaks peaks =
-        peaksOf(graph, outputs_, std::span(symbols_).subspan(variables()), attitudes(), moving);
+        peaksOf(graph, nodes, std::span(symbols_).subspan(variables()), attitudes(), moving);
     std::vector<Node> causes, rates;
     for (const Peaks::Cause& cause : peaks.causes) {
         causes.push_back(cause.value);
         rates.push_back(cause.rate);
-        peaks_.ratios.push_back(cause.ratio);
+        found.ratios.push_back(cause.ratio);
     }
     causes.insert(causes.end(), rates.begin(), rates.end());
-    peaks_.causes = expression::Function(expression::Tape(graph, symbols, causes));
-    peaks_.heights = expression::Function(expression::Tape(graph, symbols_, peaks.heights));
-    peaks_.arePolynomials = peaks.arePolynomials;
+    found.causes = expression::Function(expression::Tape(graph, symbols, causes));
+    found.heights = expression::Function(expression::Tape(graph, symbols_, peaks.heights));
+    found.arePolynomials = peaks.arePolynomials;
+    return found;
 }
 
 std::vector<Node> ComponentModel::attitudes() const {

@@ -60,6 +60,8 @@ public:
         bool arePolynomials = true;
     };
     [[nodiscard]] const PeakFunctions& peaks() const { return peaks_; }
+    // Those of the guards alone: what switches for a moment.
+    [[nodiscard]] const PeakFunctions& guardPeaks() const { return guardPeaks_; }
 
     // Pairs of states (x, v) with x' = v, and the states that are positions or attitudes.
     [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& integrals() const {
@@ -119,7 +121,7 @@ public:
 private:
     void readKey();
     void findStructure();
-    void findPeaks();
+    [[nodiscard]] PeakFunctions peaksAmong(std::span<const expression::Node> nodes) const;
     [[nodiscard]] std::vector<expression::Node> attitudes() const;
     [[nodiscard]] std::unique_ptr<Jacobian> derivedJacobian() const;
     [[nodiscard]] Gradient gradientOf(expression::Node node) const;
@@ -142,7 +144,7 @@ private:
     std::vector<expression::Node> switches_;
     std::vector<Surface> surfaces_;
     Directions directions_;
-    PeakFunctions peaks_;
+    PeakFunctions peaks_, guardPeaks_;
 
     mutable std::mutex deriving_;
     mutable std::unique_ptr<const Jacobian> jacobian_;

@@ -54,9 +54,13 @@ bool Component::hasCentres() const {
 // Times in (origin, until) at which there may be the middle of a peak, however narrow.
 std::vector<double> Component::centresIn(std::span<const Coefficients> states, double origin,
                                          double scale, double until) {
-    if (!hasCentres())
-        return {};
-    const ComponentModel::PeakFunctions& peaks = equations_->model().peaks();
+    return hasCentres() ? centresOf(equations_->model().peaks(), states, origin, scale, until)
+                        : std::vector<double>();
+}
+
+std::vector<double> Component::centresOf(const ComponentModel::PeakFunctions& peaks,
+                                         std::span<const Coefficients> states, double origin,
+                                         double scale, double until) {
     std::vector<double> y(states.size()), rates(states.size());
     const auto valuesAt = [&](double t, std::span<double> values) {
         const double s = (t - origin) / scale;
@@ -64,7 +68,7 @@ std::vector<double> Component::centresIn(std::span<const Coefficients> states, d
             y[i] = evaluate(states[i], s);
             rates[i] = evaluateDerivative(states[i], s) / scale;
         }
-        equations_->peakCauses(t, y, rates, values);
+        equations_->peakCauses(peaks, t, y, rates, values);
     };
     return centresPassed(peaks.ratios, peaks.arePolynomials, valuesAt, origin, until);
 }

@@ -29,13 +29,25 @@ std::optional<Violation> Component::violation(double from, double to, double sca
                                               std::span<const Coefficients> columns) {
     if (equations_->watches() == 0)
         return std::nullopt;
+    const double origin = from;
     std::vector<double> y(columns.size());
     const auto watch = [&](double t, std::span<double> values) {
         for (std::size_t i = 0; i < y.size(); ++i)
-            y[i] = evaluate(columns[i], (t - from) / scale);
+            y[i] = evaluate(columns[i], (t - origin) / scale);
         equations_->watch(t, y, values);
     };
-    return firstViolation(equations_->watches(), watch, from, to);
+    // What switches for a moment only is looked at in its middle.
+    const ComponentModel::PeakFunctions& peaks = equations_->model().guardPeaks();
+    std::vector<double> ends;
+    if (!peaks.ratios.empty())
+        ends = centresOf(peaks, columns, from, scale, to);
+    ends.push_back(to);
+    for (const double end : ends) {
+        if (auto found = firstViolation(equations_->watches(), watch, from, end))
+            return found;
+        from = end;
+    }
+    return std::nullopt;
 }
 
 void Component::pass(const Violation& violation, bool immediate) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace solution {
 
@@ -67,16 +68,26 @@ namespace {
 using Evaluate = std::function<void(double, std::span<double>)>;
 using Samples = std::array<double, maximumCoefficients>;
 
-constexpr double checkPoints[] = {0.31, 0.73};
+// Between the points of interpolation, where it is worst.
+constexpr double checkPoints[] = {0.09, 0.405, 0.595, 0.91};
 constexpr int deepest = 24;
-constexpr int mostPieces = 500;
+constexpr int mostPieces = 500, mostSearches = 100;
 
 class Search {
 public:
     Search(std::size_t watches, const Evaluate& evaluate, double from)
         : evaluate_(evaluate), values_(watches), samples_(watches), from_(from) {}
 
+    // Where the search ended for lack of pieces; what is later was not looked at.
+    [[nodiscard]] std::optional<double> unsearchedFrom() const { return unsearched_; }
+
     std::optional<Violation> in(double a, double b, int depth) {
+        if (unsearched_)
+            return std::nullopt;
+        if (budget_ <= 0 && a > from_) {
+            unsearched_ = a;
+            return std::nullopt;
+        }
         sample(a, b);
         if (a == from_)
             if (Violation violation = atStart(); !violation.watches.empty()) {
@@ -93,7 +104,9 @@ public:
                 return found;
             return in(middle, b, depth + 1);
         }
-        return refine(a, b);
+        if (auto found = refine(a, b))
+            return found;
+        return depth < deepest ? std::nullopt : inDip(a, b);
     }
 
 private:
@@ -171,22 +184,57 @@ private:
         return true;
     }
 
+    // A ground that lies on one of the samples is below 0 there by next to nothing.
+    static bool isAboveOrTouches(const Samples& samples, double low, double high) {
+        constexpr double nothing = 1e-9;
+        return low > 0 || (samples[0] > 0 && low > -nothing * high);
+    }
+
     // Above 0 at all samples, and its curve comes so near 0 between them that it may be below
     // there.
     bool almostTouches() const {
         constexpr int looks = 40;
         for (const Samples& samples : samples_) {
             const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
-            if (!(*low > 0) || *low > 0.1 * *high)
+            if (!isAboveOrTouches(samples, *low, *high) || *low > 0.1 * *high)
                 continue;
             const Coefficients curve = interpolate(samples);
-            for (int i = 1; i < looks; ++i) {
-                const double value = evaluate(curve, static_cast<double>(i) / looks);
-                if (value > 0 && value < 1e-3 * *high)
+            for (int i = 1; i < looks; ++i)
+                if (evaluate(curve, static_cast<double>(i) / looks) < 1e-3 * *high)
                     return true;
-            }
         }
         return false;
+    }
+
+    // What touches 0, or nearly, in a piece as short as they get: at the lowest point of its curve.
+    std::optional<Violation> inDip(double a, double b) {
+        Violation earliest{b, {}};
+        const std::vector<Samples> samples = samples_;
+        for (std::size_t k = 0; k < samples.size(); ++k) {
+            const double ground = a + lowestPoint(interpolate(samples[k])) * (b - a);
+            for (const double lowest : {ground, b}) {
+                const auto root = between(k, a, lowest);
+                if (root && *root < earliest.time)
+                    earliest = {*root, {k}};
+            }
+        }
+        if (earliest.watches.empty())
+            return std::nullopt;
+        return earliest;
+    }
+
+    // In 0 to 1, by golden sections.
+    static double lowestPoint(const Coefficients& curve) {
+        constexpr double golden = 0.618033988749895;
+        double low = 0, high = 1;
+        for (int i = 0; i < 60; ++i) {
+            const double left = high - golden * (high - low), right = low + golden * (high - low);
+            if (evaluate(curve, left) < evaluate(curve, right))
+                high = right;
+            else
+                low = left;
+        }
+        return std::midpoint(low, high);
     }
 
     // The earliest root of any watch in this piece, on the watches themselves.
@@ -264,6 +312,7 @@ private:
     std::vector<double> values_;
     std::vector<Samples> samples_;
     double from_;
+    std::optional<double> unsearched_;
     int budget_ = mostPieces;
 };
 
@@ -273,7 +322,15 @@ std::optional<Violation> firstViolation(std::size_t watches, const Evaluate& eva
                                         double to) {
     if (watches == 0 || !(to > from))
         return std::nullopt;
-    return Search(watches, evaluate, from).in(from, to, 0);
+    for (int i = 0; i < mostSearches; ++i) {
+        Search search(watches, evaluate, from);
+        if (auto found = search.in(from, to, 0))
+            return found;
+        if (!search.unsearchedFrom())
+            return std::nullopt;
+        from = *search.unsearchedFrom();
+    }
+    return std::nullopt;
 }
 
 } // namespace solution

@@ -43,6 +43,24 @@ TEST(FirstViolation, ShortDipsAreFoundAndNarrowMissesAreNot) {
     EXPECT_FALSE(violationOf([](double t) { return std::pow(t - 0.7123, 2) + 1e-10; }, 0, 1));
 }
 
+// Wherever they lie, and between the points of whatever polynomials they are compared with.
+TEST(FirstViolation, KinksAndTouchesAreFollowedToTheirGround) {
+    for (double at = 0.003; at < 1; at += 0.0037) {
+        EXPECT_TRUE(violationOf([at](double t) { return std::abs(t - at) - 1e-5; }, 0, 1)) << at;
+        EXPECT_FALSE(violationOf([at](double t) { return std::abs(t - at) + 1e-5; }, 0, 1)) << at;
+        EXPECT_TRUE(violationOf([at](double t) { return std::pow(t - at, 2) - 1e-22; }, 0, 1))
+            << at;
+    }
+}
+
+// More waves than one search has pieces for; the last one alone goes below 0.
+TEST(FirstViolation, IsFoundBehindManyOscillations) {
+    const auto found = violationOf(
+        [](double t) { return 1.01 + std::sin(1000 * t) - (t > 19.999 ? 1 : 0); }, 0, 20);
+    ASSERT_TRUE(found);
+    EXPECT_GE(found->time, 19.999);
+}
+
 // What starts at zero is followed once it has risen; what only falls is wrong from the start.
 TEST(FirstViolation, StartsArmedOnlyAboveZero) {
     const auto later = violationOf([](double t) { return t * (1 - t); }, 0, 2);
@@ -406,6 +424,40 @@ TEST(Switches, WithinSwitchesAreLocated) {
         EXPECT_NEAR(solvedKind(kind.rate).histories().value(2, 6), integral(all), 1e-8)
             << kind.rate;
     }
+}
+
+// Conditions that are next to constant but for a moment: the time for which each holds, at p = 1 or
+// at t = 5.3, is known.
+TEST(Switches, ThatHoldForAMomentAreLocated) {
+    struct Moment {
+        std::string condition;
+        double length;
+    };
+    constexpr double w = 1e-4;
+    const std::vector<Moment> moments = {
+        {"exp(-((t-5.3)/1e-4)^2)>exp(-1)", 2 * w},
+        {"1/(1+((t-5.3)/1e-4)^2)>0.5", 2 * w},
+        {"tanh((t-5.3)/1e-4)^2<0.25", 2 * w * std::atanh(0.5)},
+        {"hypot(t-5.3,0)<1e-4", 2 * w},
+        {"hypot(t-5.3,1e-5)<1e-4", 2 * std::sqrt(w * w - 1e-10)},
+        {"sqrt((t-5.3)^2)<1e-4", 2 * w},
+        {"(t-5.3)^2<1e-14", 2e-7},
+    };
+    for (const Moment& moment : moments) {
+        EXPECT_NEAR(solvedKind(moment.condition + "?1000:0").histories().value(2, 6),
+                    1000 * moment.length, 1e-3 * 1000 * moment.length)
+            << moment.condition;
+        // Beside something that is integrated.
+        const Solver pushed =
+            solved(equationsOf({{"x", "v", 0}, {"v", "-x+(" + moment.condition + "?1000:0)", 0}}),
+                   6, tolerance(1e-8));
+        EXPECT_NEAR(pushed.histories().value(1, 6), 1000 * moment.length * std::cos(0.7),
+                    1000 * moment.length * 2e-3)
+            << moment.condition;
+    }
+    const double near = 2 * std::acos(1 - 1e-8); // p is within 1e-8 of its greatest
+    EXPECT_NEAR(solvedKind("exp(-((p-1)/1e-8)^2)>exp(-1)?1:0").histories().value(2, 6), near,
+                1e-2 * near);
 }
 
 // p comes to 1 and goes back: what switches above 1 never does, what switches a millionth below it
