@@ -417,7 +417,7 @@ std::vector<std::pair<double, std::size_t>> signChanges(const std::vector<std::s
             values[k] = sides[k] * all[watched[k]];
     };
     for (std::size_t i = 0; i < most + watched.size(); ++i) {
-        const auto next = firstViolation(watched.size(), besideSides, from, to);
+        const auto next = firstViolation(watched.size(), besideSides, from, to, 1);
         if (!next || next->time >= to)
             return found;
         for (const std::size_t k : next->watches) {

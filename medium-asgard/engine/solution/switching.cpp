@@ -71,7 +71,7 @@ using Samples = std::array<double, maximumCoefficients>;
 // Between the points of interpolation, where it is worst.
 constexpr double checkPoints[] = {0.09, 0.405, 0.595, 0.91};
 constexpr int deepest = 24;
-constexpr int mostPieces = 500, mostSearches = 100;
+constexpr int mostPieces = 500;
 
 class Search {
 public:
@@ -319,10 +319,10 @@ private:
 } // namespace
 
 std::optional<Violation> firstViolation(std::size_t watches, const Evaluate& evaluate, double from,
-                                        double to) {
+                                        double to, int searches) {
     if (watches == 0 || !(to > from))
         return std::nullopt;
-    for (int i = 0; i < mostSearches; ++i) {
+    for (int i = 0; i < searches; ++i) {
         Search search(watches, evaluate, from);
         if (auto found = search.in(from, to, 0))
             return found;
