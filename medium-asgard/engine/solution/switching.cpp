@@ -75,8 +75,8 @@ constexpr int mostPieces = 500;
 
 class Search {
 public:
-    Search(std::size_t watches, const Evaluate& evaluate, double from)
-        : evaluate_(evaluate), values_(watches), samples_(watches), from_(from) {}
+    Search(std::size_t watches, const Evaluate& evaluate, double from, bool isDeep)
+        : evaluate_(evaluate), values_(watches), samples_(watches), from_(from), isDeep_(isDeep) {}
 
     // Where the search ended for lack of pieces; what is later was not looked at.
     [[nodiscard]] std::optional<double> unsearchedFrom() const { return unsearched_; }
@@ -106,7 +106,7 @@ public:
         }
         if (auto found = refine(a, b))
             return found;
-        return depth < deepest ? std::nullopt : inDip(a, b);
+        return depth < deepest || !isDeep_ ? std::nullopt : inDip(a, b);
     }
 
 private:
@@ -185,9 +185,9 @@ private:
     }
 
     // A ground that lies on one of the samples is below 0 there by next to nothing.
-    static bool isAboveOrTouches(const Samples& samples, double low, double high) {
+    bool isAboveOrTouches(const Samples& samples, double low, double high) const {
         constexpr double nothing = 1e-9;
-        return low > 0 || (samples[0] > 0 && low > -nothing * high);
+        return low > 0 || (isDeep_ && samples[0] > 0 && low > -nothing * high);
     }
 
     // Above 0 at all samples, and its curve comes so near 0 between them that it may be below
@@ -200,7 +200,8 @@ private:
                 continue;
             const Coefficients curve = interpolate(samples);
             for (int i = 1; i < looks; ++i)
-                if (evaluate(curve, static_cast<double>(i) / looks) < 1e-3 * *high)
+                if (const double value = evaluate(curve, static_cast<double>(i) / looks);
+                    value < 1e-3 * *high && (value > 0 || isDeep_))
                     return true;
         }
         return false;
@@ -312,6 +313,7 @@ private:
     std::vector<double> values_;
     std::vector<Samples> samples_;
     double from_;
+    bool isDeep_; // touches are followed to their ground
     std::optional<double> unsearched_;
     int budget_ = mostPieces;
 };
@@ -323,7 +325,7 @@ std::optional<Violation> firstViolation(std::size_t watches, const Evaluate& eva
     if (watches == 0 || !(to > from))
         return std::nullopt;
     for (int i = 0; i < searches; ++i) {
-        Search search(watches, evaluate, from);
+        Search search(watches, evaluate, from, searches > 1);
         if (auto found = search.in(from, to, 0))
             return found;
         if (!search.unsearchedFrom())
