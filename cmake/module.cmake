@@ -82,7 +82,7 @@ function(asgard_module name)
         endif()
         if(M_PCH STREQUAL "widgets")
             asgard_precompile(${name}_test widgets_test)
-        elseif(NOT M_QT) # Qt's code is made with other options
+        elseif(NOT M_QT) # position-independent, as Qt wants it: this header is not
             asgard_precompile(${name}_test test)
         endif()
         if(M_PLACED)

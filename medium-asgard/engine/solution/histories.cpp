@@ -272,30 +272,38 @@ double Histories::secondDerivative(std::size_t unknown, double t) const {
     return piece(unknown, t).secondDerivative(t);
 }
 
-std::vector<double> Histories::restarts(std::size_t unknown) const {
-    std::vector<double> times;
-    const std::vector<Span>& spans = tracks_[unknown].spans;
-    for (std::size_t i = 0; i < spans.size(); ++i) {
-        const double end = i + 1 < spans.size() ? spans[i + 1].from : infinity;
-        const History& history = *spans[i].history;
-        for (std::size_t k = 0; k < history.size() && history.step(k).origin < end; ++k)
-            if (history.step(k).fresh && history.step(k).origin >= spans[i].from &&
-                history.step(k).origin > start_)
-                times.push_back(history.step(k).origin);
-    }
-    return times;
-}
-
-std::size_t Histories::steps(std::size_t unknown, double t) const {
-    std::size_t count = 0;
+template <typename Visit>
+void Histories::forEachStep(std::size_t unknown, double t, Visit visit) const {
     const std::vector<Span>& spans = tracks_[unknown].spans;
     for (std::size_t i = 0; i < spans.size(); ++i) {
         const double end = i + 1 < spans.size() ? std::min(spans[i + 1].from, t) : t;
         const History& history = *spans[i].history;
-        for (std::size_t k = 0; k < history.size() && history.step(k).origin < end; ++k)
-            count += history.step(k).origin >= spans[i].from ? 1 : 0;
+        for (std::size_t k = 0; k < history.size(); ++k) {
+            const History::Step step = history.step(k);
+            if (!(step.origin < end))
+                break;
+            if (step.origin >= spans[i].from)
+                visit(step);
+        }
     }
-    return count;
+}
+
+std::vector<double> Histories::restarts(std::size_t unknown) const {
+    std::vector<double> times;
+    forEachStep(unknown, infinity, [&](const History::Step& step) {
+        if (step.fresh && step.origin > start_)
+            times.push_back(step.origin);
+    });
+    return times;
+}
+
+Histories::Course Histories::course(std::size_t unknown, double t) const {
+    Course course;
+    forEachStep(unknown, t, [&](const History::Step& step) {
+        ++course.steps;
+        course.restarts += step.fresh && step.origin > start_ ? 1 : 0;
+    });
+    return course;
 }
 
 std::shared_ptr<const Histories> Histories::upTo(double t) const {

@@ -255,8 +255,11 @@ public:
     // Times, in order, at which the unknown was restarted by an event (value or derivative may
     // jump).
     [[nodiscard]] std::vector<double> restarts(std::size_t unknown) const;
-    // Those that begin before t, of all components that it was in.
-    [[nodiscard]] std::size_t steps(std::size_t unknown, double t) const;
+    // Of the steps that begin before t, in all components that it was in.
+    struct Course {
+        std::size_t steps = 0, restarts = 0;
+    };
+    [[nodiscard]] Course course(std::size_t unknown, double t) const;
     [[nodiscard]] std::size_t bytes() const;
 
     // What is known up to t, as it was before anything after t was solved. Of a snapshot.
@@ -276,6 +279,8 @@ private:
         double initial = 0;
     };
     [[nodiscard]] const Span& spanAt(std::size_t unknown, double t) const;
+    // The unknown's own steps that begin before t, in order: of each component those of its time.
+    template <typename Visit> void forEachStep(std::size_t unknown, double t, Visit visit) const;
 
     double start_ = 0, known_ = 0;
     std::vector<Track> tracks_;

@@ -417,7 +417,7 @@ std::vector<std::pair<double, std::size_t>> signChanges(const std::vector<std::s
             values[k] = sides[k] * all[watched[k]];
     };
     for (std::size_t i = 0; i < most + watched.size(); ++i) {
-        const auto next = firstViolation(watched.size(), besideSides, from, to, 1);
+        const auto next = firstViolation(watched.size(), besideSides, from, to, Care::some);
         if (!next || next->time >= to)
             return found;
         for (const std::size_t k : next->watches) {
@@ -460,6 +460,7 @@ std::vector<double> centresPassed(const std::vector<double>& ratios, bool arePol
         (k < ratios.size() ? values : rates).push_back(k);
     const auto turns = signChanges(rates, 2 * ratios.size(), evaluate, from, to);
     std::vector<double> found;
+    found.reserve(turns.size());
     for (const auto& [time, rate] : turns)
         found.push_back(time);
     for (const std::size_t k : values) {

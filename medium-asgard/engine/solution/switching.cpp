@@ -71,20 +71,22 @@ using Samples = std::array<double, maximumCoefficients>;
 // Between the points of interpolation, where it is worst.
 constexpr double checkPoints[] = {0.09, 0.405, 0.595, 0.91};
 constexpr int deepest = 24;
-constexpr int mostPieces = 500;
+constexpr int mostPieces = 500, mostSearches = 100;
 
 class Search {
 public:
-    Search(std::size_t watches, const Evaluate& evaluate, double from, bool isDeep)
-        : evaluate_(evaluate), values_(watches), samples_(watches), from_(from), isDeep_(isDeep) {}
+    enum class Next { none, another }; // search, from where this one runs out of pieces
+    Search(std::size_t watches, const Evaluate& evaluate, double from, Search::Next next, Care care)
+        : evaluate_(evaluate), values_(watches), samples_(watches), from_(from), next_(next),
+          care_(care) {}
 
-    // Where the search ended for lack of pieces; what is later was not looked at.
+    // Where the search ended for lack of pieces; what is later is left to the next one.
     [[nodiscard]] std::optional<double> unsearchedFrom() const { return unsearched_; }
 
     std::optional<Violation> in(double a, double b, int depth) {
         if (unsearched_)
             return std::nullopt;
-        if (budget_ <= 0 && a > from_) {
+        if (budget_ <= 0 && a > from_ && next_ == Next::another) {
             unsearched_ = a;
             return std::nullopt;
         }
@@ -106,7 +108,7 @@ public:
         }
         if (auto found = refine(a, b))
             return found;
-        return depth < deepest || !isDeep_ ? std::nullopt : inDip(a, b);
+        return depth == deepest && care_ == Care::great ? atMinimum(a, b) : std::nullopt;
     }
 
 private:
@@ -184,10 +186,10 @@ private:
         return true;
     }
 
-    // A ground that lies on one of the samples is below 0 there by next to nothing.
+    // A minimum that lies on one of the samples is below 0 there by next to nothing.
     bool isAboveOrTouches(const Samples& samples, double low, double high) const {
         constexpr double nothing = 1e-9;
-        return low > 0 || (isDeep_ && samples[0] > 0 && low > -nothing * high);
+        return low > 0 || (care_ == Care::great && samples[0] > 0 && low > -nothing * high);
     }
 
     // Above 0 at all samples, and its curve comes so near 0 between them that it may be below
@@ -201,20 +203,21 @@ private:
             const Coefficients curve = interpolate(samples);
             for (int i = 1; i < looks; ++i)
                 if (const double value = evaluate(curve, static_cast<double>(i) / looks);
-                    value < 1e-3 * *high && (value > 0 || isDeep_))
+                    value < 1e-3 * *high && (value > 0 || care_ == Care::great))
                     return true;
         }
         return false;
     }
 
-    // What touches 0, or nearly, in a piece as short as they get: at the lowest point of its curve.
-    std::optional<Violation> inDip(double a, double b) {
+    // What touches 0, or nearly, in a piece as short as they get: at the minimum of its curve, or
+    // on the last sample.
+    std::optional<Violation> atMinimum(double a, double b) {
         Violation earliest{b, {}};
         const std::vector<Samples> samples = samples_;
         for (std::size_t k = 0; k < samples.size(); ++k) {
-            const double ground = a + lowestPoint(interpolate(samples[k])) * (b - a);
-            for (const double lowest : {ground, b}) {
-                const auto root = between(k, a, lowest);
+            const double minimum = a + minimumOf(interpolate(samples[k])) * (b - a);
+            for (const double end : {minimum, b}) {
+                const auto root = between(k, a, end);
                 if (root && *root < earliest.time)
                     earliest = {*root, {k}};
             }
@@ -225,7 +228,7 @@ private:
     }
 
     // In 0 to 1, by golden sections.
-    static double lowestPoint(const Coefficients& curve) {
+    static double minimumOf(const Coefficients& curve) {
         constexpr double golden = 0.618033988749895;
         double low = 0, high = 1;
         for (int i = 0; i < 60; ++i) {
@@ -313,7 +316,8 @@ private:
     std::vector<double> values_;
     std::vector<Samples> samples_;
     double from_;
-    bool isDeep_; // touches are followed to their ground
+    Next next_;
+    Care care_;
     std::optional<double> unsearched_;
     int budget_ = mostPieces;
 };
@@ -321,18 +325,18 @@ private:
 } // namespace
 
 std::optional<Violation> firstViolation(std::size_t watches, const Evaluate& evaluate, double from,
-                                        double to, int searches) {
+                                        double to, Care care) {
     if (watches == 0 || !(to > from))
         return std::nullopt;
-    for (int i = 0; i < searches; ++i) {
-        Search search(watches, evaluate, from, searches > 1);
+    for (int left = care == Care::great ? mostSearches : 1;; --left) {
+        Search search(watches, evaluate, from,
+                      left > 1 ? Search::Next::another : Search::Next::none, care);
         if (auto found = search.in(from, to, 0))
             return found;
         if (!search.unsearchedFrom())
             return std::nullopt;
         from = *search.unsearchedFrom();
     }
-    return std::nullopt;
 }
 
 } // namespace solution
