@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t spacedTimes = 64, stepTimes = 2000;
 // Of a motion that stops: there it runs into what no accuracy resolves, and the stop says so.
 constexpr double lastPart = 0.01;
+constexpr double earlyPart = 0.25; // of the time
 
 // Asks now and then whether somebody cancelled.
 class Poll {
@@ -199,6 +200,11 @@ double positionError(const Trace::Place& state, const Trace::Place& truth, doubl
     return std::max((state.position - truth.position).norm(), angle * radius);
 }
 
+void raise(double& largest, double error) {
+    if (!(error <= largest))
+        largest = std::isnan(error) ? solution::infinity : error;
+}
+
 void extend(Eigen::AlignedBox3d& box, const Vector& position, double radius) {
     box.extend(Vector(position - Vector::Constant(radius)));
     box.extend(Vector(position + Vector::Constant(radius)));
@@ -299,9 +305,10 @@ double IslandError::beyondFrom(double limit) const {
 std::vector<IslandError> compareRuns(const Problem& problem, const Run& first, const Run& second,
                                      double limit, const std::function<bool()>& cancelled) {
     const auto& bodies = *problem.bodies;
+    const double earlyUntil = problem.start() + earlyPart * (problem.finish() - problem.start());
     Poll poll(cancelled);
     std::vector<IslandError> errors(bodies.size(),
-                                    {.size = 0, .far = 0, .largest = 0, .growth = {}});
+                                    {.size = 0, .far = 0, .largest = 0, .early = 0, .growth = {}});
     std::vector<Eigen::AlignedBox3d> boxes(bodies.size()); // by island, as errors
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (poll.isCancelled())
@@ -309,13 +316,14 @@ std::vector<IslandError> compareRuns(const Problem& problem, const Run& first, c
         if (bodies[b].isFixed || isSame(second, b))
             continue;
         const std::size_t island = second.island[b];
-        double& largest = errors[island].largest;
+        double &largest = errors[island].largest, &early = errors[island].early;
         const std::size_t steps =
             compareBody(problem, b, first, second, poll,
-                        [&](double, const Trace::Place& place, const Trace::Place& truth) {
+                        [&](double t, const Trace::Place& place, const Trace::Place& truth) {
                             const double error = positionError(place, truth, bodies[b].radius);
-                            if (!(error <= largest))
-                                largest = std::isnan(error) ? solution::infinity : error;
+                            raise(largest, error);
+                            if (t <= earlyUntil)
+                                raise(early, error);
                             extend(boxes[island], truth.position, bodies[b].radius);
                         });
         errors[island].steps = std::max(errors[island].steps, steps);
@@ -326,6 +334,7 @@ std::vector<IslandError> compareRuns(const Problem& problem, const Run& first, c
             errors[i].far = std::max(boxes[i].min().cwiseAbs().maxCoeff(),
                                      boxes[i].max().cwiseAbs().maxCoeff());
             errors[i].largest /= errors[i].size;
+            errors[i].early /= errors[i].size;
         }
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (bodies[b].isFixed || isSame(second, b))

@@ -17,6 +17,7 @@ struct IslandError {
     double size = 0;
     double far = 0;        // the largest distance from the origin along an axis
     double largest = 0;    // scaled
+    double early = 0;      // the largest in the first quarter of the time
     std::size_t steps = 0; // of the second run, the most that one of its components has
     // How it grows, where it exceeds what compareRuns() was told: times, and the largest scaled
     // error up to then.

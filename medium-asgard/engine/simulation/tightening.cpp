@@ -18,6 +18,7 @@ constexpr double proofCaution = 1.25;      // what a run at an eighth of the tol
 constexpr double loosening = 4;            // of a run that proves one at the tolerance of rounding
 constexpr double roundingCaution = 1.5;    // what the tighter of the two errs by
 constexpr double leastDoubted = 0.01;      // of the accuracy: what chance hides more behind
+constexpr double amplified = 20;           // times early errors: faster than the square of time
 constexpr double rougher = 512;            // of a third run, when the first two are equal
 constexpr double leastStep = 1e-3;         // of tolerances from run to run, and of errors
 constexpr double mostStep = 0.25;          // of tolerances, where a run was not enough
@@ -89,14 +90,19 @@ void Tightening::settle(std::size_t b, const IslandError& difference, double est
                                                       : solution::infinity};
 }
 
-// What the two runs that were compared leave open.
+// What the runs that were compared leave open. Motion that amplifies errors makes a number of them,
+// along the one direction that grows fastest, and two runs may agree by chance, however wrong they
+// both are.
 Tightening::Proof Tightening::proofFor(std::size_t b, const IslandError& difference,
                                        double rounding) const {
     const double error = difference.largest;
-    if (difference.steps <= fewSteps && error > 0 && tightening * tight_[b] > rounding)
+    const bool mayBeChance = error > leastDoubted * accuracy_;
+    const bool isAmplified = mayBeChance && error > amplified * difference.early;
+    const bool hasFewSteps = difference.steps <= fewSteps && error > 0;
+    if ((isAmplified || hasFewSteps) && tightening * tight_[b] > rounding)
         return Proof::tighter;
     const bool isAtRounding = tight_[b] <= landing * rounding;
-    return isAtRounding && error > leastDoubted * accuracy_ ? Proof::looser : Proof::none;
+    return isAtRounding && mayBeChance ? Proof::looser : Proof::none;
 }
 
 // The next tolerance of a body; its last one when it is settled.

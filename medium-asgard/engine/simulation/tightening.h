@@ -51,9 +51,9 @@ public:
                std::vector<BodyError>& errors);
     [[nodiscard]] bool goesOn() const;
 
-    // By body: its errors follow no tolerance. Then they are measured: of a motion of so few steps
-    // by a run that is tighter still; of one that leapt to the tolerance of rounding, where two
-    // runs may agree by chance, by one that is a little looser.
+    // By body: its errors follow no tolerance, or two runs may agree by chance. Then they are
+    // measured: of a motion of so few steps, and of one that amplifies errors, by a run that is
+    // tighter still; of one that leapt to the tolerance of rounding by one that is a little looser.
     [[nodiscard]] std::vector<bool> unproven() const;
     [[nodiscard]] std::vector<double> proof() const;
     // A settled body is worth a tighter run for another reason, where there is one.
