@@ -43,20 +43,24 @@ void ComponentEquations::fill(double t, std::span<const double> y) {
 }
 
 // A state that lies on a surface of its own is moved off it, to its side, by next to nothing: what
-// is written v/abs(v) is then the sign that it means.
+// is written v/abs(v) is then the sign that it means, and v abs(v) is still 0.
 void ComponentEquations::evaluate(std::span<double> out) {
-    constexpr double nextToNothing = 1e-150; // its square is still a number
-    if (decisions_.empty()) {
-        evaluateOutputs(out);
-        return;
-    }
-    for (const auto& [surface, state] : model_.ownGuards())
-        if (in_[1 + state] == 0)
-            in_[1 + state] = sides_[surface] * nextToNothing;
+    bool isMoved = false;
+    if (!decisions_.empty())
+        for (const auto& [surface, state] : model_.ownGuards())
+            if (in_[1 + state] == 0 && sides_[surface] != onSurface) {
+                in_[1 + state] = sides_[surface] * nextToNothing;
+                isMoved = true;
+            }
     evaluateOutputs(out);
+    if (!isMoved)
+        return;
     for (const auto& [surface, state] : model_.ownGuards())
         if (std::abs(in_[1 + state]) == nextToNothing)
             in_[1 + state] = 0;
+    for (double& rate : out)
+        if (std::abs(rate) <= vanishing)
+            rate = 0;
 }
 
 namespace {
@@ -91,11 +95,32 @@ bool ComponentEquations::rates(double t, std::span<const double> y, std::span<do
     slidingFailed_ = sliding() && !weigh();
     if (slidingFailed_)
         return false;
-    if (!sliding())
+    if (!sliding()) {
         evaluate(out_);
+        if (looksBeyond_ && !areFinite(out_))
+            evaluateWhereItIs();
+    }
     for (std::size_t i = 0; i < states().size(); ++i)
         out[i] = out_[i];
     return areFinite(out_);
+}
+
+void ComponentEquations::evaluateWhereItIs() {
+    const std::vector<expression::Decision> held = decisions_;
+    model_.function().tape().decide(in_, decisions_, guards_, scratch_);
+    if (decisions_ != held)
+        evaluateOutputs(out_);
+    decisions_ = held;
+}
+
+bool ComponentEquations::lookBeyond(double t, std::span<const double> y) {
+    if (looksBeyond_ || sliding())
+        return false;
+    fill(t, y);
+    model_.function().guards(in_, guards_, scratch_, decisions_);
+    for (std::size_t s = 0; s < model_.surfaces().size(); ++s)
+        looksBeyond_ = looksBeyond_ || (isOnSide(s) && std::abs(guard(s)) <= standing);
+    return looksBeyond_;
 }
 
 bool ComponentEquations::heldValues(double t, std::span<const double> y, std::span<double> out) {

@@ -94,6 +94,11 @@ public:
     [[nodiscard]] bool heldValues(double t, std::span<const double> y, std::span<double> out);
     // Sliding had no solution when rates() was asked last: then that is why it failed.
     [[nodiscard]] bool slidingFailed() const { return slidingFailed_; }
+    // A stage of a step that starts on a surface, as from rest where drag is v sqrt(abs(v)), may
+    // lie a little beyond it, where the branch that holds has no value. From now on rates() takes
+    // the other one there, until lookNoMoreBeyond(). False: it does already, or no surface is here.
+    [[nodiscard]] bool lookBeyond(double t, std::span<const double> y);
+    void lookNoMoreBeyond() { looksBeyond_ = false; }
     // Places in `unknowns` of those whose rate or value is not finite.
     [[nodiscard]] std::vector<std::size_t> notFinite(double t, std::span<const double> y);
 
@@ -177,9 +182,16 @@ private:
     };
     static constexpr int onSurface = 0;
     static constexpr double standing = 1e-12; // on a surface, by the value of its guard
+    // What is moved off a surface, or off a length of 0, for its direction; its square is still a
+    // number.
+    static constexpr double nextToNothing = 1e-150;
+    // Less is what next to nothing makes of a rate of 0: in proportion to it, to its square or to
+    // its cube root.
+    static constexpr double vanishing = 1e-40;
 
     void fill(double t, std::span<const double> y);
     void evaluate(std::span<double> out);
+    void evaluateWhereItIs();                    // into out_, by the values of guards
     void setSide(std::size_t surface, int side); // and that of those that are joined with it
     void setOwnSide(std::size_t surface, int side);
     void setGrazed(std::size_t surface, bool isGrazed);
@@ -315,6 +327,7 @@ private:
     std::vector<double> measures_, inHeld_; // of the model's directions
     std::vector<double> reach_;             // by state
     double tolerance_ = 0;                  // by which it was made
+    bool looksBeyond_ = false;
     bool slidingFailed_ = false;
     std::vector<Watch> watches_;
     std::vector<expression::Decision> derivedDecisions_;

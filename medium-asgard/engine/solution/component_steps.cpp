@@ -233,6 +233,10 @@ bool Component::refuse(const Attempt& attempt, double h) {
     const bool isWithout = attempt.outcome == Attempt::Outcome::notFinite;
     // Steps of fixed length too come to the end of a branch that has no value beyond it.
     const bool comesToEnd = isWithout && equations_->watches() > 0;
+    if (comesToEnd && equations_->lookBeyond(time_, stateValues())) {
+        proposed_ = h;
+        return true;
+    }
     const double next = options_.fixedStep ? (comesToEnd ? h / 4 : h) : attempt.next;
     if (next > shortestStep(time_) && next < h) {
         proposed_ = next;
@@ -278,7 +282,8 @@ void Component::endWithoutRate(double t, std::span<const double> y) {
     auto culprits = equations_->notFinite(t, y);
     if (culprits.empty())
         culprits = equations_->states();
-    end(Stop::Reason::notFinite, culprits, names(culprits) + " has no finite rate");
+    end(Stop::Reason::notFinite, culprits,
+        names(culprits) + (culprits.size() > 1 ? " have" : " has") + " no finite rate");
 }
 
 void Component::finish(double to) {
@@ -336,6 +341,7 @@ bool Component::land(double to) {
     if (!quaternions_.empty())
         takeStates(y_);
     control_.observe(y_);
+    equations_->lookNoMoreBeyond();
     immediate_ = 0;
     return true;
 }

@@ -17,9 +17,8 @@ namespace solution {
 
 namespace {
 
-constexpr double nextToNothing = 1e-150; // its square is still a number
-constexpr double tooMuch = 1e100;        // what is divided does not vanish with a
-constexpr double isNone = 1e-12;         // of the largest, of what solves equations
+constexpr double tooMuch = 1e100; // what is divided does not vanish with a
+constexpr double isNone = 1e-12;  // of the largest, of what solves equations
 
 Eigen::VectorXd leastSolution(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& wanted) {
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;

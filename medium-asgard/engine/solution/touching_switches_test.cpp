@@ -131,6 +131,46 @@ TEST(Touching, WhatARootBrakesComesToRest) {
         }
 }
 
+// From rest, and pulled by what is 0 there: drag counts as nothing until it moves. Values at t = 2
+// by 400,000 steps of Runge and Kutta's rule.
+TEST(Touching, WhatIsPulledFromRestThroughAirStarts) {
+    struct Case {
+        const char *pull, *drag;
+        double x;
+    };
+    for (const Case& c :
+         {Case{"t-x", "v*abs(v)", 0.8626921169781}, Case{"-t^3-x", "sign(v)*v^2", -1.1047519424388},
+          Case{"-200*(x-t/4)", "v*abs(v)", 0.4994455420041},
+          Case{"t-x", "v*sqrt(abs(v))", 0.8140398684073},
+          Case{"-t^3-x", "v*sqrt(abs(v))", -1.1132151353833},
+          Case{"2*sin(t/2)^2-x", "v*sqrt(abs(v))", 0.4174829539244}})
+        for (const double accuracy : accuracies) {
+            const std::string rate = std::string(c.pull) + "-" + c.drag;
+            const Solver solver =
+                solved(equationsOf({{"x", "v", 0, 1}, {"v", rate, 0}}), 2, tolerance(accuracy));
+            ASSERT_EQ(solver.histories().stop(1), nullptr)
+                << rate << " at " << accuracy << ": " << solver.histories().stop(1)->sentence;
+            EXPECT_NEAR(solver.histories().value(0, 2), c.x, 10 * accuracy) << rate;
+            EXPECT_LT(solver.statistics().steps, 1000u) << rate << " at " << accuracy;
+        }
+}
+
+// A load on a rope that only pulls, under a trolley that moves off.
+TEST(Touching, ALoadUnderACraneStarts) {
+    const std::string off = "(x-t*t/4)", length = "hypot(x-t*t/4,y)";
+    const std::string pull = "-200*max(0," + length + "-2.8)/" + length;
+    for (const double accuracy : accuracies) {
+        const Solver solver = solved(equationsOf({{"x", "u", 0, 1},
+                                                  {"y", "v", -2.8, 1},
+                                                  {"u", pull + "*" + off + "-0.02*u*abs(u)", 0},
+                                                  {"v", pull + "*y-9.81", 0}}),
+                                     2, tolerance(accuracy));
+        ASSERT_EQ(solver.histories().stop(0), nullptr) << solver.histories().stop(0)->sentence;
+        EXPECT_NEAR(solver.histories().value(0, 2), 0.72575550512411, 10 * accuracy);
+        EXPECT_NEAR(solver.histories().value(1, 2), -2.88513808923037, 10 * accuracy);
+    }
+}
+
 // Two clamps of what touches them at the same and at other times, in random sums.
 TEST(Touching, RandomClampsAreTheirIntegrals) {
     std::mt19937 random(5);
