@@ -157,12 +157,13 @@ void LiveSubdocument::adopt(std::unique_ptr<MediumProcess> process) {
     process_ = std::move(process);
     ownName_ = QString::fromStdString(process_->introduction().name);
     menus_ = process_->introduction().menus;
-    reason_.clear();
+    const QString why = std::exchange(reason_, {});
     loaded_ = false;
     // Before it has told where it is itself.
     const std::optional<ipc::TimeChanged> last = time_;
     load();
     restoreTime(last);
+    restoreWindows(why);
     const auto isCurrent = currentProcess();
     process_->request(ipc::PresentationList{},
                       [this, isCurrent](Outcome<ipc::Presentations> outcome) {
@@ -198,10 +199,28 @@ void LiveSubdocument::restoreTime(const std::optional<ipc::TimeChanged>& last) {
     }
 }
 
+void LiveSubdocument::restoreWindows(const QString& why) {
+    if (process_->mode() != Mode::edit)
+        return;
+    if (const auto restore = kept_.handOver(name(), why))
+        process_->notify(*restore);
+}
+
+void LiveSubdocument::setKeptState(const std::string& state) {
+    kept_.keep(state);
+    if (kept_.any())
+        mode_ = Mode::edit;
+}
+
+void LiveSubdocument::dismissNotice() {
+    if (kept_.dismiss())
+        Q_EMIT conditionChanged();
+}
+
 void LiveSubdocument::discard(std::unique_ptr<MediumProcess>& process) {
     if (!process)
         return;
-    if (&process == &process_)
+    if (&process == &process_ && !kept_.any()) // else they are open again soon
         windows_ = {};
     process->disconnect(this);
     for (Rendition* rendition : renditions_)
@@ -247,6 +266,8 @@ void LiveSubdocument::processEnded(const QString& reason, bool wasAsked) {
     loaded_ = false;
     reason_ = QStringLiteral("%1 %2.").arg(manifest_.name, reason);
     whenReady_.clear(); // it may be what ended it
+    if (mode_ == Mode::edit && kept_.any() && !kept_.opensAgain())
+        mode_ = Mode::play;
     const bool again = !wasAsked && !isHopeless(reason) && mayRestart();
     setCondition(again ? Condition::starting : Condition::failed);
     if (again)
@@ -297,6 +318,9 @@ void LiveSubdocument::told(const ipc::ToHost& report) {
     } else if (const auto* windows = std::get_if<ipc::WindowsChanged>(&report)) {
         windows_ = *windows;
         Q_EMIT windowsChanged();
+    } else if (const auto* keep = std::get_if<ipc::SessionKeep>(&report)) {
+        kept_.keep(keep->state);
+        Q_EMIT keptStateChanged();
     } else if (std::holds_alternative<ipc::PresentationResized>(report)) {
         askForSize();
     } else if (const auto* unhandled = std::get_if<ipc::RenditionUnhandled>(&report)) {

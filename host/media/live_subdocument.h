@@ -3,10 +3,12 @@
 // It holds the text (the document's, kept in step by edit()), the renditions, and what the medium
 // last said: menus, time, diagnostics. When its process fails, all of that stays, reason() says in
 // a sentence what happened, and it is started again, at most three times a minute by itself, else
-// when start() is called. An entry of its menu that needs another mode starts a second process in
+// when start() is called; windows of its own that were open, it opens again with what was typed
+// there (kept_windows.h). An entry of its menu that needs another mode starts a second process in
 // that mode with the current text, moves the renditions there, and ends the first.
 #pragma once
 
+#include "media/kept_windows.h"
 #include "media/manifest.h"
 #include "media/medium_process.h"
 #include "media/rendition.h"
@@ -92,6 +94,13 @@ public:
 
     // Of its own: while they are open its process is not for others to end.
     [[nodiscard]] const ipc::WindowsChanged& windows() const { return windows_; }
+    // What the medium wants to have of them in its next process, in its own words; "": nothing.
+    [[nodiscard]] const std::string& keptState() const { return kept_.state(); }
+    // As keptState() was in an earlier run of the host: the next process opens them.
+    void setKeptState(const std::string& state);
+    // What happened to its windows, a sentence for the reader until dismissNotice().
+    [[nodiscard]] const QString& notice() const { return kept_.notice(); }
+    void dismissNotice();
     [[nodiscard]] const ipc::Diagnostics& diagnostics() const { return diagnostics_; }
     // The text is loaded and the medium has said what is wrong with it.
     [[nodiscard]] bool hasLoaded() const { return loaded_; }
@@ -108,6 +117,7 @@ Q_SIGNALS:
     void message(const QString& text); // for the status line
     void firstPicture();
     void windowsChanged();
+    void keptStateChanged();
     void processGone(); // there is room for another one
 
 private:
@@ -120,6 +130,7 @@ private:
     [[nodiscard]] std::function<bool()> currentProcess() const;
     void load();
     void restoreTime(const std::optional<ipc::TimeChanged>& last);
+    void restoreWindows(const QString& why);
     void askForSize();
     void told(const ipc::ToHost& report);
     void asked(MediumProcess& by, const ipc::Id& id, const ipc::ToHost& request);
@@ -163,6 +174,7 @@ private:
     std::optional<double> poster_;
     ipc::Diagnostics diagnostics_;
     ipc::WindowsChanged windows_;
+    KeptWindows kept_;
     bool loaded_ = false;
     QString ownName_;
     std::vector<qint64> restarts_; // ms since the epoch of a monotonic clock

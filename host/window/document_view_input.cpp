@@ -75,6 +75,7 @@ void DocumentView::mousePressEvent(QMouseEvent* event) {
         live->start();
         return;
     }
+    live->dismissNotice();
     grabbed_ = shown->id;
     shown->rendition->input(inputOf(*event, pixelsIn(*shown, event->position())));
 }

@@ -133,5 +133,32 @@ TEST_F(WindowTest, UndoReachesTheMedium) {
     EXPECT_FALSE(window->isWindowModified());
 }
 
+TEST_F(WindowTest, WindowsOfADeadMediumAreOpenAgainAndThePictureSaysWhy) {
+    DocumentWindow* window = open(memo(scripted("colour 3060A0\nkeep NEWS")));
+    ASSERT_TRUE(waitFor([&] { return hasPicture(*window, 0); }));
+    media::LiveSubdocument& it = live(*window, 0);
+    it.invoke("editor", nullptr);
+    ASSERT_TRUE(waitFor([&] { return it.keptState() == "NEWS"; }));
+    it.invoke("crash", nullptr);
+    ASSERT_TRUE(waitFor([&] { return it.condition() == media::Condition::failed; }));
+    EXPECT_EQ(window->document().drafts(), QStringList("Scripted")); // closing asks about them
+    click(*window, 0);
+    ASSERT_TRUE(waitFor([&] { return it.takesDrafts(); }));
+    Shown shown;
+    shown.id = nth(*window, 0);
+    shown.rendition = it.createRendition();
+    shown.rendition->setShown(true);
+    ASSERT_TRUE(waitFor([&] { return !shown.rendition->picture().isNull(); }));
+    EXPECT_EQ(noticeOf(window->document(), shown).title,
+              "Scripted was ended by signal 11 (Segmentation fault). Its windows are open again "
+              "with what was typed.");
+    click(*window, 0);
+    EXPECT_EQ(noticeOf(window->document(), shown).kind, Notice::Kind::none);
+    it.takeDrafts();
+    EXPECT_TRUE(waitFor([&] {
+        return window->document().document().bytes().find("NEWSNEWS") != std::string::npos;
+    }));
+}
+
 } // namespace
 } // namespace window

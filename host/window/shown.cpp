@@ -55,15 +55,15 @@ void paintWaiting(QPainter& painter, const QRectF& rect, const Notice& notice) {
 
 void paintNote(QPainter& painter, const QRectF& rect, const Notice& notice) {
     painter.setFont(noticeFont(false));
-    const QFontMetricsF metrics(painter.font());
-    const QString text =
-        metrics.elidedText(notice.title, Qt::ElideRight, std::max(20.0, rect.width() - 40));
-    const QRectF pill(rect.left() + 10, rect.top() + 10, metrics.horizontalAdvance(text) + 20, 26);
+    constexpr int mostLines = 4; // of a sentence that may be long; more would hide the picture
+    const QRectF room(rect.left() + 20, rect.top() + 15, std::max(20.0, rect.width() - 40),
+                      mostLines * QFontMetricsF(painter.font()).lineSpacing());
+    const QRectF text = painter.boundingRect(room, Qt::TextWordWrap, notice.title) & room;
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(24, 25, 28, 200));
-    painter.drawRoundedRect(pill, 13, 13);
+    painter.drawRoundedRect(text.adjusted(-10, -5, 10, 5), 13, 13);
     painter.setPen(Qt::white);
-    painter.drawText(pill, Qt::AlignCenter, text);
+    painter.drawText(text.adjusted(0, 0, 1, 1), Qt::TextWordWrap, notice.title);
 }
 
 // The last picture, paled, and a strip that says what happened.
@@ -138,6 +138,8 @@ Notice noticeOf(const session::OpenDocument& document, const Shown& shown) {
     const Notice fault = faultNotice(document.faultsOf(shown.id), isDrawn, live->name());
     if (fault.kind == Notice::Kind::none && !hasPicture)
         return {Notice::Kind::waiting, QObject::tr("%1 is drawing").arg(live->name()), alternative};
+    if (fault.kind == Notice::Kind::none && !live->notice().isEmpty())
+        return {Notice::Kind::note, live->notice(), {}};
     return fault;
 }
 

@@ -109,6 +109,10 @@ template <class V> void describe(V& v, SubdocumentEdit& m) {
     v.field("edits", m.edits);
     v.option("label", m.label);
 }
+template <class V> void describe(V& v, SessionRestore& m) {
+    v.field("state", m.state);
+    v.option("notice", m.notice);
+}
 template <class V> void describe(V&, PresentationList&) {}
 template <class V> void describe(V& v, PresentationSize& m) {
     v.field("presentation", m.presentation);
@@ -231,6 +235,7 @@ template <class V> void describe(V& v, WindowsChanged& m) {
     v.field("open", m.open, natural);
     v.option("drafts", m.drafts);
 }
+template <class V> void describe(V& v, SessionKeep& m) { v.field("state", m.state); }
 template <class V> void describe(V& v, MenuChanged& m) { v.field("menus", m.menus); }
 template <class V> void describe(V& v, ValueChanged& m) {
     v.field("id", m.id, natural);

@@ -185,6 +185,11 @@ struct PresentationExport {
     std::string format;
     std::optional<double> accuracy;
 };
+struct SessionRestore { // what a process that ended had open, for the one that takes its place
+    static constexpr auto method = "session/restore";
+    std::string state;  // as session/keep said it
+    std::string notice; // what happened, for the windows that are opened again
+};
 struct RenditionGeometry {
     Integer rendition = 0;
     std::string presentation;
@@ -361,6 +366,10 @@ struct WindowsChanged { // of the medium's own windows; at first there are none
     bool drafts = false; // something typed there is no proposed change yet
     bool operator==(const WindowsChanged&) const = default;
 };
+struct SessionKeep { // of the medium's own windows, in its own words; "": nothing is to be kept
+    static constexpr auto method = "session/keep";
+    std::string state;
+};
 struct MenuChanged { // the whole set
     static constexpr auto method = "menu/changed";
     std::vector<MenuEntry> menus;
@@ -409,18 +418,18 @@ struct Diagnostics { // the whole set, of that revision
 // --- the two directions -----------------------------------------------------------------------
 
 using ToMedium =
-    std::variant<Initialize, Ping, SubdocumentLoad, SubdocumentEdit, PresentationList,
-                 PresentationSize, PresentationExport, RenditionCreate, RenditionResize,
-                 RenditionDestroy, RenditionShow, RenditionHide, RenditionAck, RenditionInput,
-                 RenditionSnapshot, MenuInvoke, TimePlay, TimePause, TimeSeek, TimeRate,
-                 ParameterList, ParameterSet, ValueRead, ValueSubscribe, ValueUnsubscribe,
+    std::variant<Initialize, Ping, SubdocumentLoad, SubdocumentEdit, SessionRestore,
+                 PresentationList, PresentationSize, PresentationExport, RenditionCreate,
+                 RenditionResize, RenditionDestroy, RenditionShow, RenditionHide, RenditionAck,
+                 RenditionInput, RenditionSnapshot, MenuInvoke, TimePlay, TimePause, TimeSeek,
+                 TimeRate, ParameterList, ParameterSet, ValueRead, ValueSubscribe, ValueUnsubscribe,
                  ScriptEvaluate, ProgressCancel, Shutdown, Exit>;
 
 using ToHost =
     std::variant<RenditionFrame, SubdocumentChanged, EditUndo, EditRedo, RenditionUnhandled,
                  RenditionCursor, RenditionState, PresentationResized, MenuChanged, ValueChanged,
                  TimeChanged, ProgressBegin, ProgressReport, ProgressEnd, Diagnostics,
-                 WindowsChanged, ScriptEvaluate>;
+                 WindowsChanged, SessionKeep, ScriptEvaluate>;
 
 template <class Call>
 concept IsRequest = requires {

@@ -32,6 +32,8 @@ struct Platform {
     std::function<void(ipc::Mode)> confine; // called before anything of a document is looked at
     // Opens the window that a menu entry names, in mode edit; else the sentence why not.
     std::function<std::optional<std::string>(const std::string& id)> openViewer;
+    // Opens the windows that an earlier process had open, and says there what happened.
+    std::function<void(const std::string& state, const std::string& notice)> restoreWindows;
     std::string version;
 };
 
@@ -52,6 +54,7 @@ public:
     void propose(const ipc::TextEdit& edit, const std::string& label,
                  std::function<void(std::optional<std::string> refusal)> done);
     void tellWindows(const ipc::WindowsChanged& windows);
+    void keepWindows(const std::string& state) { channel_.notify(ipc::SessionKeep{state}); }
     [[nodiscard]] const std::optional<ipc::Mode>& mode() const { return mode_; } // none: not yet
 
 private:
@@ -92,6 +95,7 @@ private:
     Reply<ipc::Evaluated> serve(const ipc::ScriptEvaluate& call);
     Reply<ipc::Done> serve(const ipc::Shutdown&) { return ipc::Done{}; }
 
+    void hear(const ipc::SessionRestore& call);
     void hear(const ipc::RenditionShow& call);
     void hear(const ipc::RenditionHide& call);
     void hear(const ipc::RenditionAck& call);

@@ -90,6 +90,11 @@ void Session::tellWindows(const ipc::WindowsChanged& windows) {
     tellMenu();
 }
 
+void Session::hear(const ipc::SessionRestore& call) {
+    if (platform_.restoreWindows)
+        platform_.restoreWindows(call.state, call.notice);
+}
+
 auto Session::serve(const ipc::PresentationList&) -> Reply<ipc::Presentations> {
     return ipc::Presentations{{{"picture", "Picture"}}};
 }

@@ -11,6 +11,8 @@ The text of its subdocument is lines of `WORD VALUES`:
   behave BEHAVIOUR     as the argument, from the moment that the text is loaded
   windows N DRAFTS     says that it has N windows of its own, with drafts (1) or none (0)
   draft TEXT           says that TEXT was typed in a window; update-drafts asks the host to append it
+  keep TEXT            when its editor is opened, TEXT is a draft there, which the host keeps for the next process; one that
+                       is given a TEXT of BEHAVIOUR behaves so
   change TEXT          asks the host to append TEXT to the subdocument, once
 
 A press of a button turns the rendition magenta; that is its state, which the next process is given.
@@ -77,7 +79,7 @@ class Medium:
         self.colour, self.size, self.duration = (0x30, 0x60, 0xA0), (320, 200), 0.0
         self.time, self.playing, self.rate, self.loop = 0.0, False, 1.0, False
         self.handles = False
-        self.draft, self.opened = "", 0
+        self.draft, self.opened, self.keeps, self.notice = "", 0, "", ""
         self.stay = False
         self.slow = 0.0
         self.serial = 0
@@ -160,6 +162,8 @@ class Medium:
             elif words[0] == "draft":
                 self.draft = " ".join(words[1:])
                 notify("windows/changed", open=1, drafts=True)
+            elif words[0] == "keep":
+                self.keeps = " ".join(words[1:])
             elif words[0] == "change":
                 changes.append(" ".join(words[1:]))
             else:
@@ -291,7 +295,9 @@ class Medium:
                 self.playing = True
             if p["id"] == "editor":
                 self.opened += 1
-                notify("windows/changed", open=self.opened, drafts=False)
+                self.draft = self.keeps
+                notify("windows/changed", open=self.opened, drafts=self.draft != "")
+                notify("session/keep", state=self.keeps)
             if p["id"] == "update-drafts":
                 end = len(self.text.encode())
                 send({"id": 2, "method": "subdocument/changed", "params": {"base": self.revision, "label": "Append", "edits": [
@@ -342,6 +348,14 @@ class Medium:
                 self.renditions[p["rendition"]]["state"] = "magenta"
                 notify("rendition/state", rendition=p["rendition"], state="magenta")
                 self.draw(p["rendition"])
+        elif method == "session/restore":
+            words = p["state"].split()
+            if words[0] == "behave":
+                self.behave(words[1:])
+            self.draft, self.opened, self.notice = p["state"], 1, p["notice"]
+            notify("windows/changed", open=1, drafts=True)
+            notify("menu/changed", menus=self.menus())
+            notify("session/keep", state=self.draft)
         elif method == "exit":
             if not self.stay:
                 os._exit(0)
