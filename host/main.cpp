@@ -7,6 +7,7 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QTimer>
 #include <clocale>
 #include <cstdio>
 
@@ -53,6 +54,7 @@ int openWindows(QApplication& application, const QCommandLineParser& options) {
         }
     if (options.positionalArguments().isEmpty())
         opened = windows.openNew() != nullptr;
+    QTimer::singleShot(0, &windows, [&windows] { windows.offerRecovered(); });
     return opened ? application.exec() : console::failure;
 }
 

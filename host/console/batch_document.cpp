@@ -1,7 +1,8 @@
 #include "console/batch_document.h"
 
+#include "files/read.h"
+
 #include <QCoreApplication>
-#include <QFile>
 #include <cstdio>
 
 namespace console {
@@ -16,9 +17,13 @@ BatchDocument::BatchDocument(const QString& input)
         complain(fault);
     std::unique_ptr<document::Document> document;
     if (input == "-") {
-        QFile in;
-        static_cast<void>(in.open(stdin, QIODevice::ReadOnly));
-        document = std::make_unique<document::Document>(in.readAll().toStdString());
+        files::ReadFile in =
+            files::readStandardInput(files::FileSystem::real(), sgml::Limits{}.bytes);
+        if (in.read)
+            document = std::make_unique<document::Document>(std::move(in.bytes));
+        else
+            failure_ = QStringLiteral("standard input cannot be read: %1.")
+                           .arg(QString::fromStdString(in.reason));
     } else {
         document::Document::Loaded loaded = document::Document::load(input);
         failure_ = loaded.failure;

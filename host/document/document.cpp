@@ -2,6 +2,7 @@
 
 #include "sgml/utf8.h"
 
+#include <QFile>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -214,39 +215,62 @@ void Document::announce(bool wasModified) {
 
 // --- its file -------------------------------------------------------------------------------
 
+namespace {
+
+std::string pathOf(const QString& fileName) { return QFile::encodeName(fileName).toStdString(); }
+
+} // namespace
+
 // LIMIT: a longer file is not read at all; its tree could not be either (sgml::Limits).
-Document::Loaded Document::load(const QString& fileName, FileSystem* files) {
-    FileSystem& system = files != nullptr ? *files : FileSystem::real();
-    ReadFile file = readFile(system, fileName, sgml::Limits{}.bytes);
+Document::Loaded Document::load(const QString& fileName, files::FileSystem* files) {
+    files::FileSystem& system = files != nullptr ? *files : files::FileSystem::real();
+    const std::string path = pathOf(fileName);
+    files::removeAbandonedParts(system, path);
+    files::ReadFile file = files::readFile(system, path, sgml::Limits{}.bytes);
     if (!file.read)
-        return {.document = nullptr, .failure = file.sentence};
+        return {.document = nullptr,
+                .failure =
+                    QStringLiteral("%1 cannot be read: %2.")
+                        .arg(QFileInfo(fileName).fileName(), QString::fromStdString(file.reason))};
     Loaded loaded{.document = std::make_unique<Document>(std::move(file.bytes)), .failure = {}};
     loaded.document->fileName_ = fileName;
-    loaded.document->stamp_ = file.stamp;
+    loaded.document->file_ = {path, file.stamp};
     loaded.document->files_ = &system;
     return loaded;
 }
 
-SaveResult Document::save(SaveOptions options) { return saveAs(fileName_, options); }
-
-SaveResult Document::saveAs(const QString& fileName, SaveOptions options) {
-    const QString name = QFileInfo(fileName).fileName();
-    if (fileName.isEmpty())
-        return {.sentence = QStringLiteral("The document has no file name yet.")};
-    if (isOwnFile(fileName)) {
-        if (isBroken() && !options.evenBroken)
-            return {.refusal = Refusal::broken,
-                    .sentence =
-                        QStringLiteral("%1 could be read only in part; saving would replace it.")
-                            .arg(name)};
-        const FileState state = fileState();
-        if (state == FileState::changed && !options.evenChanged)
-            return {
-                .refusal = Refusal::changed,
-                .sentence =
-                    QStringLiteral("Another program has changed %1 since it was read.").arg(name)};
+std::unique_ptr<Document> Document::recover(const files::KnownFile& file, std::string text) {
+    const QString fileName = QFile::decodeName(file.path.c_str());
+    if (Loaded loaded = file.path.empty() ? Loaded{} : load(fileName); loaded.document) {
+        loaded.document->recoverText(file, text);
+        return std::move(loaded.document);
     }
-    const SaveResult result = writeFile(*files_, fileName, bytes(), stamp_);
+    auto document = std::make_unique<Document>(std::move(text));
+    document->fileName_ = fileName;
+    document->file_ = file;
+    document->clean_ = noStep;
+    return document;
+}
+
+void Document::recoverText(const files::KnownFile& file, const std::string& text) {
+    file_ = file;
+    edit(differenceOf(bytes(), text), tr("Recover"));
+}
+
+files::SaveResult Document::save(files::SaveOptions options) { return saveAs(fileName_, options); }
+
+files::SaveResult Document::saveAs(const QString& fileName, files::SaveOptions options) {
+    if (fileName.isEmpty())
+        return {.saved = false,
+                .refusal = files::Refusal::none,
+                .sentence = "The document has no file name yet."};
+    const std::string path = pathOf(fileName);
+    if (isBroken() && !options.evenBroken && files::isSameFile(*files_, path, file_.path))
+        return {.saved = false,
+                .refusal = files::Refusal::broken,
+                .sentence =
+                    files::nameOf(path) + " could be read only in part; saving would replace it."};
+    files::SaveResult result = files::saveFile(*files_, path, bytes(), file_, options);
     if (!result)
         return result;
     const bool wasModified = isModified();
@@ -260,14 +284,6 @@ SaveResult Document::saveAs(const QString& fileName, SaveOptions options) {
     return result;
 }
 
-bool Document::isOwnFile(const QString& fileName) const {
-    if (fileName_.isEmpty())
-        return false;
-    const QFileInfo own(fileName_), other(fileName);
-    return own.absoluteFilePath() == other.absoluteFilePath() ||
-           (own.exists() && own.canonicalFilePath() == other.canonicalFilePath());
-}
-
-FileState Document::fileState() const { return compareFile(*files_, fileName_, stamp_); }
+files::FileState Document::fileState() const { return files::compareFile(*files_, file_); }
 
 } // namespace document

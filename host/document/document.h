@@ -5,9 +5,9 @@
 // yields a document with faults. No widgets, no processes, nothing that waits.
 #pragma once
 
-#include "document/file.h"
 #include "document/schemas.h"
 #include "document/subdocument.h"
+#include "files/save.h"
 #include "sgml/edit.h"
 
 #include <QObject>
@@ -74,13 +74,23 @@ public:
     [[nodiscard]] const QString& fileName() const { return fileName_; }
     [[nodiscard]] bool isModified() const { return done_ != clean_; }
     // A broken document, and a file that another program changed, are replaced only when allowed.
-    [[nodiscard]] SaveResult save(SaveOptions options = {});
-    [[nodiscard]] SaveResult saveAs(const QString& fileName, SaveOptions options = {});
+    [[nodiscard]] files::SaveResult save(files::SaveOptions options = {});
+    [[nodiscard]] files::SaveResult saveAs(const QString& fileName,
+                                           files::SaveOptions options = {});
     // Was the file changed by another program since it was read or saved?
-    [[nodiscard]] FileState fileState() const;
+    [[nodiscard]] files::FileState fileState() const;
+    // The file as it was read or saved last.
+    [[nodiscard]] const files::KnownFile& knownFile() const { return file_; }
 
     struct Loaded;
-    [[nodiscard]] static Loaded load(const QString& fileName, FileSystem* files = nullptr);
+    [[nodiscard]] static Loaded load(const QString& fileName, files::FileSystem* files = nullptr);
+    // What a program that ended had not saved of a file, which it knew as `file`; the file itself
+    // is as it was. The text is one change of what the file holds; without the file it is a
+    // document that was never saved.
+    [[nodiscard]] static std::unique_ptr<Document> recover(const files::KnownFile& file,
+                                                           std::string text);
+    // The same of one that is open, with the file's content as it was read.
+    void recoverText(const files::KnownFile& file, const std::string& text);
 
 Q_SIGNALS:
     void changed(); // after any change of the bytes
@@ -116,7 +126,6 @@ private:
     void readSubdocuments(const std::map<std::size_t, SubdocumentId>& known);
     int nextRevision(SubdocumentId id);
     [[nodiscard]] Subdocument describe(sgml::NodeId element) const;
-    [[nodiscard]] bool isOwnFile(const QString& fileName) const;
 
     static constexpr std::size_t noStep = static_cast<std::size_t>(-1);
     sgml::Tree tree_;
@@ -130,8 +139,8 @@ private:
     std::size_t clean_ = 0; // steps that were in force when saved; noStep: that state is gone
     QString group_;
     QString fileName_;
-    FileStamp stamp_;
-    FileSystem* files_ = &FileSystem::real();
+    files::KnownFile file_;
+    files::FileSystem* files_ = &files::FileSystem::real();
 };
 
 struct Document::Loaded {

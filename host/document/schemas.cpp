@@ -1,10 +1,11 @@
 #include "document/schemas.h"
 
 #include "document/builtin_schemas.h"
-#include "document/file.h"
+#include "files/read.h"
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QStandardPaths>
 
@@ -63,11 +64,12 @@ void Schemas::addNamed(const QString& name, const std::map<QString, std::string>
                        const std::map<QString, QString>& paths) {
     const auto path = paths.find(name);
     if (path != paths.end()) {
-        const ReadFile file = readFile(FileSystem::real(), path->second, longestFile);
+        const files::ReadFile file = files::readFile(
+            files::FileSystem::real(), QFile::encodeName(path->second).toStdString(), longestFile);
         if (!file.read) {
             sgml::Fault fault;
             fault.position = {1, 1};
-            fault.message = file.sentence.toStdString();
+            fault.message = "This schema cannot be read: " + file.reason + ".";
             faults_.push_back({path->second, fault});
         } else if (addFile(path->second, name, file.bytes)) {
             return;

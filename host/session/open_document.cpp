@@ -48,6 +48,11 @@ OpenDocument::OpenDocument(std::unique_ptr<document::Document> document,
 
 OpenDocument::~OpenDocument() = default;
 
+Unsaved& OpenDocument::keepUnsavedIn(const std::string& folder) {
+    unsaved_ = std::make_unique<Unsaved>(*this, folder);
+    return *unsaved_;
+}
+
 void OpenDocument::readSubdocuments() {
     const std::vector<document::SubdocumentId> there = document_->subdocuments();
     std::erase_if(live_, [&](const auto& one) {
@@ -68,6 +73,8 @@ void OpenDocument::readSubdocuments() {
         connect(made.get(), &media::LiveSubdocument::diagnosticsChanged, this,
                 &OpenDocument::faultsChanged);
         connect(made.get(), &media::LiveSubdocument::windowsChanged, this,
+                &OpenDocument::draftsChanged);
+        connect(made.get(), &media::LiveSubdocument::keptStateChanged, this,
                 &OpenDocument::draftsChanged);
         connect(made.get(), &media::LiveSubdocument::message, this, &OpenDocument::message);
         connect(made.get(), &media::LiveSubdocument::undoRequested, document_.get(),

@@ -7,6 +7,7 @@
 
 #include "document/document.h"
 #include "media/live_media.h"
+#include "session/unsaved.h"
 
 #include <QObject>
 #include <QSizeF>
@@ -54,10 +55,14 @@ public:
     // What a subdocument's medium finds wrong, placed in the file.
     [[nodiscard]] std::vector<ListedFault> faultsOf(document::SubdocumentId id) const;
 
+    // What is not saved is kept in that folder's journal from now on.
+    Unsaved& keepUnsavedIn(const std::string& folder);
+    [[nodiscard]] Unsaved* unsaved() const { return unsaved_.get(); } // null: it is not kept
+
 Q_SIGNALS:
     void structureChanged(); // something else than the text of subdocuments
     void faultsChanged();
-    void draftsChanged();
+    void draftsChanged(); // what was typed in windows of media, or whether anything was
     void message(const QString& text);
 
 private:
@@ -73,6 +78,7 @@ private:
     media::LiveMedia& media_;
     std::map<document::SubdocumentId, std::unique_ptr<media::LiveSubdocument>> live_;
     bool onlyText_ = false; // the change that is being announced
+    std::unique_ptr<Unsaved> unsaved_;
 };
 
 } // namespace session

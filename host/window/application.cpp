@@ -1,6 +1,9 @@
 #include "window/application.h"
 
+#include "window/recovery.h"
+
 #include <QApplication>
+#include <QFile>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPalette>
@@ -50,8 +53,9 @@ void dress() {
                         "QStatusBar::item{border:none}");
 }
 
-Application::Application(media::TimeLimits limits)
-    : schemas_(document::Schemas::load(document::Schemas::standardFolders())),
+Application::Application(media::TimeLimits limits, std::string journal)
+    : journal_(std::move(journal)),
+      schemas_(document::Schemas::load(document::Schemas::standardFolders())),
       media_(media::Registry::read(media::registryFolders(QCoreApplication::applicationDirPath())),
              QCoreApplication::applicationDirPath(), pipes_, limits) {
     media_.setMostLive(QSettings().value("media/mostLive", media_.mostLive()).toInt());
@@ -91,10 +95,67 @@ DocumentWindow* Application::openNew() {
 
 DocumentWindow* Application::addWindow(std::shared_ptr<session::OpenDocument> document) {
     std::erase_if(windows_, [](const QPointer<DocumentWindow>& one) { return !one; });
+    if (!document->unsaved())
+        connect(&document->keepUnsavedIn(journal_), &session::Unsaved::failed, this,
+                [this](const QString& sentence) {
+                    tell(windows_.empty() ? nullptr : windows_.back(), sentence);
+                });
     auto* made = new DocumentWindow(*this, std::move(document));
     windows_.emplace_back(made);
     made->show();
     return made;
+}
+
+// --- what was not saved ------------------------------------------------------------------------
+
+void Application::offerRecovered() {
+    files::AllLeft all = files::leftBehind(files::FileSystem::real(), journal_);
+    const auto over = [this]() -> QWidget* {
+        return windows_.empty() ? nullptr : windows_.back().data();
+    };
+    for (const std::string& fault : all.faults)
+        tell(over(), QString::fromStdString(fault));
+    bool recovered = false;
+    for (files::LeftBehind& left : all.texts) {
+        const Answer answer = askAbout(over(), left.kept);
+        if (answer == Answer::discard)
+            left.place->remove();
+        if (answer == Answer::open)
+            recovered = recover(std::move(left)) || recovered;
+    }
+    if (recovered)
+        closeUntouched();
+}
+
+DocumentWindow* Application::recover(files::LeftBehind left) {
+    files::Kept& kept = left.kept;
+    const QString path = QFile::decodeName(kept.file.path.c_str());
+    for (const QPointer<DocumentWindow>& one : windows_) {
+        if (!one || path.isEmpty() || one->document().document().fileName() != path)
+            continue;
+        if (one->document().document().isModified()) {
+            kept.file = {}; // what was done since is worth as much: both are there, to choose from
+            break;
+        }
+        one->document().document().recoverText(kept.file, kept.text);
+        one->document().unsaved()->adopt(std::move(left));
+        return one;
+    }
+    DocumentWindow* made = addWindow(std::make_shared<session::OpenDocument>(
+        document::Document::recover(kept.file, kept.text), schemas_, media_));
+    made->document().unsaved()->adopt(std::move(left));
+    return made;
+}
+
+// The empty memo that a program begins with which is given no document.
+void Application::closeUntouched() {
+    for (const QPointer<DocumentWindow>& one : windows_) {
+        if (!one)
+            continue;
+        const document::Document& of = one->document().document();
+        if (of.fileName().isEmpty() && !of.isModified() && of.revision() == 0)
+            one->close();
+    }
 }
 
 void Application::playWhenLoaded(session::OpenDocument& document) {

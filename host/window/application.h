@@ -1,6 +1,7 @@
 // The windows that are open, the documents they show, and what is remembered between runs.
 #pragma once
 
+#include "files/journal.h"
 #include "media/live_media.h"
 #include "window/document_window.h"
 
@@ -15,7 +16,9 @@ class Application : public QObject {
     Q_OBJECT
 
 public:
-    explicit Application(media::TimeLimits limits = {});
+    // `journal`: the folder of what is not saved.
+    explicit Application(media::TimeLimits limits = {},
+                         std::string journal = files::journalFolder("ensemble"));
     ~Application() override;
 
     // Opens a file in a window, or raises the one that has it. Null, after a message, when it
@@ -23,6 +26,10 @@ public:
     DocumentWindow* open(const QString& fileName, QWidget* parent = nullptr);
     DocumentWindow* openNew(); // an empty memo
     DocumentWindow* addWindow(std::shared_ptr<session::OpenDocument> document);
+    // Asks about each text that a program which ended had not saved, and opens what is wanted.
+    void offerRecovered();
+    // Its file opens, with that text as one change of it; what is not saved stays in the journal.
+    DocumentWindow* recover(files::LeftBehind left);
     void playWhenLoaded(session::OpenDocument& document);
     void quit(); // after asking every window
 
@@ -33,6 +40,9 @@ public:
     [[nodiscard]] const media::PipeThread& pipes() const { return pipes_; }
 
 private:
+    void closeUntouched();
+
+    std::string journal_;
     document::Schemas schemas_;
     media::PipeThread pipes_;
     media::LiveMedia media_;

@@ -93,6 +93,7 @@ DocumentWindow::DocumentWindow(Application& application,
     document::Document* of = &document_->document();
     connect(of, &document::Document::modifiedChanged, this, &DocumentWindow::updateTitle);
     connect(of, &document::Document::fileNameChanged, this, &DocumentWindow::updateTitle);
+    connect(view_, &DocumentView::laidOut, this, &DocumentWindow::updateTitle);
     connect(of, &document::Document::undoChanged, this, &DocumentWindow::updateUndo);
     connect(document_.get(), &session::OpenDocument::message, this,
             [this](const QString& text) { statusBar()->showMessage(text, 8000); });
@@ -257,11 +258,35 @@ void DocumentWindow::buildTools() {
 
 // --- what changes ------------------------------------------------------------------------------
 
+namespace {
+
+// One line without what is not seen, of a length that a task list can show.
+QString lineOf(const QString& text) {
+    constexpr qsizetype longest = 120;
+    QString line;
+    for (const QChar c : text.simplified())
+        if (c.isPrint() && line.size() < longest)
+            line += c;
+    return line;
+}
+
+} // namespace
+
+// Its own, as the presentation says which element that is, else its file's name.
+QString DocumentWindow::documentTitle() const {
+    const QString title = lineOf(QString::fromStdString(view_->model().title));
+    const QString file = lineOf(QFileInfo(document_->document().fileName()).fileName());
+    if (title.isEmpty())
+        return file.isEmpty() ? tr("Untitled") : file;
+    // Two documents may have one title.
+    return file.isEmpty() ? title : tr("%1 (%2)").arg(title, file);
+}
+
 void DocumentWindow::updateTitle() {
     const document::Document& of = document_->document();
-    const QString file =
-        of.fileName().isEmpty() ? tr("Untitled") : QFileInfo(of.fileName()).fileName();
-    setWindowTitle(file + "[*] - Ensemble");
+    QString title = documentTitle();
+    title.replace(QLatin1String("[*]"), QLatin1String("[*][*]")); // else Qt takes it for the mark
+    setWindowTitle(title + "[*] - Ensemble");
     setWindowModified(of.isModified());
     setWindowFilePath(of.fileName());
 }
@@ -322,26 +347,27 @@ void DocumentWindow::useShortcut(int key, Qt::KeyboardModifiers modifiers) {
 // --- files -------------------------------------------------------------------------------------
 
 // What is refused for a reason is done all the same when the user says so.
-bool DocumentWindow::saveBy(
-    const std::function<document::SaveResult(document::SaveOptions)>& saving) {
-    document::SaveOptions options;
+bool DocumentWindow::saveBy(const std::function<files::SaveResult(files::SaveOptions)>& saving) {
+    files::SaveOptions options;
     for (;;) {
-        const document::SaveResult result = saving(options);
+        const files::SaveResult result = saving(options);
+        const QString sentence = QString::fromStdString(result.sentence);
         if (result.saved) {
             statusBar()->showMessage(tr("Saved"), 4000);
             return true;
         }
-        if (result.refusal == document::Refusal::none) {
-            QMessageBox::critical(this, tr("Save"), result.sentence);
+        if (result.refusal == files::Refusal::none) {
+            QMessageBox::critical(this, tr("Save"), sentence);
             return false;
         }
-        const auto answer = QMessageBox::warning(
-            this, tr("Save"), tr("%1\n\nOverwrite it all the same?").arg(result.sentence),
-            QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
+        const auto answer =
+            QMessageBox::warning(this, tr("Save"), tr("%1\n\nSave it all the same?").arg(sentence),
+                                 QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
         if (answer != QMessageBox::Yes)
             return false;
-        (result.refusal == document::Refusal::broken ? options.evenBroken : options.evenChanged) =
-            true;
+        options.evenBroken |= result.refusal == files::Refusal::broken;
+        options.evenChanged |= result.refusal == files::Refusal::changed;
+        options.evenLinked |= result.refusal == files::Refusal::linked;
     }
 }
 
@@ -363,7 +389,7 @@ bool DocumentWindow::saveNow() {
     document::Document& of = document_->document();
     if (of.fileName().isEmpty())
         return saveAs();
-    return saveBy([&of](document::SaveOptions options) { return of.save(options); });
+    return saveBy([&of](files::SaveOptions options) { return of.save(options); });
 }
 
 bool DocumentWindow::saveAs() {
@@ -373,7 +399,7 @@ bool DocumentWindow::saveAs() {
     if (file.isEmpty())
         return false;
     const bool saved =
-        saveBy([&of, file](document::SaveOptions options) { return of.saveAs(file, options); });
+        saveBy([&of, file](files::SaveOptions options) { return of.saveAs(file, options); });
     if (saved)
         application_.remember(file);
     return saved;
@@ -450,6 +476,8 @@ void DocumentWindow::closeEvent(QCloseEvent* event) {
             return;
         }
     }
+    if (isLastOfDocument() && document_->unsaved())
+        document_->unsaved()->giveUp();
     event->accept();
 }
 
@@ -496,7 +524,7 @@ void DocumentWindow::exportPdfTo(const QString& fileName) {
 void DocumentWindow::print() {
     auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
     printer->setFullPage(true);
-    printer->setDocName(windowTitle());
+    printer->setDocName(documentTitle());
     QPrintDialog dialog(printer.get(), this);
     if (dialog.exec() != QDialog::Accepted)
         return;

@@ -43,12 +43,13 @@ private:
     void buildTools();
     void fillRecent();
     void fillPresentations();
+    [[nodiscard]] QString documentTitle() const;
     void updateTitle();
     void updateUndo();
     void updateFaults(int errors, int warnings);
     void print();
     void exportPdf();
-    bool saveBy(const std::function<document::SaveResult(document::SaveOptions)>& saving);
+    bool saveBy(const std::function<files::SaveResult(files::SaveOptions)>& saving);
     [[nodiscard]] bool isLastOfDocument() const;
     // What was typed in windows of media and is no change of the document yet: asks when there is
     // any. `update`: it becomes the document's, and then `then` is done.

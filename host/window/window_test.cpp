@@ -391,12 +391,27 @@ TEST_F(WindowTest, SurvivesKillsAtRandomMoments) {
                     restartMs[restartMs.size() * 95 / 100]);
 }
 
+TEST_F(WindowTest, TheTitleIsTheDocumentsAndElseItsFiles) {
+    DocumentWindow* window = open(memo("").replace("{Test}", "{A [*] plan\n of\x1b ours}"));
+    EXPECT_EQ(window->windowTitle(), "A [*][*] plan of ours (1.ens)[*] - Ensemble");
+    document::Document& of = window->document().document();
+    const std::size_t at = of.bytes().find("{A ");
+    const std::size_t end = of.bytes().find('}', at);
+    of.edit({{{at + 1, end}, "Another"}}, "Edit");
+    EXPECT_TRUE(waitFor([&] { return window->windowTitle().startsWith("Another (1.ens)"); }));
+    EXPECT_TRUE(window->isWindowModified());
+    of.edit({{{at + 1, at + 8}, ""}}, "Edit");
+    EXPECT_TRUE(waitFor([&] { return window->windowTitle() == "1.ens[*] - Ensemble"; }));
+    EXPECT_EQ(application_.openNew()->windowTitle(), "Untitled[*] - Ensemble");
+}
+
 } // namespace
 } // namespace window
 
 int main(int argc, char** argv) {
     QTemporaryDir settings;
     qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
+    qputenv("XDG_STATE_HOME", settings.path().toUtf8()); // texts that tests leave unsaved
     qputenv("ENSEMBLE_MEDIA", SOURCE_DIR "/tests/media");
     QApplication application(argc, argv);
     QApplication::setOrganizationName("ensemble-test");

@@ -70,6 +70,14 @@ class Convert(InFolder):
         self.assertEqual(code, 1)
         self.assertIn("no.ens", error)
 
+    def test_what_is_no_file_or_has_no_end_is_refused(self):
+        os.mkfifo(self.path("pipe.ens"))
+        for name in ("pipe.ens", "/dev/zero"):
+            self.assertEqual(self.ensemble("--check", name)[::2], (1, "%s cannot be read: it is not a file.\n" % os.path.basename(name)))
+        with open("/dev/zero", "rb") as zeros:
+            code, _, error = self.ensemble("--convert-to", "text", "-", stdin=zeros)
+        self.assertEqual((code, error), (1, "standard input cannot be read: it is longer than 256 MB, and no more is read.\n"))
+
 
 class Check(InFolder):
     def test_faults_of_document_and_subdocuments_in_order(self):

@@ -1,0 +1,43 @@
+// What is not saved of an open document outlives this program: each change goes to the user's
+// journal, with what was typed in windows of media, and whoever starts the program after it was
+// killed is offered it. What is saved, undone to the saved text, or given up, goes from the
+// journal.
+#pragma once
+
+#include "files/journal_writer.h"
+
+#include <QObject>
+
+namespace session {
+
+class OpenDocument;
+
+class Unsaved : public QObject {
+    Q_OBJECT
+
+public:
+    Unsaved(OpenDocument& document, const std::string& folder); // which outlives it
+    // What is neither saved nor given up stays in the journal.
+
+    // What is kept there is this document's, which has that text; its media open the windows again
+    // that had drafts.
+    void adopt(files::LeftBehind left);
+    void giveUp();                      // closed by choice
+    void finish() { writer_.finish(); } // returns when all of it is on the disk
+
+Q_SIGNALS:
+    void failed(const QString& sentence); // changes cannot be kept; once, until they can
+
+private:
+    // By the subdocument's place among all, from "0" on.
+    using Drafts = std::map<std::string, std::string>;
+
+    void changed();
+    [[nodiscard]] Drafts drafts(bool& any) const;
+
+    OpenDocument& document_;
+    Drafts recovered_; // what its media were given, and perhaps have not opened yet
+    files::JournalWriter writer_;
+};
+
+} // namespace session

@@ -1,0 +1,139 @@
+#include "files/failing_files.h"
+#include "files/save.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace files {
+namespace {
+
+using testing::ElementsAre;
+
+const std::string oldBytes = "DOCUMENT A\n<A>{old}</A>\n";
+const std::string newBytes = "DOCUMENT A\n<A>{" + std::string(500, 'n') + "}</A>\n";
+
+KnownFile read(const std::string& path) {
+    return {path, readFile(FileSystem::real(), path, 10'000).stamp};
+}
+
+// Whatever call fails, the file is the old one or the new one, and "saved" is never said falsely.
+TEST(Save, EveryCallMayFail) {
+    const Folder folder;
+    int injected = 0;
+    for (const int error : {ENOSPC, EIO, EDQUOT, EROFS, EACCES}) {
+        for (int nth = 1;; ++nth) {
+            KnownFile known = read(folder.put("a.ens", oldBytes));
+            FailingFiles files(nth, error);
+            const SaveResult result = saveFile(files, known.path, newBytes, known);
+            const std::string now = folder.content("a.ens");
+            ASSERT_TRUE(now == oldBytes || now == newBytes) << "call " << nth;
+            if (result) {
+                ASSERT_EQ(now, newBytes) << "call " << nth;
+            } else {
+                ASSERT_FALSE(result.sentence.empty());
+            }
+            ASSERT_THAT(folder.names(), ElementsAre("a.ens"))
+                << "something is left behind by call " << nth;
+            if (!files.failed)
+                break;
+            ++injected;
+        }
+    }
+    EXPECT_GT(injected, 100);
+}
+
+TEST(Save, AnInterruptedCallIsTriedAgain) {
+    const Folder folder;
+    for (int nth = 1;; ++nth) {
+        const std::string path = folder.put("a.ens", oldBytes);
+        FailingFiles files(nth, EINTR);
+        FileStamp stamp;
+        const SaveResult result = writeFile(files, path, newBytes, stamp);
+        const std::string now = folder.content("a.ens");
+        ASSERT_TRUE(now == oldBytes || now == newBytes);
+        ASSERT_TRUE(!result || now == newBytes);
+        if (!files.failed)
+            break;
+    }
+}
+
+TEST(Save, KeepsPermissionsAndFollowsLinks) {
+    const Folder folder;
+    const std::string path = folder.put("a.ens", oldBytes), link = folder.path("link.ens");
+    ASSERT_EQ(::chmod(path.c_str(), 0640), 0);
+    ASSERT_EQ(::symlink("a.ens", link.c_str()), 0);
+    FileStamp stamp;
+    ASSERT_TRUE(writeFile(FileSystem::real(), link, newBytes, stamp));
+    EXPECT_EQ(folder.content("a.ens"), newBytes);
+    struct stat status {};
+    ASSERT_EQ(::lstat(link.c_str(), &status), 0);
+    EXPECT_TRUE(S_ISLNK(status.st_mode));
+    ASSERT_EQ(::stat(path.c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 07777, 0640u);
+    EXPECT_EQ(folder.names().size(), 2u);
+}
+
+TEST(Save, SaysWhyInAPlainSentence) {
+    const Folder folder;
+    FileStamp stamp;
+    EXPECT_EQ(writeFile(FileSystem::real(), folder.path("none/a.ens"), newBytes, stamp).sentence,
+              "a.ens was not saved: its folder takes no new file (No such file or directory).");
+}
+
+TEST(Save, WhatAnotherProgramChangedIsNotOverwrittenUnasked) {
+    const Folder folder;
+    KnownFile known = read(folder.put("a.al", oldBytes));
+    EXPECT_EQ(compareFile(FileSystem::real(), known), FileState::unchanged);
+    folder.put("a.al", "another's");
+    EXPECT_EQ(compareFile(FileSystem::real(), known), FileState::changed);
+    const SaveResult result = saveFile(FileSystem::real(), known.path, newBytes, known);
+    EXPECT_EQ(result.refusal, Refusal::changed);
+    EXPECT_EQ(result.sentence, "Another program has changed a.al since it was read.");
+    EXPECT_EQ(folder.content("a.al"), "another's");
+    // Under another name of the same file, too; a file that is not the known one is replaced.
+    EXPECT_EQ(saveFile(FileSystem::real(), folder.path("./a.al"), newBytes, known).refusal,
+              Refusal::changed);
+    KnownFile other = known;
+    EXPECT_TRUE(saveFile(FileSystem::real(), folder.path("b.al"), newBytes, other));
+    EXPECT_EQ(other.path, folder.path("b.al"));
+    EXPECT_TRUE(saveFile(FileSystem::real(), known.path, newBytes, known, {.evenChanged = true}));
+    EXPECT_EQ(compareFile(FileSystem::real(), known), FileState::unchanged);
+    ASSERT_EQ(::unlink(known.path.c_str()), 0);
+    EXPECT_EQ(compareFile(FileSystem::real(), known), FileState::removed);
+    EXPECT_TRUE(saveFile(FileSystem::real(), known.path, newBytes, known));
+}
+
+TEST(Save, OtherNamesOfTheFileAreNotLeftBehindUnasked) {
+    const Folder folder;
+    KnownFile known = read(folder.put("a.al", oldBytes));
+    ASSERT_EQ(::link(known.path.c_str(), folder.path("b.al").c_str()), 0);
+    const SaveResult result = saveFile(FileSystem::real(), known.path, newBytes, known);
+    EXPECT_EQ(result.refusal, Refusal::linked);
+    EXPECT_EQ(result.sentence,
+              "a.al has 2 names (hard links). Saving gives this name a file of its own; under the "
+              "other name the old text stays.");
+    EXPECT_EQ(folder.content("a.al"), oldBytes);
+    ASSERT_TRUE(saveFile(FileSystem::real(), known.path, newBytes, known, {.evenLinked = true}));
+    EXPECT_EQ(folder.content("a.al"), newBytes);
+    EXPECT_EQ(folder.content("b.al"), oldBytes);
+    EXPECT_TRUE(saveFile(FileSystem::real(), known.path, oldBytes, known)); // one name each now
+}
+
+TEST(Save, PartsOfKilledSavesGo) {
+    const Folder folder;
+    KnownFile known = read(folder.put("a.al", oldBytes));
+    const std::string dead = std::to_string(deadProcess()), mine = std::to_string(::getpid());
+    for (const std::string& name :
+         {"a.al.part-" + dead, "a.al.part-" + dead + "-1", "a.al.part-" + mine + "-7",
+          "b.al.part-" + dead, std::string("a.al.part-x"), std::string("a.al.part-")})
+        folder.put(name, "half");
+    ASSERT_TRUE(saveFile(FileSystem::real(), known.path, newBytes, known));
+    EXPECT_THAT(folder.names(), ElementsAre("a.al", "a.al.part-", "a.al.part-" + mine + "-7",
+                                            "a.al.part-x", "b.al.part-" + dead));
+}
+
+} // namespace
+} // namespace files
