@@ -146,7 +146,7 @@ int run(int argc, char** argv, script::Reader& reader) {
 } // namespace
 
 int main(int argc, char** argv) {
-    asgard::dieWithTheHost(argc, argv);
+    asgard::tieToTheHost(argc, argv);
     // Before anything else: what it forks must not have seen a scene, a thread or a driver.
     script::Reader reader;
     return run(argc, argv, reader);

@@ -77,10 +77,13 @@ service::Tools toolsOf(script::Reader& reader) {
 
 } // namespace
 
-void dieWithTheHost(int argc, char** argv) {
+void tieToTheHost(int argc, char** argv) {
     for (int i = 1; i < argc; ++i)
-        if (std::string_view(argv[i]) == "--medium")
+        if (std::string_view(argv[i]) == "--medium") {
             confinement::dieWithParent(getppid());
+            // Without it (an older kernel) the filter on calls holds the driver's threads.
+            (void)confinement::keepSignalsInside();
+        }
 }
 
 int serveAsMedium(script::Reader& reader) {

@@ -11,7 +11,8 @@
 //
 // Method and measurements: docs/numbers; Linux: landlock(7), seccomp(2), prctl(2), getrlimit(2).
 // LIMIT: Landlock binds the calling thread and those it starts later; threads that a graphics
-// driver started before are held by the filter alone, which is set for all threads.
+// driver started before are held by the filter, which is set for all threads, and by
+// keepSignalsInside(), which is called before the driver starts.
 #pragma once
 
 #include <cstddef>
@@ -50,6 +51,12 @@ struct Report {
 
 // Confines the calling process. A fence that fails is left out and reported; the others hold.
 [[nodiscard]] Report confine(Role role, const Limits& limits, Fences wanted = {});
+
+// No signal from this process, its later threads and its later children reaches any other, for
+// good; nor can they trace any other. Call it first of all, before there are threads and children.
+// Nothing else is forbidden, but for gaining privileges by running programs. Returns why it is not
+// so (Linux before 6.12), or "".
+[[nodiscard]] std::string keepSignalsInside();
 
 // What confine() would report here, tried out in a process that ends at once. For About boxes; call
 // it before this process is confined itself.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -15,6 +16,8 @@ namespace {
 constexpr long createRuleset = 444;
 constexpr long restrictSelf = 446;
 constexpr std::uint32_t askVersion = 1;
+constexpr int firstWithSignals = 6;
+constexpr std::uint64_t scopeOfSockets = 1, scopeOfSignals = 2; // abstract UNIX sockets
 
 struct Ruleset { // struct landlock_ruleset_attr, as of version 6
     std::uint64_t files = 0;
@@ -34,28 +37,42 @@ Ruleset everything(int version) {
         ruleset.files |= 1u << 15; // ioctl on devices opened later
     if (version >= 4)
         ruleset.network = 3; // bind and connect TCP
-    if (version >= 6)
-        ruleset.scoped = 3; // abstract UNIX sockets and signals that leave the domain
+    if (version >= firstWithSignals)
+        ruleset.scoped = scopeOfSockets | scopeOfSignals;
     return ruleset;
 }
 
 std::size_t sizeFor(int version) { return version >= 6 ? 24 : version >= 4 ? 16 : 8; }
 
-} // namespace
+long versionHere() { return syscall(createRuleset, nullptr, 0, askVersion); }
 
-std::string forbidPaths(Role, int& landlockVersion) {
-    const long version = syscall(createRuleset, nullptr, 0, askVersion);
-    if (version < 1)
-        return "no Landlock in this kernel";
-    landlockVersion = static_cast<int>(version);
-    const Ruleset ruleset = everything(landlockVersion);
-    const long fd = syscall(createRuleset, &ruleset, sizeFor(landlockVersion), 0);
+std::string restrictTo(const Ruleset& ruleset, long version) {
+    const long fd = syscall(createRuleset, &ruleset, sizeFor(static_cast<int>(version)), 0);
     if (fd < 0)
         return std::string("Landlock: ") + std::strerror(errno);
     const long done = syscall(restrictSelf, fd, 0);
     const int error = errno;
     close(static_cast<int>(fd));
     return done == 0 ? "" : std::string("Landlock: ") + std::strerror(error);
+}
+
+} // namespace
+
+std::string forbidPaths(Role, int& landlockVersion) {
+    const long version = versionHere();
+    if (version < 1)
+        return "no Landlock in this kernel";
+    landlockVersion = static_cast<int>(version);
+    return restrictTo(everything(landlockVersion), version);
+}
+
+std::string keepSignalsInside() {
+    const long version = versionHere();
+    if (version < firstWithSignals)
+        return "this kernel does not bound signals (Landlock " + std::to_string(version) + ")";
+    if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)
+        return "privileges can still be gained";
+    return restrictTo({.scoped = scopeOfSignals}, version);
 }
 
 } // namespace confinement

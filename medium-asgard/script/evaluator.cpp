@@ -2,11 +2,12 @@
 
 #include "confinement/confinement.h"
 #include "script/interpreter.h"
+#include "script/processes.h"
 
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstring>
+#include <exception>
 #include <new>
 #include <string>
 
@@ -18,34 +19,6 @@
 #include <unistd.h>
 
 namespace script {
-
-bool readAll(int fd, void* bytes, std::size_t count) {
-    auto* at = static_cast<char*>(bytes);
-    while (count > 0) {
-        const ssize_t got = read(fd, at, count);
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got <= 0)
-            return false;
-        at += got;
-        count -= static_cast<std::size_t>(got);
-    }
-    return true;
-}
-
-bool writeAll(int fd, const void* bytes, std::size_t count) {
-    const auto* at = static_cast<const char*>(bytes);
-    while (count > 0) {
-        const ssize_t put = write(fd, at, count);
-        if (put < 0 && errno == EINTR)
-            continue;
-        if (put <= 0)
-            return false;
-        at += put;
-        count -= static_cast<std::size_t>(put);
-    }
-    return true;
-}
 
 namespace {
 
@@ -85,6 +58,7 @@ int replyInUse = -1;
     interpreterInUse = &interpreter;
     replyInUse = out;
     std::set_new_handler(&leaveWithoutMemory);
+    std::set_terminate(&leaveWithoutMemory);
     Tcl_SetPanicProc(&leaveAtTclPanic);
     const std::string& recording = interpreter.evaluate(*request);
     _exit(writeAll(out, recording.data(), recording.size()) ? 0 : 1);
@@ -93,7 +67,7 @@ int replyInUse = -1;
 // --- in the server --------------------------------------------------------------------------
 
 struct Evaluator {
-    pid_t process = -1;
+    Child child;
     int in = -1;  // to it
     int out = -1; // from it
     Progress* progress = nullptr;
@@ -109,31 +83,22 @@ void forget(Evaluator& evaluator) {
     evaluator = {};
 }
 
-// A pipe whose ends are not among the standard descriptors, which libraries take for their own.
-bool openPipe(std::array<int, 2>& ends) {
-    if (pipe2(ends.data(), O_CLOEXEC) != 0)
-        return false;
-    for (int& end : ends)
-        if (end < 3) {
-            const int moved = fcntl(end, F_DUPFD_CLOEXEC, 3);
-            close(end);
-            end = moved;
-        }
-    return ends[0] >= 0 && ends[1] >= 0;
-}
-
 Evaluator makeReady(const Limits& limits) {
     Evaluator evaluator;
     std::array<int, 2> in{-1, -1};
     std::array<int, 2> out{-1, -1};
     void* page =
         mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (page == MAP_FAILED || !openPipe(in) || !openPipe(out))
+    if (page == MAP_FAILED || !openPipe(in) || !openPipe(out)) {
+        if (page != MAP_FAILED)
+            munmap(page, sizeof(Progress));
+        closeAll(in);
         return evaluator;
+    }
     evaluator.progress = new (page) Progress;
     const pid_t server = getpid();
-    evaluator.process = fork();
-    if (evaluator.process == 0) {
+    evaluator.child = forkChild();
+    if (evaluator.child.process == 0) {
         confinement::dieWithParent(server);
         const std::array<int, 2> keep{in[0], out[1]};
         confinement::closeDescriptorsExcept(keep);
@@ -156,27 +121,62 @@ struct Result {
 
 class Server {
 public:
-    Server(int requests, int replies, const Limits& limits)
-        : requests_(requests), replies_(replies), limits_(limits) {}
+    Server(const ServerEnds& ends, int parent, const Limits& limits)
+        : ends_(ends), parent_(parent), limits_(limits) {}
 
-    void run() {
-        ready_ = makeReady(limits_);
-        Header header;
-        while (readAll(requests_, &header, sizeof header)) {
-            if (header.magic != Header::magicNumber)
-                break;
-            if (header.kind != static_cast<std::uint32_t>(Kind::evaluate))
-                continue; // cancels what has ended already
-            request_.resize(header.bytes);
-            if (!readAll(requests_, request_.data(), request_.size()) || !answer(header))
-                break;
-            forget(ready_);
+    [[noreturn]] void run(bool spare) {
+        if (!spare)
             ready_ = makeReady(limits_);
+        Header header;
+        while (readAll(ends_.requests, &header, sizeof header) && serve(header)) {
         }
-        endEvaluator();
+        end(ready_.child);
+        _exit(0);
     }
 
 private:
+    // False when this process has nothing to do any more.
+    bool serve(const Header& header) {
+        if (header.magic != Header::magicNumber)
+            return false;
+        if (header.kind == static_cast<std::uint32_t>(Kind::another)) {
+            makeAnother();
+        } else if (header.kind == static_cast<std::uint32_t>(Kind::evaluate)) {
+            request_.resize(header.bytes);
+            if (!readAll(ends_.requests, request_.data(), request_.size()) || !answer(header))
+                return false;
+        } // else it cancels what has ended already
+        if (ready_.child.process < 0) {
+            forget(ready_);
+            ready_ = makeReady(limits_);
+        }
+        return true;
+    }
+
+    // A spare beside this process, within the same fences, which it inherits.
+    void makeAnother() {
+        std::array<int, 2> requests{-1, -1};
+        std::array<int, 2> replies{-1, -1};
+        if (openPipe(requests) && openPipe(replies)) {
+            const pid_t process = forkSibling();
+            if (process == 0) {
+                forget(ready_);
+                standBy({requests[0], replies[1], ends_.arrivals});
+            }
+            if (process > 0)
+                send(ends_.arrivals, {process, {requests[1], replies[0]}});
+        }
+        closeAll(requests);
+        closeAll(replies);
+    }
+
+    [[noreturn]] void standBy(const ServerEnds& ends) {
+        confinement::dieWithParent(parent_);
+        const std::array<int, 3> keep{ends.requests, ends.replies, ends.arrivals};
+        confinement::closeDescriptorsExcept(keep);
+        Server(ends, parent_, limits_).run(true);
+    }
+
     bool answer(const Header& request) {
         const Result result = evaluate(request);
         Header reply;
@@ -185,13 +185,13 @@ private:
         reply.bytes = result.bytes.size();
         reply.progress = result.progress;
         reply.status = result.status;
-        return writeAll(replies_, &reply, sizeof reply) &&
-               writeAll(replies_, result.bytes.data(), result.bytes.size());
+        return writeAll(ends_.replies, &reply, sizeof reply) &&
+               writeAll(ends_.replies, result.bytes.data(), result.bytes.size());
     }
 
     Result evaluate(const Header& request) {
         Result result;
-        if (ready_.process < 0) {
+        if (ready_.child.process < 0) {
             result.end = End::notStarted;
             return result;
         }
@@ -199,9 +199,9 @@ private:
         const std::uint64_t size = request_.size();
         request_.insert(0, reinterpret_cast<const char*>(&size), sizeof size);
         result.end = exchange(request.serial, until, result.bytes);
-        if (result.end != End::exited)
-            kill(ready_.process, SIGKILL);
-        const int status = endEvaluator();
+        // Its last descriptor closes when its exit status is set already; one that closed it by
+        // itself and lives is ended, too.
+        const int status = end(ready_.child);
         result.progress = ready_.progress->offset.load(std::memory_order_relaxed);
         if (result.end == End::exited && WIFSIGNALED(status)) {
             result.end = End::signalled;
@@ -210,19 +210,6 @@ private:
             result.status = WEXITSTATUS(status);
         }
         return result;
-    }
-
-    // An evaluator's last descriptor closes when its exit status is set already; one that closed it
-    // by itself and lives is ended.
-    int endEvaluator() {
-        int status = 0;
-        if (ready_.process < 0)
-            return status;
-        kill(ready_.process, SIGKILL);
-        while (waitpid(ready_.process, &status, 0) < 0 && errno == EINTR) {
-        }
-        ready_.process = -1;
-        return status;
     }
 
     // Sends the request, takes the recording, until the pipe closes or something ends it.
@@ -234,14 +221,14 @@ private:
             if (left <= 0)
                 return End::outOfTime;
             std::array<pollfd, 3> watched{
-                pollfd{ready_.out, POLLIN, 0}, pollfd{requests_, POLLIN, 0},
+                pollfd{ready_.out, POLLIN, 0}, pollfd{ends_.requests, POLLIN, 0},
                 pollfd{sent < request_.size() ? ready_.in : -1, POLLOUT, 0}};
             if (poll(watched.data(), watched.size(), static_cast<int>(left)) < 0 && errno != EINTR)
                 return End::cancelled;
             if (watched[1].revents != 0 && cancels(serial))
                 return End::cancelled;
             if ((watched[2].revents & POLLOUT) != 0)
-                send(sent);
+                sendOn(sent);
             else if (watched[2].revents != 0)
                 sent = request_.size(); // it is gone
             if (watched[0].revents != 0 && !take(bytes))
@@ -253,12 +240,12 @@ private:
 
     bool cancels(std::uint64_t serial) {
         Header header;
-        if (!readAll(requests_, &header, sizeof header))
+        if (!readAll(ends_.requests, &header, sizeof header))
             return true; // the reader is gone
         return header.kind == static_cast<std::uint32_t>(Kind::cancel) && header.serial == serial;
     }
 
-    void send(std::size_t& sent) {
+    void sendOn(std::size_t& sent) {
         const ssize_t put = write(ready_.in, request_.data() + sent, request_.size() - sent);
         if (put > 0)
             sent += static_cast<std::size_t>(put);
@@ -275,8 +262,8 @@ private:
         return got > 0;
     }
 
-    int requests_;
-    int replies_;
+    ServerEnds ends_;
+    pid_t parent_;
     Limits limits_;
     Evaluator ready_;
     std::string request_;
@@ -284,9 +271,9 @@ private:
 
 } // namespace
 
-void serveEvaluations(int requests, int replies, int parent, const Limits& limits) {
+void serveEvaluations(const ServerEnds& ends, int parent, const Limits& limits, bool spare) {
     confinement::dieWithParent(parent);
-    const std::array<int, 2> keep{requests, replies};
+    const std::array<int, 3> keep{ends.requests, ends.replies, ends.arrivals};
     confinement::closeDescriptorsExcept(keep);
     confinement::emptyEnvironment();
     std::signal(SIGPIPE, SIG_IGN);
@@ -294,8 +281,7 @@ void serveEvaluations(int requests, int replies, int parent, const Limits& limit
         std::signal(inherited, SIG_DFL);
     (void)confinement::confine(confinement::Role::server,
                                {.memory = {}, .cpuSeconds = {}, .descriptors = 64});
-    Server(requests, replies, limits).run();
-    _exit(0);
+    Server(ends, parent, limits).run(spare);
 }
 
 } // namespace script

@@ -6,8 +6,11 @@
 // ready. The server understands neither, so that a hostile script meets no parser of ours outside
 // its own process and the reader's.
 //
-// Each message begins with a Header. requests: evaluate (a Request), cancel. replies: a Status in
-// the header and the recording's bytes, as far as they came.
+// The reader's process cannot start another server once it is confined or has threads. A server
+// can: its image of memory is the one from before any document (servers.h).
+//
+// Each message begins with a Header. requests: evaluate (a Request), cancel, another server.
+// replies: a Status in the header and the recording's bytes, as far as they came.
 #pragma once
 
 #include "script/reader.h"
@@ -27,19 +30,33 @@ struct Header {
     std::int32_t unused = 0;
 };
 
-enum class Kind : std::uint32_t { evaluate = 1, cancel = 2 };
+enum class Kind : std::uint32_t { evaluate = 1, cancel = 2, another = 3 };
 
-// How an evaluator ended.
-enum class End : std::uint32_t { exited, signalled, outOfTime, cancelled, tooMuch, notStarted };
+// How an evaluation ended. The last three are the reader's words, never a server's.
+enum class End : std::uint32_t {
+    exited,
+    signalled,
+    outOfTime,
+    cancelled,
+    tooMuch,
+    notStarted,
+    serverEnded,   // twice
+    endedTooOften, // no other is started for some time
+    noServer       // nor a spare
+};
 
 constexpr int exitOutOfMemory = 77;
 
-// What this process does from here on; never returns. `requests` and `replies` are descriptors,
-// `parent` the process that forked this one.
-[[noreturn]] void serveEvaluations(int requests, int replies, int parent, const Limits& limits);
+// The descriptors of a server. Another server goes to the reader through `arrivals` (processes.h).
+struct ServerEnds {
+    int requests = -1;
+    int replies = -1;
+    int arrivals = -1;
+};
 
-// Reads or writes everything, over interruptions. False at the end of the pipe or an error.
-bool readAll(int fd, void* bytes, std::size_t count);
-bool writeAll(int fd, const void* bytes, std::size_t count);
+// What this process does from here on; never returns. `parent` is the process that forked this one.
+// A spare makes no evaluator ready before it is asked for something.
+[[noreturn]] void serveEvaluations(const ServerEnds& ends, int parent, const Limits& limits,
+                                   bool spare);
 
 } // namespace script

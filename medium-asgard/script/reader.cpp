@@ -3,17 +3,15 @@
 #include "script/evaluator.h"
 #include "script/make_scene.h"
 #include "script/places.h"
+#include "script/processes.h"
+#include "script/servers.h"
 #include "script/verdict.h"
 
-#include <array>
-#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <mutex>
 
-#include <fcntl.h>
 #include <poll.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 namespace script {
@@ -47,41 +45,24 @@ private:
 } // namespace
 
 struct Reader::Implementation {
+    explicit Implementation(const Limits& given) : limits(given), servers(given) {}
+
     Limits limits;
-    pid_t server = -1;
-    int requests = -1;
-    int replies = -1;
+    Servers servers;          // changed under reading and writing
     std::mutex reading;       // one reading at a time
     std::mutex writing;       // a cancel does not fall into a request
     std::uint64_t serial = 0; // of the reading that runs now; under writing
     bool running = false;     // under writing
+    bool cancelled = false;   // under writing
 
-    void start();
     Answer ask(std::string_view text, const std::map<std::string, double>& parameters);
+    Answer askOneOfTwo(const std::string& request);
+    std::optional<End> prepare();
+    End dismiss();
     bool send(const std::string& request);
     bool receive(Answer& answer);
     bool waitForReply(int milliseconds) const;
 };
-
-void Reader::Implementation::start() {
-    std::array<int, 2> to{-1, -1};
-    std::array<int, 2> from{-1, -1};
-    if (pipe2(to.data(), O_CLOEXEC) != 0)
-        return;
-    if (pipe2(from.data(), O_CLOEXEC) != 0) {
-        close(to[0]);
-        close(to[1]);
-        return;
-    }
-    const pid_t self = getpid();
-    server = fork();
-    if (server == 0)
-        serveEvaluations(to[0], from[1], self, limits);
-    close(to[0]);
-    close(from[1]);
-    requests = to[1];
-    replies = from[0];
-}
 
 bool Reader::Implementation::send(const std::string& request) {
     const WithoutBrokenPipe guard;
@@ -91,12 +72,12 @@ bool Reader::Implementation::send(const std::string& request) {
     header.serial = ++serial;
     header.bytes = request.size();
     running = true;
-    return writeAll(requests, &header, sizeof header) &&
-           writeAll(requests, request.data(), request.size());
+    return writeAll(servers.requests(), &header, sizeof header) &&
+           writeAll(servers.requests(), request.data(), request.size());
 }
 
 bool Reader::Implementation::waitForReply(int milliseconds) const {
-    pollfd reply{replies, POLLIN, 0};
+    pollfd reply{servers.replies(), POLLIN, 0};
     while (true) {
         const int ready = poll(&reply, 1, milliseconds);
         if (ready >= 0 || errno != EINTR)
@@ -109,65 +90,79 @@ bool Reader::Implementation::receive(Answer& answer) {
     constexpr int graceMs = 3000;
     Header header;
     if (!waitForReply(static_cast<int>(limits.wallClock.count()) + graceMs) ||
-        !readAll(replies, &header, sizeof header) || header.magic != Header::magicNumber ||
-        header.serial != serial || header.bytes > 2 * mostRecordedBytes ||
+        !readAll(servers.replies(), &header, sizeof header) ||
+        header.magic != Header::magicNumber || header.serial != serial ||
+        header.bytes > 2 * mostRecordedBytes ||
         header.kind > static_cast<std::uint32_t>(End::notStarted))
         return false;
     answer.bytes.resize(header.bytes);
     answer.end = static_cast<End>(header.kind);
     answer.status = header.status;
     answer.progress = header.progress;
-    return readAll(replies, answer.bytes.data(), answer.bytes.size());
+    return readAll(servers.replies(), answer.bytes.data(), answer.bytes.size());
+}
+
+std::optional<End> Reader::Implementation::prepare() {
+    const WithoutBrokenPipe guard;
+    const std::lock_guard lock(writing);
+    return servers.prepare();
+}
+
+// What a reading has come to whose server ended.
+End Reader::Implementation::dismiss() {
+    const std::lock_guard lock(writing);
+    servers.dismiss();
+    return cancelled ? End::cancelled : End::serverEnded;
+}
+
+// Of the server that works; where it ended, of the one that takes its place.
+Answer Reader::Implementation::askOneOfTwo(const std::string& request) {
+    Answer answer;
+    for (int tries = 0; tries < 2; ++tries) {
+        answer = {};
+        if (const auto none = prepare()) {
+            answer.end = *none;
+            break;
+        }
+        if (send(request) && receive(answer))
+            break;
+        answer = {};
+        answer.end = dismiss();
+        if (answer.end == End::cancelled)
+            break;
+    }
+    return answer;
 }
 
 Answer Reader::Implementation::ask(std::string_view text,
                                    const std::map<std::string, double>& parameters) {
-    Answer answer;
-    answer.end = End::notStarted;
     const std::lock_guard lock(reading);
-    if (server < 0)
-        return answer;
     Request request;
     request.commands = limits.commands;
     request.parameters = parameters;
     request.text = text;
-    if (!send(encode(request)) || !receive(answer)) {
-        // Out of step for good.
-        kill(server, SIGKILL);
-        waitpid(server, nullptr, 0);
-        server = -1;
-        answer = {};
-        answer.end = End::notStarted;
-    }
+    const int before = servers.replaced();
+    Answer answer = askOneOfTwo(encode(request));
+    answer.serverReplaced = servers.replaced() > before;
     const std::lock_guard state(writing);
-    running = false;
+    running = cancelled = false;
     return answer;
 }
 
-Reader::Reader(Limits limits) : implementation_(std::make_unique<Implementation>()) {
-    implementation_->limits = limits;
-    implementation_->start();
-}
+Reader::Reader(Limits limits) : implementation_(std::make_unique<Implementation>(limits)) {}
 
-Reader::~Reader() {
-    if (implementation_->requests >= 0)
-        close(implementation_->requests); // the server leaves at the end of its pipe
-    if (implementation_->replies >= 0)
-        close(implementation_->replies);
-    while (implementation_->server > 0 && waitpid(implementation_->server, nullptr, 0) < 0 &&
-           errno == EINTR) {
-    }
-}
+Reader::~Reader() = default;
 
 void Reader::cancel() {
     const WithoutBrokenPipe guard;
     const std::lock_guard lock(implementation_->writing);
     if (!implementation_->running)
         return;
+    implementation_->cancelled = true;
     Header header;
     header.kind = static_cast<std::uint32_t>(Kind::cancel);
     header.serial = implementation_->serial;
-    writeAll(implementation_->requests, &header, sizeof header);
+    writeAll(implementation_->servers.requests(), &header, sizeof header);
 }
 
 ReadResult Reader::read(std::string_view text, const std::map<std::string, double>& parameters) {

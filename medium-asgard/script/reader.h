@@ -2,7 +2,8 @@
 //
 // Text is a Tcl script and runs only in a disposable confined process: an evaluator, forked from a
 // server that was forked before this process saw any document. A script that loops, grows, nests
-// or attacks ends with its evaluator, and the diagnostics say so.
+// or attacks ends with its evaluator, and the diagnostics say so. A server that ended is started
+// again, and a warning says so.
 //
 // Reference: dissertation 4.2; docs/scene-language.md; architecture, "Who runs where".
 #pragma once
@@ -30,19 +31,24 @@ struct Limits {
     std::size_t bytes = 256u << 20;
     long cpuSeconds = 2;
     long commands = 10'000'000;
+    // Of evaluator servers that ended: so many within this time, and no more before it is over.
+    int restarts = 3;
+    std::chrono::milliseconds restartsWithin{60'000};
 };
 
-// The evaluator server. Start it before the process opens files of a document, threads or displays.
+// The evaluator servers. Start them before the process opens files of a document, threads or
+// displays.
 class Reader {
 public:
-    // Forks the server. Errors of the system (no more processes) are reported by read().
+    // Forks the servers. Errors of the system (no more processes) are reported by read().
     explicit Reader(Limits limits = {});
-    ~Reader(); // ends the server and its evaluators
+    ~Reader(); // ends the servers and their evaluators
     Reader(const Reader&) = delete;
     Reader& operator=(const Reader&) = delete;
 
     // Blocks until the evaluation ends or its limits end it; thread-safe, one at a time.
     // `parameters` override the values of `parameter` commands; unknown names are errors.
+    // A reading during which the server ends is tried once more.
     [[nodiscard]] ReadResult read(std::string_view text,
                                   const std::map<std::string, double>& parameters = {});
     // Ends the evaluation that runs now, if any; its read() returns with an error. Any thread.

@@ -70,7 +70,18 @@ std::string sentenceFor(const Answer& answer, const Limits& limits) {
                                " MB of memory; it was stopped here";
     switch (answer.end) {
     case End::notStarted:
-        return "scripts cannot be read any more: the process that evaluates them is gone";
+        return "the system starts no process that evaluates this script; close other programs and "
+               "try again";
+    case End::serverEnded:
+        return "the process that evaluates scripts was ended twice while it read this one";
+    case End::endedTooOften:
+        return "the process that evaluates scripts was ended " +
+               std::to_string(limits.restarts + 1) + " times within " +
+               seconds(static_cast<double>(limits.restartsWithin.count()) / 1000) +
+               " s; try again when as much time has passed";
+    case End::noServer:
+        return "the processes that evaluate scripts were ended from outside; save, and start this "
+               "program again";
     case End::cancelled:
         return "reading was cancelled";
     case End::outOfTime:
@@ -231,6 +242,16 @@ ReadResult judge(std::string_view text, const Answer& answer, const Limits& limi
         result.diagnostics.push_back(tclError(text, structure, places, recording));
     else if (recording.ending != Ending::complete)
         result.diagnostics.push_back(limitError(structure, places, recording, limits));
+    if (answer.serverReplaced)
+        result.diagnostics.push_back(
+            {scene::Severity::warning,
+             {},
+             0,
+             0,
+             0,
+             0,
+             "the process that evaluates scripts was ended from outside; another was started",
+             ""});
     scene::sortByPlace(result.diagnostics);
     result.usable = std::none_of(
         result.diagnostics.begin(), result.diagnostics.end(),

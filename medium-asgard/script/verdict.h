@@ -14,6 +14,7 @@ struct Answer {
     int status = 0;
     std::uint64_t progress = ~std::uint64_t{0};
     std::string bytes;
+    bool serverReplaced = false; // it had ended; another took its place
 };
 
 // Why a text is not evaluated at all: too long, a zero byte, not UTF-8.

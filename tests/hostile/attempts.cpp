@@ -8,8 +8,11 @@
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <linux/capability.h>
+#include <linux/kcmp.h>
+#include <mqueue.h>
 #include <sched.h>
 #include <sys/inotify.h>
+#include <sys/ioctl.h>
 #include <sys/ipc.h>
 #include <sys/mman.h>
 #include <sys/mount.h>
@@ -95,6 +98,63 @@ bool ringIsMade() {
 bool programOfTheKernelIsLoaded() {
     char attributes[128] = {};
     return good(syscall(SYS_bpf, 0, attributes, sizeof attributes)); // makes a map
+}
+
+// A pipe that sends a signal to another when something is written into it.
+bool endsByOwnedPipe(bool (*own)(int pipe)) {
+    int ends[2];
+    return pipe(ends) == 0 && own(ends[0]) && fcntl(ends[0], F_SETSIG, SIGKILL) == 0 &&
+           fcntl(ends[0], F_SETFL, O_ASYNC) == 0 && write(ends[1], "x", 1) == 1;
+}
+
+bool ownsForThread(int pipe) {
+    const f_owner_ex owner{F_OWNER_TID, otherProcess};
+    return fcntl(pipe, F_SETOWN_EX, &owner) == 0;
+}
+
+bool ownsSocket() {
+    int pair[2];
+    return socketpair(AF_UNIX, SOCK_STREAM, 0, pair) == 0 &&
+           ioctl(pair[0], FIOSETOWN, &otherProcess) == 0;
+}
+
+bool setsSchedule(pid_t process, int schedule, int priority) {
+    sched_param parameters{};
+    parameters.sched_priority = priority;
+    return sched_setscheduler(process, schedule, &parameters) == 0;
+}
+
+bool setsScheduleByAttributes() {
+    std::uint32_t attributes[12] = {sizeof attributes, SCHED_BATCH};
+    return good(syscall(SYS_sched_setattr, otherProcess, attributes, 0));
+}
+
+bool setsProcessors() {
+    cpu_set_t first;
+    CPU_ZERO(&first);
+    CPU_SET(0, &first);
+    return sched_setaffinity(otherProcess, sizeof first, &first) == 0;
+}
+
+bool movesPages() {
+    static int page = 0;
+    void* pages[1] = {&page};
+    const int nodes[1] = {0};
+    int status[1] = {};
+    return good(syscall(SYS_move_pages, otherProcess, 1, pages, nodes, status, 0));
+}
+
+bool opensQueue() {
+    const bool opened =
+        good(mq_open("/escaped", O_CREAT | O_RDWR, mode_t{0600}, static_cast<mq_attr*>(nullptr)));
+    mq_unlink("/escaped");
+    return opened;
+}
+
+bool queuesForThread() {
+    siginfo_t info{};
+    info.si_code = SI_QUEUE;
+    return good(syscall(SYS_rt_tgsigqueueinfo, otherProcess, otherProcess, SIGCONT, &info));
 }
 
 bool usesInherited() {
@@ -214,6 +274,66 @@ const std::vector<Attempt>& attempts() {
          true},
         {"descriptor of a process", [] { return good(syscall(SYS_pidfd_open, otherProcess, 0)); },
          limits, true},
+        {"signal another as a thread",
+         [] { return good(syscall(SYS_tkill, otherProcess, SIGCONT)); }, nothing, true},
+        {"queue a signal for another's thread", [] { return queuesForThread(); }, nothing, true},
+        // Without a signal, or with one that the kernel sends: a descriptor's owner, what slows,
+        // what limits.
+        {"end another as a pipe's owner",
+         [] {
+             return endsByOwnedPipe([](int pipe) { return !fcntl(pipe, F_SETOWN, otherProcess); });
+         },
+         nothing, true},
+        {"end another's group as a pipe's owner",
+         [] {
+             return endsByOwnedPipe([](int pipe) { return !fcntl(pipe, F_SETOWN, -otherProcess); });
+         },
+         nothing, true},
+        {"end another's thread as a pipe's owner", [] { return endsByOwnedPipe(ownsForThread); },
+         nothing, true},
+        {"another as a socket's owner", [] { return ownsSocket(); }, limits, true},
+        {"slow another by its schedule", [] { return setsSchedule(otherProcess, SCHED_IDLE, 0); },
+         nothing, true},
+        {"slow another by attributes", [] { return setsScheduleByAttributes(); }, nothing, true},
+        {"another's parameters",
+         [] {
+             const sched_param parameters{};
+             return sched_setparam(otherProcess, &parameters) == 0;
+         },
+         nothing, true},
+        {"another's processors", [] { return setsProcessors(); }, nothing, true},
+        {"another's priority",
+         [] { return setpriority(PRIO_PROCESS, static_cast<id_t>(otherProcess), 19) == 0; },
+         nothing, true},
+        {"another group's priority",
+         [] { return setpriority(PRIO_PGRP, static_cast<id_t>(otherProcess), 19) == 0; }, nothing,
+         true},
+        {"another's priority at the disk",
+         [] { return good(syscall(SYS_ioprio_set, 1, otherProcess, 3 << 13)); }, nothing, true},
+        {"more of the processor than others get", [] { return setsSchedule(0, SCHED_FIFO, 1); }},
+        {"a priority before others", [] { return setpriority(PRIO_PROCESS, 0, -5) == 0; }},
+        {"another's limits",
+         [] {
+             const rlimit none{0, 0};
+             return prlimit(otherProcess, RLIMIT_CORE, &none, nullptr) == 0;
+         },
+         nothing, true},
+        {"read another's limits",
+         [] {
+             rlimit now{};
+             return prlimit(otherProcess, RLIMIT_CORE, nullptr, &now) == 0;
+         },
+         nothing, true},
+        {"compare with another",
+         [] { return good(syscall(SYS_kcmp, getpid(), otherProcess, KCMP_VM, 0, 0)); }},
+        {"another's locks",
+         [] {
+             void* head = nullptr;
+             std::size_t size = 0;
+             return good(syscall(SYS_get_robust_list, otherProcess, &head, &size));
+         }},
+        {"move another's pages", [] { return movesPages(); }},
+        {"a queue with a name", [] { return opensQueue(); }},
         // network
         {"socket", [] { return good(socket(AF_INET, SOCK_STREAM, 0)); }, limits, true},
         {"local socket", [] { return good(socket(AF_UNIX, SOCK_STREAM, 0)); }, limits, true},

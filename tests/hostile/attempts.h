@@ -23,7 +23,8 @@ struct Attempt {
 
 [[nodiscard]] const std::vector<Attempt>& attempts();
 
-// Set before the attempts run: a process that is not ours to touch, and a port that listens.
+// Set before the attempts run: a process that is not ours to touch, the first of a group of its
+// own, and a port that listens.
 extern int otherProcess;
 extern int listeningPort;
 // A descriptor of the file "canary", open in the process that starts confined ones.

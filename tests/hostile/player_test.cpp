@@ -5,8 +5,11 @@
 #include "expression/function.h"
 #include "render/renderer.h"
 #include "script/reader.h"
+#include "script/test_processes.h"
 
+#include <array>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <future>
@@ -54,8 +57,27 @@ std::optional<std::size_t> codesMade() {
     return expression::Kernel::counts().compiled - before;
 }
 
+using script::testing::childrenOf;
+
+// Asked by a byte: ends the evaluator server of `player` that works, and answers when it is gone.
+void endServerOf(pid_t player, int asked, int answer) {
+    char byte = 0;
+    if (read(asked, &byte, 1) != 1)
+        return;
+    pid_t working = 0;
+    for (auto servers = childrenOf(player); working == 0 && !servers.empty();
+         servers = childrenOf(player))
+        for (const pid_t server : servers)
+            working = childrenOf(server).empty() ? working : server;
+    ASSERT_NE(working, 0) << "the player has ended";
+    kill(working, SIGKILL);
+    while (std::ranges::count(childrenOf(player), working) != 0)
+        usleep(1000);
+    (void)!write(answer, &byte, 1);
+}
+
 // Returns the number of the step that failed, 0 when all is well.
-int play() {
+int play(int ask, int answered) {
     script::Reader reader;
     auto made = render::Renderer::create();
     auto* renderer = std::get_if<std::unique_ptr<render::Renderer>>(&made);
@@ -90,13 +112,28 @@ int play() {
     const std::size_t expected = expression::Function::lanes() > 1 ? 1 : 0;
     if (codesMade() != expected)
         return 9;
-    return reader.read("").usable ? 0 : 8;
+    if (!reader.read("").usable)
+        return 8;
+    // Its server is ended from outside; the spare takes its place and makes another.
+    char byte = 0;
+    for (int i = 0; i < 2; ++i)
+        if (write(ask, "x", 1) != 1 || ::read(answered, &byte, 1) != 1 || !reader.read("").usable)
+            return 10;
+    return 0;
 }
 
 TEST(Player, DrawsAndReadsScenesWhenConfined) {
+    std::array<int, 2> asking{-1, -1};
+    std::array<int, 2> answering{-1, -1};
+    ASSERT_TRUE(pipe(asking.data()) == 0 && pipe(answering.data()) == 0);
     const pid_t process = fork();
-    if (process == 0)
-        _exit(play());
+    if (process == 0) {
+        close(asking[0]);
+        _exit(play(asking[1], answering[0]));
+    }
+    close(asking[1]);
+    for (int i = 0; i < 2; ++i)
+        endServerOf(process, asking[0], answering[1]);
     int status = 0;
     waitpid(process, &status, 0);
     ASSERT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
