@@ -189,6 +189,7 @@ private:
     [[nodiscard]] std::optional<double>
     besideCentre(double middle, double until, const std::function<bool(double)>& holds) const;
     void lookCloser(double at, double h);
+    [[nodiscard]] std::optional<Violation> violationOfStep(double to, double h);
     [[nodiscard]] bool isInvented(const Violation& found, double h);
     [[nodiscard]] bool overflows();
     [[nodiscard]] bool refuse(const Attempt& attempt, double h);

@@ -126,6 +126,11 @@ public:
     // At its time the rates lead away from all its surfaces, to the sides that hold: what crosses
     // them is an error of polynomials, where a guard is smaller than that.
     [[nodiscard]] bool contradicts(const Violation& violation, double t, std::span<const double> y);
+    // There the rates lead away from the one surface of the violation, to the side that holds, and
+    // its guard is no more than what rounding leaves of a difference: the motion has just left the
+    // surface, and goes on where it is. From then on crossings back count beyond `standing` only.
+    [[nodiscard]] bool grazesByRounding(const Violation& violation, double t,
+                                        std::span<const double> y);
     enum class Crossing { done, impossible };
     // How surfaces are passed. Where each side seems to lead to the other, by rounding or since the
     // motion only touches the surface, it `stands` on it until it is seen where the motion goes,
@@ -200,6 +205,7 @@ private:
         double rate;
         double noise; // what rounding may make of a rate of 0
         double near;  // and of a guard of 0, where its root was located
+        double least; // and of a guard of 0, where what it reads is exact
         double value; // the guard
         bool still;   // constant on the branches in force, whatever moves
     };

@@ -105,6 +105,7 @@ void ComponentModel::findStructure() {
     if (canPeak_)
         peaks_ = peaksAmong(outputs_);
     surfaces_ = surfacesOf(graph_, outputs_);
+    readSurfaces_ = ReadSurfaces(graph_, outputs_, surfaces_);
     if (canPeak_ && !surfaces_.empty()) {
         std::vector<Node> guards;
         std::ranges::transform(surfaces_, std::back_inserter(guards), &Surface::guard);

@@ -71,6 +71,8 @@ public:
 
     [[nodiscard]] const std::vector<expression::Node>& switches() const { return switches_; }
     [[nodiscard]] const std::vector<Surface>& surfaces() const { return surfaces_; }
+    // Which of these the outputs read, on given branches.
+    [[nodiscard]] const ReadSurfaces& readSurfaces() const { return readSurfaces_; }
     // Pairs of a surface and the state that is its guard.
     [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& ownGuards() const {
         return ownGuards_;
@@ -143,6 +145,7 @@ private:
     std::vector<std::size_t> configuration_;
     std::vector<expression::Node> switches_;
     std::vector<Surface> surfaces_;
+    ReadSurfaces readSurfaces_;
     Directions directions_;
     PeakFunctions peaks_, guardPeaks_;
 

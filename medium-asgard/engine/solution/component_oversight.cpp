@@ -154,6 +154,21 @@ void Component::lookCloser(double at, double h) {
                     h);
 }
 
+// What leaves a surface slowly, as two bodies that touch and are pressed together ever harder, is
+// carried across it and back by rounding alone, which shorter steps do not change.
+std::optional<Violation> Component::violationOfStep(double to, double h) {
+    auto found = violation(time_, to, h, columns_);
+    std::vector<double> y(columns_.size());
+    for (std::size_t k = 0; found && k < equations_->watches(); ++k) {
+        for (std::size_t i = 0; i < y.size(); ++i)
+            y[i] = evaluate(columns_[i], (found->time - time_) / h);
+        if (!equations_->grazesByRounding(*found, found->time, y))
+            break;
+        found = violation(time_, to, h, columns_);
+    }
+    return found;
+}
+
 // A motion that starts on a surface, or next to it, and leaves it by less than a step may err by:
 // polynomials cross it there and back, and shorter steps do not. Where rates amplify what
 // polynomials may err by, they tell nothing.

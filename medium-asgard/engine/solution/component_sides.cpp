@@ -42,11 +42,15 @@ void ComponentEquations::refreshWatches() {
     for (std::size_t s = 0; s < model_.surfaces().size(); ++s)
         if (!slides(s))
             joined_[s].clear();
+    const bool mayVary = model_.readSurfaces().mayVary();
+    const std::vector<bool> read =
+        mayVary ? model_.readSurfaces().on(decisions_) : std::vector<bool>();
     for (std::size_t s = 0; s < model_.surfaces().size(); ++s) {
         if (isJoined(s))
             continue;
         if (!slides(s)) {
-            watches_.push_back({Watch::Kind::side, s});
+            if (!mayVary || read[s])
+                watches_.push_back({Watch::Kind::side, s});
             continue;
         }
         watches_.push_back({Watch::Kind::least, s});
@@ -67,7 +71,7 @@ ComponentEquations::Slope ComponentEquations::slopeOf(const ComponentModel::Deri
     evaluate(derivatives, partial);
     std::copy_n(rates.begin(), states().size(), change.begin() + 1);
     inputs_.rates(in_[0], std::span(change).subspan(1 + states().size()));
-    Slope slope{0, 0, 0, partial.back(), true};
+    Slope slope{0, 0, 0, 0, partial.back(), true};
     for (std::size_t i = 0; i < variables; ++i) {
         if (partial[i] == 0)
             continue;
@@ -75,6 +79,7 @@ ComponentEquations::Slope ComponentEquations::slopeOf(const ComponentModel::Deri
         slope.rate += partial[i] * change[i];
         slope.noise += 1e-12 * std::abs(partial[i] * change[i]);
         slope.near += 1e-11 * std::abs(partial[i] * in_[i]);
+        slope.least += 4 * std::numeric_limits<double>::epsilon() * std::abs(partial[i] * in_[i]);
     }
     slope.near += 1e-12 * std::abs(slope.rate) * std::max(1.0, std::abs(in_[0]));
     return slope;
@@ -355,6 +360,25 @@ bool ComponentEquations::contradicts(const Violation& violation, double t,
     return std::ranges::all_of(violation.watches, [this](std::size_t k) {
         return k < watches_.size() && leadsInside(watches_[k]);
     });
+}
+
+bool ComponentEquations::grazesByRounding(const Violation& violation, double t,
+                                          std::span<const double> y) {
+    if (violation.watches.size() != 1 || violation.watches[0] >= watches_.size())
+        return false;
+    const Watch& watch = watches_[violation.watches[0]];
+    if (isGrazed_[watch.surface] != 0)
+        return false;
+    fill(t, y);
+    field();
+    if (!leadsInside(watch))
+        return false;
+    const std::vector<double> now = out_;
+    const Slope slope = guardRate(watch.surface, now);
+    if (!(std::abs(slope.value) <= slope.least))
+        return false;
+    setGrazed(watch.surface, true);
+    return true;
 }
 
 // On which side of those surfaces on which it was held is the motion at the violation's time?

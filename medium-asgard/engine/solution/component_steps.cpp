@@ -290,7 +290,7 @@ void Component::finish(double to) {
     const double h = to - time_;
     columns_.resize(equations_->states().size());
     method_->dense(columns_);
-    const auto found = violation(time_, to, h, columns_);
+    const auto found = violationOfStep(to, h);
     if (found && isInvented(*found, h)) {
         lookCloser(time_, h);
         return;
