@@ -239,7 +239,7 @@ std::optional<double> Ways::solved(Range literal, double wanted) const {
             return std::nullopt;
         const double step = (wanted - *here) * 2 * h / (*after - *before);
         if (std::abs(step) <= 1e-12 * std::max(1.0, std::abs(x)))
-            return x;
+            return x + step;
         const bool jumps =
             !at(x + step) || std::abs(*at(x + step) - wanted) > std::abs(*here - wanted);
         x += jumps ? std::clamp(step, -0.4 * std::abs(x), 0.4 * std::abs(x)) : step;
@@ -265,7 +265,7 @@ std::optional<Way> Ways::by(Range literal, double wanted) const {
     if (way.ofLoop && value == old)
         return std::nullopt;
     // What is typed exactly is reached up to rounding, which is nothing to write down.
-    const double least = 1e-12 * std::max({1.0, std::abs(old), std::abs(value)});
+    const double least = 1e-11 * std::max({1.0, std::abs(old), std::abs(value)});
     value = std::abs(value) < least ? 0 : value;
     way.edit = {literal.from, literal.to,
                 numberText(value, way.ofLoop ? 1 : std::max(resolution, least), way.before)};

@@ -18,6 +18,21 @@ std::string shortest(double value) {
     return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
 }
 
+double read(const std::string& text) {
+    double value = 0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+// A number of few digits that was worked out is next to itself: so near, relatively, are no two
+// numbers of so few digits.
+std::string exactly(double value) {
+    constexpr int few = 12;
+    constexpr double rounding = 1e-14;
+    const double near = read(inDigits(value, few));
+    return shortest(std::abs(near - value) <= rounding * std::abs(value) ? near : value);
+}
+
 std::string fixed(double value, int decimals) {
     char buffer[400];
     return {buffer,
@@ -49,13 +64,17 @@ std::string numberText(double value, double resolution, std::string_view before)
         value = 0; // not -0
     const double size = std::abs(value);
     if (!(resolution > 0) || size >= 1e15)
-        return shortest(value);
+        return exactly(value);
     const int needed =
         std::clamp(static_cast<int>(std::ceil(-std::log10(resolution) - 1e-9)), 0, mostDecimals);
     if (needed == mostDecimals || (size > 0 && size < 1e-6 && resolution < 1e-6))
-        return shortest(value);
+        return exactly(value);
     const int kept = isPlain(before) ? std::min(decimalsOf(before), needed) : 0;
-    std::string text = withoutZeros(fixed(value, needed), kept);
+    int decimals = kept;
+    while (decimals < needed &&
+           !(std::abs(read(fixed(value, decimals)) - value) <= 0.5 * resolution))
+        ++decimals;
+    std::string text = withoutZeros(fixed(value, decimals), kept);
     if (text.find_first_not_of("-0.") == std::string::npos && text.front() == '-')
         text.erase(0, 1);
     return text;

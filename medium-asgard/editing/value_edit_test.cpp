@@ -275,6 +275,10 @@ TEST(NumberText, HasTheDigitsOfTheGestureAndTheAuthor) {
     EXPECT_EQ(numberText(2, 0.01, "1.50"), "2.00");
     EXPECT_EQ(numberText(-0.001, 0.01), "0");
     EXPECT_EQ(numberText(0.1, 0), "0.1");
+    EXPECT_EQ(numberText(0.1 + 0.2, 0), "0.3");
+    EXPECT_EQ(numberText(3.14159265358979, 0), "3.14159265358979"); // as it was typed
+    EXPECT_EQ(numberText(3.040000000001, 1e-11), "3.04");
+    EXPECT_EQ(numberText(0.333333, 0.07), "0.3");
     EXPECT_EQ(numberText(1234567, 100), "1234567");
     EXPECT_EQ(numberText(1e-9, 1e-12), "1e-09");
     EXPECT_EQ(numberText(12.5, 0.001, "3e2"), "12.5");
