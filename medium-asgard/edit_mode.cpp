@@ -4,6 +4,7 @@
 #include "views/editor.h"
 
 #include <QApplication>
+#include <QMainWindow>
 #include <QSocketNotifier>
 #include <QTimer>
 
@@ -22,7 +23,9 @@ template <class Viewer> void raise(Viewer* viewer) {
     viewer->activateWindow();
 }
 
-class EditMode final : public Windows {
+constexpr int keepAfter = 400; // ms; what is typed comes in crowds
+
+class EditMode final : public QObject, public Windows {
 public:
     explicit EditMode(Connection& connection)
         : connection_(connection), editor_(views::Workshop{}),
@@ -50,8 +53,15 @@ public:
         document().setHostLink(std::move(link));
         // Queued: a change goes to the host before the word that no draft is left.
         QObject::connect(
-            &editor_, &views::Editor::viewersChanged, &due_, [this] { tellWindows(); },
+            &editor_, &views::Editor::viewersChanged, &due_,
+            [this] {
+                tellWindows();
+                keepSoon();
+            },
             Qt::QueuedConnection);
+        keep_.setSingleShot(true);
+        QObject::connect(&keep_, &QTimer::timeout, &keep_, [this] { keepWindows(); });
+        qApp->installEventFilter(this);
         due_.setSingleShot(true);
         due_.setTimerType(Qt::PreciseTimer);
         QObject::connect(&input_, &QSocketNotifier::activated, &input_, [this] {
@@ -73,6 +83,21 @@ public:
         else
             raise(editor_.openLanguageViewer());
         return std::nullopt;
+    }
+
+    void restore(const std::string& state, const std::string& notice) override {
+        followHost(); // the text that the drafts meet
+        editor_.restoreWindows(state, QString::fromStdString(notice));
+    }
+
+    // Windows that are moved, opened and closed.
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        const auto type = event->type();
+        if ((type == QEvent::Move || type == QEvent::Resize || type == QEvent::Show ||
+             type == QEvent::Hide) &&
+            qobject_cast<QMainWindow*>(watched) != nullptr)
+            keepSoon();
+        return false;
     }
 
 private:
@@ -159,6 +184,22 @@ private:
         output_.setEnabled(connection_.sending());
     }
 
+    void keepSoon() {
+        if (!keep_.isActive())
+            keep_.start(keepAfter);
+    }
+
+    // The host keeps it for the process that comes after this one, should this one not live.
+    void keepWindows() {
+        std::string state = editor_.windowsState();
+        if (state == kept_)
+            return;
+        kept_ = std::move(state);
+        connection_.session().keepWindows(kept_);
+        connection_.flush();
+        output_.setEnabled(connection_.sending());
+    }
+
     // One change at a time is on its way; what was typed meanwhile follows with the next.
     void propose() {
         if (proposed_)
@@ -200,7 +241,7 @@ private:
     Connection& connection_;
     views::Editor editor_;
     QSocketNotifier input_, news_, output_;
-    QTimer due_;
+    QTimer due_, keep_;
     ipc::Integer followed_ = -1; // the revision whose text the windows show
     bool proposed_ = false;
     std::string proposedText_; // by the last change
@@ -216,6 +257,7 @@ private:
     };
     Followed shown_;           // of the session, by the windows
     ipc::WindowsChanged told_; // what the host knows
+    std::string kept_;         // by the host
 };
 
 } // namespace

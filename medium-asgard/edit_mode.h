@@ -14,6 +14,8 @@ class Windows {
 public:
     virtual ~Windows() = default;
     virtual std::optional<std::string> open(const std::string& entry) = 0;
+    // Those of a process that ended; `notice` says in them what happened.
+    virtual void restore(const std::string& state, const std::string& notice) = 0;
 };
 
 // Serves until the connection is closed. `windows` points to the windows meanwhile.

@@ -113,6 +113,10 @@ int serveAsMedium(script::Reader& reader) {
         return std::optional(why.empty() ? "windows are opened by a process in mode \"edit\""
                                          : why);
     };
+    platform.restoreWindows = [&windows](const std::string& state, const std::string& notice) {
+        if (windows)
+            windows->restore(state, notice);
+    };
     service::Connection connection(std::move(platform), STDIN_FILENO, STDOUT_FILENO);
     service::serve(connection, [&connection] {
         return connection.session().mode() == ipc::Mode::edit && screen::displayFault().empty();

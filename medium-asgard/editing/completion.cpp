@@ -274,10 +274,11 @@ private:
     // Those that begin as what stands there, and are more than that.
     Completion take(std::vector<std::string> all, std::string_view hint) {
         const std::string_view begun = before_.substr(from_);
+        const bool whole = std::ranges::find(all, begun) != all.end();
         std::erase_if(all, [&](const std::string& word) {
             return !word.starts_with(begun) || word == begun;
         });
-        return {from_, std::move(all), std::string(hint)};
+        return {from_, std::move(all), std::string(hint), whole};
     }
 
     std::string_view text_, before_;

@@ -19,7 +19,8 @@ namespace editing {
 struct Completion {
     std::size_t from = 0; // the bytes [from, place) are the beginning of each word
     std::vector<std::string> words;
-    std::string hint; // what is wanted here, "" when nothing is known
+    std::string hint;   // what is wanted here, "" when nothing is known
+    bool whole = false; // what stands there is a word that can stand there, too
 };
 
 [[nodiscard]] Completion completionAt(std::string_view text, std::size_t place,

@@ -120,6 +120,14 @@ TEST(Hints, NameTheOptionsThatScenesHave) {
     }
 }
 
+TEST(Completion, KnowsAWordThatIsWhole) {
+    EXPECT_TRUE(at("for|").whole);
+    EXPECT_THAT(words("for|"), Contains("force"));
+    EXPECT_TRUE(at("force|").whole);
+    EXPECT_FALSE(at("forc|").whole);
+    EXPECT_FALSE(at("|").whole);
+}
+
 TEST(Hints, NameTheMethodsThatThereAre) {
     script::Reader reader;
     const auto told = [&](const std::string& method) {

@@ -11,8 +11,8 @@ namespace editing {
 
 // The shortest decimal that means `value` to the gesture, with as many decimals as the author wrote
 // before: "-5" dragged to -4.3712 by hundredths is "-4.37", "1.50" dragged to 2 is "2.00". Reads
-// back as a number within half of `resolution` of `value`; 0: exactly, but for what rounding adds to
-// a number that was worked out (0.1 + 0.2 is "0.3").
+// back as a number within half of `resolution` of `value`; 0: exactly, but for what rounding adds
+// to a number that was worked out (0.1 + 0.2 is "0.3").
 [[nodiscard]] std::string numberText(double value, double resolution, std::string_view before = "");
 
 // The decimal number that this byte of a text belongs to or follows, its sign included; none in

@@ -1,6 +1,6 @@
 #include "views/completer.h"
 
-#include <QPalette>
+#include <QKeyEvent>
 
 #include <cctype>
 
@@ -9,6 +9,7 @@ namespace views {
 Completer::Completer(SceneEditor& editor, SceneDocument& document)
     : editor_(editor), document_(document) {
     using Base = QsciScintillaBase;
+    editor_.addTool(this);
     editor_.SendScintilla(Base::SCI_AUTOCSETSEPARATOR, 0x0AUL);
     editor_.SendScintilla(Base::SCI_AUTOCSETAUTOHIDE, 1UL);
     editor_.SendScintilla(Base::SCI_AUTOCSETDROPRESTOFWORD, 0UL);
@@ -40,23 +41,48 @@ void Completer::typed(int character) {
     const editing::Completion found = completion();
     if (!found.words.empty())
         show(found);
+    else
+        editor_.cancelList();
 }
 
 void Completer::ask() {
     const editing::Completion found = completion();
     if (!found.words.empty())
         show(found);
-    else if (!found.hint.empty())
+    else if (!found.hint.empty() && editor_.isOnScreen(editor_.caret()))
         editor_.SendScintilla(QsciScintillaBase::SCI_CALLTIPSHOW, editor_.caret(),
                               found.hint.c_str());
 }
 
 void Completer::show(const editing::Completion& completion) {
+    const std::size_t caret = editor_.caret();
+    if (!editor_.isOnScreen(completion.from) || !editor_.isOnScreen(caret))
+        return;
     std::string words;
+    if (completion.whole)
+        words = editor_.bytes().substr(completion.from, caret - completion.from);
     for (const std::string& word : completion.words)
         words += (words.empty() ? "" : "\n") + word;
-    editor_.SendScintilla(QsciScintillaBase::SCI_AUTOCSHOW, editor_.caret() - completion.from,
-                          words.c_str());
+    editor_.SendScintilla(QsciScintillaBase::SCI_AUTOCSHOW, caret - completion.from, words.c_str());
+}
+
+std::string Completer::chosen() const {
+    const long size = editor_.SendScintilla(QsciScintillaBase::SCI_AUTOCGETCURRENTTEXT);
+    std::string word(static_cast<std::size_t>(size) + 1, '\0');
+    editor_.SendScintilla(QsciScintillaBase::SCI_AUTOCGETCURRENTTEXT, 0UL, word.data());
+    word.pop_back();
+    return word;
+}
+
+bool Completer::key(const QKeyEvent& event) {
+    if ((event.key() != Qt::Key_Return && event.key() != Qt::Key_Enter) || !editor_.isListActive())
+        return false;
+    const std::string word = chosen();
+    const std::size_t caret = editor_.caret();
+    if (caret >= word.size() &&
+        editor_.bytes().compare(caret - word.size(), word.size(), word) == 0)
+        editor_.cancelList();
+    return false;
 }
 
 } // namespace views

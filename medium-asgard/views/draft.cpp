@@ -216,6 +216,14 @@ void Draft::drop() {
     Q_EMIT changed();
 }
 
+void Draft::restore(const std::string& base, const std::string& text) {
+    take(text);
+    base_ = base;
+    merge();
+    Q_EMIT followed();
+    Q_EMIT changed();
+}
+
 void Draft::refused(const QString& why) {
     const auto submitted = std::exchange(submitted_, std::nullopt);
     const auto mine = goesOn_ ? std::exchange(goesOn_, std::nullopt) : submitted;

@@ -34,6 +34,9 @@ public:
 
     void submit(); // it becomes everyone's text
     void drop();   // it becomes the document's text
+    // What was typed in another process upon a text that the document had then.
+    void restore(const std::string& base, const std::string& text);
+    [[nodiscard]] const std::string& base() const { return base_; } // that it is a draft of
     // Of what was typed.
     [[nodiscard]] bool canUndo() const;
     [[nodiscard]] bool canRedo() const;

@@ -6,10 +6,12 @@
 #include "views/control_panel.h"
 #include "views/icons.h"
 #include "views/plots_window.h"
+#include "views/readable.h"
 #include "views/recent_files.h"
 #include "views/session_actions.h"
 #include "views/shape_editor.h"
 #include "views/shape_names.h"
+#include "views/spoken.h"
 #include "views/study_window.h"
 #include "views/trajectory_editor.h"
 
@@ -77,7 +79,10 @@ Workshop workshopOf(script::Reader& reader) {
 }
 
 Editor::Editor(Workshop workshop, QObject* parent)
-    : QObject(parent), document_(std::move(workshop)) {}
+    : QObject(parent), document_(std::move(workshop)) {
+    new ReadablePalette(this);
+    speakValues();
+}
 
 Editor::~Editor() {
     // A hand that holds something lets go while all windows are there to hear of it.

@@ -50,6 +50,13 @@ public:
     bool closeViewers();
     bool settleDrafts();
 
+    // Which windows are open, where, and what was typed there and is no change of the text yet;
+    // empty: none is. LIMIT: not what was typed into fields, windows of studies, steps of undo, and
+    // drafts that are longer than all of it may be.
+    [[nodiscard]] std::string windowsState() const;
+    // Opens them; drafts meet the text as it is now. `notice` is told in each of the viewers.
+    void restoreWindows(const std::string& state, const QString& notice);
+
 Q_SIGNALS:
     void viewersChanged(); // one was opened or closed, or has a draft or none
 

@@ -6,6 +6,7 @@
 #include <QStyle>
 
 #include <algorithm>
+#include <utility>
 
 namespace views {
 
@@ -55,6 +56,9 @@ void FaultMarks::show(const std::vector<scene::Diagnostic>& faults, bool places)
             mark(fault);
     }
     list_.setVisible(list_.count() > 0);
+    const auto first = std::ranges::find_if(placed_, isError);
+    if (places && first != placed_.end() && std::exchange(expected_, false))
+        Q_EMIT appeared(first->range);
 }
 
 void FaultMarks::hideNotes() { editor_.clearAnnotations(); }

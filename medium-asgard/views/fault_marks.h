@@ -20,11 +20,14 @@ public:
     void show(const std::vector<scene::Diagnostic>& faults, bool places);
     void hideNotes(); // below the lines: the text is not as they say any more
     void next(bool forward = true);
+    // The first error that comes while it is expected appears to the author.
+    void expect(bool expected) { expected_ = expected; }
 
     [[nodiscard]] QString tip(std::size_t byte) const override;
 
 Q_SIGNALS:
     void wanted(scene::Range range); // the author wants to see it
+    void appeared(scene::Range range);
 
 private:
     void list(const scene::Diagnostic& fault, bool places);
@@ -33,6 +36,7 @@ private:
     SceneEditor& editor_;
     QListWidget& list_;
     std::vector<scene::Diagnostic> placed_;
+    bool expected_ = false;
 };
 
 } // namespace views

@@ -5,6 +5,7 @@
 #include "views/keep_view.h"
 #include "views/manual.h"
 #include "views/motion_span.h"
+#include "views/notice_bar.h"
 #include "views/shapes_menu.h"
 #include "views/undo_actions.h"
 
@@ -54,6 +55,8 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document, std::shared_ptr<Pictur
     scroll->setFixedWidth(panel_->width() + scroll->verticalScrollBar()->sizeHint().width());
     scroll->setFocusPolicy(Qt::NoFocus);
     row->addWidget(scroll);
+    told_ = new ToldBar;
+    column->addWidget(told_);
     column->addLayout(row, 1);
     timeBar_ = new TimeBar;
     timeStrip_ = new TimeStrip(document_);
@@ -137,7 +140,6 @@ void GraphicalViewer::buildTimeControls(QVBoxLayout* column) {
     rateButton_->setAutoRaise(true);
     rateButton_->setPopupMode(QToolButton::InstantPopup);
     rateButton_->setToolTip(tr("How fast it is played"));
-    rateButton_->setAccessibleName(tr("Rate"));
     rateButton_->setFocusPolicy(Qt::TabFocus);
     auto* menu = new QMenu(rateButton_);
     for (double rate : rates)
@@ -288,6 +290,8 @@ void GraphicalViewer::buildViewMenu() {
     }
 }
 
+void GraphicalViewer::tell(const QString& sentence) { told_->tell(sentence); }
+
 void GraphicalViewer::showHint() {
     hint_->setText(hint_->fontMetrics().elidedText(display_->pointing().hint(), Qt::ElideRight,
                                                    hint_->width()));
@@ -431,6 +435,7 @@ void GraphicalViewer::updateState() {
     loopButton_->setChecked(playback_.loops());
     loopAction_->setChecked(playback_.loops());
     rateButton_->setText(rateText(playback_.rate()));
+    rateButton_->setAccessibleName(tr("Rate: %1").arg(rateText(playback_.rate()).trimmed()));
     playAction_->setText(playback_.isPlaying() ? tr("&Pause") : tr("&Play"));
     timeLabel_->setText(timeText(playback_.time(), playback_.finish() - playback_.start()));
     updateIcons();

@@ -18,6 +18,8 @@ class QVBoxLayout;
 
 namespace views {
 
+class ToldBar;
+
 // What a window can ask for beyond its own document.
 struct Windows {
     std::function<void()> showText; // a language viewer, where what is selected is marked
@@ -44,6 +46,7 @@ public:
     [[nodiscard]] SceneDisplay& display() { return *display_; }
     [[nodiscard]] TimeBar& timeBar() { return *timeBar_; }
     [[nodiscard]] TimeStrip& timeStrip() { return *timeStrip_; }
+    void tell(const QString& sentence); // above the picture, until it was read
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -78,6 +81,7 @@ private:
     int number_;
     Playback playback_;
     SceneDisplay* display_;
+    ToldBar* told_;
     StatusPanel* panel_;
     TimeBar* timeBar_;
     TimeStrip* timeStrip_;

@@ -21,6 +21,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSplitter>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -36,7 +37,8 @@ LanguageViewer::LanguageViewer(SceneDocument& document, Windows windows, int num
       elements_(std::make_unique<ElementMarks>(*editor_, document_, *draft_)),
       numbers_(std::make_unique<NumberDrag>(*editor_, document_, *draft_)),
       completer_(std::make_unique<Completer>(*editor_, document_)),
-      notice_(new NoticeBar(*editor_, *draft_)), findBar_(new FindBar(*editor_)) {
+      notice_(new NoticeBar(*editor_, *draft_)), told_(new ToldBar),
+      findBar_(new FindBar(*editor_)) {
     setAttribute(Qt::WA_DeleteOnClose);
     editor_->setAccessibleName(tr("Text of the scene"));
     editor_->installEventFilter(this);
@@ -50,6 +52,7 @@ LanguageViewer::LanguageViewer(SceneDocument& document, Windows windows, int num
     splitter->setStretchFactor(0, 1);
     splitter->setCollapsible(0, false);
     splitter->setSizes({420, 90});
+    column->addWidget(told_);
     column->addWidget(notice_);
     column->addWidget(splitter, 1);
     column->addWidget(findBar_);
@@ -57,6 +60,7 @@ LanguageViewer::LanguageViewer(SceneDocument& document, Windows windows, int num
     setCentralWidget(whole);
     buildMenus();
     connectParts();
+    faults_->expect(true); // one who opens a faulty text sees where
     showDiagnostics();
     followed();
     updateTitle();
@@ -74,6 +78,7 @@ LanguageViewer::~LanguageViewer() {
 void LanguageViewer::connectParts() {
     const auto show = [this](scene::Range range) { select(range.from, range.to); };
     connect(faults_.get(), &FaultMarks::wanted, this, show);
+    connect(faults_.get(), &FaultMarks::appeared, this, &LanguageViewer::showFault);
     connect(notice_, &NoticeBar::wanted, this, show);
     connect(findBar_, &FindBar::wanted, this, [this](scene::Range range) {
         elision_->reveal(range);
@@ -83,8 +88,10 @@ void LanguageViewer::connectParts() {
     connect(elements_.get(), &ElementMarks::wanted, this,
             [this](scene::Range range) { editor_->reveal(range); });
     connect(draft_.get(), &Draft::changed, this, [this] {
-        if (draft_->edited())
+        if (draft_->edited()) {
             faults_->hideNotes();
+            faults_->expect(false);
+        }
         updateTitle();
         showState();
     });
@@ -92,7 +99,12 @@ void LanguageViewer::connectParts() {
     connect(&document_, &SceneDocument::diagnosticsChanged, this, &LanguageViewer::showDiagnostics);
     connect(&document_, &SceneDocument::sceneChanged, this, &LanguageViewer::tellChanges);
     connect(&document_, &SceneDocument::sceneChanged, this, &LanguageViewer::showDiagnostics);
-    connect(&document_, &SceneDocument::workChanged, this, &LanguageViewer::showState);
+    connect(&document_, &SceneDocument::workChanged, this, [this] {
+        if (document_.work() == Work::none)
+            faults_->expect(false);
+        showState();
+    });
+    connect(&document_, &SceneDocument::opened, this, [this] { faults_->expect(true); });
     connect(&document_, &SceneDocument::nameChanged, this, &LanguageViewer::updateTitle);
 }
 
@@ -225,6 +237,14 @@ std::string LanguageViewer::draft() const { return editor_->bytes(); }
 
 bool LanguageViewer::hasDraft() const { return draft_->edited(); }
 
+const std::string& LanguageViewer::draftBase() const { return draft_->base(); }
+
+void LanguageViewer::restoreDraft(const std::string& base, const std::string& text) {
+    draft_->restore(base, text);
+}
+
+void LanguageViewer::tell(const QString& sentence) { told_->tell(sentence); }
+
 SceneEditor& LanguageViewer::editor() { return *editor_; }
 
 bool LanguageViewer::updateDocument() {
@@ -237,6 +257,7 @@ bool LanguageViewer::updateDocument() {
         updating_.emplace(document_.shownText(), document_.shown().scene);
     draft_->submit();
     showDiagnostics();
+    faults_->expect(true);
     return true;
 }
 
@@ -299,6 +320,14 @@ bool LanguageViewer::find(const QString& what, bool forward) {
 void LanguageViewer::showDiagnostics() {
     faults_->show(document_.diagnostics(), !draft_->edited());
     showState();
+}
+
+// The caret stays where one writes. Its place is known when all marks and the window's parts are.
+void LanguageViewer::showFault(scene::Range range) {
+    QTimer::singleShot(0, editor_, [this, range] {
+        elision_->reveal(range);
+        editor_->reveal(range);
+    });
 }
 
 void LanguageViewer::showState() {

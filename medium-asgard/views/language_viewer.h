@@ -26,6 +26,7 @@ class FindBar;
 class NoticeBar;
 class NumberDrag;
 class SceneEditor;
+class ToldBar;
 
 class LanguageViewer : public QMainWindow {
     Q_OBJECT
@@ -36,6 +37,10 @@ public:
     [[nodiscard]] std::string draft() const;
     // Someone typed since the draft was last the document's text.
     [[nodiscard]] bool hasDraft() const;
+    [[nodiscard]] const std::string& draftBase() const; // the document's text that it is one of
+    // A draft of a process that ended, upon the document's text of then.
+    void restoreDraft(const std::string& base, const std::string& text);
+    void tell(const QString& sentence); // above the text, until it was read
     [[nodiscard]] SceneEditor& editor();
     [[nodiscard]] NumberDrag& numbers() { return *numbers_; }
     [[nodiscard]] QListWidget& messages() { return *messages_; }
@@ -67,6 +72,7 @@ private:
     void buildViewMenu();
     QWidget* buildButtons();
     void showDiagnostics();
+    void showFault(scene::Range range);
     void showState();
     void tellChanges();
     void updateTitle();
@@ -91,6 +97,7 @@ private:
     std::unique_ptr<NumberDrag> numbers_;
     std::unique_ptr<Completer> completer_;
     NoticeBar* notice_;
+    ToldBar* told_;
     FindBar* findBar_;
     QLabel* state_;
     // The scene before an Update whose scene is yet to be read, and what that Update did.

@@ -115,6 +115,30 @@ void ManualWindow::buildMenus() {
                     [this] { findAgain(true); });
 }
 
+// Qt gives them the palette's colour of the moment in which the text was read.
+void ManualWindow::colourLinks() {
+    QTextCharFormat link;
+    link.setForeground(palette().color(QPalette::Link));
+    for (QTextBlock block = text_->document()->begin(); block.isValid(); block = block.next())
+        for (auto part = block.begin(); !part.atEnd(); ++part) {
+            const QTextFragment fragment = part.fragment();
+            if (!fragment.charFormat().isAnchor() ||
+                fragment.charFormat().foreground().color() == link.foreground().color())
+                continue;
+            QTextCursor cursor(block);
+            cursor.setPosition(fragment.position());
+            cursor.setPosition(fragment.position() + fragment.length(), QTextCursor::KeepAnchor);
+            cursor.mergeCharFormat(link);
+            part = block.begin(); // what was changed may be parted otherwise
+        }
+}
+
+void ManualWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        colourLinks();
+}
+
 void ManualWindow::fillChapters() {
     for (QTextBlock block = text_->document()->begin(); block.isValid(); block = block.next()) {
         const int level = block.blockFormat().headingLevel();

@@ -25,8 +25,10 @@ public:
 
 protected:
     void keyPressEvent(QKeyEvent* event) override; // Escape: out of the search, then out
+    void changeEvent(QEvent* event) override;
 
 private:
+    void colourLinks();
     void fillChapters();
     void buildMenus();
     void findAgain(bool back);

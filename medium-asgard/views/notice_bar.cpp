@@ -24,26 +24,40 @@ QString shortened(const QString& text) {
 
 } // namespace
 
-NoticeBar::NoticeBar(SceneEditor& editor, Draft& draft)
-    : editor_(editor), draft_(draft), words_(new QLabel), mine_(new QPushButton(tr("&Keep Mine"))),
-      theirs_(new QPushButton(tr("&Take the Scene's"))), next_(new QPushButton(tr("Ne&xt"))),
-      drop_(new QPushButton(tr("D&rop the Draft"))) {
+Notice::Notice(const QString& name) : words_(new QLabel), row_(new QHBoxLayout(this)) {
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::ToolTipBase);
     setFrameStyle(QFrame::StyledPanel);
-    words_->setAccessibleName(tr("Notice"));
+    words_->setAccessibleName(name);
     words_->setWordWrap(true);
     words_->setTextFormat(Qt::PlainText);
     words_->setForegroundRole(QPalette::ToolTipText);
+    row_->setContentsMargins(8, 6, 8, 6);
+    row_->addWidget(words_, 1);
+}
+
+ToldBar::ToldBar() : Notice(tr("What happened")) {
+    auto* read = new QPushButton(tr("&OK"));
+    row_->addWidget(read);
+    connect(read, &QPushButton::clicked, this, [this] { tell({}); });
+    tell({});
+}
+
+void ToldBar::tell(const QString& sentence) {
+    words_->setText(sentence);
+    setVisible(!sentence.isEmpty());
+}
+
+NoticeBar::NoticeBar(SceneEditor& editor, Draft& draft)
+    : Notice(tr("Notice")), editor_(editor), draft_(draft),
+      mine_(new QPushButton(tr("&Keep Mine"))), theirs_(new QPushButton(tr("&Take the Scene's"))),
+      next_(new QPushButton(tr("Ne&xt"))), drop_(new QPushButton(tr("D&rop the Draft"))) {
     mine_->setToolTip(tr("This place stays as it is here (Ctrl+Shift+M)"));
     theirs_->setToolTip(tr("This place becomes what the scene has (Ctrl+Shift+T)"));
     next_->setToolTip(tr("Shows the next place that both changed (F7)"));
     drop_->setToolTip(tr("The text becomes the scene's; what was typed here is lost"));
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(8, 6, 8, 6);
-    row->addWidget(words_, 1);
     for (QPushButton* button : {mine_, theirs_, next_, drop_})
-        row->addWidget(button);
+        row_->addWidget(button);
     connect(mine_, &QPushButton::clicked, this, &NoticeBar::keepMine);
     connect(theirs_, &QPushButton::clicked, this, &NoticeBar::takeTheirs);
     connect(next_, &QPushButton::clicked, this, &NoticeBar::nextConflict);

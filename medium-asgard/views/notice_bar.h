@@ -1,16 +1,36 @@
-// What a language viewer says of its draft, above the text, and what can be done about it.
+// What a window says above its text or picture: of a draft, and what can be done about it; or what
+// happened before the window was opened.
 #pragma once
 
 #include "views/draft.h"
 
 #include <QFrame>
 
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 
 namespace views {
 
-class NoticeBar : public QFrame {
+class Notice : public QFrame {
+    Q_OBJECT
+public:
+    explicit Notice(const QString& name); // for who hears it
+
+protected:
+    QLabel* words_;
+    QHBoxLayout* row_; // the words, and what buttons stand beside them
+};
+
+// A sentence that stays until it was read.
+class ToldBar : public Notice {
+    Q_OBJECT
+public:
+    ToldBar();
+    void tell(const QString& sentence); // "": nothing
+};
+
+class NoticeBar : public Notice {
     Q_OBJECT
 public:
     NoticeBar(SceneEditor& editor, Draft& draft);
@@ -33,7 +53,6 @@ private:
 
     SceneEditor& editor_;
     Draft& draft_;
-    QLabel* words_;
     QPushButton *mine_, *theirs_, *next_, *drop_;
     std::size_t conflicts_ = 0;
     bool insists_ = false;

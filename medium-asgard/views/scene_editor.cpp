@@ -1,8 +1,10 @@
 #include "views/scene_editor.h"
 
 #include "editing/number_text.h"
+#include "views/readable.h"
 #include "views/scene_lexer.h"
 
+#include <QGuiApplication>
 #include <QHelpEvent>
 #include <QInputMethodEvent>
 #include <QMouseEvent>
@@ -23,10 +25,7 @@ long signedByte(std::size_t byte) { return static_cast<long>(byte); }
 
 SceneEditor::SceneEditor(QWidget* parent) : QsciScintilla(parent) {
     setUtf8(true);
-    connect(this, &QsciScintilla::textChanged, this, [this] { // before all others
-        bytes_.reset();
-        structure_.reset();
-    });
+    followChanges(); // before all others
     setEolMode(EolUnix);
     setLexer(new SceneLexer(this));
     setMarginType(0, NumberMargin);
@@ -50,24 +49,44 @@ SceneEditor::SceneEditor(QWidget* parent) : QsciScintilla(parent) {
     adaptToPalette();
 }
 
+// Scintilla scrolls, and asks for colours, between a change and the word that there was one: the
+// text is asked for anew from before a change until that word.
+void SceneEditor::followChanges() {
+    connect(this, &QsciScintillaBase::SCN_MODIFIED, this, [this](int, int what) {
+        changing_ = changing_ || (what & (SC_MOD_BEFOREINSERT | SC_MOD_BEFOREDELETE)) != 0;
+    });
+    connect(this, &QsciScintilla::textChanged, this, [this] {
+        changing_ = false;
+        bytes_.reset();
+        structure_.reset();
+    });
+}
+
 bool SceneEditor::isDark() const { return palette().color(QPalette::Base).lightness() < 128; }
 
 void SceneEditor::adaptToPalette() {
     const QPalette& p = palette();
     const QColor base = p.color(QPalette::Base);
+    const QColor caretLine = isDark() ? base.lighter(130) : base.darker(103);
+    const QColor selected = isDark() ? QColor(0x1F, 0x3D, 0x5E) : QColor(0xC4, 0xDC, 0xF6);
     lexer()->setDefaultPaper(base);
     for (int style = SceneLexer::plain; style <= SceneLexer::mark; ++style) {
-        lexer()->setColor(lexer()->defaultColor(style), style);
+        QColor ink = lexer()->defaultColor(style);
+        if (style != SceneLexer::mark) // which shows none of its letters
+            for (const QColor& paper : {base, caretLine, selected})
+                ink = readable(ink, paper);
+        lexer()->setColor(ink, style);
         lexer()->setPaper(style == SceneLexer::mark ? lexer()->defaultPaper(style) : base, style);
     }
     setPaper(base);
     setCaretForegroundColor(p.color(QPalette::Text));
-    setCaretLineBackgroundColor(isDark() ? base.lighter(130) : base.darker(103));
-    setSelectionBackgroundColor(isDark() ? QColor(0x34, 0x56, 0x80) : QColor(0xC4, 0xDC, 0xF6));
+    setCaretLineBackgroundColor(caretLine);
+    setSelectionBackgroundColor(selected);
     resetSelectionForegroundColor();
     setMarginsBackgroundColor(p.color(QPalette::Window));
     setMarginsFont(lexer()->defaultFont(SceneLexer::plain));
-    setMarginsForegroundColor(isDark() ? QColor(0x80, 0x86, 0x8C) : QColor(0x90, 0x96, 0x9C));
+    setMarginsForegroundColor(readable(
+        isDark() ? QColor(0x80, 0x86, 0x8C) : QColor(0x90, 0x96, 0x9C), p.color(QPalette::Window)));
     setMatchedBraceBackgroundColor(isDark() ? QColor(0x40, 0x58, 0x70) : QColor(0xD5, 0xE6, 0xF7));
     setMatchedBraceForegroundColor(p.color(QPalette::Text));
     defineMarks();
@@ -105,7 +124,7 @@ std::size_t SceneEditor::length() const {
 }
 
 const std::string& SceneEditor::bytes() const {
-    if (!bytes_) {
+    if (!bytes_ || changing_) {
         std::string& text = bytes_.emplace(length() + 1, '\0');
         SendScintilla(SCI_GETTEXT, text.size(), text.data());
         text.pop_back();
@@ -114,7 +133,7 @@ const std::string& SceneEditor::bytes() const {
 }
 
 const script::Structure& SceneEditor::structure() const {
-    if (!structure_)
+    if (!structure_ || changing_)
         structure_ = script::structureOf(bytes());
     return *structure_;
 }
@@ -142,6 +161,12 @@ void SceneEditor::reveal(scene::Range range) {
     const long left = SendScintilla(SCI_GETXOFFSET);
     SendScintilla(SCI_SCROLLRANGE, range.to, signedByte(range.from));
     SendScintilla(SCI_SETXOFFSET, static_cast<unsigned long>(left));
+    const auto line = static_cast<unsigned long>(lineOf(range.from));
+    const long place = SendScintilla(SCI_VISIBLEFROMDOCLINE, line);
+    const long notes = SendScintilla(SCI_ANNOTATIONGETLINES, line);
+    const long top = place + 1 + notes - SendScintilla(SCI_LINESONSCREEN);
+    if (notes > 0 && top > SendScintilla(SCI_GETFIRSTVISIBLELINE))
+        SendScintilla(SCI_SETFIRSTVISIBLELINE, std::min(top, place));
 }
 
 int SceneEditor::lineOf(std::size_t byte) const {
@@ -208,6 +233,10 @@ QRect SceneEditor::rectOf(std::size_t byte) const {
     return {static_cast<int>(SendScintilla(SCI_POINTXFROMPOSITION, 0UL, signedByte(byte))),
             static_cast<int>(SendScintilla(SCI_POINTYFROMPOSITION, 0UL, signedByte(byte))), 1,
             static_cast<int>(SendScintilla(SCI_TEXTHEIGHT, line))};
+}
+
+bool SceneEditor::isOnScreen(std::size_t byte) const {
+    return QGuiApplication::screenAt(viewport()->mapToGlobal(rectOf(byte).topLeft())) != nullptr;
 }
 
 std::optional<std::size_t> SceneEditor::byteAt(const QPoint& position) const {

@@ -58,7 +58,7 @@ public:
     [[nodiscard]] std::size_t caret() const;
     [[nodiscard]] scene::Range selection() const;
     void select(scene::Range range);                  // and shows it
-    void reveal(scene::Range range);                  // its lines, from their beginnings
+    void reveal(scene::Range range);                  // its lines and what is noted below them
     [[nodiscard]] int lineOf(std::size_t byte) const; // from 0
     [[nodiscard]] QString word(scene::Range range) const;
 
@@ -73,6 +73,9 @@ public:
 
     // Where a byte is drawn, the height of its line.
     [[nodiscard]] QRect rectOf(std::size_t byte) const;
+    // Whether a list or a tip at that byte has a screen to be on. Scintilla asks for the screen at
+    // the byte's place without a look at whether there is one: nothing is shown there else.
+    [[nodiscard]] bool isOnScreen(std::size_t byte) const;
     [[nodiscard]] std::optional<std::size_t> byteAt(const QPoint& position) const;
 
     // Not owned; forgetTools() before they go.
@@ -97,9 +100,11 @@ protected:
 
 private:
     void defineMarks();
+    void followChanges();
 
     mutable std::optional<std::string> bytes_; // as long as nothing is changed
     mutable std::optional<script::Structure> structure_;
+    bool changing_ = false; // Scintilla is about to change the text, or has not said that it did
     std::vector<EditorTool*> tools_;
     bool taken_ = false; // the press was a tool's: so are moves until the release
 };

@@ -1,5 +1,7 @@
 #include "views/shape_display.h"
 
+#include "views/readable.h"
+
 #include "editing/shape_points.h"
 #include "geometry/hull.h"
 
@@ -238,6 +240,7 @@ void ShapeDisplay::paintGrid(QPainter& painter) const {
         const QPointF end = position(half * Vector::Unit(k));
         painter.setPen(QPen(colours[k], 1.2));
         painter.drawLine(position(Vector::Zero()), end);
+        painter.setPen(readable(colours[k], palette().color(QPalette::Base)));
         painter.drawText(position(1.05 * half * Vector::Unit(k)) + QPointF(-3, 4),
                          QString(QChar('x' + k)));
     }

@@ -1,5 +1,6 @@
 // How a trajectory's times are drawn.
 #include "render/handles.h"
+#include "views/readable.h"
 #include "views/scale.h"
 #include "views/time_strip.h"
 
@@ -76,6 +77,9 @@ void TimeStrip::paintMarks(QPainter& painter) const {
         return;
     }
     const Points all = points();
+    const auto markInk = [&] {
+        return readable(markColour().darker(130), palette().color(QPalette::Window));
+    };
     double labelled = -1e9; // to where times stand already
     int before = 0, after = 0;
     const auto label = [&](std::size_t i) {
@@ -86,7 +90,7 @@ void TimeStrip::paintMarks(QPainter& painter) const {
         if (left < labelled + 6)
             return;
         labelled = left + wide;
-        painter.setPen(markColour().darker(130));
+        painter.setPen(markInk());
         painter.drawText(QPointF(left, fontMetrics().ascent()), text);
     };
     if (chosen_ && *chosen_ < all.size()) { // its time has room before the others'
@@ -112,7 +116,7 @@ void TimeStrip::paintMarks(QPainter& painter) const {
         if (!isChosen && std::abs(chosenAt - x) > 48)
             label(i);
     }
-    painter.setPen(markColour().darker(130));
+    painter.setPen(markInk());
     if (before > 0)
         painter.drawText(QPointF(2, fontMetrics().ascent()), tr("◂ %1").arg(before));
     if (after > 0) {

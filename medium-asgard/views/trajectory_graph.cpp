@@ -1,5 +1,7 @@
 #include "views/trajectory_graph.h"
 
+#include "views/readable.h"
+
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -16,11 +18,11 @@ constexpr double reach = 9;   // pixels within which a point is taken
 constexpr double clearly = 6; // pixels after which a drag changes the time
 constexpr double leftSpace = 56, topSpace = 10, rightSpace = 14;
 
-QColor curveColour(int component) {
-    // Red, green, blue for x, y, z, as the axes are drawn; dark enough on white.
+// Red, green, blue for x, y, z, as the axes are drawn.
+QColor curveColour(int component, const QPalette& palette) {
     static const QColor colours[] = {QColor(0xB8, 0x30, 0x2A), QColor(0x2E, 0x86, 0x3B),
                                      QColor(0x2A, 0x55, 0xB8)};
-    return colours[component];
+    return readable(colours[component], palette.color(QPalette::Base));
 }
 
 } // namespace
@@ -156,14 +158,14 @@ void TrajectoryGraph::paintAxes(QPainter& painter) const {
     QFont bold = font();
     bold.setBold(true);
     painter.setFont(bold);
-    painter.setPen(curveColour(component_));
+    painter.setPen(readable(curveColour(component_, palette()), palette().color(QPalette::Window)));
     painter.drawText(QPointF(4, a.top() + fontMetrics().ascent()), name_);
     painter.setFont(font());
 }
 
 void TrajectoryGraph::paintCurve(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(curveColour(component_), 2));
+    painter.setPen(QPen(curveColour(component_, palette()), 2));
     for (const scene::BezierCurve& curve : curves_) {
         const auto n = static_cast<double>(curve.control.size() - 1);
         const auto control = [&](std::size_t i) {
@@ -193,7 +195,7 @@ void TrajectoryGraph::paintCurve(QPainter& painter) const {
 }
 
 void TrajectoryGraph::paintPoints(QPainter& painter) const {
-    const QColor colour = curveColour(component_);
+    const QColor colour = curveColour(component_, palette());
     QColor faint = palette().color(QPalette::WindowText);
     faint.setAlpha(120);
     const auto at = [&](std::size_t i) {

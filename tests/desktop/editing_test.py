@@ -163,19 +163,25 @@ class Editing(unittest.TestCase):
         self.press(self.host, "ctrl+z")
         self.assertEqual(self.saved(), self.original)
 
-    def test_a_dead_medium_takes_no_text_with_it(self):
+    def test_a_dead_medium_takes_no_text_and_no_draft_with_it(self):
         viewer = self.viewer()
         self.typed(viewer, "# kept")
         self.press(viewer, "ctrl+Return")
         until("the document is modified", self.is_modified)
-        for pid in children(self.ensemble.pid):
+        self.typed(viewer, "# typed ")
+        until("there is a draft", lambda: "*" in self.title(viewer))
+        time.sleep(3)  # what is typed is kept within a second
+        before = children(self.ensemble.pid)
+        for pid in before:
             os.kill(pid, signal.SIGKILL)
-        until("its windows are gone", lambda: not self.screen.windows("Language Viewer"))
-        self.assertIn(b"{# kept\nshape_set", self.saved())
-        again = self.viewer()
+        until("another process is there", lambda: set(children(self.ensemble.pid)) - set(before))
+        again = until("its window is open again", lambda: self.screen.windows("Language Viewer"))[0]
+        until("the draft is there", lambda: "*" in self.title(again))
+        self.press(again, "ctrl+Return")
+        self.assertIn(b"{# typed # kept\nshape_set", self.saved())
         self.typed(again, "# and on ")
         self.press(again, "ctrl+Return")
-        self.assertIn(b"{# and on # kept\nshape_set", self.saved())
+        self.assertIn(b"{# and on # typed # kept\nshape_set", self.saved())
 
 
 if __name__ == "__main__":
