@@ -27,7 +27,7 @@ Response responseOf(const std::vector<ImpactBody>& bodies, std::size_t body, con
     r.body = body;
     r.direction = direction;
     r.lever = point - b.centre;
-    r.velocity = b.inverseMass * direction;
+    r.velocity = b.inverseMass * direction.cwiseProduct(b.moves);
     // An impulse through the centre, up to rounding, turns nothing: a sphere's spin stays its own.
     const double rounding = 1e-14 * r.lever.norm() + 1e-15 * (point.norm() + b.centre.norm());
     if (r.lever.cross(direction).norm() <= rounding)
@@ -187,14 +187,15 @@ RestingForces restingForces(const ImpactBody& body, const Vector& freeAccelerati
         free[i] = c.normal.dot(freeAcceleration) + turning.row(i).dot(freeAngularAcceleration) +
                   c.extraAcceleration;
     }
-    const Eigen::MatrixXd mobility = body.inverseMass * normals * normals.transpose() +
+    const Eigen::MatrixXd moving = normals * body.moves.asDiagonal();
+    const Eigen::MatrixXd mobility = body.inverseMass * moving * moving.transpose() +
                                      turning * body.inverseInertia * turning.transpose();
     RestingForces result;
     result.normalForces = solveComplementarity(mobility, free);
     if (result.normalForces.empty())
         result.normalForces.assign(contacts.size(), 0);
     const Eigen::Map<const Eigen::VectorXd> forces(result.normalForces.data(), n);
-    result.acceleration = freeAcceleration + body.inverseMass * normals.transpose() * forces;
+    result.acceleration = freeAcceleration + body.inverseMass * moving.transpose() * forces;
     result.angularAcceleration =
         freeAngularAcceleration + body.inverseInertia * (turning.transpose() * forces);
     const Eigen::VectorXd gaps = mobility * forces + free;

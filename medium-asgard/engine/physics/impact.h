@@ -13,8 +13,9 @@
 // of what goes side by side (simulation/side_by_side.h), a hundred times. What a force presses
 // together moves as one: all such contacts are solved together from the start.
 //
-// Bodies of infinite mass (position held) or infinite inertia (attitude held) have inverse 0. Two
-// bodies that cannot give way pass through each other; that is reported.
+// Bodies of infinite mass or infinite inertia (attitude held) have inverse 0; what is held along
+// some axes of the world moves along the others only, and turns. Two bodies that cannot give way
+// pass through each other; that is reported.
 #pragma once
 
 #include "geometry/pose.h"
@@ -30,6 +31,7 @@ using geometry::Vector;
 
 struct ImpactBody {
     double inverseMass = 0;                 // 0: infinite
+    Vector moves = Vector::Ones();          // along each axis of the world; 0: held there
     Matrix inverseInertia = Matrix::Zero(); // world axes, about the centre of mass; 0: infinite
     Vector centre = Vector::Zero();         // of mass
     Vector velocity = Vector::Zero();

@@ -332,6 +332,22 @@ TEST(Impact, WithAHeldAttitudeTurnsNothing) {
     EXPECT_EQ(result.bodies[0].angularVelocity, Vector(0, 0, 0));
 }
 
+// j (1 + 0.6^2) = 2 * 5: the bead's part of the blow that is across its rail goes into the rail.
+TEST(Impact, OfWhatIsHeldAlongAxesChangesTheOthersOnly) {
+    std::vector<ImpactBody> bodies(2);
+    bodies[0].inverseMass = bodies[1].inverseMass = 1;
+    bodies[0].moves = {1, 0, 0};
+    bodies[0].inverseInertia = Matrix::Identity();
+    const Vector direction(0.6, 0.8, 0);
+    bodies[1].velocity = 5 * direction;
+    const auto result =
+        resolveImpact(bodies, std::vector<ImpactContact>{{0, 1, Vector::Zero(), direction, 1}});
+    ASSERT_EQ(result.impulses.size(), 1u);
+    EXPECT_NEAR(result.impulses[0].impulse, 10 / 1.36, 1e-14);
+    EXPECT_NEAR(result.bodies[0].velocity.x(), 6 / 1.36, 1e-14);
+    EXPECT_EQ(result.bodies[0].velocity.y(), 0);
+}
+
 // A lossy ball between two fixed walls that touch it: rounds would go on forever.
 TEST(Impact, EndsWhenLossyBouncingWouldNot) {
     std::vector<ImpactBody> bodies(4);
@@ -418,6 +434,16 @@ TEST(RestingForces, NeverPull) {
     EXPECT_EQ(tips.normalForces[0], 0);
     EXPECT_NEAR(tips.normalForces[1], 5, 1e-12); // a = -10 + f, alpha = -f: -10 + f + f = 0
     EXPECT_GT(tips.gapAccelerations[0], 0);
+}
+
+TEST(RestingForces, OfWhatIsHeldSidewaysCarryAllOfItsWeight) { // on a slope
+    ImpactBody body;
+    body.inverseMass = 1;
+    body.moves = {0, 1, 0};
+    const std::vector<RestingContact> slope{{{-0.6, -0.8, 0}, {0.6, 0.8, 0}, 0}};
+    const auto forces = restingForces(body, {0, -10, 0}, {0, 0, 0}, slope);
+    EXPECT_NEAR(forces.normalForces[0], 10 / 0.8, 1e-12);
+    EXPECT_LT(forces.acceleration.norm(), 1e-12);
 }
 
 TEST(RestingForces, BalanceAWedge) { // two planes at 45 degrees

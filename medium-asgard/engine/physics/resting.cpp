@@ -18,20 +18,27 @@ const Phase& phaseAt(const std::vector<Phase>& phases, double time) {
 }
 
 // Along the axes of the body's spin.
-Matrix inverseInertia(const BodyMotion& body, bool attitudeIsHeld) {
-    return attitudeIsHeld ? Matrix(Matrix::Zero()) : Matrix(body.mass.inertia.inverse());
+Matrix inverseInertia(const BodyMotion& body, const Held& held) {
+    return held.attitude ? Matrix(Matrix::Zero()) : Matrix(body.mass.inertia.inverse());
 }
 
-Eigen::MatrixXd mobilityOf(const BodyMotion& body, bool attitudeIsHeld,
-                           std::span<const GapRow> rows) {
+Vector withoutHeld(Vector v, const Held& held) {
+    for (std::size_t i = 0; i < 3; ++i)
+        if (held.position[i])
+            v[static_cast<Eigen::Index>(i)] = 0;
+    return v;
+}
+
+Eigen::MatrixXd mobilityOf(const BodyMotion& body, const Held& held, std::span<const GapRow> rows) {
     const auto n = static_cast<Eigen::Index>(rows.size());
-    const Matrix inverse = inverseInertia(body, attitudeIsHeld);
+    const Matrix inverse = inverseInertia(body, held);
     Eigen::MatrixXd a(n, n);
     for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index j = 0; j < n; ++j) {
             const GapRow& p = rows[static_cast<std::size_t>(i)];
             const GapRow& q = rows[static_cast<std::size_t>(j)];
-            a(i, j) = p.linear.dot(q.linear) / body.mass.mass + p.angular.dot(inverse * q.angular);
+            a(i, j) = withoutHeld(p.linear, held).dot(q.linear) / body.mass.mass +
+                      p.angular.dot(inverse * q.angular);
         }
     return a;
 }
@@ -40,11 +47,25 @@ Node lengthOf(Graph& g, const NodeVector& v) { return g.apply(Op::sqrt, dot(g, v
 
 } // namespace
 
-std::vector<std::size_t> independentOf(const BodyMotion& body, bool attitudeIsHeld,
+Held unyieldingAt(const EquationsOfMotion& equations, std::size_t body, double time) {
+    constexpr double rounding = 1e-12; // of the radius, in the centre of mass
+    const BodyMotion& motion = equations.bodies[body];
+    Held held = motion.heldAt(time);
+    if (motion.mass.centroid.norm() <= rounding * motion.mass.radius)
+        return held;
+    for (std::size_t i = 0; i < 3; ++i) { // else its velocity is held, that of the centre
+        const expression::Unknown& place = equations.set.unknowns[motion.unknown(x) + i];
+        held.attitude =
+            held.attitude || (held.position[i] && phaseAt(place.phases, time).given.has_value());
+    }
+    return held;
+}
+
+std::vector<std::size_t> independentOf(const BodyMotion& body, const Held& held,
                                        std::span<const GapRow> rows) {
     // Gram and Schmidt by way of the mobility matrix: a row counts when enough of it is left.
     constexpr double left = 1e-8;
-    const Eigen::MatrixXd a = mobilityOf(body, attitudeIsHeld, rows);
+    const Eigen::MatrixXd a = mobilityOf(body, held, rows);
     std::vector<Eigen::Index> chosen;
     for (Eigen::Index i = 0; i < a.rows(); ++i) {
         double rest = a(i, i);
@@ -59,7 +80,7 @@ std::vector<std::size_t> independentOf(const BodyMotion& body, bool attitudeIsHe
     return {chosen.begin(), chosen.end()};
 }
 
-VelocityChange changeToRates(const BodyMotion& body, bool attitudeIsHeld,
+VelocityChange changeToRates(const BodyMotion& body, const Held& held,
                              std::span<const GapRow> rows) {
     VelocityChange change;
     if (rows.empty())
@@ -67,11 +88,11 @@ VelocityChange changeToRates(const BodyMotion& body, bool attitudeIsHeld,
     Eigen::VectorXd rates(static_cast<Eigen::Index>(rows.size()));
     for (std::size_t i = 0; i < rows.size(); ++i)
         rates[static_cast<Eigen::Index>(i)] = -rows[i].rate;
-    const Eigen::VectorXd impulses = mobilityOf(body, attitudeIsHeld, rows).ldlt().solve(rates);
-    const Matrix inverse = inverseInertia(body, attitudeIsHeld);
+    const Eigen::VectorXd impulses = mobilityOf(body, held, rows).ldlt().solve(rates);
+    const Matrix inverse = inverseInertia(body, held);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const double impulse = impulses[static_cast<Eigen::Index>(i)];
-        change.linear += rows[i].linear * (impulse / body.mass.mass);
+        change.linear += withoutHeld(rows[i].linear, held) * (impulse / body.mass.mass);
         change.angular += inverse * rows[i].angular * impulse;
     }
     return change;
@@ -80,7 +101,7 @@ VelocityChange changeToRates(const BodyMotion& body, bool attitudeIsHeld,
 GapExpressions::GapExpressions(expression::EquationSet& set, const EquationsOfMotion& free,
                                std::size_t body, double time)
     : set_(set), g_(set.graph), free_(free), body_(body), time_(time),
-      attitudeIsHeld_(free.bodies[body].heldAt(time).attitude) {
+      held_(unyieldingAt(free, body, time)) {
     for (std::size_t i = 0; i < set.unknowns.size(); ++i)
         unknownOf_.emplace(set.unknowns[i].symbol.index, i);
 }
@@ -98,7 +119,8 @@ Node GapExpressions::rateOf(Node value) {
             continue;
         const std::size_t own = unknown->second - first;
         const bool isOwnVelocity = unknown->second >= first && own < bodyUnknowns &&
-                                   ((own >= dx && own < qw) || (own >= w1 && !attitudeIsHeld_));
+                                   ((own >= dx && own < qw && !held_.position[own - dx]) ||
+                                    (own >= w1 && !held_.attitude));
         if (!isOwnVelocity)
             rate = g_.add(rate,
                           g_.multiply(differentiate(g_, value, symbol), freeRate(unknown->second)));
@@ -157,8 +179,9 @@ GapExpressions::Row GapExpressions::rowOf(const GapConstraint& constraint) {
     Row row;
     row.rate = rateOf(gapOf(constraint));
     for (std::size_t i = 0; i < 3; ++i) {
-        row.linear[i] = differentiate(g_, row.rate, s.velocity[i]);
-        row.angular[i] = attitudeIsHeld_ ? g_.constant(0) : differentiate(g_, row.rate, s.spin[i]);
+        row.linear[i] =
+            held_.position[i] ? g_.constant(0) : differentiate(g_, row.rate, s.velocity[i]);
+        row.angular[i] = held_.attitude ? g_.constant(0) : differentiate(g_, row.rate, s.spin[i]);
     }
     row.rest = rateOf(row.rate);
     return row;
@@ -191,7 +214,7 @@ std::vector<GapRow> GapExpressions::rowsAt(std::span<const GapConstraint> constr
 
 // I^-1 J_w.
 NodeVector GapExpressions::loadOf(const NodeVector& angular) {
-    const Matrix inverse = inverseInertia(free_.bodies[body_], attitudeIsHeld_);
+    const Matrix inverse = inverseInertia(free_.bodies[body_], held_);
     NodeMatrix rows;
     for (int i = 0; i < 3; ++i)
         rows[static_cast<std::size_t>(i)] = constant(g_, inverse.row(i));

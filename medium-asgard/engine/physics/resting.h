@@ -16,6 +16,8 @@
 // A face that lies on a face takes away one translation and two turns; on a support that does not
 // turn these are constants of the body, so that nothing drifts.
 //
+// What a trajectory holds has its own rate: no force changes it, and J is 0 there.
+//
 // The constraints hold the gap's second derivative only: what the integration errs in them stays,
 // as in any other quantity, within what was asked for.
 // LIMIT: two bodies that can both give way are not constrained to each other.
@@ -28,6 +30,10 @@
 #include <vector>
 
 namespace physics {
+
+// What blows and contacts do not change of a body. A hold makes no hinge (docs/scene-language.md):
+// what is held at a place beside its centre of mass takes no spin, as if its attitude were held.
+[[nodiscard]] Held unyieldingAt(const EquationsOfMotion& equations, std::size_t body, double time);
 
 struct GapConstraint {
     enum class Kind {
@@ -57,8 +63,9 @@ struct GapRow {
     double rate = 0; // g'
 };
 
-// Indices of constraints that are independent of the earlier chosen ones, in order.
-[[nodiscard]] std::vector<std::size_t> independentOf(const BodyMotion& body, bool attitudeIsHeld,
+// Indices of constraints that are independent of the earlier chosen ones, in order. `held`: what
+// contacts do not change (unyieldingAt).
+[[nodiscard]] std::vector<std::size_t> independentOf(const BodyMotion& body, const Held& held,
                                                      std::span<const GapRow> rows);
 
 // The least change of velocities, in the sense of kinetic energy, that makes all rates 0. Spin
@@ -66,7 +73,7 @@ struct GapRow {
 struct VelocityChange {
     Vector linear = Vector::Zero(), angular = Vector::Zero();
 };
-[[nodiscard]] VelocityChange changeToRates(const BodyMotion& body, bool attitudeIsHeld,
+[[nodiscard]] VelocityChange changeToRates(const BodyMotion& body, const Held& held,
                                            std::span<const GapRow> rows);
 
 struct ConstrainedRates {
@@ -104,7 +111,7 @@ private:
     const EquationsOfMotion& free_;
     std::size_t body_;
     double time_;
-    bool attitudeIsHeld_;
+    Held held_;                                                // what contacts do not change
     std::unordered_map<std::uint32_t, std::size_t> unknownOf_; // by symbol
 };
 

@@ -52,6 +52,48 @@ TEST(Resting, OnAPlaneTheWeightAlongItIsAllThatIsLeftAndFolds) {
     EXPECT_EQ(print(set.graph, rates.spinRate[0]), "0");
 }
 
+// It goes its way along x, at 3, and the slope of 45 degrees lets it go up by as much.
+TEST(Resting, WhatIsHeldAlongAnAxisHasItsOwnRateThere) {
+    scene::Scene scene = ballOnRod();
+    scene.trajectories.emplace_back();
+    scene.trajectories[0].name = "path";
+    scene.trajectories[0].curves.push_back(
+        {.from = 0, .to = 9, .control = {{0, 0, 0}, {27, 0, 0}}});
+    scene.constraints.emplace_back();
+    scene.constraints[0].body = "ball";
+    scene.constraints[0].trajectory = "path";
+    scene.constraints[0].held = scene::Held::x;
+    const EquationsOfMotion motion(scene);
+    const Held held = unyieldingAt(motion, 0, 1);
+    EXPECT_TRUE(held.position[0]);
+    EXPECT_FALSE(held.position[1] || held.attitude);
+    expression::EquationSet set = motion.set;
+    GapExpressions gaps(set, motion, 0, 1);
+    const std::vector<GapConstraint> slope{plane(Vector(-1, 1, 0).normalized(), 0.5)};
+    const ConstrainedRates rates = gaps.constrained(slope);
+    EXPECT_EQ(print(set.graph, rates.acceleration[0]), "0");
+    EXPECT_EQ(print(set.graph, rates.acceleration[1]), "0");
+    std::vector<double> state = stateOf(motion);
+    state[motion.bodies[0].unknown(dx)] = 3;
+    const auto rows = gaps.rowsAt(slope, state);
+    EXPECT_EQ(changeToRates(motion.bodies[0], held, rows).linear, Vector(0, 3, 0));
+}
+
+// A hold beside the centre of mass is no hinge.
+TEST(Resting, WhatIsHeldBesideItsCentreDoesNotTurn) {
+    scene::Scene scene = ballOnRod();
+    scene.shapeSets[0].parts[0].position = {0.1, 0, 0};
+    scene.trajectories.emplace_back();
+    scene.trajectories[0].name = "path";
+    scene.trajectories[0].curves.push_back({.from = 0, .to = 9, .control = {{0, 0, 0}}});
+    scene.constraints.emplace_back();
+    scene.constraints[0].body = "ball";
+    scene.constraints[0].trajectory = "path";
+    EXPECT_TRUE(unyieldingAt(EquationsOfMotion(scene), 0, 1).attitude);
+    scene.constraints[0].held = scene::Held::velocity; // that of the centre
+    EXPECT_FALSE(unyieldingAt(EquationsOfMotion(scene), 0, 1).attitude);
+}
+
 TEST(Resting, ADependentConstraintIsLeftOut) {
     const EquationsOfMotion motion(ballOnRod());
     expression::EquationSet set = motion.set;
@@ -59,7 +101,7 @@ TEST(Resting, ADependentConstraintIsLeftOut) {
     const std::vector<GapConstraint> planes{
         plane(Vector::UnitY(), 0.5), plane(Vector::UnitY(), 0.5), plane(Vector::UnitX(), 0.5)};
     const auto rows = gaps.rowsAt(planes, stateOf(motion));
-    EXPECT_THAT(independentOf(motion.bodies[0], false, rows), ::testing::ElementsAre(0u, 2u));
+    EXPECT_THAT(independentOf(motion.bodies[0], {}, rows), ::testing::ElementsAre(0u, 2u));
 }
 
 TEST(Resting, VelocitiesChangeByTheLeastThatMakesTheRatesZero) {
@@ -71,7 +113,7 @@ TEST(Resting, VelocitiesChangeByTheLeastThatMakesTheRatesZero) {
     const std::vector<GapConstraint> floor{plane(Vector::UnitY(), 0.5)};
     const auto rows = gaps.rowsAt(floor, stateOf(motion));
     EXPECT_EQ(rows[0].rate, -2);
-    const VelocityChange change = changeToRates(motion.bodies[0], false, rows);
+    const VelocityChange change = changeToRates(motion.bodies[0], {}, rows);
     EXPECT_EQ(change.linear, Vector(0, 2, 0));
     EXPECT_EQ(change.angular, Vector(0, 0, 0));
 }

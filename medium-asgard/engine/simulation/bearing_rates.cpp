@@ -97,18 +97,18 @@ BearingRow bearingRow(const GapConstraint& constraint, const BodyRecord& record,
 }
 
 BodyState bearingExactly(const BodyState& state, const physics::BodyMotion& motion,
-                         bool attitudeIsHeld, std::span<const BearingRow> rows) {
+                         const physics::Held& held, std::span<const BearingRow> rows) {
     std::vector<GapRow> all;
     for (const BearingRow& row : rows)
         all.push_back(row.rates);
     std::vector<GapRow> rates, gaps;
-    for (const std::size_t i : physics::independentOf(motion, attitudeIsHeld, all)) {
+    for (const std::size_t i : physics::independentOf(motion, held, all)) {
         rates.push_back(all[i]);
         gaps.push_back(all[i]);
         gaps.back().rate = rows[i].gap;
     }
-    const physics::VelocityChange speed = physics::changeToRates(motion, attitudeIsHeld, rates);
-    const physics::VelocityChange place = physics::changeToRates(motion, attitudeIsHeld, gaps);
+    const physics::VelocityChange speed = physics::changeToRates(motion, held, rates);
+    const physics::VelocityChange place = physics::changeToRates(motion, held, gaps);
     BodyState exact = state;
     exact.velocity += withoutRounding(speed.linear);
     exact.angularVelocity += withoutRounding(inWorld(speed.angular, motion, state));

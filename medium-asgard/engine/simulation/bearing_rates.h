@@ -27,7 +27,7 @@ struct BearingRow {
 
 // The body's state with these gaps and rates 0.
 [[nodiscard]] BodyState bearingExactly(const BodyState& state, const physics::BodyMotion& motion,
-                                       bool attitudeIsHeld, std::span<const BearingRow> rows);
+                                       const physics::Held& held, std::span<const BearingRow> rows);
 
 // A vector without what is rounding beside its largest component: in a plane nothing is to leave it
 // (solution/zero_states.h).

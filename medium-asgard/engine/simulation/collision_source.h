@@ -66,6 +66,13 @@ public:
     }
     // An event happened at this very time.
     [[nodiscard]] bool hasEventAt(double time) const;
+    // The hops that a body makes no more, since it rests instead, and that are farther from rest
+    // than those before: how high, up to a time. No run that is compared has them.
+    struct LostHop {
+        double time = 0, height = 0;
+        std::size_t body = 0;
+    };
+    [[nodiscard]] std::vector<LostHop> lostHops(double until) const;
     [[nodiscard]] std::size_t pairTests() const { return search_.pairTests(); }
     // Pairs of bodies, the lesser first, that came near each other; in order.
     [[nodiscard]] std::vector<collision::Pair> candidates() { return search_.pairs(); }
@@ -128,6 +135,10 @@ private:
                                  const EncounterSearch::Found& hit);
     [[nodiscard]] std::optional<solution::Event> meet(const solution::Histories& histories,
                                                       const Pair& pair, double time);
+    // Both are held, and no impulse at their contact parts them.
+    void passThrough(const Pair& pair, double time);
+    [[nodiscard]] bool cannotPart(const solution::Histories& histories, const Pair& pair,
+                                  double time);
     [[nodiscard]] bool areFreeBalls(const Pair& pair, double time) const;
     [[nodiscard]] double restitutionOf(const Pair& pair) const;
     struct Closeness {                   // of two balls
@@ -247,6 +258,7 @@ private:
     struct Hop { // that an impact would lead to
         bool approaches = false, isLow = true;
         double settling = 0; // the time that it and all hops after it take
+        double height = 0;
     };
     [[nodiscard]] Hop hopOf(const solution::Histories& histories, const Cluster& cluster,
                             const physics::ImpactContact& contact,
@@ -254,8 +266,8 @@ private:
                             std::span<const physics::ImpactBody> bodies, double time) const;
     // The longest time in which the hops that were cut off would have ended; negative: none was.
     [[nodiscard]] double softenLastHops(const solution::Histories& histories, Cluster& cluster,
-                                        std::span<const physics::ImpactBody> bodies,
-                                        double time) const;
+                                        std::span<const physics::ImpactBody> bodies, double time);
+    void loseHop(const Pair& pair, double time, double height);
     // What goes side by side and only hops by its own push moves on as one.
     void pressTogether(const solution::Histories& histories, Cluster& cluster,
                        const std::vector<physics::ImpactBody>& bodies, double time) const;
@@ -269,6 +281,7 @@ private:
     void record(const Cluster& cluster, const physics::ImpactResult& result, double time,
                 double settling);
     void noteJam(const Cluster& cluster, const physics::ImpactResult& result, double time);
+    void noteUnturned(std::size_t body, double time);
     void noteOnce(const Pair& pair, double time, const std::string& sentence);
 
     const scene::Scene& scene_;
@@ -307,7 +320,8 @@ private:
         double time = 0;
     };
     std::vector<Blocked> blocked_;
-    std::vector<double> events_; // times, but for hits on lines
+    std::vector<LostHop> lostHops_; // in order
+    std::vector<double> events_;    // times, but for hits on lines
 };
 
 } // namespace simulation

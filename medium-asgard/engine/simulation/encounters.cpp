@@ -28,6 +28,10 @@ constexpr std::size_t manyAtOnce = 200; // at one instant
 
 std::string quoted(const std::string& name) { return "\"" + name + "\""; }
 
+bool isHeldInPlace(const RestingBodies& resting, std::size_t body, double time) {
+    return std::ranges::count(resting.heldOf(body, time).position, true) == 3;
+}
+
 } // namespace
 
 bool CollisionSource::givesWay(std::size_t body, double time) const {
@@ -64,11 +68,7 @@ CollisionSource::Handled CollisionSource::handle(const Histories& histories,
     if (search_.hasAnyEnded(pair))
         return meetEnded(histories, pair, hit.time);
     if (!givesWay(pair.first, hit.time) && !givesWay(pair.second, hit.time)) {
-        noteOnce(pair, hit.time,
-                 "Bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
-                     quoted(scene_.bodies[pair.second].name) +
-                     " are both held where they meet, so they pass through each other.");
-        search_.letPass(pair, nextPhase(pair, hit.time));
+        passThrough(pair, hit.time);
         return {};
     }
     if (hit.isLost)
@@ -88,12 +88,27 @@ CollisionSource::Handled CollisionSource::handle(const Histories& histories,
         return std::move(*handled);
     if (auto event = meet(histories, pair, hit.time))
         return {std::move(event)};
-    return {press(histories, pair, hit.time)};
+    if (auto event = press(histories, pair, hit.time))
+        return {std::move(event)};
+    if (cannotPart(histories, pair, hit.time))
+        passThrough(pair, hit.time);
+    return {};
+}
+
+void CollisionSource::passThrough(const Pair& pair, double time) {
+    noteOnce(pair, time,
+             "Bodies " + quoted(scene_.bodies[pair.first].name) + " and " +
+                 quoted(scene_.bodies[pair.second].name) +
+                 " are both held where they meet, so they pass through each other.");
+    search_.letPass(pair, nextPhase(pair, time));
 }
 
 bool CollisionSource::areFreeBalls(const Pair& pair, double time) const {
-    return bodies_[pair.first].isBall() && bodies_[pair.second].isBall() &&
-           givesWay(pair.first, time) && givesWay(pair.second, time);
+    const auto isFree = [&](std::size_t body) {
+        return search_.isFollowed(body) || resting_.isFree(body, time);
+    };
+    return bodies_[pair.first].isBall() && bodies_[pair.second].isBall() && isFree(pair.first) &&
+           isFree(pair.second);
 }
 
 double CollisionSource::restitutionOf(const Pair& pair) const {
@@ -194,8 +209,8 @@ bool CollisionSource::isWithoutEnd(std::size_t body, std::size_t other, double t
     Meetings& met = meetings_[body];
     if (other == body)
         met.add(met.partner, false, time);
-    else
-        met.add(other, givesWay(other, time), time);
+    else // who only turns does not turn back
+        met.add(other, givesWay(other, time) && !isHeldInPlace(resting_, other, time), time);
     if (met.count % manyMeetings == 0) {
         const double since = std::exchange(met.markedAt, time);
         const double least = std::exchange(met.isGivenWay, false) ? shorterWhile : shortWhile;
@@ -314,6 +329,8 @@ void CollisionSource::settle(const Histories& histories, std::size_t body, doubl
     const bool isNothingNew = rest.footings.empty() && !resting_.isResting(body);
     if (isNothingNew || rest.state == Rest::State::approaching)
         return;
+    for (const Footing& footing : rest.footings)
+        noteUnturned(footing.support, time);
     resting_.set(body, time, rest);
     const auto state = states.find(body);
     outcome_.rests.push_back(
@@ -379,6 +396,8 @@ void CollisionSource::record(const Cluster& cluster, const physics::ImpactResult
         const physics::ImpactContact& contact = cluster.contacts[given.contact];
         const std::size_t first = cluster.bodies[contact.first];
         const std::size_t second = cluster.bodies[contact.second];
+        noteUnturned(first, time);
+        noteUnturned(second, time);
         Impact impact{.time = time,
                       .first = first,
                       .second = second,
@@ -418,6 +437,16 @@ void CollisionSource::noteJam(const Cluster& cluster, const physics::ImpactResul
              "Body " + quoted(scene_.bodies[most->first].name) + " has no room between " + others +
                  ": it would bounce between them without end at one instant, and loses its speed "
                  "there.");
+}
+
+// What would turn if its hold were a hinge.
+void CollisionSource::noteUnturned(std::size_t body, double time) {
+    if (!records_[body].isFixed && resting_.turnsFreely(body, time) &&
+        resting_.heldOf(body, time).attitude)
+        noteOnce({body, body}, time,
+                 "Body " + quoted(scene_.bodies[body].name) +
+                     " is held at a place beside its centre of mass, which makes no hinge: what "
+                     "hits it or rests on it does not turn it. A stiff link makes a hinge.");
 }
 
 void CollisionSource::noteOnce(const Pair& pair, double time, const std::string& sentence) {

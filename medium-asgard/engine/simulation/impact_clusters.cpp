@@ -209,8 +209,12 @@ void CollisionSource::addContacts(const Histories& histories, Cluster& cluster, 
     // have the integration's errors, not rounding's.
     const bool isFooting = resting_.hasFooting(a, b);
     const bool isUnsure = isFooting || (contacts.empty() && isHit);
-    if (isUnsure && (resting_.canGiveWay(a, time) != resting_.canGiveWay(b, time))) {
-        const bool isFirst = resting_.canGiveWay(a, time);
+    // How freely it moves; the freer one may rest on the other.
+    const auto freedom = [&](std::size_t body) {
+        return resting_.isFree(body, time) ? 2 : resting_.canGiveWay(body, time) ? 1 : 0;
+    };
+    if (isUnsure && freedom(a) != freedom(b)) {
+        const bool isFirst = freedom(a) > freedom(b);
         const Pair ordered = isFirst ? Pair{a, b} : Pair{b, a};
         for (const Standing& corner : cornersAt(histories, ordered, time, isHit)) {
             add(corner.point, isFirst ? corner.normal : Vector(-corner.normal),
@@ -254,6 +258,20 @@ CollisionSource::Cluster CollisionSource::clusterAt(const Histories& histories, 
     return cluster;
 }
 
+// As a bar on a held centre that is driven flat against a wall: nothing about it can turn.
+bool CollisionSource::cannotPart(const Histories& histories, const Pair& pair, double time) {
+    if (resting_.isFree(pair.first, time) || resting_.isFree(pair.second, time))
+        return false;
+    const Cluster cluster = clusterAt(histories, pair, time);
+    std::vector<ImpactBody> bodies;
+    for (const std::size_t body : cluster.bodies)
+        bodies.push_back(impactBody(histories, body, time));
+    return std::ranges::any_of(cluster.contacts, [&](const ImpactContact& contact) {
+        const Pair met = std::minmax(cluster.bodies[contact.first], cluster.bodies[contact.second]);
+        return met == pair && sinksIn(contact, bodies);
+    });
+}
+
 // How the gap accelerates: of flat parts as their points that touch, of spheres as their centres.
 double CollisionSource::pushAt(const Histories& histories, const Cluster& cluster,
                                const ImpactContact& c, const std::array<double, 2>& radii,
@@ -280,7 +298,7 @@ double CollisionSource::pushAt(const Histories& histories, const Cluster& cluste
 // Where a patch touches, that holds of all its corners: an edge that rocks hops at its ends, and
 // its middle need not approach at all.
 double CollisionSource::softenLastHops(const Histories& histories, Cluster& cluster,
-                                       std::span<const ImpactBody> bodies, double time) const {
+                                       std::span<const ImpactBody> bodies, double time) {
     double longest = -1;
     for (std::size_t c = 0; c < cluster.contacts.size(); ++c) {
         const Pair pair(cluster.bodies[cluster.contacts[c].first],
@@ -296,8 +314,10 @@ double CollisionSource::softenLastHops(const Histories& histories, Cluster& clus
             hop.approaches = hop.approaches || other.approaches;
             hop.isLow = hop.isLow && other.isLow;
             hop.settling = std::max(hop.settling, other.settling);
+            hop.height = std::max(hop.height, other.height);
         }
         if (hop.approaches && hop.isLow) {
+            loseHop(pair, time, hop.height);
             longest = std::max(longest, hop.settling);
             cluster.contacts[c].restitution = 0;
         }
@@ -332,9 +352,23 @@ CollisionSource::Hop CollisionSource::hopOf(const Histories& histories, const Cl
     lowest = std::max({lowest * radius, 2e-9 * radius, 2 * slack * radius, 1e-13 * reach});
     const double parting = -contact.restitution * approach;
     Hop hop{.approaches = true, .isLow = push < 0 && parting * parting / (-2 * push) < lowest};
+    if (hop.isLow)
+        hop.height = parting * parting / (-2 * push);
     if (hop.isLow && contact.restitution < 1)
         hop.settling = 2 * parting / (-push * (1 - contact.restitution));
     return hop;
+}
+
+void CollisionSource::loseHop(const Pair& pair, double time, double height) {
+    if (!(height > 0))
+        return;
+    for (const std::size_t body : {pair.first, pair.second}) {
+        const auto isHigher = [&](const LostHop& hop) {
+            return hop.body == body && hop.height >= height;
+        };
+        if (resting_.canGiveWay(body, time) && std::ranges::none_of(lostHops_, isHigher))
+            lostHops_.push_back({.time = time, .height = height, .body = body});
+    }
 }
 
 // side_by_side.h. Where something hits that comes faster, all is an impact as any other.

@@ -186,6 +186,7 @@ Run OpenRun::collect(double until) {
         blocked = collisions.blocked(until);
         run.impacts = collisions.impacts(until);
         run.notes = collisions.notes(until);
+        run.lostHops = collisions.lostHops(until);
         const std::size_t tests = collisions.pairTests();
         run.pairTests = tests - std::exchange(countedPairTests_, tests);
         run.candidates = collisions.candidates();

@@ -95,6 +95,15 @@ private:
     struct Place {
         std::size_t touch, corner;
     };
+    struct Load { // of a touch on its support
+        double push = 0;
+        Vector force = Vector::Zero(), torque = Vector::Zero();
+        void add(double normalForce, const Vector& normal, const Vector& arm) {
+            push += normalForce;
+            force -= normalForce * normal;
+            torque -= normalForce * arm.cross(normal);
+        }
+    };
 
     void bearWhatPresses() {
         corners_.clear();
@@ -204,30 +213,53 @@ private:
             physics::restingForces(q_.mobility, q_.free.linear, q_.free.angular, contacts);
         given_.linear = forces.acceleration;
         given_.angular = forces.angularAcceleration;
-        std::vector<double> pushes(touches_.size(), 0);
+        std::vector<Load> loads(touches_.size());
         for (std::size_t i = 0; i < corners_.size(); ++i) {
-            pushes[corners_[i].touch] += forces.normalForces[i];
+            Candidate& touched = touches_[corners_[i].touch];
+            loads[corners_[i].touch].add(forces.normalForces[i], touched.touch.normal,
+                                         contacts[i].point -
+                                             q_.supportMobility[touched.support].centre);
             if (forces.gapAccelerations[i] <= stillBearing * accelerations_)
-                touches_[corners_[i].touch].bearing.push_back(corners_[i].corner);
+                touched.bearing.push_back(corners_[i].corner);
         }
         const double floor = RestLimits::leastPush * q_.body.record->radius;
         const double weak = std::max(RestLimits::weakPush * accelerations_, floor);
         for (std::size_t t = 0; t < touches_.size(); ++t) {
-            const bool givesWay = q_.givesWay[touches_[t].support];
-            const double least = givesWay ? weak : 1e-12 * accelerations_;
-            if (pushes[t] * q_.mobility.inverseMass > least && !touches_[t].bearing.empty())
-                addFooting(touches_[t]);
+            const bool isFree = givesWay(touches_[t].support);
+            const double least = isFree ? weak : 1e-12 * accelerations_;
+            if (loads[t].push * q_.mobility.inverseMass > least && !touches_[t].bearing.empty())
+                addFooting(touches_[t], loads[t]);
         }
         if (rest_.state == Rest::State::bearing)
             putBack();
     }
 
-    void addFooting(const Candidate& candidate) {
+    [[nodiscard]] bool givesWay(std::size_t support) const { // along all axes
+        const physics::ImpactBody& mobility = q_.supportMobility[support];
+        return mobility.inverseMass > 0 && mobility.moves.minCoeff() > 0;
+    }
+
+    // A support that is held in part, as a bar at its centre, bears what does not move it: the
+    // model of rest has the forces of one body only.
+    [[nodiscard]] bool isMovedBy(std::size_t support, const Load& load) const {
+        constexpr double unmoved = 1e-9; // of the accelerations that enter
+        const physics::ImpactBody& mobility = q_.supportMobility[support];
+        const double linear = mobility.inverseMass * load.force.cwiseProduct(mobility.moves).norm();
+        const double angular = (mobility.inverseInertia * load.torque).norm();
+        return linear + angular * q_.supports[support].record->radius > unmoved * accelerations_;
+    }
+
+    void addFooting(const Candidate& candidate, const Load& load) {
         const Touch& touch = candidate.touch;
         const Placed& support = q_.supports[candidate.support];
-        if (q_.givesWay[candidate.support])
+        if (givesWay(candidate.support))
             return refuse(touch, "come to rest on each other, which is modelled only where one of "
                                  "them is fixed or held");
+        if (isMovedBy(candidate.support, load))
+            return refuse(touch, "come to rest on each other, and \"" + names_[touch.support] +
+                                     "\", which is held in part only, would give way to what it "
+                                     "bears, which is not modelled; hold its rotation, too "
+                                     "(constrain -rot), or all of its position");
         if (!touch.isModelled)
             return refuse(touch, "rest on each other with edges or vertices only, which is not "
                                  "modelled");
@@ -278,12 +310,13 @@ private:
             turning.row(i) = (corners[k]->point - q_.mobility.centre).cross(normals[k]);
             gaps[i] = corners[k]->gap;
         }
-        const Eigen::MatrixXd mobility = q_.mobility.inverseMass * rows * rows.transpose() +
+        const Eigen::MatrixXd moving = rows * q_.mobility.moves.asDiagonal();
+        const Eigen::MatrixXd mobility = q_.mobility.inverseMass * moving * moving.transpose() +
                                          turning * q_.mobility.inverseInertia * turning.transpose();
         Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(n, n);
         solver.setThreshold(1e-9); // corners of a face are more than its three freedoms
         const Eigen::VectorXd impulses = solver.compute(mobility).solve(-gaps);
-        rest_.correction = withoutRounding(q_.mobility.inverseMass * rows.transpose() * impulses);
+        rest_.correction = withoutRounding(q_.mobility.inverseMass * moving.transpose() * impulses);
         rest_.turn = withoutRounding(q_.mobility.inverseInertia * (turning.transpose() * impulses));
     }
 

@@ -60,7 +60,7 @@ struct RestQuestion {
     physics::ImpactBody mobility;
     Acceleration free; // without contacts, world axes
     std::vector<Placed> supports;
-    std::vector<bool> givesWay; // by support: its motion would answer to this one's
+    std::vector<physics::ImpactBody> supportMobility; // by support: how it answers
     // On which it rests already. Only there an approach is told: the search for hits leaves these
     // out, and finds all others.
     std::vector<PartsInTouch> footings;

@@ -116,17 +116,25 @@ RestingBodies::RestingBodies(const physics::EquationsOfMotion& equations,
 
 // --- what is there --------------------------------------------------------------------------
 
+physics::Held RestingBodies::heldOf(std::size_t body, double time) const {
+    return physics::unyieldingAt(equations_, body, std::min(time, std::nextafter(finish_, start_)));
+}
+
 bool RestingBodies::canGiveWay(std::size_t body, double time) const {
     if (records_[body].isFixed)
         return false;
-    // What holds to the finish holds at the finish.
-    const double t = std::min(time, std::nextafter(finish_, start_));
-    return std::ranges::count(equations_.bodies[body].heldAt(t).position, true) == 0;
+    const physics::Held held = heldOf(body, time);
+    return std::ranges::count(held.position, true) < 3 ||
+           (!held.attitude && !bodies_[body].isBall());
+}
+
+bool RestingBodies::isFree(std::size_t body, double time) const {
+    return !records_[body].isFixed && std::ranges::count(heldOf(body, time).position, true) == 0;
 }
 
 bool RestingBodies::hopForEver(std::size_t a, std::size_t b, double time) const {
     return elastic_[a] && elastic_[b] && bodies_[a].isBall() && bodies_[b].isBall() &&
-           canGiveWay(a, time) && canGiveWay(b, time);
+           isFree(a, time) && isFree(b, time);
 }
 
 double RestingBodies::nextPhase(std::size_t body, double time) const {
@@ -152,13 +160,14 @@ physics::ImpactBody RestingBodies::impactBody(std::size_t body, double time,
     physics::ImpactBody impact{.centre = state.position,
                                .velocity = state.velocity,
                                .angularVelocity = state.angularVelocity};
-    // A held place leaves nothing to give way, not even by turning about it. LIMIT: a body that is
-    // held along one axis counts as held along all of them in a collision.
     if (!canGiveWay(body, time))
         return impact;
     const physics::BodyMotion& motion = equations_.bodies[body];
+    const physics::Held held = heldOf(body, time);
     impact.inverseMass = 1 / motion.mass.mass;
-    if (!motion.heldAt(time).attitude) {
+    for (std::size_t i = 0; i < 3; ++i)
+        impact.moves[static_cast<Eigen::Index>(i)] = held.position[i] ? 0 : 1;
+    if (!held.attitude) {
         const geometry::Matrix r = state.attitude.toRotationMatrix();
         impact.inverseInertia = r * motion.mass.inertia.inverse() * r.transpose();
     }
@@ -172,7 +181,7 @@ BodyState RestingBodies::bearingState(const Histories& histories, std::size_t bo
     if (found == resting_.end() || !canGiveWay(body, time) || !state.angularVelocity.allFinite())
         return state;
     const physics::BodyMotion& motion = equations_.bodies[body];
-    const bool isHeld = motion.heldAt(time).attitude;
+    const physics::Held held = heldOf(body, time);
     for (int i = 0; i < corrections; ++i) {
         std::vector<BearingRow> rows;
         for (const Footing& footing : found->second.rest.footings) {
@@ -180,7 +189,7 @@ BodyState RestingBodies::bearingState(const Histories& histories, std::size_t bo
             for (const physics::GapConstraint& constraint : footing.constraints)
                 rows.push_back(bearingRow(constraint, records_[body], state, support));
         }
-        state = bearingExactly(state, motion, isHeld, rows);
+        state = bearingExactly(state, motion, held, rows);
     }
     return state;
 }
@@ -259,20 +268,26 @@ Rest RestingBodies::restAt(const Histories& histories, std::size_t body, double 
                           .mobility = {},
                           .free = {},
                           .supports = {},
-                          .givesWay = {},
+                          .supportMobility = {},
                           .footings = {}};
     if (const auto now = resting_.find(body); now != resting_.end())
         for (const Footing& f : now->second.rest.footings)
             question.footings.push_back({f.support, f.bodyPart, f.supportPart});
     question.mobility = impactBody(body, time, question.body.state);
     question.free = freeAcceleration(histories, body, time, question.body.state);
-    if (equations_.bodies[body].heldAt(time).attitude)
+    const physics::Held held = heldOf(body, time);
+    if (held.attitude)
         question.free.angular = question.body.acceleration.angular;
+    for (Eigen::Index i = 0; i < 3; ++i)
+        if (held.position[static_cast<std::size_t>(i)])
+            question.free.linear[i] = question.body.acceleration.linear[i];
+    const bool isBodyFree = isFree(body, time);
     for (const std::size_t other : partners) {
-        if (hopForEver(body, other, time))
+        // What is held rests on nothing that is free: that rests on it.
+        if (hopForEver(body, other, time) || (!isBodyFree && isFree(other, time)))
             continue;
         question.supports.push_back(placed(histories, other, time, changed));
-        question.givesWay.push_back(canGiveWay(other, time));
+        question.supportMobility.push_back(impactBody(other, time, question.supports.back().state));
     }
     return restOf(question, limits_[body], names_);
 }
@@ -493,26 +508,29 @@ void RestingBodies::write(const Histories& histories, std::size_t body, double t
         constraints.insert(constraints.end(), footing.constraints.begin(),
                            footing.constraints.end());
     const auto rows = gaps.rowsAt(constraints, values);
-    const bool isHeld = motion.heldAt(time).attitude;
+    const physics::Held held = heldOf(body, time);
     std::vector<physics::GapConstraint> kept;
     std::vector<physics::GapRow> keptRows;
-    for (const std::size_t i : physics::independentOf(motion, isHeld, rows)) {
+    for (const std::size_t i : physics::independentOf(motion, held, rows)) {
         kept.push_back(constraints[i]);
         keptRows.push_back(rows[i]);
     }
-    const physics::VelocityChange change = physics::changeToRates(motion, isHeld, keptRows);
+    const physics::VelocityChange change = physics::changeToRates(motion, held, keptRows);
     const physics::ConstrainedRates rates = gaps.constrained(kept);
     for (std::size_t i = 0; i < 3; ++i) {
         const auto axis = static_cast<Eigen::Index>(i);
         own[physics::dx + i] += change.linear[axis];
         own[physics::w1 + i] += change.angular[axis];
-        if (isMoved)
+        if (isMoved && !held.position[i])
             changes.jumps.push_back({motion.unknown(physics::x) + i, own[physics::x + i]});
     }
     for (std::size_t i = physics::qw; isTurned && i < physics::w1; ++i)
         changes.jumps.push_back({motion.firstUnknown + i, own[i]});
-    const auto give = [&](physics::BodyUnknown first, const physics::NodeVector& derivative) {
+    const auto give = [&](physics::BodyUnknown first, const physics::NodeVector& derivative,
+                          const std::array<bool, 3>& isHeld) {
         for (std::size_t i = 0; i < 3; ++i) {
+            if (isHeld[i])
+                continue;
             const std::size_t unknown = motion.unknown(first) + i;
             expression::Phase phase;
             phase.from = time;
@@ -523,9 +541,8 @@ void RestingBodies::write(const Histories& histories, std::size_t body, double t
             changes.jumps.push_back({unknown, own[first + i]});
         }
     };
-    give(physics::dx, rates.acceleration);
-    if (!isHeld)
-        give(physics::w1, rates.spinRate);
+    give(physics::dx, rates.acceleration, held.position);
+    give(physics::w1, rates.spinRate, {held.attitude, held.attitude, held.attitude});
 }
 
 } // namespace simulation

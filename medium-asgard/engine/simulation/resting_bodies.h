@@ -61,7 +61,17 @@ public:
     // The state of a body; where it bears, without what the integration errs there.
     [[nodiscard]] BodyState bearingState(const solution::Histories& histories, std::size_t body,
                                          double time) const;
+    // Blows can change how the body moves: along an axis along which nothing holds it, or by
+    // turning it. A ball that is held in place turns by no blow, since all go through its centre.
     [[nodiscard]] bool canGiveWay(std::size_t body, double time) const;
+    // What blows and contacts do not change of a body. What holds to the finish holds there, too.
+    [[nodiscard]] physics::Held heldOf(std::size_t body, double time) const;
+    // Nothing holds its attitude.
+    [[nodiscard]] bool turnsFreely(std::size_t body, double time) const {
+        return !equations_.bodies[body].heldAt(time).attitude;
+    }
+    // Nothing holds its place: it gives way along all axes.
+    [[nodiscard]] bool isFree(std::size_t body, double time) const;
     // When a trajectory next takes hold of the body, bends or lets go, after `time`, infinity:
     // never; and when one last did, the start if none has.
     [[nodiscard]] double nextPhase(std::size_t body, double time) const;

@@ -47,6 +47,7 @@ struct Run {
     std::map<std::size_t, Stop> stops; // by body
     Impacts impacts;
     std::vector<std::string> notes;
+    std::vector<CollisionSource::LostHop> lostHops;
     // By body that rests or slides at the end: on what; when to be explained.
     std::map<std::size_t, std::vector<std::size_t>> supports;
     solution::Statistics statistics;

@@ -1,7 +1,7 @@
 // Boxes that slide over seams, past faces in their own plane and through doors of their own width;
 // boxes that are pushed; and what has no room. Right values by hand: without friction nothing slows
 // what slides in one plane.
-#include "simulation/testing.h"
+#include "simulation/held_level_testing.h"
 
 #include <cmath>
 #include <numbers>
@@ -169,6 +169,7 @@ TEST(Pushing, ABoxIsTakenAlongByAHeldPusherOfAnotherHeight) {
             b.floor(40);
             b.box("pusher", {-4, 0.5, 0}, {1, 1, 1});
             b.hold("pusher", 0, 3, {{-4, 0.6 + height, 0}, {2, 0.6 + height, 0}}); // 2 m/s
+            holdLevel(b, "pusher", 0, 3);
             b.box("box", {0, 0.5, 0}, {1, 1, 1}).restitution = 0;
             b.scene.bodies.back().initialVelocity = {1e-9, 0, 0};
             if (isHeavy)

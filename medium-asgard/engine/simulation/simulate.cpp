@@ -142,7 +142,8 @@ std::vector<IslandError> differencesOf(const Problem& problem, const Run& first,
 std::vector<std::optional<BodyError>> judgeRounding(const Problem& problem, const Run& run,
                                                     const Observer& silent,
                                                     const std::vector<double>& tolerances,
-                                                    KeptRuns& runs, Solved& solved) {
+                                                    KeptRuns& runs, Solved& solved,
+                                                    std::vector<double>& sizes) {
     std::vector<std::optional<BodyError>> beside(solved.errors.size());
     const Amplifying islands = amplifying(problem, run);
     const auto concerns = [&](std::size_t b) {
@@ -162,12 +163,36 @@ std::vector<std::optional<BodyError>> judgeRounding(const Problem& problem, cons
     for (std::size_t b = 0; b < solved.errors.size() && !solved.result.cancelled; ++b) {
         const BodyError error{.estimate = std::min(differences[b].largest, 1.0),
                               .predictableUntil = differences[b].beyondFrom(problem.accuracy())};
+        sizes[b] = differences[b].size;
         if (islands.alone[run.island[b]])
             solved.errors[b] = error;
         else if (concerns(b) && std::isfinite(error.predictableUntil))
             beside[b] = error;
     }
     return beside;
+}
+
+// A body that comes to rest makes no more hops, in none of the runs that are compared: where they
+// are left out for being too low to be found, these runs agree. So their height is a part of the
+// error. `sizes`: by body, of its island.
+void addLostHops(const Problem& problem, const Run& run, const std::vector<double>& sizes,
+                 std::vector<BodyError>& errors) {
+    std::vector<BodyError> lost(errors.size());
+    for (const CollisionSource::LostHop& hop : run.lostHops) {
+        const std::size_t island = run.island[hop.body];
+        const double size = sizes[hop.body];
+        if (!(size > 0))
+            continue;
+        BodyError& error = lost[island];
+        error.estimate = std::max(error.estimate, std::min(hop.height / size, 1.0));
+        if (hop.height > problem.accuracy() * size)
+            error.predictableUntil = std::min(error.predictableUntil, hop.time);
+    }
+    for (std::size_t b = 0; b < errors.size(); ++b) {
+        const BodyError& error = lost[run.island[b]];
+        errors[b].estimate += error.estimate;
+        errors[b].predictableUntil = std::min(errors[b].predictableUntil, error.predictableUntil);
+    }
 }
 
 // The larger of the two.
@@ -283,7 +308,8 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer, KeptRun
         return solved;
     }
     solved.errors.resize(problem.bodies->size());
-    const auto rounding = judgeRounding(problem, run, silent, search.loose(), runs, solved);
+    std::vector<double> sizes(solved.errors.size());
+    const auto rounding = judgeRounding(problem, run, silent, search.loose(), runs, solved, sizes);
     if (observer.progress && !isExact(run))
         observer.progress(run.motion(problem, true, {}, {}));
     search.leaveExact(run);
@@ -293,6 +319,10 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer, KeptRun
     solved.isEstimated = !solved.result.cancelled;
     takeRounding(rounding, solved.errors);
     endWithStops(problem, run, solved.errors);
+    const std::vector<double> compared = search.sizes();
+    for (std::size_t b = 0; b < sizes.size(); ++b)
+        sizes[b] = std::max(sizes[b], compared[b]);
+    addLostHops(problem, run, sizes, solved.errors);
     deliver(problem, std::move(run), solved);
     return solved;
 }
