@@ -60,14 +60,14 @@ std::string grouped(long value) {
 }
 
 std::string sentenceFor(const Answer& answer, const Limits& limits) {
-    const std::string time = "the script did not end within " +
-                             seconds(static_cast<double>(limits.wallClock.count()) / 1000) +
-                             " s; it was stopped here";
-    const std::string processor = "the script took more than " + grouped(limits.cpuSeconds) +
-                                  " s of processor time; it was stopped here";
-    const std::string memory = "the script took more than " +
-                               grouped(static_cast<long>(limits.bytes >> 20)) +
-                               " MB of memory; it was stopped here";
+    std::string time = "the script did not end within " +
+                       seconds(static_cast<double>(limits.wallClock.count()) / 1000) +
+                       " s; it was stopped here";
+    std::string processor = "the script took more than " + grouped(limits.cpuSeconds) +
+                            " s of processor time; it was stopped here";
+    std::string memory = "the script took more than " +
+                         grouped(static_cast<long>(limits.bytes >> 20)) +
+                         " MB of memory; it was stopped here";
     switch (answer.end) {
     case End::notStarted:
         return "the system starts no process that evaluates this script; close other programs and "
