@@ -2,14 +2,15 @@
 #include "console/check.h"
 #include "console/check_medium.h"
 #include "console/convert.h"
+#include "plain/qt_messages.h"
 #include "screen/display.h"
+#include "terminal/terminal.h"
 #include "window/application.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QTimer>
 #include <clocale>
-#include <cstdio>
 
 namespace {
 
@@ -23,15 +24,16 @@ constexpr const char* usage =
     "       ensemble --help | --version\n";
 
 int wrong(const QString& sentence) {
-    std::fprintf(stderr, "ensemble: %s\n%s", qPrintable(sentence), usage);
+    terminal::complain("ensemble: " + sentence.toStdString());
+    terminal::complain(usage);
     return console::wrongUsage;
 }
 
 int convert(const QCommandLineParser& options) {
     const QString format = options.value("convert-to");
     if (format == "html" || format == "markdown") {
-        std::fprintf(stderr, "ensemble: %s is not written yet: pdf, png and text are\n",
-                     qPrintable(format));
+        terminal::complain("ensemble: " + format.toStdString() +
+                           " is not written yet: pdf, png and text are");
         return console::wrongUsage;
     }
     if (format != "pdf" && format != "png" && format != "text")
@@ -74,10 +76,10 @@ int run(QApplication& application, const QStringList& arguments, const std::stri
     if (!options.parse(arguments))
         return wrong(options.errorText());
     if (options.isSet("help") || options.isSet("version")) {
-        std::printf("%s", options.isSet("help")
-                              ? usage
-                              : qPrintable("ensemble " + application.applicationVersion() + "\n"));
-        return console::success;
+        const std::string version =
+            "ensemble " + application.applicationVersion().toStdString() + "\n";
+        return terminal::print(options.isSet("help") ? usage : version) ? console::success
+                                                                        : console::failure;
     }
     if (options.isSet("convert-to"))
         return convert(options);
@@ -88,8 +90,7 @@ int run(QApplication& application, const QStringList& arguments, const std::stri
     if (options.isSet("output"))
         return wrong("--output belongs to --convert-to");
     if (!displayFault.empty()) {
-        std::fprintf(stderr, "ensemble: %s; --convert-to and --check need none\n",
-                     displayFault.c_str());
+        terminal::complain("ensemble: " + displayFault + "; --convert-to and --check need none");
         return console::failure;
     }
     return openWindows(application, options);
@@ -104,20 +105,16 @@ bool isBatch(int argc, char** argv) {
     return false;
 }
 
-// Standard error of a batch command is for its own messages: not for hints of Qt about the desktop.
-void onlyErrors(QtMsgType type, const QMessageLogContext&, const QString& text) {
-    if (type == QtCriticalMsg || type == QtFatalMsg)
-        std::fprintf(stderr, "ensemble: %s\n", qPrintable(text));
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
     const std::string displayFault = screen::displayFault();
     if (isBatch(argc, argv) || !displayFault.empty())
         qputenv("QT_QPA_PLATFORM", "offscreen");
-    if (isBatch(argc, argv))
-        qInstallMessageHandler(onlyErrors);
+    // Standard error of a batch command is for its own messages: not for hints of Qt about the
+    // desktop.
+    plain::printQtMessages("ensemble", isBatch(argc, argv) ? plain::QtMessages::errors
+                                                           : plain::QtMessages::all);
     QApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C");
     QApplication::setApplicationName("ensemble");

@@ -1,6 +1,8 @@
 #include "edit_mode.h"
 
+#include "plain/qt_messages.h"
 #include "service/menu.h"
+#include "terminal/terminal.h"
 #include "views/editor.h"
 
 #include <QApplication>
@@ -227,8 +229,8 @@ private:
         if (!refusal)
             return propose();
         subdocument().endPreview(Clock::now());
-        std::fprintf(stderr, "asgard: the host refused \"%s\": %s\n", qPrintable(label_),
-                     refusal->c_str());
+        terminal::complain("asgard: the host refused \"" + label_.toStdString() +
+                           "\": " + *refusal);
         document().didRefuse(subdocument().text(), QString::fromStdString(*refusal));
     }
 
@@ -266,6 +268,7 @@ void serveWithWindows(Connection& connection, Windows*& windows) {
     int argc = 1;
     char name[] = "asgard";
     char* argv[] = {name, nullptr};
+    plain::printQtMessages("asgard", plain::QtMessages::all);
     QApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C"); // Qt takes the user's; numbers of scenes have points
     QApplication::setApplicationDisplayName(QStringLiteral("Asgard"));

@@ -4,12 +4,12 @@
 #include "edit_mode.h"
 #include "medium_process.h"
 #include "screen/display.h"
+#include "terminal/terminal.h"
 #include "views/editor.h"
 #include "wrong_usage.h"
 
 #include <CLI/CLI.hpp>
 
-#include <iostream>
 #include <span>
 
 namespace {
@@ -19,7 +19,7 @@ constexpr const char* summary =
     "A scene is a text in the language of docs/scene-language.md.";
 
 int notInThisVersion(const std::string& what) {
-    std::cerr << "asgard: this version does not have " << what << "\n";
+    terminal::complain("asgard: this version does not have " + what);
     return batch::wrongUsage;
 }
 
@@ -114,7 +114,7 @@ int run(int argc, char** argv, script::Reader& reader) {
         if (error.get_exit_code() == 0) // --help, --version
             return app.exit(error);
         const std::span<char* const> words(argv + 1, argv + argc);
-        std::cerr << "asgard: " << asgard::wrongUsage(app, error, words) << "\n";
+        terminal::complain("asgard: " + asgard::wrongUsage(app, error, words));
         return batch::wrongUsage;
     }
     for (const CLI::App* command : later)
@@ -133,11 +133,11 @@ int run(int argc, char** argv, script::Reader& reader) {
     if (medium)
         return asgard::serveAsMedium(reader);
     if (const std::string fault = asgard::misspeltCommand(app, scene); !fault.empty()) {
-        std::cerr << "asgard: " << fault << "\n";
+        terminal::complain("asgard: " + fault);
         return batch::wrongUsage;
     }
     if (const std::string fault = screen::displayFault(); !fault.empty()) {
-        std::cerr << "asgard: " << fault << "; simulate, check and render need none\n";
+        terminal::complain("asgard: " + fault + "; simulate, check and render need none");
         return batch::failure;
     }
     return views::runEditor(argc, argv, scene, reader);

@@ -4,10 +4,10 @@
 #include "edit_mode.h"
 #include "screen/display.h"
 #include "simulation/resimulation.h"
+#include "terminal/terminal.h"
 
 #include <array>
 #include <csignal>
-#include <cstdio>
 #include <string_view>
 
 #include <unistd.h>
@@ -49,7 +49,7 @@ void warmUp(render::Renderer& renderer, int samples) {
     drawing.camera = render::framed(scene, drawing.motion, size);
     std::array<std::byte, 4 * size.width * size.height> pixels;
     if (!renderer.draw(drawing, {pixels, 4 * size.width, size}))
-        std::fprintf(stderr, "asgard: the graphics driver could not draw\n");
+        terminal::complain("asgard: the graphics driver could not draw");
 }
 
 void confine(ipc::Mode mode) {
@@ -58,7 +58,7 @@ void confine(ipc::Mode mode) {
     const confinement::Limits limits{mostMemory, std::nullopt, mostDescriptors};
     const auto report = confinement::confine(confinement::Role::player, limits);
     if (!report.missing.empty())
-        std::fprintf(stderr, "asgard: not confined by every fence: %s\n", report.missing.c_str());
+        terminal::complain("asgard: not confined by every fence: " + report.missing);
 }
 
 service::Tools toolsOf(script::Reader& reader) {
@@ -96,7 +96,7 @@ int serveAsMedium(script::Reader& reader) {
     auto created = render::Renderer::create();
     if (const auto* sentence = std::get_if<std::string>(&created)) {
         platform.noPictures = *sentence;
-        std::fprintf(stderr, "asgard: %s\n", sentence->c_str());
+        terminal::complain("asgard: " + *sentence);
     } else {
         auto& renderer = *std::get<std::unique_ptr<render::Renderer>>(created);
         warmUp(renderer, service::stillSamples);

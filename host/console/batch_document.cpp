@@ -1,13 +1,13 @@
 #include "console/batch_document.h"
 
 #include "files/read.h"
+#include "terminal/terminal.h"
 
 #include <QCoreApplication>
-#include <cstdio>
 
 namespace console {
 
-void complain(const QString& text) { std::fprintf(stderr, "%s\n", qPrintable(text)); }
+void complain(const QString& text) { terminal::complain(text.toStdString()); }
 
 BatchDocument::BatchDocument(const QString& input)
     : schemas_(document::Schemas::load(document::Schemas::standardFolders())),

@@ -2,8 +2,7 @@
 
 #include "console/batch_document.h"
 #include "console/convert.h"
-
-#include <cstdio>
+#include "terminal/terminal.h"
 
 namespace console {
 
@@ -79,9 +78,11 @@ int check(const QString& input) {
     bool errors = false;
     for (const session::ListedFault& fault : faults) {
         errors |= fault.isError;
-        std::printf("%s:%d:%d: %s: %s\n", qPrintable(input), fault.position.line,
-                    fault.position.column, fault.isError ? "error" : "warning",
-                    qPrintable(fault.message));
+        terminal::say(sgml::formatted(
+            {.severity = fault.isError ? sgml::Severity::error : sgml::Severity::warning,
+             .position = fault.position,
+             .message = fault.message.toStdString()},
+            input.toStdString()));
     }
     return errors ? failure : success;
 }

@@ -3,11 +3,11 @@
 #include "console/convert.h"
 #include "console/raw_medium.h"
 #include "ipc/framing.h"
+#include "terminal/terminal.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QStandardPaths>
-#include <cstdio>
 #include <set>
 
 namespace console {
@@ -411,7 +411,8 @@ int checkMedium(const QStringList& command) {
                       ? QStandardPaths::findExecutable(program)
                       : QCoreApplication::applicationDirPath() + '/' + program;
     if (program.isEmpty() || !QFileInfo(program).isExecutable()) {
-        std::fprintf(stderr, "ensemble: there is no program \"%s\"\n", qPrintable(command.first()));
+        terminal::complain("ensemble: there is no program \"" + command.first().toStdString() +
+                           '"');
         return failure;
     }
     media::PipeThread pipes;
@@ -420,14 +421,14 @@ int checkMedium(const QStringList& command) {
         try {
             RawMedium medium(pipes, program, command.mid(1));
             check.run(medium);
-            std::printf("ok   %s\n", check.name);
+            terminal::say(std::string("ok   ") + check.name);
         } catch (const Wrong& wrong) {
             ++failed;
-            std::printf("FAIL %s: %s\n", check.name, wrong.what());
+            terminal::say(std::string("FAIL ") + check.name + ": " + wrong.what());
         }
-        std::fflush(stdout);
     }
-    std::printf("%zu checks, %d failed\n", std::size(checks), failed);
+    terminal::say(std::to_string(std::size(checks)) + " checks, " + std::to_string(failed) +
+                  " failed");
     return failed == 0 ? success : failure;
 }
 

@@ -3,13 +3,14 @@
 #include "console/batch_document.h"
 #include "paper/paper.h"
 #include "paper/plain_text.h"
+#include "terminal/terminal.h"
+#include "utf8/printable.h"
 
 #include <QBuffer>
 #include <QFile>
 #include <QFileInfo>
 #include <QImageWriter>
 #include <QSaveFile>
-#include <cstdio>
 
 namespace console {
 
@@ -31,11 +32,10 @@ QString outputFile(const Conversion& conversion) {
 }
 
 QString writeBytes(const QString& name, const QByteArray& bytes) {
-    if (name == "-") {
-        const auto size = static_cast<std::size_t>(bytes.size());
-        return std::fwrite(bytes.constData(), 1, size, stdout) == size ? QString()
-                                                                       : "cannot be written";
-    }
+    if (name == "-" && terminal::isTerminal())
+        return "these bytes are not for a terminal: name a file, or send them on";
+    if (name == "-")
+        return terminal::pass(bytes.toStdString()) ? QString() : "cannot be written";
     QSaveFile file(name);
     file.setDirectWriteFallback(true); // such as /dev/stdout
     if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit())
@@ -73,7 +73,11 @@ QString writeText(BatchDocument& batch, const QString& name) {
                                           ? subdocument->className
                                           : subdocument->alternative);
     });
-    return writeBytes(name, text.toUtf8());
+    // Each line is the document's own, so that what orders its letters from right to left stays.
+    const std::string shown = utf8::printable(text.toStdString(), utf8::Direction::kept);
+    if (name == "-")
+        return terminal::pass(shown) ? QString() : "cannot be written";
+    return writeBytes(name, QByteArray::fromStdString(shown));
 }
 
 bool isBroken(BatchDocument& batch, const QString& input) {

@@ -88,7 +88,7 @@ private:
             out_ += QString(textColumns, '-') + '\n';
             break;
         case BlockKind::pageBreak:
-            out_ += '\f';
+            out_ += '\n'; // a page ends for paper alone
             break;
         case BlockKind::table:
             writeTable(block);

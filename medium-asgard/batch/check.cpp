@@ -2,8 +2,7 @@
 #include "batch/input.h"
 #include "simulation/doubts.h"
 #include "simulation/simulation.h"
-
-#include <cstdio>
+#include "terminal/terminal.h"
 
 namespace batch {
 namespace {
@@ -19,19 +18,19 @@ std::vector<std::string> faultsOfTheEngine(const scene::Scene& scene) {
 
 int checkCommand(script::Reader& reader, const CheckArguments& arguments) {
     const auto read = readScene(reader, arguments.scene);
-    if (const auto* refusal = std::get_if<Refusal>(&read)) {
-        std::fprintf(stderr, "asgard: %s\n", refusal->message.c_str());
-        return refusal->exitCode;
-    }
+    if (const auto* refusal = std::get_if<Refusal>(&read))
+        return refuse(*refusal);
     const auto& scene = std::get<SceneText>(read);
-    std::fputs(printed(scene).c_str(), stdout);
+    for (const std::string& fault : faultsOf(scene))
+        terminal::say(fault);
     if (!scene.reading.usable)
         return failure;
     for (const scene::Diagnostic& doubt : simulation::doubtsAbout(scene.reading.scene))
-        std::fputs(printed(scene, doubt).c_str(), stdout);
-    const auto faults = faultsOfTheEngine(scene.reading.scene);
-    std::fputs(refusalOf(scene, faults).message.c_str(), stdout);
-    return faults.empty() ? success : failure;
+        terminal::say(placed(scene, doubt));
+    const Refusal refusal = refusalOf(scene, faultsOfTheEngine(scene.reading.scene));
+    for (const std::string& fault : refusal.faults)
+        terminal::say(fault);
+    return refusal.faults.empty() ? success : failure;
 }
 
 } // namespace batch

@@ -6,7 +6,6 @@
 #include "simulation/simulation.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <set>
 
@@ -15,8 +14,7 @@ namespace {
 
 bool write(const std::string& file, const std::string& text) {
     Output output(file);
-    return output.good() &&
-           output.finish(std::fwrite(text.data(), 1, text.size(), output.stream()) == text.size());
+    return output.good() && output.finish(output.write(text));
 }
 
 // A body, or a body and one of its quantities: "rod1", "rod1.x".
@@ -35,8 +33,10 @@ int explain(const SceneText& scene, const ExplainArguments& arguments,
     if (arguments.expressions) {
         options.phasesOf = *arguments.expressions;
         if (!isNamed(scene.reading.scene, options.phasesOf))
-            return refuse({failure, scene.file + ": error: there is no body \"" + options.phasesOf +
-                                        "\", nor a quantity of one\n"});
+            return refuse({failure,
+                           {},
+                           {scene.file + ": error: there is no body \"" + options.phasesOf +
+                            "\", nor a quantity of one"}});
     }
     const simulation::Result result = simulated(scene.reading.scene, options);
     if (!result.motion || !result.explanation)

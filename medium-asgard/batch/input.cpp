@@ -3,12 +3,12 @@
 #include "batch/command.h"
 #include "script/places.h"
 #include "simulation/report.h"
+#include "terminal/terminal.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iostream>
@@ -32,8 +32,10 @@ std::string quoted(std::string_view text) { return "\"" + std::string(text) + "\
 } // namespace
 
 int refuse(const Refusal& refusal) {
-    const bool line = refusal.message.ends_with('\n');
-    std::fprintf(stderr, line ? "%s" : "asgard: %s\n", refusal.message.c_str());
+    if (!refusal.message.empty())
+        terminal::complain("asgard: " + refusal.message);
+    for (const std::string& fault : refusal.faults)
+        terminal::complain(fault);
     return refusal.exitCode;
 }
 
@@ -71,32 +73,29 @@ std::variant<SceneText, Refusal> readScene(script::Reader& reader, const std::st
     return scene;
 }
 
-std::string printed(const SceneText& scene) {
-    std::string all;
+std::vector<std::string> faultsOf(const SceneText& scene) {
+    std::vector<std::string> all;
     for (const scene::Diagnostic& diagnostic : scene.reading.diagnostics)
-        all += printed(scene, diagnostic);
+        all.push_back(placed(scene, diagnostic));
     return all;
 }
 
-std::string printed(const SceneText& scene, scene::Diagnostic said) {
+std::string placed(const SceneText& scene, scene::Diagnostic said) {
     script::Places(scene.text).locate(said);
-    std::string text = scene::formatted(said, scene.file, scene.text);
-    if (!text.ends_with('\n'))
-        text += '\n';
-    return text;
+    return scene::formatted(said, scene.file, scene.text);
 }
 
 Refusal refusalOf(const SceneText& scene, const std::vector<std::string>& sentences) {
-    std::string all;
+    Refusal refusal;
     for (const std::string& sentence : sentences)
-        all += printed(scene, simulation::faultOf(scene.reading.scene, sentence));
-    return {failure, all};
+        refusal.faults.push_back(placed(scene, simulation::faultOf(scene.reading.scene, sentence)));
+    return refusal;
 }
 
 bool tell(const SceneText& scene, const simulation::Motion& motion) {
     bool stopped = false;
     for (const scene::Diagnostic& said : simulation::reportOf(scene.reading.scene, motion)) {
-        std::fputs(printed(scene, said).c_str(), stderr);
+        terminal::complain(placed(scene, said));
         stopped = stopped || said.severity == scene::Severity::error;
     }
     return stopped;
@@ -104,8 +103,9 @@ bool tell(const SceneText& scene, const simulation::Motion& motion) {
 
 std::optional<Refusal> unusable(const SceneText& scene) {
     if (!scene.reading.usable)
-        return Refusal{failure, printed(scene)};
-    std::fputs(printed(scene).c_str(), stderr);
+        return Refusal{failure, {}, faultsOf(scene)};
+    for (const std::string& fault : faultsOf(scene))
+        terminal::complain(fault);
     return std::nullopt;
 }
 

@@ -13,10 +13,12 @@
 
 namespace batch {
 
-// A command that cannot go on: its exit code, and the sentences that standard error gets.
+// A command that cannot go on: its exit code, and what standard error gets: one sentence, or faults
+// with their places.
 struct Refusal {
     int exitCode = 1;
-    std::string message;
+    std::string message{};
+    std::vector<std::string> faults{};
 };
 
 // Says it on standard error. Returns its exit code.
@@ -33,10 +35,10 @@ struct SceneText {
 [[nodiscard]] std::variant<SceneText, Refusal>
 readScene(script::Reader& reader, const std::string& file,
           const std::map<std::string, double>& parameters = {});
-// Each diagnostic with its line, as it is printed.
-[[nodiscard]] std::string printed(const SceneText& scene);
-// What a run says, with its lines.
-[[nodiscard]] std::string printed(const SceneText& scene, scene::Diagnostic said);
+// Each diagnostic with its place and its line.
+[[nodiscard]] std::vector<std::string> faultsOf(const SceneText& scene);
+// What a run says, with its place and its line.
+[[nodiscard]] std::string placed(const SceneText& scene, scene::Diagnostic said);
 // Why nothing could be computed: each sentence at its place.
 [[nodiscard]] Refusal refusalOf(const SceneText& scene, const std::vector<std::string>& sentences);
 // What a motion says of itself, on standard error. True when something stopped.

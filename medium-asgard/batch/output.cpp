@@ -1,5 +1,8 @@
 #include "batch/output.h"
 
+#include "terminal/terminal.h"
+#include "utf8/printable.h"
+
 #include <cerrno>
 #include <cstring>
 
@@ -9,7 +12,7 @@ Output::Output(const std::string& file)
     : name_(file == "-" ? "standard output" : file),
       stream_(file == "-" ? stdout : std::fopen(file.c_str(), "wb")) {
     if (!stream_)
-        std::fprintf(stderr, "asgard: %s: %s\n", name_.c_str(), std::strerror(errno));
+        terminal::complain("asgard: " + name_ + ": " + std::strerror(errno));
 }
 
 Output::~Output() {
@@ -17,13 +20,17 @@ Output::~Output() {
         std::fclose(stream_);
 }
 
+bool Output::write(const std::string& text) {
+    const std::string shown = utf8::printable(text);
+    return std::fwrite(shown.data(), 1, shown.size(), stream_) == shown.size();
+}
+
 bool Output::finish(bool written) {
     errno = 0;
     const bool flushed = std::fflush(stream_) == 0;
     if (written && flushed)
         return true;
-    std::fprintf(stderr, "asgard: %s: %s\n", name_.c_str(),
-                 std::strerror(errno == 0 ? EIO : errno));
+    terminal::complain("asgard: " + name_ + ": " + std::strerror(errno == 0 ? EIO : errno));
     return false;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdio>
-#include <memory>
 #include <string>
 
 namespace batch {
@@ -16,7 +15,10 @@ public:
     Output& operator=(const Output&) = delete;
 
     [[nodiscard]] bool good() const { return stream_ != nullptr; }
+    // For tables, whose names are cells (table.h); what else is text goes through write().
     [[nodiscard]] std::FILE* stream() const { return stream_; }
+    // Text, in a form that a terminal may get. False: not all was written.
+    [[nodiscard]] bool write(const std::string& text);
     // Everything has arrived; false with a sentence on standard error otherwise.
     [[nodiscard]] bool finish(bool written);
 

@@ -54,7 +54,9 @@ bool writePicture(const std::string& file, PictureFormat format, const render::I
         if (!writePng(stream.get(), image, pixels, why))
             return false;
     } else {
-        std::fprintf(stream.get(), "P6\n%d %d\n255\n", image.size.width, image.size.height);
+        const std::string header = "P6\n" + std::to_string(image.size.width) + " " +
+                                   std::to_string(image.size.height) + "\n255\n";
+        std::fwrite(header.data(), 1, header.size(), stream.get());
         std::fwrite(pixels.data(), 1, pixels.size(), stream.get());
     }
     if (std::fflush(stream.get()) == 0 && !std::ferror(stream.get()))

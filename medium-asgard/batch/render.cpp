@@ -129,17 +129,17 @@ int drawAll(const SceneText& scene, const simulation::MotionPointer& motion,
 int renderCommand(script::Reader& reader, const RenderArguments& arguments) {
     const auto target = targetOf(arguments.output);
     if (const auto* refusal = std::get_if<Refusal>(&target))
-        return refuse(refusal->message, refusal->exitCode);
+        return batch::refuse(*refusal);
     const auto size = sizeOf(arguments.size);
     if (!size)
         return refuse("--size wants WIDTHxHEIGHT in pixels, not \"" + arguments.size + "\"",
                       wrongUsage);
     const auto read = readScene(reader, arguments.scene);
     if (const auto* refusal = std::get_if<Refusal>(&read))
-        return refuse(refusal->message, refusal->exitCode);
+        return batch::refuse(*refusal);
     const auto& scene = std::get<SceneText>(read);
     if (const auto refusal = unusable(scene))
-        return refuse(refusal->message, refusal->exitCode);
+        return batch::refuse(*refusal);
     if (!arguments.view.empty())
         if (const auto sentence = unknownView(scene.reading.scene, arguments.view))
             return refuse(*sentence, failure);
@@ -147,11 +147,10 @@ int renderCommand(script::Reader& reader, const RenderArguments& arguments) {
     const scene::Simulator& simulator = scene.reading.scene.simulator;
     const auto times = timesOf(arguments, folder, simulator.start, simulator.finish);
     if (const auto* refusal = std::get_if<Refusal>(&times))
-        return refuse(refusal->message, refusal->exitCode);
+        return batch::refuse(*refusal);
     const simulation::Result result = simulated(scene.reading.scene);
     if (!result.motion) {
-        const Refusal refusal = refusalOf(scene, result.refusal);
-        return refuse(refusal.message, refusal.exitCode);
+        return batch::refuse(refusalOf(scene, result.refusal));
     }
     (void)tell(scene, *result.motion); // what there is of it is drawn
     std::error_code error;

@@ -4,13 +4,12 @@
 #include "batch/statistics.h"
 #include "batch/table.h"
 #include "batch/waiting.h"
+#include "terminal/terminal.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-
-#include <unistd.h>
 
 namespace batch {
 namespace {
@@ -77,12 +76,12 @@ bool writeStatistics(const std::string& file, const scene::Scene& scene,
         return false;
     const std::string json =
         statisticsJson(scene, *result.motion, result.statistics, secondsReading);
-    return output.finish(std::fwrite(json.data(), 1, json.size(), output.stream()) == json.size());
+    return output.finish(output.write(json));
 }
 
-std::string shortNumber(double value) {
+std::string shortNumber(double value, int digits = 6) {
     char text[40];
-    std::snprintf(text, sizeof text, "%g", value);
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
     return text;
 }
 
@@ -94,11 +93,11 @@ void tellError(const SimulateArguments& arguments, const scene::Simulator& simul
     if (!estimate && method != "auto") {
         const std::string steps =
             arguments.fixedStep ? " at steps of " + shortNumber(*arguments.fixedStep) : "";
-        std::fprintf(stderr, "asgard: the error of %s%s is not estimated; auto's is\n",
-                     method.c_str(), steps.c_str());
-    } else if (estimate && arguments.csv != "-" && ::isatty(STDERR_FILENO) == 1) {
-        std::fprintf(stderr, "asgard: the error is estimated at %.2g of the size of what moves\n",
-                     *estimate);
+        terminal::complain("asgard: the error of " + method + steps +
+                           " is not estimated; auto's is");
+    } else if (estimate && arguments.csv != "-" && terminal::errorsAreATerminal()) {
+        terminal::complain("asgard: the error is estimated at " + shortNumber(*estimate, 2) +
+                           " of the size of what moves");
     }
 }
 
@@ -116,10 +115,10 @@ int compute(const SceneText& scene, const SimulateArguments& arguments,
     const simulation::Quantities quantities(scene.reading.scene, options, result.motion,
                                             columns.quantities, faults);
     if (!faults.empty()) {
-        std::string all;
+        Refusal refusal;
         for (const std::string& fault : faults)
-            all += "asgard: --quantities: " + fault + "\n";
-        return refuse({failure, all});
+            refusal.faults.push_back("asgard: --quantities: " + fault);
+        return refuse(refusal);
     }
     const bool stopped = tell(scene, *result.motion);
     tellError(arguments, scene.reading.scene.simulator, result.motion->errorEstimate());

@@ -102,8 +102,7 @@ int compute(const SceneText& scene, const StudyArguments& arguments,
     if (!result.refusal.empty())
         return refuse(refusalOf(scene, result.refusal));
     Output output(arguments.csv);
-    if (!output.good() ||
-        !output.finish(std::fputs(charts::tableOf(result).c_str(), output.stream()) >= 0))
+    if (!output.good() || !output.finish(output.write(charts::tableOf(result))))
         return failure;
     if (!arguments.output)
         return success;

@@ -1,5 +1,7 @@
 #include "batch/table.h"
 
+#include "utf8/printable.h"
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -41,7 +43,8 @@ void addBody(std::string& line, const simulation::Motion& motion, std::size_t bo
 
 } // namespace
 
-std::string cell(const std::string& text) {
+std::string cell(const std::string& name) {
+    const std::string text = utf8::printable(name);
     if (text.find_first_of(",\"\r\n") == std::string::npos)
         return text;
     std::string quoted = "\"";

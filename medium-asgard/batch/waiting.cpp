@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include <unistd.h>
-
 namespace batch {
 namespace {
 
@@ -13,29 +11,20 @@ constexpr std::chrono::milliseconds interval{500};
 
 } // namespace
 
-Waiting::Waiting()
-    : begin_(Clock::now()), next_(begin_), isTerminal_(::isatty(STDERR_FILENO) == 1) {
-    next_ += isTerminal_ ? patience : longPatience;
-}
-
-Waiting::~Waiting() {
-    if (shown_ > 0)
-        std::fprintf(stderr, "\r%*s\r", static_cast<int>(shown_), "");
+Waiting::Waiting() : begin_(Clock::now()), next_(begin_) {
+    next_ += terminal::errorsAreATerminal() ? patience : longPatience;
 }
 
 void Waiting::say(const std::string& sentence) {
     const auto now = Clock::now();
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now - begin_).count();
     const std::string line = "asgard: " + sentence + " (" + std::to_string(seconds) + " s so far)";
-    if (!isTerminal_) {
-        std::fprintf(stderr, "%s\n", line.c_str());
+    if (!terminal::errorsAreATerminal()) {
+        terminal::complain(line);
         next_ = now + (now - begin_);
         return;
     }
-    const std::size_t rest = shown_ > line.size() ? shown_ - line.size() : 0;
-    std::fprintf(stderr, "\r%s%*s", line.c_str(), static_cast<int>(rest), "");
-    std::fflush(stderr);
-    shown_ = line.size();
+    line_.show(line);
     next_ = now + interval;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "simulation/simulation.h"
+#include "terminal/terminal.h"
 
 #include <chrono>
 #include <string>
@@ -14,7 +15,6 @@ namespace batch {
 class Waiting {
 public:
     Waiting();
-    ~Waiting(); // takes the line away
     Waiting(const Waiting&) = delete;
     Waiting& operator=(const Waiting&) = delete;
 
@@ -26,8 +26,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     Clock::time_point begin_, next_;
-    bool isTerminal_;
-    std::size_t shown_ = 0; // characters of the line that stands there
+    terminal::Progress line_; // on a terminal
 };
 
 // simulate(), which says how far it is.

@@ -1,9 +1,10 @@
 #include "service/serve.h"
 
+#include "terminal/terminal.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdio>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -22,7 +23,7 @@ bool Connection::closed() const { return !open_ || session_.over() || !channel_.
 int Connection::exitCode() const {
     if (channel_.fault().empty())
         return 0;
-    std::fprintf(stderr, "asgard: the host sent %s\n", channel_.fault().c_str());
+    terminal::complain("asgard: the host sent " + channel_.fault());
     return 1;
 }
 

@@ -1,9 +1,9 @@
 #include "service/session.h"
 
 #include "ipc/base64.h"
+#include "terminal/terminal.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace service {
 namespace {
@@ -338,7 +338,7 @@ bool Session::draw(Rendition& rendition, const Look& look) {
         rendition.acknowledge(frame.message.serial);
         platform_.draw = nullptr;
         platform_.noPictures = "the graphics driver lost its state";
-        std::fprintf(stderr, "asgard: %s\n", platform_.noPictures.c_str());
+        terminal::complain("asgard: " + platform_.noPictures);
         return false;
     }
     if (!rendition.sharesMemory())
