@@ -1,5 +1,7 @@
 #include "window/application.h"
 
+#include "plain/plain.h"
+#include "terminal/terminal.h"
 #include "window/recovery.h"
 
 #include <QApplication>
@@ -60,9 +62,9 @@ Application::Application(media::TimeLimits limits, std::string journal)
              QCoreApplication::applicationDirPath(), pipes_, limits) {
     media_.setMostLive(QSettings().value("media/mostLive", media_.mostLive()).toInt());
     for (const QString& fault : media_.registry().faults())
-        qWarning("%s", qPrintable(fault));
+        terminal::complain("ensemble: " + fault.toStdString());
     for (const auto& fault : schemas_.faults())
-        qWarning("%s", sgml::formatted(fault.fault, fault.file.toStdString()).c_str());
+        terminal::complain(sgml::formatted(fault.fault, fault.file.toStdString()));
 }
 
 Application::~Application() {
@@ -80,7 +82,7 @@ DocumentWindow* Application::open(const QString& fileName, QWidget* parent) {
         }
     document::Document::Loaded loaded = document::Document::load(path);
     if (!loaded.document) {
-        QMessageBox::critical(parent, tr("Open"), loaded.failure);
+        plain::Message::tell(QMessageBox::Critical, parent, tr("Open"), loaded.failure);
         return nullptr;
     }
     remember(path);

@@ -1,10 +1,12 @@
 #include "window/document_window.h"
 
 #include "paper/paper.h"
+#include "plain/plain.h"
 #include "window/application.h"
 #include "window/faults_pane.h"
 #include "window/find_bar.h"
 #include "window/icons.h"
+#include "window/link.h"
 #include "window/manual.h"
 #include "window/medium_commands.h"
 
@@ -13,8 +15,6 @@
 #include <QDesktopServices>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLabel>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QPrintDialog>
 #include <QPrinter>
@@ -48,7 +48,7 @@ QString askForFile(QWidget* parent, const QString& title, const QString& propose
 }
 
 QLabel* makeBanner(QWidget* parent) {
-    auto* banner = new QLabel(parent);
+    auto* banner = plain::label({}, parent);
     banner->setWordWrap(true);
     banner->setMargin(8);
     banner->setStyleSheet("background:#fdf3d7;color:#5c4813;border-bottom:1px solid #ecdcae");
@@ -63,7 +63,7 @@ DocumentWindow::DocumentWindow(Application& application,
     : application_(application), document_(std::move(document)), banner_(makeBanner(this)),
       view_(new DocumentView(*document_)), find_(new FindBar(*view_, this)),
       faults_(new FaultsPane(*document_, this)), tools_(new QToolBar(tr("Tools"), this)),
-      pageLabel_(new QLabel(this)), zoomLabel_(new QLabel(this)) {
+      pageLabel_(plain::label({}, this)), zoomLabel_(plain::label({}, this)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setAcceptDrops(true);
     auto* middle = new QWidget(this);
@@ -99,14 +99,7 @@ DocumentWindow::DocumentWindow(Application& application,
             [this](const QString& text) { statusBar()->showMessage(text, 8000); });
     connect(faults_, &FaultsPane::countChanged, this, &DocumentWindow::updateFaults);
     connect(faults_, &FaultsPane::activated, view_, &DocumentView::scrollTo);
-    connect(view_, &DocumentView::linkActivated, this, [this](const QString& target) {
-        // A document opens nothing by itself; the reader did, and sees where it leads.
-        const QUrl url(target);
-        if ((url.scheme() == "http" || url.scheme() == "https" || url.scheme() == "mailto") &&
-            QMessageBox::question(this, tr("Open a link"), tr("Open %1?").arg(target)) ==
-                QMessageBox::Yes)
-            QDesktopServices::openUrl(url);
-    });
+    connect(view_, &DocumentView::linkActivated, this, &DocumentWindow::openLink);
     connect(view_, &DocumentView::contextMenuWanted, this,
             [this](document::SubdocumentId id, const QPoint& at) {
                 commands_->refresh();
@@ -140,11 +133,22 @@ DocumentWindow::~DocumentWindow() {
     delete view_;
 }
 
+// A document opens nothing by itself; the reader did, and sees where it leads.
+void DocumentWindow::openLink(const QString& target) {
+    const std::optional<Link> link = linkTo(target);
+    if (!link)
+        statusBar()->showMessage(tr("This link leads to no page of the web"), 8000);
+    else if (plain::Message::ask(QMessageBox::Question, this, tr("Open a link"),
+                                 tr("Open %1?").arg(link->place),
+                                 QMessageBox::Yes | QMessageBox::No) == QMessageBox::Yes)
+        QDesktopServices::openUrl(link->url);
+}
+
 // --- menus -------------------------------------------------------------------------------------
 
 QAction* DocumentWindow::add(QMenu* menu, const QString& text, const QKeySequence& keys,
                              const std::function<void()>& done, const QString& icon) {
-    QAction* action = menu->addAction(text, this, done);
+    QAction* action = menu->addAction(plain::ours(text), this, done);
     action->setShortcut(keys);
     if (!icon.isEmpty())
         action->setIcon(iconNamed(icon));
@@ -176,9 +180,9 @@ void DocumentWindow::fillRecent() {
     recent_->clear();
     for (const QString& file : application_.recentFiles())
         recent_
-            ->addAction(QFileInfo(file).fileName(), this,
+            ->addAction(plain::caption(QFileInfo(file).fileName()), this,
                         [this, file] { application_.open(file, this); })
-            ->setToolTip(file);
+            ->setToolTip(plain::tip(file));
     if (recent_->isEmpty())
         recent_->addAction(tr("Nothing yet"))->setEnabled(false);
 }
@@ -222,8 +226,9 @@ void DocumentWindow::fillPresentations() {
     auto* group = new QActionGroup(presentations_);
     const QStringList names = document_->schemas().presentations(document_->document().className());
     for (const QString& name : names) {
-        QAction* action = presentations_->addAction(name.left(1).toUpper() + name.mid(1), this,
-                                                    [this, name] { view_->setPresentation(name); });
+        QAction* action =
+            presentations_->addAction(plain::caption(name.left(1).toUpper() + name.mid(1)), this,
+                                      [this, name] { view_->setPresentation(name); });
         action->setCheckable(true);
         action->setChecked(name == view_->presentation() ||
                            (view_->presentation().isEmpty() && name == names.first()));
@@ -239,10 +244,10 @@ void DocumentWindow::buildHelpMenu() {
         for (const media::Manifest& manifest : document_->media().registry().media())
             installed << tr("%1 for %2").arg(manifest.name, manifest.documentClass);
         installed << document_->media().registry().faults();
-        QMessageBox::about(this, tr("About Ensemble"),
-                           tr("Ensemble %1 shows compound documents.\n\nInstalled media:\n%2")
-                               .arg(QCoreApplication::applicationVersion(),
-                                    installed.isEmpty() ? tr("none") : installed.join('\n')));
+        plain::Message::tell(QMessageBox::NoIcon, this, tr("About Ensemble"),
+                             tr("Ensemble %1 shows compound documents.\n\nInstalled media:\n%2")
+                                 .arg(QCoreApplication::applicationVersion(),
+                                      installed.isEmpty() ? tr("none") : installed.join('\n')));
     });
 }
 
@@ -284,9 +289,7 @@ QString DocumentWindow::documentTitle() const {
 
 void DocumentWindow::updateTitle() {
     const document::Document& of = document_->document();
-    QString title = documentTitle();
-    title.replace(QLatin1String("[*]"), QLatin1String("[*][*]")); // else Qt takes it for the mark
-    setWindowTitle(title + "[*] - Ensemble");
+    setWindowTitle(plain::title(documentTitle()) + "[*] - Ensemble");
     setWindowModified(of.isModified());
     setWindowFilePath(of.fileName());
 }
@@ -295,8 +298,8 @@ void DocumentWindow::updateUndo() {
     const document::Document& of = document_->document();
     undo_->setEnabled(of.canUndo());
     redo_->setEnabled(of.canRedo());
-    undo_->setText(of.canUndo() ? tr("&Undo %1").arg(of.undoLabel()) : tr("&Undo"));
-    redo_->setText(of.canRedo() ? tr("&Redo %1").arg(of.redoLabel()) : tr("&Redo"));
+    undo_->setText(of.canUndo() ? tr("&Undo %1").arg(plain::caption(of.undoLabel())) : tr("&Undo"));
+    redo_->setText(of.canRedo() ? tr("&Redo %1").arg(plain::caption(of.redoLabel())) : tr("&Redo"));
 }
 
 namespace {
@@ -317,9 +320,10 @@ void DocumentWindow::updateFaults(int errors, int warnings) {
     const auto counted = [](int count, const QString& one, const QString& many) {
         return QStringLiteral("%1 %2").arg(count).arg(count == 1 ? one : many);
     };
-    faults_->setWindowTitle(tr("Faults: %1, %2")
-                                .arg(counted(errors, tr("error"), tr("errors")),
-                                     counted(warnings, tr("warning"), tr("warnings"))));
+    faults_->setWindowTitle(
+        plain::ours(tr("Faults: %1, %2")
+                        .arg(counted(errors, tr("error"), tr("errors")),
+                             counted(warnings, tr("warning"), tr("warnings")))));
     const bool broken = document_->document().isBroken();
     if (broken && banner_->isHidden())
         faults_->show();
@@ -357,12 +361,12 @@ bool DocumentWindow::saveBy(const std::function<files::SaveResult(files::SaveOpt
             return true;
         }
         if (result.refusal == files::Refusal::none) {
-            QMessageBox::critical(this, tr("Save"), sentence);
+            plain::Message::tell(QMessageBox::Critical, this, tr("Save"), sentence);
             return false;
         }
-        const auto answer =
-            QMessageBox::warning(this, tr("Save"), tr("%1\n\nSave it all the same?").arg(sentence),
-                                 QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
+        const auto answer = plain::Message::ask(
+            QMessageBox::Warning, this, tr("Save"), tr("%1\n\nSave it all the same?").arg(sentence),
+            QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
         if (answer != QMessageBox::Yes)
             return false;
         options.evenBroken |= result.refusal == files::Refusal::broken;
@@ -416,13 +420,13 @@ DocumentWindow::Drafts DocumentWindow::askAboutDrafts(const QString& title, cons
     const QStringList where = document_->drafts();
     if (where.isEmpty())
         return Drafts::none;
-    QMessageBox box(QMessageBox::Warning, title,
-                    tr("What you typed in a window of %1 is not yet in the document.")
-                        .arg(where.join(tr(" and "))),
-                    QMessageBox::Cancel, this);
+    plain::Message box(QMessageBox::Warning, title,
+                       tr("What you typed in a window of %1 is not yet in the document.")
+                           .arg(where.join(tr(" and "))),
+                       QMessageBox::Cancel, this);
     if (document_->takesDrafts())
-        box.addButton(QMessageBox::Apply)->setText(update);
-    box.addButton(QMessageBox::Discard)->setText(leave);
+        box.addButton(QMessageBox::Apply)->setText(plain::ours(update));
+    box.addButton(QMessageBox::Discard)->setText(plain::ours(leave));
     box.setDefaultButton(QMessageBox::Cancel);
     switch (box.exec()) {
     case QMessageBox::Apply:
@@ -449,7 +453,7 @@ void DocumentWindow::updateDrafts(std::function<void()> then) {
     connect(document_.get(), &session::OpenDocument::draftsChanged, waiting, look);
     connect(waiting, &QTimer::timeout, this, [this, waiting] {
         waiting->deleteLater();
-        QMessageBox::warning(this, tr("Update"),
+        plain::Message::tell(QMessageBox::Warning, this, tr("Update"),
                              tr("%1 did not take what was typed. It is in its window still.")
                                  .arg(document_->drafts().join(tr(" and "))));
     });
@@ -468,8 +472,9 @@ void DocumentWindow::closeEvent(QCloseEvent* event) {
         return;
     }
     if (document_->document().isModified() && isLastOfDocument()) {
-        const auto answer = QMessageBox::question(
-            this, tr("Close"), tr("The document has changes that are not saved."),
+        const auto answer = plain::Message::ask(
+            QMessageBox::Question, this, tr("Close"),
+            tr("The document has changes that are not saved."),
             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
         if (answer == QMessageBox::Cancel || (answer == QMessageBox::Save && !saveNow())) {
             event->ignore();
@@ -516,7 +521,7 @@ void DocumentWindow::exportPdfTo(const QString& fileName) {
         if (failed.isEmpty())
             statusBar()->showMessage(tr("Wrote %1").arg(fileName), 8000);
         else
-            QMessageBox::critical(this, tr("Export PDF"), failed);
+            plain::Message::tell(QMessageBox::Critical, this, tr("Export PDF"), failed);
     });
     paper->prepare();
 }

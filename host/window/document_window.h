@@ -49,6 +49,7 @@ private:
     void updateFaults(int errors, int warnings);
     void print();
     void exportPdf();
+    void openLink(const QString& target);
     bool saveBy(const std::function<files::SaveResult(files::SaveOptions)>& saving);
     [[nodiscard]] bool isLastOfDocument() const;
     // What was typed in windows of media and is no change of the document yet: asks when there is

@@ -1,5 +1,6 @@
 #include "window/faults_pane.h"
 
+#include "plain/plain.h"
 #include "window/icons.h"
 
 #include <QHeaderView>
@@ -48,7 +49,7 @@ void FaultsPane::refresh() {
                 : QString();
         auto* item = new QTreeWidgetItem({place, fault.message});
         item->setIcon(0, iconNamed(fault.isError ? "dialog-error" : "dialog-warning"));
-        item->setToolTip(1, fault.message);
+        item->setToolTip(1, plain::tip(fault.message));
         items << item;
         errors += fault.isError;
     }

@@ -1,17 +1,18 @@
 #include "window/find_bar.h"
 
+#include "plain/plain.h"
+
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLineEdit>
 
 namespace window {
 
 FindBar::FindBar(DocumentView& view, QWidget* parent)
-    : QWidget(parent), view_(view), field_(new QLineEdit(this)), count_(new QLabel(this)) {
+    : QWidget(parent), view_(view), field_(new QLineEdit(this)), count_(plain::label({}, this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(10, 4, 10, 4);
-    auto* label = new QLabel(tr("Find"), this);
+    auto* label = plain::label(tr("Find"), this);
     label->setBuddy(field_);
     field_->setAccessibleName(tr("Find"));
     field_->setClearButtonEnabled(true);

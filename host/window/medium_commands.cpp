@@ -1,9 +1,9 @@
 #include "window/medium_commands.h"
 
+#include "plain/plain.h"
 #include "window/icons.h"
 #include "window/play_bar.h"
 
-#include <QLabel>
 #include <algorithm>
 #include <set>
 
@@ -26,8 +26,13 @@ QString titleOf(const QString& name, const QMenuBar& bar) {
             taken += action->text().mid(mark + 1, 1);
     for (qsizetype i = 0; i < name.size(); ++i)
         if (name[i].isLetter() && !taken.contains(name[i], Qt::CaseInsensitive))
-            return QString(name).insert(i, '&');
-    return name;
+            return plain::caption(name.left(i)) + '&' + plain::caption(name.mid(i));
+    return plain::caption(name);
+}
+
+// In the tool area the play bar does it, for all that is visible and of every medium.
+bool isPlaying(const std::string& icon) {
+    return icon == "media-playback-start" || icon == "media-playback-pause";
 }
 
 } // namespace
@@ -35,7 +40,7 @@ QString titleOf(const QString& name, const QMenuBar& bar) {
 MediumCommands::MediumCommands(session::OpenDocument& document, DocumentView& view, QMenuBar& bar,
                                QAction* before, QToolBar& toolArea)
     : document_(document), view_(view), bar_(bar), before_(before), tools_(toolArea),
-      owner_(new QLabel(&toolArea)), time_(new PlayBar(false, &toolArea)) {
+      owner_(plain::label({}, &toolArea)), time_(new PlayBar(false, &toolArea)) {
     timer_.setSingleShot(true);
     connect(&timer_, &QTimer::timeout, this, &MediumCommands::refresh);
     connect(&view_, &DocumentView::chosenChanged, this, &MediumCommands::schedule);
@@ -48,10 +53,14 @@ MediumCommands::MediumCommands(session::OpenDocument& document, DocumentView& vi
     tools_.addWidget(owner_);
     timeAction_ = tools_.addWidget(time_);
     time_->setMaximumWidth(360);
-    connect(time_, &PlayBar::playWanted, this, [this] { forTargets([](auto& l) { l.play(); }); });
-    connect(time_, &PlayBar::pauseWanted, this, [this] { forTargets([](auto& l) { l.pause(); }); });
+    const auto forTimed = [this](auto action) {
+        for (media::LiveSubdocument* live : timed())
+            action(*live);
+    };
+    connect(time_, &PlayBar::playWanted, this, [=] { forTimed([](auto& l) { l.play(); }); });
+    connect(time_, &PlayBar::pauseWanted, this, [=] { forTimed([](auto& l) { l.pause(); }); });
     connect(time_, &PlayBar::seekWanted, this,
-            [this](double t) { forTargets([t](auto& l) { l.seek(t); }); });
+            [=](double t) { forTimed([t](auto& l) { l.seek(t); }); });
     watch();
     refresh();
 }
@@ -92,9 +101,24 @@ std::vector<document::SubdocumentId> MediumCommands::targets(const QString& docu
     return result;
 }
 
-media::LiveSubdocument* MediumCommands::first(const QString& documentClass) const {
-    const auto all = targets(documentClass);
-    return all.empty() ? nullptr : document_.live(all.front());
+std::vector<media::LiveSubdocument*> MediumCommands::livesOf(const QString& documentClass) const {
+    std::vector<media::LiveSubdocument*> result;
+    for (const document::SubdocumentId id : targets(documentClass))
+        result.push_back(document_.live(id));
+    return result;
+}
+
+// The play bar's: what has time, of whatever medium; a figure that is faulty has none.
+std::vector<media::LiveSubdocument*> MediumCommands::timed() const {
+    std::vector<document::SubdocumentId> ids = view_.visibleSubdocuments();
+    if (document_.live(view_.chosen()))
+        ids = {view_.chosen()};
+    std::vector<media::LiveSubdocument*> result;
+    for (const document::SubdocumentId id : ids)
+        if (media::LiveSubdocument* live = document_.live(id);
+            live && live->time() && live->time()->finish > live->time()->start)
+            result.push_back(live);
+    return result;
 }
 
 QString MediumCommands::toolOwner() const {
@@ -104,12 +128,6 @@ QString MediumCommands::toolOwner() const {
         if (const media::LiveSubdocument* live = document_.live(id))
             return live->manifest().documentClass;
     return {};
-}
-
-template <class Action> void MediumCommands::forTargets(Action action) const {
-    for (const document::SubdocumentId id : targets(toolOwner()))
-        if (media::LiveSubdocument* live = document_.live(id))
-            action(*live);
 }
 
 void MediumCommands::invoke(const QString& documentClass, const QString& id) {
@@ -141,23 +159,37 @@ void MediumCommands::refresh() {
 void MediumCommands::refreshMenu(const QString& documentClass, Medium& medium) {
     const media::Manifest* manifest = document_.media().registry().forClass(documentClass);
     if (!medium.menu) {
-        medium.menu = new QMenu(titleOf(manifest ? manifest->name : documentClass, bar_), &bar_);
+        medium.menu =
+            new QMenu(plain::ours(titleOf(manifest ? manifest->name : documentClass, bar_)), &bar_);
         bar_.insertMenu(before_, medium.menu);
     }
-    media::LiveSubdocument* target = first(documentClass);
-    if (target && (!sameShape(medium.entries, target->menus()) || medium.actions.empty()))
-        build(documentClass, medium, target->menus());
-    for (const ipc::MenuEntry& entry : target ? target->menus() : medium.entries) {
-        const auto action = medium.actions.find(entry.id);
-        if (action == medium.actions.end())
-            continue;
-        action->second->setEnabled(entry.enabled && target);
-        action->second->setChecked(entry.checked);
-    }
+    const std::vector<media::LiveSubdocument*> all = livesOf(documentClass);
+    const auto told = std::ranges::find_if(
+        all, [](const media::LiveSubdocument* one) { return !one->menus().empty(); });
+    if (told != all.end() &&
+        (!sameShape(medium.entries, (*told)->menus()) || medium.actions.empty()))
+        build(documentClass, medium, (*told)->menus());
+    for (const auto& [id, action] : medium.actions)
+        showState(*action, id, all);
     const bool hasKeys = documentClass == toolOwner();
     for (const ipc::MenuEntry& entry : medium.entries)
         medium.actions.at(entry.id)->setShortcut(
             hasKeys ? QKeySequence(QString::fromStdString(entry.shortcut)) : QKeySequence());
+}
+
+// A command is there as soon as one of those that it acts on takes it: a faulty figure does not
+// disable it for the others.
+void MediumCommands::showState(QAction& action, const std::string& id,
+                               const std::vector<media::LiveSubdocument*>& all) {
+    if (action.isSeparator())
+        return;
+    const ipc::MenuEntry* shown = nullptr;
+    for (const media::LiveSubdocument* live : all)
+        for (const ipc::MenuEntry& entry : live->menus())
+            if (entry.id == id && (!shown || (entry.enabled && !shown->enabled)))
+                shown = &entry;
+    action.setEnabled(shown && shown->enabled);
+    action.setChecked(shown && shown->checked);
 }
 
 void MediumCommands::build(const QString& documentClass, Medium& medium,
@@ -175,14 +207,16 @@ void MediumCommands::build(const QString& documentClass, Medium& medium,
         if (entry.group.empty())
             group = nullptr;
         else if (!group || entry.group != groupName)
-            group = medium.menu->addMenu(QString::fromStdString(entry.group));
+            group = medium.menu->addMenu(plain::caption(QString::fromStdString(entry.group)));
         groupName = entry.group;
         const QString label = QString::fromStdString(entry.label);
         if (label == "-") {
             medium.actions[entry.id] = (group ? group : medium.menu)->addSeparator();
             continue;
         }
-        QAction* action = (group ? group : medium.menu)->addAction(label);
+        QAction* action = (group ? group : medium.menu)->addAction(plain::caption(label));
+        // The tool area would make one of the caption.
+        action->setToolTip(plain::tip(label));
         action->setCheckable(entry.checkable);
         if (!entry.icon.empty())
             action->setIcon(iconNamed(QString::fromStdString(entry.icon)));
@@ -209,34 +243,33 @@ void MediumCommands::refreshTools() {
     const auto medium = media_.find(owner);
     if (medium != media_.end())
         for (const ipc::MenuEntry& entry : medium->second.entries)
-            if (!entry.icon.empty() && !medium->second.actions.at(entry.id)->icon().isNull())
+            if (!entry.icon.empty() && !isPlaying(entry.icon) &&
+                !medium->second.actions.at(entry.id)->icon().isNull())
                 wanted.push_back(medium->second.actions.at(entry.id));
     if (wanted != shown_) {
         for (QAction* action : shown_)
             tools_.removeAction(action);
         for (QAction* action : wanted)
-            tools_.insertAction(timeAction_, action);
+            tools_.addAction(action);
         shown_ = wanted;
     }
-    const bool hasOwnPlay =
-        medium != media_.end() &&
-        std::any_of(medium->second.entries.begin(), medium->second.entries.end(),
-                    [](const auto& entry) { return entry.icon == "media-playback-start"; });
-    time_->setButtonShown(!hasOwnPlay);
-    const media::LiveSubdocument* live = first(owner);
-    const std::size_t count = targets(owner).size();
-    owner_->setText(!live       ? QString()
-                    : count > 1 ? tr("%1, all %2 visible").arg(live->manifest().name).arg(count)
-                                : live->manifest().name);
+    const std::vector<media::LiveSubdocument*> all = livesOf(owner);
+    owner_->setText(all.empty() ? QString()
+                    : all.size() > 1
+                        ? tr("%1, all %2 visible")
+                              .arg(all.front()->manifest().name, QString::number(all.size()))
+                        : all.front()->manifest().name);
     refreshTime();
 }
 
 void MediumCommands::refreshTime() {
-    const media::LiveSubdocument* live = first(toolOwner());
-    const bool hasTime = live && live->time() && live->time()->finish > live->time()->start;
-    timeAction_->setVisible(hasTime);
-    if (hasTime)
-        time_->setTime(*live->time());
+    const std::vector<media::LiveSubdocument*> all = timed();
+    timeAction_->setVisible(!all.empty());
+    if (all.empty())
+        return;
+    const auto playing = std::ranges::find_if(
+        all, [](const media::LiveSubdocument* one) { return one->time()->playing; });
+    time_->setTime(*(playing == all.end() ? all.front() : *playing)->time());
 }
 
 } // namespace window

@@ -3,7 +3,8 @@
 // Each medium that the document has gets a menu of its name, built from what it declares. Commands
 // act on the chosen rendition, else on all visible ones of that medium (dissertation 6.2.4). The
 // tool area belongs to the medium of the chosen rendition, else to that of the first visible one,
-// and carries those of its commands that have an icon, and the controls of its time.
+// and carries those of its commands that have an icon. The play bar beside them plays the chosen
+// rendition, else all visible ones that have time, of every medium.
 #pragma once
 
 #include "window/document_view.h"
@@ -47,8 +48,11 @@ private:
     void refreshTools();
     void refreshTime();
     void invoke(const QString& documentClass, const QString& id);
-    [[nodiscard]] media::LiveSubdocument* first(const QString& documentClass) const;
-    template <class Action> void forTargets(Action action) const;
+    static void showState(QAction& action, const std::string& id,
+                          const std::vector<media::LiveSubdocument*>& all);
+    [[nodiscard]] std::vector<media::LiveSubdocument*>
+    livesOf(const QString& documentClass) const; // of targets()
+    [[nodiscard]] std::vector<media::LiveSubdocument*> timed() const;
 
     session::OpenDocument& document_;
     DocumentView& view_;

@@ -1,9 +1,9 @@
 #include "window/play_bar.h"
 
+#include "plain/plain.h"
 #include "window/icons.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPainter>
 #include <QSlider>
 #include <QToolButton>
@@ -36,7 +36,7 @@ QString timeText(const ipc::TimeChanged& time) {
 
 PlayBar::PlayBar(bool dark, QWidget* parent)
     : QWidget(parent), dark_(dark), button_(new QToolButton(this)),
-      slider_(new QSlider(Qt::Horizontal, this)), label_(new QLabel(this)) {
+      slider_(new QSlider(Qt::Horizontal, this)), label_(plain::label({}, this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(6, 0, 10, 0);
     row->setSpacing(6);
@@ -92,6 +92,7 @@ void PlayBar::setTime(const ipc::TimeChanged& time) {
     if (time.playing != wasPlaying)
         setPlaying(time.playing);
     label_->setText(timeText(time));
+    slider_->setAccessibleDescription(timeText(time)); // its value counts its own steps
     if (slider_->isSliderDown())
         return;
     const double length = time.finish - time.start;
@@ -101,8 +102,6 @@ void PlayBar::setTime(const ipc::TimeChanged& time) {
                                 steps * std::clamp((time.time - time.start) / length, 0.0, 1.0)))
                           : 0);
 }
-
-void PlayBar::setButtonShown(bool shown) { button_->setVisible(shown); }
 
 void PlayBar::paintEvent(QPaintEvent*) {
     if (!dark_)

@@ -23,7 +23,6 @@ public:
 
     // `dark`: lies over a picture; else it stands in a tool area.
     PlayBar(bool dark, QWidget* parent);
-    void setButtonShown(bool shown); // not where the medium has its own beside it
     void setTime(const ipc::TimeChanged& time);
 
 Q_SIGNALS:

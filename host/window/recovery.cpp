@@ -1,10 +1,11 @@
 #include "window/recovery.h"
 
+#include "plain/plain.h"
+
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
 #include <QLocale>
-#include <QMessageBox>
 #include <QPushButton>
 
 namespace window {
@@ -54,12 +55,12 @@ QString adviceAbout(const files::Kept& kept) {
 }
 
 Answer askAbout(QWidget* over, const files::Kept& kept) {
-    QMessageBox box(QMessageBox::Question, tr("Recover"),
-                    questionAbout(kept, QDateTime::currentDateTime()), QMessageBox::NoButton, over);
+    plain::Message box(QMessageBox::Question, tr("Recover"),
+                       questionAbout(kept, QDateTime::currentDateTime()), QMessageBox::NoButton,
+                       over);
     box.setObjectName(QStringLiteral("recover"));
-    box.setTextFormat(Qt::PlainText);
-    box.setInformativeText(adviceAbout(kept));
-    box.setToolTip(QFile::decodeName(kept.file.path.c_str()));
+    box.setSecondText(adviceAbout(kept));
+    box.setToolTip(plain::tip(QFile::decodeName(kept.file.path.c_str())));
     QPushButton* open = box.addButton(tr("&Open"), QMessageBox::AcceptRole);
     QPushButton* discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
     QPushButton* later = box.addButton(tr("&Later"), QMessageBox::RejectRole);
@@ -74,9 +75,8 @@ Answer askAbout(QWidget* over, const files::Kept& kept) {
 }
 
 void tell(QWidget* over, const QString& sentence) {
-    auto* box = new QMessageBox(QMessageBox::Warning, tr("Unsaved Changes"), sentence,
-                                QMessageBox::Ok, over);
-    box->setTextFormat(Qt::PlainText);
+    auto* box = new plain::Message(QMessageBox::Warning, tr("Unsaved Changes"), sentence,
+                                   QMessageBox::Ok, over);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setModal(false);
     box->show();

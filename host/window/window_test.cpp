@@ -89,13 +89,13 @@ TEST_F(WindowTest, AMenuActsOnTheChosenRenditionElseOnAllVisible) {
 }
 
 TEST_F(WindowTest, TheToolAreaBelongsToTheMediumInUse) {
-    DocumentWindow* window = open(memo(scripted("duration 50")));
+    DocumentWindow* window = open(memo(scripted("duration 50\nmenu Refresh")));
     EXPECT_TRUE(waitFor([&] { return window->commands().toolOwner() == "SCRIPTED"; }));
     ASSERT_TRUE(waitFor([&] { return live(*window, 0).time().has_value(); }));
     auto* bar = window->findChild<QToolBar*>("tools");
     EXPECT_TRUE(waitFor([&] {
         for (const QAction* action : bar->actions())
-            if (action->text() == "Play")
+            if (action->text() == "Refresh")
                 return true;
         return false;
     }));

@@ -1,12 +1,13 @@
 #include "views/autosave.h"
 
+#include "plain/plain.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QSaveFile>
 #include <QStandardPaths>
@@ -43,12 +44,11 @@ QString sceneOf(const LeftBehind& left) {
 }
 
 QMessageBox::StandardButton ask(QWidget* over, const LeftBehind& left) {
-    QMessageBox box(QMessageBox::Question, Autosave::tr("Recover"),
-                    Autosave::tr("Changes to %1 were not saved.").arg(sceneOf(left)),
-                    QMessageBox::NoButton, over);
-    box.setInformativeText(
-        Autosave::tr("Asgard ended before they could be, on %1. Recover them?")
-            .arg(QLocale().toString(left.at.toLocalTime(), QLocale::ShortFormat)));
+    plain::Message box(QMessageBox::Question, Autosave::tr("Recover"),
+                       Autosave::tr("Changes to %1 were not saved.").arg(sceneOf(left)),
+                       QMessageBox::NoButton, over);
+    box.setSecondText(Autosave::tr("Asgard ended before they could be, on %1. Recover them?")
+                          .arg(QLocale().toString(left.at.toLocalTime(), QLocale::ShortFormat)));
     QPushButton* recover = box.addButton(Autosave::tr("&Recover"), QMessageBox::AcceptRole);
     QPushButton* discard = box.addButton(Autosave::tr("&Discard"), QMessageBox::DestructiveRole);
     box.addButton(Autosave::tr("&Later"), QMessageBox::RejectRole);
@@ -186,7 +186,7 @@ bool offerRecovery(QWidget* over, Autosave& autosave, const QString& folder, con
         const QString fault = autosave.recover(left);
         if (fault.isEmpty())
             return true;
-        QMessageBox::warning(over, Autosave::tr("Recover"), fault);
+        plain::Message::tell(QMessageBox::Warning, over, Autosave::tr("Recover"), fault);
     }
     return false;
 }

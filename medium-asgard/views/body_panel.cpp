@@ -1,15 +1,15 @@
 #include "views/body_panel.h"
 
+#include "plain/plain.h"
 #include "views/asked_value.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QVBoxLayout>
 
 namespace views {
 
 BodyPanel::BodyPanel(SceneDocument& document, QWidget* parent)
-    : QGroupBox(tr("Body"), parent), document_(document), name_(new QLabel),
+    : QGroupBox(tr("Body"), parent), document_(document), name_(plain::label()),
       fixed_(new QCheckBox(tr("Fi&xed"))), size_(new QPushButton(tr("Si&ze…"))),
       shape_(new QPushButton(tr("S&hape…"))) {
     auto* column = new QVBoxLayout(this);

@@ -1,5 +1,6 @@
 #include "views/control_panel.h"
 
+#include "plain/plain.h"
 #include "views/manual.h"
 #include "views/motion_span.h"
 #include "views/recent_files.h"
@@ -11,9 +12,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
-#include <QLabel>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
@@ -38,9 +37,9 @@ QString sceneFiles() { return ControlPanel::tr("Scenes (*.al);;All files (*)"); 
 } // namespace
 
 ControlPanel::ControlPanel(SceneDocument& document, Windows windows)
-    : document_(document), windows_(std::move(windows)), name_(new QLabel), place_(new QLabel),
-      state_(new QLabel), progress_(new QProgressBar), simulate_(new QPushButton(tr("&Simulate"))),
-      exports_(*new Exports(document, *this)) {
+    : document_(document), windows_(std::move(windows)), name_(plain::label()),
+      place_(plain::label()), state_(plain::label()), progress_(new QProgressBar),
+      simulate_(new QPushButton(tr("&Simulate"))), exports_(*new Exports(document, *this)) {
     setWindowTitle(tr("Asgard"));
     auto* whole = new QWidget;
     auto* column = new QVBoxLayout(whole);
@@ -133,7 +132,7 @@ void ControlPanel::showState() {
                         ? tr("not saved yet")
                         : place_->fontMetrics().elidedText(QDir::toNativeSeparators(folder),
                                                            Qt::ElideMiddle, 280));
-    place_->setToolTip(folder);
+    place_->setToolTip(plain::tip(folder));
     const auto& motion = document_.shown().motion;
     const double length = motion ? motion->finish() - motion->start() : 0;
     const double share = length > 0 ? (motion->computed() - motion->start()) / length : 0;
@@ -169,7 +168,7 @@ void ControlPanel::open(const QString& path) {
     if (!mayLeave())
         return;
     if (const QString fault = document_.open(path); !fault.isEmpty())
-        QMessageBox::warning(this, tr("Open"), fault);
+        plain::Message::tell(QMessageBox::Warning, this, tr("Open"), fault);
     else
         rememberFile(path);
 }
@@ -185,7 +184,7 @@ bool ControlPanel::saveTo(const QString& path, QWidget* from) {
     MotionSpan::settleAll(document_);
     const QString fault = document_.save(path);
     if (!fault.isEmpty())
-        QMessageBox::warning(from, tr("Save"), fault);
+        plain::Message::tell(QMessageBox::Warning, from, tr("Save"), fault);
     else
         rememberFile(path);
     return fault.isEmpty();
@@ -213,16 +212,17 @@ bool ControlPanel::saveAs(QWidget* from) {
 bool ControlPanel::mayLeave(QWidget* from) {
     MotionSpan::settleAll(document_);
     if (exports_.isBusy() &&
-        QMessageBox::question(from ? from : this, tr("Export"),
-                              tr("An export is still being written. End it, unfinished?")) !=
-            QMessageBox::Yes)
+        plain::Message::ask(QMessageBox::Question, from ? from : this, tr("Export"),
+                            tr("An export is still being written. End it, unfinished?"),
+                            QMessageBox::Yes | QMessageBox::No) != QMessageBox::Yes)
         return false;
     if (windows_.settleDrafts && !windows_.settleDrafts())
         return false;
     if (!document_.isModified())
         return true;
-    const auto answer = QMessageBox::question(
-        from ? from : this, tr("Asgard"), tr("%1 was changed and not saved.").arg(document_.name()),
+    const auto answer = plain::Message::ask(
+        QMessageBox::Question, from ? from : this, tr("Asgard"),
+        tr("%1 was changed and not saved.").arg(document_.name()),
         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
     if (answer == QMessageBox::Save)
         return save(from);

@@ -1,6 +1,7 @@
 #include "views/create_menu.h"
 
 #include "editing/shape_library.h"
+#include "plain/plain.h"
 #include "script/numbers.h"
 #include "views/plot_dialog.h"
 #include "views/scene_display.h"
@@ -65,11 +66,11 @@ void fillBodies(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
                     [&display] { display.creating().start(newBody(BasicShape::box)); });
     QMenu* library = menu->addMenu(QObject::tr("New from the &Library"));
     for (const editing::LibraryShape& shape : editing::shapeLibrary())
-        library->addAction(QString::fromStdString(shape.name), &display,
+        library->addAction(plain::caption(QString::fromStdString(shape.name)), &display,
                            [&display, &shape] { display.creating().start(newBody(shape)); });
     menu->addSeparator(); // what grows stands below: the rest stays where the hand knows it
     for (const scene::ShapeSet& set : document.shown().scene->shapeSets)
-        menu->addAction(QString::fromStdString(set.name), &display,
+        menu->addAction(plain::caption(QString::fromStdString(set.name)), &display,
                         [&display, name = set.name] { display.creating().start(newBody(name)); });
 }
 
@@ -87,7 +88,7 @@ void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display
                      [bodies, &document, &display] { fillBodies(bodies, document, display); });
     fillBodies(bodies, document, display);
     const auto add = [&](QMenu* to, const QString& label, std::function<Recipe()> recipe) {
-        to->addAction(label, &display, [&display, recipe = std::move(recipe)] {
+        to->addAction(plain::ours(label), &display, [&display, recipe = std::move(recipe)] {
             display.creating().start(recipe());
         });
     };

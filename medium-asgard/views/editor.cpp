@@ -1,5 +1,7 @@
 #include "views/editor.h"
 
+#include "plain/plain.h"
+#include "plain/qt_messages.h"
 #include "script/reader.h"
 #include "simulation/resimulation.h"
 #include "views/autosave.h"
@@ -16,7 +18,6 @@
 #include "views/trajectory_editor.h"
 
 #include <QApplication>
-#include <QMessageBox>
 #include <QScreen>
 #include <QTimer>
 
@@ -256,6 +257,7 @@ bool Editor::closeViewers() {
 }
 
 int runEditor(int argc, char** argv, const std::string& file, script::Reader& reader) {
+    plain::printQtMessages("asgard", plain::QtMessages::all);
     QApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C"); // Qt takes the user's; numbers of scenes have points
     QApplication::setApplicationName(QStringLiteral("asgard"));
@@ -268,7 +270,7 @@ int runEditor(int argc, char** argv, const std::string& file, script::Reader& re
     const QString path = QString::fromStdString(file);
     if (!path.isEmpty()) {
         if (const QString fault = document.open(path); !fault.isEmpty()) {
-            QMessageBox::critical(panel, QStringLiteral("Asgard"), fault);
+            plain::Message::tell(QMessageBox::Critical, panel, QStringLiteral("Asgard"), fault);
             return 1;
         }
         rememberFile(path);
@@ -277,7 +279,7 @@ int runEditor(int argc, char** argv, const std::string& file, script::Reader& re
     }
     Autosave autosave(document, autosaveFolder());
     QObject::connect(&autosave, &Autosave::failed, panel, [panel](const QString& sentence) {
-        QMessageBox::warning(panel, QStringLiteral("Asgard"), sentence);
+        plain::Message::tell(QMessageBox::Warning, panel, QStringLiteral("Asgard"), sentence);
     });
     GraphicalViewer* graphical = editor.openGraphicalViewer();
     LanguageViewer* language = editor.openLanguageViewer();

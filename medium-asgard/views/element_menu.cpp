@@ -1,6 +1,7 @@
 #include "views/element_menu.h"
 
 #include "gestures/handle_meaning.h"
+#include "plain/plain.h"
 #include "views/create_menu.h"
 #include "views/scene_display.h"
 
@@ -55,13 +56,13 @@ void Building::values() {
     if (handles.empty() && place_.handle)
         handles.push_back(*place_.handle);
     for (const render::Handle& handle : handles) {
-        QAction* action =
-            menu_.addAction(QObject::tr("Exact %1…")
-                                .arg(QString::fromStdString(gestures::quantityOf(scene(), handle))),
-                            &display_, [&display = display_, handle] {
-                                display.editing().choose(handle.kind, handle.element, handle.part);
-                                display.editing().openEntry();
-                            });
+        QAction* action = menu_.addAction(
+            QObject::tr("Exact %1…")
+                .arg(plain::caption(QString::fromStdString(gestures::quantityOf(scene(), handle)))),
+            &display_, [&display = display_, handle] {
+                display.editing().choose(handle.kind, handle.element, handle.part);
+                display.editing().openEntry();
+            });
         if (place_.handle && handle.kind == place_.handle->kind &&
             handle.part == place_.handle->part)
             menu_.setDefaultAction(action);
@@ -69,7 +70,7 @@ void Building::values() {
 }
 
 void Building::create(QMenu* menu, const QString& label, std::function<Recipe()> recipe) {
-    menu->addAction(label, &display_,
+    menu->addAction(plain::ours(label), &display_,
                     [&display = display_, position = place_.position, recipe = std::move(recipe)] {
                         display.creating().start(recipe());
                         if (display.creating().active())
@@ -146,7 +147,8 @@ void Building::addPlots() {
     QMenu* all = menu_.addMenu(QObject::tr("P&lots"));
     for (std::size_t i = 0; i < plots.size(); ++i) {
         const Element element = {Kind::plot, i};
-        QMenu* one = all->addMenu(QString::fromStdString(editing::describe(scene(), element)));
+        QMenu* one = all->addMenu(
+            plain::caption(QString::fromStdString(editing::describe(scene(), element))));
         one->addAction(QObject::tr("&Chart"), &display_, [open = windows_.openPlots] { open(); });
         one->addAction(QObject::tr("Show in the Te&xt"), &display_,
                        [&document = document_, element, show = windows_.showText] {

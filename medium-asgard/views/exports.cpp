@@ -1,11 +1,11 @@
 #include "views/exports.h"
 
+#include "plain/plain.h"
 #include "views/status_panel.h"
 
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
 
 #include <array>
 
@@ -39,9 +39,9 @@ void Exports::write(const QString& asked, ExportFormat chosen) {
         return Q_EMIT says(tr("Another export is still being written."));
     std::optional<ToExport> what = pictured ? pictured() : std::nullopt;
     if (!what && format != ExportFormat::table) {
-        QMessageBox::information(&window_, tr("Export"),
-                                 tr("Open a graphical viewer: what it shows is "
-                                    "what is drawn."));
+        plain::Message::tell(QMessageBox::Information, &window_, tr("Export"),
+                             tr("Open a graphical viewer: what it shows is "
+                                "what is drawn."));
         return;
     }
     if (!what)
@@ -58,7 +58,8 @@ void Exports::write(const QString& asked, ExportFormat chosen) {
 
 bool Exports::isAgreed(const QString& question) {
     return agrees ? agrees(question)
-                  : QMessageBox::question(&window_, tr("Export"), question) == QMessageBox::Yes;
+                  : plain::Message::ask(QMessageBox::Question, &window_, tr("Export"), question,
+                                        QMessageBox::Yes | QMessageBox::No) == QMessageBox::Yes;
 }
 
 bool Exports::mayWrite(const QString& path, ExportFormat format) {
@@ -116,7 +117,7 @@ void Exports::begin(ToExport what, const QString& path, ExportFormat format) {
         dialog->deleteLater();
         Q_EMIT says(!fault.isEmpty() ? fault : cancelled ? tr("The export was cancelled.") : done);
         if (!fault.isEmpty() && !agrees)
-            QMessageBox::warning(&window_, tr("Export"), fault);
+            plain::Message::tell(QMessageBox::Warning, &window_, tr("Export"), fault);
     });
     exporting->start();
 }

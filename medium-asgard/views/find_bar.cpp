@@ -1,11 +1,11 @@
 #include "views/find_bar.h"
 
 #include "editing/text_edit.h"
+#include "plain/plain.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 
@@ -32,7 +32,7 @@ QLineEdit* field(const QString& name, const QString& tip) {
     auto* line = new QLineEdit;
     line->setPlaceholderText(name);
     line->setAccessibleName(name);
-    line->setToolTip(tip);
+    line->setToolTip(plain::tip(tip));
     line->setClearButtonEnabled(true);
     return line;
 }
@@ -42,7 +42,8 @@ QLineEdit* field(const QString& name, const QString& tip) {
 FindBar::FindBar(SceneEditor& editor)
     : editor_(editor), what_(field(tr("Find"), tr("Return: next; Shift+Return: previous"))),
       with_(field(tr("Replace with"), tr("Return: replace this place and go to the next"))),
-      wholeWords_(new QCheckBox(tr("&Whole words"))), words_(new QLabel), replaceRow_(new QWidget) {
+      wholeWords_(new QCheckBox(tr("&Whole words"))), words_(plain::label()),
+      replaceRow_(new QWidget) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(6);

@@ -1,6 +1,7 @@
 #include "views/graphical_viewer.h"
 
 #include "gestures/new_point.h"
+#include "plain/plain.h"
 #include "views/create_menu.h"
 #include "views/keep_view.h"
 #include "views/manual.h"
@@ -61,7 +62,7 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document, std::shared_ptr<Pictur
     timeBar_ = new TimeBar;
     timeStrip_ = new TimeStrip(document_);
     buildTimeControls(column);
-    hint_ = new QLabel;
+    hint_ = plain::label();
     hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // what does not fit is cut
     hint_->setForegroundRole(QPalette::PlaceholderText);
     hint_->setAccessibleName(tr("What the buttons do here"));
@@ -112,7 +113,7 @@ QToolButton* GraphicalViewer::addButton(QHBoxLayout* row, Icon which, const QStr
     auto* button = new QToolButton;
     button->setIconSize(QSize(20, 20));
     button->setAutoRaise(true);
-    button->setToolTip(tip);
+    button->setToolTip(plain::tip(tip));
     button->setAccessibleName(tip.section(QStringLiteral(" ("), 0, 0));
     button->setFocusPolicy(Qt::TabFocus);
     connect(button, &QToolButton::clicked, this, std::move(action));
@@ -143,7 +144,8 @@ void GraphicalViewer::buildTimeControls(QVBoxLayout* column) {
     rateButton_->setFocusPolicy(Qt::TabFocus);
     auto* menu = new QMenu(rateButton_);
     for (double rate : rates)
-        menu->addAction(rateText(rate), this, [this, rate] { playback_.setRate(rate); });
+        menu->addAction(plain::caption(rateText(rate)), this,
+                        [this, rate] { playback_.setRate(rate); });
     rateButton_->setMenu(menu);
     row->addWidget(rateButton_);
     row->addStretch();
@@ -151,7 +153,7 @@ void GraphicalViewer::buildTimeControls(QVBoxLayout* column) {
     connect(span, &MotionSpan::left, display_, [this] { display_->setFocus(); });
     row->addWidget(span);
     row->addSpacing(12);
-    timeLabel_ = new QLabel;
+    timeLabel_ = plain::label();
     QFont font = timeLabel_->font();
     font.setBold(true);
     timeLabel_->setFont(font);
@@ -234,7 +236,7 @@ void GraphicalViewer::buildLiveMenu(QMenu* menu) {
     };
     for (const auto& choice : all) {
         const Live live = choice.first;
-        QAction* action = choices->addAction(choice.second);
+        QAction* action = choices->addAction(plain::ours(choice.second));
         action->setCheckable(true);
         connect(action, &QAction::triggered, this, [this, live] { document_.setLive(live); });
         connect(menu, &QMenu::aboutToShow, action,
@@ -262,7 +264,7 @@ void GraphicalViewer::buildViewMenu() {
         {tr("Against y"), QKeySequence(Qt::SHIFT | Qt::Key_2), -geometry::Vector::UnitY()},
     };
     for (const auto& direction : directions)
-        view->addAction(direction.label, direction.key, this,
+        view->addAction(plain::ours(direction.label), direction.key, this,
                         [this, toward = direction.toward] { display_->lookAlong(toward); });
     view->addSeparator();
     view->addAction(tr("&Level the Horizon"), QKeySequence(Qt::Key_U), this,
@@ -282,7 +284,7 @@ void GraphicalViewer::buildViewMenu() {
     handles->addAction(tr("&None"), this, [all] { all(false); });
     handles->addSeparator();
     for (const StatusPanel::Switch& one : panel_->switches()) {
-        QAction* action = (one.isHandle ? handles : view)->addAction(one.box->text());
+        QAction* action = (one.isHandle ? handles : view)->addAction(plain::ours(one.box->text()));
         action->setCheckable(true);
         action->setChecked(one.box->isChecked());
         connect(action, &QAction::toggled, one.box, &QCheckBox::setChecked);
@@ -398,8 +400,9 @@ void GraphicalViewer::fillViewsMenu() {
     viewsMenu_->setEnabled(!views.empty());
     for (const scene::View& view : views) {
         const QString name = QString::fromStdString(view.name);
-        QAction* action = viewsMenu_->addAction(name.isEmpty() ? tr("(unnamed)") : name, this,
-                                                [this, name] { display_->followView(name); });
+        QAction* action =
+            viewsMenu_->addAction(name.isEmpty() ? tr("(unnamed)") : plain::caption(name), this,
+                                  [this, name] { display_->followView(name); });
         action->setCheckable(true);
         action->setChecked(name == display_->followedView());
     }
@@ -452,7 +455,7 @@ void GraphicalViewer::updateIcons() {
 void GraphicalViewer::updateTitle() {
     const QString viewer =
         number_ == 1 ? tr("Graphical Viewer") : tr("Graphical Viewer %1").arg(number_);
-    setWindowTitle(tr("%1[*] – %2").arg(document_.name(), viewer));
+    setWindowTitle(tr("%1[*] – %2").arg(plain::title(document_.name()), viewer));
     setWindowModified(document_.hasHost() ? false : document_.isModified());
 }
 

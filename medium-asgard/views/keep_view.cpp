@@ -1,11 +1,11 @@
 #include "views/keep_view.h"
 
 #include "editing/number_text.h"
+#include "plain/plain.h"
 #include "views/edit_preview.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -70,7 +70,7 @@ editing::Answer changedView(const std::string& text,
 KeepViewDialog::KeepViewDialog(const SceneDocument& document, const gestures::Sight& sight,
                                const QString& preferred, QWidget* parent)
     : QDialog(parent), text_(document.text()), scene_(document.shown().scene), sight_(sight),
-      views_(new QComboBox), says_(new QLabel) {
+      views_(new QComboBox), says_(plain::markupLabel()) {
     setWindowTitle(tr("Keep This View"));
     setMinimumWidth(420);
     for (const scene::View& view : scene_->views)
@@ -82,7 +82,6 @@ KeepViewDialog::KeepViewDialog(const SceneDocument& document, const gestures::Si
     const int at = views_->findData(preferred);
     views_->setCurrentIndex(at >= 0 ? at : 0);
     says_->setWordWrap(true);
-    says_->setTextFormat(Qt::RichText);
     says_->setAccessibleName(tr("What changes in the text"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     take_ = buttons->button(QDialogButtonBox::Ok);

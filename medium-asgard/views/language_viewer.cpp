@@ -1,6 +1,7 @@
 #include "views/language_viewer.h"
 
 #include "editing/changes.h"
+#include "plain/plain.h"
 #include "views/completer.h"
 #include "views/element_marks.h"
 #include "views/elision.h"
@@ -15,10 +16,8 @@
 #include <QCloseEvent>
 #include <QHBoxLayout>
 #include <QInputDialog>
-#include <QLabel>
 #include <QListWidget>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QSplitter>
 #include <QTimer>
@@ -124,7 +123,7 @@ QWidget* LanguageViewer::buildButtons() {
                                        "(Ctrl+Shift+R)"));
     auto* dismiss = new QPushButton(tr("&Dismiss"));
     dismiss->setToolTip(tr("Close this viewer (Ctrl+W)"));
-    state_ = new QLabel;
+    state_ = plain::label();
     state_->setAccessibleName(tr("State of the text"));
     state_->setForegroundRole(QPalette::PlaceholderText);
     for (QPushButton* button : {updateButton_, saveButton_, revertButton_})
@@ -170,9 +169,10 @@ void LanguageViewer::buildEditMenu() {
     QAction* redo = edit->addAction(tr("&Redo"), QKeySequence::Redo, this, &LanguageViewer::redo);
     connect(edit, &QMenu::aboutToShow, this, [this, undo, redo] {
         undo->setText(typingIsUndone() ? tr("&Undo Typing")
-                                       : tr("&Undo %1").arg(document_.undoLabel()));
-        redo->setText(draft_->canRedo() ? tr("&Redo Typing")
-                                        : tr("&Redo %1").arg(document_.redoLabel()));
+                                       : tr("&Undo %1").arg(plain::caption(document_.undoLabel())));
+        redo->setText(draft_->canRedo()
+                          ? tr("&Redo Typing")
+                          : tr("&Redo %1").arg(plain::caption(document_.redoLabel())));
         undo->setEnabled(typingIsUndone() || document_.canUndo());
         redo->setEnabled(draft_->canRedo() || (!draft_->edited() && document_.canRedo()));
     });
@@ -377,16 +377,16 @@ void LanguageViewer::tellChanges() {
 void LanguageViewer::updateTitle() {
     const QString viewer =
         number_ == 1 ? tr("Language Viewer") : tr("Language Viewer %1").arg(number_);
-    setWindowTitle(tr("%1[*] – %2").arg(document_.name(), viewer));
+    setWindowTitle(tr("%1[*] – %2").arg(plain::title(document_.name()), viewer));
     const bool edited = draft_->edited();
     setWindowModified(edited || (!document_.hasHost() && document_.isModified()));
     const bool disputed = !draft_->conflicts().empty();
     updateButton_->setEnabled(edited && !disputed);
     updateButton_->setDefault(edited && !disputed);
     updateButton_->setToolTip(
-        disputed ? tr("First choose, above the text, what becomes of what was changed here and in "
-                      "another view")
-                 : tr("Make this the scene's text, in every view (Ctrl+Return)"));
+        plain::ours(disputed ? tr("First choose, above the text, what becomes of what was changed "
+                                  "here and in another view")
+                             : tr("Make this the scene's text, in every view (Ctrl+Return)")));
     saveButton_->setEnabled((edited && !disputed) || (!edited && document_.isModified()));
     revertButton_->setEnabled(edited || (!document_.hasHost() && document_.isModified()));
     Q_EMIT draftChanged();
@@ -395,7 +395,7 @@ void LanguageViewer::updateTitle() {
 void LanguageViewer::goToLine() {
     bool chosen = false;
     const int line = QInputDialog::getInt(
-        this, tr("Go to Line"), tr("Line (1 to %1):").arg(editor_->lines()),
+        this, tr("Go to Line"), plain::ours(tr("Line (1 to %1):").arg(editor_->lines())),
         editor_->lineOf(editor_->caret()) + 1, 1, editor_->lines(), 1, &chosen);
     if (!chosen)
         return;
@@ -404,11 +404,9 @@ void LanguageViewer::goToLine() {
 }
 
 void LanguageViewer::showKeys() {
-    QMessageBox box(this);
-    box.setWindowTitle(tr("Keys of the Language Viewer"));
-    box.setTextFormat(Qt::RichText);
-    box.setText(languageKeys());
-    box.addButton(QMessageBox::Close);
+    plain::Message box(QMessageBox::NoIcon, tr("Keys of the Language Viewer"), {},
+                       QMessageBox::Close, this);
+    box.setMarkup(languageKeys());
     box.exec();
 }
 
@@ -437,11 +435,11 @@ bool LanguageViewer::settleDraft() {
     if (!draft_->edited())
         return true;
     const bool disputed = !draft_->conflicts().empty();
-    QMessageBox box(QMessageBox::Question, windowTitle(),
-                    tr("The draft in this viewer was not made the scene's text."),
-                    QMessageBox::NoButton, this);
+    plain::Message box(QMessageBox::Question, document_.name(),
+                       tr("The draft in this viewer was not made the scene's text."),
+                       QMessageBox::NoButton, this);
     if (disputed)
-        box.setInformativeText(tr("Another view has changed some of the same places."));
+        box.setSecondText(tr("Another view has changed some of the same places."));
     QPushButton* update = box.addButton(disputed ? tr("&Update, Keeping Mine") : tr("&Update"),
                                         QMessageBox::AcceptRole);
     QPushButton* drop = box.addButton(tr("&Drop the Draft"), QMessageBox::DestructiveRole);

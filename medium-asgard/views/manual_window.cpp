@@ -1,8 +1,9 @@
 #include "views/manual_window.h"
 
+#include "plain/plain.h"
+
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
@@ -56,7 +57,7 @@ void dropEmptyRows(const QTextFrame& frame) {
 
 ManualWindow::ManualWindow(const QString& markdown)
     : text_(new QTextBrowser), chapters_(new QListWidget), search_(new QLineEdit),
-      none_(new QLabel(tr("Not found"))) {
+      none_(plain::label(tr("Not found"))) {
     setAttribute(Qt::WA_DeleteOnClose);
     setAttribute(Qt::WA_QuitOnClose, false);
     setWindowTitle(tr("Manual"));

@@ -3,12 +3,12 @@
 #include "editing/creation.h"
 #include "editing/number_text.h"
 #include "editing/value_edit.h"
+#include "plain/plain.h"
 #include "script/numbers.h"
 
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLineEdit>
 #include <QToolTip>
 
@@ -42,7 +42,7 @@ MotionSpan::MotionSpan(SceneDocument& document, QWidget* parent)
                       tr("When the motion begins, in seconds"), startOption);
     finish_ = addField(tr("to"), tr("End of the motion"), tr("When the motion ends, in seconds"),
                        finishOption);
-    row->addWidget(new QLabel(tr("s")));
+    row->addWidget(plain::label(tr("s")));
     row->addStretch();
     connect(&document_, &SceneDocument::sceneChanged, this, [this] {
         show();
@@ -59,12 +59,12 @@ QLineEdit* MotionSpan::addField(const QString& label, const QString& name, const
     auto* field = new QLineEdit;
     field->setAlignment(Qt::AlignRight);
     field->setFixedWidth(field->fontMetrics().horizontalAdvance(QStringLiteral("0000.000")) + 14);
-    field->setToolTip(tip);
+    field->setToolTip(plain::tip(tip));
     field->setAccessibleName(name);
     field->installEventFilter(this);
     connect(field, &QLineEdit::editingFinished, this,
             [this, field, option] { take(field, option); });
-    auto* before = new QLabel(label);
+    auto* before = plain::label(label);
     before->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
     layout()->addWidget(before);
     layout()->addWidget(field);
@@ -89,7 +89,7 @@ void MotionSpan::take(QLineEdit* field, const char* option) {
         value ? change(option, *value) : tr("\"%1\" is not a decimal number.").arg(field->text());
     show();
     if (!why.isEmpty())
-        QToolTip::showText(field->mapToGlobal(field->rect().bottomLeft()), why, field);
+        QToolTip::showText(field->mapToGlobal(field->rect().bottomLeft()), plain::tip(why), field);
     field->setProperty("refusal", why);
 }
 

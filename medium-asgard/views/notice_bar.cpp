@@ -1,7 +1,8 @@
 #include "views/notice_bar.h"
 
+#include "plain/plain.h"
+
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <QTimer>
 
@@ -24,13 +25,12 @@ QString shortened(const QString& text) {
 
 } // namespace
 
-Notice::Notice(const QString& name) : words_(new QLabel), row_(new QHBoxLayout(this)) {
+Notice::Notice(const QString& name) : words_(plain::label()), row_(new QHBoxLayout(this)) {
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::ToolTipBase);
     setFrameStyle(QFrame::StyledPanel);
     words_->setAccessibleName(name);
     words_->setWordWrap(true);
-    words_->setTextFormat(Qt::PlainText);
     words_->setForegroundRole(QPalette::ToolTipText);
     row_->setContentsMargins(8, 6, 8, 6);
     row_->addWidget(words_, 1);

@@ -2,6 +2,7 @@
 
 #include "editing/number_text.h"
 #include "editing/options.h"
+#include "plain/plain.h"
 #include "script/numbers.h"
 #include "script/structure.h"
 #include "views/scene_lexer.h"
@@ -118,7 +119,7 @@ void NumberDrag::letGo() {
     editor_.unmark(Mark::number);
     if (editor_.isVisible())
         QToolTip::showText(editor_.viewport()->mapToGlobal(number.bottomLeft()),
-                           SceneDocument::overtaken(), editor_.viewport());
+                           plain::ours(SceneDocument::overtaken()), editor_.viewport());
 }
 
 void NumberDrag::set(long steps) {

@@ -1,5 +1,7 @@
 #include "views/parameters_panel.h"
 
+#include "plain/plain.h"
+
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QToolTip>
@@ -76,10 +78,10 @@ void ParametersPanel::rebuild() {
         auto* head = new QHBoxLayout;
         const QString label =
             QString::fromStdString(parameter.label.empty() ? parameter.name : parameter.label);
-        auto* name = new QLabel(label);
+        auto* name = plain::label(label);
         name->setWordWrap(true);
-        name->setToolTip(QString::fromStdString(parameter.name));
-        auto* value = new QLabel;
+        name->setToolTip(plain::tip(QString::fromStdString(parameter.name)));
+        auto* value = plain::label();
         value->setAlignment(Qt::AlignRight | Qt::AlignBottom);
         auto* slider = new QSlider(Qt::Horizontal);
         slider->setRange(0, whole);
@@ -130,7 +132,7 @@ void ParametersPanel::refresh() {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const auto answer = asked(now, i, (rows_[i].least + rows_[i].most) / 2);
         rows_[i].slider->setEnabled(answer.possible());
-        rows_[i].slider->setToolTip(QString::fromStdString(answer.reason));
+        rows_[i].slider->setToolTip(plain::tip(QString::fromStdString(answer.reason)));
     }
     // What keys asked for while the scene was being read.
     if (const auto wanted = std::exchange(wanted_, std::nullopt)) {
@@ -201,7 +203,7 @@ void ParametersPanel::moved(std::size_t index, int position) {
         begin();
     if (!drag_ && document_.work() == Work::none) {
         QToolTip::showText(row.slider->mapToGlobal(row.slider->rect().bottomLeft()),
-                           document_.whyNotCurrent());
+                           plain::tip(document_.whyNotCurrent()));
         return refresh();
     }
     if (!drag_) {

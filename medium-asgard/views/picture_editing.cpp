@@ -2,11 +2,11 @@
 
 #include "editing/deletion.h"
 #include "gestures/handle_meaning.h"
+#include "plain/plain.h"
 #include "views/scene_display.h"
 #include "views/value_entry.h"
 
 #include <QKeyEvent>
-#include <QMessageBox>
 #include <QMouseEvent>
 
 #include <algorithm>
@@ -481,8 +481,8 @@ void PictureEditing::remove(std::vector<editing::Element> elements) {
         const bool taken =
             confirm_
                 ? confirm_(question)
-                : QMessageBox::question(&display_, tr("Delete"), question,
-                                        QMessageBox::Yes | QMessageBox::Cancel) == QMessageBox::Yes;
+                : plain::Message::ask(QMessageBox::Question, &display_, tr("Delete"), question,
+                                      QMessageBox::Yes | QMessageBox::Cancel) == QMessageBox::Yes;
         if (!taken)
             return;
         if (document_.revision() != since) // by the host, while the question stood

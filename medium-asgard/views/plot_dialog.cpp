@@ -1,9 +1,9 @@
 #include "views/plot_dialog.h"
 
+#include "plain/plain.h"
 #include "scene/names.h"
 
 #include <QDialogButtonBox>
-#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -48,10 +48,10 @@ QString faultOfPlotted(const scene::Scene& scene, const QString& expression) {
 }
 
 PlotDialog::PlotDialog(std::shared_ptr<const scene::Scene> scene, QWidget* parent)
-    : QDialog(parent), scene_(std::move(scene)), field_(new QLineEdit), fault_(new QLabel) {
+    : QDialog(parent), scene_(std::move(scene)), field_(new QLineEdit), fault_(plain::label()) {
     setWindowTitle(tr("New Plot"));
     auto* column = new QVBoxLayout(this);
-    auto* asks = new QLabel(tr("&What is charted against time, an expression:"));
+    auto* asks = plain::label(tr("&What is charted against time, an expression:"));
     asks->setBuddy(field_);
     const auto& bodies = scene_->bodies;
     field_->setText(bodies.empty() ? QStringLiteral("t")

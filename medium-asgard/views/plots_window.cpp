@@ -1,11 +1,11 @@
 #include "views/plots_window.h"
 
+#include "plain/plain.h"
 #include "views/manual.h"
 #include "views/plot_colors.h"
 #include "views/session_actions.h"
 #include "views/undo_actions.h"
 
-#include <QLabel>
 #include <QMenuBar>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -45,8 +45,8 @@ PlotsWindow::PlotsWindow(SceneDocument& document) : document_(document) {
     column_ = new QVBoxLayout(whole);
     column_->setContentsMargins(8, 8, 8, 8);
     column_->setSpacing(8);
-    none_ =
-        new QLabel(tr("This scene has no plots. Create > Plot… in a graphical viewer makes one."));
+    none_ = plain::label(
+        tr("This scene has no plots. Create > Plot… in a graphical viewer makes one."));
     none_->setAlignment(Qt::AlignCenter);
     none_->setWordWrap(true);
     column_->addWidget(none_);
@@ -58,7 +58,7 @@ PlotsWindow::PlotsWindow(SceneDocument& document) : document_(document) {
     addUndoActions(menuBar()->addMenu(tr("&Edit")), document_);
     addHelpMenu(this, QStringLiteral("In a picture"));
     const auto name = [this] {
-        setWindowTitle(tr("%1[*] – Plots").arg(document_.name()));
+        setWindowTitle(tr("%1[*] – Plots").arg(plain::title(document_.name())));
         setWindowModified(!document_.hasHost() && document_.isModified());
     };
     name();

@@ -1,5 +1,7 @@
 #include "views/recent_files.h"
 
+#include "plain/plain.h"
+
 #include <QDir>
 #include <QFileInfo>
 #include <QMenu>
@@ -34,11 +36,12 @@ void fillWithRecentFiles(QMenu* menu, std::function<void(const QString& path)> o
         menu->clear();
         int place = 0;
         for (const QString& file : recentFiles()) {
-            QString name = QDir::toNativeSeparators(file);
-            name.replace(QLatin1Char('&'), QStringLiteral("&&"));
+            const QString name = plain::caption(QDir::toNativeSeparators(file));
             ++place;
-            menu->addAction(place < 10 ? QStringLiteral("&%1  %2").arg(place).arg(name) : name,
-                            menu, [open, file] { open(file); });
+            menu->addAction(
+                plain::ours(place < 10 ? QStringLiteral("&%1  %2").arg(QString::number(place), name)
+                                       : name),
+                menu, [open, file] { open(file); });
         }
         if (place == 0)
             menu->addAction(QMenu::tr("None"))->setEnabled(false);

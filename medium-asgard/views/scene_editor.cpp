@@ -1,6 +1,7 @@
 #include "views/scene_editor.h"
 
 #include "editing/number_text.h"
+#include "plain/plain.h"
 #include "views/readable.h"
 #include "views/scene_lexer.h"
 
@@ -337,7 +338,7 @@ bool SceneEditor::viewportEvent(QEvent* event) {
         for (EditorTool* tool : tools_)
             if (tip.isEmpty())
                 tip = tool->tip(*byte);
-    QToolTip::showText(help->globalPos(), tip, viewport());
+    QToolTip::showText(help->globalPos(), plain::tip(tip), viewport());
     return true;
 }
 

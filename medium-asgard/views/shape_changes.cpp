@@ -2,11 +2,11 @@
 #include "editing/number_text.h"
 #include "editing/preview.h"
 #include "editing/shape_points.h"
+#include "plain/plain.h"
 
 #include "views/shape_editor.h"
 #include "views/shape_fields.h"
 
-#include <QMessageBox>
 #include <QPushButton>
 
 #include <algorithm>
@@ -95,12 +95,13 @@ void ShapeEditor::offer(const editing::Answer& answer, const QString& label) {
             tr("Line %1:\n%2\nbecomes\n%3\n")
                 .arg(line.line)
                 .arg(QString::fromStdString(line.before), QString::fromStdString(line.after));
-    auto* box = new QMessageBox(QMessageBox::Question, tr("Shape Editor"),
-                                QString::fromStdString(answer.reason), QMessageBox::Cancel, this);
+    auto* box =
+        new plain::Message(QMessageBox::Question, tr("Shape Editor"),
+                           QString::fromStdString(answer.reason), QMessageBox::Cancel, this);
     box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setInformativeText(changed.trimmed());
+    box->setSecondText(changed.trimmed());
     QAbstractButton* accept =
-        box->addButton(QString::fromStdString(one.label), QMessageBox::AcceptRole);
+        box->addButton(plain::caption(QString::fromStdString(one.label)), QMessageBox::AcceptRole);
     connect(box, &QMessageBox::buttonClicked, this, [=, this](QAbstractButton* button) {
         if (button == accept && document_.text() == text)
             document_.setText(editing::applied(text, one.edits),

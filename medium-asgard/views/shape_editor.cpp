@@ -2,6 +2,7 @@
 
 #include "editing/shape_library.h"
 #include "editing/shape_points.h"
+#include "plain/plain.h"
 #include "views/manual.h"
 #include "views/names_box.h"
 #include "views/shape_fields.h"
@@ -16,10 +17,8 @@
 #include <QHBoxLayout>
 #include <QInputDialog>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -32,7 +31,7 @@ using geometry::Vector;
 
 ShapeEditor::ShapeEditor(SceneDocument& document)
     : document_(document), names_(new QComboBox), display_(new ShapeDisplay),
-      panel_(new ShapePanel), fields_(new ShapeFields), words_(new QLabel) {
+      panel_(new ShapePanel), fields_(new ShapeFields), words_(plain::label()) {
     setAttribute(Qt::WA_DeleteOnClose);
     auto* whole = new QWidget;
     auto* column = new QVBoxLayout(whole);
@@ -62,7 +61,7 @@ ShapeEditor::ShapeEditor(SceneDocument& document)
             followScene();
     });
     const auto name = [this] {
-        setWindowTitle(tr("%1[*] – Shape Editor").arg(document_.name()));
+        setWindowTitle(tr("%1[*] – Shape Editor").arg(plain::title(document_.name())));
         setWindowModified(!document_.hasHost() && document_.isModified());
     };
     connect(&document_, &SceneDocument::nameChanged, this, name);
@@ -130,7 +129,7 @@ void ShapeEditor::buildMenus() {
         {tr("Along &x: the Plane y z"), Vector::UnitX(), Qt::Key_1},
         {tr("Along &y: the Plane x z"), Vector::UnitY(), Qt::Key_2}};
     for (const auto& [text, toward, key] : sides)
-        view->addAction(text, QKeySequence(key), display_,
+        view->addAction(plain::ours(text), QKeySequence(key), display_,
                         [this, side = toward] { display_->lookAlong(side); });
     addHelpMenu(this, QStringLiteral("Shapes"));
 }
@@ -339,7 +338,7 @@ void ShapeEditor::askForNewShape() {
     if (!ok)
         return;
     if (const QString fault = newShape(name.trimmed()); !fault.isEmpty())
-        QMessageBox::warning(this, tr("New Shape"), fault);
+        plain::Message::tell(QMessageBox::Warning, this, tr("New Shape"), fault);
 }
 
 void ShapeEditor::askToImport() {
@@ -356,7 +355,7 @@ void ShapeEditor::askForName() {
     if (!ok)
         return;
     if (const QString fault = renameShape(name.trimmed()); !fault.isEmpty())
-        QMessageBox::warning(this, tr("Rename Shape"), fault);
+        plain::Message::tell(QMessageBox::Warning, this, tr("Rename Shape"), fault);
 }
 
 void ShapeEditor::askForColour() {

@@ -1,9 +1,9 @@
 #include "views/shape_fields.h"
 
+#include "plain/plain.h"
 #include "script/numbers.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLineEdit>
 
 #include <algorithm>
@@ -62,9 +62,9 @@ ShapeFields::ShapeFields(QWidget* parent) : QWidget(parent) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     const QString axes[] = {tr("x"), tr("y"), tr("z")};
-    row->addWidget(new QLabel(tr("Vertex")));
+    row->addWidget(plain::label(tr("Vertex")));
     for (std::size_t i = 0; i < 3; ++i) {
-        place_[i] = field(row, new QLabel(axes[i]), tr("%1 of the vertex").arg(axes[i]));
+        place_[i] = field(row, plain::label(axes[i]), tr("%1 of the vertex").arg(axes[i]));
         connect(place_[i], &QLineEdit::editingFinished, this, [this, i] {
             if (place_[i]->isModified())
                 takePlace();
@@ -72,7 +72,7 @@ ShapeFields::ShapeFields(QWidget* parent) : QWidget(parent) {
     }
     row->addSpacing(16);
     for (std::size_t i = 0; i < 3; ++i) {
-        sizeNames_[i] = new QLabel(QStringLiteral("×"));
+        sizeNames_[i] = plain::label(QStringLiteral("×"));
         sizes_[i] = field(row, sizeNames_[i], i == 0 ? tr("Radius or first edge") : tr("Edge"));
         connect(sizes_[i], &QLineEdit::editingFinished, this, [this, i] {
             if (sizes_[i]->isModified())

@@ -2,6 +2,7 @@
 
 #include "editing/number_text.h"
 #include "editing/shape_edit.h"
+#include "plain/plain.h"
 #include "script/numbers.h"
 
 #include "views/shape_display.h"
@@ -15,9 +16,7 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLineEdit>
-#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
@@ -42,9 +41,8 @@ std::size_t verticesOf(const meshes::ConvexParts& made) {
 }
 
 QLabel* wrapped() {
-    auto* label = new QLabel;
+    auto* label = plain::label();
     label->setWordWrap(true);
-    label->setTextFormat(Qt::PlainText);
     return label;
 }
 
@@ -67,7 +65,7 @@ ShapeImport::ShapeImport(SceneDocument& document, const QString& path, QWidget* 
       points_(countField(4, 1000, 48)), progress_(new QProgressBar),
       fewer_(new QPushButton(tr("&Use Fewer"))) {
     setAttribute(Qt::WA_DeleteOnClose);
-    setWindowTitle(tr("Import %1").arg(file_));
+    setWindowTitle(tr("Import %1").arg(plain::title(file_)));
     display_->setForLooking();
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(12, 12, 12, 12);
@@ -304,7 +302,8 @@ void ShapeImport::accept() {
     if (!import_->isEnabled())
         return;
     const QString name = name_->text();
-    const QString fault = makeShape(document_, name, parts(), tr("Import %1").arg(file_));
+    const QString fault =
+        makeShape(document_, name, parts(), tr("Import %1").arg(plain::title(file_)));
     if (!fault.isEmpty()) {
         words_->setText(fault);
         return;

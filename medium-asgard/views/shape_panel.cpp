@@ -2,12 +2,12 @@
 
 #include "editing/shape_library.h"
 #include "editing/shape_points.h"
+#include "plain/plain.h"
 #include "views/round_part.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
-#include <QLabel>
 #include <QListWidget>
 #include <QMenu>
 #include <QPainter>
@@ -46,7 +46,7 @@ ShapePanel::ShapePanel(QWidget* parent) : QWidget(parent), parts_(new QListWidge
     setFixedWidth(232);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 0, 0, 0);
-    auto* title = new QLabel(tr("P&arts"));
+    auto* title = plain::label(tr("P&arts"));
     title->setBuddy(parts_);
     column->addWidget(title);
     parts_->setAccessibleName(tr("Parts"));
@@ -76,14 +76,14 @@ ShapePanel::ShapePanel(QWidget* parent) : QWidget(parent), parts_(new QListWidge
 
 QPushButton* ShapePanel::button(const QString& text, const QString& tip,
                                 std::function<void()> action) {
-    auto* made = new QPushButton(text);
-    made->setToolTip(tip);
+    auto* made = new QPushButton(plain::ours(text));
+    made->setToolTip(plain::tip(tip));
     connect(made, &QPushButton::clicked, this, std::move(action));
     return made;
 }
 
 void ShapePanel::buildNewParts(QVBoxLayout* column) {
-    column->addWidget(new QLabel(tr("New part")));
+    column->addWidget(plain::label(tr("New part")));
     auto* grid = new QGridLayout;
     const std::pair<QString, scene::Part> kinds[] = {
         {tr("&Sphere"), editing::sphere(0.5)},
@@ -114,7 +114,7 @@ void ShapePanel::buildNewParts(QVBoxLayout* column) {
     auto* menu = new QMenu(library);
     for (const editing::LibraryShape& shape : editing::shapeLibrary()) {
         const QString name = QString::fromStdString(shape.name);
-        menu->addAction(name, this, [this, &shape, name] {
+        menu->addAction(plain::caption(name), this, [this, &shape, name] {
             Q_EMIT addWanted(shape.parts, tr("Add %1").arg(name));
         });
     }

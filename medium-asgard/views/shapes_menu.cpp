@@ -1,11 +1,11 @@
 #include "views/shapes_menu.h"
 
 #include "editing/shape_library.h"
+#include "plain/plain.h"
 #include "views/graphical_viewer.h"
 #include "views/shape_names.h"
 
 #include <QMenu>
-#include <QMessageBox>
 
 namespace views {
 
@@ -17,14 +17,15 @@ void addFromLibrary(QMenu* menu, SceneDocument& document, const editing::Library
     const QString fault =
         makeShape(document, name, shape.parts, QObject::tr("New Shape %1").arg(name));
     if (!fault.isEmpty())
-        QMessageBox::warning(menu, QObject::tr("New Shape"), fault);
+        plain::Message::tell(QMessageBox::Warning, menu, QObject::tr("New Shape"), fault);
 }
 
 void fillShapes(QMenu* menu, SceneDocument& document, const Windows& windows) {
     menu->clear();
     for (const scene::ShapeSet& set : document.shown().scene->shapeSets) {
         const QString name = QString::fromStdString(set.name);
-        menu->addAction(name, menu, [&windows, name] { windows.openShapeEditor(name); });
+        menu->addAction(plain::caption(name), menu,
+                        [&windows, name] { windows.openShapeEditor(name); });
     }
     menu->setEnabled(!menu->isEmpty());
 }
@@ -35,7 +36,7 @@ void buildShapesMenu(QMenu* menu, SceneDocument& document, const Windows& window
     menu->addAction(QObject::tr("&New Shape…"), menu, [&windows] { windows.newShape(); });
     QMenu* library = menu->addMenu(QObject::tr("New from the &Library"));
     for (const editing::LibraryShape& shape : editing::shapeLibrary())
-        library->addAction(QString::fromStdString(shape.name), menu,
+        library->addAction(plain::caption(QString::fromStdString(shape.name)), menu,
                            [menu, &document, &shape] { addFromLibrary(menu, document, shape); });
     menu->addAction(QObject::tr("&Import…"), menu, [&windows] { windows.importShape(); });
     menu->addSeparator();

@@ -1,5 +1,6 @@
 #include "views/status_panel.h"
 
+#include "plain/plain.h"
 #include "render/handles.h"
 #include "views/parameters_panel.h"
 
@@ -24,14 +25,14 @@ QString timeText(double time, double length) {
 namespace {
 
 QLabel* addRow(QFormLayout* form, const QString& label, const QString& tip) {
-    auto* value = new QLabel;
+    auto* value = plain::label();
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    value->setToolTip(tip);
+    value->setToolTip(plain::tip(tip));
     value->setAccessibleName(label);
-    auto* name = new QLabel(label);
-    name->setForegroundRole(QPalette::PlaceholderText);
-    name->setToolTip(tip);
-    form->addRow(name, value);
+    auto* before = plain::label(label);
+    before->setForegroundRole(QPalette::PlaceholderText);
+    before->setToolTip(plain::tip(tip));
+    form->addRow(before, value);
     return value;
 }
 
@@ -69,7 +70,7 @@ StatusPanel::StatusPanel(SceneDocument& document, Playback& playback,
     predictable_ = addRow(form, tr("Reliable"),
                           tr("From then on the smallest disturbance changes the motion wholly"));
     impacts_ = addRow(form, tr("Collisions"), tr("How many so far"));
-    state_ = new QLabel;
+    state_ = plain::label();
     state_->setWordWrap(true);
     state_->setMinimumHeight(2 * state_->fontMetrics().height()); // what is below stays
     state_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -98,8 +99,8 @@ void StatusPanel::addSwitches(const render::Display& display) {
     QVBoxLayout* column = nullptr;
     bool areHandles = false;
     const auto add = [&](const QString& label, const QString& tip, bool render::Display::*what) {
-        auto* box = new QCheckBox(label);
-        box->setToolTip(tip);
+        auto* box = new QCheckBox(plain::ours(label));
+        box->setToolTip(plain::tip(tip));
         box->setChecked(display.*what);
         box->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the picture
         const int place = static_cast<int>(switches_.size());

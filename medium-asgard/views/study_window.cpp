@@ -1,12 +1,12 @@
 #include "views/study_window.h"
 
 #include "charts/study_chart.h"
+#include "plain/plain.h"
 #include "views/manual.h"
 #include "views/session_actions.h"
 
 #include <QFileDialog>
 #include <QHBoxLayout>
-#include <QMessageBox>
 #include <QSaveFile>
 #include <QVBoxLayout>
 
@@ -18,12 +18,12 @@ StudyWindow::StudyWindow(std::shared_ptr<const scene::Scene> scene, simulation::
                          const QString& name)
     : scene_(std::move(scene)), plan_(std::move(plan)), name_(name) {
     setAttribute(Qt::WA_DeleteOnClose);
-    setWindowTitle(tr("%1 – Speed and Accuracy").arg(name_));
+    setWindowTitle(tr("%1 – Speed and Accuracy").arg(plain::title(name_)));
     auto* whole = new QWidget;
     auto* column = new QVBoxLayout(whole);
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(8);
-    chart_ = new QLabel;
+    chart_ = plain::label();
     chart_->setAlignment(Qt::AlignCenter);
     chart_->setAutoFillBackground(true);
     QPalette paper = chart_->palette();
@@ -33,7 +33,7 @@ StudyWindow::StudyWindow(std::shared_ptr<const scene::Scene> scene, simulation::
     chart_->setAccessibleName(tr("Chart of error against time"));
     column->addWidget(chart_, 1);
     auto* row = new QHBoxLayout;
-    words_ = new QLabel;
+    words_ = plain::label();
     words_->setWordWrap(true);
     progress_ = new QProgressBar;
     progress_->setFixedWidth(160);
@@ -152,7 +152,7 @@ void StudyWindow::askAndSave() {
     if (dialog.exec() != QDialog::Accepted)
         return;
     if (const QString fault = save(dialog.selectedFiles().front()); !fault.isEmpty())
-        QMessageBox::critical(this, QStringLiteral("Asgard"), fault);
+        plain::Message::tell(QMessageBox::Critical, this, QStringLiteral("Asgard"), fault);
 }
 
 } // namespace views

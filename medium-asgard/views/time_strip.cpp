@@ -1,6 +1,7 @@
 #include "views/time_strip.h"
 
 #include "editing/number_text.h"
+#include "plain/plain.h"
 #include "script/numbers.h"
 
 #include <QHBoxLayout>
@@ -58,9 +59,9 @@ void TimeStrip::buildControls() {
     row->setSpacing(0);
     const auto add = [&](const QString& text, const QString& tip, auto action) {
         auto* button = new QToolButton;
-        button->setText(text);
+        button->setText(plain::ours(text));
         button->setAutoRaise(true);
-        button->setToolTip(tip);
+        button->setToolTip(plain::tip(tip));
         button->setAccessibleName(tip.section(QStringLiteral(" ("), 0, 0));
         button->setFocusPolicy(Qt::TabFocus);
         connect(button, &QToolButton::clicked, this, action);
@@ -99,10 +100,12 @@ void TimeStrip::follow() {
         finish();
         chosen_.reset();
     }
-    setToolTip(trajectory_ ? tr("When the points of %1 are passed: drag a mark to retime its "
-                                "point; the wheel zooms")
-                                 .arg(name())
-                           : QString());
+    setToolTip(plain::tip(
+        trajectory_
+            ? tr("When the points of %1 are passed: drag a mark to retime its point; the wheel "
+                 "zooms")
+                  .arg(name())
+            : QString()));
     updateVisibility();
     update();
 }

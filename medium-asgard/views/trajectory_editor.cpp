@@ -1,5 +1,6 @@
 #include "views/trajectory_editor.h"
 
+#include "plain/plain.h"
 #include "scene/curves.h"
 #include "views/manual.h"
 #include "views/names_box.h"
@@ -9,7 +10,6 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
@@ -44,7 +44,7 @@ QString held(scene::Held what) {
 } // namespace
 
 TrajectoryEditor::TrajectoryEditor(SceneDocument& document)
-    : document_(document), names_(new QComboBox), role_(new QLabel), words_(new QLabel) {
+    : document_(document), names_(new QComboBox), role_(plain::label()), words_(plain::label()) {
     setAttribute(Qt::WA_DeleteOnClose);
     auto* whole = new QWidget;
     auto* column = new QVBoxLayout(whole);
@@ -60,8 +60,8 @@ TrajectoryEditor::TrajectoryEditor(SceneDocument& document)
          {std::tuple(QStringLiteral("−"), tr("See more of the time (Ctrl+-)"), 1.5),
           std::tuple(QStringLiteral("+"), tr("See less of the time, larger (Ctrl++)"), 1 / 1.5)}) {
         auto* button = new QToolButton;
-        button->setText(label);
-        button->setToolTip(tip);
+        button->setText(plain::ours(label));
+        button->setToolTip(plain::tip(tip));
         connect(button, &QToolButton::clicked, this, [this, by = factor] { zoomTimes(by); });
         top->addWidget(button);
     }
@@ -90,7 +90,7 @@ TrajectoryEditor::TrajectoryEditor(SceneDocument& document)
     connect(&document_, &SceneDocument::sceneChanged, this, &TrajectoryEditor::followScene);
     connect(&document_, &SceneDocument::diagnosticsChanged, this, &TrajectoryEditor::followScene);
     const auto name = [this] {
-        setWindowTitle(tr("%1[*] – Trajectory Editor").arg(document_.name()));
+        setWindowTitle(tr("%1[*] – Trajectory Editor").arg(plain::title(document_.name())));
         setWindowModified(!document_.hasHost() && document_.isModified());
     };
     connect(&document_, &SceneDocument::nameChanged, this, name);
@@ -127,7 +127,7 @@ QWidget* TrajectoryEditor::buildFields() {
     auto* line = new QHBoxLayout(row);
     line->setContentsMargins(0, 0, 0, 0);
     const auto field = [&](const QString& name, const QString& accessible) {
-        auto* label = new QLabel(name);
+        auto* label = plain::label(name);
         auto* edit = new QLineEdit;
         edit->setAccessibleName(accessible);
         edit->setMaximumWidth(130);

@@ -1,5 +1,6 @@
 #include "views/undo_actions.h"
 
+#include "plain/plain.h"
 #include "views/scene_document.h"
 
 #include <QAction>
@@ -14,10 +15,10 @@ void addUndoActions(QMenu* menu, SceneDocument& document) {
                                     &SceneDocument::redo);
     const auto show = [undo, redo, &document] {
         const auto named = [](const QString& what, const QString& label) {
-            return label.isEmpty() ? what : what + QLatin1Char(' ') + label;
+            return label.isEmpty() ? what : what + QLatin1Char(' ') + plain::caption(label);
         };
-        undo->setText(named(SceneDocument::tr("&Undo"), document.undoLabel()));
-        redo->setText(named(SceneDocument::tr("&Redo"), document.redoLabel()));
+        undo->setText(plain::ours(named(SceneDocument::tr("&Undo"), document.undoLabel())));
+        redo->setText(plain::ours(named(SceneDocument::tr("&Redo"), document.redoLabel())));
         undo->setEnabled(document.canUndo());
         redo->setEnabled(document.canRedo());
     };

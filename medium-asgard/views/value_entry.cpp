@@ -1,6 +1,7 @@
 #include "views/value_entry.h"
 
 #include "editing/number_text.h"
+#include "plain/plain.h"
 #include "script/numbers.h"
 #include "views/edit_preview.h"
 
@@ -34,14 +35,14 @@ ValueEntry::ValueEntry(SceneDocument& document, AskedValue asked, QWidget* paren
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 8, 10, 8);
     column->setSpacing(6);
-    auto* title = new QLabel(asked_.title);
+    auto* title = plain::label(asked_.title);
     QFont bold = title->font();
     bold.setBold(true);
     title->setFont(bold);
     column->addWidget(title);
     addFields(column);
     const auto addQuiet = [&](const QString& words) {
-        auto* quiet = new QLabel(words);
+        auto* quiet = plain::label(words);
         quiet->setWordWrap(true);
         quiet->setForegroundRole(QPalette::PlaceholderText);
         column->addWidget(quiet);
@@ -49,9 +50,8 @@ ValueEntry::ValueEntry(SceneDocument& document, AskedValue asked, QWidget* paren
     if (!asked_.note.isEmpty())
         addQuiet(asked_.note);
     addQuiet(tr("Return takes it  ·  Escape leaves it as it is"));
-    says_ = new QLabel;
+    says_ = plain::markupLabel();
     says_->setWordWrap(true);
-    says_->setTextFormat(Qt::RichText);
     says_->setAccessibleName(tr("What changes in the text"));
     column->addWidget(says_);
     offers_ = new QVBoxLayout;
@@ -75,10 +75,10 @@ void ValueEntry::addFields(QVBoxLayout* column) {
         field->setAccessibleName(asked_.names[row]);
         field->installEventFilter(this);
         connect(field, &QLineEdit::textEdited, this, &ValueEntry::update);
-        grid->addWidget(new QLabel(asked_.names[row]), row, 0);
+        grid->addWidget(plain::label(asked_.names[row]), row, 0);
         grid->addWidget(field, row, 1);
         if (!literal && !written.empty()) { // the source text, where it is no number
-            auto* source = new QLabel(QString::fromStdString(written));
+            auto* source = plain::label(QString::fromStdString(written));
             source->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
             source->setForegroundRole(QPalette::PlaceholderText);
             source->setToolTip(tr("What stands in the text"));
@@ -136,10 +136,11 @@ void ValueEntry::showOffers() {
         delete item;
     }
     for (const editing::Offer& offer : answer_.offers) {
-        auto* button = new QPushButton(QString::fromStdString(offer.label));
+        auto* button = new QPushButton(plain::caption(QString::fromStdString(offer.label)));
         connect(button, &QPushButton::clicked, this, [this, edits = offer.edits] { take(edits); });
         offers_->addWidget(button);
-        auto* shown = new QLabel(previewOf(asked_.text, offer.edits));
+        auto* shown = plain::markupLabel();
+        shown->setText(previewOf(asked_.text, offer.edits));
         shown->setWordWrap(true);
         offers_->addWidget(shown);
     }

@@ -8,6 +8,7 @@ The text of its subdocument is lines of `WORD VALUES`:
   size W H             the size that it would like
   duration S           it has time, from 0 to S
   fault LINE COLUMN SENTENCE
+  menu LABEL           one more entry of its menu, with an icon
   behave BEHAVIOUR     as the argument, from the moment that the text is loaded
   windows N DRAFTS     says that it has N windows of its own, with drafts (1) or none (0)
   draft TEXT           says that TEXT was typed in a window; update-drafts asks the host to append it
@@ -80,6 +81,7 @@ class Medium:
         self.time, self.playing, self.rate, self.loop = 0.0, False, 1.0, False
         self.handles = False
         self.draft, self.opened, self.keeps, self.notice = "", 0, "", ""
+        self.label = ""
         self.stay = False
         self.slow = 0.0
         self.serial = 0
@@ -155,6 +157,8 @@ class Medium:
             elif words[0] == "fault":
                 faults.append({"severity": "error", "line": int(words[1]), "column": int(words[2]), "endLine": int(words[1]),
                                "endColumn": int(words[2]) + 1, "message": " ".join(words[3:])})
+            elif words[0] == "menu":
+                self.label = " ".join(words[1:])
             elif words[0] == "behave":
                 pending.append(words[1:])
             elif words[0] == "windows":
@@ -235,12 +239,17 @@ class Medium:
     # --- messages ------------------------------------------------------------------------------
 
     def menus(self):
-        return [
+        menus = [
             {"id": "play", "label": "Play", "enabled": self.duration > 0, "scope": "subdocument", "group": "", "icon": "media-playback-start"},
             {"id": "handles", "label": "Show Handles", "checkable": True, "checked": self.handles, "enabled": True, "scope": "rendition"},
             {"id": "crash", "label": "Crash", "enabled": True, "scope": "subdocument"},
             {"id": "editor", "label": "Open Editor", "enabled": True, "scope": "subdocument", "mode": "edit"},
-        ] + ([{"id": "update-drafts", "label": "Update", "enabled": True}] if self.draft else [])
+        ]
+        if self.label:
+            menus.append({"id": "more", "label": self.label, "icon": "view-refresh"})
+        if self.draft:
+            menus.append({"id": "update-drafts", "label": "Update", "enabled": True})
+        return menus
 
     def answer(self, method, p):
         if method == "initialize":
