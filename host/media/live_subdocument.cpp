@@ -308,6 +308,7 @@ void LiveSubdocument::told(const ipc::ToHost& report) {
         takeFrame(*frame);
     } else if (const auto* time = std::get_if<ipc::TimeChanged>(&report)) {
         time_ = *time;
+        leavePoster();
         Q_EMIT timeChanged();
     } else if (const auto* menus = std::get_if<ipc::MenuChanged>(&report)) {
         menus_ = menus->menus;
@@ -495,10 +496,25 @@ void LiveSubdocument::takeDrafts() { invoke(updateDrafts, nullptr); }
 void LiveSubdocument::play() {
     if (!process_)
         return;
-    // The poster is what stands there before it is played; playing begins at the start.
-    if (std::exchange(poster_, std::nullopt) && time_)
+    process_->request(ipc::TimePlay{}); // from the start, the first time: see leavePoster()
+}
+
+// The poster is what stands there before it is played; playing begins at the start, whoever began
+// it: a command of ours, or the medium's menu and keys. A time that was looked for by hand stays.
+void LiveSubdocument::leavePoster() {
+    if (!poster_ || time_->finish <= time_->start)
+        return;
+    const double shown = std::clamp(*poster_, time_->start, time_->finish);
+    if (time_->playing) {
+        poster_.reset();
         process_->request(ipc::TimeSeek{time_->start});
-    process_->request(ipc::TimePlay{});
+        if (process_)
+            process_->request(ipc::TimePlay{}); // the finish may have come before
+    } else if (time_->time == shown) {
+        atPoster_ = true;
+    } else if (atPoster_) {
+        poster_.reset();
+    }
 }
 
 void LiveSubdocument::pause() {
@@ -507,8 +523,10 @@ void LiveSubdocument::pause() {
 }
 
 void LiveSubdocument::seek(double time) {
-    if (process_ && !process_->isCongested())
-        process_->request(ipc::TimeSeek{time});
+    if (!process_ || process_->isCongested())
+        return;
+    poster_.reset();
+    process_->request(ipc::TimeSeek{time});
 }
 
 void LiveSubdocument::setRate(double rate, bool loop) {

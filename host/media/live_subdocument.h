@@ -131,6 +131,7 @@ private:
     void load();
     void restoreTime(const std::optional<ipc::TimeChanged>& last);
     void restoreWindows(const QString& why);
+    void leavePoster();
     void askForSize();
     void told(const ipc::ToHost& report);
     void asked(MediumProcess& by, const ipc::Id& id, const ipc::ToHost& request);
@@ -171,7 +172,8 @@ private:
     QSizeF available_{640, 0};
     std::vector<ipc::MenuEntry> menus_;
     std::optional<ipc::TimeChanged> time_;
-    std::optional<double> poster_;
+    std::optional<double> poster_; // until it is played
+    bool atPoster_ = false;        // the medium has told that it shows it
     ipc::Diagnostics diagnostics_;
     ipc::WindowsChanged windows_;
     KeptWindows kept_;

@@ -1,0 +1,114 @@
+// Play begins at the start, and plays everything that is seen and can be played.
+#include "window/window_testing.h"
+
+#include <QToolButton>
+
+namespace window {
+namespace {
+
+class PlayingTest : public WindowTest {
+protected:
+    // The play bar of the tool area, when something has time.
+    static PlayBar* barOf(DocumentWindow& window) {
+        auto* bar = window.findChild<QToolBar*>("tools")->findChild<PlayBar*>();
+        return waitFor([&] { return bar->isVisible(); }) ? bar : nullptr;
+    }
+    static void press(PlayBar& bar) { bar.findChild<QToolButton*>()->click(); }
+    static bool isAtPoster(DocumentWindow& window, double poster) {
+        return waitFor([&] {
+            return hasPicture(window, 0) && live(window, 0).time() &&
+                   live(window, 0).time()->time == poster;
+        });
+    }
+    // The times that are told while it plays, from the first on that is not the poster's.
+    static bool playsFromTheStart(DocumentWindow& window) {
+        return waitFor([&] {
+            const ipc::TimeChanged& time = *live(window, 0).time();
+            return time.playing && time.time < 25;
+        });
+    }
+};
+
+TEST_F(PlayingTest, TheFirstPlayBeginsAtTheStartByTheBar) {
+    DocumentWindow* window = open(memo(scripted("duration 50", "POSTER=\"49.9\"")));
+    ASSERT_TRUE(isAtPoster(*window, 49.9));
+    PlayBar* bar = barOf(*window);
+    ASSERT_TRUE(bar);
+    press(*bar);
+    EXPECT_TRUE(playsFromTheStart(*window));
+}
+
+TEST_F(PlayingTest, TheFirstPlayBeginsAtTheStartByTheMediumsOwnMenu) {
+    DocumentWindow* window = open(memo(scripted("duration 50", "POSTER=\"40\"")));
+    ASSERT_TRUE(isAtPoster(*window, 40));
+    live(*window, 0).invoke("play", nullptr);
+    EXPECT_TRUE(playsFromTheStart(*window));
+}
+
+TEST_F(PlayingTest, TheFirstPlayBeginsAtTheStartBeforeAnythingIsKnown) {
+    DocumentWindow* window = open(memo(scripted("duration 50", "POSTER=\"40\"")));
+    application_.playWhenLoaded(window->document());
+    ASSERT_TRUE(waitFor([&] { return live(*window, 0).time().has_value(); }));
+    EXPECT_TRUE(playsFromTheStart(*window));
+}
+
+TEST_F(PlayingTest, WhatWasLookedForByHandIsPlayedFromThere) {
+    DocumentWindow* window = open(memo(scripted("duration 50", "POSTER=\"10\"")));
+    ASSERT_TRUE(isAtPoster(*window, 10));
+    live(*window, 0).seek(30);
+    ASSERT_TRUE(isAtPoster(*window, 30));
+    live(*window, 0).play();
+    ASSERT_TRUE(waitFor([&] { return live(*window, 0).time()->playing; }));
+    EXPECT_GE(live(*window, 0).time()->time, 30);
+    // So does the second play.
+    live(*window, 0).pause();
+    ASSERT_TRUE(waitFor([&] { return !live(*window, 0).time()->playing; }));
+    live(*window, 0).play();
+    ASSERT_TRUE(waitFor([&] { return live(*window, 0).time()->playing; }));
+    EXPECT_GE(live(*window, 0).time()->time, 30);
+}
+
+TEST_F(PlayingTest, AFaultyFigureBeforeTheOthersIsNoObstacle) {
+    DocumentWindow* window = open(memo(scripted("fault 1 1 nothing") + scripted("duration 50")));
+    ASSERT_TRUE(waitFor([&] { return hasPicture(*window, 0) && live(*window, 1).time(); }));
+    PlayBar* bar = barOf(*window);
+    ASSERT_TRUE(bar);
+    press(*bar);
+    EXPECT_TRUE(waitFor([&] { return live(*window, 1).time()->playing; }));
+    // The medium's menu too.
+    live(*window, 1).pause();
+    ASSERT_TRUE(waitFor([&] { return !live(*window, 1).time()->playing; }));
+    window->commands().refresh();
+    QAction* play = window->commands().menuOf(nth(*window, 0))->actions().first();
+    ASSERT_EQ(play->text(), "Play");
+    ASSERT_TRUE(play->isEnabled());
+    play->trigger();
+    EXPECT_TRUE(waitFor([&] { return live(*window, 1).time()->playing; }));
+}
+
+TEST_F(PlayingTest, FiguresOfEveryMediumPlayTogether) {
+    const QByteArray second =
+        "<PARAGRAPH><DOCUMENT>\nDOCUMENT OTHER\n<OTHER WIDTH=\"300\" HEIGHT=\"200\"><SCRIPT>{"
+        "duration 60}</SCRIPT></OTHER>\n</DOCUMENT></PARAGRAPH>\n";
+    DocumentWindow* window = open(memo(scripted("duration 50") + second));
+    ASSERT_TRUE(waitFor([&] {
+        return live(*window, 0).time() && live(*window, 1).time() && hasPicture(*window, 1);
+    }));
+    EXPECT_NE(live(*window, 0).manifest().documentClass, live(*window, 1).manifest().documentClass);
+    PlayBar* bar = barOf(*window);
+    ASSERT_TRUE(bar);
+    press(*bar);
+    EXPECT_TRUE(waitFor(
+        [&] { return live(*window, 0).time()->playing && live(*window, 1).time()->playing; }));
+    press(*bar); // and stop together
+    EXPECT_TRUE(waitFor(
+        [&] { return !live(*window, 0).time()->playing && !live(*window, 1).time()->playing; }));
+    // What is chosen is played alone.
+    click(*window, 1);
+    press(*bar);
+    EXPECT_TRUE(waitFor([&] { return live(*window, 1).time()->playing; }));
+    EXPECT_FALSE(live(*window, 0).time()->playing);
+}
+
+} // namespace
+} // namespace window
