@@ -48,7 +48,7 @@ void paintWords(QPainter& painter, const QRectF& rect, const Notice& notice) {
 void paintWaiting(QPainter& painter, const QRectF& rect, const Notice& notice) {
     paintPanel(painter, rect);
     painter.setFont(noticeFont(false));
-    painter.setPen(QColor(120, 123, 131));
+    painter.setPen(QColor(95, 98, 106));
     painter.drawText(rect.adjusted(16, 12, -16, -12), Qt::AlignCenter | Qt::TextWordWrap,
                      notice.text.isEmpty() ? notice.title : notice.text);
 }
