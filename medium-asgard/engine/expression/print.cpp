@@ -163,13 +163,14 @@ private:
         push(" ");
     }
 
-    // x*y*z, which after a number reads back as the same product: 2*x*y is 2*(x*y).
+    // x*y*z, which after a number reads back as the same product: 2*x*y is 2*(x*y). One that begins
+    // with a number does not: 3*5e-324*x would be the product of two numbers times x.
     [[nodiscard]] bool isProduct(Node n) const {
         if (graph_.op(n) != Op::multiply)
             return false;
         while (graph_.op(n) == Op::multiply)
             n = graph_.arguments(n)[0];
-        return graph_.op(n) != Op::divide;
+        return graph_.op(n) != Op::divide && graph_.op(n) != Op::constant;
     }
 
     // -x*y reads back as -(x*y) if -x is a plain negation.

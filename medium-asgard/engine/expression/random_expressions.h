@@ -153,10 +153,12 @@ public:
                                              3,
                                              1e300,
                                              1e-300,
+                                             1e-310,
+                                             5e-324, // the smallest
                                              std::numeric_limits<double>::infinity(),
                                              -std::numeric_limits<double>::infinity(),
                                              std::numeric_limits<double>::quiet_NaN()};
-        return withSpecial_ && pick(3) == 0 ? special[pick(13)]
+        return withSpecial_ && pick(3) == 0 ? special[pick(std::size(special))]
                                             : std::uniform_real_distribution(-4.0, 4.0)(random_);
     }
 

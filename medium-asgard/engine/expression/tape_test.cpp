@@ -42,6 +42,15 @@ TEST(Print, ReadsBackToTheSameNode) {
     }
 }
 
+TEST(Print, ReadsBackWhereNumbersAreTooSmallToBeJoined) {
+    for (const char* text : {"5e-324*x*3", "3*x*1e-310", "2*(1e-310*x)", "x/8/53/1e-320",
+                             "2*x/8/53/1e-320", "x*1e-310/7/3", "-3*(-5e-324*(x*y))"}) {
+        Graph graph;
+        const Node n = parsed(graph, text);
+        EXPECT_EQ(parsed(graph, print(graph, n)), n) << text << " is " << print(graph, n);
+    }
+}
+
 TEST(Tape, SmallPowersAreWithinThreeUnitsInTheLastPlace) {
     for (const double exponent :
          {-4., -3.5, -3., -2.5, -2., -1.5, -1., -0.5, 0.5, 1.5, 2.5, 3., 4.})
