@@ -191,6 +191,26 @@ TEST(HalfHeld, ABarThatIsDrivenFlatAgainstAWallPassesThroughItAndSaysSo) {
     EXPECT_THAT(result.motion->notes(), Contains(HasSubstr("pass through each other")));
 }
 
+// The floor keeps it from turning, whichever way the blow would turn it: the ball goes off with
+// twice the cart's speed, by its restitution.
+TEST(HalfHeld, ACartThatIsLedAlongTheFloorKicksABallAsAWallDoes) {
+    for (const double radius : {0.2, 0.3}) // below and above the cart's centre
+        for (const double bounce : {0.0, 1.0}) {
+            SceneBuilder b(2);
+            b.floor().restitution = bounce;
+            b.box("cart", {-2, 0.25, 0}, {1, 0.5, 0.6});
+            b.hold("cart", 0, 2, {{-2, 0.25, 0}, {2, 0.25, 0}});
+            b.weight("cart");
+            b.ball("ball", {0, radius, 0}, radius).restitution = 0.8;
+            b.weight("ball");
+            const Result result = simulate(b.scene);
+            expectNoStops(result, b.scene);
+            EXPECT_TRUE(result.motion->notes().empty());
+            EXPECT_NEAR(result.motion->at(2, 2).velocity.x(), 1.8 * 2, 1e-12);
+            EXPECT_EQ(result.motion->at(1, 2).angularVelocity, Vector(0, 0, 0));
+        }
+}
+
 // A hold beside the centre of mass makes no hinge.
 TEST(HalfHeld, ABodyThatIsHeldBesideItsCentreTakesNoSpinAndSaysSo) {
     SceneBuilder b(0.5);

@@ -47,12 +47,33 @@ Corners cornersOf(const std::vector<ImpactContact>& contacts,
             if (contactOf[i] == c) {
                 all.contacts.push_back(corners[i]);
                 all.contacts.back().restitution = contacts[c].restitution;
+                all.contacts.back().isPressed = contacts[c].isPressed;
             }
         if (all.contacts.size() == all.of.size())
             all.contacts.push_back(contacts[c]);
         all.of.resize(all.contacts.size(), c);
     }
     return all;
+}
+
+// What is held in place can only turn. Where it stands on something that cannot give way, as a cart
+// that is led along the floor, that keeps it from turning while a blow lasts: it does not rattle.
+void standStill(std::vector<ImpactContact>& contacts, const std::vector<ImpactBody>& bodies) {
+    const auto onlyTurns = [](const ImpactBody& body) {
+        return body.moves.isZero(0) && !body.inverseInertia.isZero(0);
+    };
+    const auto isFirm = [](const ImpactBody& body) {
+        return body.inverseMass == 0 && body.inverseInertia.isZero(0);
+    };
+    for (ImpactContact& contact : contacts) {
+        const ImpactBody &a = bodies[contact.first], &b = bodies[contact.second];
+        const Closing closing = closingAt(contact, bodies);
+        const bool isAtRest = std::abs(closing.rate) <= 1e-9 * closing.speeds;
+        if (isAtRest && ((onlyTurns(a) && isFirm(b)) || (isFirm(a) && onlyTurns(b)))) {
+            contact.restitution = 0;
+            contact.isPressed = true;
+        }
+    }
 }
 
 // The impulses are told by contact, each where those of its corners have the same effect.
@@ -431,6 +452,7 @@ void CollisionSource::aimAtFastest(Cluster& cluster, const std::vector<ImpactBod
 // impulse at the centre.
 physics::ImpactResult CollisionSource::resolve(Cluster& cluster,
                                                const std::vector<ImpactBody>& before) const {
+    standStill(cluster.contacts, before);
     physics::ImpactResult result = physics::resolveImpact(before, cluster.contacts);
     bool isSunk = false, isPlastic = false;
     for (std::size_t i = 0; i < cluster.corners.size(); ++i)
