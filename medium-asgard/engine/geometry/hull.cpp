@@ -55,8 +55,11 @@ struct Start {
 // Four points far apart: two ends, then the furthest from their line, then from the plane.
 Start findStart(const std::vector<Vector>& points) {
     Start start;
-    auto& [a, b, c, d] = start.corners;
-    a = 0; // the first by place is a corner of the hull
+    // By name, not by a structured binding, which clang 14 lets no lambda read.
+    const std::size_t a = 0; // the first by place is a corner of the hull
+    auto& b = start.corners[1];
+    auto& c = start.corners[2];
+    auto& d = start.corners[3];
     b = furthest(points, [&](const Vector& p) { return (p - points[a]).norm(); });
     const double size = (points[b] - points[a]).norm();
     const Vector line = (points[b] - points[a]) / size;
