@@ -59,6 +59,24 @@ TEST_P(LoopOffers, MakeTheValueWhatItIsToBe) {
     FAIL() << "offered: " << labels;
 }
 
+// Numbers are worked out by approximation: its rounding is nothing to write down.
+TEST(LoopOffer, IsTheShortestNumberThatMeansTheSame) {
+    const std::string text = ball + "for {set i 0} {$i < 4} {incr i} {\n"
+                                    "  body b$i s -init_pos \"[expr {$i * 0.19 - 2}] 0 0\"\n}";
+    const auto read = reader().read(text);
+    ASSERT_TRUE(read.usable);
+    const Mapper mapper(text, std::make_shared<const scene::Scene>(read.scene));
+    const Answer answer = mapper.answer({.element = {Kind::body, 3},
+                                         .option = "-init_pos",
+                                         .path = {},
+                                         .values = {7.12, 0, 0},
+                                         .resolution = 0});
+    std::string labels;
+    for (const Offer& offer : answer.offers)
+        labels += offer.label + "\n";
+    EXPECT_NE(labels.find("The step: 0.19 becomes 3.04\n"), std::string::npos) << labels;
+}
+
 INSTANTIATE_TEST_SUITE_P(
     All, LoopOffers,
     testing::Values(

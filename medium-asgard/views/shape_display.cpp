@@ -34,6 +34,21 @@ std::optional<Button> buttonOf(Qt::MouseButton button) {
 
 Eigen::Vector2d vector(const QPointF& p) { return {p.x(), p.y()}; }
 
+// Of x, y and z.
+const QColor axisColours[] = {QColor(0xB8, 0x30, 0x2A, 150), QColor(0x2E, 0x86, 0x3B, 150),
+                              QColor(0x2A, 0x55, 0xB8, 150)};
+
+// On paper of its own, whatever shape is behind it.
+void paintAxisName(QPainter& painter, int axis, const QPointF& at, const QColor& paper) {
+    const QString name(QChar('x' + axis));
+    const QFontMetricsF metrics(painter.font());
+    painter.fillRect(QRectF(at.x() - 5, at.y() - metrics.ascent(),
+                            metrics.horizontalAdvance(name) + 10, metrics.height()),
+                     paper);
+    painter.setPen(readable(axisColours[axis], paper));
+    painter.drawText(at, name);
+}
+
 } // namespace
 
 ShapeDisplay::ShapeDisplay(QWidget* parent) : QWidget(parent) {
@@ -222,6 +237,11 @@ void ShapeDisplay::paintEvent(QPaintEvent*) {
         paintEdges(painter, *part_);
     if (!forLooking_)
         paintPoints(painter);
+    for (int k = 0; k < 3; ++k)
+        paintAxisName(painter, k,
+                      position(1.05 * 0.9 / control_.camera().scale * Vector::Unit(k)) +
+                          QPointF(-3, 4),
+                      palette().color(QPalette::Base));
     QColor frame = palette().color(QPalette::WindowText);
     frame.setAlpha(hasFocus() ? 150 : 60);
     painter.setPen(QPen(frame, 1));
@@ -233,16 +253,11 @@ void ShapeDisplay::paintEvent(QPaintEvent*) {
 void ShapeDisplay::paintGrid(QPainter& painter) const {
     if (grid_ > 0)
         paintLines(painter);
-    static const QColor colours[] = {QColor(0xB8, 0x30, 0x2A, 150), QColor(0x2E, 0x86, 0x3B, 150),
-                                     QColor(0x2A, 0x55, 0xB8, 150)};
     const double half = 0.9 / control_.camera().scale;
     for (int k = 0; k < 3; ++k) {
         const QPointF end = position(half * Vector::Unit(k));
-        painter.setPen(QPen(colours[k], 1.2));
+        painter.setPen(QPen(axisColours[k], 1.2));
         painter.drawLine(position(Vector::Zero()), end);
-        painter.setPen(readable(colours[k], palette().color(QPalette::Base)));
-        painter.drawText(position(1.05 * half * Vector::Unit(k)) + QPointF(-3, 4),
-                         QString(QChar('x' + k)));
     }
 }
 

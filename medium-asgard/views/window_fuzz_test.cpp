@@ -85,12 +85,12 @@ std::string wideText() {
 
 const std::string manyKinds =
     "simulator -finish 2\r\nshape_set s -desc {-sub {-sphere 1}}\r\n"
-    "shape_set tip -desc {-sub {-convex {{0 0 0} {2 0 0} {0 2 0} {0 0 2}}}}\r\n"
+    "shape_set tip -desc {-sub {-points {{0 0 0} {2 0 0} {0 2 0} {0 0 2}}}}\r\n"
     "parameter g -value 2 -min 0 -max 9 ;# pull\r\nbody b1 s -init_pos {-5 0 0} -mass 2\r\n"
     "body b2 tip -init_pos {1.5 2 3}\r\nforce -body b1 -gravitational {0 -9.81 0}\r\n"
     "link -body1 b1 -offset1 {1 0 0} -x 0 -y 0 -z 0 -tightness 50\r\n"
     "trajectory T -points {{0 1 2 3} {1 4 5 6} {2 7 8 9}}\r\nview v -eye {0 0 9}\r\n"
-    "lightsource sun -pos {0 5 0} -direction {0 -1 0}\r\nplot p -y {b1.x}\r\n";
+    "lightsource sun -pos {0 5 0} -direction {0 -1 0}\r\nplot p -values {b1.x}\r\n";
 
 std::vector<std::string> texts() {
     return {"",
@@ -143,6 +143,11 @@ protected:
         if (left_-- <= 0)
             return finish();
         QTimer::singleShot(0, &timer_, [this] { act(); });
+        ++unfinished_;
+        actOnce();
+        --unfinished_;
+    }
+    void actOnce() {
         closeDialogsOfFiles();
         if (QWidget* modal = QApplication::activeModalWidget(); modal && rarely(25)) {
             note("close the dialog %s", modal->metaObject()->className());
@@ -159,15 +164,16 @@ protected:
         else
             changeAll();
     }
-    // Until all nested loops have ended.
+    // Until the loops of all dialogs and menus have ended.
     void finish() {
-        if (QWidget* modal = QApplication::activeModalWidget())
-            modal->close();
-        else if (QWidget* popup = QApplication::activePopupWidget())
-            popup->close();
-        else
+        if (unfinished_ == 0)
             return loop_.quit();
-        QTimer::singleShot(0, &timer_, [this] { finish(); });
+        for (QWidget* window : QApplication::topLevelWidgets())
+            if (window->isVisible() && (window->isModal() || window->inherits("QMenu") ||
+                                        window == QApplication::activePopupWidget()))
+                window->close();
+        constexpr int pause = 5; // ms
+        QTimer::singleShot(pause, &timer_, [this] { finish(); });
     }
 
     // A random hand could take files away in them.
@@ -408,7 +414,8 @@ protected:
     Qt::MouseButton button_ = Qt::LeftButton;
     Qt::MouseButtons buttons_;
     bool dark_ = false;
-    long left_ = setting("ASGARD_WINDOW_ACTIONS", 10'000);
+    int unfinished_ = 0; // actions that wait for a dialog or a menu
+    long left_ = setting("ASGARD_WINDOW_ACTIONS", 5'000);
 };
 
 TEST_F(WindowFuzzTest, NothingThatAHandDoesEndsTheProgram) {
