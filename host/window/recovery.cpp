@@ -64,8 +64,8 @@ Answer askAbout(QWidget* over, const files::Kept& kept) {
     QPushButton* open = box.addButton(tr("&Open"), QMessageBox::AcceptRole);
     QPushButton* discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
     QPushButton* later = box.addButton(tr("&Later"), QMessageBox::RejectRole);
-    discard->setToolTip(tr("The recovered text is deleted."));
-    later->setToolTip(tr("The next start asks again."));
+    discard->setToolTip(plain::tip(tr("The recovered text is deleted.")));
+    later->setToolTip(plain::tip(tr("The next start asks again.")));
     box.setDefaultButton(open);
     box.setEscapeButton(later);
     box.exec();

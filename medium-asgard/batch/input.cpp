@@ -1,23 +1,23 @@
 #include "batch/input.h"
 
 #include "batch/command.h"
+#include "files/read.h"
 #include "script/places.h"
 #include "simulation/report.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <iostream>
+#include <cstdio>
 #include <sstream>
 
 namespace batch {
 namespace {
 
 constexpr std::size_t mostTimes = 50'000'000;
+// LIMIT: what is read of one input. What a scene may have, script::Reader says.
+constexpr std::size_t longestInput = std::size_t{64} << 20;
 
 std::string_view withoutBlanks(std::string_view text) {
     constexpr std::string_view blanks = " \t\r\n";
@@ -40,20 +40,13 @@ int refuse(const Refusal& refusal) {
 }
 
 std::variant<std::string, Refusal> contentOf(const std::string& file) {
-    std::stringstream content;
-    if (file == "-") {
-        content << std::cin.rdbuf();
-        return content.str();
-    }
-    errno = 0;
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || !(content << stream.rdbuf())) {
-        // An empty file yields no bytes, which the stream takes for a failure.
-        if (stream.is_open() && stream.peek() == std::ifstream::traits_type::eof() && errno == 0)
-            return std::string();
-        return Refusal{failure, file + ": " + std::strerror(errno == 0 ? EIO : errno)};
-    }
-    return content.str();
+    files::FileSystem& system = files::FileSystem::real();
+    files::ReadFile input =
+        file == "-" ? files::readStandardInput(system, longestInput)
+                    : files::readFile(system, file, longestInput, files::Source::stream);
+    if (!input.read)
+        return Refusal{failure, (file == "-" ? "standard input" : file) + ": " + input.reason};
+    return std::move(input.bytes);
 }
 
 std::variant<SceneText, Refusal> readScene(script::Reader& reader, const std::string& file,

@@ -24,7 +24,8 @@ struct Refusal {
 // Says it on standard error. Returns its exit code.
 [[nodiscard]] int refuse(const Refusal& refusal);
 
-// The bytes of a file, or of standard input for "-".
+// The bytes of a file, a pipe or a device, or of standard input for "-". Of more than 64 MB, an
+// input without end too, nothing is taken.
 [[nodiscard]] std::variant<std::string, Refusal> contentOf(const std::string& file);
 
 struct SceneText {

@@ -7,7 +7,6 @@
 #include <QDir>
 #include <QFile>
 #include <QMenu>
-#include <QProcess>
 #include <QSettings>
 #include <QTemporaryDir>
 
@@ -36,34 +35,37 @@ protected:
     }
 
     [[nodiscard]] QStringList kept() const {
-        return QDir(folder()).entryList(QDir::Files | QDir::Hidden);
+        return QDir(home_.filePath("unsaved")).entryList(QDir::Files | QDir::Hidden);
     }
-    [[nodiscard]] QString folder() const { return home_.filePath("unsaved"); }
+    [[nodiscard]] std::string folder() const { return home_.filePath("unsaved").toStdString(); }
+    [[nodiscard]] files::AllLeft left() const {
+        return files::leftBehind(files::FileSystem::real(), folder());
+    }
+    static files::Kept keptIn(const std::string& path) {
+        const auto file = files::readFile(files::FileSystem::real(), path, 1 << 20);
+        auto kept = files::decoded(file.bytes);
+        return std::holds_alternative<files::Kept>(kept) ? std::get<files::Kept>(kept)
+                                                         : files::Kept{};
+    }
 
-    // As a process that was killed leaves it: the text there, the lock of one that is no more.
-    LeftBehind killed(const QByteArray& text, const QString& scene) {
-        EXPECT_TRUE(QDir().mkpath(folder()));
-        const QString base = folder() + "/1-0";
-        write(base + ".al", text);
-        write(base + ".json", "{\"scene\": \"" + scene.toUtf8() + "\"}");
-        const QString lock = base + ".lock";
-        QByteArray held;
+    // As a process that was killed leaves it: the text there, its lock free.
+    [[nodiscard]] files::LeftBehind killed(const std::string& text, const QString& scene,
+                                           const std::string& windows = {}) const {
         {
-            QLockFile own(lock);
-            EXPECT_TRUE(own.tryLock());
-            held = contents(lock);
+            auto place = files::Place::claim(files::FileSystem::real(), folder());
+            files::Kept kept{.file = {scene.toStdString(), {}}, .at = 1, .text = text};
+            if (QFile::exists(scene)) {
+                const auto read =
+                    files::readFile(files::FileSystem::real(), kept.file.path, 1 << 20);
+                kept.file.stamp = read.stamp;
+            }
+            if (!windows.empty())
+                kept.drafts["windows"] = windows;
+            EXPECT_EQ(std::get<std::unique_ptr<files::Place>>(place)->keep(kept), "");
         }
-        QProcess other;
-        other.start("true", QStringList());
-        EXPECT_TRUE(other.waitForStarted());
-        const QByteArray process = QByteArray::number(other.processId());
-        EXPECT_TRUE(other.waitForFinished());
-        held.replace(0, held.indexOf('\n'),
-                     process); // a lock begins with the process that holds it
-        write(lock, held);
-        const auto all = leftBehind(folder());
-        EXPECT_EQ(all.size(), 1);
-        return all.value(0);
+        files::AllLeft all = left();
+        EXPECT_EQ(all.texts.size(), 1u);
+        return std::move(all.texts.front());
     }
 
     QTemporaryDir home_;
@@ -73,55 +75,99 @@ protected:
 };
 
 TEST_F(AutosaveTest, KeepsWhatIsNotSavedAndForgetsWhatIs) {
-    Autosave autosave(document_, folder(), 5, 1000);
+    Autosave autosave(document_, folder());
     const std::string changed = "# \xff not UTF-8\n" + ballScene;
     document_.setText(changed, "Edit");
-    ASSERT_TRUE(waitFor([&] { return !autosave.file().isEmpty(); }));
-    EXPECT_EQ(contents(autosave.file()).toStdString(), changed);
+    const std::string file = autosave.file();
+    EXPECT_EQ(keptIn(file).text, changed);
+    EXPECT_EQ(keptIn(file).file.path, path_.toStdString());
     EXPECT_EQ(contents(path_).toStdString(), ballScene); // the file itself is the user's to save
-    document_.undo();                                    // as it is on the disk
+    EXPECT_EQ(QFile::permissions(QString::fromStdString(file)),
+              QFile::ReadOwner | QFile::WriteOwner | QFile::ReadUser | QFile::WriteUser);
+    document_.undo(); // as it is on the disk
     EXPECT_EQ(autosave.file(), "");
     EXPECT_EQ(kept(), QStringList());
     document_.redo();
-    ASSERT_TRUE(waitFor([&] { return !autosave.file().isEmpty(); }));
-    ASSERT_EQ(document_.save(path_), "");
+    EXPECT_NE(autosave.file(), "");
+    ASSERT_EQ(document_.save(path_).sentence, "");
+    EXPECT_EQ(autosave.file(), "");
     EXPECT_EQ(kept(), QStringList());
 }
 
+// Changes that never rest come to the disk while they go on: nobody waits here for the writer.
 TEST_F(AutosaveTest, KeepsDuringChangesThatNeverRest) {
-    Autosave autosave(document_, folder(), 200, 300);
+    Autosave autosave(document_, folder());
+    const auto onDisk = [this] {
+        for (const QString& name : kept())
+            if (name.endsWith(".kept"))
+                return keptIn(folder() + "/" + name.toStdString()).text;
+        return std::string();
+    };
     QElapsedTimer clock;
     clock.start();
-    int count = 0;
-    while (autosave.file().isEmpty() && clock.elapsed() < 10'000) {
-        document_.setText(ballScene + "# " + std::to_string(++count) + "\n", "Edit");
+    for (int count = 1; onDisk().find("# 7\n") == std::string::npos && clock.elapsed() < 60'000;
+         ++count) {
+        document_.setText(document_.text() + "# " + std::to_string(count) + "\n", "Edit");
         QTest::qWait(20);
     }
-    EXPECT_FALSE(autosave.file().isEmpty());
+    EXPECT_NE(onDisk().find("# 7\n"), std::string::npos);
+}
+
+TEST_F(AutosaveTest, KeepsDraftsAndGivesThemBack) {
+    std::string typed, back;
+    Autosave autosave(document_, folder(),
+                      {[&] { return typed; }, [&](const std::string& state) { back = state; }});
+    autosave.lookAtDrafts();
+    EXPECT_EQ(autosave.file(), ""); // nothing to keep
+    typed = "a draft";
+    autosave.lookAtDrafts();
+    const files::Kept all = keptIn(autosave.file());
+    EXPECT_EQ(all.drafts.at("windows"), "a draft");
+    EXPECT_EQ(all.text, ballScene);
+    typed.clear(); // it was updated, or dropped
+    autosave.lookAtDrafts();
+    EXPECT_EQ(autosave.file(), "");
+
+    SceneDocument other{made_.workshop()};
+    Autosave again(other, folder(),
+                   {[&] { return back; }, [&](const std::string& state) { back = state; }});
+    again.recover(killed(ballScene, path_, "two drafts"));
+    EXPECT_EQ(back, "two drafts");
+    EXPECT_FALSE(other.isModified());
+    EXPECT_EQ(keptIn(again.file()).drafts.at("windows"), "two drafts");
+}
+
+// What goes on being typed in a draft is no signal of anybody's.
+TEST_F(AutosaveTest, LooksAtDraftsAsLongAsThereAreSome) {
+    std::string typed = "a";
+    Autosave autosave(document_, folder(), {[&] { return typed; }, [](const std::string&) {}});
+    autosave.lookAtDrafts();
+    typed = "a draft";
+    ASSERT_TRUE(waitFor([&] { return keptIn(autosave.file()).drafts["windows"] == "a draft"; }));
+    typed.clear();
+    ASSERT_TRUE(waitFor([&] { return autosave.file().empty(); }));
 }
 
 TEST_F(AutosaveTest, AProgramThatEndsAsItShouldLeavesNothing) {
     {
-        Autosave autosave(document_, folder(), 5, 1000);
+        Autosave autosave(document_, folder());
         document_.setText("# given up\n", "Edit");
-        ASSERT_TRUE(waitFor([&] { return !autosave.file().isEmpty(); }));
+        EXPECT_NE(autosave.file(), "");
     }
     EXPECT_EQ(kept(), QStringList());
 }
 
 TEST_F(AutosaveTest, WhatALivingProcessKeepsIsNotLeftBehind) {
-    Autosave autosave(document_, folder(), 5, 1000);
+    Autosave autosave(document_, folder());
     document_.setText("# here\n", "Edit");
-    ASSERT_TRUE(waitFor([&] { return !autosave.file().isEmpty(); }));
-    EXPECT_TRUE(leftBehind(folder()).isEmpty());
+    ASSERT_NE(autosave.file(), "");
+    EXPECT_TRUE(left().texts.empty());
 }
 
 TEST_F(AutosaveTest, RecoversAsOneChangeOfTheFile) {
-    const LeftBehind left = killed("# lost and found\n", path_);
-    EXPECT_EQ(left.scene, path_);
     SceneDocument other{made_.workshop()};
-    Autosave autosave(other, folder(), 5, 1000);
-    ASSERT_EQ(autosave.recover(left), "");
+    Autosave autosave(other, folder());
+    autosave.recover(killed("# lost and found\n", path_));
     EXPECT_EQ(other.text(), "# lost and found\n");
     EXPECT_EQ(other.path(), path_);
     EXPECT_TRUE(other.isModified());
@@ -129,41 +175,45 @@ TEST_F(AutosaveTest, RecoversAsOneChangeOfTheFile) {
     other.undo();
     EXPECT_EQ(other.text(), ballScene);
     EXPECT_FALSE(other.isModified());
-    EXPECT_TRUE(leftBehind(folder()).isEmpty());
+    EXPECT_EQ(autosave.file(), "");
+    EXPECT_TRUE(left().texts.empty());
     EXPECT_EQ(kept(), QStringList());
+}
+
+TEST_F(AutosaveTest, WhatAnotherProgramDidWithTheFileSinceIsAskedAbout) {
+    files::LeftBehind was = killed("# lost and found\n", path_);
+    write(path_, "# another's\n");
+    SceneDocument other{made_.workshop()};
+    Autosave autosave(other, folder());
+    autosave.recover(std::move(was));
+    EXPECT_EQ(other.save(path_).refusal, files::Refusal::changed);
+    EXPECT_EQ(contents(path_), "# another's\n");
+    EXPECT_TRUE(other.save(path_, {.evenChanged = true}));
+    EXPECT_EQ(contents(path_), "# lost and found\n");
 }
 
 // A text that ends every program that reads it is still there for one that does not.
 TEST_F(AutosaveTest, WhatIsRecoveredIsKeptAllTheTime) {
-    const LeftBehind left = killed("# lost and found\n", path_);
+    files::LeftBehind was = killed("# lost and found\n", path_);
+    const std::string file = was.place->path();
     SceneDocument other{made_.workshop()};
-    Autosave autosave(other, folder(), 5, 1000);
-    QByteArray then;
-    QObject::connect(&other, &SceneDocument::textChanged, [&] { then = contents(left.file); });
-    ASSERT_EQ(autosave.recover(left), "");
+    Autosave autosave(other, folder());
+    std::string then;
+    QObject::connect(&other, &SceneDocument::textChanged, [&] { then = keptIn(file).text; });
+    autosave.recover(std::move(was));
     EXPECT_EQ(then, "# lost and found\n"); // as the reading of it begins
-    EXPECT_EQ(autosave.file(), left.file);
-    EXPECT_TRUE(leftBehind(folder()).isEmpty()); // nobody else is offered it
+    EXPECT_EQ(autosave.file(), file);
+    EXPECT_TRUE(left().texts.empty()); // nobody else is offered it
     other.setText("# and more\n", "Edit");
-    ASSERT_TRUE(waitFor([&] { return contents(left.file) == "# and more\n"; }));
-    EXPECT_EQ(other.save(path_), "");
-    EXPECT_EQ(kept(), QStringList());
-}
-
-TEST_F(AutosaveTest, OneAtATimeIsOfferedWhatWasLeft) {
-    {
-        const LeftBehind left = killed("# lost and found\n", path_);
-        EXPECT_TRUE(leftBehind(folder()).isEmpty()); // while this one is being asked
-    }
-    ASSERT_EQ(leftBehind(folder()).size(), 1); // later
-    discard(leftBehind(folder()).first());
+    EXPECT_EQ(keptIn(autosave.file()).text, "# and more\n");
+    EXPECT_EQ(other.save(path_).sentence, "");
+    EXPECT_EQ(autosave.file(), "");
     EXPECT_EQ(kept(), QStringList());
 }
 
 TEST_F(AutosaveTest, RecoversWhatHasNoFileAnyMore) {
-    const LeftBehind left = killed("# lost and found\n", home_.filePath("gone.al"));
-    Autosave autosave(document_, folder(), 5, 1000);
-    ASSERT_EQ(autosave.recover(left), "");
+    Autosave autosave(document_, folder());
+    autosave.recover(killed("# lost and found\n", home_.filePath("gone.al")));
     EXPECT_EQ(document_.text(), "# lost and found\n");
     EXPECT_EQ(document_.path(), "");
     EXPECT_TRUE(document_.isModified());
@@ -171,13 +221,14 @@ TEST_F(AutosaveTest, RecoversWhatHasNoFileAnyMore) {
 
 TEST_F(AutosaveTest, SaysOnceThatThereIsNoPlace) {
     write(home_.filePath("file"), "");
-    Autosave autosave(document_, home_.filePath("file") + "/unsaved", 5, 1000);
+    Autosave autosave(document_, home_.filePath("file").toStdString() + "/unsaved");
     QStringList said;
     QObject::connect(&autosave, &Autosave::failed, [&](const QString& s) { said << s; });
     document_.setText("# one\n", "Edit");
     ASSERT_TRUE(waitFor([&] { return !said.isEmpty(); }));
     document_.setText("# two\n", "Edit");
-    QTest::qWait(50);
+    EXPECT_EQ(autosave.file(), "");
+    QCoreApplication::processEvents();
     ASSERT_EQ(said.size(), 1);
     EXPECT_TRUE(said[0].startsWith("Unsaved changes cannot be kept in ")) << qPrintable(said[0]);
 }
@@ -202,6 +253,25 @@ TEST_F(AutosaveTest, TheLastTenFilesThatStillAreThere) {
     ASSERT_EQ(menu.actions().size(), 9);
     menu.actions().first()->trigger();
     EXPECT_EQ(opened, home_.filePath("5 & more.al"));
+}
+
+TEST_F(AutosaveTest, SettingsOfTheOldPlaceAreTakenOverOnce) {
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, home_.path());
+    const QString name = QCoreApplication::applicationName();
+    QCoreApplication::setOrganizationName("asgard");
+    QCoreApplication::setApplicationName("asgard");
+    ASSERT_TRUE(QDir(home_.path()).mkpath("Unknown Organization"));
+    write(home_.filePath("Unknown Organization/asgard.ini"), "[General]\nrecentFiles=/a.al\n");
+    takeOverOldSettings();
+    EXPECT_EQ(QSettings().fileName(), home_.filePath("asgard/asgard.ini"));
+    EXPECT_EQ(QSettings().value("recentFiles").toString(), "/a.al");
+    QSettings().setValue("recentFiles", "/b.al");
+    QSettings().sync();
+    takeOverOldSettings();
+    EXPECT_EQ(QSettings().value("recentFiles").toString(), "/b.al");
+    QCoreApplication::setOrganizationName({});
+    QCoreApplication::setApplicationName(name);
 }
 
 } // namespace

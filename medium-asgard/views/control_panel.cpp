@@ -182,12 +182,26 @@ void ControlPanel::open() {
 
 bool ControlPanel::saveTo(const QString& path, QWidget* from) {
     MotionSpan::settleAll(document_);
-    const QString fault = document_.save(path);
-    if (!fault.isEmpty())
-        plain::Message::tell(QMessageBox::Warning, from, tr("Save"), fault);
-    else
-        rememberFile(path);
-    return fault.isEmpty();
+    files::SaveOptions options;
+    for (;;) {
+        const files::SaveResult result = document_.save(path, options);
+        if (result) {
+            rememberFile(path);
+            return true;
+        }
+        const QString sentence = QString::fromStdString(result.sentence);
+        if (result.refusal == files::Refusal::none) {
+            plain::Message::tell(QMessageBox::Warning, from, tr("Save"), sentence);
+            return false;
+        }
+        if (plain::Message::ask(QMessageBox::Warning, from, tr("Save"),
+                                tr("%1\n\nSave it all the same?").arg(sentence),
+                                QMessageBox::Yes | QMessageBox::No,
+                                QMessageBox::No) != QMessageBox::Yes)
+            return false;
+        options.evenChanged |= result.refusal == files::Refusal::changed;
+        options.evenLinked |= result.refusal == files::Refusal::linked;
+    }
 }
 
 bool ControlPanel::save(QWidget* from) {

@@ -96,7 +96,7 @@ TEST_F(DraftTest, RevertGoesBackToTheFileAndSaysSoInTheTitle) {
     QTemporaryDir folder;
     const QString file = folder.filePath("swing.al");
     open(ballScene);
-    ASSERT_EQ(editor.document().save(file), "");
+    ASSERT_EQ(editor.document().save(file).sentence, "");
     EXPECT_EQ(viewer->windowTitle(), "swing.al[*] – Language Viewer");
     LanguageViewer* two = editor.openLanguageViewer();
     EXPECT_EQ(two->windowTitle(), "swing.al[*] – Language Viewer 2");

@@ -260,7 +260,9 @@ int runEditor(int argc, char** argv, const std::string& file, script::Reader& re
     plain::printQtMessages("asgard", plain::QtMessages::all);
     QApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C"); // Qt takes the user's; numbers of scenes have points
+    QApplication::setOrganizationName(QStringLiteral("asgard"));
     QApplication::setApplicationName(QStringLiteral("asgard"));
+    takeOverOldSettings();
     QApplication::setApplicationDisplayName(QStringLiteral("Asgard"));
     QApplication::setQuitOnLastWindowClosed(true);
     QApplication::setWindowIcon(applicationIcon());
@@ -277,14 +279,15 @@ int runEditor(int argc, char** argv, const std::string& file, script::Reader& re
     } else {
         document.reset(); // it has a motion from the first moment, too
     }
-    Autosave autosave(document, autosaveFolder());
+    const std::string journal = files::journalFolder("asgard");
+    Autosave autosave(document, journal);
     QObject::connect(&autosave, &Autosave::failed, panel, [panel](const QString& sentence) {
         plain::Message::tell(QMessageBox::Warning, panel, QStringLiteral("Asgard"), sentence);
     });
     GraphicalViewer* graphical = editor.openGraphicalViewer();
     LanguageViewer* language = editor.openLanguageViewer();
     arrange(*panel, *graphical, *language);
-    QTimer::singleShot(0, panel, [&] { offerRecovery(panel, autosave, autosaveFolder(), path); });
+    QTimer::singleShot(0, panel, [&] { offerRecovery(panel, autosave, journal, path); });
     return QApplication::exec();
 }
 

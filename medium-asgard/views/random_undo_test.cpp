@@ -281,7 +281,7 @@ protected:
     }
     void save() {
         const QString path = folder.filePath("scene.al");
-        ASSERT_EQ(document.save(path), QString());
+        ASSERT_EQ(document.save(path).sentence, "");
         model.endGesture();
         std::ifstream file(path.toStdString(), std::ios::binary);
         std::ostringstream bytes;

@@ -31,6 +31,18 @@ void rememberFile(const QString& path) {
     QSettings().setValue(settingsKey(), files.mid(0, most));
 }
 
+void takeOverOldSettings() {
+    QSettings now;
+    if (QFileInfo::exists(now.fileName()))
+        return;
+    const QSettings then(QSettings::defaultFormat(), QSettings::UserScope,
+                         QStringLiteral("Unknown Organization"), QStringLiteral("asgard"));
+    if (!QFileInfo::exists(then.fileName()))
+        return; // other programs without a folder of their own share this one's fallbacks
+    for (const QString& key : then.allKeys())
+        now.setValue(key, then.value(key));
+}
+
 void fillWithRecentFiles(QMenu* menu, std::function<void(const QString& path)> open) {
     QObject::connect(menu, &QMenu::aboutToShow, menu, [menu, open = std::move(open)] {
         menu->clear();

@@ -15,4 +15,8 @@ void rememberFile(const QString& path);
 // Fills the menu each time it is opened. `open` is called with the path of the one chosen.
 void fillWithRecentFiles(QMenu* menu, std::function<void(const QString& path)> open);
 
+// Settings lay in a folder without our name once, "Unknown Organization": what is there becomes
+// ours, if we have none yet.
+void takeOverOldSettings();
+
 } // namespace views

@@ -8,7 +8,6 @@
 
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 
 #include <algorithm>
 #include <array>
@@ -450,18 +449,24 @@ void SceneDocument::reportFaults(const Moved& moved) {
 }
 
 QString SceneDocument::open(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return tr("Cannot read %1: %2.").arg(path, file.errorString());
-    const QByteArray bytes = file.readAll();
-    begin(path, bytes.toStdString());
+    // LIMIT: what is read of a file. What a scene may have, script::Reader says.
+    constexpr std::size_t longest = std::size_t{64} << 20;
+    files::FileSystem& system = files::FileSystem::real();
+    const std::string name = QFile::encodeName(path).toStdString();
+    files::removeAbandonedParts(system, name);
+    const files::ReadFile file = files::readFile(system, name, longest);
+    if (!file.read)
+        return tr("Cannot read %1: %2.").arg(path, QString::fromStdString(file.reason));
+    begin(path, {name, file.stamp}, file.bytes);
     return {};
 }
 
-void SceneDocument::reset() { begin({}, {}); }
+void SceneDocument::reset() { begin({}, {}, {}); }
 
-void SceneDocument::begin(const QString& path, const std::string& text) {
+void SceneDocument::begin(const QString& path, const files::KnownFile& file,
+                          const std::string& text) {
     path_ = path;
+    file_ = file;
     savedText_ = text;
     done_.clear();
     undone_.clear();
@@ -471,20 +476,24 @@ void SceneDocument::begin(const QString& path, const std::string& text) {
     replaceText(text);
 }
 
-QString SceneDocument::save(const QString& path) {
+void SceneDocument::recover(const files::KnownFile& file, const std::string& text) {
+    if (file.path.empty() || !open(QFile::decodeName(file.path.c_str())).isEmpty())
+        reset();
+    else
+        file_ = file; // what another program did with it since is asked about
+    setText(text, tr("Recover"));
+}
+
+files::SaveResult SceneDocument::save(const QString& path, files::SaveOptions options) {
     endGesture();
-    // Written beside it and renamed: a full disk leaves the old file as it was.
-    // LIMIT: a failed sync is not told (docs/decisions/0011).
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) ||
-        file.write(text_.data(), static_cast<qint64>(text_.size())) !=
-            static_cast<qint64>(text_.size()) ||
-        !file.commit())
-        return tr("Cannot write %1: %2.").arg(path, file.errorString());
+    files::SaveResult result = files::saveFile(
+        files::FileSystem::real(), QFile::encodeName(path).toStdString(), text_, file_, options);
+    if (!result)
+        return result;
     path_ = path;
     savedText_ = text_;
     Q_EMIT nameChanged();
-    return {};
+    return result;
 }
 
 QString SceneDocument::name() const {

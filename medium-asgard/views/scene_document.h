@@ -13,6 +13,7 @@
 
 #include "editing/text_edit.h"
 #include "editing/value_edit.h"
+#include "files/save.h"
 #include "gestures/ground.h"
 #include "scene/diagnostic.h"
 #include "script/reader.h"
@@ -171,10 +172,14 @@ public:
     void didRefuse(const std::string& hostText, const QString& why);
     void setComputed(Computed computed);
 
-    // --- stand-alone: "" or the sentence that says what went wrong
-    [[nodiscard]] QString open(const QString& path);
-    [[nodiscard]] QString save(const QString& path);
+    // --- stand-alone
+    [[nodiscard]] QString open(const QString& path); // "" or why not
+    [[nodiscard]] files::SaveResult save(const QString& path, files::SaveOptions options = {});
     void reset(); // an empty scene that was never saved
+    // What a program that ended had not saved of a file, which it knew as `file`: the text is one
+    // change of what the file holds. Without the file it is a scene that was never saved.
+    void recover(const files::KnownFile& file, const std::string& text);
+    [[nodiscard]] const files::KnownFile& knownFile() const { return file_; }
     [[nodiscard]] const QString& path() const { return path_; }
     [[nodiscard]] const std::string& savedText() const { return savedText_; }
     [[nodiscard]] bool isModified() const { return text_ != savedText_; }
@@ -205,7 +210,7 @@ private:
     void replaceText(const std::string& text);
     void endGesture();
     using ScenePointer = std::shared_ptr<const scene::Scene>;
-    void begin(const QString& path, const std::string& text);
+    void begin(const QString& path, const files::KnownFile& file, const std::string& text);
     void start(bool asked);
     // After another scene came, which was read from that text.
     void followSelection(const scene::Scene& before, const std::string& text);
@@ -222,6 +227,7 @@ private:
 
     std::string text_, savedText_;
     QString path_, name_;
+    files::KnownFile file_;
     int revision_ = 0;
     int sceneRevision_ = 0; // no text is the empty scene
     Shown shown_;

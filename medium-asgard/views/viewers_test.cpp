@@ -457,7 +457,7 @@ TEST_F(ViewersTest, AnotherFileIsOpenedWhenItsDraftsAreSettled) {
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     file.write("# other\n");
     file.close();
-    ASSERT_EQ(editor.document().save(home.filePath("scene.al")), "");
+    ASSERT_EQ(editor.document().save(home.filePath("scene.al")).sentence, "");
     LanguageViewer* viewer = editor.openLanguageViewer();
     ControlPanel* panel = editor.openControlPanel();
     const auto openChoosing = [&](const QString& choice) {

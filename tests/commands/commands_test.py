@@ -7,6 +7,7 @@ import csv
 import io
 import json
 import os
+import resource
 import struct
 import subprocess
 import sys
@@ -256,6 +257,26 @@ class Commands(unittest.TestCase):
         ran = self.run_asgard("check", "-", text="while 1 {}")
         self.assertEqual(ran.returncode, 1)
         self.assertIn("standard input", ran.stdout)
+
+    def test_an_input_without_end_is_refused_in_bounded_memory(self):
+        os.mkfifo(os.path.join(self.folder, "pipe"))
+        longest = "it is longer than 64 MB, and no more is read"
+        for arguments, sentence in ((["check", "/dev/zero"], f"/dev/zero: {longest}"),
+                                    (["simulate", "/dev/zero"], f"/dev/zero: {longest}"),
+                                    (["simulate", self.scene, "--times", "/dev/zero"], f"/dev/zero: {longest}"),
+                                    (["check", "-"], f"standard input: {longest}"),
+                                    (["check", "pipe"], "pipe: it is a pipe into which nothing is written"),
+                                    (["check", "."], ".: it is a folder")):
+            with open("/dev/zero", "rb") as zeros:
+                # A gigabyte of files' and programs' pages is there before anything is read.
+                ran = subprocess.run([ASGARD, *arguments], stdin=zeros, capture_output=True, text=True, timeout=300, cwd=self.folder,
+                                     env={"PATH": os.environ.get("PATH", "")},
+                                     preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_DATA, (1 << 30, 1 << 30)))
+            self.assertEqual((ran.returncode, ran.stderr), (1, f"asgard: {sentence}\n"), arguments)
+
+    def test_a_pipe_is_an_input_like_a_file(self):
+        ran = subprocess.run(["bash", "-c", f'"{ASGARD}" check <(cat "{self.scene}")'], capture_output=True, text=True, timeout=300)
+        self.assertEqual((ran.returncode, ran.stderr), (0, ""), ran.stdout)
 
     # --- render ----------------------------------------------------------------------------------
 
