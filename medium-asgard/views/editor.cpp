@@ -21,6 +21,7 @@
 #include <QScreen>
 #include <QTimer>
 
+#include <algorithm>
 #include <clocale>
 
 namespace views {
@@ -280,7 +281,22 @@ int runEditor(int argc, char** argv, const std::string& file, script::Reader& re
         document.reset(); // it has a motion from the first moment, too
     }
     const std::string journal = files::journalFolder("asgard");
-    Autosave autosave(document, journal);
+    Autosave autosave(
+        document, journal,
+        {[&editor] {
+             const bool any =
+                 std::ranges::any_of(editor.languageViewers(),
+                                     [](const LanguageViewer* one) { return one->hasDraft(); });
+             return any ? editor.windowsState() : std::string();
+         },
+         [&editor](const std::string& state) {
+             editor.closeViewers(); // those of a program that begins
+             editor.restoreWindows(state,
+                                   Autosave::tr("Asgard ended before this was saved. Its windows "
+                                                "are open again with what was typed."));
+         }});
+    QObject::connect(&editor, &Editor::viewersChanged, &autosave, &Autosave::lookAtDrafts,
+                     Qt::QueuedConnection);
     QObject::connect(&autosave, &Autosave::failed, panel, [panel](const QString& sentence) {
         plain::Message::tell(QMessageBox::Warning, panel, QStringLiteral("Asgard"), sentence);
     });
