@@ -28,7 +28,9 @@ private:
         QEventLoop loop;
         bool answered = false;
         const auto look = [&] {
-            if ((answered && live.hasLoaded()) || live.condition() == media::Condition::failed)
+            const bool parametersKnown = !batch_.document().hasSliders(id) || live.parameters();
+            if ((answered && live.hasLoaded() && parametersKnown) ||
+                live.condition() == media::Condition::failed)
                 loop.quit();
         };
         QObject::connect(&live, &media::LiveSubdocument::diagnosticsChanged, &loop, [&] {
@@ -36,6 +38,7 @@ private:
             look();
         });
         QObject::connect(&live, &media::LiveSubdocument::loaded, &loop, look);
+        QObject::connect(&live, &media::LiveSubdocument::parametersChanged, &loop, look);
         QObject::connect(&live, &media::LiveSubdocument::conditionChanged, &loop, look);
         QTimer::singleShot(mostMsForDiagnostics, &loop, &QEventLoop::quit);
         live.start();
@@ -73,8 +76,9 @@ int check(const QString& input) {
     examination.run();
     std::vector<session::ListedFault> faults = batch.document().faults();
     faults.insert(faults.end(), examination.failures().begin(), examination.failures().end());
-    std::stable_sort(faults.begin(), faults.end(),
-                     [](const auto& a, const auto& b) { return a.position < b.position; });
+    std::stable_sort(faults.begin(), faults.end(), [](const auto& a, const auto& b) {
+        return std::pair(a.file.isEmpty(), a.position) < std::pair(b.file.isEmpty(), b.position);
+    });
     bool errors = false;
     for (const session::ListedFault& fault : faults) {
         errors |= fault.isError;
@@ -82,7 +86,7 @@ int check(const QString& input) {
             {.severity = fault.isError ? sgml::Severity::error : sgml::Severity::warning,
              .position = fault.position,
              .message = fault.message.toStdString()},
-            input.toStdString()));
+            (fault.file.isEmpty() ? input : fault.file).toStdString()));
     }
     return errors ? failure : success;
 }

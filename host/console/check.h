@@ -1,5 +1,5 @@
-// ensemble --check DOCUMENT: every fault of the document and of its subdocuments, in order of
-// place, on standard output.
+// ensemble --check DOCUMENT: every fault of its schemas' files, of the document and of its
+// subdocuments, in order of place, on standard output.
 #pragma once
 
 #include <QString>

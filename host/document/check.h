@@ -1,4 +1,5 @@
-// Everything that is wrong with a document, in order of place: `ensemble --check`.
+// Everything that is wrong with a document itself, in order of place. What its media find in their
+// texts, and files that it names, session::OpenDocument knows.
 #pragma once
 
 #include "document/document.h"
@@ -14,15 +15,21 @@ namespace document {
 [[nodiscard]] std::vector<sgml::Fault>
 documentFaults(const Document& document, const Schemas& schemas, const QStringList& media);
 
-// What a medium found at a place in a subdocument's text, as a fault of the document's file.
-[[nodiscard]] sgml::Fault subdocumentFault(const Document& document, SubdocumentId id,
-                                           sgml::Severity severity, sgml::Position inText,
-                                           std::string message);
+// An element that shows the picture of a file, or drives a parameter of a subdocument: these are
+// sound only if the file and the parameter are there.
+struct ImageUse {
+    sgml::Range range;
+    std::string source;
+};
+struct SliderUse {
+    sgml::Range range;
+    SubdocumentId subdocument = noSubdocument;
+    std::string parameter;
+};
+[[nodiscard]] std::vector<ImageUse> imageUses(const Document& document, const Schemas& schemas);
+[[nodiscard]] std::vector<SliderUse> sliderUses(const Document& document, const Schemas& schemas);
 
-void sortByPlace(std::vector<sgml::Fault>& faults);
-
-// One line for each: "file:line:column: error: text".
-[[nodiscard]] std::string formatted(const std::vector<sgml::Fault>& faults,
-                                    const std::string& file);
+// In order of place; each with the line and column of its range. Reads the text once.
+void placeFaults(std::vector<sgml::Fault>& faults, std::string_view bytes);
 
 } // namespace document

@@ -52,6 +52,10 @@ public:
     [[nodiscard]] std::string text(SubdocumentId id) const; // unescaped
     // The place in the file of a place in a subdocument's text, escapes counted.
     [[nodiscard]] sgml::Position filePosition(SubdocumentId id, sgml::Position inText) const;
+    // The bytes of the file at many places, in any order: reads the text once. Those of a text that
+    // is not there are where its element begins.
+    [[nodiscard]] std::vector<std::size_t>
+    fileOffsets(SubdocumentId id, const std::vector<sgml::Position>& inText) const;
 
     // --- edits
     [[nodiscard]] int revision() const { return revision_; } // of the whole; grows with each change

@@ -1,8 +1,10 @@
 // The subdocuments of a Document: found in the tree, known by number, described by attributes.
 #include "document/document.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numeric>
 
 namespace document {
 
@@ -62,13 +64,29 @@ std::string Document::text(SubdocumentId id) const {
 }
 
 sgml::Position Document::filePosition(SubdocumentId id, sgml::Position inText) const {
+    return subdocument(id) == nullptr ? sgml::Position{}
+                                      : tree_.position(fileOffsets(id, {inText}).front());
+}
+
+std::vector<std::size_t> Document::fileOffsets(SubdocumentId id,
+                                               const std::vector<sgml::Position>& inText) const {
     const Subdocument* found = subdocument(id);
-    if (found == nullptr)
-        return {};
-    if (found->content == noNode)
-        return tree_.position(tree_.node(found->element).range.from);
+    if (found == nullptr || found->content == noNode)
+        return std::vector<std::size_t>(
+            inText.size(), found == nullptr ? 0 : tree_.node(found->element).range.from);
+    std::vector<std::size_t> order(inText.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return inText[a] < inText[b]; });
+    std::vector<sgml::Position> sorted;
+    for (const std::size_t i : order)
+        sorted.push_back(inText[i]);
     const sgml::Unescaped unescaped = tree_.unescaped(found->content);
-    return tree_.position(unescaped.fileOffset(sgml::offsetOf(unescaped.text(), inText)));
+    const std::vector<std::size_t> offsets = sgml::offsetsOf(unescaped.text(), sorted);
+    std::vector<std::size_t> result(inText.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        result[order[i]] = unescaped.fileOffset(offsets[i]);
+    return result;
 }
 
 // Those that stand where a known one must be keep its number and revision.

@@ -110,8 +110,6 @@ struct Model {
     std::vector<Box> boxes;
     std::vector<Footnote> footnotes;
     std::string title; // of the window and of the PDF
-    std::vector<sgml::Fault>
-        warnings; // what the walk found: references to nothing, unknown elements
 };
 
 [[nodiscard]] Model buildModel(const Document& document, const Presentation& presentation,

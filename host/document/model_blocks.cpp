@@ -209,11 +209,29 @@ void ModelBuilder::addStray(NodeId node) {
 
 // --- small things ---------------------------------------------------------------------------
 
+namespace {
+
+std::size_t hashOf(const TextStyle& style) {
+    std::size_t hash = std::hash<std::string>()(style.family);
+    const auto mix = [&](std::size_t value) { hash = hash * 31 + value; };
+    mix(std::hash<double>()(style.size));
+    mix((style.bold ? 1U : 0U) + (style.italic ? 2U : 0U) + (style.underline ? 4U : 0U) +
+        (style.raised ? 8U : 0U));
+    mix(style.color.red * 65536U + style.color.green * 256U + style.color.blue);
+    return hash;
+}
+
+} // namespace
+
 std::uint32_t ModelBuilder::textStyle(const TextStyle& style) {
-    const auto known = std::find(model_.textStyles.begin(), model_.textStyles.end(), style);
-    const auto index = static_cast<std::uint32_t>(known - model_.textStyles.begin());
-    if (known == model_.textStyles.end())
-        model_.textStyles.push_back(style);
+    const std::size_t hash = hashOf(style);
+    const auto [first, last] = styles_.equal_range(hash);
+    for (auto known = first; known != last; ++known)
+        if (model_.textStyles[known->second] == style)
+            return known->second;
+    const auto index = static_cast<std::uint32_t>(model_.textStyles.size());
+    model_.textStyles.push_back(style);
+    styles_.emplace(hash, index);
     return index;
 }
 

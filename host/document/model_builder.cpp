@@ -14,9 +14,6 @@ ModelBuilder::ModelBuilder(const Document& document, const Presentation& present
     : document_(document), tree_(document.tree()), presentation_(presentation), schemas_(schemas) {
     for (const SubdocumentId id : document.subdocuments())
         subdocuments_[document.subdocument(id)->element] = id;
-}
-
-Model ModelBuilder::build() {
     model_.page = presentation_.page();
     flow_.out = &model_.blocks;
     Frame root;
@@ -25,12 +22,17 @@ Model ModelBuilder::build() {
     root.presentation = &presentation_;
     root.progress = presentation_.start();
     frames_.push_back(std::move(root));
-    walk();
+    at_ = tree_.node(tree_.root()).firstChild;
+}
+
+Model ModelBuilder::take() {
     model_.footnotes.assign(std::make_move_iterator(footnotes_.begin()),
                             std::make_move_iterator(footnotes_.end()));
     resolveReferences(model_.blocks);
     for (Footnote& footnote : model_.footnotes)
         resolveReferences(footnote.blocks);
+    // Inner ones ended before those around them.
+    std::reverse(model_.boxes.begin(), model_.boxes.end());
     std::stable_sort(model_.boxes.begin(), model_.boxes.end(), [](const Box& a, const Box& b) {
         return a.first != b.first ? a.first < b.first : a.last > b.last;
     });
@@ -39,29 +41,34 @@ Model ModelBuilder::build() {
 
 // --- the walk -------------------------------------------------------------------------------
 
+bool ModelBuilder::step(int nodes) {
+    for (; nodes > 0 && at_ != noNode; --nodes)
+        walkOne();
+    return at_ != noNode;
+}
+
 // frames_ holds the document and the elements from there down to the one that is being walked.
-void ModelBuilder::walk() {
-    const auto isInside = [&](NodeId node) { return tree_.node(node).parent; };
-    NodeId id = tree_.node(tree_.root()).firstChild;
-    while (id != noNode) {
-        const bool inside = enter(id) && tree_.node(id).firstChild != noNode;
-        if (inside) {
-            id = tree_.node(id).firstChild;
-            continue;
-        }
-        while (id != noNode && tree_.node(id).next == noNode) {
-            if (frames_.back().node == id && frames_.size() > 1)
-                leave();
-            id = isInside(id);
-            if (id == tree_.root())
-                id = noNode;
-        }
-        if (id != noNode) {
-            if (frames_.back().node == id && frames_.size() > 1)
-                leave();
-            id = tree_.node(id).next;
-        }
+void ModelBuilder::walkOne() {
+    NodeId id = at_;
+    if (enter(id) && tree_.node(id).firstChild != noNode) {
+        at_ = tree_.node(id).firstChild;
+        return;
     }
+    const auto leaveIfOpen = [&](NodeId node) {
+        if (frames_.back().node == node && frames_.size() > 1)
+            leave();
+    };
+    while (id != noNode && tree_.node(id).next == noNode) {
+        leaveIfOpen(id);
+        id = tree_.node(id).parent;
+        if (id == tree_.root())
+            id = noNode;
+    }
+    if (id != noNode) {
+        leaveIfOpen(id);
+        id = tree_.node(id).next;
+    }
+    at_ = id;
 }
 
 // True: its children come next. Elements that are entered have a frame.
@@ -207,14 +214,6 @@ void ModelBuilder::resolveReferences(std::vector<Block>& blocks) {
                            ? run.target.substr(1)
                            : reference->second;
             keepTogether(run.text);
-            if (reference != references_.end())
-                continue;
-            sgml::Fault fault;
-            fault.severity = sgml::Severity::warning;
-            fault.range = tree_.node(run.element).startTag;
-            fault.position = tree_.position(fault.range.from);
-            fault.message = "nothing has the ID " + run.target.substr(1) + " that this refers to";
-            model_.warnings.push_back(std::move(fault));
         }
         for (Row& row : block.rows)
             for (Cell& cell : row)
@@ -426,7 +425,10 @@ bool ModelBuilder::beginReference(Frame& frame) {
 
 Model buildModel(const Document& document, const Presentation& presentation,
                  const Schemas& schemas) {
-    return ModelBuilder(document, presentation, schemas).build();
+    ModelBuilder builder(document, presentation, schemas);
+    while (builder.step(1000))
+        continue;
+    return builder.take();
 }
 
 } // namespace document

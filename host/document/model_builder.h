@@ -11,6 +11,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace document {
@@ -19,7 +20,10 @@ class ModelBuilder {
 public:
     ModelBuilder(const Document& document, const Presentation& presentation,
                  const Schemas& schemas);
-    [[nodiscard]] Model build();
+    // Walks over some more nodes; false: there are no more.
+    [[nodiscard]] bool step(int nodes);
+    // When all are walked over.
+    [[nodiscard]] Model take();
 
 private:
     // The block that runs are added to, the space before the next one, and where both go.
@@ -52,7 +56,7 @@ private:
     static constexpr std::size_t noBlock = static_cast<std::size_t>(-1);
 
     // the walk
-    void walk();
+    void walkOne();
     bool enter(sgml::NodeId node);
     bool enterElement(sgml::NodeId node);
     bool enterNested(sgml::NodeId node);
@@ -111,10 +115,12 @@ private:
     const Schemas& schemas_;
     Model model_;
     std::vector<Frame> frames_;
+    sgml::NodeId at_ = sgml::noNode; // the next one
     Flow flow_;
     Counters counters_;
     std::deque<Footnote> footnotes_;                // grows without moving what flow_ points into
     std::map<std::string, std::string> references_; // by ID
+    std::unordered_multimap<std::size_t, std::uint32_t> styles_; // by hash, index into the model's
     std::map<sgml::NodeId, SubdocumentId> subdocuments_;
     std::vector<std::string> anchors_; // of the next block
     std::size_t emitted_ = 0;

@@ -14,6 +14,14 @@ namespace document {
 
 namespace {
 
+// One line for each: "file:line:column: error: text".
+std::string formatted(const std::vector<sgml::Fault>& faults, const std::string& file) {
+    std::string lines;
+    for (const sgml::Fault& fault : faults)
+        lines += sgml::formatted(fault, file) + "\n";
+    return lines;
+}
+
 std::string contentOf(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     std::ostringstream bytes;

@@ -10,7 +10,8 @@ std::vector<int> Counters::step(const std::string& counter) {
         scopes.push_back({0});
     Levels& levels = scopes.back();
     ++levels.back();
-    const std::vector<int> path = levels;
+    const std::size_t first = levels.size() - std::min(levels.size(), deepestLevel);
+    const std::vector<int> path(levels.begin() + static_cast<std::ptrdiff_t>(first), levels.end());
     levels.push_back(0);
     return path;
 }

@@ -12,6 +12,9 @@
 
 namespace document {
 
+// LIMIT: of deeper ones the innermost are counted out: 1.1.1...
+inline constexpr std::size_t deepestLevel = 16;
+
 class Counters {
 public:
     // The element's path, outermost level first: {2, 1} for the first subsection of section 2.

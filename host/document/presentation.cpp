@@ -18,6 +18,16 @@ bool matches(const Presentation::Selector::Name& pattern, const Presentation::Su
 
 } // namespace
 
+std::set<std::string, std::less<>> Presentation::namesShownAs(std::string_view display) const {
+    std::set<std::string, std::less<>> names;
+    for (const Selector& selector : selectors_)
+        for (const Property& property : blocks_[selector.block])
+            if (property.name == "display" && !property.words.empty() &&
+                property.words.front().text == display)
+                names.insert(selector.names.back().name);
+    return names;
+}
+
 ElementStyle Presentation::rootStyle() const {
     ElementStyle root;
     root.display = Display::block;

@@ -15,6 +15,7 @@
 #include "sgml/tree.h"
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -71,11 +72,15 @@ struct Property {
 class Presentation {
 public:
     // What is faulty is left out; each fault has its line in the file. `base`: the one whose blocks
-    // come before all of its own.
+    // come before all of its own: what it says nothing else about looks as that one says.
     [[nodiscard]] static Presentation parse(std::string_view text, std::vector<sgml::Fault>& faults,
                                             const Presentation* base = nullptr);
 
     [[nodiscard]] const PageStyle& page() const { return page_; }
+    // Something could be read that is not its base's.
+    [[nodiscard]] bool saysSomething() const { return saysSomething_; }
+    // The elements that some block shows as this: "image", "reference".
+    [[nodiscard]] std::set<std::string, std::less<>> namesShownAs(std::string_view display) const;
 
     struct Selector {
         struct Name {
@@ -85,7 +90,7 @@ public:
         };
         std::vector<Name> names; // outermost first. LIMIT: 100 of them
         std::size_t block = 0;   // index of its properties
-        bool own = true;         // not the base's
+        int layer = 0;           // of two the higher one counts: what inherits from the other
     };
     // How far each selector has matched on the way from the document down to an element.
     using Progress = std::vector<std::uint8_t>;
@@ -107,6 +112,8 @@ private:
     std::vector<Selector> selectors_; // the weaker ones first
     std::vector<std::vector<Property>> blocks_;
     PageStyle page_;
+    int layer_ = 0;
+    bool saysSomething_ = false;
 };
 
 // Each puts one property into a style; "" or what is wrong with it.

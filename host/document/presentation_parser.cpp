@@ -24,8 +24,8 @@ public:
             readBlock();
         std::stable_sort(presentation_.selectors_.begin(), presentation_.selectors_.end(),
                          [](const auto& a, const auto& b) {
-                             return std::pair(a.own, a.names.size()) <
-                                    std::pair(b.own, b.names.size());
+                             return std::pair(a.layer, a.names.size()) <
+                                    std::pair(b.layer, b.names.size());
                          });
     }
 
@@ -55,7 +55,8 @@ private:
         at_ = brace + 1;
         if (head.substr(0, head.find_last_not_of(blanks) + 1) == "PAGE") {
             for (const Property& property : readProperties())
-                check(applyPageProperty(presentation_.page_, property), property);
+                presentation_.saysSomething_ |=
+                    check(applyPageProperty(presentation_.page_, property), property);
             return;
         }
         std::vector<Presentation::Selector> selectors = readSelectors(head, from);
@@ -66,6 +67,8 @@ private:
         });
         for (Presentation::Selector& selector : selectors) {
             selector.block = presentation_.blocks_.size();
+            selector.layer = presentation_.layer_;
+            presentation_.saysSomething_ = true;
             presentation_.selectors_.push_back(std::move(selector));
         }
         presentation_.blocks_.push_back(std::move(block));
@@ -205,8 +208,8 @@ Presentation Presentation::parse(std::string_view text, std::vector<sgml::Fault>
     Presentation presentation;
     if (base != nullptr)
         presentation = *base;
-    for (Selector& selector : presentation.selectors_)
-        selector.own = false;
+    ++presentation.layer_;
+    presentation.saysSomething_ = false;
     PresentationParser(text, faults, presentation).parse();
     return presentation;
 }

@@ -49,17 +49,24 @@ Schemas Schemas::load(const QStringList& folders) {
         for (const QString& name : QDir(folder).entryList(
                  {QStringLiteral("*.structure"), QStringLiteral("*.presentation")}, QDir::Files))
             paths.try_emplace(name, folder + QLatin1Char('/') + name);
-    schemas.addNamed(baseFile, builtIns, paths);
+    // What others inherit from comes first.
+    std::map<std::pair<int, QString>, QString> names;
+    const auto add = [&](const QString& name) {
+        const QString stem = name.chopped(presentationSuffix.size());
+        const bool isDefault =
+            !stem.contains(QLatin1Char('.')) || stem.section(QLatin1Char('.'), 1) == defaultName;
+        names[{name == baseFile ? 0 : isDefault ? 1 : 2, name}] = name;
+    };
     for (const auto& [name, text] : builtIns)
-        if (name != baseFile)
-            schemas.addNamed(name, builtIns, paths);
+        add(name);
     for (const auto& [name, path] : paths)
-        if (name != baseFile && !builtIns.contains(name))
-            schemas.addNamed(name, builtIns, paths);
+        add(name);
+    for (const auto& [rank, name] : names)
+        schemas.addNamed(name, builtIns, paths);
     return schemas;
 }
 
-// The user's file of that name if there is one without faults, else the built-in one.
+// The user's file of that name if anything can be read in it, else the built-in one.
 void Schemas::addNamed(const QString& name, const std::map<QString, std::string>& builtIns,
                        const std::map<QString, QString>& paths) {
     const auto path = paths.find(name);
@@ -68,6 +75,7 @@ void Schemas::addNamed(const QString& name, const std::map<QString, std::string>
             files::FileSystem::real(), QFile::encodeName(path->second).toStdString(), longestFile);
         if (!file.read) {
             sgml::Fault fault;
+            fault.severity = sgml::Severity::warning;
             fault.position = {1, 1};
             fault.message = "This schema cannot be read: " + file.reason + ".";
             faults_.push_back({path->second, fault});
@@ -80,28 +88,37 @@ void Schemas::addNamed(const QString& name, const std::map<QString, std::string>
         (void)addFile(QStringLiteral(":/") + name, name, builtIn->second);
 }
 
-// False: it has faults, and is not used.
+// False: nothing could be read in it, and it is not used.
 bool Schemas::addFile(const QString& path, const QString& name, const std::string& text) {
     std::vector<sgml::Fault> faults;
+    bool used = false;
     if (name.endsWith(structureSuffix)) {
         StructureSchema schema = StructureSchema::parse(text, faults);
-        if (faults.empty())
+        used = schema.saysSomething();
+        if (used)
             structures_[name.chopped(structureSuffix.size()).toStdString()] = std::move(schema);
     } else {
         const QString stem = name.chopped(presentationSuffix.size());
-        const QString className = stem.section(QLatin1Char('.'), 0, 0);
+        const std::string className = stem.section(QLatin1Char('.'), 0, 0).toStdString();
         const QString own = stem.section(QLatin1Char('.'), 1);
-        Presentation presentation =
-            Presentation::parse(text, faults, name == baseFile ? nullptr : &plain_);
-        if (faults.empty() && name == baseFile)
+        const bool isBase = name == baseFile;
+        const Presentation* base = isBase ? nullptr : &plain_;
+        if (const auto known = presentations_.find(className); known != presentations_.end())
+            if (const auto ofClass = known->second.find(defaultName);
+                ofClass != known->second.end())
+                base = &ofClass->second;
+        Presentation presentation = Presentation::parse(text, faults, base);
+        used = presentation.saysSomething();
+        if (used && isBase)
             plain_ = std::move(presentation);
-        else if (faults.empty())
-            presentations_[className.toStdString()][own.isEmpty() ? defaultName : own] =
-                std::move(presentation);
+        else if (used)
+            presentations_[className][own.isEmpty() ? defaultName : own] = std::move(presentation);
     }
-    for (const sgml::Fault& fault : faults)
-        faults_.push_back({path, fault});
-    return faults.empty();
+    for (sgml::Fault& fault : faults) {
+        fault.severity = sgml::Severity::warning;
+        faults_.push_back({path, std::move(fault)});
+    }
+    return used;
 }
 
 bool Schemas::isText(std::string_view className) const {

@@ -1,8 +1,10 @@
 // The schemas that there are: files of users, else the program's own.
 //
 // Looked for in $XDG_DATA_HOME/ensemble/schemas, $XDG_DATA_DIRS/ensemble/schemas, then the
-// folder given, then those compiled in. The first file of a name counts; a faulty one is
-// reported by line and the built-in one used instead.
+// folder given, then those compiled in. The first file of a name counts. What is faulty in it is
+// left out and reported by line; a file in which nothing can be read gives way to the built-in one.
+//
+// A presentation of a class inherits from the class's default one, that one from COMMON.base.
 #pragma once
 
 #include "document/presentation.h"
@@ -40,7 +42,7 @@ public:
         QString file;
         sgml::Fault fault;
     };
-    [[nodiscard]] const std::vector<FileFault>& faults() const { return faults_; }
+    [[nodiscard]] const std::vector<FileFault>& faults() const { return faults_; } // warnings
 
 private:
     void addNamed(const QString& name, const std::map<QString, std::string>& builtIns,

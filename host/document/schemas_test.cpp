@@ -13,6 +13,14 @@ namespace document {
 
 namespace {
 
+// One line for each: "file:line:column: error: text".
+std::string formatted(const std::vector<sgml::Fault>& faults, const std::string& file) {
+    std::string lines;
+    for (const sgml::Fault& fault : faults)
+        lines += sgml::formatted(fault, file) + "\n";
+    return lines;
+}
+
 std::string faultsOf(const std::vector<sgml::Fault>& faults) {
     std::string lines;
     for (const sgml::Fault& fault : faults)
@@ -194,6 +202,49 @@ TEST(Schemas, FilesOfUsersComeFirstUnlessFaulty) {
     EXPECT_EQ(schemas.faults()[0].fault.position.line, 1);
     EXPECT_EQ(schemas.presentation("REPORT").page().marginLeft,
               Schemas::builtIn().presentation("REPORT").page().marginLeft);
+}
+
+TEST(Schemas, WhatIsFaultyIsLeftOutAndTheRestCounts) {
+    QTemporaryDir folder;
+    const auto put = [&](const std::string& name, const std::string& text) {
+        std::ofstream(folder.filePath(QString::fromStdString(name)).toStdString()) << text;
+    };
+    put("CMEMO.default.presentation",
+        "PAGE { margin: 50pt; wobble: 3 }\nTO { flavour: sweet; indent: 7pt }");
+    put("LETTER.structure", "LETTER = ANY\nBAD = (\n");
+    put("EMPTY.default.presentation", "nothing at all");
+    const Schemas schemas = Schemas::load({folder.path()});
+    EXPECT_EQ(schemas.presentation("CMEMO").page().marginLeft, 50);
+    EXPECT_NE(schemas.structure("LETTER"), nullptr);
+    EXPECT_FALSE(schemas.isText("EMPTY"));
+    ASSERT_EQ(schemas.faults().size(), 4u);
+    for (const Schemas::FileFault& fault : schemas.faults())
+        EXPECT_EQ(fault.fault.severity, sgml::Severity::warning);
+    Presentation::Progress progress = schemas.presentation("CMEMO").start();
+    const ElementStyle to = schemas.presentation("CMEMO").style(
+        {.name = "TO"}, schemas.presentation("CMEMO").rootStyle(), progress);
+    EXPECT_EQ(to.block.indentLeft, 7);
+}
+
+TEST(Schemas, APresentationInheritsFromItsClassesDefaultOne) {
+    QTemporaryDir folder;
+    const auto put = [&](const std::string& name, const std::string& text) {
+        std::ofstream(folder.filePath(QString::fromStdString(name)).toStdString()) << text;
+    };
+    put("LETTER.default.presentation",
+        "PAGE { margin: 50pt; footer-left: \"f\" }\nA B { indent: 7pt; font: 20pt }\n");
+    put("LETTER.another.presentation", "PAGE { margin: 60pt }\nB { font: 9pt }\n"); // read after it
+    const Schemas schemas = Schemas::load({folder.path()});
+    const Presentation& another = schemas.presentation("LETTER", "another");
+    EXPECT_EQ(another.page().marginLeft, 60);
+    EXPECT_EQ(another.page().footerLeft, "f");
+    Presentation::Progress progress = another.start();
+    const ElementStyle a = another.style({.name = "A"}, another.rootStyle(), progress);
+    const ElementStyle b = another.style({.name = "B"}, a, progress);
+    EXPECT_EQ(b.block.indentLeft, 7); // of the class's
+    EXPECT_EQ(b.text.size, 9);        // its own counts more, though it names less
+    const ElementStyle emph = another.style({.name = "EMPH"}, b, progress);
+    EXPECT_TRUE(emph.text.italic); // of COMMON.base
 }
 
 TEST(Check, ListsEverythingInOrderOfPlace) {

@@ -57,6 +57,7 @@ public:
     // Rules with faults are left out; each fault has the line of the file.
     [[nodiscard]] static StructureSchema parse(std::string_view text,
                                                std::vector<sgml::Fault>& faults);
+    [[nodiscard]] bool saysSomething() const { return !rules_.empty(); }
 
     // What the nested or whole document at `documentNode` holds against the schema, as warnings in
     // order of place. Nested documents of its own are left to their own class's schema.

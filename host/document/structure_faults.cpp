@@ -1,4 +1,5 @@
 // What schemas do not allow in a document and in its nested ones, and what its attributes mean.
+#include "document/check.h"
 #include "document/document.h"
 #include "document/schemas.h"
 
@@ -15,7 +16,11 @@ namespace {
 class Checker {
 public:
     Checker(const Document& document, const Schemas& schemas, const QStringList& media)
-        : document_(document), tree_(document.tree()), schemas_(schemas), media_(media) {}
+        : tree_(document.tree()), schemas_(schemas), media_(media) {
+        for (const SubdocumentId id : document.subdocuments())
+            if (const Subdocument* known = document.subdocument(id); !known->name.empty())
+                subdocuments_.insert(known->name);
+    }
 
     std::vector<sgml::Fault> check() {
         for (NodeId id = tree_.root(); id != noNode; id = tree_.following(id)) {
@@ -24,6 +29,7 @@ public:
             if (tree_.isElement(id))
                 checkIdentity(id);
         }
+        checkReferences();
         place();
         return std::move(faults_);
     }
@@ -31,6 +37,10 @@ public:
 private:
     void checkDocument(NodeId id) {
         const std::string name(tree_.name(id));
+        if (classes_.insert(name).second && schemas_.isText(name)) {
+            references_.merge(schemas_.presentation(name).namesShownAs("reference"));
+            links_.merge(schemas_.presentation(name).namesShownAs("link"));
+        }
         const NodeId element = tree_.classElement(id);
         if (element == noNode)
             return; // a fault of the format
@@ -63,7 +73,8 @@ private:
         }
     }
 
-    // IDs name one element each; OF names a subdocument.
+    // IDs name one element each; OF names a subdocument; TO, an element that has an ID, perhaps
+    // further below.
     void checkIdentity(NodeId element) {
         const auto id = tree_.attribute(element, "ID");
         if (id && !ids_.insert(*id).second)
@@ -72,8 +83,20 @@ private:
         const std::string_view name = tree_.name(element);
         const auto of = tree_.attribute(element, "OF");
         const bool living = name == "SLIDER" || name == "VALUE" || name == "CHART";
-        if (living && of && document_.subdocumentNamed(std::string(*of)) == noSubdocument)
+        if (living && of && !subdocuments_.contains(*of))
             warn(tree_.node(element).startTag, "no subdocument has the ID " + std::string(*of));
+        const auto to = tree_.attribute(element, "TO");
+        if (to && references_.contains(name))
+            referring_.emplace_back(element, *to);
+        else if (to && to->starts_with('#') && links_.contains(name))
+            referring_.emplace_back(element, to->substr(1));
+    }
+
+    void checkReferences() {
+        for (const auto& [element, id] : referring_)
+            if (!ids_.contains(id))
+                warn(tree_.node(element).startTag,
+                     "nothing has the ID " + std::string(id) + " that this refers to");
     }
 
     void warn(sgml::Range range, std::string message) {
@@ -86,23 +109,18 @@ private:
 
     // LIMIT: the first 1,000 are listed.
     void place() {
-        std::stable_sort(
-            faults_.begin(), faults_.end(),
-            [](const sgml::Fault& a, const sgml::Fault& b) { return a.range.from < b.range.from; });
+        placeFaults(faults_, tree_.bytes());
         faults_.resize(std::min(faults_.size(), std::size_t{1000}));
-        std::vector<std::size_t> offsets;
-        for (const sgml::Fault& fault : faults_)
-            offsets.push_back(fault.range.from);
-        const std::vector<sgml::Position> positions = sgml::positionsOf(tree_.bytes(), offsets);
-        for (std::size_t i = 0; i < faults_.size(); ++i)
-            faults_[i].position = positions[i];
     }
 
-    const Document& document_;
     const sgml::Tree& tree_;
     const Schemas& schemas_;
     const QStringList& media_;
+    std::set<std::string, std::less<>> subdocuments_; // their IDs
+    std::set<std::string> classes_;
+    std::set<std::string, std::less<>> references_, links_; // elements that are shown so
     std::set<std::string_view> ids_;
+    std::vector<std::pair<NodeId, std::string_view>> referring_; // and to which ID
     std::vector<sgml::Fault> faults_;
 };
 

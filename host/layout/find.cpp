@@ -13,16 +13,18 @@ public:
 
     void line(std::size_t page, const TextPiece& piece) {
         const Paragraph& of = *piece.paragraph;
-        const QString text = of.text();
         const auto [from, to] = of.rangeOfLine(piece.line);
         const int length = static_cast<int>(words_.size());
-        // A match may have begun on the line before.
-        int at = static_cast<int>(
-            text.indexOf(words_, std::max(0, from - length + 1), Qt::CaseInsensitive));
-        for (; at >= 0 && at < to;
-             at = static_cast<int>(text.indexOf(words_, at + length, Qt::CaseInsensitive)))
-            if (at + length > from)
-                mark(page, piece, at, std::max(at, from), std::min(at + length, to));
+        // A match may have begun on the line before, and may end on the next. No more of the text
+        // is read for it.
+        const int first = std::max(0, from - length + 1);
+        const QString text = of.text().mid(first, to + length - 1 - first);
+        for (auto at = text.indexOf(words_, 0, Qt::CaseInsensitive); at >= 0;
+             at = text.indexOf(words_, at + length, Qt::CaseInsensitive)) {
+            const int begin = first + static_cast<int>(at);
+            if (begin < to && begin + length > from)
+                mark(page, piece, begin, std::max(begin, from), std::min(begin + length, to));
+        }
     }
     std::vector<Found> found;
 

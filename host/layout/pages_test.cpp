@@ -1,3 +1,4 @@
+#include "layout/find.h"
 #include "layout/measure.h"
 #include "layout/paint.h"
 
@@ -5,6 +6,10 @@
 
 #include <QGuiApplication>
 #include <QPainter>
+
+#include <iterator>
+#include <set>
+#include <sstream>
 
 namespace layout {
 namespace {
@@ -62,8 +67,12 @@ TEST_F(PagesTest, EveryLineIsOnExactlyOnePageAndInsideTheMargins) {
             EXPECT_LE(text.at.y() + height, laid.size.height() - fromPoints(72) + 1e-6);
         }
     std::size_t expected = 0;
-    const StripBuilder builder{model_, objects_, fromPoints(595.276 - 144), areaHeight()};
-    expected = builder.strips(model_.blocks).size();
+    Work work;
+    const Surroundings in{model_,       objects_,    work, fromPoints(595.276 - 144),
+                          areaHeight(), areaHeight()};
+    Flow flow(in, model_.blocks);
+    for (Strip strip; flow.next(strip) == Made::strip; strip = {})
+        ++expected;
     EXPECT_EQ(lines, expected);
     EXPECT_GT(laid.pages.size(), 3u);
 }
@@ -163,6 +172,187 @@ TEST_F(PagesTest, TablesFitTheirWidth) {
         const auto& text = std::get<TextPiece>(piece);
         EXPECT_LE(text.at.x() + text.paragraph->naturalWidth(), fromPoints(595.276 - 72) + 1);
     }
+}
+
+std::string words(int count, const std::string& name) {
+    std::string text;
+    for (int i = 0; i < count; ++i)
+        text += (i == 0 ? "" : " ") + name + std::to_string(i);
+    return text;
+}
+
+// The words on all pages, none of which stands outside the margins.
+std::multiset<std::string> wordsOn(const Pages& laid, double bottom) {
+    std::multiset<std::string> found;
+    for (const Page& page : laid.pages)
+        for (const Piece& piece : page.pieces)
+            if (const auto* text = std::get_if<TextPiece>(&piece)) {
+                const double height =
+                    text->paragraph->lines()[static_cast<std::size_t>(text->line)].height;
+                EXPECT_LE(text->at.y() + height, bottom + 1e-6);
+                std::istringstream line(text->paragraph->textOfLine(text->line).toStdString());
+                for (std::string word; line >> word;)
+                    found.insert(word);
+            }
+    return found;
+}
+
+std::multiset<std::string> split(const std::string& text) {
+    std::istringstream line(text);
+    return {std::istream_iterator<std::string>(line), {}};
+}
+
+TEST_F(PagesTest, ARowTallerThanAPageGoesOnOnTheNextPages) {
+    document::Block table;
+    table.kind = document::BlockKind::table;
+    std::multiset<std::string> all;
+    for (const int count : {5, 3000, 8, 2000}) {
+        document::Row row(2);
+        const std::string left = words(count, "left" + std::to_string(count) + "-"),
+                          right = words(count / 2, "right" + std::to_string(count) + "-");
+        row[0].blocks.push_back(paragraph(left));
+        row[1].blocks.push_back(paragraph(right));
+        row[1].style.border.width = 1;
+        row[1].style.padding = 4;
+        all.merge(split(left));
+        all.merge(split(right));
+        table.rows.push_back(row);
+    }
+    table.style.keepTogether = true;
+    for (int i = 0; i < 20; ++i) {
+        model_.blocks.push_back(paragraph("before"));
+        all.insert("before");
+    }
+    model_.blocks.push_back(table);
+    const Pages laid = pages();
+    EXPECT_EQ(wordsOn(laid, laid.size.height() - fromPoints(72)), all);
+    EXPECT_GT(laid.pages.size(), 5u);
+    // What is too tall for any page begins where it stands.
+    EXPECT_EQ(printed(laid).find("left5-0"), printed(laid).find("left5-"));
+    EXPECT_LT(printed(laid).find("left3000-0"), printed(laid).find("page 2"));
+}
+
+TEST_F(PagesTest, ARowInARowIsDividedToo) {
+    document::Block inner;
+    inner.kind = document::BlockKind::table;
+    const std::string text = words(3000, "w");
+    inner.rows.push_back(document::Row(1));
+    inner.rows[0][0].blocks.push_back(paragraph(text));
+    document::Block outer;
+    outer.kind = document::BlockKind::table;
+    outer.rows.push_back(document::Row(1));
+    outer.rows[0][0].blocks = {paragraph("above"), inner, paragraph("below")};
+    model_.blocks.push_back(outer);
+    const Pages laid = pages();
+    EXPECT_EQ(wordsOn(laid, laid.size.height() - fromPoints(72)), split("above below " + text));
+}
+
+TEST_F(PagesTest, ALongFootnoteGoesOnAtTheFootOfTheNextPages) {
+    std::multiset<std::string> all;
+    for (int i = 0; i < 60; ++i) {
+        model_.blocks.push_back(paragraph("text" + std::to_string(i)));
+        if (i != 10 && i != 11) {
+            all.insert("text" + std::to_string(i));
+            continue;
+        }
+        document::Run mark;
+        mark.kind = document::RunKind::footnote;
+        mark.text = "*";
+        mark.footnote = model_.footnotes.size();
+        model_.blocks.back().runs.push_back(mark);
+        all.insert("text" + std::to_string(i) + "*");
+        document::Footnote note;
+        const std::string text = words(i == 10 ? 3000 : 30, "note" + std::to_string(i) + "-");
+        note.blocks.push_back(paragraph(text));
+        all.merge(split(text));
+        model_.footnotes.push_back(note);
+    }
+    const Pages laid = pages();
+    EXPECT_EQ(wordsOn(laid, laid.size.height() - fromPoints(72)), all);
+    const std::string first = printed(laid).substr(0, printed(laid).find("page 2"));
+    EXPECT_NE(first.find("text10*"), std::string::npos); // its mark stays where it was
+    EXPECT_NE(first.find("note10-0"), std::string::npos);
+    EXPECT_EQ(first.find("note10-2999"), std::string::npos);
+}
+
+TEST_F(PagesTest, APageWithoutRoomForTextHasSomeAllTheSame) {
+    model_.page.marginTop = 500;
+    model_.page.marginBottom = 500;
+    document::Block table;
+    table.kind = document::BlockKind::table;
+    table.rows.push_back(document::Row(1));
+    table.rows[0][0].blocks.push_back(paragraph(words(100, "w")));
+    model_.blocks = {paragraph(words(100, "v")), table};
+    EXPECT_EQ(wordsOn(pages(), 1e9).size(), 200u);
+}
+
+// A box inside boxes: one frame for each on each page, outer ones first, however they begin and
+// end.
+TEST_F(PagesTest, FramesLieInEachOther) {
+    for (int i = 0; i < 120; ++i)
+        model_.blocks.push_back(paragraph("line"));
+    document::Box box;
+    box.padding = 5;
+    box.background = document::Color{1, 1, 1};
+    box.border.width = 1;
+    model_.boxes = {box, box, box};
+    model_.boxes[0].first = model_.boxes[1].first = 2;
+    model_.boxes[0].last = model_.boxes[1].last = 100;
+    model_.boxes[2].first = 50;
+    model_.boxes[2].last = 51;
+    model_.boxes[1].indentLeft = 5;
+    const Pages laid = pages();
+    const auto framesOf = [](const Page& page) {
+        std::vector<FramePiece> frames;
+        for (const Piece& piece : page.pieces)
+            if (const auto* frame = std::get_if<FramePiece>(&piece))
+                frames.push_back(*frame);
+        return frames;
+    };
+    const std::vector<FramePiece> first = framesOf(laid.pages[0]), second = framesOf(laid.pages[1]);
+    ASSERT_GE(first.size(), 2u);
+    EXPECT_LT(first[0].rect.left(), first[1].rect.left());
+    EXPECT_EQ(first[1].rect.top() - first[0].rect.top(), fromPoints(5));
+    EXPECT_TRUE(first[0].border.top && !first[0].border.bottom);
+    EXPECT_FALSE(second[0].border.top);
+}
+
+TEST_F(PagesTest, WordsAreFoundInLongTextsToo) {
+    model_.blocks.push_back(paragraph(words(30'000, "w") + " needle in hay"));
+    const Pages laid = pages();
+    EXPECT_EQ(findText(laid, "w29999").size(), 1u);
+    const std::vector<Found> found = findText(laid, "needle in hay");
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].page, laid.pages.size() - 1);
+}
+
+// Lines are the same whether a text is laid out in one piece or in several.
+TEST_F(PagesTest, SegmentsLeaveNoTrace) {
+    const std::string text = words(5000, "some");
+    document::Block block = paragraph(text);
+    block.style.align = document::Align::justify;
+    Paragraph whole(model_, block, 8000, objects_);
+    std::string together;
+    for (std::size_t i = 0; whole.makeLine(i); ++i) {
+        together += whole.textOfLine(static_cast<int>(i)).toStdString();
+        const auto [from, to] = whole.rangeOfLine(static_cast<int>(i));
+        // No line but the last leaves room for the first word of the next.
+        EXPECT_TRUE(to - from > 50 || !whole.makeLine(i + 1)) << i;
+    }
+    EXPECT_EQ(together, text);
+    EXPECT_LT(whole.lettersShaped(), text.size() * 11 / 10);
+}
+
+TEST_F(PagesTest, PagesComeOneAfterTheOther) {
+    for (int i = 0; i < 2000; ++i)
+        model_.blocks.push_back(paragraph("line"));
+    Pagination pagination(model_, objects_);
+    while (pagination.pages().pages.size() < 3)
+        ASSERT_TRUE(pagination.step());
+    EXPECT_LT(pagination.pages().work.strips, 500u); // no more is made than what is shown
+    while (pagination.step())
+        continue;
+    EXPECT_EQ(printed(pagination.take()), printed(pages()));
 }
 
 TEST_F(PagesTest, LettersArePaintedInTheirColour) {

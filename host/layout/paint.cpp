@@ -28,10 +28,10 @@ void paintFrame(QPainter& painter, const FramePiece& frame) {
         painter.fillRect(QRectF(r.right() - w, r.top(), w, r.height()), color);
 }
 
-void paintImage(QPainter& painter, const ImagePiece& piece) {
-    if (!piece.image.isNull()) {
+void paintImage(QPainter& painter, const ImagePiece& piece, const QImage& image) {
+    if (!image.isNull()) {
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
-        painter.drawImage(piece.rect, piece.image);
+        painter.drawImage(piece.rect, image);
         return;
     }
     painter.fillRect(piece.rect, QColor(245, 245, 245));
@@ -51,8 +51,7 @@ QRectF boundsOf(const TextPiece& text) {
 
 } // namespace
 
-void paintPage(QPainter& painter, const Page& page, const QRectF& clip,
-               const SubdocumentPainter& subdocument) {
+void paintPage(QPainter& painter, const Page& page, const QRectF& clip, const Painters& painters) {
     for (const Piece& piece : page.pieces) {
         if (const auto* text = std::get_if<TextPiece>(&piece)) {
             if (boundsOf(*text).intersects(clip))
@@ -62,10 +61,10 @@ void paintPage(QPainter& painter, const Page& page, const QRectF& clip,
                 paintFrame(painter, *frame);
         } else if (const auto* image = std::get_if<ImagePiece>(&piece)) {
             if (image->rect.intersects(clip))
-                paintImage(painter, *image);
+                paintImage(painter, *image, painters.image ? painters.image(*image) : QImage());
         } else if (const auto* placed = std::get_if<SubdocumentPiece>(&piece)) {
-            if (placed->rect.intersects(clip))
-                subdocument(painter, *placed);
+            if (placed->rect.intersects(clip) && painters.subdocument)
+                painters.subdocument(painter, *placed);
         }
     }
 }

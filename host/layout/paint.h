@@ -3,14 +3,18 @@
 
 #include "layout/pages.h"
 
+#include <QImage>
 #include <functional>
 
 namespace layout {
 
-using SubdocumentPainter = std::function<void(QPainter&, const SubdocumentPiece&)>;
+struct Painters {
+    std::function<void(QPainter&, const SubdocumentPiece&)> subdocument;
+    // Null: there is none, or none yet; then the alternative stands at its place.
+    std::function<QImage(const ImagePiece&)> image;
+};
 
 // Only what touches `clip` is drawn.
-void paintPage(QPainter& painter, const Page& page, const QRectF& clip,
-               const SubdocumentPainter& subdocument);
+void paintPage(QPainter& painter, const Page& page, const QRectF& clip, const Painters& painters);
 
 } // namespace layout

@@ -89,6 +89,24 @@ void LiveSubdocument::load() {
                       });
 }
 
+// A medium that has none says so by an error.
+void LiveSubdocument::askForParameters() {
+    if (!process_ || process_->state() != MediumProcess::State::ready || !loaded_)
+        return;
+    const auto isCurrent = currentProcess();
+    process_->request(ipc::ParameterList{},
+                      [this, isCurrent](const Outcome<ipc::Parameters>& outcome) {
+                          if (!isCurrent())
+                              return;
+                          std::vector<std::string> names;
+                          if (const auto* list = std::get_if<ipc::Parameters>(&outcome))
+                              for (const auto& parameter : list->items)
+                                  names.push_back(parameter.name);
+                          parameters_ = std::move(names);
+                          Q_EMIT parametersChanged();
+                      });
+}
+
 void LiveSubdocument::applyChange(MediumProcess& by, const ipc::Id& id,
                                   const ipc::SubdocumentChanged& change) {
     if (change.base != revision_) {

@@ -104,12 +104,18 @@ public:
     [[nodiscard]] const ipc::Diagnostics& diagnostics() const { return diagnostics_; }
     // The text is loaded and the medium has said what is wrong with it.
     [[nodiscard]] bool hasLoaded() const { return loaded_; }
+    // The names of what a slider may drive, as the medium said last; nothing before it answered.
+    [[nodiscard]] const std::optional<std::vector<std::string>>& parameters() const {
+        return parameters_;
+    }
+    void askForParameters(); // of the text that is loaded
 
 Q_SIGNALS:
     void conditionChanged();
     void menusChanged();
     void timeChanged();
     void diagnosticsChanged();
+    void parametersChanged();
     void preferredSizeChanged();
     void loaded();
     void undoRequested();
@@ -175,6 +181,7 @@ private:
     std::optional<double> poster_; // until it is played
     bool atPoster_ = false;        // the medium has told that it shows it
     ipc::Diagnostics diagnostics_;
+    std::optional<std::vector<std::string>> parameters_;
     ipc::WindowsChanged windows_;
     KeptWindows kept_;
     bool loaded_ = false;

@@ -3,69 +3,65 @@
 #include "layout/measure.h"
 #include "layout/typeface.h"
 
-#include <QDir>
-#include <QFileInfo>
-#include <QImageReader>
 #include <QPainter>
 #include <QPdfWriter>
 #include <QPrinter>
 
 namespace paper {
-namespace {
-
-QImage imageOf(const document::Document& document, const std::string& source) {
-    const QDir folder = QFileInfo(document.fileName()).absoluteDir();
-    const QString path =
-        QFileInfo(folder.filePath(QString::fromStdString(source))).canonicalFilePath();
-    if (path.isEmpty() || !path.startsWith(folder.canonicalPath() + '/'))
-        return {};
-    QImageReader reader(path);
-    constexpr int mostMegabytes = 256;
-    QImageReader::setAllocationLimit(mostMegabytes);
-    return reader.read();
-}
-
-} // namespace
-
-document::Model modelOf(const session::OpenDocument& document, const QString& presentation) {
-    const document::Document& read = document.document();
-    return document::buildModel(
-        read, document.schemas().presentation(read.className(), presentation), document.schemas());
-}
-
-layout::Objects objectsOf(const session::OpenDocument& document) {
-    layout::Objects objects;
-    objects.subdocumentSize = [&document](document::SubdocumentId id) {
-        return layout::fromPixels(document.sizeOf(id));
-    };
-    objects.image = [&document](const std::string& source) {
-        return imageOf(document.document(), source);
-    };
-    return objects;
-}
-
 Paper::Paper(session::OpenDocument& document, const QString& presentation, double dpi, bool posters,
              QObject* parent)
-    : QObject(parent), document_(document), presentation_(presentation),
-      pictures_(document, document.document().subdocuments(), dpi / 96, posters) {
+    : QObject(parent), document_(document), presentation_(presentation), dpi_(dpi),
+      pictures_(document, document.document().subdocuments(), dpi / 96, posters),
+      presented_(document) {
     connect(&pictures_, &session::Pictures::progressed, this, &Paper::progressed);
-    connect(&pictures_, &session::Pictures::finished, this, [this] {
-        layOut();
-        Q_EMIT ready();
-    });
+    connect(&pictures_, &session::Pictures::finished, this,
+            [this] { presented_.begin(presentation_); });
+    connect(&presented_, &session::Presented::complete, this, &Paper::askForImages);
+    connect(&document_.images(), &session::Images::ready, this, &Paper::becomeReady);
 }
 
 void Paper::prepare() { pictures_.start(); }
 
-void Paper::layOut() {
-    model_ = modelOf(document_, presentation_);
-    pages_ = layout::layOut(model_, objectsOf(document_));
-    title_ = QString::fromStdString(model_.title);
-    for (const layout::PlacedSubdocument& placed : pages_.subdocuments) {
+// Each file at the resolution of its largest place, so that a PDF holds it once. As many are
+// decoded beforehand as are kept; the others are when their page is painted.
+void Paper::askForImages() {
+    laidOut_ = true;
+    for (const layout::Page& page : presented_.pages().pages)
+        for (const layout::Piece& piece : page.pieces)
+            if (const auto* image = std::get_if<layout::ImagePiece>(&piece)) {
+                QSize& size = imageSizes_[image->source];
+                const QSizeF pixels = image->rect.size() * (dpi_ / layout::twipsPerInch);
+                size = size.expandedTo(pixels.toSize());
+            }
+    qint64 bytes = 0;
+    for (const auto& [source, size] : imageSizes_) {
+        constexpr qint64 bytesToPixel = 4;
+        bytes += bytesToPixel * size.width() * size.height();
+        if (bytes < session::Images::mostKept / 4)
+            (void)document_.images().image(source, size);
+    }
+    becomeReady();
+}
+
+void Paper::becomeReady() {
+    if (ready_ || !laidOut_ || document_.images().isWaiting())
+        return;
+    ready_ = true;
+    for (const layout::PlacedSubdocument& placed : presented_.pages().subdocuments) {
         const auto found = pictures_.pictures().find(placed.subdocument);
         if (found != pictures_.pictures().end() && !found->second.error.isEmpty())
             failures_ << found->second.error;
     }
+    for (const auto& [source, size] : imageSizes_)
+        if (const QString fault = document_.images().fault(source); !fault.isEmpty())
+            failures_ << fault;
+    Q_EMIT ready();
+}
+
+QImage Paper::imageOf(const layout::ImagePiece& piece) const {
+    const auto size = imageSizes_.find(piece.source);
+    return size == imageSizes_.end() ? QImage()
+                                     : document_.images().imageNow(piece.source, size->second);
 }
 
 void paintBox(QPainter& painter, const QRectF& rect, const QString& title, const QString& text) {
@@ -109,23 +105,25 @@ void Paper::paintSubdocument(QPainter& painter, const layout::SubdocumentPiece& 
 }
 
 void Paper::paint(QPainter& painter, int page) const {
-    const QRectF whole({0, 0}, pages_.size);
-    if (pages_.paper != QColor(Qt::white))
-        painter.fillRect(whole, pages_.paper);
-    layout::paintPage(painter, pages_.pages[static_cast<std::size_t>(page)], whole,
-                      [this](QPainter& by, const layout::SubdocumentPiece& piece) {
-                          paintSubdocument(by, piece);
-                      });
+    const layout::Pages& pages = presented_.pages();
+    const QRectF whole({0, 0}, pages.size);
+    if (pages.paper != QColor(Qt::white))
+        painter.fillRect(whole, pages.paper);
+    layout::paintPage(painter, pages.pages[static_cast<std::size_t>(page)], whole,
+                      {[this](QPainter& by, const layout::SubdocumentPiece& piece) {
+                           paintSubdocument(by, piece);
+                       },
+                       [this](const layout::ImagePiece& piece) { return imageOf(piece); }});
 }
 
 QString Paper::writePdf(QIODevice& file) const {
     QPdfWriter writer(&file);
     writer.setResolution(static_cast<int>(layout::twipsPerInch));
     writer.setCreator(QStringLiteral("ensemble"));
-    writer.setTitle(title_);
+    writer.setTitle(title());
     writer.setPageMargins({0, 0, 0, 0});
-    writer.setPageSize(QPageSize(pages_.size / layout::twipsPerPoint, QPageSize::Point, {},
-                                 QPageSize::ExactMatch));
+    writer.setPageSize(QPageSize(presented_.pages().size / layout::twipsPerPoint, QPageSize::Point,
+                                 {}, QPageSize::ExactMatch));
     QPainter painter;
     if (!painter.begin(&writer))
         return tr("The file cannot be written.");
@@ -139,8 +137,8 @@ QString Paper::writePdf(QIODevice& file) const {
 
 QImage Paper::image(int page, double dpi) const {
     const double scale = dpi / layout::twipsPerInch;
-    QImage image((pages_.size * scale).toSize(), QImage::Format_RGB32);
-    image.fill(pages_.paper);
+    QImage image((presented_.pages().size * scale).toSize(), QImage::Format_RGB32);
+    image.fill(presented_.pages().paper);
     QPainter painter(&image);
     painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
     painter.scale(scale, scale);

@@ -5,19 +5,13 @@
 
 #include "layout/paint.h"
 #include "session/pictures.h"
+#include "session/presented.h"
 
 class QPdfWriter;
 class QPrinter;
 class QIODevice;
 
 namespace paper {
-
-// What a document shows by a presentation, on paper as in a window.
-[[nodiscard]] document::Model modelOf(const session::OpenDocument& document,
-                                      const QString& presentation);
-// The sizes of its subdocuments and its images, which come from files in its own folder or below
-// and from nowhere else. It reads the document as long as it is used.
-[[nodiscard]] layout::Objects objectsOf(const session::OpenDocument& document);
 
 class Paper : public QObject {
     Q_OBJECT
@@ -27,12 +21,14 @@ public:
     Paper(session::OpenDocument& document, const QString& presentation, double dpi, bool posters,
           QObject* parent = nullptr);
 
-    void prepare(); // emits ready() when all pictures are there
+    void prepare(); // emits ready() when all pictures are there and the pages are laid out
 
     // --- when ready
-    [[nodiscard]] int pageCount() const { return static_cast<int>(pages_.pages.size()); }
+    [[nodiscard]] int pageCount() const {
+        return static_cast<int>(presented_.pages().pages.size());
+    }
     [[nodiscard]] const QStringList& failures() const { return failures_; }
-    [[nodiscard]] const QString& title() const { return title_; }
+    [[nodiscard]] const QString& title() const { return presented_.title(); }
     [[nodiscard]] QString writePdf(QIODevice& file) const; // what failed; empty: nothing
     [[nodiscard]] QImage image(int page, double dpi) const;
     void print(QPrinter& printer) const;
@@ -42,17 +38,20 @@ Q_SIGNALS:
     void ready();
 
 private:
-    void layOut();
+    void askForImages();
+    void becomeReady();
+    [[nodiscard]] QImage imageOf(const layout::ImagePiece& piece) const;
     void paint(QPainter& painter, int page) const;
     void paintSubdocument(QPainter& painter, const layout::SubdocumentPiece& piece) const;
 
     session::OpenDocument& document_;
     QString presentation_;
+    double dpi_ = 0;
     session::Pictures pictures_;
-    document::Model model_;
-    layout::Pages pages_;
+    session::Presented presented_;
+    std::map<std::string, QSize> imageSizes_; // in pixels, of the largest place of each
+    bool laidOut_ = false, ready_ = false;
     QStringList failures_;
-    QString title_;
 };
 
 // A box with a sentence in it, instead of a picture; the painter's units are twips.

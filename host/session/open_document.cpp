@@ -1,7 +1,10 @@
 #include "session/open_document.h"
 
+#include "document/check.h"
+
 #include <QFileInfo>
 #include <algorithm>
+#include <numeric>
 
 namespace session {
 
@@ -23,9 +26,20 @@ std::vector<ipc::TextEdit> toIpc(const sgml::Edits& edits) {
     return result;
 }
 
-ListedFault listed(const sgml::Fault& fault) {
-    return {fault.position, fault.severity == sgml::Severity::error,
-            QString::fromStdString(fault.message), document::noSubdocument};
+ListedFault listed(const sgml::Fault& fault, document::SubdocumentId id = document::noSubdocument) {
+    return {fault.position,
+            fault.severity == sgml::Severity::error,
+            QString::fromStdString(fault.message),
+            id,
+            {}};
+}
+
+sgml::Fault warningAt(sgml::Range range, std::string message) {
+    sgml::Fault fault;
+    fault.severity = sgml::Severity::warning;
+    fault.range = range;
+    fault.message = std::move(message);
+    return fault;
 }
 
 } // namespace
@@ -34,6 +48,11 @@ OpenDocument::OpenDocument(std::unique_ptr<document::Document> document,
                            const document::Schemas& schemas, media::LiveMedia& media)
     : document_(std::move(document)), schemas_(schemas), media_(media) {
     readSubdocuments();
+    images_.setDocument(document_->fileName());
+    connect(&images_, &Images::ready, this, [this] {
+        if (images_.hasFaults())
+            Q_EMIT faultsChanged();
+    });
     document::Document* watched = document_.get();
     connect(watched, &document::Document::textChanged, this,
             [this](document::SubdocumentId id, const sgml::Edits& edits, int,
@@ -43,7 +62,10 @@ OpenDocument::OpenDocument(std::unique_ptr<document::Document> document,
         readSubdocuments();
     });
     connect(watched, &document::Document::changed, this, &OpenDocument::documentChanged);
-    connect(watched, &document::Document::fileNameChanged, this, &OpenDocument::nameSubdocuments);
+    connect(watched, &document::Document::fileNameChanged, this, [this] {
+        images_.setDocument(document_->fileName());
+        nameSubdocuments();
+    });
 }
 
 OpenDocument::~OpenDocument() = default;
@@ -55,9 +77,7 @@ Unsaved& OpenDocument::keepUnsavedIn(const std::string& folder) {
 
 void OpenDocument::readSubdocuments() {
     const std::vector<document::SubdocumentId> there = document_->subdocuments();
-    std::erase_if(live_, [&](const auto& one) {
-        return std::find(there.begin(), there.end(), one.first) == there.end();
-    });
+    std::erase_if(live_, [&](const auto& one) { return !document_->subdocument(one.first); });
     for (const document::SubdocumentId id : there) {
         const document::Subdocument* subdocument = document_->subdocument(id);
         if (!subdocument || !subdocument->hasText || live_.contains(id))
@@ -70,20 +90,34 @@ void OpenDocument::readSubdocuments() {
         made->setPoster(subdocument->poster);
         made->onChange(
             [this, id](const ipc::SubdocumentChanged& change) { return applyChange(id, change); });
-        connect(made.get(), &media::LiveSubdocument::diagnosticsChanged, this,
-                &OpenDocument::faultsChanged);
-        connect(made.get(), &media::LiveSubdocument::windowsChanged, this,
-                &OpenDocument::draftsChanged);
-        connect(made.get(), &media::LiveSubdocument::keptStateChanged, this,
-                &OpenDocument::draftsChanged);
-        connect(made.get(), &media::LiveSubdocument::message, this, &OpenDocument::message);
-        connect(made.get(), &media::LiveSubdocument::undoRequested, document_.get(),
-                &document::Document::undo);
-        connect(made.get(), &media::LiveSubdocument::redoRequested, document_.get(),
-                &document::Document::redo);
+        connectLive(id, *made);
         live_[id] = std::move(made);
     }
+    driven_.clear();
+    for (const document::SliderUse& use : document::sliderUses(*document_, schemas_))
+        driven_.insert(use.subdocument);
+    placed_.clear();
     nameSubdocuments();
+}
+
+void OpenDocument::connectLive(document::SubdocumentId id, media::LiveSubdocument& live) {
+    using media::LiveSubdocument;
+    const auto askForParameters = [this, id, &live] {
+        if (hasSliders(id))
+            live.askForParameters();
+    };
+    connect(&live, &LiveSubdocument::diagnosticsChanged, this, [this, id, askForParameters] {
+        placed_.erase(id);
+        askForParameters();
+        Q_EMIT faultsChanged();
+    });
+    connect(&live, &LiveSubdocument::loaded, this, askForParameters);
+    connect(&live, &LiveSubdocument::parametersChanged, this, &OpenDocument::faultsChanged);
+    connect(&live, &LiveSubdocument::windowsChanged, this, &OpenDocument::draftsChanged);
+    connect(&live, &LiveSubdocument::keptStateChanged, this, &OpenDocument::draftsChanged);
+    connect(&live, &LiveSubdocument::message, this, &OpenDocument::message);
+    connect(&live, &LiveSubdocument::undoRequested, document_.get(), &document::Document::undo);
+    connect(&live, &LiveSubdocument::redoRequested, document_.get(), &document::Document::redo);
 }
 
 // The file, and which of several it is: by the author's name for it, else counted.
@@ -167,6 +201,7 @@ void OpenDocument::textChanged(document::SubdocumentId id, const sgml::Edits& ed
 }
 
 void OpenDocument::documentChanged() {
+    placed_.clear();
     if (!std::exchange(onlyText_, false))
         Q_EMIT structureChanged();
     Q_EMIT faultsChanged();
@@ -194,43 +229,122 @@ std::optional<QString> OpenDocument::applyChange(document::SubdocumentId id,
     return tr("The document cannot make this change.");
 }
 
-std::vector<ListedFault> OpenDocument::faultsOf(document::SubdocumentId id) const {
-    std::vector<ListedFault> result;
+// --- faults ------------------------------------------------------------------------------------
+
+// With their places as bytes: lines and columns are counted for all of them at once.
+std::vector<sgml::Fault> OpenDocument::saidBy(document::SubdocumentId id) const {
     const media::LiveSubdocument* subdocument = live(id);
-    if (!subdocument)
-        return result;
+    const document::Subdocument* in = document_->subdocument(id);
+    if (!subdocument || !in)
+        return {};
+    std::vector<sgml::Position> places;
     for (const ipc::DiagnosticItem& item : subdocument->diagnostics().items) {
         constexpr ipc::Integer most = 1'000'000'000;
-        const sgml::Position inText{static_cast<int>(std::min(item.line, most)),
-                                    static_cast<int>(std::min(item.column, most))};
-        const document::Subdocument* in = document_->subdocument(id);
-        sgml::Position place =
-            in ? document_->tree().position(document_->tree().node(in->element).range.from)
-               : sgml::Position{};
-        if (inText.line > 0)
-            place = document_->filePosition(id, inText);
-        result.push_back({place, item.severity == ipc::Severity::error,
-                          QString::fromStdString(item.message), id});
+        places.push_back({static_cast<int>(std::clamp(item.line, ipc::Integer{0}, most)),
+                          static_cast<int>(std::clamp(item.column, ipc::Integer{0}, most))});
+    }
+    const std::vector<std::size_t> offsets = document_->fileOffsets(id, places);
+    std::vector<sgml::Fault> result;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const ipc::DiagnosticItem& item = subdocument->diagnostics().items[i];
+        const std::size_t at =
+            places[i].line > 0 ? offsets[i] : document_->tree().node(in->element).range.from;
+        result.push_back(warningAt({at, at}, item.message));
+        if (item.severity == ipc::Severity::error)
+            result.back().severity = sgml::Severity::error;
     }
     return result;
 }
 
-std::vector<ListedFault> OpenDocument::faults() const {
-    std::vector<ListedFault> result;
-    for (const sgml::Fault& fault : document_->faults())
-        result.push_back(listed(fault));
+const std::vector<ListedFault>& OpenDocument::faultsOf(document::SubdocumentId id) const {
+    const auto [known, isNew] = placed_.try_emplace(id);
+    if (isNew) {
+        std::vector<sgml::Fault> said = saidBy(id);
+        document::placeFaults(said, document_->bytes());
+        for (const sgml::Fault& fault : said)
+            known->second.push_back(listed(fault, id));
+    }
+    return known->second;
+}
+
+std::vector<sgml::Fault> OpenDocument::ofDocument() const {
     QStringList classes;
     for (const media::Manifest& manifest : media_.registry().media())
         classes << manifest.documentClass;
-    for (const sgml::Fault& fault : document::structureFaults(*document_, schemas_, classes))
-        result.push_back(listed(fault));
-    for (const auto& [id, subdocument] : live_) {
-        const std::vector<ListedFault> ofIt = faultsOf(id);
-        result.insert(result.end(), ofIt.begin(), ofIt.end());
+    return document::documentFaults(*document_, schemas_, classes);
+}
+
+std::vector<sgml::Fault> OpenDocument::ofImages() {
+    std::map<std::string, std::string> known; // by source
+    std::vector<sgml::Fault> result;
+    for (const document::ImageUse& use : document::imageUses(*document_, schemas_)) {
+        const auto [fault, isNew] = known.try_emplace(use.source);
+        if (isNew)
+            fault->second = images_.fault(use.source).toStdString();
+        if (!fault->second.empty())
+            result.push_back(warningAt(use.range, fault->second));
     }
-    std::stable_sort(result.begin(), result.end(), [](const ListedFault& a, const ListedFault& b) {
-        return a.position < b.position;
+    return result;
+}
+
+// LIMIT: a medium is asked only when it runs.
+std::vector<sgml::Fault> OpenDocument::ofSliders() const {
+    std::vector<sgml::Fault> result;
+    for (const document::SliderUse& use : document::sliderUses(*document_, schemas_)) {
+        const media::LiveSubdocument* of = live(use.subdocument);
+        if (!of || !of->parameters() || std::ranges::count(*of->parameters(), use.parameter) > 0)
+            continue;
+        const auto& said = of->diagnostics().items;
+        const bool faulty = std::ranges::any_of(
+            said, [](const auto& item) { return item.severity == ipc::Severity::error; });
+        if (!faulty) // what cannot be read has no parameters
+            result.push_back(
+                warningAt(use.range, "the subdocument of this slider has no parameter \"" +
+                                         use.parameter + "\""));
+    }
+    return result;
+}
+
+// Of the classes that are in the document.
+std::vector<ListedFault> OpenDocument::ofSchemas() const {
+    QStringList classes{QStringLiteral("COMMON"), QString::fromStdString(document_->className())};
+    for (const document::SubdocumentId id : document_->subdocuments())
+        classes << QString::fromStdString(document_->subdocument(id)->className);
+    std::vector<ListedFault> result;
+    for (const document::Schemas::FileFault& fault : schemas_.faults())
+        if (classes.contains(QFileInfo(fault.file).fileName().section(QLatin1Char('.'), 0, 0))) {
+            result.push_back(listed(fault.fault));
+            result.back().file = fault.file;
+        }
+    return result;
+}
+
+std::vector<ListedFault> OpenDocument::faults() {
+    std::vector<sgml::Fault> all = ofDocument();
+    std::vector<document::SubdocumentId> by(all.size(), document::noSubdocument);
+    const auto add = [&](std::vector<sgml::Fault> more, document::SubdocumentId id) {
+        all.insert(all.end(), std::make_move_iterator(more.begin()),
+                   std::make_move_iterator(more.end()));
+        by.resize(all.size(), id);
+    };
+    add(ofImages(), document::noSubdocument);
+    add(ofSliders(), document::noSubdocument);
+    for (const auto& [id, subdocument] : live_)
+        add(saidBy(id), id);
+    std::vector<std::size_t> order(all.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return all[a].range.from < all[b].range.from;
     });
+    std::vector<std::size_t> offsets;
+    for (const std::size_t i : order)
+        offsets.push_back(all[i].range.from);
+    const std::vector<sgml::Position> positions = sgml::positionsOf(document_->bytes(), offsets);
+    std::vector<ListedFault> result = ofSchemas();
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        result.push_back(listed(all[order[i]], by[order[i]]));
+        result.back().position = positions[i];
+    }
     return result;
 }
 

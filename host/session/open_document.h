@@ -7,12 +7,14 @@
 
 #include "document/document.h"
 #include "media/live_media.h"
+#include "session/images.h"
 #include "session/unsaved.h"
 
 #include <QObject>
 #include <QSizeF>
 #include <map>
 #include <memory>
+#include <set>
 
 namespace session {
 
@@ -21,6 +23,7 @@ struct ListedFault {
     bool isError = false;
     QString message;
     document::SubdocumentId subdocument = document::noSubdocument;
+    QString file{}; // of a schema, when it is not in the document
     bool operator==(const ListedFault&) const = default;
 };
 
@@ -36,6 +39,7 @@ public:
     [[nodiscard]] const document::Document& document() const { return *document_; }
     [[nodiscard]] const document::Schemas& schemas() const { return schemas_; }
     [[nodiscard]] media::LiveMedia& media() { return media_; }
+    [[nodiscard]] Images& images() { return images_; }
 
     // Nothing for one whose medium is not installed, or that is text.
     [[nodiscard]] media::LiveSubdocument* live(document::SubdocumentId id) const;
@@ -50,10 +54,15 @@ public:
     [[nodiscard]] bool takesDrafts() const;
     void takeDrafts();
 
-    // Of the format, of the schemas, of subdocuments as their media say, in order of place.
-    [[nodiscard]] std::vector<ListedFault> faults() const;
+    // All that is known to be wrong: of the format, of what its schemas do not allow, references to
+    // nothing, pictures that cannot be read, parameters that sliders do not find, of subdocuments
+    // as their media say; in order of place. Before these, what is wrong in the files of its
+    // schemas.
+    [[nodiscard]] std::vector<ListedFault> faults();
     // What a subdocument's medium finds wrong, placed in the file.
-    [[nodiscard]] std::vector<ListedFault> faultsOf(document::SubdocumentId id) const;
+    [[nodiscard]] const std::vector<ListedFault>& faultsOf(document::SubdocumentId id) const;
+    // Are there sliders for its parameters?
+    [[nodiscard]] bool hasSliders(document::SubdocumentId id) const { return driven_.contains(id); }
 
     // What is not saved is kept in that folder's journal from now on.
     Unsaved& keepUnsavedIn(const std::string& folder);
@@ -67,6 +76,12 @@ Q_SIGNALS:
 
 private:
     void readSubdocuments();
+    void connectLive(document::SubdocumentId id, media::LiveSubdocument& live);
+    [[nodiscard]] std::vector<sgml::Fault> ofDocument() const;
+    [[nodiscard]] std::vector<sgml::Fault> ofImages();
+    [[nodiscard]] std::vector<sgml::Fault> ofSliders() const;
+    [[nodiscard]] std::vector<sgml::Fault> saidBy(document::SubdocumentId id) const;
+    [[nodiscard]] std::vector<ListedFault> ofSchemas() const;
     void nameSubdocuments(); // for the windows of media
     void documentChanged();
     void textChanged(document::SubdocumentId id, const sgml::Edits& edits, const QString& label);
@@ -76,7 +91,10 @@ private:
     std::unique_ptr<document::Document> document_;
     const document::Schemas& schemas_;
     media::LiveMedia& media_;
+    Images images_;
     std::map<document::SubdocumentId, std::unique_ptr<media::LiveSubdocument>> live_;
+    std::set<document::SubdocumentId> driven_;                                   // by sliders
+    mutable std::map<document::SubdocumentId, std::vector<ListedFault>> placed_; // what media said
     bool onlyText_ = false; // the change that is being announced
     std::unique_ptr<Unsaved> unsaved_;
 };

@@ -248,7 +248,7 @@ void Parser::readStray(FaultKind kind, std::string message) {
     std::size_t to = at_;
     while (to > from + 1 && isBlank(text_[to - 1]))
         --to;
-    if (tree_.nodes_[top()].kind == NodeKind::document && tree_.classElement(top()) != noNode)
+    if (tree_.nodes_[top()].kind == NodeKind::document && isComplete(top()))
         checkPlace(NodeKind::stray, from);
     else
         fault(kind, {from, to}, message + ": " + quoted(text_.substr(from, to - from)));
@@ -270,6 +270,8 @@ NodeId Parser::addNode(NodeKind kind, Range range) {
     else
         tree_.nodes_[parent.lastChild].next = id;
     parent.lastChild = id;
+    if (kind == NodeKind::element && parent.kind == NodeKind::document)
+        complete_.insert(top());
     return id;
 }
 
@@ -292,7 +294,7 @@ void Parser::checkPlace(NodeKind kind, std::size_t at) {
 }
 
 void Parser::checkPlaceInDocument(NodeId document, NodeKind kind, std::size_t at) {
-    const bool complete = tree_.classElement(document) != noNode;
+    const bool complete = isComplete(document);
     if (complete && document == tree_.root()) {
         if (!trailingReported_)
             fault(FaultKind::trailingText, {at, at + 1}, "the document has ended before this");

@@ -12,6 +12,7 @@
 #include "sgml/tree.h"
 
 #include <unordered_map>
+#include <unordered_set>
 
 namespace sgml {
 
@@ -47,6 +48,7 @@ private:
     NodeId addNode(NodeKind kind, Range range);
     void checkPlace(NodeKind kind, std::size_t at);
     void checkPlaceInDocument(NodeId document, NodeKind kind, std::size_t at);
+    [[nodiscard]] bool isComplete(NodeId document) const { return complete_.contains(document); }
     void open(NodeId node);
     void close(std::size_t end, Range endTag);
     [[nodiscard]] std::size_t endOfTop() const;
@@ -68,6 +70,7 @@ private:
     std::vector<NodeId> open_;
     std::size_t elementDepth_ = 0;
     std::unordered_map<std::string_view, int> openNames_;
+    std::unordered_set<NodeId> complete_; // documents that have their class element
     std::vector<std::size_t> unclosed_;
     bool unclosedKnown_ = false;
     bool noMoreQuotes_ = false;

@@ -1,5 +1,7 @@
 #include "sgml/position.h"
 
+#include "sgml/work.h"
+
 namespace sgml {
 
 namespace {
@@ -11,6 +13,10 @@ public:
         if (text.starts_with(byteOrderMark))
             at_ = byteOrderMark.size();
     }
+
+    ~Cursor() { work().bytesPlaced += at_; }
+    Cursor(const Cursor&) = delete;
+    Cursor& operator=(const Cursor&) = delete;
 
     [[nodiscard]] bool atEnd() const { return at_ >= text_.size(); }
     [[nodiscard]] std::size_t offset() const { return at_; }
@@ -59,13 +65,20 @@ std::vector<Position> positionsOf(std::string_view text, const std::vector<std::
 }
 
 std::size_t offsetOf(std::string_view text, Position position) {
+    return offsetsOf(text, {position}).front();
+}
+
+std::vector<std::size_t> offsetsOf(std::string_view text, const std::vector<Position>& positions) {
+    std::vector<std::size_t> offsets;
+    offsets.reserve(positions.size());
     Cursor cursor(text);
-    while (!cursor.atEnd() && cursor.position() < position) {
-        if (cursor.position().line == position.line && cursor.atLineEnd())
-            break;
-        cursor.step();
+    for (const Position& position : positions) {
+        while (!cursor.atEnd() && cursor.position() < position &&
+               !(cursor.position().line == position.line && cursor.atLineEnd()))
+            cursor.step();
+        offsets.push_back(cursor.offset());
     }
-    return cursor.offset();
+    return offsets;
 }
 
 } // namespace sgml

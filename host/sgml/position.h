@@ -40,4 +40,8 @@ inline constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 // end of the text.
 [[nodiscard]] std::size_t offsetOf(std::string_view text, Position position);
 
+// The same for many places, which must not decrease: reads the text once.
+[[nodiscard]] std::vector<std::size_t> offsetsOf(std::string_view text,
+                                                 const std::vector<Position>& positions);
+
 } // namespace sgml

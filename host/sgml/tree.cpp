@@ -1,6 +1,7 @@
 #include "sgml/tree.h"
 
 #include "sgml/parser.h"
+#include "sgml/work.h"
 
 #include <algorithm>
 
@@ -52,7 +53,8 @@ NodeId Tree::childElement(NodeId parent, std::string_view name) const {
 }
 
 NodeId Tree::nextElement(NodeId sibling, std::string_view name) const {
-    for (NodeId id = nodes_[sibling].next; id != noNode; id = nodes_[id].next)
+    for (NodeId id = nodes_[sibling].next; id != noNode;
+         id = nodes_[id].next, ++work().siblingsPassed)
         if (isElement(id) && (name.empty() || this->name(id) == name))
             return id;
     return noNode;

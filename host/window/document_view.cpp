@@ -1,7 +1,6 @@
 #include "window/document_view.h"
 
 #include "layout/measure.h"
-#include "paper/paper.h"
 #include "window/key_names.h"
 #include "window/play_bar.h"
 
@@ -36,7 +35,8 @@ void paintShadow(QPainter& painter, const QRectF& page) {
 } // namespace
 
 DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
-    : QAbstractScrollArea(parent), document_(document), playBar_(new PlayBar(true, viewport())) {
+    : QAbstractScrollArea(parent), document_(document), presented_(document),
+      playBar_(new PlayBar(true, viewport())) {
     setFrameShape(QFrame::NoFrame);
     setAccessibleName(tr("Document"));
     setFocusPolicy(Qt::StrongFocus);
@@ -47,6 +47,10 @@ DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
     connect(&layoutTimer_, &QTimer::timeout, this, &DocumentView::layOut);
     geometryTimer_.setSingleShot(true);
     connect(&geometryTimer_, &QTimer::timeout, this, &DocumentView::updateGeometries);
+    connect(&presented_, &session::Presented::grown, this, &DocumentView::showPages);
+    connect(&presented_, &session::Presented::complete, this, &DocumentView::showPages);
+    connect(&document_.images(), &session::Images::ready, viewport(),
+            qOverload<>(&QWidget::update));
     connect(&document_, &session::OpenDocument::structureChanged, this, [this] {
         std::erase_if(shown_, [this](const auto& one) {
             return !document_.document().subdocument(one.first);
@@ -76,9 +80,9 @@ DocumentView::~DocumentView() {
 
 // --- layout ------------------------------------------------------------------------------------
 
-void DocumentView::layOut() {
-    model_ = paper::modelOf(document_, presentation_);
-    pages_ = layout::layOut(model_, paper::objectsOf(document_));
+void DocumentView::layOut() { presented_.begin(presentation_); }
+
+void DocumentView::showPages() {
     placeSubdocuments();
     setScrollBars();
     updateNearness();
@@ -89,7 +93,7 @@ void DocumentView::layOut() {
 void DocumentView::placeSubdocuments() {
     std::map<document::SubdocumentId, Shown> before;
     before.swap(shown_);
-    for (const layout::PlacedSubdocument& placed : pages_.subdocuments) {
+    for (const layout::PlacedSubdocument& placed : pages().subdocuments) {
         const auto old = before.find(placed.subdocument);
         Shown shown;
         if (old != before.end())
@@ -117,7 +121,7 @@ void DocumentView::setPresentation(const QString& name) {
 
 double DocumentView::scale() const { return zoom_ / layout::twipsPerPixel; }
 
-QSizeF DocumentView::pageSize() const { return pages_.size * scale(); }
+QSizeF DocumentView::pageSize() const { return pages().size * scale(); }
 
 QPointF DocumentView::pageTopLeft(std::size_t page) const {
     const QSizeF size = pageSize();
@@ -150,7 +154,7 @@ media::Rendition* DocumentView::rendition(document::SubdocumentId id) const {
 void DocumentView::setScrollBars() {
     const QSizeF page = pageSize();
     const double height =
-        2 * margin + static_cast<double>(pages_.pages.size()) * (page.height() + gap) - gap;
+        2 * margin + static_cast<double>(pages().pages.size()) * (page.height() + gap) - gap;
     const auto most = [](double length) {
         return std::max(0, static_cast<int>(std::ceil(length)));
     };
@@ -179,7 +183,7 @@ void DocumentView::setZoom(double zoom) {
 }
 
 double DocumentView::widthZoom() const {
-    const double page = layout::toPixels(pages_.size).width();
+    const double page = layout::toPixels(pages().size).width();
     return std::max(leastZoom, (viewport()->width() - 2 * margin) / page);
 }
 
@@ -277,10 +281,10 @@ void DocumentView::updateGeometry(Shown& shown) {
     const double ratio = devicePixelRatioF();
     shown.rendition->setGeometry((placeOf(shown).size() * ratio).toSize(), zoom_ * ratio);
     if (media::LiveSubdocument* live = document_.live(shown.id))
-        live->setAvailable(
-            layout::toPixels({pages_.size.width() - layout::fromPoints(model_.page.marginLeft +
-                                                                       model_.page.marginRight),
-                              0}));
+        live->setAvailable(layout::toPixels(
+            {pages().size.width() -
+                 layout::fromPoints(presented_.page().marginLeft + presented_.page().marginRight),
+             0}));
 }
 
 void DocumentView::updateGeometries() {
@@ -336,7 +340,7 @@ void DocumentView::scrollTo(document::SubdocumentId id) {
 // --- finding -----------------------------------------------------------------------------------
 
 void DocumentView::find(const QString& words) {
-    found_ = layout::findText(pages_, words);
+    found_ = layout::findText(pages(), words);
     viewport()->update();
     const auto isBelow = [this](const layout::Found& one) {
         return pageTopLeft(one.page).y() + one.rects.front().bottom() * scale() > 0;
@@ -361,12 +365,12 @@ void DocumentView::showFound(int which) {
 }
 
 void DocumentView::paintFound(QPainter& painter, std::size_t page) const {
-    for (std::size_t i = 0; i < found_.size(); ++i)
-        if (found_[i].page == page)
-            for (const QRectF& rect : found_[i].rects)
-                painter.fillRect(rect, static_cast<int>(i) == shownFound_
-                                           ? QColor(255, 150, 30, 130)
-                                           : QColor(255, 220, 60, 110));
+    const auto isBefore = [](const layout::Found& one, std::size_t at) { return one.page < at; };
+    for (auto one = std::lower_bound(found_.begin(), found_.end(), page, isBefore);
+         one != found_.end() && one->page == page; ++one)
+        for (const QRectF& rect : one->rects)
+            painter.fillRect(rect, one - found_.begin() == shownFound_ ? QColor(255, 150, 30, 130)
+                                                                       : QColor(255, 220, 60, 110));
 }
 
 // --- painting ----------------------------------------------------------------------------------
@@ -385,19 +389,25 @@ void DocumentView::paintEvent(QPaintEvent* event) {
     }
 }
 
+// The picture of a file as far as it is decoded; it is painted again when there is more of it.
+QImage DocumentView::imageOf(const layout::ImagePiece& piece) {
+    const QSizeF pixels = piece.rect.size() * (scale() * devicePixelRatioF());
+    return document_.images().image(piece.source, pixels.toSize());
+}
+
 void DocumentView::paintPages(QPainter& painter, const QRect& area) {
     const QSizeF size = pageSize();
     const double step = size.height() + gap;
     const double from = area.top() + verticalScrollBar()->value() - margin;
     const auto first = static_cast<std::size_t>(std::max(0.0, std::floor(from / step)));
-    for (std::size_t i = first; i < pages_.pages.size(); ++i) {
+    for (std::size_t i = first; i < pages().pages.size(); ++i) {
         const QRectF page(pageTopLeft(i), size);
         if (page.top() > area.bottom() + 10)
             break;
         if (!page.adjusted(-8, -8, 8, 8).intersects(QRectF(area)))
             continue;
         paintShadow(painter, page);
-        painter.fillRect(page, pages_.paper);
+        painter.fillRect(page, pages().paper);
         painter.save();
         painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
         painter.setClipRect(page & QRectF(area));
@@ -405,8 +415,8 @@ void DocumentView::paintPages(QPainter& painter, const QRect& area) {
         painter.scale(scale(), scale());
         const QRectF clip((QPointF(area.topLeft()) - page.topLeft()) / scale(),
                           QSizeF(area.size()) / scale());
-        layout::paintPage(painter, pages_.pages[i], clip,
-                          [](QPainter&, const layout::SubdocumentPiece&) {});
+        layout::paintPage(painter, pages().pages[i], clip,
+                          {{}, [this](const layout::ImagePiece& piece) { return imageOf(piece); }});
         paintFound(painter, i);
         painter.restore();
     }

@@ -8,6 +8,7 @@
 
 #include "layout/find.h"
 #include "layout/paint.h"
+#include "session/presented.h"
 #include "window/shown.h"
 
 #include <QAbstractScrollArea>
@@ -45,8 +46,10 @@ public:
     [[nodiscard]] int shownFound() const { return shownFound_; }
     void showFound(int which); // around the ends
 
-    [[nodiscard]] const layout::Pages& pages() const { return pages_; }
-    [[nodiscard]] const document::Model& model() const { return model_; }
+    // So far: a long document is laid out while its first pages are shown.
+    [[nodiscard]] const layout::Pages& pages() const { return presented_.pages(); }
+    [[nodiscard]] bool isLaidOut() const { return presented_.isComplete(); }
+    [[nodiscard]] const QString& title() const { return presented_.title(); } // when it is
     void layOut();
 
     static constexpr double margin = 28; // around the pages
@@ -88,6 +91,7 @@ private:
     [[nodiscard]] const document::Run* linkAt(QPointF point) const;
     [[nodiscard]] QPointF pixelsIn(const Shown& shown, QPointF point) const;
 
+    void showPages();
     void placeSubdocuments();
     void connectShown(Shown& shown);
     void setScrollBars();
@@ -96,6 +100,7 @@ private:
     void updateGeometries();
     void updateOne(document::SubdocumentId id);
     void paintPages(QPainter& painter, const QRect& area);
+    [[nodiscard]] QImage imageOf(const layout::ImagePiece& piece);
     void paintFound(QPainter& painter, std::size_t page) const;
     void useKey(int key, Qt::KeyboardModifiers modifiers);
     void follow(const QString& target);
@@ -105,8 +110,7 @@ private:
     session::OpenDocument& document_;
     QString presentation_;
     double zoom_ = 1;
-    document::Model model_;
-    layout::Pages pages_;
+    session::Presented presented_;
     std::map<document::SubdocumentId, Shown> shown_;
     std::vector<layout::Found> found_;
     int shownFound_ = 0;

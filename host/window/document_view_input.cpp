@@ -27,7 +27,7 @@ void DocumentView::scrollContentsBy(int, int) {
 void DocumentView::showEvent(QShowEvent* event) {
     QAbstractScrollArea::showEvent(event);
     if (!std::exchange(wasShown_, true))
-        setZoom(std::min(model_.page.zoom, widthZoom()));
+        setZoom(std::min(presented_.page().zoom, widthZoom()));
     updateGeometries();
     updateNearness();
 }
@@ -192,7 +192,7 @@ void DocumentView::useKey(int key, Qt::KeyboardModifiers modifiers) {
 // Tab goes from rendition to rendition, then on to the other widgets.
 bool DocumentView::focusNextPrevChild(bool next) {
     std::vector<document::SubdocumentId> order;
-    for (const layout::PlacedSubdocument& placed : pages_.subdocuments)
+    for (const layout::PlacedSubdocument& placed : pages().subdocuments)
         order.push_back(placed.subdocument);
     const auto at = std::find(order.begin(), order.end(), chosen_);
     std::size_t index = at == order.end() ? (next ? 0 : order.size() - 1)
@@ -210,12 +210,12 @@ bool DocumentView::focusNextPrevChild(bool next) {
 // --- links, bar, cursor ------------------------------------------------------------------------
 
 const document::Run* DocumentView::linkAt(QPointF point) const {
-    for (std::size_t i = 0; i < pages_.pages.size(); ++i) {
+    for (std::size_t i = 0; i < pages().pages.size(); ++i) {
         const QRectF page(pageTopLeft(i), pageSize());
         if (!page.contains(point))
             continue;
         const document::Run* run =
-            layout::runAt(pages_.pages[i], (point - page.topLeft()) / scale());
+            layout::runAt(pages().pages[i], (point - page.topLeft()) / scale());
         return run && !run->target.empty() ? run : nullptr;
     }
     return nullptr;
@@ -226,8 +226,8 @@ void DocumentView::follow(const QString& target) {
         Q_EMIT linkActivated(target);
         return;
     }
-    const auto anchor = pages_.anchors.find(target.mid(1).toStdString());
-    if (anchor == pages_.anchors.end())
+    const auto anchor = pages().anchors.find(target.mid(1).toStdString());
+    if (anchor == pages().anchors.end())
         return;
     const double y = pageTopLeft(anchor->second.first).y() + anchor->second.second * scale();
     verticalScrollBar()->setValue(verticalScrollBar()->value() + static_cast<int>(y - margin));

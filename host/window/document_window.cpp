@@ -279,7 +279,7 @@ QString lineOf(const QString& text) {
 
 // Its own, as the presentation says which element that is, else its file's name.
 QString DocumentWindow::documentTitle() const {
-    const QString title = lineOf(QString::fromStdString(view_->model().title));
+    const QString title = lineOf(view_->title());
     const QString file = lineOf(QFileInfo(document_->document().fileName()).fileName());
     if (title.isEmpty())
         return file.isEmpty() ? tr("Untitled") : file;

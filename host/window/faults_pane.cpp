@@ -3,6 +3,7 @@
 #include "plain/plain.h"
 #include "window/icons.h"
 
+#include <QFileInfo>
 #include <QHeaderView>
 #include <QTreeWidget>
 
@@ -43,10 +44,12 @@ void FaultsPane::refresh() {
     int errors = 0;
     QList<QTreeWidgetItem*> items;
     for (const session::ListedFault& fault : faults_) {
-        const QString place =
+        QString place =
             fault.position.line > 0
                 ? QStringLiteral("%1:%2").arg(fault.position.line).arg(fault.position.column)
                 : QString();
+        if (!fault.file.isEmpty())
+            place.prepend(QFileInfo(fault.file).fileName() + QLatin1Char(':'));
         auto* item = new QTreeWidgetItem({place, fault.message});
         item->setIcon(0, iconNamed(fault.isError ? "dialog-error" : "dialog-warning"));
         item->setToolTip(1, plain::tip(fault.message));

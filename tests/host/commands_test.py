@@ -79,6 +79,45 @@ class Convert(InFolder):
         self.assertEqual((code, error), (1, "standard input cannot be read: it is longer than 256 MB, and no more is read.\n"))
 
 
+class Files(InFolder):
+    """Pictures that are files, and texts that are longer than a page."""
+
+    def words(self, file):
+        text = subprocess.run(["pdftotext", self.path(file), "-"], capture_output=True, check=True).stdout.decode()
+        return text.split()
+
+    def test_a_picture_is_in_the_pdf_once_and_what_is_no_file_is_said(self):
+        with open(self.path("a.ppm"), "wb") as f:
+            f.write(b"P6 400 300 255\n" + os.urandom(400 * 300 * 3))
+        subprocess.run(["convert", "a.ppm", "a.png"], check=True, cwd=self.path("."))
+        os.mkfifo(self.path("fifo.png"))
+        figure = '<FIGURE><IMAGE FILE="%s"></IMAGE><CAPTION>{c}</CAPTION></FIGURE>\n'
+        self.write("a.ens", memo(figure % "a.png" * 20))
+        self.assertEqual(self.ensemble("--convert-to", "pdf", "a.ens"), (0, b"", ""))
+        images = subprocess.run(["pdfimages", "-list", self.path("a.pdf")], capture_output=True, check=True).stdout.decode()
+        objects = {line.split()[10] for line in images.splitlines()[2:]}
+        self.assertEqual((len(images.splitlines()) - 2, len(objects)), (20, 1))
+        self.write("b.ens", memo(figure % "fifo.png" + figure % "/dev/zero" + figure % "none.png"))
+        code, _, error = self.ensemble("--convert-to", "pdf", "b.ens")
+        self.assertEqual(code, 1)
+        self.assertIn("fifo.png is no file that can be read", error)
+        self.assertIn("not in the document's folder", error)
+        _, out, _ = self.ensemble("--check", "b.ens")
+        self.assertEqual([line.split(":")[1] for line in out.decode().splitlines()], ["5", "6", "7"], out)
+
+    def test_all_words_are_printed(self):
+        def words(count, name):
+            return " ".join("%s%d" % (name, i) for i in range(count))
+        self.write("a.ens", memo(
+            "<TABLE><ROW><CELL>{%s}</CELL><CELL>{%s}</CELL></ROW></TABLE>\n" % (words(3000, "a"), words(20, "b")),
+            "<PARAGRAPH><TEXT>{%s}</TEXT><FOOTNOTE>{%s}</FOOTNOTE></PARAGRAPH>\n" % (words(50, "c"), words(3000, "d"))))
+        self.assertEqual(self.ensemble("--convert-to", "pdf", "a.ens"), (0, b"", ""))
+        printed = self.words("a.pdf")
+        for name, count in (("a", 3000), ("c", 49), ("d", 3000)):
+            found = {word for word in printed if re.fullmatch(name + r"\d+", word)}
+            self.assertTrue(found >= {name + str(i) for i in range(count)}, name)
+
+
 class Check(InFolder):
     def test_faults_of_document_and_subdocuments_in_order(self):
         self.write("a.ens", memo(scripted("colour 0\n\\{\\} colur 1"), "<NOSUCH>{x}</NOSUCH>\n"))
@@ -87,6 +126,19 @@ class Check(InFolder):
         lines = out.decode().splitlines()
         self.assertIn('a.ens:8:1: error: unknown word "{}"', lines)
         self.assertTrue(any(re.match(r"a\.ens:10:\d+: warning: ", line) for line in lines), lines)
+
+    def test_what_is_not_there_is_said_with_its_line(self):
+        self.write("a.ens", memo(
+            scripted("colour 0", 'ID="s"'), '<PARAGRAPH><REF TO="no"></REF></PARAGRAPH>\n', '<IMAGE FILE="no.png"></IMAGE>\n',
+            '<PARAGRAPH><SLIDER OF="s" NAME="speed"></SLIDER></PARAGRAPH>\n'))
+        code, out, _ = self.ensemble("--check", "a.ens")
+        self.assertEqual(code, 0) # all of it can be shown
+        lines = {int(line.split(":")[1]): line for line in out.decode().splitlines()}
+        self.assertEqual(len(lines), 3, lines)
+        said = [lines[number] for number in sorted(lines)]
+        self.assertIn("nothing has the ID no", said[0])
+        self.assertIn("There is no picture no.png", said[1])
+        self.assertIn('no parameter "speed"', said[2])
 
     def test_a_sound_document_is_silent(self):
         self.write("a.ens", memo(scripted("colour 0")))

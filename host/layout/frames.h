@@ -1,0 +1,43 @@
+// Which frames of a model's boxes are on a page?
+#pragma once
+
+#include "layout/strip.h"
+
+namespace layout {
+
+// A strip that was put on the page.
+struct Placed {
+    std::size_t block = 0;
+    bool firstOfBlock = false, lastOfBlock = false;
+    double top = 0, bottom = 0;
+};
+
+class Frames {
+public:
+    // LIMIT: a frame inside so many others is not drawn; its paddings are there.
+    static constexpr int deepest = 64;
+
+    explicit Frames(const document::Model& model);
+
+    // The paddings that boxes put above the block's top and below its bottom.
+    [[nodiscard]] double above(std::size_t block) const { return above_[block]; }
+
+    // Those of a page, outer ones first, for a text area of that width at `left`. Takes a step for
+    // each strip and for each box that is on the page: `boxesVisited` grows by these.
+    [[nodiscard]] std::vector<FramePiece> on(const std::vector<Placed>& page, double left,
+                                             double width, std::size_t& boxesVisited) const;
+
+private:
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    struct Nested {
+        std::size_t outer = none;
+        // Its padding and those of the boxes in it that begin, end with it.
+        double before = 0, after = 0;
+    };
+    const std::vector<document::Box>& boxes_;
+    std::vector<Nested> nested_;         // of each box
+    std::vector<std::size_t> innermost_; // of each block, its box or none
+    std::vector<double> above_;
+};
+
+} // namespace layout

@@ -1,0 +1,146 @@
+#include "session/presented.h"
+
+#include <gmock/gmock.h>
+
+#include <QGuiApplication>
+#include <QTemporaryDir>
+
+namespace session {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::string memo(const std::string& body) {
+    return "DOCUMENT CMEMO\n<CMEMO>\n<SUBJECT>{Test}</SUBJECT>\n<BODY>\n" + body +
+           "</BODY>\n</CMEMO>\n";
+}
+
+std::string paragraphs(int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i)
+        text += "<PARAGRAPH>{paragraph " + std::to_string(i) + "}</PARAGRAPH>\n";
+    return text;
+}
+
+class PresentedTest : public ::testing::Test {
+protected:
+    std::unique_ptr<OpenDocument> open(const std::string& text) {
+        return std::make_unique<OpenDocument>(std::make_unique<document::Document>(text), schemas_,
+                                              media_);
+    }
+    static void complete(const Presented& presented) {
+        while (!presented.isComplete())
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    }
+
+    document::Schemas schemas_ = document::Schemas::builtIn();
+    media::PipeThread pipes_;
+    media::LiveMedia media_{media::Registry::read({}), QString(), pipes_};
+};
+
+TEST_F(PresentedTest, AShortDocumentIsThereAtOnce) {
+    const auto document = open(memo(paragraphs(100)));
+    Presented presented(*document);
+    presented.begin({});
+    EXPECT_TRUE(presented.isComplete());
+    EXPECT_EQ(presented.title(), "Test");
+    EXPECT_GE(presented.pages().pages.size(), 2u);
+}
+
+TEST_F(PresentedTest, ALongOneShowsItsFirstPagesAndTheRestInSlices) {
+    const auto document = open(memo(paragraphs(Presented::firstSteps * 3 / 2)));
+    Presented presented(*document);
+    std::vector<std::size_t> grown;
+    QObject::connect(&presented, &Presented::grown, &presented,
+                     [&] { grown.push_back(presented.pages().pages.size()); });
+    int events = 0;
+    QTimer other; // what a window does meanwhile
+    QObject::connect(&other, &QTimer::timeout, &other, [&] { ++events; });
+    other.start(0);
+    presented.begin({});
+    EXPECT_FALSE(presented.isComplete());
+    const std::size_t first = presented.pages().pages.size();
+    EXPECT_GE(first, 10u);
+    complete(presented);
+    EXPECT_GT(events, 1);
+    EXPECT_GT(presented.pages().pages.size(), first);
+    EXPECT_TRUE(std::is_sorted(grown.begin(), grown.end()));
+    EXPECT_LE(grown.size(), 30u); // by a quarter each time
+
+    // The same anew: the pages that are there stay until it is done.
+    const std::size_t all = presented.pages().pages.size();
+    presented.begin({});
+    EXPECT_FALSE(presented.isComplete());
+    EXPECT_EQ(presented.pages().pages.size(), all);
+    // Another one: its own pages come.
+    presented.begin("slides");
+    EXPECT_NE(presented.pages().pages.size(), all);
+    EXPECT_EQ(presented.page().width, 720);
+    complete(presented);
+}
+
+TEST_F(PresentedTest, WhatIsBeingMadeEndsWithItsView) {
+    const auto document = open(memo(paragraphs(Presented::firstSteps * 3 / 2)));
+    auto presented = std::make_unique<Presented>(*document);
+    presented->begin({});
+    presented.reset();
+    QCoreApplication::processEvents();
+}
+
+TEST_F(PresentedTest, AModelThatIsBeingMadeIsBegunAnewWhenTheDocumentChanges) {
+    std::string many;
+    for (int i = 0; i < 60'000; ++i)
+        many += "<EMPH>{x}</EMPH>";
+    const auto document = open(memo("<PARAGRAPH>" + many + "</PARAGRAPH>"));
+    Presented presented(*document);
+    presented.begin({});
+    EXPECT_TRUE(presented.pages().pages.empty()); // it is not that far
+    const std::size_t title = document->document().bytes().find("Test");
+    EXPECT_EQ(document->document().edit({{{title, title + 4}, "Other"}}, "test"),
+              document::EditResult::applied);
+    complete(presented);
+    EXPECT_EQ(presented.title(), "Other");
+}
+
+// --- faults --------------------------------------------------------------------------------------
+
+TEST_F(PresentedTest, EveryFaultIsInTheOneList) {
+    QTemporaryDir folder;
+    const auto write = [&](const QString& name, const std::string& text) {
+        QFile file(folder.filePath(name));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray::fromStdString(text));
+    };
+    write("CMEMO.default.presentation",
+          "PARAGRAPH { color: #ff0000;\n wobble: yes; font: bold }\n");
+    write("REPORT.default.presentation", "PARAGRAPH { wobble: yes }\n"); // of another class
+    write("a.ens", memo("<PARAGRAPH><REF TO=\"no\"></REF></PARAGRAPH>\n"
+                        "<FIGURE><IMAGE FILE=\"missing.png\"></IMAGE></FIGURE>\n"
+                        "<NOSUCH>{x}</NOSUCH></X>\n"
+                        "<PARAGRAPH><LINK TO=\"#nowhere\">{l}</LINK></PARAGRAPH>\n"
+                        "<PARAGRAPH><SLIDER OF=\"s\" NAME=\"g\"></SLIDER></PARAGRAPH>\n"));
+    schemas_ = document::Schemas::load({folder.path()});
+    document::Document::Loaded loaded = document::Document::load(folder.filePath("a.ens"));
+    ASSERT_TRUE(loaded.document);
+    OpenDocument document(std::move(loaded.document), schemas_, media_);
+    std::vector<std::string> listed;
+    for (const ListedFault& fault : document.faults())
+        listed.push_back((fault.file.isEmpty() ? "" : "schema ") +
+                         std::to_string(fault.position.line) + ": " + fault.message.toStdString());
+    EXPECT_THAT(listed, ElementsAre("schema 2: wobble: no such property",
+                                    HasSubstr("5: nothing has the ID no"),
+                                    HasSubstr("6: There is no picture missing.png."),
+                                    HasSubstr("7: <NOSUCH>"), HasSubstr("7: </X> closes nothing"),
+                                    HasSubstr("8: nothing has the ID nowhere"),
+                                    HasSubstr("9: no subdocument has the ID s")));
+}
+
+} // namespace
+} // namespace session
+
+int main(int argc, char** argv) {
+    QGuiApplication application(argc, argv);
+    ::testing::InitGoogleTest(&argc, argv);
+    return RUN_ALL_TESTS();
+}
