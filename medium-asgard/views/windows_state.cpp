@@ -121,7 +121,8 @@ void Editor::restoreWindows(const std::string& state, const QString& notice) {
     const QJsonObject whole = QJsonDocument::fromJson(QByteArray::fromStdString(state)).object();
     if (whole["format"] != format)
         return;
-    for (const QJsonValue& value : whole["windows"].toArray()) {
+    const QJsonArray windows = whole["windows"].toArray();
+    for (const auto& value : windows) {
         const QJsonObject window = value.toObject();
         const QString kind = window["kind"].toString();
         if (kind == "picture") {
