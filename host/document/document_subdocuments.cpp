@@ -134,7 +134,10 @@ Subdocument Document::describe(NodeId element) const {
     if (storage != noNode) {
         result.storage = tree_.name(storage);
         result.content = tree_.content(storage);
-        result.hasText = result.content != noNode || tree_.node(storage).firstChild == noNode;
+        // Behind a tag that is not closed there is no place for a text.
+        result.hasText =
+            result.content != noNode || (tree_.node(storage).firstChild == noNode &&
+                                         tree_.text(tree_.node(storage).startTag).ends_with('>'));
     }
     return result;
 }

@@ -145,6 +145,16 @@ TEST(Document, SubdocumentsKeepTheirNumberThroughEditsAndComeBackWithIt) {
 }
 
 // Undo to the start gives the first bytes, redo to the end the last; every listener keeps up.
+// What would be written behind a tag that is not closed would be read as a part of the tag.
+TEST(Document, AStorageWhoseTagIsNotClosedHasNoText) {
+    Document document("DOCUMENT CMEMO\n<CMEMO><PARAGRAPH><DOCUMENT>\nDOCUMENT ANIMATION\n"
+                      "<ANIMATION ID=\"one\"><ASGARD C{a}</ASGARD></ANIMATION></DOCUMENT>"
+                      "</PARAGRAPH></CMEMO>");
+    const SubdocumentId one = document.subdocumentNamed("one");
+    ASSERT_NE(document.subdocument(one), nullptr);
+    EXPECT_EQ(document.editText(one, 0, {{{0, 0}, "b"}}, "Type"), EditResult::unknown);
+}
+
 TEST(Document, RandomEditsUndoAndRedoExactly) {
     sgml::RandomDocument random(40);
     for (int round = 0; round < 60; ++round) {

@@ -34,4 +34,4 @@ if [ $status -ne 0 ]; then
     echo "The bytes lie in $found*; once more: $program FILE"
     exit 1
 fi
-grep -E '^stat::(number_of_executed_units|average_exec_per_sec|peak_rss_mb)' build/fuzz/"$target.log"
+grep -aE '^stat::(number_of_executed_units|average_exec_per_sec|peak_rss_mb)' build/fuzz/"$target.log"
