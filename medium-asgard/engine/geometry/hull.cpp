@@ -7,9 +7,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -86,46 +86,62 @@ struct Loop {
 // Joins triangles into regions that are flat within the tolerance, largest triangles first.
 class Regions {
 public:
-    Regions(const std::vector<Vector>& points, const std::vector<Triangle>& triangles,
-            double tolerance)
-        : points_(points), triangles_(triangles), tolerance_(tolerance),
-          region_(triangles.size(), none) {
-        for (std::size_t t = 0; t < triangles.size(); ++t)
-            for (std::size_t i = 0; i < 3; ++i)
-                owner_[{triangles[t][i], triangles[t][(i + 1) % 3]}] = t;
-        std::vector<std::size_t> order(triangles.size());
-        std::iota(order.begin(), order.end(), 0u);
-        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-            return areaVector(a).squaredNorm() > areaVector(b).squaredNorm();
-        });
-        for (std::size_t t : order)
+    Regions(const std::vector<Vector>& points, const Triangulation& hull, double tolerance)
+        : points_(points), triangles_(hull.triangles), across_(hull.across), tolerance_(tolerance),
+          region_(hull.triangles.size(), none) {
+        std::vector<std::pair<double, std::size_t>> order; // the largest first
+        for (std::size_t t = 0; t < triangles_.size(); ++t)
+            order.emplace_back(-areaVector(t).squaredNorm(), t);
+        std::ranges::sort(order);
+        for (const auto& [area, t] : order)
             if (region_[t] == none)
                 grow(t, seeds_.size());
     }
 
     // The border of each region as one loop; empty when some region's border is not one loop.
     [[nodiscard]] std::vector<Loop> polygons() const {
-        std::vector<std::map<std::size_t, std::size_t>> next(seeds_.size());
-        for (const auto& [edge, t] : owner_) {
-            const std::size_t twin = owner_.at({edge.second, edge.first});
-            if (region_[t] != region_[twin] &&
-                !next[region_[t]].insert({edge.first, edge.second}).second)
-                return {};
-        }
+        std::vector<BorderEdge> edges;
+        for (std::size_t t = 0; t < triangles_.size(); ++t)
+            for (std::size_t i = 0; i < 3; ++i)
+                if (region_[t] != region_[across_[t][i]])
+                    edges.push_back({region_[t], triangles_[t][i], triangles_[t][(i + 1) % 3]});
+        std::ranges::sort(edges, {}, &BorderEdge::place);
         std::vector<Loop> result;
-        for (const auto& border : next) {
-            std::vector<std::size_t> loop;
-            for (std::size_t v = border.empty() ? none : border.begin()->first;
-                 v != none && (loop.empty() || v != loop.front()); v = border.at(v))
-                loop.push_back(v);
-            if (loop.size() < 3 || loop.size() != border.size())
+        for (std::size_t first = 0; first < edges.size();) {
+            std::size_t end = first;
+            while (end < edges.size() && edges[end].region == edges[first].region)
+                ++end;
+            std::vector<std::size_t> loop = loopOf(std::span(edges).subspan(first, end - first));
+            if (loop.size() < 3 || edges[first].region != result.size())
                 return {};
             result.push_back({std::move(loop), triangles_[seeds_[result.size()]]});
+            first = end;
         }
-        return result;
+        return result.size() == seeds_.size() ? result : std::vector<Loop>();
     }
 
 private:
+    struct BorderEdge {
+        std::size_t region, from, to;
+        [[nodiscard]] std::pair<std::size_t, std::size_t> place() const { return {region, from}; }
+    };
+
+    // Of one region's border, in order of where its edges begin; empty: it is not one loop.
+    static std::vector<std::size_t> loopOf(std::span<const BorderEdge> border) {
+        if (std::ranges::adjacent_find(border, {}, &BorderEdge::from) != border.end())
+            return {};
+        std::vector<std::size_t> loop;
+        std::size_t v = border.front().from;
+        do {
+            const auto edge = std::ranges::lower_bound(border, v, {}, &BorderEdge::from);
+            if (edge == border.end() || edge->from != v || loop.size() == border.size())
+                return {};
+            loop.push_back(v);
+            v = edge->to;
+        } while (v != border.front().from);
+        return loop.size() == border.size() ? loop : std::vector<std::size_t>();
+    }
+
     [[nodiscard]] Vector areaVector(std::size_t t) const {
         const auto& [a, b, c] = triangles_[t];
         return (points_[b] - points_[a]).cross(points_[c] - points_[a]);
@@ -143,28 +159,25 @@ private:
         while (!front.empty()) {
             const std::size_t t = front.back();
             front.pop_back();
-            for (std::size_t i = 0; i < 3; ++i) {
-                const std::size_t n = owner_.at({triangles_[t][(i + 1) % 3], triangles_[t][i]});
-                const Triangle& corners = triangles_[n];
-                if (region_[n] == none && std::all_of(corners.begin(), corners.end(), flat)) {
+            for (const std::size_t n : across_[t])
+                if (region_[n] == none && std::ranges::all_of(triangles_[n], flat)) {
                     region_[n] = region;
                     front.push_back(n);
                 }
-            }
         }
     }
 
     const std::vector<Vector>& points_;
     const std::vector<Triangle>& triangles_;
+    const std::vector<std::array<std::size_t, 3>>& across_;
     double tolerance_;
     std::vector<std::size_t> region_;
     std::vector<std::size_t> seeds_; // of each region: its largest triangle
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> owner_;
 };
 
 // A vertex where only two faces meet lies on an edge and is no corner.
-void dropStraightCorners(std::vector<Loop>& loops) {
-    std::map<std::size_t, int> faces;
+void dropStraightCorners(std::size_t points, std::vector<Loop>& loops) {
+    std::vector<int> faces(points);
     for (const Loop& loop : loops)
         for (std::size_t v : loop.vertices)
             ++faces[v];
@@ -175,14 +188,16 @@ void dropStraightCorners(std::vector<Loop>& loops) {
 // `points`: the author's own, of which the loops' vertices are indices into `sources`.
 Hull assemble(const std::vector<Vector>& points, const std::vector<std::size_t>& sources,
               const std::vector<Loop>& loops) {
-    std::map<std::size_t, std::size_t> renumbered;
+    std::vector<std::size_t> renumbered(sources.size(), none);
     for (const Loop& loop : loops)
         for (std::size_t v : loop.vertices)
-            renumbered.insert({v, 0});
+            renumbered[v] = 0;
     Hull hull;
     std::vector<Vector> vertices;
-    for (auto& [old, now] : renumbered) {
-        now = vertices.size();
+    for (std::size_t old = 0; old < renumbered.size(); ++old) {
+        if (renumbered[old] == none)
+            continue;
+        renumbered[old] = vertices.size();
         vertices.push_back(points[sources[old]]);
         hull.sources.push_back(sources[old]);
     }
@@ -221,7 +236,8 @@ std::optional<HullRefusal> unusable(const std::vector<Vector>& points) {
 
 } // namespace
 
-std::variant<Hull, HullRefusal> convexHull(const std::vector<Vector>& points) {
+std::variant<Hull, HullRefusal> convexHull(const std::vector<Vector>& points,
+                                           const std::function<void()>& meanwhile) {
     if (auto refusal = unusable(points))
         return *refusal;
     const std::vector<Vector> grid = toGrid(points);
@@ -235,18 +251,18 @@ std::variant<Hull, HullRefusal> convexHull(const std::vector<Vector>& points) {
     if (start.refusal)
         return *start.refusal;
 
-    const std::vector<Triangle> triangles = quickhull(chosen, start.corners);
+    const Triangulation hull = quickhull(chosen, start.corners, meanwhile);
     const double size = (chosen[start.corners[1]] - chosen[start.corners[0]]).norm();
     // Grid coordinates are below 1 and known to 2^-53 there: no plane is known better than that.
     const double tolerance = std::max(flatness * size, 0x1p-51);
-    auto loops = Regions(chosen, triangles, tolerance).polygons();
-    dropStraightCorners(loops);
+    auto loops = Regions(chosen, hull, tolerance).polygons();
+    dropStraightCorners(chosen.size(), loops);
     if (isSimple(loops))
-        if (Hull hull = assemble(points, sources, loops); !hull.polyhedron.vertices.empty())
-            return hull;
+        if (Hull made = assemble(points, sources, loops); !made.polyhedron.vertices.empty())
+            return made;
     // Merging failed to give proper polygons; the triangles themselves always close.
     loops.clear();
-    for (const Triangle& t : triangles)
+    for (const Triangle& t : hull.triangles)
         loops.push_back({{t.begin(), t.end()}, t});
     return assemble(points, sources, loops);
 }

@@ -9,6 +9,7 @@
 #include "geometry/polyhedron.h"
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -28,6 +29,8 @@ inline constexpr double flatness = 1e-12;         // of the size: this far from 
 inline constexpr double smallestThickness = 1e-9; // of the size: flatter than this is refused
 inline constexpr std::size_t mostHullPoints = 100'000;
 
-[[nodiscard]] std::variant<Hull, HullRefusal> convexHull(const std::vector<Vector>& points);
+// `meanwhile` is called every now and then, and may throw.
+[[nodiscard]] std::variant<Hull, HullRefusal>
+convexHull(const std::vector<Vector>& points, const std::function<void()>& meanwhile = {});
 
 } // namespace geometry

@@ -2,6 +2,7 @@
 
 #include "geometry/hull_trials.h"
 #include "geometry/predicates.h"
+#include "geometry/quickhull.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -92,6 +93,49 @@ TEST(ConvexHull, OfAnySetIsClosedConvexAndCompleteOrRefused) {
         EXPECT_EQ(faultOf(points, result), "") << "set " << i;
     }
     EXPECT_GT(hulls, 5'000); // the sets are not all degenerate
+}
+
+// Where all points are corners: on a ball, on the rims of a cylinder, and on a plate's lattice.
+TEST(ConvexHull, OfTwiceThePointsTakesLittleMoreThanTwiceTheVisits) {
+    const auto visits = [](int kind, int count) {
+        std::mt19937_64 random(7);
+        std::normal_distribution<double> normal;
+        std::vector<Vector> points;
+        for (int i = 0; i < count; ++i) {
+            const double turn = 6.283185307179586 * i / count;
+            if (kind == 0)
+                points.push_back(
+                    Vector(normal(random), normal(random), normal(random)).normalized());
+            else if (kind == 1)
+                points.emplace_back(std::cos(turn), std::sin(turn), i % 2);
+            else
+                points.emplace_back(i % 100, (i / 100) % 10, i / 1000);
+        }
+        const auto grid = toGrid(points);
+        const std::array<std::size_t, 4> first{0, 1, static_cast<std::size_t>(count) / 3,
+                                               static_cast<std::size_t>(count) - 2};
+        return static_cast<double>(quickhull(grid, first).visits);
+    };
+    for (const int kind : {0, 1, 2}) {
+        EXPECT_LT(visits(kind, 8000), 2.6 * visits(kind, 4000)) << kind;
+        EXPECT_LT(visits(kind, 8000), 200 * 8000) << kind;
+    }
+}
+
+TEST(ConvexHull, OfManyPointsCanBeEndedMeanwhile) {
+    std::mt19937_64 random(7);
+    std::normal_distribution<double> normal;
+    std::vector<Vector> points;
+    for (int i = 0; i < 5000; ++i)
+        points.emplace_back(Vector(normal(random), normal(random), normal(random)).normalized());
+    struct Ended {};
+    int asked = 0;
+    const auto end = [&asked] {
+        if (++asked == 3)
+            throw Ended{};
+    };
+    EXPECT_THROW((void)convexHull(points, end), Ended);
+    EXPECT_EQ(asked, 3);
 }
 
 TEST(Support, FindsTheFurthestVertexByClimbing) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <tuple>
 #include <utility>
 
 namespace geometry {
@@ -62,19 +62,30 @@ void setPlane(Face& face, const std::vector<Vector>& vertices, const Vector& nor
 
 // False when an edge is not shared by exactly two faces in opposite directions.
 bool findEdges(Polyhedron& polyhedron) {
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> faceOf;
+    struct Side {
+        std::size_t low, high, face;
+        bool isUp; // the face goes from `low` to `high`
+        auto operator<=>(const Side&) const = default;
+    };
+    std::vector<Side> sides;
     for (std::size_t f = 0; f < polyhedron.faces.size(); ++f) {
         const auto& loop = polyhedron.faces[f].vertices;
-        for (std::size_t i = 0; i < loop.size(); ++i)
-            if (!faceOf.insert({{loop[i], loop[(i + 1) % loop.size()]}, f}).second)
-                return false;
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const auto [low, high] = std::minmax(loop[i], loop[(i + 1) % loop.size()]);
+            sides.push_back({low, high, f, loop[i] == low});
+        }
     }
-    for (const auto& [ends, face] : faceOf) {
-        const auto twin = faceOf.find({ends.second, ends.first});
-        if (twin == faceOf.end() || twin->second == face)
+    std::ranges::sort(sides);
+    const auto areOne = [&](std::size_t i, std::size_t k) {
+        return sides[i].low == sides[k].low && sides[i].high == sides[k].high;
+    };
+    for (std::size_t i = 0; i < sides.size(); i += 2) {
+        if (i + 1 == sides.size() || !areOne(i, i + 1) || sides[i].isUp == sides[i + 1].isUp ||
+            sides[i].face == sides[i + 1].face || (i + 2 < sides.size() && areOne(i, i + 2)))
             return false;
-        if (ends.first < ends.second)
-            polyhedron.edges.push_back({ends.first, ends.second, face, twin->second});
+        const auto& [up, down] =
+            sides[i].isUp ? std::tie(sides[i], sides[i + 1]) : std::tie(sides[i + 1], sides[i]);
+        polyhedron.edges.push_back({up.low, up.high, up.face, down.face});
     }
     return true;
 }

@@ -26,7 +26,9 @@ struct HorizonEdge {
 
 class Builder {
 public:
-    Builder(const std::vector<Vector>& points, std::array<std::size_t, 4> first) : points_(points) {
+    Builder(const std::vector<Vector>& points, std::array<std::size_t, 4> first,
+            const std::function<void()>& meanwhile)
+        : points_(points), meanwhile_(meanwhile) {
         makeTetrahedron(first);
         std::vector<std::size_t> rest;
         for (std::size_t i = 0; i < points.size(); ++i)
@@ -35,19 +37,30 @@ public:
         distribute(rest, 0);
     }
 
-    std::vector<Triangle> run() {
+    Triangulation run() {
         for (std::size_t f = 0; f < facets_.size(); ++f)
             while (facets_[f].alive && !facets_[f].outside.empty())
                 addPoint(f);
-        std::vector<Triangle> result;
+        std::vector<std::size_t> places(facets_.size(), none);
+        Triangulation result;
+        for (std::size_t f = 0; f < facets_.size(); ++f)
+            if (facets_[f].alive) {
+                places[f] = result.triangles.size();
+                result.triangles.push_back(facets_[f].corners);
+            }
         for (const Facet& f : facets_)
             if (f.alive)
-                result.push_back(f.corners);
+                result.across.push_back(
+                    {places[f.across[0]], places[f.across[1]], places[f.across[2]]});
+        result.visits = visits_;
         return result;
     }
 
 private:
-    [[nodiscard]] bool sees(std::size_t p, const Facet& f) const {
+    [[nodiscard]] bool sees(std::size_t p, const Facet& f) {
+        constexpr std::size_t seldom = 4096;
+        if (++visits_ % seldom == 0 && meanwhile_)
+            meanwhile_();
         // orientation() is positive where a, b, c look clockwise, which is inside.
         return orientation(points_[f.corners[0]], points_[f.corners[1]], points_[f.corners[2]],
                            points_[p]) > 0;
@@ -163,15 +176,17 @@ private:
     }
 
     const std::vector<Vector>& points_;
+    const std::function<void()>& meanwhile_;
+    std::size_t visits_ = 0;
     std::vector<Facet> facets_;
     std::vector<std::size_t> startingAt_; // of each vertex of the horizon: the new facet
 };
 
 } // namespace
 
-std::vector<Triangle> quickhull(const std::vector<Vector>& points,
-                                std::array<std::size_t, 4> first) {
-    return Builder(points, first).run();
+Triangulation quickhull(const std::vector<Vector>& points, std::array<std::size_t, 4> first,
+                        const std::function<void()>& meanwhile) {
+    return Builder(points, first, meanwhile).run();
 }
 
 } // namespace geometry

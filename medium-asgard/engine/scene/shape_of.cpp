@@ -11,6 +11,7 @@ using Made = std::variant<geometry::Part, std::string>;
 
 struct PartMaker {
     geometry::Pose pose;
+    const std::function<void()>& meanwhile;
 
     Made operator()(const SphereShape& sphere) const {
         return geometry::spherePart(sphere.radius, pose.position);
@@ -19,7 +20,7 @@ struct PartMaker {
         return geometry::polyhedronPart(geometry::box(box.edges), pose);
     }
     Made operator()(const HullShape& hull) const {
-        const auto made = geometry::convexHull(hull.points);
+        const auto made = geometry::convexHull(hull.points, meanwhile);
         if (const auto* refusal = std::get_if<geometry::HullRefusal>(&made))
             return refusal->sentence;
         return geometry::polyhedronPart(std::get<geometry::Hull>(made).polyhedron, pose);
@@ -42,11 +43,12 @@ std::optional<std::string> refusedSize(const geometry::Part& part) {
 
 } // namespace
 
-std::variant<geometry::Shape, std::string> shapeOf(const ShapeSet& set) {
+std::variant<geometry::Shape, std::string> shapeOf(const ShapeSet& set,
+                                                   const std::function<void()>& meanwhile) {
     geometry::Shape shape;
     for (const Part& part : set.parts) {
         const geometry::Pose pose{part.position, geometry::fromRotationVector(part.rotation)};
-        Made made = std::visit(PartMaker{pose}, part.shape);
+        Made made = std::visit(PartMaker{pose, meanwhile}, part.shape);
         if (auto* sentence = std::get_if<std::string>(&made))
             return std::move(*sentence);
         shape.parts.push_back(std::get<geometry::Part>(std::move(made)));
