@@ -36,6 +36,22 @@ QLabel* addRow(QFormLayout* form, const QString& label, const QString& tip) {
     return value;
 }
 
+// Bodies that stopped before the end, and when the first did.
+struct Stopped {
+    std::size_t count = 0;
+    double first = 0;
+};
+
+Stopped stoppedIn(const simulation::Motion& motion) {
+    Stopped stopped;
+    for (std::size_t body = 0; body < motion.bodies(); ++body)
+        if (const auto stop = motion.stop(body)) {
+            stopped.first = stopped.count == 0 ? stop->time : std::min(stopped.first, stop->time);
+            ++stopped.count;
+        }
+    return stopped;
+}
+
 // The handle as it looks in the picture.
 QIcon ballIcon(const scene::Color& color) {
     QPixmap pixmap(28, 28);
@@ -67,8 +83,10 @@ StatusPanel::StatusPanel(SceneDocument& document, Playback& playback,
     accuracy_ = addRow(form, tr("Error"),
                        tr("The largest error in position that the computation estimates, over the "
                           "size of the scene"));
-    predictable_ = addRow(form, tr("Reliable"),
-                          tr("From then on the smallest disturbance changes the motion wholly"));
+    predictable_ =
+        addRow(form, tr("Reliable"),
+               tr("From then on the smallest disturbance changes the motion wholly, or a body has "
+                  "stopped"));
     impacts_ = addRow(form, tr("Collisions"), tr("How many so far"));
     state_ = plain::label();
     state_->setWordWrap(true);
@@ -177,12 +195,21 @@ void StatusPanel::showMotion() {
     const auto& motion = document_.shown().motion;
     const double length = playback_.finish() - playback_.start();
     const bool whole = playback_.computed() >= playback_.finish();
-    computed_->setText(whole ? tr("all %1").arg(timeText(length, length))
-                             : tr("to %1").arg(timeText(playback_.computed(), length)));
+    const Stopped stopped = motion ? stoppedIn(*motion) : Stopped();
+    computed_->setText(stopped.count > 0 ? tr("to %1").arg(timeText(stopped.first, length))
+                       : whole           ? tr("all %1").arg(timeText(length, length))
+                                         : tr("to %1").arg(timeText(playback_.computed(), length)));
+    computed_->setToolTip(stopped.count > 0
+                              ? tr("Bodies that stop before the end: %1. The first of them stops "
+                                   "there; a language viewer says why")
+                                    .arg(stopped.count)
+                              : tr("How far the motion is computed"));
     const auto error = motion ? motion->errorEstimate() : std::nullopt;
     accuracy_->setText(error ? QStringLiteral("≤ ") + QString::number(*error, 'g', 2)
                              : QStringLiteral("–"));
-    const auto until = motion ? motion->predictableUntil() : std::nullopt;
+    auto until = motion ? motion->predictableUntil() : std::nullopt;
+    if (stopped.count > 0)
+        until = std::min(until.value_or(stopped.first), stopped.first);
     predictable_->setText(!motion ? QStringLiteral("–")
                           : until ? tr("to %1").arg(timeText(*until, length))
                                   : tr("throughout"));

@@ -70,6 +70,21 @@ protected:
     std::unique_ptr<QMenu> menu;
 };
 
+// One of two bodies stops at 1.2 s of 2: nothing says that all is computed, and right throughout.
+TEST_F(WindowsTest, TheStatusOfAStoppedMotionAgreesWithItself) {
+    open("simulator -finish 2 -collisions 0\nshape_set s -desc {-sub {-sphere 0.1}}\nbody a s "
+         "-mass 1\n"
+         "body b s -mass 1 -init_pos {3 0 0}\nforce -body a -x {sqrt(1.2-t)}\n");
+    const auto said = [&](const char* name) {
+        for (const QLabel* label : viewer->findChildren<QLabel*>())
+            if (label->accessibleName() == QLatin1String(name))
+                return label->text();
+        return QString();
+    };
+    EXPECT_EQ(said("Computed"), "to 1.200 s");
+    EXPECT_EQ(said("Reliable"), "to 1.200 s");
+}
+
 TEST_F(WindowsTest, AFloorIsFixedAndFreedByAClick) {
     open(flooring);
     EXPECT_FALSE(body().fixed().isEnabled()); // nothing is selected

@@ -169,7 +169,7 @@ class Commands(unittest.TestCase):
             self.assertRegex(said, r"^told\.al:6:6: error: Stopped at t = [0-9.]+: ")
             self.assertIn("the force on body \"b\"", said)
             self.assertIn(reason, said)
-            self.assertIn("finish earlier", said)
+            self.assertIn("let the motion finish before (-finish)", said)
             self.assertNotIn("predictable", said)
 
     def test_warnings_of_a_run_have_a_place(self):

@@ -364,8 +364,10 @@ Event CollisionSource::stir(const Histories& histories, std::size_t body, double
         return end(
             {body, body}, time,
             "body " + quoted(scene_.bodies[body].name) +
-                " changes how it bears on what it rests on again and again within next to no "
-                "time, and no way of bearing lasts");
+                " lifts off what it rests on and comes back again and again within next to no "
+                "time: "
+                "how it would lie there is not found; turn or move it a little, or hold it there "
+                "(constrain, link)");
     if (rest.state == Rest::State::approaching)
         if (auto met = meet(histories, std::minmax(body, rest.partner), time))
             return *met;

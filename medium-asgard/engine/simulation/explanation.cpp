@@ -23,7 +23,7 @@ using expression::Op;
 // LIMIT: a longer list of pairs helps nobody; what is beyond it is left out.
 constexpr std::size_t mostPairs = 10'000;
 // LIMIT: an equation of more operations than this, each shared one counted where it is used, is
-// told by their number.
+// told by what it reads.
 constexpr double mostOperations = 2000;
 // A number in front of a term that is less than this of the others' in its sum, and of 1, is what
 // rounding left of a 0. LIMIT: an author's own number of that size is not told.
@@ -50,8 +50,8 @@ public:
         std::string text = set_.unknowns[unknown].name + (phase.given ? " = " : "' = ");
         const double operations = operationsOf(right);
         if (operations > mostOperations)
-            return text + "an expression of " + std::to_string(static_cast<long>(operations)) +
-                   " operations (all of it: --expressions " + set_.unknowns[unknown].name + ")";
+            return text + "a long expression of " + readBy(right) + " (--expressions " +
+                   set_.unknowns[unknown].name + " prints all that is in force at the end)";
         // What cancels may leave a -0.
         return text +
                (set_.graph.isConstant(right, 0) ? "0" : expression::print(set_.graph, right));
@@ -91,6 +91,20 @@ public:
     }
 
 private:
+    // "b.qw, b.qx and 3 more"
+    std::string readBy(Node right) {
+        constexpr std::size_t most = 6;
+        std::vector<std::string> names;
+        for (const Node symbol : expression::symbolsOf(set_.graph, {&right, 1}))
+            if (const auto read = index_.of(symbol))
+                names.push_back(set_.unknowns[*read].name);
+        std::string list;
+        for (std::size_t i = 0; i < names.size() && i < most; ++i)
+            list += (i == 0 ? "" : ", ") + names[i];
+        if (names.size() > most)
+            list += " and " + std::to_string(names.size() - most) + " more";
+        return names.empty() ? "time" : list;
+    }
     const expression::Phase& inForce(std::size_t unknown) const {
         const auto& phases = set_.unknowns[unknown].phases;
         std::size_t i = 0;

@@ -9,9 +9,9 @@
 
 namespace simulation {
 
-// Its warnings, then why bodies stopped, each reason once: at the force or link to blame, else at
-// the first body that it names. A range is known where the text holds the element literally, a line
-// where a command of the text made it.
+// Its warnings, then why bodies stopped, each reason once, with how many it stopped and how many
+// stopped for these: at the force or link to blame, else at the first body that it names. A range
+// is known where the text holds the element literally, a line where a command of the text made it.
 [[nodiscard]] std::vector<scene::Diagnostic> reportOf(const scene::Scene& scene,
                                                       const Motion& motion);
 

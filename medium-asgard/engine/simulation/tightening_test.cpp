@@ -324,6 +324,13 @@ TEST(Horizon, OfADoublePendulumComesTheLaterTheLessIsAsked) {
     EXPECT_EQ(coarse.motion->predictableUntil(), coarse.statistics.predictableUntil);
     ASSERT_FALSE(coarse.motion->notes().empty());
     EXPECT_THAT(coarse.motion->notes()[0], HasSubstr("not predictable to 0.01 of its size"));
+    EXPECT_THAT(coarse.motion->notes()[0], HasSubstr("a looser accuracy is kept for longer"));
+}
+
+TEST(Horizon, OfWhatIsLittleWorseThanItsAccuracyIsToldToo) {
+    EXPECT_THAT(shortfallOf(1e-9, 4e-9, 3.5),
+                HasSubstr("An accuracy of 1e-09 is not reached from t = 3.5 on: rounding"));
+    EXPECT_THAT(shortfallOf(1e-9, 4e-9, {}), HasSubstr("is not reached: rounding"));
 }
 
 // Two runs of these agree by chance where both are off by 8 to 76 times the accuracy: one in a

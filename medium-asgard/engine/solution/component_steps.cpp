@@ -87,14 +87,13 @@ void Component::step() {
     }
     if (history_->size() > options_.maximumSteps) { // what events threw away does not count
         end(Stop::Reason::tooManySteps, {},
-            "more than " + std::to_string(options_.maximumSteps) + " steps for " + names({0}) +
-                "; finish earlier, or ask for less accuracy");
+            names({0}) + " took more than " + std::to_string(options_.maximumSteps) +
+                " steps up to here");
         return;
     }
     if (isHopeless()) {
         end(Stop::Reason::tooLong, {},
-            "at the steps that " + names({0}) +
-                " needs, the finish is more than a billion of them away; finish earlier");
+            names({0}) + " changes so fast that the finish is more than a billion steps away");
         return;
     }
     equations_->inputs().window(limit_);

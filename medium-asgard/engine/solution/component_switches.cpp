@@ -55,7 +55,8 @@ void Component::pass(const Violation& violation, bool immediate) {
         const std::vector<std::size_t> flipping = equations_->unknownsOf(violation);
         end(Stop::Reason::decisions, flipping.empty() ? std::vector<std::size_t>{0} : flipping,
             "expressions that switch with " + switchingWith(violation) +
-                " change their branches without end: no motion between these was found");
+                " switch to and fro here and no time goes on: each branch leads back into the "
+                "other, and no motion between them was found");
     };
     ++counts_.switches;
     if (immediate) {
