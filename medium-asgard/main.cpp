@@ -39,6 +39,8 @@ void addSimulate(CLI::App& app, batch::SimulateArguments& a) {
     c.add_flag("--whole", a.whole, "solve the scene as one component");
     c.add_flag("--no-events", a.noEvents, "finish each component before the next");
     c.add_option("--threads", a.threads, "how many components are computed at a time");
+    c.add_option("--memory", a.memory,
+                 "MB that may be kept of the motion, for each of the runs that are compared (80)");
     c.add_option("--set", a.set, "NAME=VALUE of a parameter")->take_all()->allow_extra_args(false);
     c.add_option("--stats", a.stats, "file for the work done, as JSON");
 }

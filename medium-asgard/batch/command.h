@@ -25,7 +25,8 @@ struct SimulateArguments {
     std::string method;
     std::optional<double> fixedStep;
     bool whole = false, noEvents = false;
-    std::optional<int> threads; // none: as many as the machine has cores
+    std::optional<int> threads;   // none: as many as the machine has cores
+    std::optional<double> memory; // MB that may be kept of a run
     std::vector<std::string> set;
     std::optional<std::string> stats;
 };

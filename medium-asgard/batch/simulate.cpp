@@ -4,6 +4,7 @@
 #include "batch/statistics.h"
 #include "batch/table.h"
 #include "batch/waiting.h"
+#include "simulation/budget.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>
@@ -26,6 +27,8 @@ std::optional<Refusal> wrongNumbers(const SimulateArguments& arguments) {
         return Refusal{wrongUsage, "--finish wants a number of at most 1e100"};
     if (arguments.threads && *arguments.threads < 1)
         return Refusal{wrongUsage, "--threads wants at least 1"};
+    if (arguments.memory && !(*arguments.memory >= 1 && *arguments.memory <= 1e9))
+        return Refusal{wrongUsage, "--memory wants a number of MB, 1 to 1e9"};
     if (arguments.only && !arguments.quantities)
         return Refusal{wrongUsage, "--only wants --quantities"};
     if (arguments.at && arguments.times)
@@ -85,19 +88,21 @@ std::string shortNumber(double value, int digits = 6) {
     return text;
 }
 
-// Of a method that was asked for nothing is known; the estimate itself does not disturb a table
-// that goes to the same terminal, nor programs that read what goes elsewhere.
+// Of a method that was asked for nothing is known. Where the accuracy is not kept a warning has
+// said so.
 void tellError(const SimulateArguments& arguments, const scene::Simulator& simulator,
                std::optional<double> estimate) {
     const std::string method = arguments.method.empty() ? simulator.method : arguments.method;
+    const double accuracy = arguments.accuracy.value_or(simulator.accuracy);
     if (!estimate && method != "auto") {
         const std::string steps =
             arguments.fixedStep ? " at steps of " + shortNumber(*arguments.fixedStep) : "";
         terminal::complain("asgard: the error of " + method + steps +
                            " is not estimated; auto's is");
-    } else if (estimate && arguments.csv != "-" && terminal::errorsAreATerminal()) {
+    } else if (estimate && *estimate <= accuracy) {
         terminal::complain("asgard: the error is estimated at " + shortNumber(*estimate, 2) +
-                           " of the size of what moves");
+                           " of the size of what moves, where " + shortNumber(accuracy) +
+                           " was asked for");
     }
 }
 
@@ -137,6 +142,8 @@ int compute(const SceneText& scene, const SimulateArguments& arguments,
 int simulateCommand(script::Reader& reader, const SimulateArguments& arguments) {
     if (const auto refusal = wrongNumbers(arguments))
         return refuse(*refusal);
+    if (arguments.memory)
+        simulation::setMostBytes(static_cast<std::size_t>(*arguments.memory * 1e6));
     const auto begin = std::chrono::steady_clock::now();
     const auto opened = openScene(reader, arguments.scene, arguments.set);
     const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - begin;

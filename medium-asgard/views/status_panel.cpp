@@ -199,11 +199,11 @@ void StatusPanel::showMotion() {
     computed_->setText(stopped.count > 0 ? tr("to %1").arg(timeText(stopped.first, length))
                        : whole           ? tr("all %1").arg(timeText(length, length))
                                          : tr("to %1").arg(timeText(playback_.computed(), length)));
-    computed_->setToolTip(stopped.count > 0
-                              ? tr("Bodies that stop before the end: %1. The first of them stops "
-                                   "there; a language viewer says why")
-                                    .arg(stopped.count)
-                              : tr("How far the motion is computed"));
+    computed_->setToolTip(plain::tip(
+        stopped.count > 0 ? tr("Bodies that stop before the end: %1. The first of them stops "
+                               "there; a language viewer says why")
+                                .arg(stopped.count)
+                          : tr("How far the motion is computed")));
     const auto error = motion ? motion->errorEstimate() : std::nullopt;
     accuracy_->setText(error ? QStringLiteral("≤ ") + QString::number(*error, 'g', 2)
                              : QStringLiteral("–"));

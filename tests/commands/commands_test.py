@@ -198,6 +198,16 @@ class Commands(unittest.TestCase):
         said = self.told("force -body b -x {-b.x}", code=0, arguments=("--method", "forward-euler", "--fixed-step", "10"))
         self.assertEqual(said, "asgard: the error of forward-euler at steps of 10 is not estimated; auto's is\n")
 
+    def test_a_motion_says_in_one_line_how_accurate_it_is(self):
+        said = self.told("force -body b -x {-b.x-1}", code=0, arguments=("--accuracy", "1e-6"))
+        self.assertRegex(said, r"^asgard: the error is estimated at [0-9.e-]+ of the size of what moves, where 1e-06 was asked for\n$")
+
+    def test_what_needs_too_much_memory_stops_at_one_time(self):
+        once = self.told("force -body b -x {sin(1e9*t)}", arguments=("--memory", "2"))
+        self.assertRegex(once, r"^told\.al:3:1: error: Stopped at t = 0\.0[0-9]+: the motion up to here takes 2 MB, which is the limit, most of it for body \"b\"; ")
+        self.assertEqual(once, self.told("force -body b -x {sin(1e9*t)}", arguments=("--memory", "2", "--threads", "1")))
+        self.assertEqual(self.simulate(self.scene, "--memory", "0", code=2)[1], "asgard: --memory wants a number of MB, 1 to 1e9\n")
+
     def test_a_scene_without_bodies_says_so(self):
         ran = self.run_asgard("simulate", "-", text="simulator -finish 1\n")
         self.assertEqual((ran.returncode, ran.stderr), (0, "standard input: warning: the scene has no body, so nothing moves\n"))

@@ -52,6 +52,9 @@ public:
                                                       double known) override;
     void apply(const solution::Histories& histories, const solution::Event& event,
                solution::EquationsInForce& equations, solution::Changes& changes) override;
+    [[nodiscard]] std::size_t bytesBefore(double t) const override {
+        return impacts_.bytesBefore(t);
+    }
 
     // The motion is wanted for longer than before; next() goes on from where it was.
     void lengthen(double finish);

@@ -107,6 +107,7 @@ void ImpactRecord::add(const std::shared_ptr<const ImpactLine>& line,
         const auto added = impacts.first(count);
         block.impacts->insert(block.impacts->end(), added.begin(), added.end());
         block.size += count;
+        onLines_ += count;
         impacts = impacts.subspan(count);
     }
 }
@@ -153,6 +154,21 @@ bool ImpactRecord::haveMet(const std::pair<std::size_t, std::size_t>& pair, doub
                    return impact.time > since && areThey(block.line->ofPair[impact.pair]);
                });
            });
+}
+
+std::size_t ImpactRecord::bytesBefore(double t) const {
+    std::size_t plain = plain_.size(), onLines = onLines_;
+    if (!plain_.empty() && plain_.back().impact.time >= t) {
+        const auto timeOf = [](const Recorded& recorded) { return recorded.impact.time; };
+        const auto after = std::ranges::lower_bound(plain_, t, {}, timeOf);
+        plain = static_cast<std::size_t>(after - plain_.begin());
+    }
+    for (std::size_t b = blocks_.size(); b-- > 0 && !(blocks_[b].impacts->back().time < t);) {
+        const std::vector<LineImpact>& impacts = *blocks_[b].impacts;
+        onLines -= static_cast<std::size_t>(
+            impacts.end() - std::ranges::lower_bound(impacts, t, {}, &LineImpact::time));
+    }
+    return plain * (sizeof(Recorded) + sizeof(Impact)) + onLines * sizeof(LineImpact);
 }
 
 bool ImpactRecord::hasOnLineAt(double time) const {

@@ -79,6 +79,8 @@ public:
     [[nodiscard]] Impacts upTo(double until) const;
     [[nodiscard]] bool haveMet(const std::pair<std::size_t, std::size_t>& pair, double since) const;
     [[nodiscard]] bool hasOnLineAt(double time) const;
+    // Of what was hit before t: as it is kept here, and as an Impact for who reads it.
+    [[nodiscard]] std::size_t bytesBefore(double t) const;
 
 private:
     struct Recorded {
@@ -91,6 +93,7 @@ private:
 
     static constexpr std::size_t mostInBlock = 1024;
     std::vector<Impacts::Block> blocks_;
+    std::size_t onLines_ = 0;       // in all of them
     mutable bool isShared_ = false; // the last of them: it is not written any more
 };
 

@@ -108,7 +108,8 @@ void addComponents(std::vector<Unit>& units, const std::vector<std::size_t>& uni
 } // namespace
 
 SolvedPart::SolvedPart(const Problem& problem, const Solved& solved)
-    : motion{problem.bodies, solved.run.histories} {
+    : motion{problem.bodies, solved.run.histories}, keptBytes(solved.keptBytes),
+      isFull(solved.isFull) {
     const auto& records = *motion.bodies;
     bodies.reserve(records.size());
     for (std::size_t p = 0; p < records.size(); ++p) {
@@ -167,6 +168,17 @@ void KnownMotion::index() {
         for (std::size_t i = 0; i < units[u]->bodies.size(); ++i)
             if (!units[u]->isFixed[i])
                 unitOf[units[u]->bodies[i]] = u;
+}
+
+// Runs from scratch are ahead of the time that all is known to by a little.
+bool KnownMotion::mayBeFull(std::size_t most) const {
+    std::size_t sum = 0;
+    for (const PlacedPart& placed : parts) {
+        if (placed.part->isFull)
+            return true;
+        sum += placed.part->keptBytes;
+    }
+    return sum > most - most / 10;
 }
 
 namespace {

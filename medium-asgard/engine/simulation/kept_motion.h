@@ -3,6 +3,7 @@
 #pragma once
 
 #include "scene/difference.h"
+#include "simulation/budget.h"
 #include "simulation/computed_motion.h"
 #include "simulation/solved.h"
 
@@ -14,12 +15,12 @@ namespace simulation {
 // What a part can be solved further with: its problem, whose finish is that of the last search, and
 // the runs over it.
 struct Reserve {
-    explicit Reserve(std::shared_ptr<Problem> posed) : problem(std::move(posed)) {}
+    explicit Reserve(std::shared_ptr<Problem> posed)
+        : problem(std::move(posed)), runs(KeptRuns::Keep::yes, 2 * mostBytes()) {}
     // Too large to be kept: solving again costs less than what this would hold for ever.
-    [[nodiscard]] bool isTooLarge() const { return runs.bytes() > mostBytes; }
-    static constexpr std::size_t mostBytes = std::size_t{256} << 20;
+    [[nodiscard]] bool isTooLarge() const { return runs.areForgotten(); }
     std::shared_ptr<Problem> problem;
-    KeptRuns runs{KeptRuns::Keep::yes};
+    KeptRuns runs;
 };
 
 // One solution of some bodies, the fixed ones around them among these.
@@ -30,6 +31,8 @@ struct SolvedPart {
     std::vector<MovingBody> bodies;   // of the motion; for one thread
     std::vector<double> until;        // by body: from then on it stands, or the motion is over
     std::vector<geometry::Box> reach; // by body: holds its shape at all times
+    std::size_t keptBytes = 0;        // the most that a run over it kept
+    bool isFull = false;              // one had to end for it
     std::shared_ptr<Reserve> reserve; // none: it was too large to keep
 };
 using PartPointer = std::shared_ptr<const SolvedPart>;
@@ -77,6 +80,9 @@ struct KnownMotion {
 
     // Fills unitOf.
     void index();
+    // From scratch, what is kept may need more than `most`: then where all of it ends is nothing
+    // that parts tell.
+    [[nodiscard]] bool mayBeFull(std::size_t most) const;
 };
 
 // `bodies`: those of the part in the scene, as in PlacedPart; group: of the scene's bodies

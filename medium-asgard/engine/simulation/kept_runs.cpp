@@ -31,15 +31,26 @@ bool KeptRuns::saysNothing(const Problem& problem) const {
     return std::ranges::find(marked_, true) != marked_.end();
 }
 
+// A search that is repeated says nothing without them.
+void KeptRuns::forget() {
+    keep_ = Keep::no;
+    areForgotten_ = true;
+    for (auto& runs : runs_)
+        for (auto& run : runs)
+            run.reset();
+    if (isRepeated_)
+        marked_.assign(marked_.size(), true);
+}
+
 std::optional<Run> KeptRuns::next(const Problem& problem, Kind kind,
                                   const std::vector<double>& tolerances, const Observer& observer,
                                   const std::optional<Base>& base) {
     const Run* const before = base ? &base->before : nullptr;
     auto& runs = runs_[static_cast<std::size_t>(kind)];
     const std::size_t index = asked_[static_cast<std::size_t>(kind)]++;
+    if (isRepeated_ && (areForgotten_ || index >= runs.size()))
+        return std::nullopt;
     if (index >= runs.size()) {
-        if (isRepeated_)
-            return std::nullopt;
         runs.resize(index + 1);
         runs[index] = made(problem, kind, tolerances, base);
     }
@@ -59,6 +70,8 @@ std::optional<Run> KeptRuns::next(const Problem& problem, Kind kind,
     }
     if (keep_ == Keep::no)
         open.reset();
+    else if (bytes() > most_)
+        forget();
     return run;
 }
 

@@ -11,13 +11,16 @@
 #include "simulation/open_run.h"
 
 #include <array>
+#include <limits>
 
 namespace simulation {
 
 class KeptRuns {
 public:
     enum class Keep { no, yes }; // no: a run is forgotten as soon as it was made
-    explicit KeptRuns(Keep keep) : keep_(keep) {}
+    // Runs that together take more than `most` bytes are all forgotten, and none is kept any more.
+    explicit KeptRuns(Keep keep, std::size_t most = std::numeric_limits<std::size_t>::max())
+        : keep_(keep), most_(most) {}
 
     // Before each search.
     void begin(std::size_t bodies);
@@ -37,6 +40,8 @@ public:
     void mark(std::size_t body) { marked_[body] = true; }
     [[nodiscard]] const std::vector<bool>& marked() const { return marked_; }
     [[nodiscard]] std::size_t bytes() const; // of all that they hold
+    // They were too large: this cannot be searched again.
+    [[nodiscard]] bool areForgotten() const { return areForgotten_; }
 
 private:
     [[nodiscard]] std::unique_ptr<OpenRun> made(const Problem& problem, Kind kind,
@@ -44,9 +49,11 @@ private:
                                                 const std::optional<Base>& base) const;
     // All that moves is marked.
     [[nodiscard]] bool saysNothing(const Problem& problem) const;
+    void forget();
 
     Keep keep_;
-    bool isRepeated_ = false;
+    std::size_t most_;
+    bool isRepeated_ = false, areForgotten_ = false;
     std::array<std::vector<std::unique_ptr<OpenRun>>, kinds> runs_; // by kind
     std::array<std::size_t, kinds> asked_{};
     std::vector<bool> marked_; // by body

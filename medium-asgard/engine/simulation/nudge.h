@@ -37,6 +37,9 @@ public:
     }
     void apply(const solution::Histories& histories, const solution::Event& event,
                solution::EquationsInForce& equations, solution::Changes& changes) override;
+    [[nodiscard]] std::size_t bytesBefore(double t) const override {
+        return source_.bytesBefore(t);
+    }
 
 private:
     [[nodiscard]] bool turn(double time, std::span<solution::Turn> turns) override;

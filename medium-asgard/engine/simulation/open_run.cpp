@@ -129,9 +129,11 @@ void OpenRun::makeMachinery(const std::shared_ptr<const solution::TakenMotion>& 
 
 bool OpenRun::canGoOn(const Run* before) const {
     const double finish = problem_.finish();
-    // What gave up on the old finish may well reach the new one.
+    // What gave up on the old finish may well reach the new one; and where memory ends motion, all
+    // of it ends.
     const auto gaveUp = [](const solution::Stop& stop) {
-        return stop.reason == solution::Stop::Reason::tooLong;
+        return stop.reason == solution::Stop::Reason::tooLong ||
+               stop.reason == solution::Stop::Reason::tooMuchKept;
     };
     if (machinery_ && (std::ranges::any_of(machinery_->solver->histories().stops(), gaveUp) ||
                        finish > machinery_->solver->hopelessBeyond()))

@@ -230,7 +230,7 @@ Result Resimulation::Implementation::solveWhole(const VersionPointer& version,
     }
     if (!solved.result.cancelled) {
         known.reset();
-        if (isSolvedInParts(*version, options)) {
+        if (isSolvedInParts(*version, options) && !solved.isFull) {
             known.emplace().version = version;
             known->isEstimated = solved.result.statistics.errorEstimate.has_value();
             known->homes.resize(bodies.size());
@@ -298,6 +298,8 @@ std::optional<Result> Resimulation::Implementation::solveParts(
         if (work.rounds == rounds) // a refusal: all of them are wanted
             return std::nullopt;
     }
+    if (next.mayBeFull(mostBytes()))
+        return std::nullopt;
     for (std::size_t b = 0; b < version->scene->bodies.size(); ++b)
         if (edit.isAgain(b))
             work.solved.push_back(version->scene->bodies[b].name);

@@ -1,6 +1,7 @@
 #include "simulation/run.h"
 
 #include "scene/shape_of.h"
+#include "simulation/budget.h"
 #include "solution/partition.h"
 
 #include <algorithm>
@@ -82,6 +83,30 @@ std::optional<std::vector<std::size_t>> askedOf(const Problem& problem) {
     return asked;
 }
 
+// By body; each set's is made once.
+std::vector<geometry::Shape> shapesOf(const scene::Scene& scene,
+                                      const std::function<void()>& meanwhile,
+                                      std::vector<std::string>& faults) {
+    using Made = std::variant<geometry::Shape, std::string>;
+    std::map<const scene::ShapeSet*, Made> known;
+    std::vector<geometry::Shape> shapes;
+    for (const scene::Body& body : scene.bodies) {
+        if (shapes.size() % 16 == 15)
+            meanwhile();
+        const scene::ShapeSet* set = scene::findShapeSet(scene, body.shape);
+        auto place = known.find(set);
+        if (place == known.end())
+            place =
+                known.emplace(set, set ? scene::shapeOf(*set, meanwhile) : Made("there is none"))
+                    .first;
+        if (const auto* why = std::get_if<std::string>(&place->second))
+            faults.push_back("Body \"" + body.name + "\" has no shape: " + *why + ".");
+        else
+            shapes.push_back(std::get<geometry::Shape>(place->second));
+    }
+    return shapes;
+}
+
 struct Cancelled {}; // thrown while a problem is posed
 
 std::variant<std::shared_ptr<Problem>, std::vector<std::string>>
@@ -90,18 +115,7 @@ posed(const scene::Scene& original, const Options& options,
     std::vector<std::string> faults;
     scene::Scene scene = original;
     applyOptions(scene, options, faults);
-    std::vector<geometry::Shape> shapes;
-    for (const scene::Body& body : scene.bodies) {
-        if (shapes.size() % 16 == 15)
-            meanwhile();
-        const scene::ShapeSet* set = scene::findShapeSet(scene, body.shape);
-        auto shape = set ? scene::shapeOf(*set)
-                         : std::variant<geometry::Shape, std::string>("there is none");
-        if (const auto* why = std::get_if<std::string>(&shape))
-            faults.push_back("Body \"" + body.name + "\" has no shape: " + *why + ".");
-        else
-            shapes.push_back(std::get<geometry::Shape>(std::move(shape)));
-    }
+    std::vector<geometry::Shape> shapes = shapesOf(scene, meanwhile, faults);
     if (!faults.empty())
         return faults;
     physics::EquationsOfMotion equations(scene, meanwhile);
@@ -147,6 +161,7 @@ solution::Options solverOptions(const Problem& problem, const std::vector<double
     options.eventDriven = problem.options.eventDriven;
     options.threads = static_cast<std::size_t>(std::max(problem.options.threads, 0));
     options.asked = problem.asked;
+    options.mostBytes = mostBytes();
     for (std::size_t b = 0; b < tolerances.size(); ++b)
         if (!(*problem.bodies)[b].isFixed) {
             options.tolerances.insert(options.tolerances.end(), bodyUnknowns, tolerances[b]);
@@ -187,17 +202,21 @@ problemOf(const scene::Scene& original, const Options& options, const Observer& 
 
 std::string shortfallOf(double accuracy, double estimate, std::optional<double> predictableUntil) {
     constexpr double lost = 0.03; // of the size
-    char text[200];
-    if (predictableUntil && estimate > lost)
+    char text[240], from[40] = "";
+    if (predictableUntil && estimate > lost) {
         std::snprintf(text, sizeof text,
                       "From t = %.4g on the motion is not predictable to %.3g of its size, since "
-                      "it amplifies even rounding beyond that.",
+                      "it amplifies even rounding beyond that; a looser accuracy is kept for "
+                      "longer, a tighter one for less long.",
                       *predictableUntil, accuracy);
-    else
-        std::snprintf(text, sizeof text,
-                      "An accuracy of %.3g is not reached: rounding, and what the motion makes of "
-                      "it, leave an error of about %.1g of its size.",
-                      accuracy, estimate);
+        return text;
+    }
+    if (predictableUntil)
+        std::snprintf(from, sizeof from, " from t = %.4g on", *predictableUntil);
+    std::snprintf(text, sizeof text,
+                  "An accuracy of %.3g is not reached%s: rounding, and what the motion makes of "
+                  "it, leave an error of about %.1g of its size.",
+                  accuracy, from, estimate);
     return text;
 }
 

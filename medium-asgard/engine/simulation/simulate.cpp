@@ -34,6 +34,10 @@ void addWork(const Run& run, Solved& solved) {
     sum.factorisations += all.factorisations - before.factorisations;
     sum.pairTests += run.pairTests;
     sum.secondsSettingUp += run.secondsSettingUp;
+    solved.keptBytes = std::max(solved.keptBytes, all.keptBytes);
+    solved.isFull = solved.isFull || std::ranges::any_of(run.histories->stops(), [](const auto& s) {
+                        return s.reason == solution::Stop::Reason::tooMuchKept;
+                    });
 }
 
 void describe(const Problem& problem, const Run& run, Result& result) {

@@ -22,6 +22,9 @@ struct Solved {
     // Pairs of bodies that came near each other in any of the runs. Who is not joined by these, and
     // reads nothing of each other, did not change each other's numbers.
     std::vector<std::pair<std::size_t, std::size_t>> near;
+    // The most that a run kept; one had to end for it.
+    std::size_t keptBytes = 0;
+    bool isFull = false;
     // By body: the runs that were repeated do not tell how it moves (kept_runs.h).
     std::vector<bool> marked;
 };

@@ -74,9 +74,16 @@ std::string adviceFor(solution::Stop::Reason reason, bool isBlamed) {
     case Reason::overflow:
     case Reason::stepUnderflow:
     case Reason::notConverged:
-        return isBlamed ? "; keep that expression finite there (with ?: or max, say), or finish "
-                          "earlier"
+        return isBlamed ? "; keep that expression finite there (with ?: or max, say), or let the "
+                          "motion finish before (-finish)"
                         : "";
+    case Reason::tooManySteps:
+        return "; ask for less accuracy (-accuracy), or let the motion finish before (-finish)";
+    case Reason::tooLong:
+        return "; let what drives it change more slowly, or what meets there meet less often, or "
+               "let the motion finish before (-finish)";
+    case Reason::decisions:
+        return "; write a short steep slope in place of what jumps there";
     default:
         return "";
     }
@@ -140,6 +147,34 @@ Stop stopOf(const Problem& problem, const physics::Suspects& suspects,
             .culprit = std::move(why.culprit)};
 }
 
+// Of which the steps take most.
+std::size_t largestBody(const Problem& problem, const solution::Histories& histories) {
+    std::size_t found = 0, most = 0;
+    for (std::size_t b = 0; b < problem.bodies->size(); ++b) {
+        const BodyRecord& body = (*problem.bodies)[b];
+        std::size_t bytes = 0;
+        for (std::size_t i = 0; i < physics::bodyUnknowns && !body.isFixed; ++i)
+            bytes += histories.bytesOf(body.firstUnknown + i);
+        if (bytes > most) {
+            found = b;
+            most = bytes;
+        }
+    }
+    return found;
+}
+
+Stop fullStop(const Problem& problem, const solution::Histories& histories,
+              const solution::Stop& stop) {
+    const std::string& name = problem.scene.bodies[largestBody(problem, histories)].name;
+    return {.time = stop.time,
+            .sentence = sentenceAt(
+                stop.time, stop.sentence + ", most of it for body \"" + name +
+                               "\"; let what drives it change more slowly, ask for less accuracy "
+                               "(-accuracy), or let the motion finish before (-finish); asgard "
+                               "simulate --memory allows more"),
+            .culprit = {}};
+}
+
 // Of what is solved, by body.
 std::map<std::size_t, Stop> solversStops(const Problem& problem,
                                          const solution::Histories& histories) {
@@ -148,8 +183,14 @@ std::map<std::size_t, Stop> solversStops(const Problem& problem,
         return stops;
     const std::vector<std::size_t> owners = ownersOf(problem);
     const physics::Suspects suspects(problem.equations);
+    std::optional<Stop> full;
     for (const solution::Stop& stop : histories.stops()) {
+        const bool isFull = stop.reason == solution::Stop::Reason::tooMuchKept;
+        if (isFull && !full)
+            full = fullStop(problem, histories, stop);
         std::optional<Stop> told; // once for all bodies that stop together
+        if (isFull)
+            told = full;
         for (const std::size_t unknown : stop.unknowns) {
             const std::size_t body = owners[unknown];
             const auto place = stops.find(body);

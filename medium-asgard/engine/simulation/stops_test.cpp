@@ -1,4 +1,5 @@
 // What an author reads when a motion ends.
+#include "simulation/budget.h"
 #include "simulation/report.h"
 #include "simulation/resimulation_testing.h"
 
@@ -32,7 +33,7 @@ TEST(Stops, APoleIsBlamedOnTheForceThatHasIt) {
     EXPECT_NEAR(stop->time, 2, 1e-3);
     EXPECT_THAT(stop->sentence, HasSubstr("the force on body \"b\" grows without bound: its x, "
                                           "\"1/(2-t)^2\", is "));
-    EXPECT_THAT(stop->sentence, HasSubstr("finish earlier"));
+    EXPECT_THAT(stop->sentence, HasSubstr("let the motion finish before"));
     EXPECT_EQ(stop->culprit, (Stop::Culprit{"b", false, 1, "-x"}));
     const auto report = reportOf(scene, *result.motion);
     ASSERT_EQ(report.size(), 1u) << "a stop, and no horizon beside it";
@@ -171,7 +172,9 @@ TEST(Stops, EventsThatNeverEndAreSaidAtOnce) {
     b.ball("b", {0, 1, 0});
     b.weight("b");
     b.ball("lone", {1000, 1, 0}).initialVelocity = {0, 1, 0}; // has no part in it
+    setMostBytes(4 * usualBytes);                             // else that ends it
     const Result result = simulate(b.scene);
+    setMostBytes(usualBytes);
     ASSERT_TRUE(result.motion->stop(1));
     EXPECT_THAT(result.motion->stop(1)->sentence, HasSubstr("more than a billion"));
     EXPECT_FALSE(result.motion->stop(2));
@@ -214,6 +217,28 @@ SceneBuilder stoneInTheWay(double speed, const std::string& drag = "0") {
     return b;
 }
 
+// Thirty boxes on each other, and one that falls onto them: one fault.
+TEST(Stops, OneCauseIsOneFault) {
+    SceneBuilder b(3, 1e-4);
+    b.floor(40);
+    for (int i = 0; i < 12; ++i) {
+        const std::string name = "b" + std::to_string(i);
+        b.box(name, {i % 4 * 2.0, 0.5 + i / 4, 0}, {1, 1, 1});
+        b.weight(name);
+    }
+    b.ball("late", {2, 8, 0}, 0.3).initialVelocity = {0, -3, 0};
+    const Result result = simulate(b.scene);
+    std::size_t stopped = 0;
+    for (std::size_t body = 0; body < b.scene.bodies.size(); ++body)
+        stopped += result.motion->stop(body) ? 1 : 0;
+    ASSERT_GT(stopped, 8u);
+    const auto report = reportOf(b.scene, *result.motion);
+    ASSERT_EQ(report.size(), 1u);
+    EXPECT_THAT(report[0].message, HasSubstr("The same stops "));
+    EXPECT_THAT(report[0].message, HasSubstr(" others, the last at t = "));
+    EXPECT_THAT(report[0].message, HasSubstr("Where they meet what stopped, so do 5 more bodies"));
+}
+
 // What then happens to it is as little known.
 TEST(Stops, WhatMeetsABodyThatStoppedStopsThereToo) {
     for (const std::string drag : {"0", "-1e-9*comer.dx^3"}) {
@@ -226,7 +251,10 @@ TEST(Stops, WhatMeetsABodyThatStoppedStopsThereToo) {
                                   "stopped at t = 1; what happens then is not known.");
         EXPECT_NEAR(result.motion->at(1, 8).position.x(), 1, 1e-6);
         EXPECT_FALSE(result.motion->stop(3));
-        EXPECT_EQ(reportOf(b.scene, *result.motion).size(), 2u) << "each who stops says so";
+        const auto report = reportOf(b.scene, *result.motion);
+        ASSERT_EQ(report.size(), 1u) << "of one cause";
+        EXPECT_THAT(report[0].message, HasSubstr("Where they meet what stopped, so do 1 more body: "
+                                                 "\"comer\", at t = 2."));
     }
 }
 

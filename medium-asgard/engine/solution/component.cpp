@@ -326,6 +326,13 @@ std::size_t Component::bytes() const {
            (method_ ? rows * columns_.size() * sizeof(double) : 0);
 }
 
+std::size_t Component::checkpointBytesBefore(double t) const {
+    constexpr std::size_t ofUnknown = 12; // numbers of its control
+    const auto after = std::ranges::lower_bound(checkpoints_, t, {}, &Checkpoint::time);
+    const auto count = static_cast<std::size_t>(after - checkpoints_.begin());
+    return count * (sizeof(Checkpoint) + ofUnknown * unknowns_.size() * sizeof(double));
+}
+
 std::size_t Component::evaluations() const {
     return counts_.evaluations + (method_ ? method_->counts().evaluations : 0);
 }

@@ -129,6 +129,7 @@ public:
     [[nodiscard]] ComponentStatistics statistics() const;
     [[nodiscard]] std::size_t evaluations() const;
     [[nodiscard]] std::size_t bytes() const; // beside its history, about
+    [[nodiscard]] std::size_t checkpointBytesBefore(double t) const;
 
 private:
     enum class Model { undecided, closedForm, linear, held, integrated };

@@ -108,6 +108,8 @@ public:
     // New nodes go into the graph of `equations`; what is in force now is read there too.
     virtual void apply(const Histories& histories, const Event& event, EquationsInForce& equations,
                        Changes& changes) = 0;
+    // What it keeps of events before t, for who reads the motion.
+    [[nodiscard]] virtual std::size_t bytesBefore(double /*t*/) const { return 0; }
 };
 
 } // namespace solution

@@ -113,6 +113,7 @@ std::span<double> History::append(const Step& step) {
     placed.offset = static_cast<std::uint32_t>(chunk.values.size());
     chunk.steps.push_back(placed);
     chunk.values.resize(chunk.values.size() + sizeOf(step));
+    numbers_ += sizeOf(step);
     ++size_;
     return std::span(chunk.values).subspan(placed.offset);
 }
@@ -143,6 +144,7 @@ void History::dropLast() {
     if (isFlight()) {
         endOfLast_ = origin(size_ - 1);
     } else {
+        numbers_ -= chunk.values.size() - chunk.steps.back().offset;
         chunk.values.resize(chunk.steps.back().offset);
         chunk.steps.pop_back();
     }
@@ -184,9 +186,12 @@ std::shared_ptr<const History> History::upTo(double t) const {
     copy->ofEach_ = ofEach_;
     copy->order_ = order_;
     copy->size_ = size_;
+    copy->numbers_ = numbers_;
     const auto isAfter = [t](const Step& s) { return s.origin > t || (s.origin == t && !s.fresh); };
-    while (copy->size_ > 1 && isAfter(step(copy->size_ - 1)))
+    while (copy->size_ > 1 && isAfter(step(copy->size_ - 1))) {
         --copy->size_;
+        copy->numbers_ -= isFlight() ? 0 : sizeOf(step(copy->size_));
+    }
     if (isFlight())
         copy->endOfLast_ = copy->size_ < size_ ? origin(copy->size_) : endOfLast_;
     const std::size_t chunks = (copy->size_ + stepsPerChunk - 1) / stepsPerChunk;
@@ -195,13 +200,18 @@ std::shared_ptr<const History> History::upTo(double t) const {
     return copy;
 }
 
-std::size_t History::bytes() const {
-    if (isFlight())
-        return size_ * flightRow() * sizeof(double);
-    std::size_t total = 0;
-    for (const auto& chunk : chunks_)
-        total += chunk->steps.size() * sizeof(Step) + chunk->values.size() * sizeof(double);
-    return total;
+std::size_t History::bytesBefore(double t) const {
+    if (t > from() && t < infinity) {
+        std::size_t steps = find(t);
+        steps += origin(steps) < t ? 1 : 0;
+        if (isFlight())
+            return steps * flightRow() * sizeof(double);
+        std::size_t numbers = steps < size_ ? step(steps).offset : numbers_;
+        for (std::size_t chunk = 0; chunk < steps / stepsPerChunk && steps < size_; ++chunk)
+            numbers += chunks_[chunk]->values.size();
+        return steps * sizeof(Step) + numbers * sizeof(double);
+    }
+    return t > from() ? bytes() : 0;
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -328,7 +338,14 @@ std::shared_ptr<const Histories> Histories::upTo(double t) const {
     return copy;
 }
 
-std::size_t Histories::bytes() const {
+std::size_t Histories::bytesOf(std::size_t unknown) const {
+    std::size_t sum = 0;
+    for (const Span& span : tracks_[unknown].spans)
+        sum += span.history->bytes();
+    return sum;
+}
+
+std::size_t Histories::bytesBefore(double t) const {
     std::vector<const History*> seen;
     for (const Track& track : tracks_)
         for (const Span& span : track.spans)
@@ -337,7 +354,7 @@ std::size_t Histories::bytes() const {
     seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
     std::size_t total = 0;
     for (const History* history : seen)
-        total += history->bytes();
+        total += history->bytesBefore(t);
     return total;
 }
 

@@ -35,6 +35,7 @@ struct Stop {
         algebraicLoop, // held values that are defined by each other
         tooManyEvents, // more events at one instant than Options::maximumEventsAtOnce
         tooLong,       // at this pace the finish is farther away than any computer gets
+        tooMuchKept,   // what is kept of the motion is more than Options::mostBytes
         inputEnded,    // an unknown that this one reads ended
         source,        // the source of events ended it
     };
@@ -66,7 +67,12 @@ public:
     [[nodiscard]] bool empty() const { return size_ == 0; }
     [[nodiscard]] double from() const { return size_ ? origin(0) : infinity; }
     [[nodiscard]] double until() const { return size_ ? until(size_ - 1) : -infinity; }
-    [[nodiscard]] std::size_t bytes() const;
+    // Of steps and their numbers; of those that begin before t.
+    [[nodiscard]] std::size_t bytes() const {
+        return isFlight() ? size_ * flightRow() * sizeof(double)
+                          : size_ * sizeof(Step) + numbers_ * sizeof(double);
+    }
+    [[nodiscard]] std::size_t bytesBefore(double t) const;
 
     struct Step {
         double origin = 0, until = 0, scale = 1;
@@ -212,6 +218,7 @@ private:
     double endOfLast_ = infinity;        // of its last step
     std::shared_ptr<const Order> order_; // none: there are no pairs
     std::size_t size_ = 0;
+    std::size_t numbers_ = 0;                       // in all rows; not of a flight
     std::vector<std::shared_ptr<Chunk>> chunks_;    // all but the last have stepsPerChunk steps
     mutable std::size_t sharedChunks_ = 0;          // the first ones, which a frozen copy holds too
     mutable std::shared_ptr<const History> frozen_; // none: changed since freeze()
@@ -260,7 +267,11 @@ public:
         std::size_t steps = 0, restarts = 0;
     };
     [[nodiscard]] Course course(std::size_t unknown, double t) const;
-    [[nodiscard]] std::size_t bytes() const;
+    // Of all steps; of those that begin before t.
+    [[nodiscard]] std::size_t bytes() const { return bytesBefore(infinity); }
+    [[nodiscard]] std::size_t bytesBefore(double t) const;
+    // Of the components that an unknown was in, whatever else they have.
+    [[nodiscard]] std::size_t bytesOf(std::size_t unknown) const;
 
     // What is known up to t, as it was before anything after t was solved. Of a snapshot.
     [[nodiscard]] std::shared_ptr<const Histories> upTo(double t) const;

@@ -54,6 +54,8 @@ public:
     [[nodiscard]] Island* plainIsland(std::span<const std::size_t> unknowns);
     // The island of an unknown that took part in an event.
     [[nodiscard]] Island& island(std::size_t unknown) { return islands_[rootOf(unknown)]; }
+    // The unknown that stands for its island.
+    [[nodiscard]] std::size_t islandNumber(std::size_t unknown) const { return rootOf(unknown); }
     // All in the island of an unknown.
     [[nodiscard]] std::vector<std::size_t> islandOf(std::size_t unknown) const;
     [[nodiscard]] double beyond() const { return beyond_; }

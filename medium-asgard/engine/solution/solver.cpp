@@ -149,18 +149,21 @@ void Solver::Implementation::poll(double time) {
         options_.working(time);
 }
 
-void Solver::Implementation::advanceGroup(std::size_t group, double until) {
+void Solver::Implementation::advanceGroup(std::size_t group, const Leg& leg) {
     const bool isCaller = std::this_thread::get_id() == caller_;
     if (schedule_.components(group).size() == 1)
-        return advanceAlone(schedule_.components(group)[0], until, isCaller);
-    for (bool any = true; !cancelled_; any = false) {
+        return advanceAlone(schedule_.components(group)[0], leg, isCaller);
+    std::size_t added = 0;
+    for (bool any = true; !cancelled_ && added <= leg.share; any = false) {
         if (isCaller)
             poll(components_[schedule_.components(group)[0]]->time());
-        const auto behind = schedule_.next(group, until, any, !options_.eventDriven);
+        const auto behind = schedule_.next(group, leg.until, any, !options_.eventDriven);
         if (!behind || cancelled_)
             return;
         Component& component = readyFor(*components_[*behind]);
+        const std::size_t before = component.history()->bytes();
         component.step();
+        added += component.history()->bytes() - std::min(before, component.history()->bytes());
         schedule_.stepped(componentOf_[component.unknowns()[0]]);
         if (component.ended()) { // its readers must be told first
             stopsChanged_ = true;
@@ -170,12 +173,15 @@ void Solver::Implementation::advanceGroup(std::size_t group, double until) {
 }
 
 // It reads no other: nobody need be asked whose turn it is.
-void Solver::Implementation::advanceAlone(std::size_t place, double until, bool isCaller) {
+void Solver::Implementation::advanceAlone(std::size_t place, const Leg& leg, bool isCaller) {
     Component& component = *components_[place];
+    const History& history = *component.history();
+    const std::size_t most = history.bytes() + leg.share;
     for (bool any = options_.eventDriven; !cancelled_; any = false) {
         if (isCaller)
             poll(component.time());
-        if (cancelled_ || component.ended() || !(any || component.time() < until))
+        if (cancelled_ || component.ended() || !(any || component.time() < leg.until) ||
+            history.bytes() > most)
             break;
         (void)readyFor(component);
         component.step();
@@ -186,7 +192,7 @@ void Solver::Implementation::advanceAlone(std::size_t place, double until, bool 
 }
 
 // Those that are by themselves go side by side.
-void Solver::Implementation::advanceGroups(std::span<const std::size_t> groups, double until) {
+void Solver::Implementation::advanceGroups(std::span<const std::size_t> groups, const Leg& leg) {
     std::vector<std::size_t> single;
     for (const std::size_t group : groups) {
         const std::vector<std::size_t>& places = schedule_.components(group);
@@ -195,21 +201,32 @@ void Solver::Implementation::advanceGroups(std::span<const std::size_t> groups, 
         if (maySo)
             single.push_back(places[0]);
         else
-            advanceGroup(group, until);
+            advanceGroup(group, leg);
     }
     if (!single.empty())
-        advanceSideBySide(single, until);
+        advanceSideBySide(single, leg);
 }
 
-void Solver::Implementation::advanceSideBySide(std::span<const std::size_t> places, double until) {
+void Solver::Implementation::advanceSideBySide(std::span<const std::size_t> places,
+                                               const Leg& leg) {
+    constexpr std::size_t seldom = 64; // steps, each time that all are counted
     const bool isCaller = std::this_thread::get_id() == caller_;
     std::vector<Component*> components;
     for (const std::size_t place : places)
         components.push_back(components_[place].get());
-    solution::advanceSideBySide(components, until, [this, isCaller](double time) {
+    const auto bytes = [&components] {
+        std::size_t sum = 0;
+        for (const Component* component : components)
+            sum += component->history()->bytes();
+        return sum;
+    };
+    const std::size_t before = bytes(), share = leg.share * places.size();
+    std::size_t asked = 0;
+    solution::advanceSideBySide(components, leg.until, [&, this](double time) {
         if (isCaller)
             poll(time);
-        return !cancelled_;
+        const bool isFull = ++asked % (seldom * places.size()) == 0 && bytes() > before + share;
+        return !cancelled_ && !isFull;
     });
     for (const std::size_t place : places) {
         if (components_[place]->ended())
@@ -233,10 +250,10 @@ void Solver::Implementation::doRound(double until) {
     const Schedule::Round round = schedule_.nextRound(until, unbroken);
     const std::size_t count = round.groups.size();
     const std::size_t atOnce = groupsAtOnce(count, workers_.threads());
+    const Leg leg{.until = round.until, .share = kept_.share(count)};
     const auto advance = [&](std::size_t piece) {
         const std::size_t first = atOnce * piece;
-        advanceGroups(std::span(round.groups).subspan(first, std::min(atOnce, count - first)),
-                      round.until);
+        advanceGroups(std::span(round.groups).subspan(first, std::min(atOnce, count - first)), leg);
     };
     const std::size_t pieces = (count + atOnce - 1) / atOnce;
     caller_ = std::this_thread::get_id();
@@ -246,8 +263,11 @@ void Solver::Implementation::doRound(double until) {
             advance(piece);
     else
         workers_.forEach(pieces, advance, [this] { poll(histories_.known_); });
-    for (const std::size_t group : round.groups)
+    for (const std::size_t group : round.groups) {
         schedule_.settle(group);
+        for (const std::size_t component : schedule_.components(group))
+            noteKept(component);
+    }
     if (stopsChanged_)
         noteStops();
 }
@@ -265,7 +285,11 @@ void Solver::Implementation::run(double finish, Advance& advance) {
     cancelled_ = false;
     for (;;) {
         poll(histories_.known_);
-        doRound(roundsEnd(finish));
+        endWhereFull();
+        advance.disturbed = disturbed_;
+        if (disturbed_)
+            return;
+        doRound(std::min(roundsEnd(finish), kept_.fullAt()));
         if (cancelled_) {
             advance.cancelled = true;
             return;
@@ -275,7 +299,7 @@ void Solver::Implementation::run(double finish, Advance& advance) {
         if (histories_.known_ > told || complete) {
             const bool ask = source_ && (options_.eventDriven || complete);
             bool event = false;
-            while (ask && !cancelled_ && !disturbed_ && handleEvents(finish)) {
+            while (ask && !cancelled_ && !disturbed_ && !isFull() && handleEvents(finish)) {
                 event = true;
                 poll(lastEvent_);
             }
@@ -368,6 +392,7 @@ Statistics Solver::Implementation::statistics() const {
     }
     total.groups = schedule_.groups();
     total.historyBytes = histories_.bytes();
+    total.keptBytes = keptBefore(infinity);
     total.zeroStates = zero_.unknowns();
     return total;
 }

@@ -41,6 +41,7 @@
 #include "solution/prepared_equations.h"
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -98,6 +99,8 @@ struct Options {
     std::size_t threads = 1; // 0: as many as the machine has cores; the motion is the same
     std::size_t maximumSteps = 20'000'000;    // of one component
     std::size_t maximumEventsAtOnce = 10'000; // of what takes part in them, and met by then
+    // That all histories and what the source keeps may take; nothing else depends on it.
+    std::size_t mostBytes = std::numeric_limits<std::size_t>::max();
     // Where it is to go, which advanceTo() says: what would take more than a billion steps or
     // events at the pace it has come to ends, and says so (pace.h). Nothing else depends on it.
     double finish = infinity;
@@ -120,7 +123,8 @@ struct Statistics {
     std::size_t events = 0, switches = 0;
     std::size_t integratedSteps = 0; // 0: all is exact but for rounding
     std::size_t components = 0, largestComponent = 0, historyBytes = 0;
-    std::size_t groups = 0; // of components that read each other: what moves side by side
+    std::size_t keptBytes = 0; // of histories and beside them, as Options::mostBytes counts
+    std::size_t groups = 0;    // of components that read each other: what moves side by side
     std::size_t rounds = 0;
     // Those in force, also those that were taken, which are not in the sums; ended ones are.
     std::vector<ComponentStatistics> componentList;

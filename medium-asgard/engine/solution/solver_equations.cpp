@@ -203,6 +203,7 @@ std::vector<std::size_t> Solver::Implementation::replace(const Event& event, con
     }
     for (const std::size_t c : old) {
         retire(*components_[c]);
+        noteKept(c);
         components_[c].reset();
     }
     for (std::size_t i = 0; i < places.size(); ++i)

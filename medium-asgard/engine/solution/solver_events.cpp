@@ -28,7 +28,7 @@ bool Solver::Implementation::handleEvents(double finish) {
         return true;
     if (paces_.hopelessFrom(time, placed.touched) < options_.finish)
         stopIsland(placed, "events follow each other so fast that the finish is more than a "
-                           "billion of them away; finish earlier");
+                           "billion of them away");
     paces_.note(time, placed.touched);
     if (!goesOnAfter(placed))
         return false;
@@ -122,6 +122,7 @@ void Solver::Implementation::resume(const Event& event, const Changes& changes,
                 value = jump.value;
         if (!component.resume(event.time, value))
             break;
+        noteKept(touched[done]);
     }
     touched.erase(touched.begin(), touched.begin() + static_cast<std::ptrdiff_t>(done));
 }
@@ -150,6 +151,7 @@ void Solver::Implementation::restart(const std::vector<std::size_t>& components,
     }
     for (const std::size_t c : components) {
         components_[c]->restart(jumps[c]);
+        noteKept(c);
         if (components_[c]->ended())
             stopsChanged_ = true;
         schedule_.changed(c);

@@ -16,7 +16,7 @@ bool Solver::Implementation::turn(double time, std::span<Turn> turns) {
     turning_.clear();
     for (const Turn& one : turns)
         turning_.push_back(one.places[0]);
-    if (!(time >= lastEvent_ && time >= options_.start))
+    if (!(time >= lastEvent_ && time >= options_.start) || isFull())
         return false;
     const bool flies = fliesOn(turns); // then nobody takes off, and islands stay as they are
     EventPaces::Island* const plain = flies ? paces_.plainIsland(turning_) : nullptr;
@@ -96,6 +96,7 @@ bool Solver::Implementation::turn(double time, Turn& turn) {
         if (!flight)
             return false;
     }
+    kept_.add(flight->bytesOfTurn());
     double* c = flight->history->turn(time).data();
     for (const Flight::Axis& axis : flight->axes) {
         const std::array<double, 3> row{turn.place[axis.coordinate], turn.velocity[axis.coordinate],
@@ -115,9 +116,12 @@ std::size_t Solver::Implementation::promisedHits(std::span<const Turn> flights, 
             turning_.push_back(turn.places[0]);
         }
     const EventPaces::Island* island = turning_.empty() ? nullptr : paces_.plainIsland(turning_);
-    if (!island || island->atLast + 1 >= options_.maximumEventsAtOnce)
+    if (!island || island->atLast + 1 >= options_.maximumEventsAtOnce || isFull())
         return 0;
-    return std::min(island->plainAhead(), options_.maximumEventsAtOnce - 1 - island->atLast);
+    constexpr std::size_t ofHit = 256; // bytes, of two flights and what the source keeps, at most
+    const std::size_t room = 1 + kept_.left() / ofHit;
+    return std::min(
+        {island->plainAhead(), options_.maximumEventsAtOnce - 1 - island->atLast, room});
 }
 
 void Solver::Implementation::turn(const LineHits& hits, std::span<const Turn> flights,
@@ -126,6 +130,7 @@ void Solver::Implementation::turn(const LineHits& hits, std::span<const Turn> fl
     for (std::size_t f = 0; f < flights.size(); ++f)
         if (!hits.ofFlight[f].empty()) {
             turned = f;
+            kept_.add(flightOf(flights[f])->bytesOfTurn() * hits.ofFlight[f].size());
             turn(*flightOf(flights[f]), axis, hits.ofFlight[f]);
         }
     EventPaces::Island& island = paces_.island(flights[turned].places[0]);

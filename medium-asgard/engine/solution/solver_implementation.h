@@ -3,6 +3,7 @@
 #pragma once
 
 #include "solution/component.h"
+#include "solution/kept_bytes.h"
 #include "solution/pace.h"
 #include "solution/partition.h"
 #include "solution/prepared_equations.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <map>
 #include <set>
 #include <span>
 #include <thread>
@@ -53,10 +55,15 @@ private:
     void run(double finish, Advance& advance);
     [[nodiscard]] double roundsEnd(double finish) const;
     void doRound(double until);
-    void advanceGroup(std::size_t group, double until);
-    void advanceAlone(std::size_t place, double until, bool isCaller);
-    void advanceGroups(std::span<const std::size_t> groups, double until);
-    void advanceSideBySide(std::span<const std::size_t> places, double until);
+    // Up to a time, or until each has kept that many bytes more.
+    struct Leg {
+        double until = 0;
+        std::size_t share = 0;
+    };
+    void advanceGroup(std::size_t group, const Leg& leg);
+    void advanceAlone(std::size_t place, const Leg& leg, bool isCaller);
+    void advanceGroups(std::span<const std::size_t> groups, const Leg& leg);
+    void advanceSideBySide(std::span<const std::size_t> places, const Leg& leg);
     void poll(double time);
     [[nodiscard]] Component& readyFor(Component& component);
     [[nodiscard]] double known() const { return schedule_.known(); }
@@ -77,6 +84,9 @@ private:
         bool isBent = false;              // else accelerations are 0
         bool isOn = false;                // else the components go on by themselves
         [[nodiscard]] std::size_t terms() const { return isBent ? 3 : 2; }
+        [[nodiscard]] std::size_t bytesOfTurn() const {
+            return (1 + axes.size() * terms()) * sizeof(double);
+        }
     };
     [[nodiscard]] bool turn(double time, std::span<Turn> turns) override;
     [[nodiscard]] std::size_t promisedHits(std::span<const Turn> flights,
@@ -122,6 +132,16 @@ private:
     void stopIsland(const Event& event, const std::string& sentence);
     void stopAll(double time, const std::string& sentence);
     void noteStops();
+    // What is kept, in solver_kept.cpp.
+    void noteKept(std::size_t place);
+    [[nodiscard]] std::size_t keptBefore(double t) const;
+    [[nodiscard]] double fullTime(double until) const;
+    [[nodiscard]] bool isFull();
+    void endWhereFull();
+    [[nodiscard]] std::vector<std::size_t> clusters() const;
+    [[nodiscard]] std::map<std::size_t, double> keptBy(const std::vector<std::size_t>& clusters,
+                                                       double time) const;
+    void stopFull(double time);
 
     std::vector<Flight> flights_;
     std::vector<std::uint32_t> flightOf_; // by unknown; 0: none, else one more than its place
@@ -145,6 +165,7 @@ private:
     EventPaces paces_{options_.start};
     std::vector<std::size_t> turning_; // of each motion that turns, one unknown
     double retiredBeyond_ = infinity;  // hopelessBeyond() of components that were replaced
+    KeptBytes kept_{options_.mostBytes};
     std::size_t polls_ = 0;
     bool disturbed_ = false;   // an event touched what was taken
     double asked_ = -infinity; // the source has answered up to here
