@@ -4,13 +4,13 @@
 #include "console/convert.h"
 #include "plain/qt_messages.h"
 #include "screen/display.h"
+#include "screen/numbers.h"
 #include "terminal/terminal.h"
 #include "window/application.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QTimer>
-#include <clocale>
 
 namespace {
 
@@ -108,6 +108,7 @@ bool isBatch(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+    screen::keepNumbersC();
     const std::string displayFault = screen::displayFault();
     if (isBatch(argc, argv) || !displayFault.empty())
         qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -116,7 +117,6 @@ int main(int argc, char** argv) {
     plain::printQtMessages("ensemble", isBatch(argc, argv) ? plain::QtMessages::errors
                                                            : plain::QtMessages::all);
     QApplication application(argc, argv);
-    std::setlocale(LC_NUMERIC, "C");
     QApplication::setApplicationName("ensemble");
     QApplication::setOrganizationName("ensemble");
     QApplication::setApplicationVersion(ENSEMBLE_VERSION);

@@ -11,7 +11,6 @@
 #include <QTimer>
 
 #include <algorithm>
-#include <clocale>
 #include <utility>
 
 namespace asgard {
@@ -270,7 +269,6 @@ void serveWithWindows(Connection& connection, Windows*& windows) {
     char* argv[] = {name, nullptr};
     plain::printQtMessages("asgard", plain::QtMessages::all);
     QApplication application(argc, argv);
-    std::setlocale(LC_NUMERIC, "C"); // Qt takes the user's; numbers of scenes have points
     QApplication::setApplicationDisplayName(QStringLiteral("Asgard"));
     QApplication::setQuitOnLastWindowClosed(false); // the renditions in the document go on
     EditMode mode(connection);

@@ -4,6 +4,7 @@
 #include "edit_mode.h"
 #include "medium_process.h"
 #include "screen/display.h"
+#include "screen/numbers.h"
 #include "terminal/terminal.h"
 #include "views/editor.h"
 #include "wrong_usage.h"
@@ -149,6 +150,7 @@ int run(int argc, char** argv, script::Reader& reader) {
 
 int main(int argc, char** argv) {
     asgard::tieToTheHost(argc, argv);
+    screen::keepNumbersC();
     // Before anything else: what it forks must not have seen a scene, a thread or a driver.
     script::Reader reader;
     return run(argc, argv, reader);

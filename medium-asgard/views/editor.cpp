@@ -22,7 +22,6 @@
 #include <QTimer>
 
 #include <algorithm>
-#include <clocale>
 
 namespace views {
 
@@ -260,7 +259,6 @@ bool Editor::closeViewers() {
 int runEditor(int argc, char** argv, const std::string& file, script::Reader& reader) {
     plain::printQtMessages("asgard", plain::QtMessages::all);
     QApplication application(argc, argv);
-    std::setlocale(LC_NUMERIC, "C"); // Qt takes the user's; numbers of scenes have points
     QApplication::setOrganizationName(QStringLiteral("asgard"));
     QApplication::setApplicationName(QStringLiteral("asgard"));
     takeOverOldSettings();
