@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <type_traits>
@@ -41,6 +42,28 @@ template <class T> struct IsOptional<std::optional<T>> : std::true_type {};
 template <class T> struct IsVector : std::false_type {};
 template <class T> struct IsVector<std::vector<T>> : std::true_type {};
 
+// What a field must keep to, by its type: no string, list or number without a bound.
+struct NoBound {};
+template <class T> struct BoundOf { using Type = NoBound; };
+template <class T>
+requires(std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) struct BoundOf<T> {
+    using Type = Range;
+};
+template <> struct BoundOf<std::string> { using Type = Length; };
+template <class T> struct BoundOf<std::vector<T>> { using Type = Count; };
+template <class T> struct BoundOf<std::optional<T>> : BoundOf<T> {};
+template <class T> using Bound = typename BoundOf<T>::Type;
+template <class T>
+concept Bounded = !std::is_same_v<Bound<T>, NoBound>;
+
+// What each item of a list must keep to.
+template <class Item> constexpr Bound<Item> eachOf(const Count& list) {
+    if constexpr (std::is_same_v<Item, std::string>)
+        return list.each;
+    else
+        return {};
+}
+
 class Writer {
 public:
     template <class T> static Json object(const T& message) {
@@ -50,32 +73,32 @@ public:
         return std::move(writer.json_);
     }
 
-    template <class T> void field(const char* name, const T& value, Range = {}) {
+    template <class T> void field(const char* name, const T& value, Bound<T> bound) {
         if constexpr (IsOptional<T>::value) {
-            json_[name] = value ? encoded(*value) : Json(nullptr);
+            json_[name] = value ? encoded(*value, bound) : Json(nullptr);
         } else {
-            json_[name] = encoded(value);
+            json_[name] = encoded(value, bound);
         }
     }
-    template <class T> void option(const char* name, const T& value, Range = {}) {
+    template <class T> void option(const char* name, const T& value, Bound<T> bound) {
         if constexpr (IsOptional<T>::value) {
             if (value)
-                json_[name] = encoded(*value);
-        } else if (std::is_arithmetic_v<T> || value != T{}) {
-            json_[name] = encoded(value);
+                json_[name] = encoded(*value, bound);
+        } else if constexpr (IsVector<T>::value) {
+            if (!value.empty())
+                json_[name] = encoded(value, bound);
+        } else if (std::is_arithmetic_v<T> || std::is_enum_v<T> || value != T{}) {
+            json_[name] = encoded(value, bound);
         }
     }
-    template <class T> void option(const char* name, const std::vector<T>& value, Range = {}) {
-        if (!value.empty())
-            json_[name] = encoded(value);
-    }
-    template <class E>
-    requires std::is_enum_v<E>
-    void option(const char* name, const E& value, Range = {}) { json_[name] = encoded(value); }
+    template <class T>
+    requires(!Bounded<T>) void field(const char* name, const T& value) { field(name, value, {}); }
+    template <class T>
+    requires(!Bounded<T>) void option(const char* name, const T& value) { option(name, value, {}); }
     void pair(const char* name, Integer first, Integer second, Range) {
         json_[name] = Json::array({first, second});
     }
-    void numbersOrNull(const char* name, const std::vector<double>& values) {
+    void numbersOrNull(const char* name, const std::vector<double>& values, Count) {
         Json list = Json::array();
         for (const double value : values)
             list.push_back(std::isfinite(value) ? Json(value) : Json(nullptr));
@@ -87,15 +110,17 @@ public:
         json_[name] = std::move(inner.json_);
     }
 
-    template <class T> static Json encoded(const T& value) {
+    template <class T> static Json encoded(const T& value, Bound<T> bound) {
         if constexpr (std::is_same_v<T, std::string>) {
-            return asUtf8(value);
+            return asUtf8(bound.isShown ? shortened(value, bound) : value);
         } else if constexpr (std::is_enum_v<T>) {
             return namesOf(value)[static_cast<std::size_t>(value)];
         } else if constexpr (IsVector<T>::value) {
             Json list = Json::array();
-            for (const auto& item : value)
-                list.push_back(encoded(item));
+            const std::size_t count =
+                bound.isShown ? std::min(value.size(), bound.most) : value.size();
+            for (std::size_t i = 0; i < count; ++i)
+                list.push_back(encoded(value[i], eachOf<typename T::value_type>(bound)));
             return list;
         } else if constexpr (std::is_arithmetic_v<T>) {
             return value;
@@ -118,39 +143,42 @@ public:
 
     [[nodiscard]] const std::string& fault() const { return fault_; }
 
-    template <class T> void field(const char* name, T& value, Range range = {}) {
+    template <class T> void field(const char* name, T& value, Bound<T> bound) {
         const Json* found = find(name);
         if constexpr (IsOptional<T>::value) {
             if (!found || found->is_null())
                 return;
             value.emplace();
-            read(*found, *value, named(name), range);
+            read(*found, *value, named(name), bound);
         } else if (found) {
-            read(*found, value, named(name), range);
+            read(*found, value, named(name), bound);
         } else {
             fail(named(name) + " is missing");
         }
     }
-    template <class T> void option(const char* name, T& value, Range range = {}) {
+    template <class T> void option(const char* name, T& value, Bound<T> bound) {
         if constexpr (IsOptional<T>::value)
-            field(name, value, range);
+            field(name, value, bound);
         else if (const Json* found = find(name); found && !found->is_null())
-            read(*found, value, named(name), range);
+            read(*found, value, named(name), bound);
     }
+    template <class T>
+    requires(!Bounded<T>) void field(const char* name, T& value) { field(name, value, {}); }
+    template <class T>
+    requires(!Bounded<T>) void option(const char* name, T& value) { option(name, value, {}); }
     void pair(const char* name, Integer& first, Integer& second, Range range) {
-        std::vector<Integer> both;
-        field(name, both, range);
-        if (!fault_.empty())
-            return;
-        if (both.size() != 2)
+        const Json* found = find(name);
+        if (!found || !found->is_array() || found->size() != 2)
             return fail(named(name) + " must be two numbers");
-        first = both[0];
-        second = both[1];
+        read((*found)[0], first, named(name) + "[0]", range);
+        read((*found)[1], second, named(name) + "[1]", range);
     }
-    void numbersOrNull(const char* name, std::vector<double>& values) {
+    void numbersOrNull(const char* name, std::vector<double>& values, Count count) {
         const Json* found = find(name);
         if (!found || !found->is_array())
             return fail(named(name) + " must be a list of numbers");
+        if (found->size() > count.most)
+            return failCount(named(name), count);
         for (const Json& item : *found) {
             double value = std::nan("");
             if (!item.is_null())
@@ -168,12 +196,15 @@ public:
         fail(inner.fault());
     }
 
-    void read(const Json& json, std::string& value, const std::string& place, Range) {
+    void read(const Json& json, std::string& value, const std::string& place, Length length) {
         if (!json.is_string())
             return fail(place + " must be a string");
-        value = json.get_ref<const std::string&>();
+        const auto& found = json.get_ref<const std::string&>();
+        if (found.size() > length.most)
+            return fail(place + " is longer than " + std::to_string(length.most) + " bytes");
+        value = found;
     }
-    void read(const Json& json, bool& value, const std::string& place, Range) {
+    void read(const Json& json, bool& value, const std::string& place, NoBound) {
         if (!json.is_boolean())
             return fail(place + " must be true or false");
         value = json.get<bool>();
@@ -195,7 +226,7 @@ public:
     }
     template <class E>
     requires std::is_enum_v<E>
-    void read(const Json& json, E& value, const std::string& place, Range) {
+    void read(const Json& json, E& value, const std::string& place, NoBound) {
         const std::string text = json.is_string() ? json.get<std::string>() : std::string();
         std::string expected;
         std::size_t index = 0;
@@ -209,15 +240,18 @@ public:
         fail(place + " must be one of " + expected);
     }
     template <class T>
-    void read(const Json& json, std::vector<T>& values, const std::string& place, Range range) {
+    void read(const Json& json, std::vector<T>& values, const std::string& place, Count count) {
         if (!json.is_array())
             return fail(place + " must be a list");
+        if (json.size() > count.most)
+            return failCount(place, count);
         for (std::size_t i = 0; i < json.size() && fault_.empty(); ++i)
-            read(json[i], values.emplace_back(), place + "[" + std::to_string(i) + "]", range);
+            read(json[i], values.emplace_back(), place + "[" + std::to_string(i) + "]",
+                 eachOf<T>(count));
     }
     template <class T>
     requires std::is_class_v<T>
-    void read(const Json& json, T& value, const std::string& place, Range) {
+    void read(const Json& json, T& value, const std::string& place, NoBound) {
         FieldReader inner(json, place);
         if (inner.fault().empty())
             describe(inner, value);
@@ -240,6 +274,9 @@ private:
         else
             fail(place + " must lie in " + Json(range.from).dump() + " to " +
                  Json(range.to).dump());
+    }
+    void failCount(const std::string& place, Count count) {
+        fail(place + " holds more than " + std::to_string(count.most) + " items");
     }
     void fail(const std::string& sentence) {
         if (fault_.empty())

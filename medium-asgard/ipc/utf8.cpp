@@ -14,4 +14,14 @@ std::string asUtf8(std::string_view text) {
     return valid;
 }
 
+std::string shortened(std::string_view text, Length length) {
+    constexpr std::string_view ellipsis = "\xe2\x80\xa6";
+    if (text.size() <= length.most)
+        return std::string(text);
+    std::size_t end = length.most - ellipsis.size();
+    while (end > 0 && isContinuation(static_cast<unsigned char>(text[end])))
+        --end;
+    return std::string(text.substr(0, end)) += ellipsis;
+}
+
 } // namespace ipc

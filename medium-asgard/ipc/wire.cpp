@@ -7,7 +7,7 @@ namespace {
 
 // LIMIT: no message of the protocol nests deeper or holds more values than this.
 constexpr std::size_t deepest = 32;
-constexpr std::size_t mostValues = 1'000'000;
+constexpr std::size_t mostValues = 100'000;
 
 // Why the text must not be given to the parser, or nullptr. Counts brackets and commas outside
 // strings; that they are well placed is the parser's to find.
@@ -33,7 +33,7 @@ const char* tooLarge(std::string_view text) {
             ++values;
         }
         if (values > mostValues)
-            return "a message of more than a million values";
+            return "a message of more than 100,000 values";
     }
     return nullptr;
 }
@@ -80,17 +80,20 @@ std::optional<std::string> readInto(T& message, const Json& json, const char* pl
 
 // Two answers are bare lists.
 template <class T>
-std::optional<std::string> readListInto(T& message, const Json& json, const char* place) {
+std::optional<std::string> readListInto(T& message, const Json& json, const char* place,
+                                        Count count) {
     static const Json nothing = Json::object();
     FieldReader reader(nothing, place);
-    reader.read(json, message.items, place, {});
+    reader.read(json, message.items, place, count);
     return reader.fault().empty() ? std::nullopt : std::optional(reader.fault());
 }
+constexpr Count boundOf(const Presentations&) { return mostEntries; }
+constexpr Count boundOf(const Parameters&) { return mostParameters; }
 std::optional<std::string> readInto(Presentations& m, const Json& json, const char* place) {
-    return readListInto(m, json, place);
+    return readListInto(m, json, place, boundOf(m));
 }
 std::optional<std::string> readInto(Parameters& m, const Json& json, const char* place) {
-    return readListInto(m, json, place);
+    return readListInto(m, json, place, boundOf(m));
 }
 
 // Calls `use` with a default value of the alternative at `index`.
@@ -143,7 +146,8 @@ std::variant<Error, Violation> decodeError(const Json& json) {
     if (!json.is_object() || !json.contains("code") || !json["code"].is_number_integer() ||
         !json.contains("message") || !json["message"].is_string())
         return Violation{"an error that has no code and message"};
-    return Error{json["code"].get<Integer>(), json["message"].get<std::string>()};
+    return Error{json["code"].get<Integer>(),
+                 shortened(json["message"].get_ref<const std::string&>(), longestSentence)};
 }
 
 template <class Sent, class Received>
@@ -210,7 +214,7 @@ std::string encodeNotification(const ToHost& call) { return text(callObject(call
 std::string encodeAnswer(const Id& id, const AnyResult& result) {
     const auto encoded = [](const auto& value) {
         if constexpr (requires { value.items; })
-            return Writer::encoded(value.items);
+            return Writer::encoded(value.items, boundOf(value));
         else
             return Writer::object(value);
     };
@@ -219,9 +223,11 @@ std::string encodeAnswer(const Id& id, const AnyResult& result) {
 }
 
 std::string encodeError(const Id& id, const Error& error) {
-    return text({{"jsonrpc", "2.0"},
-                 {"id", encodedId(id)},
-                 {"error", {{"code", error.code}, {"message", asUtf8(error.message)}}}});
+    return text(
+        {{"jsonrpc", "2.0"},
+         {"id", encodedId(id)},
+         {"error",
+          {{"code", error.code}, {"message", asUtf8(shortened(error.message, longestSentence))}}}});
 }
 
 Decoded<ToMedium> decodeForMedium(std::string_view body, const AwaitedCall& awaited) {

@@ -7,6 +7,7 @@
 // Strings that are not UTF-8 are sent with '?' for each wrong byte, so that offsets stay right.
 #pragma once
 
+#include "ipc/bounds.h"
 #include "ipc/messages.h"
 
 #include <functional>

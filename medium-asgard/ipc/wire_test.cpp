@@ -1,5 +1,8 @@
 #include "ipc/wire.h"
 
+#include "ipc/framing.h"
+#include "ipc/json_fields.h"
+
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -194,8 +197,7 @@ TEST(Wire, WhatIsWrongIsNamed) {
         {"{\"jsonrpc\":\"2.0\",\"id\":3,\"error\":7}", "violation: an error that has no code"},
         {"{\"jsonrpc\":\"2.0\",\"method\":\"\xff\"}", "violation: a message that is not JSON"},
         {std::string(40, '[') + std::string(40, ']'), "violation: a message that nests too deeply"},
-        {"[" + std::string(2'000'000, ',') + "]",
-         "violation: a message of more than a million values"},
+        {"[" + std::string(200'000, ',') + "]", "violation: a message of more than 100,000 values"},
         {R"({"jsonrpc":"2.0","id":"abc","method":"ping"})", "asked ping"},
     };
     for (const auto& [body, expected] : cases)
@@ -254,6 +256,147 @@ TEST(Wire, FlippedBitsAndCutsNeverDoMoreThanRefuse) {
         (void)decodeForHost(damaged, [](Integer id) { return static_cast<std::size_t>(id % 5); });
     }
     EXPECT_GT(refused, 1000);
+}
+
+// --- bounds ------------------------------------------------------------------------------------
+
+// Gives one string or list of a message, the one of number `target`, more than it may have, and
+// every number a value that it may have.
+class Overfill {
+public:
+    explicit Overfill(int target) : target_(target) {}
+
+    template <class T> void field(const char* name, T& value, Bound<T> bound) {
+        name_ = name;
+        visit(value, bound);
+    }
+    template <class T> void option(const char* name, T& value, Bound<T> bound) {
+        field(name, value, bound);
+    }
+    template <class T>
+    requires(!Bounded<T>) void field(const char* name, T& value) { field(name, value, {}); }
+    template <class T>
+    requires(!Bounded<T>) void option(const char* name, T& value) { field(name, value, {}); }
+    void pair(const char*, Integer&, Integer&, Range) {}
+    void numbersOrNull(const char* name, std::vector<double>& values, Count count) {
+        field(name, values, count);
+    }
+    template <class F> void inside(const char*, F describeInner) { describeInner(*this); }
+
+    void visit(std::string& value, Length length) {
+        // One of pixels would be longer than a message.
+        if (length.most < longestBody && isNext(length.isShown))
+            value.assign(length.most + 1, 'x');
+    }
+    template <class T> void visit(std::vector<T>& values, Count count) {
+        values.resize(isNext(count.isShown) ? count.most + 1 : 1);
+        for (T& value : values)
+            visit(value, eachOf<T>(count));
+    }
+    template <class T> void visit(T& value, Bound<T> bound) {
+        if constexpr (IsOptional<T>::value)
+            visit(value.emplace(), bound);
+        else if constexpr (Bounded<T>)
+            value = static_cast<T>(std::max(bound.from, std::min(bound.to, 1.0)));
+        else if constexpr (std::is_class_v<T>)
+            describe(*this, value);
+    }
+
+    [[nodiscard]] bool found() const { return !found_.empty(); }
+    [[nodiscard]] bool isShown() const { return isShown_; }
+    [[nodiscard]] const std::string& where() const { return found_; }
+
+private:
+    bool isNext(bool isShown) {
+        if (seen_++ != target_)
+            return false;
+        isShown_ = isShown;
+        found_ = name_;
+        return true;
+    }
+
+    int target_, seen_ = 0;
+    bool isShown_ = false;
+    std::string name_, found_;
+};
+
+// Sends the message once for each of its strings and lists; how many these are.
+template <class Decode, class T> int overfillEach(T message, Decode read) {
+    for (int target = 0;; ++target) {
+        T call = message;
+        Overfill overfill(target);
+        describe(overfill, call);
+        if (!overfill.found())
+            return target;
+        const std::string came = read(call);
+        if (overfill.isShown())
+            EXPECT_THAT(came, testing::AnyOf(testing::StartsWith("asked"),
+                                             testing::StartsWith("told"), "answered"))
+                << overfill.where() << " is cut by the writer";
+        else
+            EXPECT_THAT(came,
+                        testing::AnyOf(HasSubstr("is longer than"), HasSubstr("holds more than")))
+                << T{}.method << ": " << overfill.where();
+    }
+}
+
+TEST(Wire, NoStringAndNoListIsLongerThanItsBound) {
+    int fields = 0;
+    forEachCall<ToMedium>([&](auto call) {
+        fields += overfillEach(call, [](const auto& message) {
+            return forMedium(IsRequest<decltype(call)> ? encodeRequest(1, ToMedium(message))
+                                                       : encodeNotification(ToMedium(message)));
+        });
+    });
+    forEachCall<ToHost>([&](auto call) {
+        fields += overfillEach(call, [](const auto& message) {
+            const std::string body = IsRequest<decltype(call)>
+                                         ? encodeRequest(1, ToHost(message))
+                                         : encodeNotification(ToHost(message));
+            return described(decodeForHost(body, nothingAwaited));
+        });
+    });
+    EXPECT_EQ(fields, 52);
+}
+
+TEST(Wire, AnswersKeepToTheirBounds) {
+    const auto answer = [](auto call, const AnyResult& result) {
+        const std::size_t index = ToMedium(call).index();
+        return described(decodeForHost(encodeAnswer(Id(Integer{1}), result),
+                                       [index](Integer) { return index; }));
+    };
+    Initialized introduction;
+    introduction.menus.resize(1001);
+    introduction.name.assign(5000, 'n');
+    EXPECT_EQ(answer(Initialize{}, introduction), "answered"); // cut: they are only shown
+    introduction.capabilities.resize(101);
+    EXPECT_THAT(answer(Initialize{}, introduction), HasSubstr("holds more than 100 items"));
+    EXPECT_THAT(answer(ParameterList{}, Parameters{std::vector<ParameterValue>(1001)}),
+                HasSubstr("holds more than 1000 items"));
+    EXPECT_THAT(answer(ValueRead{}, Values{std::vector<double>(1001)}),
+                HasSubstr("holds more than 1000 items"));
+    EXPECT_THAT(answer(ScriptEvaluate{}, Evaluated{std::string(longestText.most + 1, 'x')}),
+                HasSubstr("is longer than 8388608 bytes"));
+    const auto refused =
+        decodeForHost(R"({"jsonrpc":"2.0","id":1,"error":{"code":-32003,"message":")" +
+                          std::string(100'000, 'x') + "\"}}",
+                      [](Integer) { return ToMedium(Ping{}).index(); });
+    EXPECT_LE(std::get<Error>(std::get<Answered>(refused).outcome).message.size(),
+              longestSentence.most);
+}
+
+TEST(Wire, WhatIsShownIsCutBetweenCharacters) {
+    EXPECT_EQ(shortened("abcdef", {6}), "abcdef");
+    EXPECT_EQ(shortened("abcdefg", {6}), "abc\xe2\x80\xa6");
+    EXPECT_EQ(shortened("ab\xc3\xa9\xc3\xa9\xc3\xa9", {6}), "ab\xe2\x80\xa6");
+    ProgressEnd said{1, {}};
+    for (int i = 0; i < 4000; ++i)
+        said.message += "\xc3\xa9";
+    const auto decoded = decodeForHost(encodeNotification(ToHost(said)), nothingAwaited);
+    const auto& message = std::get<ProgressEnd>(std::get<Told<ToHost>>(decoded).call).message;
+    EXPECT_LE(message.size(), longestSentence.most);
+    EXPECT_EQ(asUtf8(message), message);
+    EXPECT_TRUE(message.ends_with("\xc3\xa9\xe2\x80\xa6"));
 }
 
 } // namespace
