@@ -20,7 +20,7 @@ FrameMemory::FrameMemory() {
     descriptor_ = memfd_create("frames", MFD_CLOEXEC | MFD_ALLOW_SEALING);
     if (descriptor_ < 0 || ftruncate(descriptor_, capacity) != 0)
         return;
-    if (fcntl(descriptor_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW) != 0)
+    if (fcntl(descriptor_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0)
         return;
     void* mapped = mmap(nullptr, capacity, PROT_READ, MAP_SHARED, descriptor_, 0);
     data_ = mapped == MAP_FAILED ? nullptr : static_cast<const uchar*>(mapped);

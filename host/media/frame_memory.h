@@ -1,7 +1,8 @@
 // Where do a medium's pictures lie?
 // One sealed memfd per process, made before the process starts and inherited by it: sparse, and
-// sealed against shrinking and growing, so that reading it can never fault whatever the medium
-// does. The host maps it read-only, hands out slots, and punches holes where it frees them.
+// sealed against shrinking, growing and further seals, so that reading it can never fault and
+// punching holes never fails, whatever the medium does. The host maps it read-only, hands out
+// slots, and punches holes where it frees them.
 #pragma once
 
 #include <QImage>

@@ -119,13 +119,18 @@ int endAndReap(pid_t process) {
     return status;
 }
 
+bool couldNotStart(int waitStatus) {
+    return !WIFSIGNALED(waitStatus) && WEXITSTATUS(waitStatus) == 127;
+}
+
 std::string describeEnd(int waitStatus) {
     if (WIFSIGNALED(waitStatus)) {
         const int signal = WTERMSIG(waitStatus);
         const char* name = sigdescr_np(signal);
-        return "was ended by signal " + std::to_string(signal) + " (" + (name ? name : "?") + ")";
+        return "was ended by signal " + std::to_string(signal) + " (" + (name ? name : "?") + ")" +
+               (signal == SIGKILL ? ", as where the machine has no memory left" : "");
     }
-    if (WEXITSTATUS(waitStatus) == 127)
+    if (couldNotStart(waitStatus))
         return "could not be started";
     return "ended with exit code " + std::to_string(WEXITSTATUS(waitStatus));
 }

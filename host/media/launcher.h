@@ -35,7 +35,8 @@ inline constexpr int framesDescriptor = 3;
 // this does not wait for anything that the process could do.
 int endAndReap(pid_t process); // its wait status
 
-// "was killed (signal 9)", "ended with exit code 3"
+// "was ended by signal 11 (Segmentation fault)", "ended with exit code 3"
 [[nodiscard]] std::string describeEnd(int waitStatus);
+[[nodiscard]] bool couldNotStart(int waitStatus); // there was no program
 
 } // namespace media

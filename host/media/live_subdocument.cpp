@@ -6,14 +6,13 @@ namespace media {
 
 namespace {
 
-constexpr int minuteMs = 60'000;
 constexpr int restartDelayMs = 100;
-constexpr std::size_t longestState = 4096; // of a rendition, as the protocol says
 constexpr const char* updateDrafts = "update-drafts";
 
-// Failures that another start cannot cure.
-bool isHopeless(const QString& reason) {
-    return reason.startsWith("could not be started") || reason.startsWith("refused to begin");
+// What a user asks for in windows of the medium, which a process in mode edit has alone.
+bool asksAsEditor(const ipc::ToHost& request) {
+    return std::holds_alternative<ipc::EditUndo>(request) ||
+           std::holds_alternative<ipc::EditRedo>(request);
 }
 
 } // namespace
@@ -21,7 +20,7 @@ bool isHopeless(const QString& reason) {
 LiveSubdocument::LiveSubdocument(const Manifest& manifest, QString program, PipeThread& pipes,
                                  TimeLimits limits, QObject* parent)
     : QObject(parent), manifest_(manifest), program_(std::move(program)), pipes_(pipes),
-      limits_(limits) {
+      limits_(limits), restarts_(limits.restartsPerMinute, limits.restartsPerHour) {
     clock_.start();
     restartTimer_.setSingleShot(true);
     connect(&restartTimer_, &QTimer::timeout, this, [this] { begin(mode_); });
@@ -48,23 +47,58 @@ bool LiveSubdocument::hasPicture() const {
 
 // --- text --------------------------------------------------------------------------------------
 
+bool LiveSubdocument::isReady() const {
+    return process_ && process_->state() == MediumProcess::State::ready;
+}
+
+bool LiveSubdocument::isTooLong() const {
+    return static_cast<std::size_t>(text_.size()) > ipc::longestText.most;
+}
+
+// After a change of the text: false when no medium can be sent it.
+bool LiveSubdocument::judgeText(bool wasTooLong) {
+    if (isTooLong()) {
+        makeStill();
+        reason_ = QStringLiteral("%1 is not started: this text has %2 MiB, and it may have %3 MiB "
+                                 "at most. Make it shorter.")
+                      .arg(manifest_.name)
+                      .arg(static_cast<double>(text_.size()) / (1 << 20), 0, 'f', 1)
+                      .arg(ipc::longestText.most >> 20);
+        setCondition(Condition::failed);
+        return false;
+    }
+    if (wasTooLong) {
+        reason_.clear();
+        setCondition(Condition::still);
+        Q_EMIT processGone(); // it may be started now
+    }
+    return true;
+}
+
 void LiveSubdocument::setText(const QByteArray& text) {
+    const bool wasTooLong = isTooLong();
     text_ = text;
     ++revision_;
-    if (process_ && process_->state() == MediumProcess::State::ready)
+    if (judgeText(wasTooLong) && isReady())
         load();
 }
 
 void LiveSubdocument::edit(const std::vector<ipc::TextEdit>& edits, const QString& label) {
-    for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit)
+    const bool wasTooLong = isTooLong();
+    std::size_t typed = 0;
+    for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit) {
         text_.replace(edit->from, edit->to - edit->from, QByteArray::fromStdString(edit->text));
+        typed += edit->text.size();
+    }
     ++revision_;
-    if (applyingOwnChange_ || !process_ || process_->state() != MediumProcess::State::ready)
+    if (!judgeText(wasTooLong) || applyingOwnChange_ || !isReady())
         return; // it knows already, or is told by load()
+    if (edits.size() > ipc::mostEdits.most || typed > ipc::longestText.most)
+        return load(); // more than one message tells
     const auto isCurrent = currentProcess();
     process_->request(ipc::SubdocumentEdit{revision_, edits, label.toStdString()},
                       [this, isCurrent](const Outcome<ipc::Done>& outcome) {
-                          if (isCurrent() && process_->state() == MediumProcess::State::ready &&
+                          if (isCurrent() && isReady() &&
                               std::holds_alternative<ipc::Error>(outcome))
                               load();
                       });
@@ -115,6 +149,7 @@ void LiveSubdocument::applyChange(MediumProcess& by, const ipc::Id& id,
         return;
     }
     ipc::Integer last = 0;
+    auto length = static_cast<ipc::Integer>(text_.size());
     for (const ipc::TextEdit& edit : change.edits) {
         if (edit.from < last || edit.to < edit.from || edit.to > text_.size()) {
             by.refuse(id, {ipc::ErrorCode::invalidParameters,
@@ -122,6 +157,11 @@ void LiveSubdocument::applyChange(MediumProcess& by, const ipc::Id& id,
             return;
         }
         last = edit.to;
+        length += edit.from - edit.to + static_cast<ipc::Integer>(edit.text.size());
+    }
+    if (length > static_cast<ipc::Integer>(ipc::longestText.most)) {
+        by.refuse(id, {ipc::ErrorCode::notPossible, "the text would be too long"});
+        return;
     }
     applyingOwnChange_ = true;
     const std::optional<QString> refused =
@@ -152,10 +192,16 @@ std::unique_ptr<MediumProcess> LiveSubdocument::createProcess(Mode mode) {
     return process;
 }
 
+void LiveSubdocument::startAgain() {
+    restarts_.forget();
+    start();
+}
+
 void LiveSubdocument::start() {
-    restarts_.clear();
     restartTimer_.stop();
-    if (!process_)
+    if (isTooLong()) // said again, and later, as every end is
+        QMetaObject::invokeMethod(this, &LiveSubdocument::conditionChanged, Qt::QueuedConnection);
+    else if (!process_)
         begin(mode_);
 }
 
@@ -185,9 +231,10 @@ void LiveSubdocument::adopt(std::unique_ptr<MediumProcess> process) {
     const auto isCurrent = currentProcess();
     process_->request(ipc::PresentationList{},
                       [this, isCurrent](Outcome<ipc::Presentations> outcome) {
-                          if (!isCurrent())
+                          auto* list = std::get_if<ipc::Presentations>(&outcome);
+                          if (!isCurrent() || !isReady())
                               return;
-                          if (auto* list = std::get_if<ipc::Presentations>(&outcome))
+                          if (list)
                               presentations_ = std::move(list->items);
                           for (Rendition* rendition : renditions_)
                               rendition->attach(process_.get());
@@ -270,23 +317,16 @@ void LiveSubdocument::makeStill() {
     Q_EMIT processGone();
 }
 
-bool LiveSubdocument::mayRestart() {
-    const qint64 now = clock_.elapsed();
-    std::erase_if(restarts_, [now](qint64 at) { return now - at > minuteMs; });
-    if (static_cast<int>(restarts_.size()) >= limits_.restartsPerMinute)
-        return false;
-    restarts_.push_back(now);
-    return true;
-}
-
-void LiveSubdocument::processEnded(const QString& reason, bool wasAsked) {
+void LiveSubdocument::processEnded(const QString& reason, bool mayStartAgain) {
     discard(process_);
     loaded_ = false;
     reason_ = QStringLiteral("%1 %2.").arg(manifest_.name, reason);
     whenReady_.clear(); // it may be what ended it
     if (mode_ == Mode::edit && kept_.any() && !kept_.opensAgain())
         mode_ = Mode::play;
-    const bool again = !wasAsked && !isHopeless(reason) && mayRestart();
+    const bool again = mayStartAgain && restarts_.mayTry(clock_.elapsed());
+    if (mayStartAgain && !again)
+        reason_ = (reason_ + ' ' + restarts_.told(clock_.elapsed())).trimmed();
     setCondition(again ? Condition::starting : Condition::failed);
     if (again)
         restartTimer_.start(restartDelayMs);
@@ -338,6 +378,8 @@ void LiveSubdocument::told(const ipc::ToHost& report) {
         windows_ = *windows;
         Q_EMIT windowsChanged();
     } else if (const auto* keep = std::get_if<ipc::SessionKeep>(&report)) {
+        if (process_->mode() != Mode::edit)
+            return; // it has no windows to speak of
         kept_.keep(keep->state);
         Q_EMIT keptStateChanged();
     } else if (std::holds_alternative<ipc::PresentationResized>(report)) {
@@ -350,7 +392,7 @@ void LiveSubdocument::told(const ipc::ToHost& report) {
             }
     } else if (const auto* state = std::get_if<ipc::RenditionState>(&report)) {
         for (Rendition* rendition : renditions_)
-            if (rendition->id() == state->rendition && state->state.size() <= longestState)
+            if (rendition->id() == state->rendition)
                 rendition->state_ = state->state;
     } else if (const auto* cursor = std::get_if<ipc::RenditionCursor>(&report)) {
         for (Rendition* rendition : renditions_)
@@ -383,6 +425,9 @@ void LiveSubdocument::takeFrame(const ipc::RenditionFrame& frame) {
 void LiveSubdocument::asked(MediumProcess& by, const ipc::Id& id, const ipc::ToHost& request) {
     if (&by != process_.get()) {
         by.refuse(id, {ipc::ErrorCode::notPossible, "another process serves the subdocument now"});
+    } else if (asksAsEditor(request) && by.mode() != Mode::edit) {
+        by.refuse(id, {ipc::ErrorCode::notPossible,
+                       "only a process in mode \"edit\" has windows to ask this from"});
     } else if (const auto* change = std::get_if<ipc::SubdocumentChanged>(&request)) {
         applyChange(by, id, *change);
     } else if (std::holds_alternative<ipc::EditUndo>(request)) {
@@ -402,7 +447,7 @@ std::unique_ptr<Rendition> LiveSubdocument::createRendition(const QString& prese
     auto rendition = std::unique_ptr<Rendition>(new Rendition(*this, ++lastRendition_));
     rendition->presentation_ = presentation;
     renditions_.push_back(rendition.get());
-    if (process_ && process_->state() == MediumProcess::State::ready && !presentations_.empty())
+    if (isReady() && !presentations_.empty())
         rendition->attach(process_.get());
     return rendition;
 }
@@ -418,7 +463,7 @@ void LiveSubdocument::setAvailable(QSizeF available) {
     if (available == available_)
         return;
     available_ = available;
-    if (process_ && process_->state() == MediumProcess::State::ready && loaded_)
+    if (isReady() && loaded_)
         askForSize();
 }
 
@@ -478,9 +523,9 @@ void LiveSubdocument::invoke(const QString& id, const Rendition* rendition) {
                                     [&](const ipc::MenuEntry& e) { return e.id == wanted; });
     if (entry == menus_.end())
         return;
-    if (!process_ || process_->state() != MediumProcess::State::ready) {
+    if (!isReady()) {
         whenReady_.push_back({id, rendition ? rendition->id() : 0});
-        start();
+        startAgain();
         Q_EMIT message(name() + QStringLiteral(" is starting."));
         return;
     }
@@ -503,8 +548,7 @@ void LiveSubdocument::invoke(const QString& id, const Rendition* rendition) {
 }
 
 bool LiveSubdocument::takesDrafts() const {
-    return process_ && process_->state() == MediumProcess::State::ready &&
-           std::ranges::any_of(menus_, [](const ipc::MenuEntry& entry) {
+    return isReady() && std::ranges::any_of(menus_, [](const ipc::MenuEntry& entry) {
                return entry.id == updateDrafts && entry.enabled;
            });
 }

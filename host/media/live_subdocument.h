@@ -2,9 +2,10 @@
 //
 // It holds the text (the document's, kept in step by edit()), the renditions, and what the medium
 // last said: menus, time, diagnostics. When its process fails, all of that stays, reason() says in
-// a sentence what happened, and it is started again, at most three times a minute by itself, else
-// when start() is called; windows of its own that were open, it opens again with what was typed
-// there (kept_windows.h). An entry of its menu that needs another mode starts a second process in
+// a sentence what happened, and it is started again, a few times by itself (restarts.h), else when
+// startAgain() is called; windows of its own that were open, it opens again with what was typed
+// there (kept_windows.h). A text that no message holds is refused: it has no process until it is
+// shorter. An entry of its menu that needs another mode starts a second process in
 // that mode with the current text, moves the renditions there, and ends the first.
 #pragma once
 
@@ -12,6 +13,7 @@
 #include "media/manifest.h"
 #include "media/medium_process.h"
 #include "media/rendition.h"
+#include "media/restarts.h"
 
 #include <QSizeF>
 #include <functional>
@@ -25,7 +27,7 @@ enum class Condition {
     starting,      // a process is on its way
     live,          // it answers
     notResponding, // it does not, but may again
-    failed,        // reason() says why; start() tries again
+    failed,        // reason() says why; startAgain() tries again
 };
 
 // An edit that the medium asks for: {} when it was applied, else why not.
@@ -56,9 +58,11 @@ public:
 
     // --- its process
     void setMode(Mode mode) { mode_ = mode; } // of the next process
-    void start();                             // if there is none; forgets past failures
-    [[nodiscard]] bool hasWindows() const;    // perhaps: its process may open some
-    void makeStill();                         // ends the process; pictures and menus stay
+    void start();                             // if there is none
+    void startAgain();                        // and forgets past failures: after a click
+    [[nodiscard]] bool mayStart() const { return !isTooLong(); } // whatever happened before
+    [[nodiscard]] bool hasWindows() const; // perhaps: its process may open some
+    void makeStill();                      // ends the process; pictures and menus stay
     void setPoster(std::optional<double> time) { poster_ = time; } // the time it is first shown at
 
     // --- its renditions
@@ -143,13 +147,15 @@ private:
     void asked(MediumProcess& by, const ipc::Id& id, const ipc::ToHost& request);
     void takeFrame(const ipc::RenditionFrame& frame);
     void applyChange(MediumProcess& by, const ipc::Id& id, const ipc::SubdocumentChanged& change);
-    void processEnded(const QString& reason, bool wasAsked);
+    void processEnded(const QString& reason, bool mayStartAgain);
     void nextEnded(const QString& reason);
     void switchMode(Mode mode, std::function<void()> then);
     void invokeWaiting();
     void discard(std::unique_ptr<MediumProcess>& process);
     void setCondition(Condition condition);
-    [[nodiscard]] bool mayRestart();
+    [[nodiscard]] bool isTooLong() const;
+    [[nodiscard]] bool isReady() const;
+    [[nodiscard]] bool judgeText(bool wasTooLong);
 
     Manifest manifest_;
     QString program_;
@@ -186,7 +192,7 @@ private:
     KeptWindows kept_;
     bool loaded_ = false;
     QString ownName_;
-    std::vector<qint64> restarts_; // ms since the epoch of a monotonic clock
+    Restarts restarts_;
     QElapsedTimer clock_;
     QTimer restartTimer_;
 };

@@ -21,6 +21,7 @@ struct Letter {
     ipc::Decoded<ipc::ToHost> message = ipc::Ignored{};
     std::string text; // of log; of ended: why
     std::size_t bytes = 0;
+    bool forGood = false; // ended so that another start would end the same
 };
 
 class Mailbox {

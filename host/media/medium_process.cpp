@@ -1,9 +1,12 @@
 #include "media/medium_process.h"
 
+#include "media/environment.h"
+
 #include "ipc/framing.h"
 #include "ipc/wire.h"
 
 #include <QLocale>
+#include <QPointer>
 
 namespace media {
 
@@ -12,12 +15,6 @@ namespace {
 // What one turn of the event loop may spend on one medium's mail.
 constexpr int mostLettersPerTurn = 100;
 constexpr int mostMsPerTurn = 8;
-
-void keep(std::vector<std::string>& environment, std::initializer_list<const char*> names) {
-    for (const char* name : names)
-        if (const char* value = std::getenv(name))
-            environment.push_back(std::string(name) + '=' + value);
-}
 
 } // namespace
 
@@ -31,7 +28,7 @@ MediumProcess::MediumProcess(const Manifest& manifest, QString program, Mode mod
 
 MediumProcess::~MediumProcess() {
     mailbox_->detach();
-    if (link_ && state_ != State::ended)
+    if (link_ && !isOver())
         pipes_.end(link_, "is no longer needed");
 }
 
@@ -40,12 +37,7 @@ Launch MediumProcess::launchRequest() const {
     launch.program = program_.toStdString();
     for (int i = 1; i < manifest_.command.size(); ++i)
         launch.arguments.push_back(manifest_.command[i].toStdString());
-    launch.environment = {"PATH=/usr/local/bin:/usr/bin:/bin", "LANG=C.UTF-8", "LC_ALL=C.UTF-8"};
-    if (mode_ == Mode::edit)
-        keep(launch.environment,
-             {"DISPLAY", "WAYLAND_DISPLAY", "XAUTHORITY", "XDG_RUNTIME_DIR", "XDG_SESSION_TYPE",
-              "XDG_CURRENT_DESKTOP", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_DATA_DIRS", "HOME",
-              "QT_QPA_PLATFORM", "QT_SCALE_FACTOR", "DBUS_SESSION_BUS_ADDRESS"});
+    launch.environment = environmentFor(mode_);
     launch.frames = frames_->descriptor();
     return launch;
 }
@@ -53,14 +45,9 @@ Launch MediumProcess::launchRequest() const {
 void MediumProcess::start() {
     sinceStart_.start();
     if (program_.isEmpty()) {
-        // Told later, as every other end is: who starts a medium may still be setting things up.
-        QMetaObject::invokeMethod(
-            this,
-            [this] {
-                finish(QStringLiteral("could not be started: there is no program \"%1\"")
-                           .arg(manifest_.command.first()));
-            },
-            Qt::QueuedConnection);
+        end(QStringLiteral("could not be started: there is no program \"%1\"")
+                .arg(manifest_.command.first()),
+            true);
         return;
     }
     link_ = pipes_.start(launchRequest(), mailbox_);
@@ -81,7 +68,8 @@ void MediumProcess::introduce() {
         if (state_ != State::starting)
             return;
         if (const auto* error = std::get_if<ipc::Error>(&outcome)) {
-            end(QStringLiteral("refused to begin: ") + QString::fromStdString(error->message));
+            end(QStringLiteral("refused to begin: ") + QString::fromStdString(error->message),
+                true);
             return;
         }
         introduction_ = std::get<ipc::Initialized>(std::move(outcome));
@@ -92,18 +80,18 @@ void MediumProcess::introduce() {
 }
 
 void MediumProcess::ask(const ipc::ToMedium& call, std::function<void(AnyOutcome)> done) {
-    if (state_ == State::ended) {
-        done(ipc::Error(ipc::ErrorCode::closed, "the medium has ended"));
-        return;
-    }
     const ipc::Integer id = ++lastId_;
     waiting_[id] = {std::move(done)};
+    if (isOver()) {
+        QMetaObject::invokeMethod(this, &MediumProcess::tellEnd, Qt::QueuedConnection);
+        return;
+    }
     mailbox_->await(id, call.index());
     send(ipc::encodeRequest(id, call));
 }
 
 void MediumProcess::notify(const ipc::ToMedium& notification) {
-    if (state_ != State::ended)
+    if (!isOver())
         send(ipc::encodeNotification(notification));
 }
 
@@ -116,7 +104,11 @@ void MediumProcess::refuse(const ipc::Id& id, const ipc::Error& error) {
 }
 
 void MediumProcess::send(const std::string& body) {
-    if (link_ && !pipes_.send(link_, ipc::framed(body)))
+    if (!link_ || isOver())
+        return;
+    if (body.size() > ipc::longestBody)
+        end(QStringLiteral("would have to read a message of more than 64 MiB"));
+    else if (!pipes_.send(link_, ipc::framed(body)))
         end(QStringLiteral("does not read what it is sent"));
 }
 
@@ -146,10 +138,10 @@ void MediumProcess::read(Letter& letter) {
         log_ = QString::fromUtf8(letter.text.c_str());
         break;
     case Letter::Kind::ended:
-        finish(QString::fromStdString(letter.text));
+        end(QString::fromStdString(letter.text), letter.forGood);
         break;
     case Letter::Kind::message:
-        if (state_ != State::ended)
+        if (!isOver())
             readMessage(letter.message);
         break;
     }
@@ -174,7 +166,9 @@ void MediumProcess::readMessage(ipc::Decoded<ipc::ToHost>& message) {
 
 void MediumProcess::ping() {
     sincePing_.start();
-    request(ipc::Ping{}, [this](const Outcome<ipc::Done>&) {
+    request(ipc::Ping{}, [this](const Outcome<ipc::Done>& outcome) {
+        if (!std::holds_alternative<ipc::Done>(outcome))
+            return;
         sincePing_.invalidate();
         sincePong_.start();
         if (!responding_) {
@@ -203,9 +197,9 @@ void MediumProcess::tick() {
 }
 
 void MediumProcess::shutdown() {
-    if (state_ == State::ended || state_ == State::closing)
+    if (isOver() || state_ == State::closing)
         return;
-    askedToEnd_ = true;
+    mayStartAgain_ = false;
     if (state_ == State::starting) {
         end(QStringLiteral("is no longer needed"));
         return;
@@ -215,24 +209,26 @@ void MediumProcess::shutdown() {
     request(ipc::Shutdown{}, [this](const Outcome<ipc::Done>&) { notify(ipc::Exit{}); });
 }
 
-void MediumProcess::end(const QString& why) {
-    if (state_ == State::ended)
+void MediumProcess::end(const QString& why, bool forGood) {
+    if (isOver())
         return;
+    mayStartAgain_ = mayStartAgain_ && !forGood;
+    state_ = State::over;
+    reason_ = why;
+    clock_.stop();
     if (link_)
         pipes_.end(link_, why.toStdString());
-    finish(why);
+    QMetaObject::invokeMethod(this, &MediumProcess::tellEnd, Qt::QueuedConnection);
 }
 
-void MediumProcess::finish(const QString& reason) {
-    if (state_ == State::ended)
-        return;
-    state_ = State::ended;
-    clock_.stop();
-    auto waiting = std::move(waiting_);
-    waiting_.clear();
-    for (auto& [id, request] : waiting)
-        request.done(ipc::Error(ipc::ErrorCode::closed, "the medium " + reason.toStdString()));
-    Q_EMIT ended(reason, askedToEnd_);
+void MediumProcess::tellEnd() {
+    const QPointer<MediumProcess> self = this;
+    const bool first = std::exchange(state_, State::ended) != State::ended;
+    const ipc::Error closed(ipc::ErrorCode::closed, "the medium " + reason_.toStdString());
+    for (auto& [id, request] : std::exchange(waiting_, {}))
+        request.done(closed);
+    if (first && self)
+        Q_EMIT ended(reason_, mayStartAgain_);
 }
 
 } // namespace media

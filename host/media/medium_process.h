@@ -1,6 +1,9 @@
 // One medium's process, from its start to its end, as the interface thread sees it.
 //
-//   starting -> ready -> closing -> ended        starting, ready -> ended when it fails
+//   starting -> ready -> closing -> over -> ended        starting, ready -> over when it fails
+//
+// Its end is told later, never inside a call: whoever asks or tells it something may go on, and
+// hears of an end from the event loop. Between the two it is `over`: nothing is sent or read.
 //
 // It is asked by requests and told by notifications; answers and reports come back as calls and
 // signals in the interface thread, a few at a time, so that a flood cannot hold the window. It is
@@ -32,6 +35,7 @@ struct TimeLimits {
     int shutdown = 2'000;
     int pingEvery = 1'000;
     int restartsPerMinute = 3; // by itself
+    int restartsPerHour = 10;
 };
 
 template <class Result> using Outcome = std::variant<Result, ipc::Error>;
@@ -40,15 +44,16 @@ class MediumProcess : public QObject {
     Q_OBJECT
 
 public:
-    enum class State { starting, ready, closing, ended };
+    enum class State { starting, ready, closing, over, ended };
 
     MediumProcess(const Manifest& manifest, QString program, Mode mode, PipeThread& pipes,
                   TimeLimits limits = {}, QObject* parent = nullptr);
     ~MediumProcess() override; // ends it
 
     void start();
-    void shutdown();              // asks it to end; it has TimeLimits::shutdown for that
-    void end(const QString& why); // now
+    void shutdown(); // asks it to end; it has TimeLimits::shutdown for that
+    // Now; ended() follows. For good: another start would end the same.
+    void end(const QString& why, bool forGood = false);
 
     [[nodiscard]] State state() const { return state_; }
     [[nodiscard]] Mode mode() const { return mode_; }
@@ -59,7 +64,7 @@ public:
     [[nodiscard]] bool isCongested() const;
     [[nodiscard]] const QString& log() const { return log_; }
 
-    // Requests and notifications are dropped (requests: answered by an error) once it has ended.
+    // Notifications are dropped once it is over; requests are then answered by an error, later.
     template <ipc::IsRequest R>
     void request(R call, std::function<void(Outcome<typename R::Result>)> done = {}) {
         using Result = typename R::Result;
@@ -81,7 +86,7 @@ Q_SIGNALS:
     void respondingChanged();
     void told(const ipc::ToHost& report);
     void asked(const ipc::Id& id, const ipc::ToHost& request);
-    void ended(const QString& reason, bool wasAsked);
+    void ended(const QString& reason, bool mayStartAgain); // by itself, that is
 
 private:
     using AnyOutcome = std::variant<ipc::AnyResult, ipc::Error>;
@@ -97,7 +102,8 @@ private:
     void send(const std::string& body);
     void ping();
     void tick();
-    void finish(const QString& reason);
+    void tellEnd();
+    [[nodiscard]] bool isOver() const { return state_ >= State::over; }
     [[nodiscard]] Launch launchRequest() const;
 
     Manifest manifest_;
@@ -110,7 +116,8 @@ private:
     PipeThread::Link link_ = 0;
     State state_ = State::starting;
     bool responding_ = true;
-    bool askedToEnd_ = false;
+    bool mayStartAgain_ = true;
+    QString reason_; // why it is over
     ipc::Initialized introduction_;
     ipc::Integer lastId_ = 0;
     std::map<ipc::Integer, Waiting> waiting_;

@@ -14,20 +14,29 @@ using testing::scriptedManifest;
 using testing::shortLimits;
 using testing::waitFor;
 
+// For what takes long on a slow machine and is not what is tested.
+TimeLimits patient() {
+    TimeLimits limits = shortLimits();
+    limits.quiet = limits.hung = 100'000;
+    return limits;
+}
+
 class MediumProcessTest : public ::testing::Test {
 protected:
     std::unique_ptr<LiveSubdocument> subdocument(const QByteArray& text,
-                                                 const QStringList& behaviour = {}) {
+                                                 const QStringList& behaviour = {},
+                                                 const TimeLimits& limits = shortLimits()) {
         const Manifest manifest = scriptedManifest(behaviour);
-        auto made = std::make_unique<LiveSubdocument>(manifest, programOf(manifest, {}), pipes_,
-                                                      shortLimits());
+        auto made =
+            std::make_unique<LiveSubdocument>(manifest, programOf(manifest, {}), pipes_, limits);
         made->setText(text);
         return made;
     }
 
     // Starts it and says why it failed for good.
-    std::string failure(const QByteArray& text, const QStringList& behaviour = {}) {
-        auto it = subdocument(text, behaviour);
+    std::string failure(const QByteArray& text, const QStringList& behaviour = {},
+                        const TimeLimits& limits = shortLimits()) {
+        auto it = subdocument(text, behaviour, limits);
         it->start();
         EXPECT_TRUE(waitFor([&] { return it->condition() == Condition::failed; }));
         EXPECT_EQ(it->text(), text);
@@ -209,6 +218,95 @@ TEST_F(MediumProcessTest, ClosesOneThatPointsOutsideOfItsPictures) {
     EXPECT_THAT(it->reason().toStdString(), HasSubstr("sent a picture that has no place"));
 }
 
+TEST_F(MediumProcessTest, ClosesOneThatSendsMoreThanTheProtocolHolds) {
+    for (const char* lie : {"diagnostics 1 60000000", "diagnostics 1001 8", "diagnostics 1 4097",
+                            "menu 1001 8", "menu 1 1025", "title 1 4097", "state 1 4097"})
+        EXPECT_THAT(failure(QByteArray("behave lie ") + lie, {}, patient()),
+                    ::testing::AnyOf(HasSubstr("is longer than"), HasSubstr("holds more than")))
+            << lie;
+}
+
+TEST_F(MediumProcessTest, CountsWhatIsSaidWhetherItWaitsOrNot) {
+    auto it = subdocument("behave chatter");
+    it->start();
+    ASSERT_TRUE(waitFor([&] { return it->condition() == Condition::failed; }));
+    EXPECT_THAT(it->reason().toStdString(), HasSubstr("more than it may in a second (a flood)"));
+}
+
+TEST_F(MediumProcessTest, OnlyAProcessWithWindowsMayUndo) {
+    auto it = subdocument("colour 102030");
+    int undone = 0;
+    QObject::connect(it.get(), &LiveSubdocument::undoRequested, [&] { ++undone; });
+    it->start();
+    ASSERT_TRUE(waitFor([&] { return it->hasLoaded(); }));
+    it->edit({{0, 0, "behave undo\nfault 1 1 told\n"}}, {});
+    ASSERT_TRUE(waitFor([&] { return !it->diagnostics().items.empty(); }));
+    it->invoke("editor", nullptr); // the new process asks, too
+    ASSERT_TRUE(waitFor([&] { return undone > 0; }));
+    EXPECT_EQ(undone, 1);
+}
+
+// The end of a process is told later: a call that sends goes on, whatever came of the sending.
+TEST_F(MediumProcessTest, ACallGoesOnWhenItsProcessEndsInIt) {
+    for (int before = 0; before < 3; ++before) {
+        const Manifest manifest = scriptedManifest();
+        LiveSubdocument it(manifest, programOf(manifest, {}), pipes_, patient());
+        it.setText("duration 10\nbehave stop");
+        auto rendition = it.createRendition();
+        it.start();
+        ASSERT_TRUE(
+            waitFor([&] { return it.time().has_value() && it.condition() == Condition::live; }));
+        for (int i = 0; i < before; ++i)
+            it.pause();
+        for (int i = 0; i < 1000; ++i) { // twice and three times as many as may be unread
+            it.setPoster(1);
+            it.play();
+            rendition->setGeometry({100 + i % 2, 100}, 1);
+        }
+        EXPECT_EQ(it.condition(), Condition::live); // it has not been told yet
+        ASSERT_TRUE(waitFor([&] { return it.condition() == Condition::failed; }));
+        EXPECT_THAT(it.reason().toStdString(), HasSubstr("does not read what it is sent"));
+    }
+}
+
+TEST_F(MediumProcessTest, ATextThatNoMessageHoldsIsRefusedUntilItIsShorter) {
+    const auto most = static_cast<qsizetype>(ipc::longestText.most);
+    auto it = subdocument(QByteArray(most + 1, '\x01'));
+    EXPECT_EQ(it->condition(), Condition::failed);
+    EXPECT_THAT(it->reason().toStdString(), HasSubstr("this text has 8.0 MiB"));
+    int told = 0;
+    QObject::connect(it.get(), &LiveSubdocument::conditionChanged, [&] { ++told; });
+    it->start();
+    EXPECT_EQ(told, 0); // later
+    ASSERT_TRUE(waitFor([&] { return told > 0; }));
+    EXPECT_EQ(it->condition(), Condition::failed);
+    EXPECT_FALSE(it->hasProcess());
+    it->edit({{0, most + 1, "colour 102030"}}, {});
+    EXPECT_EQ(it->condition(), Condition::still);
+    it->start();
+    ASSERT_TRUE(waitFor([&] { return it->hasLoaded(); }));
+    it->edit({{13, 13, std::string(ipc::longestText.most, '\n')}}, {});
+    EXPECT_EQ(it->condition(), Condition::failed);
+    EXPECT_TRUE(waitFor([&] { return pipes_.alive() == 0; }));
+}
+
+TEST_F(MediumProcessTest, TheLongestTextsAreTold) {
+    auto it = subdocument(QByteArray("colour 102030\n")
+                              .leftJustified(static_cast<qsizetype>(ipc::longestText.most), '\x1f'),
+                          {}, patient()); // blanks to it
+    it->start();                          // it is 48 MiB of JSON
+    ASSERT_TRUE(waitFor([&] { return it->hasLoaded() || it->condition() == Condition::failed; }));
+    EXPECT_TRUE(it->hasLoaded()) << it->reason().toStdString();
+    // More changes than a message holds are told as a new text.
+    it->setText(QByteArray(20'000, '\n'));
+    std::vector<ipc::TextEdit> edits;
+    for (ipc::Integer i = 0; i < 20'000; ++i)
+        edits.push_back({i, i, i == 0 ? "fault 1 1 there" : "\n"});
+    it->edit(edits, {});
+    ASSERT_TRUE(waitFor([&] { return !it->diagnostics().items.empty(); }));
+    EXPECT_EQ(it->diagnostics().items[0].message, "there");
+}
+
 // --- edits, modes, ends ------------------------------------------------------------------------
 
 TEST_F(MediumProcessTest, PassesOnAChangeAndRefusesAStaleOne) {
@@ -296,6 +394,22 @@ TEST_F(MediumProcessTest, InheritsNothingButWhatIsNamed) {
     EXPECT_THAT(process.log().toStdString(), ::testing::Not(HasSubstr("SECRET_OF_THE_USER")));
     EXPECT_THAT(process.log().toStdString(), ::testing::Not(HasSubstr("HOME=")));
     qunsetenv("SECRET_OF_THE_USER");
+}
+
+TEST_F(MediumProcessTest, AProcessWithWindowsIsOfTheUsersDesktop) {
+    Manifest manifest = scriptedManifest();
+    manifest.command = QStringList{"/bin/sh", "-c", "env >&2"};
+    qputenv("QT_SCALE_FACTOR", "1.5");
+    qputenv("LC_ALL", "de_DE.UTF-8");
+    MediumProcess process(manifest, "/bin/sh", Mode::edit, pipes_);
+    bool over = false;
+    QObject::connect(&process, &MediumProcess::ended, [&] { over = true; });
+    process.start();
+    ASSERT_TRUE(waitFor([&] { return over; }));
+    for (const char* line : {"QT_SCALE_FACTOR=1.5", "LC_TIME=de_DE.UTF-8", "LC_NUMERIC=C"})
+        EXPECT_THAT(process.log().toStdString(), HasSubstr(line));
+    qunsetenv("QT_SCALE_FACTOR");
+    qunsetenv("LC_ALL");
 }
 
 TEST_F(MediumProcessTest, StartsAndEndsLeaveNoDescriptorsBehind) {

@@ -1,8 +1,12 @@
 #include "media/pipe_thread.h"
 
+#include "media/allowance.h"
+#include "media/memory.h"
+
 #include "ipc/framing.h"
 #include "ipc/wire.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -25,6 +29,11 @@ constexpr std::size_t mostUnsentMessages = 1000;
 constexpr std::size_t mostLog = 4096;
 // A process that closed its output is about to end: its exit code is worth this wait.
 constexpr std::chrono::milliseconds graceAfterEof{300};
+// How often memory is measured: a process fills some 200 MiB in a second. Seldom while they hold
+// little.
+constexpr std::chrono::milliseconds measureOften{200}, measureSeldom{1000};
+
+std::string inMiB(std::size_t bytes) { return std::to_string(bytes >> 20) + " MiB"; }
 
 struct Request {
     enum class Kind { start, send, closeInput, end } kind = Kind::send;
@@ -51,6 +60,7 @@ struct PipeThread::Shared {
     std::map<Link, Unsent> unsent; // of the links that are open
     Link last = 0;
     int alive = 0;
+    std::size_t mostMemory = usualMemory();
     bool stop = false;
     int wake = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
 
@@ -66,12 +76,14 @@ struct Pipe {
     Launched ends;
     std::shared_ptr<Mailbox> mailbox;
     ipc::FrameDecoder decoder;
+    Allowance allowance;
     std::deque<std::string> toSend;
     std::size_t sent = 0; // of the first of them
     bool closesInput = false;
     std::string log;
     std::optional<Clock::time_point> deadline;
     std::string closing; // why it is being ended by us; empty: it ended itself
+    bool forGood = false;
 };
 
 class PipeThread::Loop {
@@ -81,6 +93,7 @@ public:
     void run() {
         while (takeRequests()) {
             wait();
+            watchMemory();
             for (auto next = pipes_.begin(); next != pipes_.end();) {
                 const auto here = next++;
                 if (isOver(here->second))
@@ -135,21 +148,22 @@ private:
         pipe.ends = launch(request.launch);
         if (pipe.ends.process < 0) {
             forget(request.link);
-            pipe.mailbox->pushAlways({Letter::Kind::ended, ipc::Ignored{}, pipe.ends.error, 0});
+            pipe.mailbox->pushAlways(
+                {Letter::Kind::ended, ipc::Ignored{}, pipe.ends.error, 0, true});
             return;
         }
         {
             const std::lock_guard lock(shared_->mutex);
             ++shared_->alive;
         }
-        pipe.mailbox->pushAlways({Letter::Kind::started, ipc::Ignored{}, {}, 0});
+        pipe.mailbox->pushAlways({Letter::Kind::started, ipc::Ignored{}, {}, 0, false});
         pipes_.emplace(request.link, std::move(pipe));
     }
 
     void wait() {
         std::vector<pollfd> polled{{shared_->wake, POLLIN, 0}};
         std::vector<std::pair<Link, int Launched::*>> whose{{0, nullptr}};
-        int timeout = -1;
+        int timeout = pipes_.empty() ? -1 : static_cast<int>(untilMeasured());
         for (auto& [link, pipe] : pipes_) {
             const auto add = [&, id = link](int Launched::*end, short events) {
                 if (pipe.ends.*end >= 0) {
@@ -163,7 +177,7 @@ private:
             if (!pipe.toSend.empty())
                 add(&Launched::toMedium, POLLOUT);
             if (pipe.deadline)
-                timeout = static_cast<int>(graceAfterEof.count());
+                timeout = std::min(timeout, static_cast<int>(graceAfterEof.count()));
         }
         if (poll(polled.data(), polled.size(), timeout) <= 0)
             return;
@@ -221,6 +235,8 @@ private:
             ipc::decodeForHost(body, [&](ipc::Integer id) { return pipe.mailbox->awaited(id); });
         if (const auto* violation = std::get_if<ipc::Violation>(&letter.message))
             pipe.closing = "sent what is not the protocol: " + violation->sentence;
+        else if (!pipe.allowance.spend(letter.message, letter.bytes, Clock::now()))
+            pipe.closing = "sent more than it may in a second (a flood)";
         else if (!pipe.mailbox->push(std::move(letter)))
             pipe.closing = "sent more than can be read (a flood)";
     }
@@ -264,6 +280,37 @@ private:
         unsent.messages -= messages;
     }
 
+    [[nodiscard]] std::chrono::milliseconds::rep untilMeasured() const {
+        const auto rest = std::chrono::ceil<std::chrono::milliseconds>(measureAt_ - Clock::now());
+        return std::max(rest, std::chrono::milliseconds(0)).count();
+    }
+
+    // Ends the largest while all together hold too much; it is not started again by itself.
+    void watchMemory() {
+        if (pipes_.empty() || untilMeasured() > 0)
+            return;
+        std::vector<Pipe*> measured;
+        std::vector<std::size_t> held;
+        std::size_t sum = 0;
+        for (auto& [link, pipe] : pipes_) {
+            measured.push_back(&pipe);
+            held.push_back(memoryOf(pipe.ends.process));
+            sum += held.back();
+        }
+        const std::size_t most = [&] {
+            const std::lock_guard lock(shared_->mutex);
+            return shared_->mostMemory;
+        }();
+        while (const auto largest = tooLarge(held, most)) {
+            Pipe& pipe = *measured[*largest];
+            pipe.closing = "was ended, since all media together held more than " + inMiB(most) +
+                           " of memory, and it held the most, " + inMiB(held[*largest]);
+            pipe.forGood = true;
+            held[*largest] = 0;
+        }
+        measureAt_ = Clock::now() + (sum > most / 4 ? measureOften : measureSeldom);
+    }
+
     static bool isOver(const Pipe& pipe) {
         return !pipe.closing.empty() || (pipe.deadline && Clock::now() >= *pipe.deadline);
     }
@@ -286,14 +333,16 @@ private:
             --shared_->alive;
         }
         if (!pipe.log.empty())
-            pipe.mailbox->pushAlways({Letter::Kind::log, ipc::Ignored{}, pipe.log, 0});
+            pipe.mailbox->pushAlways({Letter::Kind::log, ipc::Ignored{}, pipe.log, 0, false});
         pipe.mailbox->pushAlways({Letter::Kind::ended, ipc::Ignored{},
-                                  pipe.closing.empty() ? describeEnd(status) : pipe.closing, 0});
+                                  pipe.closing.empty() ? describeEnd(status) : pipe.closing, 0,
+                                  pipe.forGood || couldNotStart(status)});
         pipes_.erase(at);
     }
 
     std::shared_ptr<Shared> shared_;
     Pipes pipes_;
+    Clock::time_point measureAt_{};
 };
 
 PipeThread::PipeThread() : shared_(std::make_shared<Shared>()) {
@@ -352,6 +401,16 @@ void PipeThread::end(Link link, std::string why) {
     const std::lock_guard lock(shared_->mutex);
     shared_->requests.push_back({Request::Kind::end, link, {}, {}, std::move(why)});
     shared_->ring();
+}
+
+void PipeThread::setMostMemory(std::size_t bytes) {
+    const std::lock_guard lock(shared_->mutex);
+    shared_->mostMemory = bytes;
+}
+
+std::size_t PipeThread::mostMemory() const {
+    const std::lock_guard lock(shared_->mutex);
+    return shared_->mostMemory;
 }
 
 int PipeThread::alive() const {

@@ -2,7 +2,7 @@
 // One thread for all of them, which lives as long as the program: media are launched from it (their
 // death is tied to it), their bytes are split into messages and parsed in it, and what they send
 // reaches the interface thread through mailboxes. So the interface thread never waits for a medium,
-// not even for its start, and never parses what a medium sent.
+// not even for its start, and never parses what a medium sent. It watches their memory, too.
 #pragma once
 
 #include "media/launcher.h"
@@ -37,6 +37,11 @@ public:
     [[nodiscard]] QObject& departing() { return *departing_; }
     // Processes that have been started and not yet been reaped.
     [[nodiscard]] int alive() const;
+
+    // What all of them may hold together; usualMemory() at first. While they hold more, the one
+    // that holds the most is ended.
+    void setMostMemory(std::size_t bytes);
+    [[nodiscard]] std::size_t mostMemory() const;
 
 private:
     struct Shared;

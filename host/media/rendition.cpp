@@ -63,6 +63,8 @@ void Rendition::input(ipc::Input input) {
     if (input.type == ipc::InputType::move && process_->isCongested())
         return;
     input.rendition = id_;
+    if (input.text.size() > ipc::longestInput.most)
+        input.text.clear(); // LIMIT: what an input method types at once is short
     process_->notify(ipc::RenditionInput{input});
 }
 
@@ -141,6 +143,9 @@ void Rendition::freeSlots(const std::vector<Slot>& slots) const {
 }
 
 QImage Rendition::decoded(const ipc::RenditionFrame& frame) const {
+    const auto expected = static_cast<std::size_t>(frame.width * frame.height * 4 + 2) / 3 * 4;
+    if (frame.pixels->size() != expected)
+        return {};
     const QByteArray bytes = QByteArray::fromBase64(QByteArray::fromStdString(*frame.pixels));
     const QImage image(reinterpret_cast<const uchar*>(bytes.constData()),
                        static_cast<int>(frame.width), static_cast<int>(frame.height),

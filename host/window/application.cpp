@@ -61,6 +61,10 @@ Application::Application(media::TimeLimits limits, std::string journal)
       media_(media::Registry::read(media::registryFolders(QCoreApplication::applicationDirPath())),
              QCoreApplication::applicationDirPath(), pipes_, limits) {
     media_.setMostLive(QSettings().value("media/mostLive", media_.mostLive()).toInt());
+    constexpr int kib = 1024;
+    const auto mostMiB = QSettings().value("media/mostMemory", 0).toULongLong(); // 0: the usual
+    if (mostMiB > 0)
+        pipes_.setMostMemory(mostMiB * kib * kib);
     for (const QString& fault : media_.registry().faults())
         terminal::complain("ensemble: " + fault.toStdString());
     for (const auto& fault : schemas_.faults())

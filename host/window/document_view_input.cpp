@@ -72,7 +72,7 @@ void DocumentView::mousePressEvent(QMouseEvent* event) {
     if (!live || !shown->rendition)
         return;
     if (live->condition() == media::Condition::failed) {
-        live->start();
+        live->startAgain();
         return;
     }
     live->dismissNotice();

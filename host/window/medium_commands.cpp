@@ -200,14 +200,18 @@ void MediumCommands::build(const QString& documentClass, Medium& medium,
     medium.menu->clear();
     qDeleteAll(medium.menu->findChildren<QMenu*>(Qt::FindDirectChildrenOnly));
     medium.actions.clear();
+    medium.tools.clear();
     medium.entries = entries;
     QMenu* group = nullptr;
+    int groups = 0, icons = 0;
     std::string groupName;
     for (const ipc::MenuEntry& entry : entries) {
         if (entry.group.empty())
             group = nullptr;
         else if (!group || entry.group != groupName)
-            group = medium.menu->addMenu(plain::caption(QString::fromStdString(entry.group)));
+            group = ++groups > mostGroups
+                        ? nullptr
+                        : medium.menu->addMenu(plain::caption(QString::fromStdString(entry.group)));
         groupName = entry.group;
         const QString label = QString::fromStdString(entry.label);
         if (label == "-") {
@@ -218,8 +222,11 @@ void MediumCommands::build(const QString& documentClass, Medium& medium,
         // The tool area would make one of the caption.
         action->setToolTip(plain::tip(label));
         action->setCheckable(entry.checkable);
-        if (!entry.icon.empty())
+        if (!entry.icon.empty() && icons++ < mostTools) {
             action->setIcon(iconNamed(QString::fromStdString(entry.icon)));
+            if (!action->icon().isNull() && !isPlaying(entry.icon))
+                medium.tools.push_back(action);
+        }
         const QString id = QString::fromStdString(entry.id);
         connect(action, &QAction::triggered, this,
                 [this, documentClass, id] { invoke(documentClass, id); });
@@ -242,10 +249,7 @@ void MediumCommands::refreshTools() {
     std::vector<QAction*> wanted;
     const auto medium = media_.find(owner);
     if (medium != media_.end())
-        for (const ipc::MenuEntry& entry : medium->second.entries)
-            if (!entry.icon.empty() && !isPlaying(entry.icon) &&
-                !medium->second.actions.at(entry.id)->icon().isNull())
-                wanted.push_back(medium->second.actions.at(entry.id));
+        wanted = medium->second.tools;
     if (wanted != shown_) {
         for (QAction* action : shown_)
             tools_.removeAction(action);

@@ -21,6 +21,9 @@ class MediumCommands : public QObject {
     Q_OBJECT
 
 public:
+    // Of one medium; what is beyond stands in its menu alone.
+    static constexpr int mostTools = 40, mostGroups = 100;
+
     // Menus are put before `before`.
     MediumCommands(session::OpenDocument& document, DocumentView& view, QMenuBar& bar,
                    QAction* before, QToolBar& toolArea);
@@ -38,6 +41,7 @@ private:
         QMenu* menu = nullptr;
         std::vector<ipc::MenuEntry> entries; // that it was built from
         std::map<std::string, QAction*> actions;
+        std::vector<QAction*> tools;
     };
 
     void watch();

@@ -118,7 +118,7 @@ Notice noticeOf(const session::OpenDocument& document, const Shown& shown) {
     switch (live->condition()) {
     case media::Condition::failed:
         return {hasPicture ? Notice::Kind::stopped : Notice::Kind::box, live->reason(),
-                QObject::tr("Click to start it again.")};
+                live->mayStart() ? QObject::tr("Click to start it again.") : QString()};
     case media::Condition::notResponding:
         return {Notice::Kind::note, QObject::tr("%1 is not responding").arg(live->name()), {}};
     case media::Condition::starting:

@@ -45,6 +45,23 @@ inline QByteArray memo(const QByteArray& paragraphs) {
            "</BODY>\n</CMEMO>\n";
 }
 
+// How long the event loop let its timers wait, from here on.
+class Heartbeat {
+public:
+    Heartbeat() {
+        since_.start();
+        QObject::connect(&timer_, &QTimer::timeout,
+                         [this] { longest_ = std::max(longest_, since_.restart()); });
+        timer_.start(1);
+    }
+    [[nodiscard]] qint64 longest() const { return longest_; }
+
+private:
+    QElapsedTimer since_;
+    QTimer timer_;
+    qint64 longest_ = 0;
+};
+
 // The processes that this one has started.
 inline std::vector<pid_t> children() {
     std::vector<pid_t> result;

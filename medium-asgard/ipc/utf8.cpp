@@ -18,8 +18,11 @@ std::string shortened(std::string_view text, Length length) {
     constexpr std::string_view ellipsis = "\xe2\x80\xa6";
     if (text.size() <= length.most)
         return std::string(text);
+    const auto isInside = [&](std::size_t at) { // a character, behind its first byte
+        return (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80;
+    };
     std::size_t end = length.most - ellipsis.size();
-    while (end > 0 && isContinuation(static_cast<unsigned char>(text[end])))
+    while (end > 0 && isInside(end))
         --end;
     return std::string(text.substr(0, end)) += ellipsis;
 }

@@ -37,6 +37,17 @@ class Convert(InFolder):
         text = subprocess.run(["pdftotext", self.path("a.pdf"), "-"], capture_output=True, check=True).stdout.decode()
         self.assertIn("was ended by signal 11", text)
 
+    def test_a_text_that_no_message_holds_is_refused_at_its_place_and_the_rest_lives(self):
+        self.write("a.ens", memo(scripted("\x01" * 14_700_000), scripted("colour 20A040"), scripted("colur 1")))
+        sentence = "Scripted is not started: this text has 14.0 MiB, and it may have 8 MiB at most. Make it shorter."
+        code, out, _ = self.ensemble("--check", "a.ens")
+        self.assertEqual((code, out.decode()), (1, "a.ens:5:12: error: %s\na.ens:15:46: error: unknown word \"colur\"\n" % sentence))
+        code, _, error = self.ensemble("--convert-to", "pdf", "a.ens")
+        self.assertEqual(code, 1)
+        self.assertIn(sentence, error)
+        images = subprocess.run(["pdfimages", "-list", self.path("a.pdf")], capture_output=True, check=True).stdout.decode()
+        self.assertEqual(len(re.findall(r"\s938\s+625\s", images)), 1, images)
+
     def test_a_faulty_text_is_a_box_with_its_line(self):
         self.write("a.ens", memo(scripted("colur 1")))
         code, _, error = self.ensemble("--convert-to", "pdf", "a.ens")

@@ -22,7 +22,9 @@ Behaviours: normal, exit (at once), crash (a signal), crash-after S, hang (stops
 by SIGSTOP), busy (computes, never reads), flood, garbage, truncated, slow MS (per answer), oversize,
 wrong-version, silent (no answer to initialize), stay (ignores shutdown and the end of its input),
 child (leaves a process behind), bad-frame (a frame outside of its slot), bad-reply (an answer to nothing),
-deaf (reads nothing more).
+deaf (reads nothing more), undo (asks for it, as its windows would), chatter (a menu, again and again, never many
+unread), take MIB (memory, for good), lie WHAT COUNT BYTES (a message with a list of COUNT, each of them BYTES long: diagnostics, menu, icons,
+groups, edits, title, state).
 """
 import base64
 import json
@@ -136,8 +138,35 @@ class Medium:
             for rendition in self.renditions:
                 notify("rendition/frame", rendition=rendition, slot=1, serial=10 ** 6, width=self.renditions[rendition]["width"],
                        height=self.renditions[rendition]["height"], time=0, pixels="AAAA")
+        elif what == "undo":
+            send({"id": 3, "method": "edit/undo", "params": {}})
+        elif what == "chatter":
+            while True:
+                notify("menu/changed", menus=[{"id": "%d" % i, "label": "%d" % time.monotonic_ns()} for i in range(100)])
+                time.sleep(0.002)
+        elif what == "take":
+            self.taken = bytearray(os.urandom(4096)) * (256 * int(rest[0]))
+        elif what == "lie":
+            self.lie(rest[0], int(rest[1]), int(rest[2]))
         elif what == "bad-reply":
             send({"id": 987654, "result": {}})
+
+    def lie(self, what, count, length):
+        words = "x" * length
+        if what == "diagnostics":
+            notify("diagnostics", revision=self.revision, items=[
+                {"severity": "error", "line": 10 ** 8 - i, "column": i, "endLine": 1, "endColumn": 1, "message": ("%d " % i).ljust(length, "x")}
+                for i in range(count)])
+        elif what in ("menu", "icons", "groups"):
+            notify("menu/changed", menus=[dict({"id": "entry-%d" % i, "label": words}, **(
+                {"icon": "no-such-%d" % i} if what == "icons" else {"group": "%d" % i} if what == "groups" else {})) for i in range(count)])
+        elif what == "edits":
+            send({"id": 4, "method": "subdocument/changed", "params": {"base": self.revision, "edits": [
+                {"from": 0, "to": 0, "text": words}] * count}})
+        elif what == "title":
+            notify("progress/end", token=1, message=words)
+        elif what == "state":
+            notify("rendition/state", rendition=1, state=words)
 
     # --- text ----------------------------------------------------------------------------------
 
