@@ -27,7 +27,7 @@ std::string scene() {
            "plot q -values {b1.x} -labels [list \"" +
            hostile + "\"] -title \"" + hostile +
            "\"\n"
-           "trajectory t -points {{0 0 0 0} {1 1 0 0}}\n"
+           "trajectory way -points {{0 0 0 0} {1 1 0 0}}\n"
            "error \"" +
            hostile + "\"\n";
 }
