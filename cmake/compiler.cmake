@@ -1,7 +1,10 @@
 # How everything is compiled. Motion must have the same bits on every run of one build, so nothing
 # here may let the compiler reorder, fuse or approximate floating-point operations.
+#
+# Warnings are errors for us (presets dev, asan, tsan, and CI), not for a user with another compiler.
+option(WARNINGS_ARE_ERRORS "Stop the build at a warning" OFF)
 add_compile_options(
-    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual $<$<BOOL:${WARNINGS_ARE_ERRORS}>:-Werror>
     -ffp-contract=off -fno-fast-math -fvisibility=hidden)
 
 # g++ 12 warns at -O2 of reads and writes beyond strings and vectors of the standard library that are none
