@@ -269,6 +269,8 @@ TEST(ShapeEditTest, RandomChangesReadAsTheParts) {
         return std::round(100 * std::uniform_real_distribution(-3.0, 3.0)(random)) / 100;
     };
     const auto vector = [&] { return Vector(number(), number(), number()); };
+    // Two decimals as well: a sum would end in 1.8199999999999998, which is written as 1.82.
+    const auto size = [&] { return std::round(100 * (std::abs(number()) + 1)) / 100; };
     for (std::string text : {tetra, faces}) {
         for (int k = 0; k < 150; ++k) {
             const auto scene = readScene(text);
@@ -296,7 +298,7 @@ TEST(ShapeEditTest, RandomChangesReadAsTheParts) {
                 one.part.position = vector();
                 break;
             case 4:
-                one.part.shape = scene::BoxShape{vector().cwiseAbs() + Vector(1, 1, 1)};
+                one.part.shape = scene::BoxShape{Vector(size(), size(), size())};
                 break;
             case 5: {
                 scene::Part part;
