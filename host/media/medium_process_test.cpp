@@ -258,7 +258,7 @@ TEST_F(MediumProcessTest, ACallGoesOnWhenItsProcessEndsInIt) {
             waitFor([&] { return it.time().has_value() && it.condition() == Condition::live; }));
         for (int i = 0; i < before; ++i)
             it.pause();
-        for (int i = 0; i < 1000; ++i) { // twice and three times as many as may be unread
+        for (int i = 0; i < 5000; ++i) { // more than may be unread and than the pipe holds
             it.setPoster(1);
             it.play();
             rendition->setGeometry({100 + i % 2, 100}, 1);
