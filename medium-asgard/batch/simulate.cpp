@@ -90,8 +90,11 @@ std::string shortNumber(double value, int digits = 6) {
 
 // Of a method that was asked for nothing is known. Where the accuracy is not kept a warning has
 // said so.
-void tellError(const SimulateArguments& arguments, const scene::Simulator& simulator,
+void tellError(const SimulateArguments& arguments, const scene::Scene& scene,
                std::optional<double> estimate) {
+    if (std::ranges::all_of(scene.bodies, &scene::Body::fixed))
+        return; // nothing moves
+    const scene::Simulator& simulator = scene.simulator;
     const std::string method = arguments.method.empty() ? simulator.method : arguments.method;
     const double accuracy = arguments.accuracy.value_or(simulator.accuracy);
     if (!estimate && method != "auto") {
@@ -126,7 +129,7 @@ int compute(const SceneText& scene, const SimulateArguments& arguments,
         return refuse(refusal);
     }
     const bool stopped = tell(scene, *result.motion);
-    tellError(arguments, scene.reading.scene.simulator, result.motion->errorEstimate());
+    tellError(arguments, scene.reading.scene, result.motion->errorEstimate());
     Output output(arguments.csv);
     if (!output.good() || !output.finish(writeTable(output.stream(), scene.reading.scene,
                                                     *result.motion, quantities, columns, times)))

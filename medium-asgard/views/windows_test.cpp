@@ -12,6 +12,8 @@
 #include "views/shape_editor.h"
 #include "views/test_workshop.h"
 
+#include "simulation/simulation.h"
+
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
@@ -72,11 +74,22 @@ protected:
 
 // One of two bodies stops at 1.2 s of 2: nothing says that all is computed, and right throughout.
 TEST_F(WindowsTest, TheStatusOfAStoppedMotionAgreesWithItself) {
-    open("simulator -finish 2 -collisions 0\nshape_set s -desc {-sub {-sphere 0.1}}\nbody a s "
-         "-mass 1\n"
-         "body b s -mass 1 -init_pos {3 0 0}\nforce -body a -x {sqrt(1.2-t)}\n");
+    Workshop workshop = made.workshop();
+    workshop.simulate = [](const std::shared_ptr<const scene::Scene>& scene,
+                           const simulation::Options& options,
+                           const simulation::Observer& observer) {
+        return simulation::simulate(*scene, options, observer);
+    };
+    Editor moving(workshop);
+    moving.document().setText(
+        "simulator -finish 2 -collisions 0\nshape_set s -desc {-sub {-sphere 0.1}}\nbody a s "
+        "-mass 1\n"
+        "body b s -mass 1 -init_pos {3 0 0}\nforce -body a -x {sqrt(1.2-t)}\n",
+        "Edit");
+    ASSERT_TRUE(settle(moving.document()));
+    const GraphicalViewer* shown = moving.openGraphicalViewer();
     const auto said = [&](const char* name) {
-        for (const QLabel* label : viewer->findChildren<QLabel*>())
+        for (const QLabel* label : shown->findChildren<QLabel*>())
             if (label->accessibleName() == QLatin1String(name))
                 return label->text();
         return QString();

@@ -106,7 +106,9 @@ class Commands(unittest.TestCase):
                        "body a s -mass 1\nforce -body a -x {1e-3*sqrt(1-t)}\n"
                        "body b s -mass 1 -init_pos {4 0 0} -init_dpos {-2 0 0}\n"
                        "body c s -mass 1 -init_pos {0 9 0}\n")
-        self.assertIn("whose motion stopped at t = 1;", self.simulate(scene, "--stats", out, code=1)[1])
+        said = self.simulate(scene, "--stats", out, code=1)[1]
+        self.assertIn("Stopped at t = 1: the force on body \"a\"", said)
+        self.assertIn('A meeting with a stopped body stops 1 more body: "b", at t = ', said)
         with open(out, encoding="utf-8") as file:
             statistics = json.load(file)
         self.assertEqual([stop["body"] for stop in statistics["stops"]], ["a", "b"])

@@ -201,7 +201,7 @@ class Medium:
                 changes.append(" ".join(words[1:]))
             else:
                 faults.append({"severity": "error", "line": number, "column": 1, "endLine": number,
-                               "endColumn": 1 + len(words[0]), "message": 'unknown word "%s"' % words[0]})
+                               "endColumn": 1 + len(words[0]), "message": 'unknown word "%s"' % words[0][:1000]})
         notify("diagnostics", revision=self.revision, items=faults)
         self.tell_time()
         notify("menu/changed", menus=self.menus())

@@ -195,7 +195,7 @@ std::vector<scene::Diagnostic> reportOf(const scene::Scene& scene, const Motion&
         Stop stop = fault.stop;
         stop.sentence +=
             alsoStopped(scene, motion, "The same stops", fault.alike) +
-            alsoStopped(scene, motion, "Where they meet what stopped, so do", fault.following);
+            alsoStopped(scene, motion, "A meeting with a stopped body stops", fault.following);
         report.push_back(stopAt(scene, names, fault.body, stop));
     }
     return report;

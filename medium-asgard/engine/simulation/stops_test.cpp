@@ -236,7 +236,7 @@ TEST(Stops, OneCauseIsOneFault) {
     ASSERT_EQ(report.size(), 1u);
     EXPECT_THAT(report[0].message, HasSubstr("The same stops "));
     EXPECT_THAT(report[0].message, HasSubstr(" others, the last at t = "));
-    EXPECT_THAT(report[0].message, HasSubstr("Where they meet what stopped, so do 5 more bodies"));
+    EXPECT_THAT(report[0].message, HasSubstr("A meeting with a stopped body stops 5 more bodies"));
 }
 
 // What then happens to it is as little known.
@@ -253,7 +253,7 @@ TEST(Stops, WhatMeetsABodyThatStoppedStopsThereToo) {
         EXPECT_FALSE(result.motion->stop(3));
         const auto report = reportOf(b.scene, *result.motion);
         ASSERT_EQ(report.size(), 1u) << "of one cause";
-        EXPECT_THAT(report[0].message, HasSubstr("Where they meet what stopped, so do 1 more body: "
+        EXPECT_THAT(report[0].message, HasSubstr("A meeting with a stopped body stops 1 more body: "
                                                  "\"comer\", at t = 2."));
     }
 }
