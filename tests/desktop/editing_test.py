@@ -178,6 +178,7 @@ class Editing(unittest.TestCase):
         again = until("its window is open again", lambda: self.screen.windows("Language Viewer"))[0]
         until("the draft is there", lambda: "*" in self.title(again))
         self.press(again, "ctrl+Return")
+        until("the draft is in the document", lambda: "*" not in self.title(again))
         self.assertIn(b"{# typed # kept\nshape_set", self.saved())
         self.typed(again, "# and on ")
         self.press(again, "ctrl+Return")
