@@ -1,5 +1,6 @@
 #include "document/document.h"
 
+#include "sgml/braces.h"
 #include "sgml/utf8.h"
 
 #include <QFile>
@@ -64,6 +65,10 @@ EditResult Document::editText(SubdocumentId id, int base, const Edits& edits, co
                               const QString& group) {
     const Subdocument* target = subdocument(id);
     if (target == nullptr || !target->hasText)
+        return EditResult::unknown;
+    // A content that no brace closes ends where other tags end it: an edit could move that place.
+    if (target->content != noNode &&
+        sgml::closingBrace(tree_.text(tree_.node(target->content).range), 0) == std::string::npos)
         return EditResult::unknown;
     if (base != target->revision)
         return EditResult::stale;

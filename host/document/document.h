@@ -26,7 +26,7 @@ enum class EditResult {
     nothing, // it would change nothing
     stale,   // made for another revision; nothing was changed
     invalid, // ranges outside the text or not in order; nothing was changed
-    unknown, // no such subdocument, or it has no text
+    unknown, // no such subdocument, or it has no text, or no brace closes its text
 };
 
 class Document : public QObject {

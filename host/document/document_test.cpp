@@ -145,6 +145,17 @@ TEST(Document, SubdocumentsKeepTheirNumberThroughEditsAndComeBackWithIt) {
 }
 
 // Undo to the start gives the first bytes, redo to the end the last; every listener keeps up.
+// Other tags say where such a text ends: "{>" and "{aXb<" would be read back otherwise.
+TEST(Document, ATextThatNoBraceClosesIsNotEdited) {
+    Document document("DOCUMENT CMEMO\n<CMEMO><PARAGRAPH><DOCUMENT>\nDOCUMENT ANIMATION\n"
+                      "<ANIMATION ID=\"one\"><ASGARD>{a</ASGARD></ANIMATION></DOCUMENT>"
+                      "</PARAGRAPH></CMEMO>");
+    const SubdocumentId one = document.subdocumentNamed("one");
+    ASSERT_NE(document.subdocument(one), nullptr);
+    EXPECT_EQ(document.text(one), "a");
+    EXPECT_EQ(document.editText(one, 0, {{{0, 0}, "b"}}, "Type"), EditResult::unknown);
+}
+
 // What would be written behind a tag that is not closed would be read as a part of the tag.
 TEST(Document, AStorageWhoseTagIsNotClosedHasNoText) {
     Document document("DOCUMENT CMEMO\n<CMEMO><PARAGRAPH><DOCUMENT>\nDOCUMENT ANIMATION\n"

@@ -135,7 +135,7 @@ Notice noticeOf(const session::OpenDocument& document, const Shown& shown) {
         break;
     }
     const bool isDrawn = hasPicture && !looksEmpty(shown.rendition->picture());
-    const Notice fault = faultNotice(document.faultsOf(shown.id), isDrawn, live->name());
+    Notice fault = faultNotice(document.faultsOf(shown.id), isDrawn, live->name());
     if (fault.kind == Notice::Kind::none && !hasPicture)
         return {Notice::Kind::waiting, QObject::tr("%1 is drawing").arg(live->name()), alternative};
     if (fault.kind == Notice::Kind::none && !live->notice().isEmpty())
