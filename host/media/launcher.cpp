@@ -16,6 +16,7 @@ namespace {
 
 std::vector<char*> pointers(const std::vector<std::string>& strings) {
     std::vector<char*> result;
+    result.reserve(strings.size() + 1);
     for (const std::string& string : strings)
         result.push_back(const_cast<char*>(string.c_str()));
     result.push_back(nullptr);
@@ -70,9 +71,10 @@ bool placeDescriptors(int in, int out, int log, int frames) {
 // By itself, so that no variable of the parent lives in registers across vfork.
 [[gnu::noinline]] pid_t forkInto(const Launch& request, const Ends& ends, pid_t parent,
                                  char** arguments, char** environment) {
-    const pid_t process = vfork();
+    // become() makes system calls only and never returns, as vfork wants it.
+    const pid_t process = vfork(); // NOLINT(clang-analyzer-security.insecureAPI.vfork)
     if (process == 0)
-        become(request, ends, parent, arguments, environment);
+        become(request, ends, parent, arguments, environment); // NOLINT(clang-analyzer-unix.Vfork)
     return process;
 }
 

@@ -165,9 +165,9 @@ private:
         std::vector<std::pair<Link, int Launched::*>> whose{{0, nullptr}};
         int timeout = pipes_.empty() ? -1 : static_cast<int>(untilMeasured());
         for (auto& [link, pipe] : pipes_) {
-            const auto add = [&, id = link](int Launched::*end, short events) {
-                if (pipe.ends.*end >= 0) {
-                    polled.push_back({pipe.ends.*end, events, 0});
+            const auto add = [&, id = link, &ends = pipe.ends](int Launched::*end, short events) {
+                if (ends.*end >= 0) {
+                    polled.push_back({ends.*end, events, 0});
                     whose.emplace_back(id, end);
                 }
             };
