@@ -5,6 +5,7 @@ import os
 import re
 import subprocess
 import sys
+import textwrap
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "scenes"))
@@ -234,11 +235,15 @@ def goals_table(source, folder, rows, compared, spans, seven, eleven, figures):
 def machine(rows):
     """How long the loop of sines took, at the start and the end of each program: how quiet the machine was."""
     loops = [r.least for r in rows if r.scene == "calibration"]
-    return f"A fixed loop (2000 sines and divisions) took {time_text(min(loops))} to {time_text(max(loops))} between the programs."
+    return textwrap.fill(f"A fixed loop (2000 sines and divisions) took {time_text(min(loops))} to {time_text(max(loops))} "
+                         "between the programs.", width=118)
 
 
 def put(page, name, text):
-    return re.sub(rf"(<!-- {name} -->\n).*?(\n<!-- end -->)", lambda m: m.group(1) + text + m.group(2), page, flags=re.S)
+    """The page with `text` between the marks of that name."""
+    page, marks = re.subn(rf"(<!-- {name} -->\n).*?(\n<!-- end -->)", lambda m: m.group(1) + text + m.group(2), page, flags=re.S)
+    assert marks == 1, f"docs/performance.md has {marks} marks <!-- {name} --> on lines of their own, and needs one"
+    return page
 
 
 def write(source, folder, rows, compared, spans, kind, figures, anew):
