@@ -130,7 +130,7 @@ std::string describeEnd(int waitStatus) {
         const int signal = WTERMSIG(waitStatus);
         const char* name = sigdescr_np(signal);
         return "was ended by signal " + std::to_string(signal) + " (" + (name ? name : "?") + ")" +
-               (signal == SIGKILL ? ", as where the machine has no memory left" : "");
+               (signal == SIGKILL ? ", for example since the machine has no memory left" : "");
     }
     if (couldNotStart(waitStatus))
         return "could not be started";

@@ -65,7 +65,9 @@ void Images::setDocument(const QString& fileName) {
 QString Images::pathOf(const std::string& source, QString& fault) const {
     const QString name = QString::fromStdString(source);
     if (folder_.isEmpty()) {
-        fault = tr("The document has no folder yet in which the picture %1 could be.").arg(name);
+        fault = tr("The document is not saved yet, so it has no folder in which the picture %1 "
+                   "could be.")
+                    .arg(name);
         return {};
     }
     const QDir folder(folder_);

@@ -421,7 +421,7 @@ DocumentWindow::Drafts DocumentWindow::askAboutDrafts(const QString& title, cons
     if (where.isEmpty())
         return Drafts::none;
     plain::Message box(QMessageBox::Warning, title,
-                       tr("What you typed in a window of %1 is not yet in the document.")
+                       tr("Text that you typed in a window of %1 is not yet in the document.")
                            .arg(where.join(tr(" and "))),
                        QMessageBox::Cancel, this);
     if (document_->takesDrafts())
@@ -454,7 +454,7 @@ void DocumentWindow::updateDrafts(std::function<void()> then) {
     connect(waiting, &QTimer::timeout, this, [this, waiting] {
         waiting->deleteLater();
         plain::Message::tell(QMessageBox::Warning, this, tr("Update"),
-                             tr("%1 did not take what was typed. It is in its window still.")
+                             tr("%1 did not take the typed text. It is still in its window.")
                                  .arg(document_->drafts().join(tr(" and "))));
     });
     waiting->start(longestMs);

@@ -383,7 +383,7 @@ std::string whyNoError(const Explanation& explanation) {
     return std::string("; nothing is integrated") +
            (explanation.impacts > 0 ? ", impacts are exact to rounding" : "") +
            (explanation.isAnyResting
-                ? ", what rests touches to a hundredth of the accuracy of its size"
+                ? ", gaps of resting bodies are within a hundredth of the accuracy"
                 : "");
 }
 

@@ -101,7 +101,7 @@ void tellError(const SimulateArguments& arguments, const scene::Scene& scene,
         const std::string steps =
             arguments.fixedStep ? " at steps of " + shortNumber(*arguments.fixedStep) : "";
         terminal::complain("asgard: the error of " + method + steps +
-                           " is not estimated; auto's is");
+                           " is not estimated; only the method auto estimates its error");
     } else if (estimate && *estimate <= accuracy) {
         terminal::complain("asgard: the error is estimated at " + shortNumber(*estimate, 2) +
                            " of the size of what moves, where " + shortNumber(accuracy) +

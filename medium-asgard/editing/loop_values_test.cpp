@@ -184,7 +184,7 @@ TEST(LoopOffer, IsNotMadeWhereItIsNotUnderstood) {
                 ElementsAre("Only b2"));
     // y stands there for all: not to be changed for one alone.
     EXPECT_THAT(labels("foreach x {1 2} {body b$x s -init_pos \"$x 0 0\"}\n", 1, {7, 1, 0}),
-                ElementsAre("Only b2", "All 2, in what they have in common"));
+                ElementsAre("Only b2", "All 2, only the numbers in common"));
 }
 
 struct Trap {

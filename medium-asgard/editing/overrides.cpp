@@ -109,7 +109,7 @@ std::optional<Offer> allOfThem(const Making& making, const Wish& wish, const Ori
     if (offer.edits.empty() || std::ranges::any_of(offer.edits, isKept))
         return std::nullopt;
     offer.label =
-        "All " + std::to_string(making.together) + (whole ? "" : ", in what they have in common");
+        "All " + std::to_string(making.together) + (whole ? "" : ", only the numbers in common");
     putInOrder(offer.edits);
     return offer;
 }

@@ -139,7 +139,7 @@ void HandleEditing::drop() {
     const bool lost = active();
     drag_.reset();
     newPoint_.reset();
-    say(lost ? "The text was changed meanwhile: the handle was let go." : "");
+    say(lost ? "The text was changed meanwhile, so the drag has ended." : "");
 }
 
 void HandleEditing::say(std::string words) {

@@ -105,7 +105,7 @@ std::optional<AskedValue> askedSize(SceneDocument& document, std::size_t body) {
     asked.title = SceneDocument::tr("%1: size").arg(words(scene->bodies[body].name));
     asked.label = SceneDocument::tr("Change the Size of %1").arg(words(shape));
     if (sized->bodies > 1)
-        asked.note = SceneDocument::tr("All %1 bodies of the shape %2 become so.")
+        asked.note = SceneDocument::tr("All %1 bodies of the shape %2 change with it.")
                          .arg(sized->bodies)
                          .arg(words(shape));
     asked.now = sizesOf(set.parts.front());

@@ -42,7 +42,7 @@ QMessageBox::StandardButton ask(QWidget* over, const files::Kept& kept) {
     plain::Message box(QMessageBox::Question, Autosave::tr("Recover"),
                        Autosave::tr("Changes to %1 were not saved.").arg(sceneOf(kept)),
                        QMessageBox::NoButton, over);
-    box.setSecondText(Autosave::tr("Asgard ended before they could be, on %1.%2 Recover them?")
+    box.setSecondText(Autosave::tr("Asgard ended on %1, before they were saved.%2 Recover them?")
                           .arg(QLocale().toString(at, QLocale::ShortFormat), adviceAbout(kept)));
     QPushButton* recover = box.addButton(Autosave::tr("&Recover"), QMessageBox::AcceptRole);
     QPushButton* discard = box.addButton(Autosave::tr("&Discard"), QMessageBox::DestructiveRole);

@@ -39,9 +39,9 @@ void Exports::write(const QString& asked, ExportFormat chosen) {
         return Q_EMIT says(tr("Another export is still being written."));
     std::optional<ToExport> what = pictured ? pictured() : std::nullopt;
     if (!what && format != ExportFormat::table) {
-        plain::Message::tell(QMessageBox::Information, &window_, tr("Export"),
-                             tr("Open a graphical viewer: what it shows is "
-                                "what is drawn."));
+        plain::Message::tell(
+            QMessageBox::Information, &window_, tr("Export"),
+            tr("Open a graphical viewer first: the export draws what that viewer shows."));
         return;
     }
     if (!what)

@@ -20,8 +20,8 @@ QString languageKeys() {
            row(tr("Ctrl+Space"), tr("what can be written here: commands, options, names")) +
            row(tr("F8, Shift+F8"), tr("the next message's place, the one before")) +
            row(tr("Ctrl+F, Ctrl+H"), tr("find, replace; F3 and Shift+F3 go on")) +
-           row(tr("Alt+Up, Alt+Down"),
-               tr("count the number at the caret up or down; with Shift ten times as much")) +
+           row(tr("Alt+Up, Alt+Down"), tr("increase or decrease the number at the caret; with "
+                                          "Shift by ten times as much")) +
            row(tr("Alt and drag"),
                tr("the same with the pointer, as the grip below a number; Escape brings it back")) +
            row(tr("Ctrl+E, right button"), tr("show or hide a long list of points")) +

@@ -384,8 +384,8 @@ void LanguageViewer::updateTitle() {
     updateButton_->setEnabled(edited && !disputed);
     updateButton_->setDefault(edited && !disputed);
     updateButton_->setToolTip(
-        plain::ours(disputed ? tr("First choose, above the text, what becomes of what was changed "
-                                  "here and in another view")
+        plain::ours(disputed ? tr("Another view changed the same places. First choose, above the "
+                                  "text, which change stays")
                              : tr("Make this the scene's text, in every view (Ctrl+Return)")));
     saveButton_->setEnabled((edited && !disputed) || (!edited && document_.isModified()));
     revertButton_->setEnabled(edited || (!document_.hasHost() && document_.isModified()));

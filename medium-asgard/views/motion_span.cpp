@@ -102,8 +102,10 @@ QString MotionSpan::change(const char* option, double value) {
     if (value == (isStart ? now.start : now.finish))
         return {};
     if (isStart ? value >= now.finish : value <= now.start)
-        return isStart ? tr("The motion ends at %1 s; it begins before.").arg(written(now.finish))
-                       : tr("The motion begins at %1 s; it ends after.").arg(written(now.start));
+        return isStart ? tr("The motion ends at %1 s: its start must be before that.")
+                             .arg(written(now.finish))
+                       : tr("The motion begins at %1 s: its end must be after that.")
+                             .arg(written(now.start));
     const QString label = isStart ? tr("Start of the Motion") : tr("End of the Motion");
     const std::string& text = document_.text();
     if (!now.source) {

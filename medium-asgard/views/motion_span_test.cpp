@@ -88,8 +88,8 @@ TEST_F(MotionSpanTest, WhatCannotBeSaysWhyAndStays) {
         const char *name, *value;
         std::string why;
     } rows[] = {
-        {finish, "1", "The motion begins at 1 s; it ends after."},
-        {start, "7", "The motion ends at 5 s; it begins before."},
+        {finish, "1", "The motion begins at 1 s: its end must be after that."},
+        {start, "7", "The motion ends at 5 s: its start must be before that."},
         {finish, "soon", "\"soon\" is not a decimal number."},
         {finish, "8", "2 + 3"},
     };

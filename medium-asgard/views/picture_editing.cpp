@@ -473,7 +473,7 @@ void PictureEditing::remove(std::vector<editing::Element> elements) {
     const QString name = elements.size() == 1
                              ? QString::fromStdString(editing::describe(scene, element))
                              : tr("%1 elements").arg(elements.size());
-    QString question = tr("Delete %1, and with it what cannot be without it?").arg(name);
+    QString question = tr("Delete %1 and all that depends on it?").arg(name);
     for (const editing::Element& one : deletion.along)
         question += "\n    " + QString::fromStdString(editing::describe(scene, one));
     const auto since = document_.revision();

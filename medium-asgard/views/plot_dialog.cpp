@@ -51,7 +51,7 @@ PlotDialog::PlotDialog(std::shared_ptr<const scene::Scene> scene, QWidget* paren
     : QDialog(parent), scene_(std::move(scene)), field_(new QLineEdit), fault_(plain::label()) {
     setWindowTitle(tr("New Plot"));
     auto* column = new QVBoxLayout(this);
-    auto* asks = plain::label(tr("&What is charted against time, an expression:"));
+    auto* asks = plain::label(tr("&Expression to chart against time:"));
     asks->setBuddy(field_);
     const auto& bodies = scene_->bodies;
     field_->setText(bodies.empty() ? QStringLiteral("t")

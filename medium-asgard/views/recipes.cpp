@@ -225,7 +225,7 @@ Recipe weightForAll(const Vector& acceleration) {
         }
         return made;
     };
-    recipe.otherwise = QObject::tr("No body is without weight that could fall.");
+    recipe.otherwise = QObject::tr("Every body that is not fixed has a weight already.");
     recipe.handles = &render::Display::forceHandles;
     return recipe;
 }

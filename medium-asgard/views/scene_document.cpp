@@ -193,7 +193,7 @@ void SceneDocument::finishPreview(const std::string& text, const QString& label,
 }
 
 QString SceneDocument::overtaken() {
-    return tr("The text was changed meanwhile: what was held is let go.");
+    return tr("The text was changed meanwhile, so the drag has ended.");
 }
 
 void SceneDocument::endGesture() {

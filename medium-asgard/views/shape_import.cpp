@@ -135,9 +135,10 @@ void ShapeImport::buildWishes(QFormLayout* form) {
     surplus_->setKeyboardTracking(false);
     surplus_->setToolTip(tr("How much more volume the parts may fill than the file does"));
     form->addRow(tr("&Volume too much"), surplus_);
-    parts_->setToolTip(tr("At most so many, whatever the volume"));
+    parts_->setToolTip(tr("The largest number of parts, whatever the volume"));
     form->addRow(tr("&Parts at most"), parts_);
-    points_->setToolTip(tr("At most so many of one part; what is rounder loses a little"));
+    points_->setToolTip(
+        tr("The largest number of vertices of one part; rounder parts lose a little"));
     form->addRow(tr("V&ertices of each"), points_);
 }
 
@@ -267,8 +268,8 @@ QString ShapeImport::resultText() const {
     if (made.flat > 0)
         text += tr("\n%1 flat pieces are left out.").arg(made.flat);
     if (fewer_->isVisibleTo(this))
-        text += tr("\nThat is much for a body that collides: where two come near each other, all "
-                   "their parts are compared.");
+        text += tr("\nCollisions of such a body are slow: where two bodies come near each other, "
+                   "all their parts are compared.");
     return text;
 }
 

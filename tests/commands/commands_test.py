@@ -198,7 +198,8 @@ class Commands(unittest.TestCase):
 
     def test_a_method_that_is_asked_for_says_that_its_error_is_unknown(self):
         said = self.told("force -body b -x {-b.x}", code=0, arguments=("--method", "forward-euler", "--fixed-step", "10"))
-        self.assertEqual(said, "asgard: the error of forward-euler at steps of 10 is not estimated; auto's is\n")
+        self.assertEqual(said, "asgard: the error of forward-euler at steps of 10 is not estimated; "
+                         "only the method auto estimates its error\n")
 
     def test_a_motion_says_in_one_line_how_accurate_it_is(self):
         said = self.told("force -body b -x {-b.x-1}", code=0, arguments=("--accuracy", "1e-6"))
@@ -263,7 +264,7 @@ class Commands(unittest.TestCase):
         self.assertEqual([line.split(": warning: ")[0] for line in said], [":1:19", ":3:32", ":4:37"])
         self.assertIn('parts 1 and 2 of shape "q" overlap', said[0])
         self.assertIn('body "c" is fixed', said[1])
-        self.assertIn('no distribution of mass has this inertia', said[2])
+        self.assertIn('no body has such an inertia', said[2])
 
     def test_check_ends_what_does_not_end(self):
         ran = self.run_asgard("check", "-", text="while 1 {}")

@@ -108,7 +108,7 @@ class Explain(unittest.TestCase):
     def test_what_rests_is_not_said_to_be_exact_since_nothing_is_integrated(self):
         rests = self.explained("shape_set plane -desc {-sub {-box {20 2 4}}}", "body plane plane -fixed 1 -init_pos {0 -2 0}",
                                "body b s", "force -body b -gravitational {0 -9.81 0}")
-        self.assertIn("estimated at 0; nothing is integrated, what rests touches to a hundredth", rests)
+        self.assertIn("estimated at 0; nothing is integrated, gaps of resting bodies are within", rests)
 
     def test_the_memo_of_the_dissertation(self):
         self.compare("memo")

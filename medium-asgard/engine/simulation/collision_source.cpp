@@ -110,8 +110,8 @@ std::optional<Event> CollisionSource::renew(const Histories& histories) {
                        ? meetEnded(histories, pair, time).event
                        : end(pair, time,
                              "bodies " + both +
-                                 "after they have met, since a hit of theirs was not found; "
-                                 "another accuracy may find it");
+                                 "after they have met, since the search missed an impact; another "
+                                 "accuracy may find it");
         else
             noteOnce(pair, time,
                      "Bodies " + both +

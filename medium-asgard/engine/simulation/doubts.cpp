@@ -78,8 +78,8 @@ void doubtShapes(const scene::Scene& scene, std::vector<scene::Diagnostic>& doub
             doubts.push_back(doubt(set.source, "-desc",
                                    "parts " + std::to_string(pair->first) + " and " +
                                        std::to_string(pair->second) + " of shape \"" + set.name +
-                                       "\" overlap: mass, centre of mass and inertia count twice "
-                                       "what they share"));
+                                       "\" overlap: mass, centre of mass and inertia count their "
+                                       "common volume twice"));
     }
 }
 
@@ -92,8 +92,8 @@ std::vector<scene::Diagnostic> doubtsAbout(const scene::Scene& scene) {
         const std::string named = "body \"" + body.name + "\"";
         if (body.inertia && !isPossible(*body.inertia))
             doubts.push_back(doubt(body.source, "-inertia",
-                                   named + ": no distribution of mass has this inertia: about no "
-                                           "axis can it be more than about two others together"));
+                                   named + ": no body has such an inertia: no principal moment may "
+                                           "be larger than the sum of the other two"));
         const bool hasVelocity =
             !body.initialVelocity.isZero(0) || !body.initialAngularVelocity.isZero(0);
         if (body.fixed && hasVelocity)

@@ -178,9 +178,9 @@ std::string CollisionSource::lost(const Pair& pair, double time) const {
     return bodiesQuoted(pair) +
            (bothGiveWay ? " go on touching while they turn, which is modelled only where one of "
                           "them is fixed or held and the other is pushed onto it"
-                        : " go on touching while they turn, with nothing that presses them "
-                          "together; when they hit next cannot be told. A little room between "
-                          "them, or a force that presses, would end that");
+                        : " go on touching while they turn, and no force presses them together; "
+                          "the time of their next impact cannot be told. Leave a little room "
+                          "between them, or add a force that presses them together");
 }
 
 // Why the meetings of one of the two have no end, as far as that shows.
@@ -196,10 +196,9 @@ Event CollisionSource::endWithoutEnd(const Histories& histories, const Pair& pai
         meetings_[pair.first].isWithSeveral || meetings_[pair.second].isWithSeveral;
     return end(pair, time,
                bodiesQuoted(pair) + " meet again and again in ever shorter time; " +
-                   (isBetweenSeveral
-                        ? "more room between them would end that"
-                        : "nothing else is met in between, and how they go on in touch "
-                          "is not modelled"));
+                   (isBetweenSeveral ? "leave more room between them"
+                                     : "they meet no other body in between, and their motion in "
+                                       "contact is not modelled"));
 }
 
 // With itself: its rest changes.
@@ -361,13 +360,11 @@ Event CollisionSource::stir(const Histories& histories, std::size_t body, double
                    "body " + quoted(scene_.bodies[body].name) +
                        " comes to rest and opens again and again in ever shorter time");
     if (isRestless(body, time))
-        return end(
-            {body, body}, time,
-            "body " + quoted(scene_.bodies[body].name) +
-                " lifts off what it rests on and comes back again and again within next to no "
-                "time: "
-                "how it would lie there is not found; turn or move it a little, or hold it there "
-                "(constrain, link)");
+        return end({body, body}, time,
+                   "body " + quoted(scene_.bodies[body].name) +
+                       " lifts off its support and comes back again and again within next to no "
+                       "time: no position is found in which it rests there; turn or move it a "
+                       "little, or hold it there (constrain, link)");
     if (rest.state == Rest::State::approaching)
         if (auto met = meet(histories, std::minmax(body, rest.partner), time))
             return *met;

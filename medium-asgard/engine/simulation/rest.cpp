@@ -257,8 +257,8 @@ private:
                                  "them is fixed or held");
         if (isMovedBy(candidate.support, load))
             return refuse(touch, "come to rest on each other, and \"" + names_[touch.support] +
-                                     "\", which is held in part only, would give way to what it "
-                                     "bears, which is not modelled; hold its rotation, too "
+                                     "\", which is held in part only, would give way under the "
+                                     "load, which is not modelled; hold its rotation, too "
                                      "(constrain -rot), or all of its position");
         if (!touch.isModelled)
             return refuse(touch, "rest on each other with edges or vertices only, which is not "

@@ -214,8 +214,8 @@ std::string shortfallOf(double accuracy, double estimate, std::optional<double> 
     if (predictableUntil)
         std::snprintf(from, sizeof from, " from t = %.4g on", *predictableUntil);
     std::snprintf(text, sizeof text,
-                  "An accuracy of %.3g is not reached%s: rounding, and what the motion makes of "
-                  "it, leave an error of about %.1g of its size.",
+                  "An accuracy of %.3g is not reached%s: rounding, which the motion amplifies, "
+                  "leaves an error of about %.1g of its size.",
                   accuracy, from, estimate);
     return text;
 }

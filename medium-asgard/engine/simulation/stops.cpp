@@ -80,10 +80,10 @@ std::string adviceFor(solution::Stop::Reason reason, bool isBlamed) {
     case Reason::tooManySteps:
         return "; ask for less accuracy (-accuracy), or let the motion finish before (-finish)";
     case Reason::tooLong:
-        return "; let what drives it change more slowly, or what meets there meet less often, or "
-               "let the motion finish before (-finish)";
+        return "; let its forces and trajectories change more slowly, let it collide less often, "
+               "or let the motion finish before (-finish)";
     case Reason::decisions:
-        return "; write a short steep slope in place of what jumps there";
+        return "; replace the jump of the expression by a short, steep slope";
     default:
         return "";
     }
@@ -168,10 +168,11 @@ Stop fullStop(const Problem& problem, const solution::Histories& histories,
     const std::string& name = problem.scene.bodies[largestBody(problem, histories)].name;
     return {.time = stop.time,
             .sentence = sentenceAt(
-                stop.time, stop.sentence + ", most of it for body \"" + name +
-                               "\"; let what drives it change more slowly, ask for less accuracy "
-                               "(-accuracy), or let the motion finish before (-finish); asgard "
-                               "simulate --memory allows more"),
+                stop.time,
+                stop.sentence + ", most of it for body \"" + name +
+                    "\"; let its forces and trajectories change more slowly, ask for less accuracy "
+                    "(-accuracy), or let the motion finish before (-finish); asgard "
+                    "simulate --memory allows more"),
             .culprit = {}};
 }
 

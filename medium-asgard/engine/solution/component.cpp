@@ -101,7 +101,8 @@ void Component::openRegime(bool withJumps) {
         applyJumps();
     if (!equations_->loop().empty())
         end(Stop::Reason::algebraicLoop, equations_->loop(),
-            names(equations_->loop()) + " are held by values that are defined by each other");
+            names(equations_->loop()) +
+                " are held by values that depend on each other in a circle");
     makeControl();
 }
 

@@ -274,8 +274,8 @@ void Component::endWithoutRate(double t, std::span<const double> y) {
     const bool finite = equations_->rates(t, y, slopes);
     if (!finite && equations_->slidingFailed()) {
         end(Stop::Reason::decisions, equations_->states(),
-            "no motion keeps between the branches of the expressions that switch with " +
-                names(equations_->states()));
+            "the motion can follow neither branch of the expressions that switch with " +
+                names(equations_->states()) + ", nor a mean of the branches");
         return;
     }
     auto culprits = equations_->notFinite(t, y);

@@ -67,7 +67,7 @@ TEST(Phases, ValuesThatHoldEachOtherAreALoop) {
     ASSERT_NE(solver.histories().stop(0), nullptr);
     EXPECT_EQ(solver.histories().stop(0)->reason, Stop::Reason::algebraicLoop);
     EXPECT_EQ(solver.histories().stop(0)->sentence,
-              "x, y are held by values that are defined by each other");
+              "x, y are held by values that depend on each other in a circle");
     EXPECT_EQ(solver.histories().value(2, 1), 1);
 }
 

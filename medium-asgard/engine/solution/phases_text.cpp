@@ -64,7 +64,7 @@ std::string codeText(const std::string& what, const Function& function) {
 std::string phasesText(const expression::EquationSet& set, std::span<const std::size_t> unknowns,
                        const BoundModel& bound) {
     if (!bound.model)
-        return "Its values are held by values that are defined by each other.\n";
+        return "It is held by values that depend on each other in a circle.\n";
     const ComponentModel& model = *bound.model;
     std::string text = under("Names", namesText(set, unknowns, bound)) +
                        under("Equations", model.print()) +
