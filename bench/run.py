@@ -32,7 +32,7 @@ Row = collections.namedtuple("Row", "program scene setting parameter error secon
 
 def build():
     folder = os.path.join(SOURCE, "build", "bench")
-    subprocess.run(["cmake", "--preset", "release", "-B", folder, "-DBENCH_PEERS=ON"], cwd=SOURCE, check=True,
+    subprocess.run(["cmake", "--preset", "release", "-B", folder, "-DBENCH=ON", "-DBENCH_PEERS=ON"], cwd=SOURCE, check=True,
                    stdout=subprocess.DEVNULL)
     subprocess.run(["ninja", "-C", folder, "bench"], check=True, stdout=subprocess.DEVNULL)
     return folder

@@ -6,7 +6,7 @@
 #     PLACED  those of TESTS that know where the project lies (SOURCE_DIR, a string): they alone are compiled anew
 #             in another clone, where the rest comes from the compiler's cache
 #     SHARDS  so many tests of ctest run its tests in turn: NAME.1, NAME.2, ..., for a program that takes long
-#     PCH     core: the standard library's and Eigen's heavy headers; qt: QtCore's too; widgets: Qt's widgets too,
+#     PCH     core: the standard library's and Eigen's heavy headers; qt: those of QtCore that most sources include; widgets: Qt's widgets too,
 #             for the tests as well
 #     QT)     the sources have Q_OBJECT in them
 #
@@ -33,7 +33,8 @@ function(asgard_precompile target kind)
             endif()
             if(kind STREQUAL qt)
                 target_link_libraries(pch_qt PRIVATE Qt6::Core)
-                list(APPEND headers <QtCore/QtCore>)
+                list(APPEND headers <QByteArray> <QDir> <QFile> <QFileInfo> <QHash> <QList> <QObject> <QPointer> <QRect>
+                    <QString> <QStringList> <QTimer> <QVariant>)
             elseif(kind STREQUAL widgets)
                 target_link_libraries(pch_widgets PRIVATE Qt6::Widgets)
                 list(APPEND headers <QtCore/QtCore> <QtGui/QtGui> <QtWidgets/QtWidgets>)

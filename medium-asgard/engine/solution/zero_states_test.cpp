@@ -142,11 +142,11 @@ TEST(ZeroStates, WakeWithTheSameBitsForAnyScheduleAndAlone) {
                                                    : "-z2*(1-1/hypot(x2,hypot(y2,z2)))*40";
         lines.push_back(line);
     }
-    const auto run = [](const std::vector<Line>& scene, bool eventDriven) {
-        Kick kick(1, 0.5);
+    std::deque<Kick> kicks; // which outlive the solvers
+    const auto run = [&kicks](const std::vector<Line>& scene, bool eventDriven) {
         Options options = tolerance(1e-8);
         options.eventDriven = eventDriven;
-        return solved(equationsOf(scene), 3, options, &kick);
+        return solved(equationsOf(scene), 3, options, &kicks.emplace_back(1, 0.5));
     };
     const Solver both = run(lines, true), other = run(lines, false);
     const Solver alone = run(springPendulum(0), true);
