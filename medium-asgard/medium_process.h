@@ -1,5 +1,5 @@
 // The process that serves a host: what is done in which order, so that the document meets a process
-// that can do nothing but compute and draw (docs/architecture.md, "Who runs where").
+// that can do nothing but compute and draw (docs/architecture.md, "Processes").
 //
 //   1. tie its death to the host's, and     4. read `initialize`: it says the mode
 //      let no signal out                    5. modes play and batch: confine, for good

@@ -5,7 +5,7 @@
 // or attacks ends with its evaluator, and the diagnostics say so. A server that ended is started
 // again, and a warning says so.
 //
-// Reference: dissertation 4.2; docs/scene-language.md; architecture, "Who runs where".
+// Reference: dissertation 4.2; docs/scene-language.md; architecture, "Processes".
 #pragma once
 
 #include "scene/diagnostic.h"

@@ -76,8 +76,8 @@ private:
     std::vector<editing::Hunk> hunks_;
     std::optional<std::string> submitted_; // until the host has accepted it
     std::string submittedOn_;              // the document's text that this was a draft of
-    // What goes on after submit(), before the document's text came into it: should the host refuse,
-    // that text has lost what was submitted, and the draft has not.
+    // The draft's text as typing went on after submit(), until the document's text came into it.
+    // If the host refuses the submitted text, the document's text has lost it, but this has not.
     std::optional<std::string> goesOn_;
     std::string undisputed_; // base_ before conflicts came
     QString refusal_;

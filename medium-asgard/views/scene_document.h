@@ -1,4 +1,4 @@
-// The scene that all views of a process show and change: its text, and what was made of it.
+// The scene that all views of a process show and change: its text, and the scene and motion of it.
 //
 // The text is the truth. setText() is the only way to change it from a view; the text is then read
 // and its motion computed on a worker thread, and every view follows by signals. While a text has
@@ -6,9 +6,9 @@
 //
 // Stand-alone the document is a file with an undo stack of its own. Under a host the text belongs
 // to the host: a view's change is shown at once and reported through `HostLink`, which ends in
-// didAccept() or didRefuse(); undo is asked for there, and what the host changes arrives by
-// setTextFromHost(). Who has made a scene and its motion of the host's text already gives it by
-// setComputed(); then the workshop is empty and nothing is computed twice.
+// didAccept() or didRefuse(). The host does undo and redo, and its changes arrive by
+// setTextFromHost(). The session passes its scene and motion by setComputed(); this document then
+// has no workshop and computes nothing.
 #pragma once
 
 #include "editing/text_edit.h"

@@ -1,9 +1,9 @@
-// Reads texts on one thread and computes motion on another, always of what was asked for last.
+// Reads texts on one thread and computes motion on another, always for the newest start.
 //
-// Each start has a serial, so that who receives results can tell what they belong to. A start ends
-// what runs for an older one - but while a gesture lasts, texts come faster than motion can follow:
-// then what runs is given some time to end first, so that pictures and paths follow the hand by
-// that much, instead of standing still until it rests. The callbacks run on these threads.
+// Each start has a serial, so that receivers know which start a result belongs to. A start cancels
+// the work of an older one. During a gesture, texts come faster than motion can follow: the older
+// work then gets some time to end first, so that pictures and paths follow the hand with that
+// delay, instead of standing still until the hand rests. The callbacks run on these threads.
 #pragma once
 
 #include "views/scene_document.h"
@@ -17,8 +17,8 @@
 namespace views {
 
 enum class Haste {
-    now,     // what runs is of no use any more
-    gesture, // it may end, within longestReading and the order's `overlap`
+    now,     // running work is of no use any more
+    gesture, // running work may end, within longestReading and the order's `overlap`
 };
 
 struct Reading {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the charts of docs/numerics.md, Stability, from what the tests measured.
+"""Draws the charts of docs/numerics/measurements.md, Stability, from what the tests measured.
 
 usage: charts.py STABILITY_TEST BENCH_CHART FOLDER [GRID.csv ...]
 

@@ -1,4 +1,5 @@
-// Where searches for impacts fail, and that ours does not (docs/numerics.md, Stability, 25 to 29).
+// Where searches for impacts fail, and that ours does not (docs/numerics/measurements.md,
+// Stability, 25 to 29).
 #include "marks.h"
 
 #include "collision/flying_body.h"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Limits of methods, predicted and measured (docs/numerics.md, Stability).
+"""Limits of methods, predicted and measured (docs/numerics/measurements.md, Stability).
 
 A prediction comes from the method's own formula on the linear model of the scene, the measurement
 from whole runs of asgard.

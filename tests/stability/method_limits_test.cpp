@@ -1,7 +1,7 @@
 // Limits of methods that a scene has no switch for: quaternions that nobody renormalises, Newton
-// with a Jacobian that is never renewed, orders of fixed steps (docs/numerics.md, Stability, 12 to
-// 17 and 20 to 24). What theory says is computed here, what happens is measured on the engine's
-// methods.
+// with a Jacobian that is never renewed, orders of fixed steps (docs/numerics/measurements.md,
+// Stability, 12 to 17 and 20 to 24). What theory says is computed here, what happens is measured on
+// the engine's methods.
 #include "marks.h"
 
 #include "solution/testing.h"

@@ -44,7 +44,7 @@ struct TurnBounds {
     double angularAcceleration = 0;
 };
 [[nodiscard]] TurnBounds turnBounds(const MotionPiece& piece, double from, double to);
-// The same of what of the turning is not about the axis, a unit vector: n x w and n x w'.
+// The same bounds for the part of the turning across the axis n, a unit vector: n x w and n x w'.
 [[nodiscard]] TurnBounds turnBoundsAcross(const MotionPiece& piece, const Vector& axis, double from,
                                           double to);
 

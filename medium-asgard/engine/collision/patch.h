@@ -1,5 +1,5 @@
-// The patch in which two parts touch: what of the one's furthest face, edge or vertex lies over the
-// other's.
+// The contact patch of two parts: the part of one's furthest face, edge or vertex that lies over
+// the other's.
 #pragma once
 
 #include "collision/separation.h"
@@ -23,8 +23,8 @@ struct Patch {
     Vector centre = Vector::Zero();
 };
 
-// `normal` points from second to first. `tolerance` is along it; less than `beside` across it is no
-// overlap.
+// `normal` points from second to first. `tolerance` is along it. Features that overlap by less than
+// `beside` across it do not overlap.
 [[nodiscard]] Patch patchOf(const Posed& first, const Posed& second, const Vector& normal,
                             double tolerance, double beside);
 

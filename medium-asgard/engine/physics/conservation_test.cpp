@@ -1,6 +1,6 @@
 // What physics says of every motion, checked on motions computed here by the classical Runge-Kutta
 // method with small steps; and the dissertation's printed equations beside ours
-// (docs/numerics.md, "What the dissertation prints").
+// (docs/numerics.md, "Differences from the dissertation").
 #include "physics/equations_of_motion.h"
 #include "physics/scene_quantities.h"
 

@@ -9,7 +9,7 @@
 // A force F at an arm d from the centre of mass turns by d x F; a couple makes no net force.
 //
 // Differences from the equations that the dissertation prints (5.1.1, 5.1.2), each with its test:
-// docs/numerics.md, "What the dissertation prints".
+// docs/numerics.md, "Differences from the dissertation".
 #pragma once
 
 #include "expression/equations.h"

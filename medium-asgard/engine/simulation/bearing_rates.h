@@ -1,6 +1,6 @@
-// What bears touches, and has no speed along the normal of its contact.
+// An active contact has a gap of 0 and no speed along its normal.
 //
-// Its constraint says so of the exact motion; the integration errs, and leaves a gap that opens or
+// In exact motion its constraint keeps both; errors of the integration leave a gap that opens or
 // closes by next to nothing. An impact elsewhere on the body asks which of its contacts approach
 // at that instant (physics/impact.h), and after it an edge that bore lands again on both of its
 // ends at once, or on one and then the other: another answer is another motion. So the error is

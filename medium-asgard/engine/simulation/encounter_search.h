@@ -11,11 +11,10 @@
 //                                 a hit
 //     cut(b):   hits of b are forgotten; its next window begins at the cut
 //
-// So a hit costs the search of the two bodies that it turned, among their neighbours, however many
-// bodies there are. Windows and hits follow from the motion of the bodies concerned alone, not from
-// who else is there, nor from how far the motion was known when it was asked for, nor from when it
-// is to end: what a body does
-// far away moves no bit of a hit here, which lets an edit keep what it does not concern. Balls in
+// So a hit costs the search of its two bodies among their neighbours, however many bodies there
+// are. Windows and hits follow from the motion of their own bodies alone. Neither other bodies, nor
+// the time up to which motion is known, nor its end change them: a body far away moves no bit of a
+// hit here, so an edit can keep all motion that it does not concern. Balls in
 // flight and faces that stand still are searched in closed form (collision/ball_flight.h), all else
 // by collision/time_of_impact.h.
 //

@@ -129,7 +129,7 @@ void EncounterSearch::openFlightWindow(std::size_t body, double time) {
         boxFlight(body);
 }
 
-// Only partners ask for it.
+// Only partners need the box of a flight.
 void EncounterSearch::boxFlight(std::size_t body) {
     Window& window = windows_[body];
     window.box = boxOf(window.flight, window.from, window.until, slack_ * records_[body].radius);

@@ -181,10 +181,10 @@ std::vector<CollisionSource::Standing> CollisionSource::cornersNear(const Histor
     return corners;
 }
 
-// Corners that bear, or that hit at this instant. What is near and comes nearer hits on its own a
-// little later, and that is another motion. The search found the hit as solved; who else is as near
-// is seen where what bears does so exactly, as both ends of an edge that lands. What has sunk in,
-// by what the integration errs, is there.
+// Contact points that are active, or hit at this instant. A point that is near and approaches hits
+// by itself a little later: that is another motion. The search found the hit at the solved places;
+// other points as near, such as both ends of an edge that lands, are compared with active contacts
+// put back to a gap of 0. A point that has sunk in by an error of the integration counts.
 std::vector<CollisionSource::Standing>
 CollisionSource::cornersAt(const Histories& histories, const Pair& pair, double time, bool isHit) {
     const double tolerance = contactTolerance(pair, time);

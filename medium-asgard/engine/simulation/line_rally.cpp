@@ -33,7 +33,7 @@ bool partBeyond(const LineFlight& first, const LineFlight& second) {
     return p * p > reach * reach && p * p <= farthest * (reach * reach);
 }
 
-// On which the first is of the second: they stay in a row.
+// The side of the second ball on which the first one is. Balls in a row never change sides.
 double sideOf(const collision::BallFlight& first, const collision::BallFlight& second,
               Eigen::Index axis) {
     const double time = std::max(first.from, second.from);

@@ -62,12 +62,16 @@ NudgedSource::NudgedSource(solution::EventSource& source, const std::vector<Body
     }
 }
 
-// Of a velocity. By how much an impact is late, by the resolution of the time, moves what it turns
-// as that many units of its speed would until the time is twice what it has taken; what touches at
-// the start is hit then, and not late, and what is hit soon after goes on for longer than that. The
-// resolution of the place is that of the arm, or of the normal, beside the body's radius: half a
-// unit, as a power of 2. A turn and an event read the place from the same polynomial, and where
-// they differ by an ulp the power is the same, except next to a power of 2.
+// The units in the last place by which a velocity is nudged: the largest of two resolutions.
+//
+// Time: rounding makes an impact late by up to |t| * 2^-53. The body is then as far off as with
+// |t| / (t - start) units more of its speed, once the time since the start has doubled. An impact
+// at the start itself is not late.
+//
+// Place: the arm or the normal has the resolution of the farthest coordinate beside the body's
+// radius: half a unit, as a power of 2. A turn and an event read the place from the same
+// polynomial; where they differ by a unit in the last place the power is the same, except next to
+// a power of 2.
 double NudgedSource::unitsAt(double time, std::size_t unknown, double farthest) const {
     const double late = time > start_ ? std::min(std::abs(time) / (time - start_), latest) : 1;
     const double far = farthest / radii_[unknown / physics::bodyUnknowns];

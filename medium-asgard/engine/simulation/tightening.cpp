@@ -8,7 +8,7 @@
 namespace simulation {
 namespace {
 
-// Constants of the search, measured on all reference scenes (docs/numerics.md, "Accuracy").
+// Constants of the search, measured on all reference scenes (docs/numerics/measurements.md).
 constexpr double firstPart = 0.5;          // of the accuracy, in the first run
 constexpr double loosest = 1e-3;           // and at most this
 constexpr double tightening = 1.0 / 8;     // between the first two runs

@@ -57,7 +57,8 @@ public:
     // evaluation.
     [[nodiscard]] const std::vector<std::size_t>& states() const { return bound_->states; }
     [[nodiscard]] const std::vector<std::size_t>& held() const { return bound_->held; }
-    // Held unknowns that are defined by each other; then nothing else may be asked.
+    // Held unknowns whose values depend on each other in a circle; then no other function may be
+    // called.
     [[nodiscard]] const std::vector<std::size_t>& loop() const { return bound_->loop; }
     [[nodiscard]] Inputs& inputs() { return inputs_; }
     [[nodiscard]] bool readsInputs() const { return readsInputs_; }
@@ -314,8 +315,8 @@ private:
     };
     std::vector<std::vector<Joined>> joined_; // by surface; empty but for what slides or is passed
     std::vector<int> ahead_;                  // those that looksAhead() saw, by surface
-    // Passed to and fro by rounding alone, which counts for nothing, or with nothing behind that
-    // moves it on.
+    // The guard crosses 0 by rounding alone, or no rate beyond the surface moves the state away
+    // from it.
     std::vector<char> isGrazed_;
     std::vector<expression::Decision> decisions_;
     std::vector<std::size_t> sliding_; // surfaces

@@ -271,7 +271,7 @@ void ComponentEquations::put(std::size_t direction, const Eigen::VectorXd& targe
             y[*state] = target(static_cast<Eigen::Index>(i)) / scaleOf(first + i);
 }
 
-// What a step may err by in a part, scaled.
+// The error that a step may have in one part of the vector, scaled.
 double ComponentEquations::reachOf(std::size_t part) {
     std::vector<double> partial(model_.variables() + 1);
     evaluate(model_.directions().gradients[part].derivatives, partial);
@@ -281,9 +281,9 @@ double ComponentEquations::reachOf(std::size_t part) {
     return scaleOf(part) * reach;
 }
 
-// Of what sets off: how much farther its vector, as it has grown, may be from the way to which it
-// is drawn; next to it no difference is seen. Where it hardly grows its way is that to which it is
-// drawn, whatever it was before, and only what is seen at once counts.
+// For a body that begins to slip: how much farther its velocity may deviate from the direction of
+// the pull. A deviation within the tolerance does not count. While the velocity hardly grows, its
+// direction is that of the pull, whatever it was before, so more deviation is allowed.
 double ComponentEquations::leeway() {
     constexpr double part = 1e-2, slow = 1e-2, rounding = 1e-9;
     const auto [first, count] = model_.directions().ranges[*leaving_];
@@ -300,8 +300,8 @@ double ComponentEquations::leeway() {
     return std::min(allowed - off, growth_ / pull_ + rounding);
 }
 
-// It sets off as long as rates near its rest are stiff: there is one such at a time, others leave
-// by next to nothing.
+// A body counts as beginning to slip as long as rates near its rest are stiff. One does at a time;
+// others leave their rest by next to nothing.
 bool ComponentEquations::leaveRest(std::size_t direction, double t, std::span<double> y) {
     constexpr double part = 1e-2, least = 1e-100;
     fill(t, y);

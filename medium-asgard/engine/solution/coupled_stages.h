@@ -7,9 +7,9 @@
 // direction turns within the step, the iteration then contracts only while h is below some
 // (m/k)^(1/4). Here it knows no such bound, at some three times the cost of an iteration.
 //
-// A link that is stretched only in the prediction pulls sideways in the Jacobian, too, so strongly
-// that nothing moves: corrections are small, and wrong. Hence none counts whose Jacobian stands
-// where what the equations still miss would move a body far within the step.
+// A link that only the prediction stretches has a large sideways stiffness in the Jacobian. It
+// makes Newton's corrections small, and wrong. So a correction does not count as converged while
+// the residual at the Jacobian's place would move a body far within the step.
 #pragma once
 
 #include "solution/linear_solver.h"

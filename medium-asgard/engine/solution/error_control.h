@@ -3,18 +3,17 @@
 //   position    tolerance * E / lengthPerUnit, E the extent of the component's motion: the range of
 //               its positions so far, at least what the caller says its bodies measure
 //   velocity    tolerance * the largest speed in the component so far
-//   any other   tolerance * its own largest value so far, at least 1e-3 of the largest of all
-//   others
+//   any other   tolerance * its own largest value so far, at least 1e-3 of the largest such value
 //               of the component (a spin that is zero but for rounding is no quantity of its own)
 //
 // An error in a velocity or a spin that moves nothing by a hundredth of the position's tolerance
 // within the step, or by less than the rounding of the positions, is also allowed, so that a body
 // at rest is not followed into its rounding errors. Where something may peak (oversight.h) a step
-// is as short as the peak, and the speed that it leaves moves things for long after: there that is
-// asked of a longer time. No scale is below the rounding of the value itself.
+// is as short as the peak, but the speed that the peak leaves acts for long after: the check then
+// takes a longer time. No scale is below the rounding of the value itself.
 //
-// The norm is the maximum, not a mean over unknowns: what is promised holds for each body, and a
-// mean would let one moving body hide among many that rest.
+// The norm is the maximum, not a mean over unknowns: the promise holds for each body, and a mean
+// would let one moving body hide among many that rest.
 #pragma once
 
 #include <cstddef>
@@ -55,8 +54,8 @@ public:
     [[nodiscard]] double scale(std::size_t i) const { return weights_[i]; }
     // Of a position, by that which is farthest from the origin in its component; 0 of all else.
     [[nodiscard]] double rounding(std::size_t i) const;
-    // How far these rates of velocities move something within a step of length h, over the extent;
-    // of what moves nothing, how much they change it over its magnitude.
+    // The largest displacement by these rates of velocities within a step of length h, over the
+    // extent. For an unknown without a position: its change over its magnitude.
     [[nodiscard]] double displacement(std::span<const double> rates, double h) const;
     // The size against which a rate is judged slow or fast; 0: nothing is known yet.
     [[nodiscard]] double magnitude(std::size_t i) const;

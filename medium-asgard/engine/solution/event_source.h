@@ -60,9 +60,9 @@ struct Changes {
     std::vector<End> ends;
 };
 
-// What flies: places whose rates are the velocities, and velocities whose rates are constants; and
-// nothing else reads them. An event of it needs no more than new values, so that within next() a
-// source may settle such an event at once and go on to the next one.
+// A body in flight: the rates of its places are the velocities, the rates of these are constants,
+// and nothing else reads them. An event of it needs new values only, so a source may settle it at
+// once within next() and go on to the next event.
 struct Turn {
     std::array<std::size_t, 3> places, velocities; // unknowns
     std::array<bool, 3> jumps;                     // these velocities become others
@@ -87,14 +87,14 @@ public:
     // False: the source must announce the event, as if it had not asked.
     [[nodiscard]] virtual bool turn(double time, std::span<Turn> turns) = 0;
 
-    // So many next hits along an axis, of those of these flights that turned before, would be done
-    // if turn() were asked about one after another: they may be told together afterwards, in order
-    // of time. Nothing may be read or asked before that.
+    // The number of next hits along the axis that turn() would accept one after another, for those
+    // of these flights that have turned before. The source may tell them all afterwards, in order
+    // of time, and reads and asks nothing in between.
     [[nodiscard]] virtual std::size_t promisedHits(std::span<const Turn> flights,
                                                    std::size_t axis) = 0;
     virtual void turn(const LineHits& hits, std::span<const Turn> flights, std::size_t axis) = 0;
-    // What a velocity becomes that a promised hit changes, where the largest coordinate is
-    // `farthest`; turn() does so by itself.
+    // The value of a velocity after a promised hit, where the largest coordinate is `farthest`;
+    // turn() changes velocities by itself.
     [[nodiscard]] virtual double given(double velocity, std::size_t unknown, double time,
                                        double farthest) const = 0;
 };

@@ -1,5 +1,5 @@
-// What an integrator is: tries one step at a time, says how large the next should be, and gives the
-// step just accepted as polynomials.
+// An integrator: it tries one step at a time, proposes the length of the next, and gives the step
+// just accepted as polynomials.
 //
 //     if (!method.begin(t, y)) ...                 the right-hand side is not finite at the start
 //     h = method.firstStep(limit)
@@ -7,9 +7,8 @@
 //         attempt = method.attempt(h)
 //         accepted:  method.dense(columns)         polynomials of s = (t - t0)/h for every unknown
 //                    method.state()                values at t0 + h
-//                    method.proceed(y)             go on from there with y, which is state() or
-//                    what
-//                                                  renormalisation made of it
+//                    method.proceed(y)             go on from there with y: state(), perhaps
+//                                                  normalised
 //         otherwise: nothing has changed; try attempt.next
 //
 // A method owns its error controller: `next` is its proposal. With `fixed` it proposes nothing and

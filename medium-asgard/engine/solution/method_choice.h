@@ -10,7 +10,7 @@
 // it takes to cross its extent), there must have been fifty times as many steps before it is tried.
 // A trial lasts 12 steps. It is kept when its last 8 steps advanced time by at least 1.3 times as
 // much per cost as the explicit ones did. Cost, in right-hand sides: 8 for a Jacobian, 60 for its
-// real and complex factors, 12 for an iteration's solves (docs/numerics.md, with machine code).
+// real and complex factors, 12 for an iteration's solves (measured with machine code).
 // An implicit method that has settled is left when its steps fall below six times what the explicit
 // one could take, by the spectral radius of the Jacobian. Each change back doubles the evidence
 // that the next trial needs.

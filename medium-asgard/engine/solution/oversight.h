@@ -82,8 +82,9 @@ struct Peaks {
                             std::span<const Moving> moving);
 
 // Times in (from, to), in order, at which a cause or its rate is 0. `evaluate` gives the values of
-// all causes, then their rates. A rate of next to nothing has any sign: it counts where the cause
-// changes enough for something that peaks by it to be 16 times as large in a step as at its ends.
+// all causes, then their rates. The sign of a tiny rate means nothing, so a zero of a rate counts
+// only where the cause changes enough to make its peak 16 times as large within the step as at the
+// step's ends.
 [[nodiscard]] std::vector<double>
 centresPassed(const std::vector<double>& ratios, bool arePolynomials,
               const std::function<void(double t, std::span<double> values)>& evaluate, double from,

@@ -6,7 +6,7 @@
 //
 //     (g/h I - J) dw1 = T^-1 f |1 - g/h w1,        (a + ib)/h I - J    likewise for w2 + i w3
 //
-// Newton policy (docs/numerics.md 1.3: the stiff direction turns with the body, and this is worth a
+// Newton policy (the stiff direction turns with the body, and this is worth a
 // factor of 200 in step length):
 //     J and LU at the predicted middle of the step, kept while Newton was fast and h stays
 //     simplified iterations while they contract by half or better, since factors cost as much as
