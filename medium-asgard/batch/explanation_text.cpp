@@ -397,8 +397,7 @@ std::string accuracyText(const Explanation& explanation, double accuracy,
     std::snprintf(numbers, sizeof numbers, "\nAccuracy: %.1g asked; the error is estimated at %.1g",
                   accuracy, *estimate);
     return numbers +
-           (*estimate == 0 ? whyNoError(explanation) : std::string(" of the size of what moves")) +
-           ".\n";
+           (*estimate == 0 ? whyNoError(explanation) : std::string(" of the scene's size")) + ".\n";
 }
 
 std::string explanationJson(const Explanation& explanation) {

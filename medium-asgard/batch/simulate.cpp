@@ -104,7 +104,7 @@ void tellError(const SimulateArguments& arguments, const scene::Scene& scene,
                            " is not estimated; only the method auto estimates its error");
     } else if (estimate && *estimate <= accuracy) {
         terminal::complain("asgard: the error is estimated at " + shortNumber(*estimate, 2) +
-                           " of the size of what moves, where " + shortNumber(accuracy) +
+                           " of the scene's size, where " + shortNumber(accuracy) +
                            " was asked for");
     }
 }

@@ -203,7 +203,7 @@ class Commands(unittest.TestCase):
 
     def test_a_motion_says_in_one_line_how_accurate_it_is(self):
         said = self.told("force -body b -x {-b.x-1}", code=0, arguments=("--accuracy", "1e-6"))
-        self.assertRegex(said, r"^asgard: the error is estimated at [0-9.e-]+ of the size of what moves, where 1e-06 was asked for\n$")
+        self.assertRegex(said, r"^asgard: the error is estimated at [0-9.e-]+ of the scene's size, where 1e-06 was asked for\n$")
 
     def test_what_needs_too_much_memory_stops_at_one_time(self):
         once = self.told("force -body b -x {sin(1e9*t)}", arguments=("--memory", "2"))
