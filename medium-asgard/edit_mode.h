@@ -1,7 +1,7 @@
 // The medium's process in mode `edit`: the same session, beside windows in which the author works.
 //
-// The text is the host's. What a window changes is proposed to the host and becomes the text when
-// it accepts; what the host changes (undo, redo, another view) arrives in every window. Scene and
+// The text is the host's. A window proposes its change to the host; it becomes the text when the
+// host accepts. Changes by the host (undo, redo, another view) arrive in every window. Scene and
 // motion are the session's: the windows show what the renditions in the document show.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What is wrong with a command line, in one sentence that names the word and what was expected.
+// The fault of a command line, in one sentence that names the wrong word and the expected one.
 #pragma once
 
 #include <span>

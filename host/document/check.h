@@ -1,5 +1,5 @@
-// Everything that is wrong with a document itself, in order of place. What its media find in their
-// texts, and files that it names, session::OpenDocument knows.
+// Everything that is wrong with a document itself, in order of place. session::OpenDocument adds
+// faults that media find in their texts, and faults of named files.
 #pragma once
 
 #include "document/document.h"

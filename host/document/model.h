@@ -1,11 +1,11 @@
-// What a document shows, in order: blocks of text with resolved styles, numbers and references,
-// and the places of subdocuments; neither lines nor pages yet. The host's layout and the export as
-// text both read it.
+// The content of a document as shown, in order: blocks of text with resolved styles, numbers and
+// references, and the places of subdocuments; neither lines nor pages yet. The host's layout and
+// the export as text both read it.
 //
 // Method: one walk over the tree with an explicit stack. A presentation says for each element what
 // it is (its `display`) and how it looks; containers leave no trace but indents, spaces and borders
-// of the blocks inside. What the presentation does not know is shown as what it is: `<TAG>` before
-// its content. So nothing of a document is invisible unless the presentation says `show: no`.
+// of the blocks inside. An element that the presentation does not know is shown with `<TAG>` before
+// its content. So the whole document is visible unless the presentation says `show: no`.
 #pragma once
 
 #include "document/style.h"

@@ -1,8 +1,8 @@
 // The schemas that there are: files of users, else the program's own.
 //
-// Looked for in $XDG_DATA_HOME/ensemble/schemas, $XDG_DATA_DIRS/ensemble/schemas, then the
-// folder given, then those compiled in. The first file of a name counts. What is faulty in it is
-// left out and reported by line; a file in which nothing can be read gives way to the built-in one.
+// Looked for in $XDG_DATA_HOME/ensemble/schemas, $XDG_DATA_DIRS/ensemble/schemas, then the folder
+// given, then those compiled in. The first file of a name counts. Its faulty parts are left out and
+// reported by line; the built-in file replaces one in which nothing can be read.
 //
 // A presentation of a class inherits from the class's default one, that one from COMMON.base.
 #pragma once

@@ -1,4 +1,4 @@
-// What may stand where in documents of one class: `CLASS.structure`, one rule per line.
+// The allowed content of elements of one class: `CLASS.structure`, one rule per line.
 //
 //     # a comment
 //     $text = (TEXT | EMPH | LINK)*            a name for part of a rule, defined before its use

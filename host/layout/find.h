@@ -1,4 +1,4 @@
-// Where words stand on the pages.
+// The places of words on the pages.
 #pragma once
 
 #include "layout/pages.h"

@@ -1,7 +1,7 @@
-// What pages are filled with: strips, one above the other. A line of text is a strip, a rendition
-// is one, a row of a table is one. A strip says how much space it wants to its neighbours and
-// whether it may be the last on its page. It stands on one page, but for a row that is taller than
-// a page: that one is divided between the lines of its cells.
+// Pages are filled with strips, one above the other: a line of text, a rendition, a row of a table.
+// A strip says how much space it wants to its neighbours and whether it may be the last on its
+// page. It stands on one page; only a row that is taller than a page is divided, between the lines
+// of its cells.
 #pragma once
 
 #include "layout/paragraph.h"

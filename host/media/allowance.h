@@ -1,8 +1,8 @@
 // How much may a medium say? So much at once, and so much in each second after that.
-// What it said is counted when it is read from the pipe, whether anybody waits for it or not: a
-// medium that is read as fast as it talks still keeps the window busy. An entry of a list costs as
-// much as a message. Frames cost no bytes, since acknowledgements bound them, and answers cost
-// nothing, since requests do.
+// Messages count when they are read from the pipe, whether anybody waits for them or not: a medium
+// that is read as fast as it talks still keeps the window busy. An entry of a list costs as much as
+// a message. Frames cost no bytes, since acknowledgements bound them, and answers cost nothing,
+// since requests do.
 #pragma once
 
 #include "ipc/wire.h"

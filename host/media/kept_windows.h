@@ -1,9 +1,9 @@
-// What a medium's own windows are to be again in its next process.
+// The state of a medium's own windows, for its next process.
 //
-// The medium says it in words of its own (session/keep): which windows are open, and what was typed
-// there. It outlives the process. The next one in edit mode is given it, once: when that one ends
-// before it has said anything of its windows itself, the state may be what ended it, and the
-// process after it shows pictures only, until the user asks for a window.
+// The medium sends it in words of its own (session/keep): the open windows with the text typed
+// there. It outlives the process. The next process in edit mode gets it, once: if that one ends
+// before it has sent a state itself, the old state may have ended it, and the process after it
+// shows pictures only, until the user asks for a window.
 #pragma once
 
 #include "media/manifest.h"

@@ -1,7 +1,7 @@
-// What a medium sent and the interface thread has not read yet.
-// Filled by the pipe thread, emptied by the interface thread a little at a time. It is bounded: a
-// medium that sends faster than it is read is a flood, and push() says so. Newest first is never
-// needed: frames are bounded by their acknowledgements.
+// The messages of a medium that the interface thread has not read yet. Filled by the pipe thread,
+// emptied by the interface thread a little at a time. It is bounded: a medium that sends faster
+// than it is read is a flood, and push() says so. Newest first is never needed: frames are bounded
+// by their acknowledgements.
 #pragma once
 
 #include "ipc/wire.h"

@@ -1,4 +1,4 @@
-// What one view shows of one subdocument: a picture of a size, which outlives the process that drew
+// The picture of one subdocument in one view: it has a size, and outlives the process that drew
 // it.
 //
 // It belongs to a LiveSubdocument, which talks to the medium. The medium draws into two slots and

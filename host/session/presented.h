@@ -1,8 +1,8 @@
 // A document by one of its presentations: the model and the pages of it, made a little at a time.
 //
 // A short document is there at once. A long one is made in slices between other events: its first
-// pages are there early, and the window lives meanwhile. What is being made is given up when it is
-// begun anew.
+// pages are there early, and the window lives meanwhile. A new begin gives up unfinished
+// work.
 #pragma once
 
 #include "layout/pages.h"

@@ -1,6 +1,6 @@
-// What is not saved of an open document outlives this program: each change goes to the user's
-// journal, with what was typed in windows of media, and whoever starts the program after it was
-// killed is offered it. What is saved, undone to the saved text, or given up, goes from the
+// Unsaved text of an open document outlives this program: each change goes to the user's
+// journal, with the text typed in windows of media, and the next start after the program was
+// killed offers it. A save, an undo to the saved text, or giving up removes it from the
 // journal.
 #pragma once
 

@@ -1,7 +1,7 @@
 // How a text is spelled between braces, and where each of its bytes stands in the file.
 //
 // `\{`, `\}` and `\\` stand for `{`, `}` and `\`; a backslash before anything else is itself; a
-// balanced pair of bare braces is itself. What is written new is always written escaped.
+// balanced pair of bare braces is itself. New text is always escaped.
 #pragma once
 
 #include "sgml/position.h"

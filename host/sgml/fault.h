@@ -1,4 +1,4 @@
-// What is wrong with a document's text: where, which kind, and a sentence.
+// A fault of a document's text: its place, its kind, and a sentence.
 //
 // An error means that the text is not a document of the format, and was read as well as it goes.
 // A warning means that it is one, with something in it that is likely not meant.

@@ -1,4 +1,4 @@
-// Where something stands in a text: as bytes [from, to) and as line and column.
+// A place in a text: as bytes [from, to) and as line and column.
 //
 // Lines and columns count from 1, columns in characters. A line ends with LF, CR LF or CR. A
 // byte-order mark at the start takes no column; a byte that is not valid UTF-8 takes one unless it

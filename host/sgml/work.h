@@ -1,4 +1,4 @@
-// What was done in this thread, for tests: it grows with the size of a text and no faster.
+// The work done in this thread, for tests: it grows with the size of a text and no faster.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What is wrong with a document, by line and column: of the file, of what it may contain, of its
+// The faults of a document, by line and column: of its format, of its structure, and of its
 // subdocuments.
 #pragma once
 

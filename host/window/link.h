@@ -1,4 +1,4 @@
-// Where a link of a document leads, as a reader can trust it.
+// The target of a document's link, in a form that a reader can trust.
 #pragma once
 
 #include <QUrl>

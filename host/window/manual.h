@@ -1,4 +1,4 @@
-// What keys and buttons do with a document: the page docs/reading.md, which goes with the program.
+// The manual of keys and buttons: the page docs/reading.md, which goes with the program.
 #pragma once
 
 class QWidget;

@@ -1,4 +1,4 @@
-// What is asked about a text that was not saved before a program ended.
+// The question about a text that was not saved before a program ended.
 #pragma once
 
 #include "files/journal.h"

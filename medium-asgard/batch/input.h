@@ -1,4 +1,4 @@
-// What batch commands read: scenes, parameter settings, lists of times and of quantities.
+// The input of batch commands: scenes, parameter settings, lists of times and of quantities.
 #pragma once
 
 #include "script/reader.h"

@@ -1,4 +1,4 @@
-// Where batch commands write: a file, or standard output for "-".
+// The output of batch commands: a file, or standard output for "-".
 #pragma once
 
 #include <cstdio>

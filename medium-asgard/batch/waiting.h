@@ -1,4 +1,4 @@
-// What is said on standard error while something takes long.
+// The progress on standard error of a command that takes long.
 //
 // Nothing for two seconds. Then, on a terminal, one line that is written anew twice a second and
 // goes when the work is done; elsewhere a line after 10, 20, 40, ... seconds.

@@ -1,4 +1,4 @@
-// What a study of methods says, as a chart and as a table.
+// The results of a study of methods, as a chart and as a table.
 #pragma once
 
 #include "charts/work_precision.h"

@@ -3,7 +3,7 @@
 // Points that failed are hollow, in a lighter line, and carry a letter that the key under the chart
 // explains. Those that have no error, or one larger than the scene, stand above the frame, each
 // method in a row of its own; beside a method's name stands how often it failed, and how. Points at
-// fixed steps are small and joined by dashes. What is chosen is ringed.
+// fixed steps are small and joined by dashes. The chosen point is ringed.
 #pragma once
 
 #include "charts/canvas.h"

@@ -1,7 +1,7 @@
-// What can be written at a place of a text: commands, options, names of what the scene has.
+// The words that can stand at a place of a text: commands, options, names of elements.
 //
-// The text may be anything that is being typed: what stands before the place decides, by Tcl's
-// rules. Names come from the text itself and from the last good scene, so that a body just typed is
+// The text may be anything that is being typed: the text before the place decides, by Tcl's rules.
+// Names come from the text itself and from the last good scene, so that a body just typed is
 // offered to the force below it.
 #pragma once
 

@@ -1,9 +1,9 @@
-// Elements taken out of a scene's text, with what cannot be without them.
+// Elements taken out of a scene's text, with all that depends on them.
 //
 // A body takes the forces, links and constraints that name it along, and every element whose
-// expression reads it; a shape set its bodies; a trajectory and a parameter what uses them. What a
-// loop, a procedure called twice or a computed command makes is not taken out alone: then nothing
-// is, and the reason says what and where.
+// expression reads it; a shape set its bodies; a trajectory and a parameter what uses them. An
+// element that a loop, a procedure called twice or a computed command makes cannot be taken out
+// alone: then nothing is, and the reason names the command and its place.
 #pragma once
 
 #include "editing/element.h"

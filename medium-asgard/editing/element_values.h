@@ -1,4 +1,4 @@
-// What an option of an element is in a scene, where that is numbers.
+// The value of an element's option in a scene, if it is made of numbers.
 #pragma once
 
 #include "editing/element.h"

@@ -1,5 +1,5 @@
-// What a loop or a procedure's calls give their variables, as far as the text shows it: from which
-// numbers, in which order, and what else reads them.
+// The values that a loop or a procedure's calls give their variables, as far as the text shows it:
+// their numbers, their order, and other readers of the numbers.
 #pragma once
 
 #include "editing/overrides.h"

@@ -1,12 +1,12 @@
 // Which numbers of a loop or of a procedure's calls would give one of its elements a value.
 //
-// What a loop makes is computed from few numbers: the elements of a foreach's list, the start and
+// A loop computes its elements from few numbers: the elements of a foreach's list, the start and
 // the step of a for, the arguments of a procedure's calls, and the numbers in [expr {...}]. A value
 // that depends on one of them linearly says what that number would have to be; the expression is
-// then worked out with it as Tcl does. Offered is only what comes out as it is said: what is worked
-// out for the text as it is must be what the scene has, for all that the command made; with the new
-// number the values must be those that are meant; and nothing else may read the number, so that
-// names, the number of elements and everything else stay.
+// then worked out with it as Tcl does. An offer must come out as it says: the values worked out for
+// the present text must equal those of the scene, for all elements of the command; with the new
+// number they must be the wanted values; and nothing else may read the number, so that names, the
+// number of elements and everything else stay.
 //
 // LIMIT: loops and procedures at the top of the script, the element's command directly in them;
 // a foreach over one list that is written out; calls with literal arguments.

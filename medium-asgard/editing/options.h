@@ -1,4 +1,4 @@
-// What may follow a scene command, for completion and for who hovers over it.
+// The words that may follow a scene command, for completion and for tips.
 #pragma once
 
 #include <span>

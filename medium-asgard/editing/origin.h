@@ -1,7 +1,7 @@
-// Where in the text the numbers of a word come from.
+// The places in the text from which the numbers of a word come.
 //
 // Followed: literals; "..." and [list ...] with literals and $variables in them; a variable that
-// one `set` gives a literal and nothing else changes; a parameter. Whatever else makes a number is
+// one `set` gives a literal and nothing else changes; a parameter. Any other maker of a number is
 // named with its place.
 #pragma once
 

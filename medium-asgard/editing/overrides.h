@@ -1,4 +1,4 @@
-// What can be offered where a loop or a procedure makes an element.
+// The offers for an element that a loop or a procedure makes.
 #pragma once
 
 #include "editing/origin.h"

@@ -1,4 +1,4 @@
-// Which stretches of a text are lists of points, and long: what language viewers show as a mark
+// The stretches of a text that are long lists of points: language viewers show each as a mark
 // (dissertation 4.2.1).
 //
 // They are the values of -points and -bezier, one after another the faces of a hull, and variables

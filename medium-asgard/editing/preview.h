@@ -1,4 +1,4 @@
-// What a change of the text looks like, line by line, before it is made.
+// A change of the text, line by line, before it is made.
 #pragma once
 
 #include "editing/text_edit.h"

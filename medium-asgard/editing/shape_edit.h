@@ -1,10 +1,10 @@
 // A shape set that becomes another, as the smallest change of its text (dissertation 4.1.1).
 //
-// A shape editor drags vertices, adds and deletes them, adds and deletes parts. What it arrives at
-// is a list of parts, each with the part of the scene that it was; the text of parts that stay as
-// they are is not touched, and in the others the numbers that changed are rewritten where they
-// stand. Parts written as faces keep their faces while only places change; another number of
-// vertices writes them as one list of points.
+// A shape editor drags vertices, adds and deletes them, adds and deletes parts. Its result is a
+// list of parts, each with the part of the scene that it was. The text of unchanged parts is not
+// touched; in the others the changed numbers are rewritten where they stand. Parts written as faces
+// keep their faces while only places change; another number of vertices writes them as one list of
+// points.
 //
 // Reference: dissertation 4.1.1; docs/scene-language.md, `shape_set`.
 #pragma once

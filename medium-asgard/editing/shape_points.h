@@ -1,5 +1,5 @@
-// What a shape editor takes hold of: the vertices of a polyhedron, a sphere's centre and a point of
-// its surface, a box's centre and corners (dissertation 4.1.1). All in the shape set's frame.
+// The points that a shape editor drags: the vertices of a polyhedron, a sphere's centre and a point
+// of its surface, a box's centre and corners (dissertation 4.1.1). All in the shape set's frame.
 #pragma once
 
 #include "scene/scene.h"

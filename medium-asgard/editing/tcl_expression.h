@@ -1,7 +1,7 @@
 // Arithmetic of Tcl's expr on numbers and variables, with the places of its numbers.
 //
 // + - * / % ** and parentheses, integers and doubles apart as Tcl keeps them, and the functions of
-// one number. Whatever else an expression has, it has no value here.
+// one number. An expression with anything else has no value here.
 #pragma once
 
 #include "scene/scene.h"

@@ -1,13 +1,13 @@
 // A trajectory as points and tangents that are moved, added and removed, each as a change of the
 // text (dissertation 4.1.4).
 //
-// What is dragged are the control points of the trajectory's Bezier curves. A curve's parameter is
+// The author drags the control points of the trajectory's Bezier curves. A curve's parameter is
 // linear in time, so control point i of a curve of degree n belongs to the time t0 + i/n (t1 - t0):
 // there it stands in a graph of one component against time, and the first and the last lie on the
 // curve. Where one curve ends as the next begins there is one point, which belongs to both.
 //
-// -points says the points alone; its tangents follow from them. Who drags such a tangent wants
-// what only -bezier can say: then the whole list is rewritten.
+// -points has the points alone; its tangents follow from them. A drag of such a tangent needs
+// -bezier: then the whole list is rewritten.
 //
 // Reference: dissertation 4.1.4; docs/scene-language.md, `trajectory`.
 #pragma once

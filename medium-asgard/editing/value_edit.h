@@ -3,8 +3,8 @@
 // A gesture in a picture is a change of the text (dissertation 4.2.2): the numbers that it moves
 // are rewritten where they stand, and no other byte. A number can be rewritten when its bytes are
 // the value's own; when it comes through one variable or a parameter, there; in an expression like
-// "-10 * b1.mass", when it is the factor. What a loop, a procedure or another expression makes is
-// never replaced unasked: the answer says what makes it and where, and offers what can be done.
+// "-10 * b1.mass", when it is the factor. A value that a loop, a procedure or another expression
+// makes is never replaced unasked: the answer names its maker and the place, and makes offers.
 //
 // Reference: dissertation 4.2.2; docs/scene-language.md.
 #pragma once

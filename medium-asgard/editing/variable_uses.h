@@ -1,7 +1,7 @@
-// Where a script's text has the name of a variable.
+// The places of a variable's name in a script's text.
 //
-// Seen as text, so that a use inside of quotes, expressions and lists counts: who asks wants to
-// know that there is none. What is computed (eval, upvar, names put together) shows nothing.
+// Seen as text, so that a use inside of quotes, expressions and lists counts: callers want to be
+// sure that there is none. Computed names (eval, upvar, names put together) do not show.
 #pragma once
 
 #include "editing/origin.h"

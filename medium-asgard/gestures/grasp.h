@@ -1,6 +1,6 @@
-// What a shifted button takes hold of (dissertation 4.1.3, 4.1.4): the left one the handle nearest
+// The target of a shifted button (dissertation 4.1.3, 4.1.4): the left one drags the handle nearest
 // to the pointer, or the body under it; the middle one turns the body, the right one rolls it about
-// the line of sight. Of a trajectory's point the middle one draws a new one out, the right one
+// the line of sight. On a trajectory's point the middle one draws a new one out, the right one
 // removes it.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What a gesture is made on: a scene as who shows it has it, and what becomes of the texts that the
+// The base of a gesture: a scene as its window shows it, and the receiver of the texts that the
 // gesture makes of its text. A gesture is one step of undo, however many texts it made on its way.
 #pragma once
 

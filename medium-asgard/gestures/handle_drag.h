@@ -4,8 +4,8 @@
 // The handle moves in the plane of the screen; push() moves it along the line of sight. An
 // orientation's moves on a sphere about its body, the end of a link on the body's surface
 // (Figure 4.5) until it is freed. Each place is a wish that editing/ answers with a change of the
-// text as it was when the drag began, so that a drag is one step of undo however long it was. What
-// cannot be changed says why.
+// text as it was when the drag began, so that a drag is one step of undo however long it was. A
+// handle without a possible change says why.
 #pragma once
 
 #include "editing/trajectory_edit.h"

@@ -1,4 +1,4 @@
-// What a place of a handle means for the text: wishes that editing/ answers.
+// The meaning of a handle's place for the text: wishes that editing/ answers.
 #pragma once
 
 #include "editing/value_edit.h"

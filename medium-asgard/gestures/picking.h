@@ -1,4 +1,4 @@
-// What lies under the pointer: handles by their distance on the screen, bodies by the line of
+// The things under the pointer: handles by their distance on the screen, bodies by the line of
 // sight.
 #pragma once
 

@@ -1,5 +1,5 @@
-// What Qt itself says on standard error: often with the name of a file or a font in it, so that it
-// is printed like our own messages.
+// Qt's own messages on standard error often have the name of a file or a font in them, so they are
+// printed like ours.
 #pragma once
 
 namespace plain {

@@ -1,4 +1,4 @@
-// Where a scene is seen from, and how pointer and keys move that.
+// The viewpoint of a scene, and its moves by pointer and keys.
 //
 // A point p of the world is seen at view = scale * R(rotation) * (p - center) + position, the
 // screen's x right, y up, z towards the viewer (dissertation 4.1.7; scene language, `view`).

@@ -1,4 +1,4 @@
-// Where a scene's motion goes: what framing, the ground and the trails are laid out by.
+// The room that a scene's motion takes: framing, the ground and the trails follow it.
 //
 // Bodies are taken as their spheres and corners, at a limited number of times over the motion.
 #pragma once

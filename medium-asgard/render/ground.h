@@ -1,4 +1,4 @@
-// What the scene stands on: a discreet grid under everything, and where shadows fall.
+// The ground of a scene: a discreet grid under everything, and the plane of shadows.
 //
 // Shadows fall straight down, on the grid's plane or, where a scene has a floor of its own (a
 // large level face of something that never moves), on that.

@@ -1,10 +1,10 @@
-// What a graphical viewer lets one take hold of.
+// The handles that a graphical viewer shows.
 //
 // A handle is a small ball of constant size on screen, its colour says of what kind it is
 // (dissertation 4.1.3). Some stand at the head of an arrow: a velocity's, an angular velocity's, a
-// force's, a torque's, a light's direction. What bodies start with is drawn where they start; what
-// acts on them, where they are now. A force that changes on its own is drawn at its value now and
-// has no handle (4.1.5).
+// force's, a torque's, a light's direction. Handles of initial values stand where bodies start,
+// those of forces where bodies are now. A force that changes on its own is drawn at its value now
+// and has no handle (4.1.5).
 #pragma once
 
 #include "render/extent.h"

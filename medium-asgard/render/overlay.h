@@ -1,4 +1,4 @@
-// What is drawn beside the bodies: edges, wireframe, ground, trails, axes, handles - all as lines.
+// The lines beside the bodies: edges, wireframe, ground, trails, axes, handles.
 #pragma once
 
 #include "render/extent.h"

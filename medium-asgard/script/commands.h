@@ -1,4 +1,4 @@
-// Which commands a scene's script has, and why it has no others.
+// The commands of a scene's script, and the reasons why it has no others.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// What a script's commands say, as a scene: every option read, checked and given its default.
+// A script's commands as a scene: every option read, checked and given its default.
 //
 // A pure function of the text and the recording of its evaluation. An element that is wrong keeps
 // its name, so that what refers to it is not wrong as well; the scene of a text with errors is not

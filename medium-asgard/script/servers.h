@@ -1,8 +1,8 @@
 // The evaluator servers of a process: one that works, and a spare that takes its place.
 //
-// The first two are forked before the process has seen a document. Where one ended (the system was
-// out of memory, somebody killed it), the other starts the next: this process may have threads by
-// then, or be confined. So an end is mended unless both end at once.
+// The first two are forked before the process has seen a document. If one ends (the system is out
+// of memory, somebody kills it), the other starts the next: this process may have threads by then,
+// or be confined. Only the end of both at once is final.
 #pragma once
 
 #include "script/evaluator.h"

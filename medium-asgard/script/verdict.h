@@ -1,4 +1,4 @@
-// What an evaluation came to: its recording made a scene, its end a sentence.
+// The result of an evaluation: its recording made a scene, its end a sentence.
 #pragma once
 
 #include "script/evaluator.h"

@@ -1,4 +1,4 @@
-// What goes through the pipes between reader, evaluator server and evaluator.
+// The messages in the pipes between reader, evaluator server and evaluator.
 //
 //     reader -> server -> evaluator:  request    {limit of commands, parameters, text}
 //     evaluator -> server -> reader:  recording  {scene commands that ran, how the script ended}

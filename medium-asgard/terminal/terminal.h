@@ -1,7 +1,7 @@
-// What a program says on standard output and standard error.
+// The texts of a program on standard output and standard error.
 //
-// Both programs print here and nowhere else (tests/layering/check_prints.py): what is printed may
-// be a document's, and goes through utf8/printable.h.
+// Both programs print here and nowhere else (tests/layering/check_prints.py): a text may be a
+// document's, and goes through utf8/printable.h.
 #pragma once
 
 #include <cstddef>

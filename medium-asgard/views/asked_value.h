@@ -1,4 +1,4 @@
-// What an entry of exact values asks for: some numbers of one element, as they stand in the text,
+// The request of an entry of exact values: some numbers of one element, as they stand in the text,
 // and the change of the text that gives them others.
 #pragma once
 

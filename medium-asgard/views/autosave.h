@@ -1,6 +1,6 @@
-// What was not saved outlives this program: while a stand-alone scene differs from its file, or a
-// language viewer holds a draft, both lie in the user's journal (files/journal.h), and whoever
-// starts the program after it was killed gets them.
+// Unsaved work outlives this program: while a stand-alone scene differs from its file, or a
+// language viewer holds a draft, both lie in the user's journal (files/journal.h), and the next
+// start after the program was killed offers them.
 #pragma once
 
 #include "files/journal_writer.h"

@@ -1,8 +1,8 @@
-// What a language viewer's text is to the document's: the same, or a draft of someone's own.
+// The relation of a language viewer's text to the document's: the same, or a draft of its own.
 //
-// Typing makes a draft; the document has it only by submit(). What another view changes meanwhile
-// comes into the draft at once where it changed nothing; where both did something the draft's own
-// words stay, marked as a conflict that can be settled one way or the other. So a draft is never
+// Typing makes a draft; the document has it only by submit(). Changes of other views come into the
+// draft at once where the draft changed nothing; where both changed a place the draft's own words
+// stay, marked as a conflict that the author settles one way or the other. So a draft is never
 // lost, and holds back no one.
 //
 // Typing can be undone step by step whatever came in since: a step back is the draft as it was

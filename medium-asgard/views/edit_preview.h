@@ -1,4 +1,4 @@
-// What an edit of the text changes, line by line, as a label shows it before it is made.
+// An edit of the text, line by line, as a label shows it before it is made.
 #pragma once
 
 #include "editing/text_edit.h"

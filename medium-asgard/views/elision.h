@@ -1,9 +1,9 @@
 // Long lists of points are shown as a mark that says how many there are (dissertation 4.2.1).
 //
 // They stay in the text, byte for byte: they are only not drawn. Opened, they stand on a background
-// of their own. What is typed is never hidden under the hands: lists are hidden when the text is
-// the document's, and by toggle(). The caret jumps over a mark; Backspace and Delete beside it
-// select it first.
+// of their own. Text is never hidden while it is typed: lists are hidden when the text is the
+// document's, and by toggle(). The caret jumps over a mark; Backspace and Delete beside it select
+// it first.
 #pragma once
 
 #include "editing/point_lists.h"

@@ -1,5 +1,5 @@
-// What a scene has become, into files of other programs (dissertation 4.1.10): the picture that a
-// viewer shows, pictures of all the motion, the motion as a table.
+// Exports a scene into files of other programs (dissertation 4.1.10): the picture that a viewer
+// shows, pictures of all the motion, the motion as a table.
 //
 // Drawn and written on a thread of its own, which no window waits for.
 #pragma once

@@ -1,4 +1,4 @@
-// What is wrong with a scene's text, at its words and in a list (dissertation 4.2.3).
+// The faults of a scene's text, at their words and in a list (dissertation 4.2.3).
 //
 // A fault is underlined, told in full below its line, and listed; one without a place is listed
 // only. While the text is a draft the marks stay with their words, as faults of the last update.

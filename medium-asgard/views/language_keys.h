@@ -1,4 +1,4 @@
-// What keys and pointer do in a language viewer: Help tells it.
+// The keys and gestures of a language viewer, for Help.
 #pragma once
 
 #include <QString>

@@ -1,7 +1,7 @@
 // The language viewer's window (dissertation 4.2): the scene's text, edited as plain text.
 //
 // Each viewer holds a draft (draft.h). Update makes it the document's text, and with that
-// everyone's. What the text can do beyond that attaches to its editor: elision.h hides points,
+// everyone's. Further abilities of the text attach to its editor: elision.h hides points,
 // fault_marks.h says what is wrong, element_marks.h has the handles' colours and the selection,
 // number_drag.h drags numbers, completer.h completes words.
 #pragma once

@@ -1,5 +1,5 @@
-// What a window says above its text or picture: of a draft, and what can be done about it; or what
-// happened before the window was opened.
+// The notice of a window above its text or picture: about a draft, with the possible actions; or
+// about the time before the window was opened.
 #pragma once
 
 #include "views/draft.h"

@@ -1,4 +1,4 @@
-// What the pointer and the keys change in a picture (dissertation 4.1.3).
+// Changes of the scene by pointer and keys in a picture (dissertation 4.1.3).
 //
 // Shifted buttons: the left one drags the handle nearest to the pointer, or the body under it;
 // the middle one turns the body, or draws a new point out of a trajectory's point, which the right

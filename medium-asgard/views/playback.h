@@ -1,4 +1,4 @@
-// Where a viewer is in time, and how it moves through it.
+// The time of a viewer, and its moves through time.
 //
 // Playing follows the real-time clock: however long a picture takes to draw, the time shown is the
 // one that the clock says (dissertation 4.1.9). Motion that is not computed yet is waited for.

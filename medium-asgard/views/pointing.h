@@ -1,7 +1,7 @@
-// What the pointer is over in a picture, and what the buttons would do there.
+// The thing under the pointer in a picture, and the meaning of the buttons there.
 //
-// Nobody reads a manual to learn which button moves a handle: what is under the pointer lights up,
-// the read-out names it, and the line at the window's foot says what can be done with it.
+// Nobody reads a manual to learn which button moves a handle: the thing under the pointer lights
+// up, the read-out names it, and the line at the window's foot tells its gestures.
 #pragma once
 
 #include "gestures/picking.h"

@@ -1,5 +1,5 @@
 // Colours of text that can be read: a contrast of 4.5 to 1 to what is behind it, as the Web Content
-// Accessibility Guidelines measure it. What is disabled may have less.
+// Accessibility Guidelines measure it. Disabled text may have less.
 #pragma once
 
 #include <QColor>

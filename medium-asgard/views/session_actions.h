@@ -1,4 +1,4 @@
-// What every window of a stand-alone session can do with all of it: a new scene, the end.
+// Commands of every window for the whole stand-alone session: a new scene, the end.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// What a screen reader is told of fields that show a value: their name and the value.
+// The words of a screen reader for fields that show a value: their name and the value.
 #pragma once
 
 namespace views {

@@ -1,8 +1,8 @@
 // Speed against accuracy on this scene: a chart of all methods, which grows while it is measured.
 //
 // The study runs on a thread of its own, on the scene as it was when the window was opened; closing
-// the window ends it. What is measured beside other work is slower than it is alone: the errors are
-// what they are.
+// the window ends it. Beside other work the measured times are longer than alone; the errors are
+// the same.
 #pragma once
 
 #include "simulation/study.h"

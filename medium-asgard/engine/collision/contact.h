@@ -1,4 +1,4 @@
-// Where and along which line two shapes touch.
+// The place and the line of contact of two shapes.
 //
 // Where edges or vertices touch, there are several axes along which the gap is 0: each is a normal
 // of the Minkowski difference at one of its own edges or vertices, which is what the difference of
@@ -14,8 +14,8 @@
 // The point is the centre of the patch in which they touch: two convex polygons clipped against
 // each other, two segments, or a point.
 //
-// LIMIT: what is that near is touched and not hit: a step in a floor that is lower than 1e-10 of
-// the smaller part's size, or than the slack, is slid over.
+// LIMIT: a surface that near is touched and not hit: a body slides over a step in a floor that is
+// lower than 1e-10 of the smaller part's size, or than the slack.
 #pragma once
 
 #include "collision/moving_shape.h"

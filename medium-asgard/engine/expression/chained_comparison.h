@@ -1,4 +1,4 @@
-// What is an expression, but says something else than in mathematics.
+// An expression whose meaning differs from that of mathematics.
 #pragma once
 
 #include "expression/parse.h"

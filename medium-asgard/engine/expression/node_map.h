@@ -1,4 +1,4 @@
-// What is known of some nodes of a graph: a flat table, open addressing with linear probing.
+// Values for some nodes of a graph: a flat table, open addressing with linear probing.
 #pragma once
 
 #include "expression/graph.h"

@@ -1,4 +1,4 @@
-// What each operation is called and what it computes: one meaning for folding and for evaluation.
+// The name and the value of each operation: one meaning for folding and for evaluation.
 //
 // Arithmetic is plain IEEE 754, nothing traps; a NaN in min, max, sign, abs, floor or ceil stays a
 // NaN, so that a force that is not a number is never hidden. Elementary functions are the C

@@ -8,10 +8,10 @@
 // solved together: j >= 0, u' + e u >= 0, and one of both 0 in each contact (complementarity). Of
 // several solutions (redundant contacts) the velocities are the same; the impulses are the
 // shortest. Contacts that touch at relative rest take part one after another: after each solution,
-// those that now approach make the next one (Newton's cradle), until none approaches. What
-// approaches a billion times slower than the fastest does so by rounding, and is at relative rest;
-// of what goes side by side (simulation/side_by_side.h), a hundred times. What a force presses
-// together moves as one: all such contacts are solved together from the start.
+// those that now approach make the next one (Newton's cradle), until none approaches. A contact
+// that approaches a billion times slower than the fastest does so by rounding, and is at relative
+// rest; for balls side by side (simulation/side_by_side.h), a hundred times. Bodies that a force
+// presses together move as one: their contacts are solved together from the start.
 //
 // Bodies of infinite mass or infinite inertia (attitude held) have inverse 0; what is held along
 // some axes of the world moves along the others only, and turns. Two bodies that cannot give way

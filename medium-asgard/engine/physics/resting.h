@@ -16,11 +16,11 @@
 // A face that lies on a face takes away one translation and two turns; on a support that does not
 // turn these are constants of the body, so that nothing drifts.
 //
-// What a trajectory holds has its own rate: no force changes it, and J is 0 there.
+// A held unknown has its own rate: no force changes it, and J is 0 there.
 //
-// The constraints hold the gap's second derivative only: what the integration errs in them stays,
-// as in any other quantity, within what was asked for.
-// LIMIT: two bodies that can both give way are not constrained to each other.
+// The constraints hold the gap's second derivative only: errors of the integration in gaps stay, as
+// in any other quantity, within the tolerance. LIMIT: two bodies that can both give way are not
+// constrained to each other.
 #pragma once
 
 #include "physics/equations_of_motion.h"

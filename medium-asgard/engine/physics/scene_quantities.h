@@ -1,4 +1,4 @@
-// What a whole scene has: energy, momentum, angular momentum (command lines, "simulate").
+// Quantities of a whole scene: energy, momentum, angular momentum (command lines, "simulate").
 //
 //     energy = kinetic energy of the bodies that are neither fixed nor held
 //              - m g.r for each -gravitational force, r being the point that it acts on

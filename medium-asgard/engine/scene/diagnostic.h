@@ -1,4 +1,4 @@
-// What is wrong with a scene's text, in the author's words and at its place.
+// A fault of a scene's text, in the author's words and at its place.
 #pragma once
 
 #include "scene/scene.h"

@@ -1,4 +1,4 @@
-// What the names in a scene's expressions mean, and which are wrong.
+// The meaning of names in a scene's expressions, and the wrong names.
 //
 // The rules of docs/scene-language.md, "Expressions", in one place: script/ reports wrong names
 // when a text is read, physics/ turns right ones into equations.

@@ -1,4 +1,4 @@
-// What acts on each body, in the words of the scene: at rest and in motion.
+// The forces and contacts of each body, in the words of the scene: at rest and in motion.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// How much of a motion a process keeps: where more would be needed, motion stops and says so.
+// The memory that a process keeps of a motion: a motion that needs more stops and says so.
 //
 // It is a property of the process, as its address space is, and is set before the first motion.
 // Counted are the steps and impacts of each run, as solution/kept_bytes.h does. Two or three runs

@@ -1,9 +1,9 @@
 // Could errors have changed the order in which a body is hit?
 //
-// Runs that are compared tell what their errors do to a motion that varies little with them. A body
+// A comparison of runs shows the effect of errors on a motion that varies little with them. A body
 // that meets two others at nearly one instant goes one way when it meets the one first, and another
-// when it meets the other: two runs that err by more than what lies between the two hits may take
-// the same wrong way, and then agree to all digits. What is so near is worth another run.
+// when it meets the other: two runs whose errors exceed the time between the two hits may take the
+// same wrong way, and then agree to all digits. So near hits are worth another run.
 #pragma once
 
 #include "simulation/solved.h"

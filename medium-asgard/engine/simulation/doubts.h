@@ -1,4 +1,4 @@
-// What of a scene can be computed, but is hardly meant.
+// Parts of a scene that can be computed, but are hardly meant.
 #pragma once
 
 #include "scene/diagnostic.h"

@@ -1,4 +1,4 @@
-// What an edit makes solve again: the bodies that it changes, and who was in one unit with them.
+// The bodies to solve again after an edit: those that it changes, and those of their units.
 #pragma once
 
 #include "scene/difference.h"

@@ -1,7 +1,7 @@
-// What of a scene is modelled, how, and why the rest is not (command-line contract, "explain").
+// The modelled parts of a scene, their models, and why the rest has none (docs/command-line.md).
 //
-// Components and equations are those in force at the end of the motion; what was in force before
-// and differs is told too.
+// Components and equations are those in force at the end of the motion, with earlier ones that
+// differ.
 #pragma once
 
 #include "simulation/acting.h"

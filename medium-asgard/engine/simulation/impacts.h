@@ -1,4 +1,4 @@
-// What was hit, in order of time.
+// The list of impacts, in order of time.
 //
 // Hits of a rally on a line (line_rally.h) have most of what they are in common with others of the
 // same pair. So they are kept in 32 bytes each, and become an Impact when somebody asks for it.

@@ -7,7 +7,7 @@
 //     giveBack()       before anything else is asked of the rally
 //
 // All numbers are those in space: what is 0 across the line adds nothing to a sum, and the length
-// of a vector along an axis is its coordinate's. What is not plain on the line is answered there.
+// of a vector along an axis is its coordinate's. The rally in space answers all else.
 #pragma once
 
 #include "simulation/impacts.h"

@@ -1,4 +1,4 @@
-// Where in the text an element stands.
+// The place of an element in the text.
 #pragma once
 
 #include "scene/diagnostic.h"

@@ -1,4 +1,4 @@
-// What a motion says about itself, at the places of the scene's text that it speaks of.
+// The faults and notes of a motion, at their places in the scene's text.
 #pragma once
 
 #include "scene/diagnostic.h"

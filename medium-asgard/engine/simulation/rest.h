@@ -5,9 +5,9 @@
 // goes on with their gaps as constraints. The others open. The answer is looked at again along the
 // motion; where another comes out, the constraints are wrong from there on.
 //
-// What touches along several axes bears only if these forces leave it approaching along each:
-// a box at the seam of two boxes in one plane is borne by that which it lies on, and no push along
-// the plane presses it against the other one's edge.
+// A contact along several axes bears only if these forces leave it approaching along each: the box
+// below bears a box at the seam of two boxes in one plane, and no push along the plane presses it
+// against the other one's edge.
 #pragma once
 
 #include "simulation/touching.h"

@@ -3,7 +3,7 @@
 //
 // A lane is one system. All of a step's arithmetic is done for all lanes at once (lanes.h): stages,
 // sums, evaluations (expression/function.h), scales, error, stiffness, the polynomial between the
-// ends. What is decided is each lane's own. A step that is not ordinary, since something in it has
+// ends. Each lane takes its own decisions. A step that is not ordinary, since something in it has
 // no finite value or grows without bound, changes nothing in its lane: the system makes it again
 // alone, and says what there is to say. So bits and counts are those of stepping alone.
 //

@@ -1,5 +1,5 @@
-// What the equations of a component are, apart from names and numbers: f of y' = f(t, y), h of held
-// values, their switches and derivatives.
+// The equations of a component, without names and numbers: f of y' = f(t, y), h of held values,
+// their switches and derivatives.
 //
 // A thousand alike pendulums are one model with a thousand sets of constants. A model is made from
 // its key and nothing else: the code of its expressions over places,
@@ -8,7 +8,7 @@
 //
 // so that models are found again by content, in other components, in another run, after an edit.
 // Constants that shape expressions (0, 1, -1 and exponents) are part of the key; equal constants of
-// a component are one place. What follows from constants alone is computed when they are bound.
+// a component are one place. Terms of constants alone are computed when the constants are bound.
 //
 // A model never changes once it is made; what is derived when first asked for is guarded, so that
 // any thread may ask.

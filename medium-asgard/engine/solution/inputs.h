@@ -1,4 +1,4 @@
-// What a component reads of others during one of its steps: their dense output.
+// The inputs of a component during one of its steps: the dense output of others.
 //
 // At the end of the step an input may restart; there, and by rounding beyond, the value before its
 // event is the right one, whatever is known of what comes later.

@@ -1,5 +1,5 @@
-// How much of a motion is kept, and how much may be: what components, flights and the source of
-// events have written so far.
+// The bytes kept of a motion, and their limit: components, flights and the source of events have
+// written them so far.
 //
 // The count tells when to look; where a motion ends for it follows from what is kept up to each
 // time (solver_kept.cpp), so that nobody's schedule decides it.

@@ -1,11 +1,11 @@
-// Numbers side by side: what is written for one number, done for eight at once.
+// Numbers side by side: code for one number works on eight at once.
 //
 // A Wide has one number in each of its lanes; all operations are of each lane by itself and have
 // the bits that they have of one number: no multiply-add, comparisons as std::min and std::max make
 // them. Where one number would take a branch, `chosen` takes one of two values that both are there.
 //
-// Eight lanes are two registers of four, so that one works while the other waits. Whoever includes
-// this compiles for a processor with AVX (a pragma around the include) and asks areThere() first.
+// Eight lanes are two registers of four, so that one works while the other waits. A file
+// with this include compiles for AVX (a pragma around the include) and asks areThere() first.
 #pragma once
 
 #include <immintrin.h>

@@ -5,15 +5,15 @@
 // Against this times are watched. From one to the next it is about a 64th of the time since the
 // start, and never the same. They depend on the start alone: not on steps, nor on what else moves,
 // nor on when motion is to end. Inside long steps of equations that can peak the rates there are
-// held against the polynomials that the step left. Where they differ by more than the step may err,
-// the step is refused, and halved until they do not. What only reads others that peak is kept from
-// long steps by their short ones: a step crosses few joints of what it reads. No step is longer
-// than all the time before it, once it is over 1.
+// held against the polynomials that the step left. Where they differ by more than the tolerance,
+// the step is refused, and halved until they do not. The short steps of peaking inputs keep their
+// readers from long steps: a step crosses few joints of its inputs. No step is longer than all the
+// time before it, once it is over 1.
 //
-// What peaks is narrow, but what it peaks by is not: exp(-((t-60)/0.01)^2) is largest where its
-// exponent is, and a step that passes over that changes the sign of the exponent's rate. So signs
-// of such centres are watched too, in every step, and the rates are asked for where one is 0, and
-// beside it, where what is odd about it peaks.
+// A peak is narrow, but its argument is not: exp(-((t-60)/0.01)^2) is largest where its exponent
+// is, and a step that passes over that changes the sign of the exponent's rate. So signs of such
+// centres are watched too, in every step, and the rates are asked for where one is 0, and beside
+// it, where what is odd about it peaks.
 //
 // LIMIT: high powers that are built of low ones, by squaring squares, are not seen to peak: what
 // acts by one for less than a 25th of the time since the start, from its beginning to its end, can

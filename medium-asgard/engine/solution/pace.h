@@ -1,6 +1,6 @@
 // Is the finish farther away than anybody waits for?
 //
-// What has made n steps, or events, n a power of two, and would need more than a billion of them at
+// A component with n steps, or events, n a power of two, that needs more than a billion of them at
 // the pace of the last quarter, and at that of all, never gets there. Where the last quarters grew
 // evenly, they go on growing so. Only the pace counts, not the finish: `beyond` is the earliest
 // finish that would have been hopeless, so that one knows of another finish whether it is.

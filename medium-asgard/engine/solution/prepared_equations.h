@@ -1,7 +1,7 @@
-// What is worked out of a set of equations before anything moves: once, for all runs over it.
+// The work on a set of equations before anything moves: done once, for all runs over it.
 //
 // Linear in the size of the equations. Nothing here changes afterwards; solvers on any thread share
-// it. What an event changes, a solver keeps for itself.
+// it. A solver keeps changes by events for itself.
 #pragma once
 
 #include "solution/bound_model.h"

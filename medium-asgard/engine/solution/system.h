@@ -1,4 +1,4 @@
-// What an integrator sees of a component: y' = f(t, y), and the Jacobian df/dy when it asks.
+// A component as an integrator sees it: y' = f(t, y), and the Jacobian df/dy when it asks.
 #pragma once
 
 #include "expression/function.h"
