@@ -34,22 +34,23 @@ void addSimulate(CLI::App& app, batch::SimulateArguments& a) {
     c.add_option("--quantities", a.quantities, "expressions to add, with commas between them");
     c.add_flag("--only", a.only, "write t and the quantities only");
     c.add_option("--accuracy", a.accuracy, "largest position error over the size of the scene");
-    c.add_option("--finish", a.finish, "when the motion ends");
+    c.add_option("--finish", a.finish, "time at which the motion ends");
     CLI::Option* method = c.add_option("--method", a.method, "integration method instead of auto");
     c.add_option("--fixed-step", a.fixedStep, "steps of exactly this length")->needs(method);
     c.add_flag("--whole", a.whole, "solve the scene as one component");
     c.add_flag("--no-events", a.noEvents, "finish each component before the next");
     c.add_option("--threads", a.threads, "how many components are computed at a time");
     c.add_option("--memory", a.memory,
-                 "MB that may be kept of the motion, for each of the runs that are compared (80)");
+                 "MB of history that each of the compared runs may keep (80)");
     c.add_option("--set", a.set, "NAME=VALUE of a parameter")->take_all()->allow_extra_args(false);
     c.add_option("--stats", a.stats, "file for the work done, as JSON");
 }
 
 void addExplain(CLI::App& app, batch::ExplainArguments& a) {
-    CLI::App& c = *app.add_subcommand("explain", "Tell what of a scene is modelled, how, and why");
+    CLI::App& c =
+        *app.add_subcommand("explain", "Tell which parts of a scene are modelled, how, and why");
     c.add_option("SCENE", a.scene, "the scene's file, - for standard input")->required();
-    c.add_option("--json", a.json, "file for the same as JSON, - for standard output");
+    c.add_option("--json", a.json, "file for the explanation as JSON, - for standard output");
     c.add_flag("--all", a.all, "cut no equation and no list");
     c.add_option(
         "--expressions", a.expressions,
@@ -73,7 +74,7 @@ void addStudy(CLI::App& app, batch::StudyArguments& a) {
 void addRender(CLI::App& app, batch::RenderArguments& a) {
     CLI::App& c = *app.add_subcommand("render", "Draw a scene into picture files");
     c.add_option("SCENE", a.scene, "the scene's file, - for standard input")->required();
-    c.add_option("--time", a.time, "when, instead of at the start");
+    c.add_option("--time", a.time, "time of the picture, instead of the start");
     c.add_option("--from", a.from, "first time of numbered pictures");
     c.add_option("--to", a.to, "last time of numbered pictures");
     c.add_option("--fps", a.fps, "pictures per second (25)");

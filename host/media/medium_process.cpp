@@ -109,7 +109,7 @@ void MediumProcess::send(const std::string& body) {
     if (body.size() > ipc::longestBody)
         end(QStringLiteral("would have to read a message of more than 64 MiB"));
     else if (!pipes_.send(link_, ipc::framed(body)))
-        end(QStringLiteral("does not read what it is sent"));
+        end(QStringLiteral("does not read its messages"));
 }
 
 bool MediumProcess::isCongested() const {

@@ -138,9 +138,9 @@ TEST_F(MediumProcessTest, ReleasesTheMemoryOfOldSizes) {
 TEST_F(MediumProcessTest, SaysWhatHappened) {
     EXPECT_THAT(failure("behave crash"), HasSubstr("was ended by signal 11 (Segmentation fault)"));
     EXPECT_THAT(failure("", {"exit"}), HasSubstr("ended with exit code 3"));
-    EXPECT_THAT(failure("behave garbage"), HasSubstr("sent what is not the protocol"));
-    EXPECT_THAT(failure("behave oversize"), HasSubstr("sent what is not the protocol"));
-    EXPECT_THAT(failure("behave bad-reply"), HasSubstr("sent what is not the protocol"));
+    EXPECT_THAT(failure("behave garbage"), HasSubstr("broke the protocol"));
+    EXPECT_THAT(failure("behave oversize"), HasSubstr("broke the protocol"));
+    EXPECT_THAT(failure("behave bad-reply"), HasSubstr("broke the protocol"));
     EXPECT_THAT(failure("behave truncated"), HasSubstr("ended with exit code 0"));
     // A host that reads as fast as it sends ends it because it answers no pings.
     EXPECT_THAT(failure("behave flood"),
@@ -265,7 +265,7 @@ TEST_F(MediumProcessTest, ACallGoesOnWhenItsProcessEndsInIt) {
         }
         EXPECT_EQ(it.condition(), Condition::live); // it has not been told yet
         ASSERT_TRUE(waitFor([&] { return it.condition() == Condition::failed; }));
-        EXPECT_THAT(it.reason().toStdString(), HasSubstr("does not read what it is sent"));
+        EXPECT_THAT(it.reason().toStdString(), HasSubstr("does not read its messages"));
     }
 }
 

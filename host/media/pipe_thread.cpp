@@ -220,7 +220,7 @@ private:
                 if (pipe.closing.empty())
                     deliver(pipe, body);
             if (pipe.closing.empty() && !pipe.decoder.fault().empty())
-                pipe.closing = "sent what is not the protocol: " + pipe.decoder.fault();
+                pipe.closing = "broke the protocol: " + pipe.decoder.fault();
         } else if (count == 0 || (errno != EAGAIN && errno != EINTR)) {
             closeOnce(pipe.ends.fromMedium);
             if (!pipe.deadline)
@@ -234,7 +234,7 @@ private:
         letter.message =
             ipc::decodeForHost(body, [&](ipc::Integer id) { return pipe.mailbox->awaited(id); });
         if (const auto* violation = std::get_if<ipc::Violation>(&letter.message))
-            pipe.closing = "sent what is not the protocol: " + violation->sentence;
+            pipe.closing = "broke the protocol: " + violation->sentence;
         else if (!pipe.allowance.spend(letter.message, letter.bytes, Clock::now()))
             pipe.closing = "sent more than it may in a second (a flood)";
         else if (!pipe.mailbox->push(std::move(letter)))

@@ -30,7 +30,7 @@ template <class R, class S> void Channel<R, S>::put(const std::string& body) {
     if (!fault_.empty())
         return;
     if (outgoing().size() > floodBytes || outEnds_.size() > floodMessages)
-        return fail("the other side does not read what it is sent");
+        return fail("the other side does not read its messages");
     if (body.size() > longestBody)
         return fail("a message to send is longer than 64 MiB");
     if (outFrom_ > 0 && outFrom_ >= out_.size() / 2) {
