@@ -20,7 +20,7 @@
 
 namespace document {
 
-// What became of an edit that was asked for.
+// The result of an edit.
 enum class EditResult {
     applied,
     nothing, // it would change nothing

@@ -71,7 +71,7 @@ struct Property {
 
 class Presentation {
 public:
-    // What is faulty is left out; each fault has its line in the file. `base`: the one whose blocks
+    // Faulty parts are left out; each fault has its line in the file. `base`: the one whose blocks
     // come before all of its own: what it says nothing else about looks as that one says.
     [[nodiscard]] static Presentation parse(std::string_view text, std::vector<sgml::Fault>& faults,
                                             const Presentation* base = nullptr);
@@ -104,7 +104,7 @@ public:
     // The style of an element inside one with style `outer`; `progress` goes one element down.
     [[nodiscard]] ElementStyle style(const Subject& subject, const ElementStyle& outer,
                                      Progress& progress) const;
-    // What the document's class element inherits from.
+    // The style that the document's class element inherits.
     [[nodiscard]] ElementStyle rootStyle() const;
 
 private:

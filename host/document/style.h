@@ -14,7 +14,7 @@ struct Color {
     bool operator==(const Color&) const = default;
 };
 
-// What letters look like. Inherited by everything inside.
+// The look of letters. Inherited by everything inside.
 struct TextStyle {
     std::string family =
         "serif"; // "serif", "sans", "mono" are generic; anything else is a font's name

@@ -5,7 +5,7 @@
 
 namespace layout {
 
-// What was done, for tests: it grows with the size of the document and no faster.
+// Counts of the work, for tests: it grows with the size of the document and no faster.
 struct Work {
     std::size_t letters = 0; // that were given to the text layout for lines
     std::size_t strips = 0;  // that were put on pages, or looked at for it

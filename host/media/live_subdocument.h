@@ -71,7 +71,7 @@ public:
     [[nodiscard]] const std::vector<ipc::Presentation>& presentations() const {
         return presentations_;
     }
-    // What the medium would like, in 1/96 inch; nothing before it said so.
+    // The size that the medium wants, in 1/96 inch; nothing before it said so.
     [[nodiscard]] std::optional<QSizeF> preferredSize() const { return preferredSize_; }
     void setAvailable(QSizeF available); // what there is at most
     struct Snapshot {
@@ -89,7 +89,7 @@ public:
     // `update-drafts` of its menu; then windowsChanged() says that no draft is left.
     [[nodiscard]] bool takesDrafts() const;
     void takeDrafts();
-    // Of what moves: nothing for a medium without time.
+    // Of a medium that moves; nothing for a medium without time.
     [[nodiscard]] const std::optional<ipc::TimeChanged>& time() const { return time_; }
     void play();
     void pause();
@@ -102,7 +102,7 @@ public:
     [[nodiscard]] const std::string& keptState() const { return kept_.state(); }
     // As keptState() was in an earlier run of the host: the next process opens them.
     void setKeptState(const std::string& state);
-    // What happened to its windows, a sentence for the reader until dismissNotice().
+    // A sentence about the end of its windows, for the reader until dismissNotice().
     [[nodiscard]] const QString& notice() const { return kept_.notice(); }
     void dismissNotice();
     [[nodiscard]] const ipc::Diagnostics& diagnostics() const { return diagnostics_; }

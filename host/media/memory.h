@@ -17,7 +17,7 @@ namespace media {
 [[nodiscard]] std::optional<std::size_t> tooLarge(const std::vector<std::size_t>& held,
                                                   std::size_t most);
 
-// What all media may hold together by default: 1.5 GiB, or half of the machine's memory.
+// The memory that all media may hold together by default: 1.5 GiB, or half of the machine's memory.
 [[nodiscard]] std::size_t usualMemory();
 
 } // namespace media

@@ -59,7 +59,7 @@ public:
     // as their media say; in order of place. Before these, what is wrong in the files of its
     // schemas.
     [[nodiscard]] std::vector<ListedFault> faults();
-    // What a subdocument's medium finds wrong, placed in the file.
+    // Faults that a subdocument's medium finds, placed in the file.
     [[nodiscard]] const std::vector<ListedFault>& faultsOf(document::SubdocumentId id) const;
     // Are there sliders for its parameters?
     [[nodiscard]] bool hasSliders(document::SubdocumentId id) const { return driven_.contains(id); }

@@ -21,7 +21,7 @@ using Edits = std::vector<Edit>;
 
 [[nodiscard]] bool areOrdered(const Edits& edits, std::size_t size);
 [[nodiscard]] std::string applied(std::string_view text, const Edits& edits);
-// What undoes them, in offsets of the text after.
+// The edits that undo them, in offsets of the text after.
 [[nodiscard]] Edits inverse(std::string_view text, const Edits& edits);
 // Where the byte at `offset` is afterwards; nothing when it was replaced.
 [[nodiscard]] std::optional<std::size_t> moved(std::size_t offset, const Edits& edits);

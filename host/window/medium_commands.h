@@ -30,7 +30,7 @@ public:
     ~MediumCommands() override;
 
     [[nodiscard]] QMenu* menuOf(document::SubdocumentId id) const; // nullptr without a medium
-    // What a command of that medium would act on now.
+    // The subdocuments that a command of that medium would act on now.
     [[nodiscard]] std::vector<document::SubdocumentId> targets(const QString& documentClass) const;
     // The class whose medium owns the tool area; empty: none.
     [[nodiscard]] QString toolOwner() const;

@@ -21,7 +21,7 @@ struct Shown {
     std::unique_ptr<QObject> context; // of its connections
 };
 
-// What stands over or instead of its picture.
+// The words over or instead of its picture.
 struct Notice {
     enum class Kind { none, waiting, note, box, stopped };
     Kind kind = Kind::none;

@@ -11,9 +11,9 @@ namespace batch {
 // Long equations and lists are cut, which says how to see them whole; or nothing is.
 enum class Detail { usual, all };
 
-// What acts on each body; a paragraph for each kind of component: those with the same model,
-// method, reason and kinds of unknowns, with each of their laws; then what is not modelled, then
-// the pairs.
+// The forces and contacts of each body; a paragraph for each kind of component: those with the same
+// model, method, reason and kinds of unknowns, with each of their laws; then what is not modelled,
+// then the pairs.
 [[nodiscard]] std::string explanationText(const simulation::Explanation& explanation,
                                           Detail detail = Detail::usual);
 // The phases that were asked for of something with this name, a section for each component.

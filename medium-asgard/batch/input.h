@@ -42,7 +42,7 @@ readScene(script::Reader& reader, const std::string& file,
 [[nodiscard]] std::string placed(const SceneText& scene, scene::Diagnostic said);
 // Why nothing could be computed: each sentence at its place.
 [[nodiscard]] Refusal refusalOf(const SceneText& scene, const std::vector<std::string>& sentences);
-// What a motion says of itself, on standard error. True when something stopped.
+// The faults and notes of a motion, on standard error. True when something stopped.
 [[nodiscard]] bool tell(const SceneText& scene, const simulation::Motion& motion);
 // The reason why a scene cannot be worked with; none when it can. Warnings are printed either way.
 [[nodiscard]] std::optional<Refusal> unusable(const SceneText& scene);

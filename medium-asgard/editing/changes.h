@@ -34,7 +34,7 @@ struct Changes {
     std::vector<Element> added;   // of the scene after
     std::vector<Element> removed; // of the scene before
 
-    // What an element of the scene before is now; nothing: removed.
+    // The element that this one of the scene before is now; nothing: removed.
     [[nodiscard]] std::optional<Element> now(const Element& before) const;
 };
 

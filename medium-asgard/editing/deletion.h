@@ -25,7 +25,7 @@ struct Deletion {
 [[nodiscard]] Deletion deletionOf(const std::string& text, const scene::Scene& scene,
                                   const std::vector<Element>& elements);
 
-// What names this element, directly.
+// The elements that name this one directly.
 [[nodiscard]] std::vector<Element> dependents(const scene::Scene& scene, const Element& element);
 
 } // namespace editing

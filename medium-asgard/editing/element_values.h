@@ -8,7 +8,7 @@
 
 namespace editing {
 
-// None: expressions that change, options without numbers. What does not stand in the text has its
+// None: expressions that change, options without numbers. An option that is not in the text has its
 // default.
 [[nodiscard]] std::optional<std::vector<double>>
 valuesOf(const scene::Scene& scene, const Element& element, const std::string& option);

@@ -16,7 +16,7 @@ namespace editing {
 // A backslash before the line break at that place, or the text's end there, goes on to the next.
 [[nodiscard]] bool isContinued(std::string_view text, std::size_t lineBreak);
 
-// What goes when that command goes: its line or lines, with the comment behind it, when nothing
+// The bytes that go with that command: its line or lines, with the comment behind it, when nothing
 // else stands there; otherwise the command, with the semicolon behind it.
 [[nodiscard]] scene::Range wholeOf(std::string_view text, const script::Structure& structure,
                                    const script::Command& command);

@@ -6,7 +6,7 @@
 
 namespace editing {
 
-// What an option's value is.
+// The kind of an option's value.
 enum class Wants {
     number,
     integer,

@@ -38,8 +38,8 @@ public:
     // Written as -points: moving a tangent rewrites the list.
     [[nodiscard]] bool hasOwnTangents() const { return !fromPoints_; }
 
-    // What the point is now, as numbers of the text: of -points with its time. Of a point on the
-    // curve between -points, or a control point of -bezier.
+    // The point now, as numbers of the text: of -points with its time. Of a point on the curve
+    // between -points, or a control point of -bezier.
     [[nodiscard]] Wish wishOf(std::size_t point) const;
 
     // The point goes there; its tangents go with it. Between two curves that meet smoothly a

@@ -74,8 +74,8 @@ struct AllLeft {
     std::vector<std::string> faults; // what could not be read, a sentence each
 };
 
-// What processes that are no more have left. What is in its file by now is no longer left, and
-// goes. What is damaged is put aside under another name, so that it is told once.
+// The texts that ended processes have left. What is in its file by now is no longer left, and goes.
+// What is damaged is put aside under another name, so that it is told once.
 [[nodiscard]] AllLeft leftBehind(FileSystem& files, const std::string& folder);
 
 // The folder of the user's for a program's unsaved texts: XDG_STATE_HOME, else ~/.local/state.

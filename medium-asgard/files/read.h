@@ -9,7 +9,7 @@
 
 namespace files {
 
-// What a file looked like when it was read or written.
+// The state of a file when it was read or written.
 struct FileStamp {
     bool exists = false;
     std::uint64_t size = 0;

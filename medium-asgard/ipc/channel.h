@@ -25,7 +25,7 @@ namespace ipc {
 inline constexpr std::size_t floodBytes = std::size_t{8} << 20;
 inline constexpr std::size_t floodMessages = 1000;
 
-// What a request came to.
+// The result of a request.
 template <class Result> using Outcome = std::variant<Result, Error>;
 
 template <class Received, class Sent> class Channel {

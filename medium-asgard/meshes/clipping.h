@@ -35,7 +35,7 @@ struct Piece {
 
 [[nodiscard]] Piece pieceOf(const Solid& solid);
 
-// What lies below the plane. Places nearer to it than `tolerance` lie in it.
+// The part below the plane. Places nearer to it than `tolerance` lie in it.
 [[nodiscard]] Piece below(const Piece& piece, const Plane& plane, const Solid& solid,
                           double tolerance);
 

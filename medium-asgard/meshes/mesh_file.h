@@ -37,7 +37,7 @@ using ReadMesh = std::variant<Mesh, FileFault>;
 
 [[nodiscard]] ReadMesh readStl(std::string_view bytes, const std::string& name, const GoOn& goOn);
 [[nodiscard]] ReadMesh readObj(std::string_view bytes, const std::string& name, const GoOn& goOn);
-// What all of them say when they are told to end.
+// The sentence of all of them when they are cancelled.
 [[nodiscard]] FileFault wasEnded(const std::string& name);
 
 } // namespace meshes

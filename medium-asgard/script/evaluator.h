@@ -54,8 +54,8 @@ struct ServerEnds {
     int arrivals = -1;
 };
 
-// What this process does from here on; never returns. `parent` is the process that forked this one.
-// A spare makes no evaluator ready before it is asked for something.
+// The work of this process from here on; never returns. `parent` is the process that forked this
+// one. A spare makes no evaluator ready before it is asked for something.
 [[noreturn]] void serveEvaluations(const ServerEnds& ends, int parent, const Limits& limits,
                                    bool spare);
 

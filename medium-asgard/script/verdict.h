@@ -8,7 +8,7 @@
 
 namespace script {
 
-// What the server answered.
+// The answer of the server.
 struct Answer {
     End end = End::exited;
     int status = 0;

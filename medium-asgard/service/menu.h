@@ -8,7 +8,7 @@
 
 namespace service {
 
-// What the menus show.
+// The state that the menus show.
 struct MenuState {
     bool hasMotion = false, playing = false, loops = false, computing = false;
     bool drafts = false; // something typed in a window is not in the document yet
@@ -19,7 +19,7 @@ struct MenuState {
 
 inline constexpr std::array rates{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 
-// What was typed becomes the document's; hosts offer it before they save or close.
+// Makes drafts the document's text; hosts offer it before they save or close.
 inline constexpr const char* updateDrafts = "update-drafts";
 
 [[nodiscard]] std::vector<ipc::MenuEntry> menuOf(const MenuState& state);

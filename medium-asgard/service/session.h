@@ -22,7 +22,7 @@ namespace service {
 // Smooth edges cost time that a moving picture needs for the next one.
 inline constexpr int movingSamples = 1, stillSamples = 4, printedSamples = 8;
 
-// What a session needs of the process around it.
+// The services that a session needs of its process.
 struct Platform {
     Tools tools;
     std::function<bool(const render::Drawing&, const render::Image&)> draw;

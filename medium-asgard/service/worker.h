@@ -17,7 +17,7 @@ namespace service {
 using ScenePointer = std::shared_ptr<const scene::Scene>;
 using ParameterValues = std::map<std::string, double>;
 
-// What a job needs of the world. `read` and `simulate` run on the worker's thread.
+// The services that a job needs. `read` and `simulate` run on the worker's thread.
 struct Tools {
     std::function<script::ReadResult(const std::string& text, const ParameterValues&)> read;
     std::function<void()> cancelReading; // any thread

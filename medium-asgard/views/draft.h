@@ -29,7 +29,7 @@ public:
     }
     // Where it differs from the document's text, which comes first.
     [[nodiscard]] const std::vector<editing::Hunk>& hunks() const { return hunks_; }
-    // What the document has in the place of a conflict.
+    // The document's text in the place of a conflict.
     [[nodiscard]] QString theirs(scene::Range conflict) const;
 
     void submit(); // it becomes everyone's text

@@ -45,7 +45,7 @@ public:
     void paint(QPainter& painter) const;
     [[nodiscard]] bool dragging() const { return drag_ || newPoint_; }
     [[nodiscard]] std::optional<Asked> asked() const; // by what is dragged
-    // What a drag says of itself, "" when there is none.
+    // The words of a drag, "" when there is none.
     [[nodiscard]] QString words() const;
     // A sentence in the picture until something else is done.
     void say(const QString& sentence, bool isFault = true);

@@ -29,8 +29,8 @@ public:
     // A step forwards or back: 1/25 s, less in a short motion, more in a long one.
     [[nodiscard]] double stepLength() const;
 
-    // What there is to play. The time is kept, even where motion is not computed yet: an edit
-    // computes the motion anew, and one wants to see what became of this very moment.
+    // The motion to play. The time is kept, even where motion is not computed yet: an edit computes
+    // the motion anew, and one wants to see what became of this very moment.
     void setRange(double start, double finish, double computed);
     void seek(double time);
     void play(); // from the start when at the end

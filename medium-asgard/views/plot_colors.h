@@ -1,4 +1,4 @@
-// In which colours a plot's curves are drawn: in that of the body that they are about.
+// The colours of a plot's curves: that of the body that each is about.
 #pragma once
 
 #include "scene/scene.h"

@@ -31,7 +31,7 @@ private:
     void ask();        // for what is shown now
     void makeCharts(); // of its plots, still without values
     void run();        // on the thread
-    // What is sampled is of no use any more.
+    // The samples are of no use any more.
     [[nodiscard]] bool isOvertaken() const { return overtaken_; }
     [[nodiscard]] std::optional<PlotSamples> samplesOf(const Shown& shown,
                                                        const scene::Plot& plot) const;

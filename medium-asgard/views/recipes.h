@@ -19,7 +19,7 @@ using geometry::Vector;
 
 using HandleSwitch = bool render::Display::*; // one kind of handle shown or not
 
-// What a click is to show.
+// The thing that a click is to show.
 enum class Wanted {
     point,      // in the plane of the screen through what was shown before
     body,       // the front-most one, and where on its surface

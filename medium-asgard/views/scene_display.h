@@ -70,7 +70,7 @@ public:
     [[nodiscard]] bool showsNewest() const {
         return !isOld_ && picture_ && picture_->of.serial == wished_;
     }
-    // What is to be seen in the picture as it is.
+    // The things to see in the picture as it is.
     [[nodiscard]] const render::HandleSet& drawnHandles() const;
     // The same, as far as it is of the scene that is shown.
     [[nodiscard]] const render::HandleSet& knownHandles() const;

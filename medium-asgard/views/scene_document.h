@@ -71,7 +71,7 @@ enum class Live {
     never,
 };
 
-// What another has made of the text.
+// The scene and motion that another has made of the text.
 struct Computed {
     Shown shown;
     std::string text; // that the scene was read from
@@ -113,8 +113,8 @@ public:
         return statistics_;
     }
 
-    // What is selected, in every view: elements of the shown scene, in order. They stay selected
-    // while they exist, whatever else an edit changes.
+    // The selection, in every view: elements of the shown scene, in order. They stay selected while
+    // they exist, whatever else an edit changes.
     [[nodiscard]] const std::vector<editing::Element>& selected() const { return selected_; }
     void select(std::vector<editing::Element> elements);
 
@@ -135,7 +135,7 @@ public:
     [[nodiscard]] static QString overtaken(); // the sentence of a gesture that may not
     // The text is a gesture's, which has not ended.
     [[nodiscard]] bool isPreview() const { return gesture_.has_value(); }
-    // What a gesture in one of the windows is made on.
+    // The base of a gesture in one of the windows.
     [[nodiscard]] gestures::Ground ground();
     // Computes the motion again from the current text, however long that takes.
     void recompute();
@@ -167,7 +167,7 @@ public:
     void setHostLink(HostLink link) { host_ = std::move(link); }
     [[nodiscard]] bool hasHost() const { return static_cast<bool>(host_.changed); }
     void setTextFromHost(const std::string& text);
-    // What became of the changes of views: the host's text is the document's, or is so again.
+    // The results of changes by views: the host's text is the document's, or is so again.
     void didAccept();
     void didRefuse(const std::string& hostText, const QString& why);
     void setComputed(Computed computed);

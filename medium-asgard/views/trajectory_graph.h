@@ -34,7 +34,7 @@ public:
     [[nodiscard]] QPointF place(double time, double value) const; // in this widget
     [[nodiscard]] double timeAt(double x) const;
     [[nodiscard]] double valueAt(double y) const;
-    // What one pixel is worth.
+    // The value of one pixel.
     [[nodiscard]] double timeStep() const { return timeAt(1) - timeAt(0); }
     [[nodiscard]] double valueStep() const { return valueAt(0) - valueAt(1); }
 

@@ -43,7 +43,7 @@ public:
     // much as 70 evaluations.
     [[nodiscard]] static std::uint32_t worthwhile(const Sequence& sequence);
 
-    // What the code does, step by step.
+    // The steps of the code, as text.
     [[nodiscard]] std::string print(Purpose purpose, Width width) const;
     // The instructions for it on this processor; empty: there is no code.
     [[nodiscard]] std::string listing(Purpose purpose, Width width) const;

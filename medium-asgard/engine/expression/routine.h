@@ -17,7 +17,7 @@
 
 namespace expression {
 
-// What a routine is for. `guards` computes the guards on the branches given, and nothing else.
+// The use of a routine. `guards` computes the guards on the branches given, and nothing else.
 enum class Purpose : std::uint8_t { values, valuesOnBranches, guards };
 
 struct Place {

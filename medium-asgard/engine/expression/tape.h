@@ -30,8 +30,8 @@ using Decision = std::int64_t;
 // operation then follows from its values even when decisions are given.
 inline constexpr Decision noBranch = std::numeric_limits<Decision>::min();
 
-// What is computed from what, without any number: slots are the inputs, then the constants, then
-// one for each result (SSA). Tapes with equal sequences can share machine code (kernel.h).
+// The dependencies of the operations, without any number: slots are the inputs, then the constants,
+// then one for each result (SSA). Tapes with equal sequences can share machine code (kernel.h).
 struct Sequence {
     struct Instruction {
         Op op;

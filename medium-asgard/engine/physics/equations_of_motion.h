@@ -62,7 +62,7 @@ struct BodyMotion {
     [[nodiscard]] std::array<double, bodyUnknowns> unknownsOf(const BodyValues& values) const;
 };
 
-// What one force or one end of a link adds to a body.
+// The terms that one force or one end of a link adds to a body.
 struct Contribution {
     enum class Kind { force, link };
     Kind kind = Kind::force;

@@ -71,7 +71,7 @@ struct NameFault {
 };
 using Named = std::variant<TimeName, ParameterName, BodyName, TrajectoryName, SceneName, NameFault>;
 
-// What an expression may read.
+// The quantities that an expression may read.
 enum class Reading {
     state,      // everything of bodies, trajectories, parameters, time
     positions,  // a link's point: positions and attitudes, no velocities

@@ -54,7 +54,7 @@ public:
     void read(const solution::Histories& histories);
     // Its motion has ended: from here on it stands like a fixed body, its centre of mass here.
     void standAt(const geometry::Pose& centre);
-    // What was read: the motion was cut.
+    // The values read: the motion was cut.
     void forget() const { piece_.reset(); }
 
     [[nodiscard]] const geometry::Shape& shape() const override { return shape_; }

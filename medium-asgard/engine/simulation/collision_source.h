@@ -58,7 +58,7 @@ public:
 
     // The motion is wanted for longer than before; next() goes on from where it was.
     void lengthen(double finish);
-    // What happened up to a time.
+    // The impacts and notes up to a time.
     [[nodiscard]] Impacts impacts(double until) const { return impacts_.upTo(until); }
     [[nodiscard]] std::vector<std::string> notes(double until) const;
     // Pairs of whom one met the other where its motion had ended, up to a time.

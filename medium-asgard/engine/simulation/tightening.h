@@ -30,7 +30,7 @@ public:
     Tightening(double accuracy, std::size_t bodies);
     [[nodiscard]] static double firstTolerance(double accuracy); // of the first run
 
-    // What one step may err, relative, by body.
+    // The relative error that one step may have, by body.
     [[nodiscard]] const std::vector<double>& loose() const { return loose_; }
     [[nodiscard]] const std::vector<double>& tight() const { return tight_; }
 

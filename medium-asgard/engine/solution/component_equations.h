@@ -109,7 +109,7 @@ public:
     [[nodiscard]] expression::Node time() const { return model_.symbols()[0]; }
     [[nodiscard]] std::span<const expression::Node> outputs() const { return model_.outputs(); }
     [[nodiscard]] std::optional<expression::Decision> decisionOf(expression::Node switching) const;
-    // What a symbol is, other than time or a state: an input, or a constant of this component.
+    // The value of a symbol other than time or a state: an input, or a constant of this component.
     [[nodiscard]] std::optional<std::size_t> stateOf(expression::Node symbol) const;
     [[nodiscard]] std::optional<std::size_t> inputOf(expression::Node symbol) const;
     [[nodiscard]] std::optional<double> constantOf(expression::Node symbol) const;

@@ -37,7 +37,7 @@ public:
     ErrorControl(std::vector<UnknownScale> scales, double tolerance);
 
     [[nodiscard]] double tolerance() const { return tolerance_; }
-    // What a Newton iteration may leave, in units of the tolerance; never below rounding.
+    // The error that a Newton iteration may leave, in units of the tolerance; never below rounding.
     [[nodiscard]] double newtonTolerance() const;
     // What rounding of positions leaves of a correction in the step last prepared, in the same
     // units: no correction below this says how an iteration converges. At fixed steps nothing is

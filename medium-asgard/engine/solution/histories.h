@@ -273,7 +273,7 @@ public:
     // Of the components that an unknown was in, whatever else they have.
     [[nodiscard]] std::size_t bytesOf(std::size_t unknown) const;
 
-    // What is known up to t, as it was before anything after t was solved. Of a snapshot.
+    // The motion up to t, as it was before anything after t was solved. Of a snapshot.
     [[nodiscard]] std::shared_ptr<const Histories> upTo(double t) const;
 
 private:

@@ -40,9 +40,9 @@ private:
 using Reads = std::vector<std::vector<std::size_t>>;
 
 // From all phases after `from` and the one in force then. The four of a quaternion read each other,
-// since they are renormalised together. What stays 0 reads nothing, and nothing reads it. Unknowns
-// that a switch can hold where it is (sliding, component_equations.h) also read all others whose
-// rates have the same switch: what it gives then is one number, which is theirs too.
+// since they are renormalised together. An unknown that stays 0 reads nothing, and nothing reads
+// it. Unknowns that a switch can hold where it is (sliding, component_equations.h) also read all
+// others whose rates have the same switch: what it gives then is one number, which is theirs too.
 [[nodiscard]] Reads readsOf(const expression::EquationSet& equations, const UnknownIndex& index,
                             double from, const ZeroStates& zero = {});
 [[nodiscard]] Reads readsOf(const expression::EquationSet& equations, double from,

@@ -29,7 +29,7 @@ public:
     void rest();
 
     // Calls work(i) for each i < count, once; `meanwhile` every millisecond on the calling thread
-    // while it waits for the others. What a piece throws is thrown here, when all are done.
+    // while it waits for the others. An exception of a piece is thrown here, when all are done.
     void forEach(std::size_t count, const std::function<void(std::size_t)>& work,
                  const std::function<void()>& meanwhile);
 
