@@ -65,6 +65,11 @@ DocumentWindow::DocumentWindow(Application& application,
       faults_(new FaultsPane(*document_, this)), tools_(new QToolBar(tr("Tools"), this)),
       pageLabel_(plain::label({}, this)), zoomLabel_(plain::label({}, this)) {
     setAttribute(Qt::WA_DeleteOnClose);
+    setObjectName("documentWindow");
+    banner_->setObjectName("banner");
+    view_->setObjectName("pages");
+    pageLabel_->setObjectName("page");
+    zoomLabel_->setObjectName("zoom");
     setAcceptDrops(true);
     auto* middle = new QWidget(this);
     auto* column = new QVBoxLayout(middle);

@@ -14,6 +14,8 @@ FindBar::FindBar(DocumentView& view, QWidget* parent)
     row->setContentsMargins(10, 4, 10, 4);
     auto* label = plain::label(tr("Find"), this);
     label->setBuddy(field_);
+    setObjectName("findBar");
+    field_->setObjectName("find");
     field_->setAccessibleName(tr("Find"));
     field_->setClearButtonEnabled(true);
     field_->setMaximumWidth(320);

@@ -46,6 +46,8 @@ PlayBar::PlayBar(bool dark, QWidget* parent)
     button_->setAutoRaise(true);
     button_->setIconSize({16, 16});
     slider_->setRange(0, steps);
+    button_->setObjectName("play");
+    slider_->setObjectName("time");
     slider_->setAccessibleName(tr("Time"));
     slider_->setFocusPolicy(dark ? Qt::NoFocus : Qt::StrongFocus);
     button_->setFocusPolicy(dark ? Qt::NoFocus : Qt::StrongFocus);

@@ -22,6 +22,10 @@ BodyPanel::BodyPanel(SceneDocument& document, QWidget* parent)
     column->addLayout(buttons);
     buttons->addWidget(size_);
     buttons->addWidget(shape_);
+    name_->setObjectName("bodyName");
+    fixed_->setObjectName("fixed");
+    size_->setObjectName("size");
+    shape_->setObjectName("bodyShape");
     fixed_->setToolTip(tr("It never moves, whatever hits it: a floor, a wall"));
     size_->setToolTip(tr("The radius or the edges of its shape (double click on the body)"));
     shape_->setToolTip(tr("Its shape, in the shape editor"));

@@ -40,6 +40,7 @@ ControlPanel::ControlPanel(SceneDocument& document, Windows windows)
     : document_(document), windows_(std::move(windows)), name_(plain::label()),
       place_(plain::label()), state_(plain::label()), progress_(new QProgressBar),
       simulate_(new QPushButton(tr("&Simulate"))), exports_(*new Exports(document, *this)) {
+    setObjectName("controlPanel");
     setWindowTitle(tr("Asgard"));
     auto* whole = new QWidget;
     auto* column = new QVBoxLayout(whole);
@@ -49,16 +50,19 @@ ControlPanel::ControlPanel(SceneDocument& document, Windows windows)
     large.setPointSizeF(large.pointSizeF() * 1.35);
     large.setBold(true);
     name_->setFont(large);
+    name_->setObjectName("sceneName");
     name_->setAccessibleName(tr("Scene"));
     place_->setForegroundRole(QPalette::PlaceholderText);
     place_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     state_->setWordWrap(true);
     state_->setMinimumHeight(2 * state_->fontMetrics().height());
     state_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    state_->setObjectName("state");
     state_->setAccessibleName(tr("State"));
     progress_->setTextVisible(false);
     progress_->setFixedHeight(6);
     progress_->setRange(0, 1000);
+    progress_->setObjectName("progress");
     progress_->setAccessibleName(tr("How far the motion is computed"));
     column->addWidget(name_);
     column->addWidget(place_);
@@ -70,10 +74,14 @@ ControlPanel::ControlPanel(SceneDocument& document, Windows windows)
     column->addWidget(span);
     column->addSpacing(6);
     auto* graphical = new QPushButton(tr("New &Graphical Viewer"));
+    graphical->setObjectName("newGraphicalViewer");
     auto* language = new QPushButton(tr("New &Language Viewer"));
+    language->setObjectName("newLanguageViewer");
     simulate_->setToolTip(tr("Compute the motion again (F5)"));
+    simulate_->setObjectName("simulate");
     simulate_->setDefault(true);
     auto* exports = new QPushButton(tr("E&xport…"));
+    exports->setObjectName("export");
     exports->setToolTip(
         tr("Pictures, and the motion as a table, for other programs (Ctrl+Shift+E)"));
     connect(exports, &QPushButton::clicked, &exports_, &Exports::ask);

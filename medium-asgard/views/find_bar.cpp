@@ -44,6 +44,9 @@ FindBar::FindBar(SceneEditor& editor)
       with_(field(tr("Replace with"), tr("Return: replace this place and go to the next"))),
       wholeWords_(new QCheckBox(tr("&Whole words"))), words_(plain::label()),
       replaceRow_(new QWidget) {
+    setObjectName("findBar");
+    what_->setObjectName("find");
+    with_->setObjectName("replace");
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(6);

@@ -34,6 +34,7 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document, std::shared_ptr<Pictur
                                  Windows windows, int number)
     : document_(document), windows_(std::move(windows)), number_(number) {
     setAttribute(Qt::WA_DeleteOnClose);
+    setObjectName(QStringLiteral("graphicalViewer%1").arg(number_));
     auto* whole = new QWidget;
     auto* column = new QVBoxLayout(whole);
     column->setContentsMargins(8, 8, 8, 8);
@@ -43,10 +44,12 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document, std::shared_ptr<Pictur
     auto* frame = new QFrame;
     frame->setFrameStyle(QFrame::StyledPanel | QFrame::Sunken);
     display_ = new SceneDisplay(document_, std::move(pictures));
+    display_->setObjectName("scene");
     auto* inFrame = new QVBoxLayout(frame);
     inFrame->setContentsMargins(1, 1, 1, 1);
     inFrame->addWidget(display_);
     panel_ = new StatusPanel(document_, playback_, display_->display());
+    panel_->setObjectName("status");
     row->addWidget(frame, 1);
     auto* scroll = new QScrollArea; // a low window has room for the picture
     scroll->setFrameShape(QFrame::NoFrame);
@@ -57,12 +60,16 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document, std::shared_ptr<Pictur
     scroll->setFocusPolicy(Qt::NoFocus);
     row->addWidget(scroll);
     told_ = new ToldBar;
+    told_->setObjectName("told");
     column->addWidget(told_);
     column->addLayout(row, 1);
     timeBar_ = new TimeBar;
+    timeBar_->setObjectName("timeBar");
     timeStrip_ = new TimeStrip(document_);
+    timeStrip_->setObjectName("timeStrip");
     buildTimeControls(column);
     hint_ = plain::label();
+    hint_->setObjectName("hint");
     hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // what does not fit is cut
     hint_->setForegroundRole(QPalette::PlaceholderText);
     hint_->setAccessibleName(tr("What the buttons do here"));
@@ -108,9 +115,10 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document, std::shared_ptr<Pictur
     resize(900, 640);
 }
 
-QToolButton* GraphicalViewer::addButton(QHBoxLayout* row, Icon which, const QString& tip,
-                                        std::function<void()> action) {
+QToolButton* GraphicalViewer::addButton(QHBoxLayout* row, const char* name, Icon which,
+                                        const QString& tip, std::function<void()> action) {
     auto* button = new QToolButton;
+    button->setObjectName(name);
     button->setIconSize(QSize(20, 20));
     button->setAutoRaise(true);
     button->setToolTip(plain::tip(tip));
@@ -125,19 +133,22 @@ QToolButton* GraphicalViewer::addButton(QHBoxLayout* row, Icon which, const QStr
 void GraphicalViewer::buildTimeControls(QVBoxLayout* column) {
     auto* row = new QHBoxLayout;
     row->setSpacing(2);
-    addButton(row, Icon::first, tr("First moment (Home)"),
+    addButton(row, "first", Icon::first, tr("First moment (Home)"),
               [this] { playback_.seek(playback_.start()); });
-    addButton(row, Icon::stepBack, tr("Step back (Left)"), [this] { playback_.step(-1); });
-    playButton_ =
-        addButton(row, Icon::play, tr("Play or pause (Space)"), [this] { togglePlaying(); });
-    addButton(row, Icon::stop, tr("Stop (Escape)"), [this] { playback_.stop(); });
-    addButton(row, Icon::stepForward, tr("Step (Right)"), [this] { playback_.step(1); });
-    addButton(row, Icon::last, tr("Last moment (End)"),
+    addButton(row, "stepBack", Icon::stepBack, tr("Step back (Left)"),
+              [this] { playback_.step(-1); });
+    playButton_ = addButton(row, "play", Icon::play, tr("Play or pause (Space)"),
+                            [this] { togglePlaying(); });
+    addButton(row, "stop", Icon::stop, tr("Stop (Escape)"), [this] { playback_.stop(); });
+    addButton(row, "stepForward", Icon::stepForward, tr("Step (Right)"),
+              [this] { playback_.step(1); });
+    addButton(row, "last", Icon::last, tr("Last moment (End)"),
               [this] { playback_.seek(playback_.finish()); });
-    loopButton_ = addButton(row, Icon::loop, tr("Play again and again (L)"),
+    loopButton_ = addButton(row, "loop", Icon::loop, tr("Play again and again (L)"),
                             [this] { playback_.setLoops(!playback_.loops()); });
     loopButton_->setCheckable(true);
     rateButton_ = new QToolButton;
+    rateButton_->setObjectName("rate");
     rateButton_->setAutoRaise(true);
     rateButton_->setPopupMode(QToolButton::InstantPopup);
     rateButton_->setToolTip(tr("How fast it is played"));
@@ -154,6 +165,7 @@ void GraphicalViewer::buildTimeControls(QVBoxLayout* column) {
     row->addWidget(span);
     row->addSpacing(12);
     timeLabel_ = plain::label();
+    timeLabel_->setObjectName("time");
     QFont font = timeLabel_->font();
     font.setBold(true);
     timeLabel_->setFont(font);
@@ -189,13 +201,17 @@ void GraphicalViewer::buildMenus() {
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     addUndoActions(edit, document_);
     edit->addSeparator();
-    deleteAction_ =
+    QAction* remove =
         edit->addAction(tr("&Delete"), this, [this] { display_->editing().deleteMarked(); });
-    valueAction_ =
+    QAction* value =
         edit->addAction(tr("E&xact Value…"), this, [this] { display_->editing().openEntry(); });
-    connect(&display_->editing(), &PictureEditing::changed, this, &GraphicalViewer::updateEditMenu);
-    connect(&document_, &SceneDocument::selectionChanged, this, &GraphicalViewer::updateEditMenu);
-    updateEditMenu();
+    // Nothing selected: nothing to delete, and no value. A new element's handle is known with its
+    // first picture, which tells nobody: the menu looks when it opens.
+    connect(edit, &QMenu::aboutToShow, this, [this, remove, value] {
+        const bool marked = display_->editing().marked().has_value();
+        remove->setEnabled(marked || !document_.selected().empty());
+        value->setEnabled(marked);
+    });
     buildShapesMenu(menuBar()->addMenu(tr("&Shapes")), document_, windows_);
     buildCreateMenu(menuBar()->addMenu(tr("&Create")), document_, *display_);
     buildViewMenu();
@@ -457,13 +473,6 @@ void GraphicalViewer::updateTitle() {
         number_ == 1 ? tr("Graphical Viewer") : tr("Graphical Viewer %1").arg(number_);
     setWindowTitle(tr("%1[*] – %2").arg(plain::title(document_.name()), viewer));
     setWindowModified(document_.hasHost() ? false : document_.isModified());
-}
-
-// Nothing selected: nothing to delete, and no value.
-void GraphicalViewer::updateEditMenu() {
-    const bool marked = display_->editing().marked().has_value();
-    deleteAction_->setEnabled(marked || !document_.selected().empty());
-    valueAction_->setEnabled(marked);
 }
 
 // Space presses the button or box that has the keyboard; elsewhere it plays.

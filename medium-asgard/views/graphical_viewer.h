@@ -59,7 +59,7 @@ private:
     void buildViewMenu();
     void buildLiveMenu(QMenu* menu);
     void buildTimeControls(QVBoxLayout* column);
-    QToolButton* addButton(QHBoxLayout* row, Icon which, const QString& tip,
+    QToolButton* addButton(QHBoxLayout* row, const char* name, Icon which, const QString& tip,
                            std::function<void()> action);
     void connectTimeStrip();
     void connectBody();
@@ -69,7 +69,6 @@ private:
     void updateState();
     void updateIcons();
     void updateTitle();
-    void updateEditMenu();
     void showHint();
     void togglePlaying();
     void stop();
@@ -87,7 +86,6 @@ private:
     TimeStrip* timeStrip_;
     QMenu* viewsMenu_ = nullptr;
     QAction *playAction_ = nullptr, *loopAction_ = nullptr;
-    QAction *deleteAction_ = nullptr, *valueAction_ = nullptr;
     QToolButton *playButton_ = nullptr, *loopButton_ = nullptr, *rateButton_ = nullptr;
     std::vector<std::pair<QToolButton*, Icon>> buttons_;
     QLabel *timeLabel_ = nullptr, *hint_ = nullptr;

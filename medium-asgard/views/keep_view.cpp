@@ -71,6 +71,7 @@ KeepViewDialog::KeepViewDialog(const SceneDocument& document, const gestures::Si
                                const QString& preferred, QWidget* parent)
     : QDialog(parent), text_(document.text()), scene_(document.shown().scene), sight_(sight),
       views_(new QComboBox), says_(plain::markupLabel()) {
+    setObjectName("keepView");
     setWindowTitle(tr("Keep This View"));
     setMinimumWidth(420);
     for (const scene::View& view : scene_->views)

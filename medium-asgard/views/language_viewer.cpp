@@ -39,6 +39,10 @@ LanguageViewer::LanguageViewer(SceneDocument& document, Windows windows, int num
       notice_(new NoticeBar(*editor_, *draft_)), told_(new ToldBar),
       findBar_(new FindBar(*editor_)) {
     setAttribute(Qt::WA_DeleteOnClose);
+    setObjectName(QStringLiteral("languageViewer%1").arg(number_));
+    editor_->setObjectName("text");
+    messages_->setObjectName("messages");
+    told_->setObjectName("told");
     editor_->setAccessibleName(tr("Text of the scene"));
     editor_->installEventFilter(this);
     auto* whole = new QWidget;
@@ -113,17 +117,22 @@ QWidget* LanguageViewer::buildButtons() {
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
     updateButton_ = new QPushButton(tr("&Update"));
+    updateButton_->setObjectName("update");
     saveButton_ = new QPushButton(tr("&Save"));
+    saveButton_->setObjectName("save");
     saveButton_->setToolTip(tr("Update, and write the file (Ctrl+S)"));
     saveButton_->setVisible(static_cast<bool>(windows_.save));
     revertButton_ = new QPushButton(tr("&Revert"));
+    revertButton_->setObjectName("revert");
     revertButton_->setToolTip(document_.hasHost()
                                   ? tr("Drop the draft: back to the document's text (Ctrl+Shift+R)")
                                   : tr("Back to the text that was saved last, in every view "
                                        "(Ctrl+Shift+R)"));
     auto* dismiss = new QPushButton(tr("&Dismiss"));
+    dismiss->setObjectName("dismiss");
     dismiss->setToolTip(tr("Close this viewer (Ctrl+W)"));
     state_ = plain::label();
+    state_->setObjectName("state");
     state_->setAccessibleName(tr("State of the text"));
     state_->setForegroundRole(QPalette::PlaceholderText);
     for (QPushButton* button : {updateButton_, saveButton_, revertButton_})

@@ -59,6 +59,7 @@ ManualWindow::ManualWindow(const QString& markdown)
     : text_(new QTextBrowser), chapters_(new QListWidget), search_(new QLineEdit),
       none_(plain::label(tr("Not found"))) {
     setAttribute(Qt::WA_DeleteOnClose);
+    setObjectName("manual");
     setAttribute(Qt::WA_QuitOnClose, false);
     setWindowTitle(tr("Manual"));
     text_->setMarkdown(markdown);
@@ -66,10 +67,12 @@ ManualWindow::ManualWindow(const QString& markdown)
     dropEmptyRows(*text_->document()->rootFrame());
     drawTablesLightly(*text_->document()->rootFrame());
     search_->setPlaceholderText(tr("Find (Ctrl+F)"));
+    search_->setObjectName("search");
     search_->setAccessibleName(tr("Find in the manual"));
     search_->setClearButtonEnabled(true);
     none_->setForegroundRole(QPalette::PlaceholderText);
     none_->hide();
+    chapters_->setObjectName("chapters");
     chapters_->setAccessibleName(tr("Chapters"));
     chapters_->setFrameShape(QFrame::NoFrame);
     fillChapters();

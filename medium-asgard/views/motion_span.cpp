@@ -60,6 +60,7 @@ QLineEdit* MotionSpan::addField(const QString& label, const QString& name, const
     field->setAlignment(Qt::AlignRight);
     field->setFixedWidth(field->fontMetrics().horizontalAdvance(QStringLiteral("0000.000")) + 14);
     field->setToolTip(plain::tip(tip));
+    field->setObjectName(option + 1); // without its hyphen
     field->setAccessibleName(name);
     field->installEventFilter(this);
     connect(field, &QLineEdit::editingFinished, this,

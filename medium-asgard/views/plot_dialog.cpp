@@ -49,6 +49,8 @@ QString faultOfPlotted(const scene::Scene& scene, const QString& expression) {
 
 PlotDialog::PlotDialog(std::shared_ptr<const scene::Scene> scene, QWidget* parent)
     : QDialog(parent), scene_(std::move(scene)), field_(new QLineEdit), fault_(plain::label()) {
+    setObjectName("newPlot");
+    field_->setObjectName("expression");
     setWindowTitle(tr("New Plot"));
     auto* column = new QVBoxLayout(this);
     auto* asks = plain::label(tr("&Expression to chart against time:"));

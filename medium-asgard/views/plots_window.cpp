@@ -41,6 +41,7 @@ PlotSamples namedOnly(const scene::Scene& scene, const scene::Plot& plot) {
 
 PlotsWindow::PlotsWindow(SceneDocument& document) : document_(document) {
     setAttribute(Qt::WA_DeleteOnClose);
+    setObjectName("plots");
     auto* whole = new QWidget;
     column_ = new QVBoxLayout(whole);
     column_->setContentsMargins(8, 8, 8, 8);

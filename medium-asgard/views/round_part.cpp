@@ -26,6 +26,7 @@ RoundPartDialog::RoundPartDialog(RoundPart kind, QWidget* parent)
     : QDialog(parent), kind_(kind), radius_(lengthField(kind == RoundPart::cylinder ? 0.5 : 0.3)),
       length_(lengthField(1)), sides_(new QSpinBox) {
     const bool isCylinder = kind == RoundPart::cylinder;
+    setObjectName("roundPart");
     setWindowTitle(isCylinder ? tr("New Cylinder") : tr("New Capsule"));
     sides_->setRange(3, 48);
     sides_->setValue(isCylinder ? 16 : 12);

@@ -86,6 +86,10 @@ QPointF SceneDisplay::fromPixels(const Eigen::Vector2d& pixels) const {
     return QPointF(pixels.x(), pixels.y()) / devicePixelRatioF();
 }
 
+QPointF SceneDisplay::placeOf(double x, double y, double z) const {
+    return fromPixels(sight().pixels({x, y, z}));
+}
+
 void SceneDisplay::redraw(bool moving) {
     moving_ = moving;
     isOld_ = true;

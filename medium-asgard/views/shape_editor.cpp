@@ -33,6 +33,8 @@ ShapeEditor::ShapeEditor(SceneDocument& document)
     : document_(document), names_(new QComboBox), display_(new ShapeDisplay),
       panel_(new ShapePanel), fields_(new ShapeFields), words_(plain::label()) {
     setAttribute(Qt::WA_DeleteOnClose);
+    setObjectName("shapeEditor");
+    display_->setObjectName("shape");
     auto* whole = new QWidget;
     auto* column = new QVBoxLayout(whole);
     column->setContentsMargins(12, 10, 12, 10);
@@ -47,6 +49,7 @@ ShapeEditor::ShapeEditor(SceneDocument& document)
     words_->setWordWrap(true);
     words_->setMinimumHeight(2 * words_->fontMetrics().height());
     words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    words_->setObjectName("hint");
     words_->setAccessibleName(tr("Hint"));
     column->addWidget(words_);
     setCentralWidget(whole);
@@ -72,18 +75,22 @@ ShapeEditor::ShapeEditor(SceneDocument& document)
 }
 
 void ShapeEditor::buildTop(QHBoxLayout* row) {
+    names_->setObjectName("shapes");
     names_->setAccessibleName(tr("Shape"));
     names_->setMinimumContentsLength(12);
     names_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     auto* fresh = new QToolButton;
+    fresh->setObjectName("newShape");
     fresh->setText(tr("New…"));
     fresh->setToolTip(tr("A new shape (Ctrl+N)"));
     connect(fresh, &QToolButton::clicked, this, &ShapeEditor::askForNewShape);
     auto* import = new QToolButton;
+    import->setObjectName("import");
     import->setText(tr("Import…"));
     import->setToolTip(tr("A new shape from an STL or OBJ file (Ctrl+I)"));
     connect(import, &QToolButton::clicked, this, &ShapeEditor::askToImport);
     rename_ = new QToolButton;
+    rename_->setObjectName("rename");
     rename_->setText(tr("Rename…"));
     rename_->setToolTip(tr("Another name, here and where the shape is used (F2)"));
     connect(rename_, &QToolButton::clicked, this, &ShapeEditor::askForName);

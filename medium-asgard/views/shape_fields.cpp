@@ -65,6 +65,7 @@ ShapeFields::ShapeFields(QWidget* parent) : QWidget(parent) {
     row->addWidget(plain::label(tr("Vertex")));
     for (std::size_t i = 0; i < 3; ++i) {
         place_[i] = field(row, plain::label(axes[i]), tr("%1 of the vertex").arg(axes[i]));
+        place_[i]->setObjectName(QStringLiteral("vertex%1").arg(i + 1));
         connect(place_[i], &QLineEdit::editingFinished, this, [this, i] {
             if (place_[i]->isModified())
                 takePlace();
@@ -74,6 +75,7 @@ ShapeFields::ShapeFields(QWidget* parent) : QWidget(parent) {
     for (std::size_t i = 0; i < 3; ++i) {
         sizeNames_[i] = plain::label(QStringLiteral("×"));
         sizes_[i] = field(row, sizeNames_[i], i == 0 ? tr("Radius or first edge") : tr("Edge"));
+        sizes_[i]->setObjectName(QStringLiteral("size%1").arg(i + 1));
         connect(sizes_[i], &QLineEdit::editingFinished, this, [this, i] {
             if (sizes_[i]->isModified())
                 takeSizes();

@@ -65,6 +65,7 @@ ShapeImport::ShapeImport(SceneDocument& document, const QString& path, QWidget* 
       points_(countField(4, 1000, 48)), progress_(new QProgressBar),
       fewer_(new QPushButton(tr("&Use Fewer"))) {
     setAttribute(Qt::WA_DeleteOnClose);
+    setObjectName("shapeImport");
     setWindowTitle(tr("Import %1").arg(plain::title(file_)));
     display_->setForLooking();
     auto* row = new QHBoxLayout(this);

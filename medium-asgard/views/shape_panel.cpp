@@ -49,17 +49,18 @@ ShapePanel::ShapePanel(QWidget* parent) : QWidget(parent), parts_(new QListWidge
     auto* title = plain::label(tr("P&arts"));
     title->setBuddy(parts_);
     column->addWidget(title);
+    parts_->setObjectName("parts");
     parts_->setAccessibleName(tr("Parts"));
     column->addWidget(parts_, 1);
     auto* row = new QHBoxLayout;
-    ofChosen_ = {button(tr("C&olour…"), tr("The colour of the chosen part"),
+    ofChosen_ = {button("colour", tr("C&olour…"), tr("The colour of the chosen part"),
                         [this] { Q_EMIT colourWanted(); }),
-                 button(tr("&Delete"), tr("Deletes the chosen part (Shift+Delete)"),
+                 button("deletePart", tr("&Delete"), tr("Deletes the chosen part (Shift+Delete)"),
                         [this] { Q_EMIT removeWanted(); })};
     for (QPushButton* one : ofChosen_)
         row->addWidget(one);
     column->addLayout(row);
-    ofChosen_.push_back(button(tr("Convex &Hull"),
+    ofChosen_.push_back(button("convexHull", tr("Convex &Hull"),
                                tr("Removes the vertices that lie inside the part, the white ones "
                                   "(Ctrl+H)"),
                                [this] { Q_EMIT hullWanted(); }));
@@ -74,9 +75,10 @@ ShapePanel::ShapePanel(QWidget* parent) : QWidget(parent), parts_(new QListWidge
     });
 }
 
-QPushButton* ShapePanel::button(const QString& text, const QString& tip,
+QPushButton* ShapePanel::button(const char* name, const QString& text, const QString& tip,
                                 std::function<void()> action) {
     auto* made = new QPushButton(plain::ours(text));
+    made->setObjectName(name);
     made->setToolTip(plain::tip(tip));
     connect(made, &QPushButton::clicked, this, std::move(action));
     return made;
@@ -85,23 +87,25 @@ QPushButton* ShapePanel::button(const QString& text, const QString& tip,
 void ShapePanel::buildNewParts(QVBoxLayout* column) {
     column->addWidget(plain::label(tr("New part")));
     auto* grid = new QGridLayout;
-    const std::pair<QString, scene::Part> kinds[] = {
-        {tr("&Sphere"), editing::sphere(0.5)},
-        {tr("&Box"), editing::box({1, 1, 1})},
-        {tr("Polyhed&ron"), editing::tetrahedron(1)},
+    const std::tuple<const char*, QString, scene::Part> kinds[] = {
+        {"addSphere", tr("&Sphere"), editing::sphere(0.5)},
+        {"addBox", tr("&Box"), editing::box({1, 1, 1})},
+        {"addPolyhedron", tr("Polyhed&ron"), editing::tetrahedron(1)},
     };
     int place = 0;
-    for (const auto& [text, part] : kinds) {
+    for (const auto& [name, text, part] : kinds) {
         const QString label = tr("Add %1").arg(QString(text).remove('&'));
-        auto* one = button(text, tr("Adds one of size 1 about the origin; its sizes stand below"),
-                           [this, label, what = part] { Q_EMIT addWanted({what}, label); });
+        auto* one =
+            button(name, text, tr("Adds one of size 1 about the origin; its sizes stand below"),
+                   [this, label, what = part] { Q_EMIT addWanted({what}, label); });
         grid->addWidget(one, place / 2, place % 2);
         ++place;
     }
-    for (const auto& [text, kind] : {std::pair(tr("C&ylinder…"), RoundPart::cylinder),
-                                     std::pair(tr("Ca&psule…"), RoundPart::capsule)}) {
+    for (const auto& [name, text, kind] :
+         {std::tuple("addCylinder", tr("C&ylinder…"), RoundPart::cylinder),
+          std::tuple("addCapsule", tr("Ca&psule…"), RoundPart::capsule)}) {
         const QString label = tr("Add %1").arg(QString(text).remove('&').remove(u'…'));
-        auto* one = button(text, tr("Adds a polyhedron as round as you want it"),
+        auto* one = button(name, text, tr("Adds a polyhedron as round as you want it"),
                            [this, label, which = kind] {
                                RoundPartDialog dialog(which, this);
                                if (dialog.exec() == QDialog::Accepted)
@@ -111,6 +115,7 @@ void ShapePanel::buildNewParts(QVBoxLayout* column) {
         ++place;
     }
     auto* library = new QPushButton(tr("&Library"));
+    library->setObjectName("library");
     auto* menu = new QMenu(library);
     for (const editing::LibraryShape& shape : editing::shapeLibrary()) {
         const QString name = QString::fromStdString(shape.name);
@@ -126,8 +131,10 @@ void ShapePanel::buildNewParts(QVBoxLayout* column) {
 void ShapePanel::buildGrid(QVBoxLayout* column) {
     auto* row = new QHBoxLayout;
     auto* grid = new QCheckBox(tr("&Grid"));
+    grid->setObjectName("grid");
     grid->setToolTip(tr("Vertices that are dragged stay on multiples of the step"));
     auto* step = new QDoubleSpinBox;
+    step->setObjectName("gridStep");
     step->setDecimals(3);
     step->setRange(0.001, 1000);
     step->setValue(0.1);

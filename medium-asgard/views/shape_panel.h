@@ -35,7 +35,8 @@ Q_SIGNALS:
 private:
     void buildNewParts(QVBoxLayout* column);
     void buildGrid(QVBoxLayout* column);
-    QPushButton* button(const QString& text, const QString& tip, std::function<void()> action);
+    QPushButton* button(const char* name, const QString& text, const QString& tip,
+                        std::function<void()> action);
 
     QListWidget* parts_;
     std::vector<QPushButton*> ofChosen_; // enabled while a part is chosen

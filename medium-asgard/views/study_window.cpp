@@ -18,6 +18,7 @@ StudyWindow::StudyWindow(std::shared_ptr<const scene::Scene> scene, simulation::
                          const QString& name)
     : scene_(std::move(scene)), plan_(std::move(plan)), name_(name) {
     setAttribute(Qt::WA_DeleteOnClose);
+    setObjectName("study");
     setWindowTitle(tr("%1 – Speed and Accuracy").arg(plain::title(name_)));
     auto* whole = new QWidget;
     auto* column = new QVBoxLayout(whole);

@@ -81,12 +81,15 @@ private:
     QThread* interface_ = QThread::currentThread();
 };
 
-// Handles events until the condition holds; false after ten seconds.
+// How long a test waits for something at most, in milliseconds: only a hang reaches it.
+constexpr int longestWait = 120'000;
+
+// Handles events until the condition holds.
 inline bool waitFor(const std::function<bool()>& condition) {
     QElapsedTimer timer;
     timer.start();
     while (!condition()) {
-        if (timer.elapsed() > 10000)
+        if (timer.elapsed() > longestWait)
             return false;
         QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
         QThread::msleep(1);

@@ -46,10 +46,12 @@ QString held(scene::Held what) {
 TrajectoryEditor::TrajectoryEditor(SceneDocument& document)
     : document_(document), names_(new QComboBox), role_(plain::label()), words_(plain::label()) {
     setAttribute(Qt::WA_DeleteOnClose);
+    setObjectName("trajectoryEditor");
     auto* whole = new QWidget;
     auto* column = new QVBoxLayout(whole);
     column->setContentsMargins(12, 10, 12, 10);
     auto* top = new QHBoxLayout;
+    names_->setObjectName("trajectories");
     names_->setAccessibleName(tr("Trajectory"));
     names_->setMinimumContentsLength(12);
     names_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
@@ -74,6 +76,7 @@ TrajectoryEditor::TrajectoryEditor(SceneDocument& document)
     const QString axes[] = {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
     for (int i = 0; i < 3; ++i) {
         auto* graph = new TrajectoryGraph(i, axes[i]);
+        graph->setObjectName("graph" + axes[i]);
         graphs_[at(i)] = graph;
         column->addWidget(graph, 1);
         connectGraph(graph);
@@ -82,6 +85,7 @@ TrajectoryEditor::TrajectoryEditor(SceneDocument& document)
     words_->setWordWrap(true);
     words_->setMinimumHeight(2 * words_->fontMetrics().height());
     words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    words_->setObjectName("hint");
     words_->setAccessibleName(tr("Hint"));
     column->addWidget(words_);
     setCentralWidget(whole);

@@ -36,6 +36,7 @@ ValueEntry::ValueEntry(SceneDocument& document, AskedValue asked, QWidget* paren
     column->setContentsMargins(10, 8, 10, 8);
     column->setSpacing(6);
     auto* title = plain::label(asked_.title);
+    title->setObjectName("valueTitle");
     QFont bold = title->font();
     bold.setBold(true);
     title->setFont(bold);
@@ -72,6 +73,7 @@ void ValueEntry::addFields(QVBoxLayout* column) {
         const bool literal = script::decimalNumber(written).has_value();
         const QString text = literal ? QString::fromStdString(written) : plain(asked_.now[i]);
         auto* field = new QLineEdit(text);
+        field->setObjectName(QStringLiteral("value%1").arg(row + 1));
         field->setAccessibleName(asked_.names[row]);
         field->installEventFilter(this);
         connect(field, &QLineEdit::textEdited, this, &ValueEntry::update);

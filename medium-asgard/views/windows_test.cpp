@@ -60,6 +60,11 @@ protected:
                 return one;
         return nullptr;
     }
+    // By the menu Edit, when it opens.
+    bool isOffered(const QString& begins) {
+        Q_EMIT viewer->menuBar()->actions().at(1)->menu()->aboutToShow();
+        return action(*viewer, begins)->isEnabled();
+    }
     QMenu* menuOf(std::size_t which) {
         menu = elementMenu(editor.document(), display(),
                            {{}, editing::Element{editing::Kind::body, which}, {}}, {});
@@ -196,11 +201,27 @@ TEST_F(WindowsTest, ARoundPartIsAsLargeAsOneAsksFor) {
 
 TEST_F(WindowsTest, WithNothingSelectedThereIsNothingToDelete) {
     open(flooring);
-    EXPECT_FALSE(action(*viewer, "Delete")->isEnabled());
-    EXPECT_FALSE(action(*viewer, "Exact Value")->isEnabled());
+    EXPECT_FALSE(isOffered("Delete"));
+    EXPECT_FALSE(isOffered("Exact Value"));
     editor.document().select({{editing::Kind::body, 0}});
-    EXPECT_TRUE(action(*viewer, "Delete")->isEnabled());
-    EXPECT_TRUE(action(*viewer, "Exact Value")->isEnabled());
+    EXPECT_TRUE(isOffered("Delete"));
+    EXPECT_TRUE(isOffered("Exact Value"));
+}
+
+TEST_F(WindowsTest, WhatIsNewHasAnExactValueAsSoonAsItIsSeen) {
+    open(flooring);
+    render::Display shown = display().display();
+    shown.forceHandles = true;
+    display().setDisplay(shown);
+    SceneDisplay::setPatience({}); // its handle is known later than the scene
+    display().editing().expect({editing::Kind::force, 0});
+    editor.document().setText(text() + "force -body floor -gravitational {0 -1 0}\n", "Edit");
+    EXPECT_TRUE(waitFor([&] {
+        display().grab();
+        return display().editing().marked().has_value();
+    }));
+    SceneDisplay::setPatience(std::chrono::seconds(60));
+    EXPECT_TRUE(isOffered("Exact Value"));
 }
 
 TEST_F(WindowsTest, TheFirstBodyStandsWhereOneClickedAndThePictureStays) {
@@ -332,7 +353,7 @@ TEST_F(WindowsTest, EveryWindowEndsTheSessionAndBeginsAScene) {
 TEST_F(WindowsTest, PlotsAndTheManualCloseByTheirKeys) {
     open(flooring);
     QPointer<PlotsWindow> plots = editor.openPlots();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(plots));
+    ASSERT_TRUE(QTest::qWaitForWindowActive(plots, longestWait));
     QTest::keyClick(plots, Qt::Key_Escape);
     EXPECT_TRUE(waitFor([&] { return !plots; }));
     auto* manual = new ManualWindow(QStringLiteral("# A\n\nx\n\n## B\n\ny\n"));
@@ -373,7 +394,7 @@ protected:
     }
     void type(QWidget& window, const char* value) {
         window.activateWindow();
-        ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&window, longestWait));
         end(window)->setFocus();
         end(window)->selectAll();
         QTest::keyClicks(end(window), value);
