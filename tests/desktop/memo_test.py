@@ -1,32 +1,30 @@
 #!/usr/bin/env python3
 """A reader opens the memo, turns its picture, plays it, uses a menu and quits."""
-import subprocess
 import sys
 import tempfile
 import unittest
 
-from screen import Screen, until
+from person import Person
+from screen import until
 
 ENSEMBLE, MEMO = sys.argv[1], sys.argv[2]
+WINDOW = "documentWindow"
 
 
 class Reader(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
-        self.screen = Screen(self.folder.name)
-        self.addCleanup(self.screen.close)
-        self.ensemble = subprocess.Popen([ENSEMBLE, MEMO], env=self.screen.environment, stdin=subprocess.DEVNULL)
-        self.addCleanup(self.ensemble.wait)
-        self.addCleanup(self.ensemble.kill)
-        self.window = until("the memo's window is there", lambda: self.screen.windows("memo.ens"))[0]
-        self.screen.do("windowactivate", "--sync", self.window)
+        self.person = Person(self, self.folder.name, ENSEMBLE, [MEMO], "1100x1000x24")
+        self.person.activate(WINDOW)
 
     def balls(self):
-        """Where the picture is grey, seen with the pointer away from it, so that nothing lies over it."""
-        self.screen.do("mousemove", "--window", self.window, 30, 20)
-        picture = self.screen.picture(self.window)
-        return picture.greySpots() if picture else set()
+        """Where the page is grey, seen with the pointer away from it, so that nothing lies over it."""
+        window = self.person.window(WINDOW)
+        self.person.screen.do(*self.person.at(window, self.person.widget(WINDOW, "page").middle))
+        left, top, *_ = self.person.widget(WINDOW, "pages").rect
+        picture = self.person.picture(WINDOW, "pages")
+        return {(left + x, top + y) for x, y in picture.greySpots()} if picture else set()
 
     def still(self):
         """Where the balls are when they stand: two looks that agree."""
@@ -47,27 +45,23 @@ class Reader(unittest.TestCase):
         x, y = at[len(at) // 2]
 
         before = self.still()
-        self.screen.do("mousemove", "--window", self.window, x, y, "click", 1)
-        self.screen.do("mousemove", "--window", self.window, x, y, "mousedown", 1)
-        for step in range(1, 9):
-            self.screen.do("mousemove", "--window", self.window, x + 15 * step, y + 5 * step)
-        self.screen.do("mouseup", 1)
+        self.person.click(WINDOW, (x, y))
+        self.person.drag(WINDOW, (x, y), (x + 120, y + 40))
         self.changed("dragging turns the picture", before)
 
         before = self.still()
-        self.screen.do("key", "space")
+        self.person.press(WINDOW, "space")
         self.changed("space plays", before)
         self.assertTrue(self.still())
 
-        before = self.screen.windows()
-        self.screen.do("mousemove", "--window", self.window, x, y, "click", 3)
-        until("the medium's menu opens", lambda: set(self.screen.windows()) - set(before))
-        self.screen.do("key", "Escape")
-        until("Escape closes the menu", lambda: not set(self.screen.windows()) - set(before))
+        self.person.click(WINDOW, (x, y), button=3)
+        until("the medium's menu opens", self.person.menus)
+        self.person.screen.do("key", "Escape")
+        until("Escape closes the menu", lambda: not self.person.menus())
 
-        self.screen.do("windowactivate", "--sync", self.window, "key", "ctrl+q")
-        until("the program ends", lambda: self.ensemble.poll() is not None)
-        self.assertEqual(self.ensemble.returncode, 0)
+        self.person.press(WINDOW, "ctrl+q")
+        until("the program ends", lambda: self.person.program.poll() is not None)
+        self.assertEqual(self.person.program.returncode, 0)
 
 
 if __name__ == "__main__":

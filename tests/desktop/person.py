@@ -1,43 +1,145 @@
-"""A person at the editor's windows: opens menus, types, drags, looks, and keeps pictures of what was seen.
+"""A person at the windows of programs: looks where things are, points, presses keys, chooses from menus.
 
-ASGARD_SCREENSHOTS names a folder that gets a picture of the screen for each step."""
+The programs say themselves what their windows show and where (README.md), so nothing here knows a pixel, and nothing
+sleeps: whoever asks the programs gets an answer once they have handled all keys and moves before it."""
+import json
 import os
 import re
+import socket
 import subprocess
-import time
 
-from screen import Screen, until
+from screen import LONGEST, Screen, until
 
-PICTURES = os.environ.get("ASGARD_SCREENSHOTS")
+PICTURES = os.environ.get("ASGARD_SCREENSHOTS")  # a folder that gets a picture of the screen for each step
+
+
+class Seen(dict):
+    """A window, widget, row or action; what it does not have is None."""
+    __getattr__ = dict.get
+
+    @property
+    def middle(self):
+        left, top, width, height = self.rect
+        return left + width / 2, top + height / 2
+
+
+def told(at, points):
+    """What the process that listens there says of its windows; none when it is about to end."""
+    answer = b""
+    with socket.socket(socket.AF_UNIX) as process:
+        process.settimeout(LONGEST)
+        try:
+            process.connect(at)
+            process.sendall(json.dumps({"points": points}).encode() + b"\n")
+            while piece := process.recv(1 << 20):
+                answer += piece
+        except (FileNotFoundError, ConnectionError):
+            return []
+    return json.loads(answer, object_hook=Seen).windows if answer else []
+
+
+def same(label, text):
+    """Menus say by three dots that they ask for more."""
+    return label == text.removesuffix("…")
+
+
+def isInside(rect, place, margin=0):
+    return all(begin + margin <= x < begin + length - margin for begin, length, x in zip(rect[:2], rect[2:], place))
 
 
 class Person:
-    def __init__(self, test, asgard, folder, text=b""):
-        self.test, self.asgard = test, asgard
-        self.file = os.path.join(folder, "scene.al")
-        with open(self.file, "wb") as file:
-            file.write(text)
-        self.screen = Screen(folder, "1500x1000x24")
+    def __init__(self, test, folder, program, arguments, size="1500x1000x24"):
+        self.test = test
+        self.screen = Screen(folder, size)
         test.addCleanup(self.screen.close)
-        self.program = subprocess.Popen([asgard, self.file], env=self.screen.environment, stdin=subprocess.DEVNULL)
+        plugins = os.path.join(os.path.dirname(os.path.abspath(program)), os.pardir, "test-plugins")
+        if not os.path.exists(os.path.join(plugins, "generic", "libplaces.so")):
+            raise FileNotFoundError(f"{plugins}: the target `places` is not built")
+        self.places = os.path.join(folder, "places")
+        os.mkdir(self.places)
+        self.program = subprocess.Popen(
+            [program, *arguments], stdin=subprocess.DEVNULL,
+            env=dict(self.screen.environment, QT_PLUGIN_PATH=plugins, QT_QPA_GENERIC_PLUGINS="places:" + self.places))
         test.addCleanup(self.program.wait)
         test.addCleanup(self.program.kill)
-        self.language = self.window("Language Viewer")
-        self.graphical = self.window("Graphical Viewer")
-        self.panel = until("there is a control panel", lambda: self.screen.windows("^Asgard$"))[0]
         self.seen = 0
         test.addCleanup(self.look, "end")
 
-    # --- windows
-    def window(self, title):
-        return until("there is a " + title, lambda: self.screen.windows(title))[0]
+    # --- what there is to see
+    def windows(self, points=()):
+        """Of all processes, as they are when these have handled what was done before."""
+        return [window for process in os.listdir(self.places)
+                for window in told(os.path.join(self.places, process), points)]
 
-    def activate(self, window):
+    def find(self, name, points=()):
+        """The window of that object name or title, or None."""
+        for window in self.windows(points):
+            if name in (window.name, window.title):
+                return window
+        return None
+
+    def window(self, name, points=()):
+        return until("there is a window " + name, lambda: self.find(name, points))
+
+    def gone(self, name):
+        until(f"the window {name} is gone", lambda: not self.find(name))
+
+    def isModified(self, name):
+        return self.window(name).modified
+
+    def widget(self, window, name):
+        """Once it can be used. Its places are pixels of the window."""
+        def usable():
+            return next((one for one in self.window(window).widgets if one.name == name and one.enabled), None)
+
+        return until(f"{window} has {name}", usable)
+
+    def row(self, window, name, begins):
+        def listed():
+            return next((one for one in self.widget(window, name).rows if one.text.startswith(begins)), None)
+
+        return until(f"{name} of {window} has the row {begins}", listed)
+
+    def action(self, window, *path):
+        """The entry of the window's menus, open or not; None where there is none."""
+        bar = next(one for one in self.window(window).widgets if one.type == "QMenuBar")
+        found = bar
+        for label in path:
+            found = next((one for one in found.actions or [] if same(label, one.text)), None)
+            if found is None:
+                return None
+        return found
+
+    def scene(self, window, *points):
+        """The picture in the window, and where it shows these points of its scene."""
+        scene = next(one for one in self.window(window, points).widgets if one.points is not None)
+        return scene, scene.points
+
+    def point(self, window, *at):
+        scene, [place] = self.scene(window, at)
+        self.test.assertTrue(isInside(scene.rect, place), f"{at} is out of sight")
+        return place
+
+    def picture(self, window, name):
+        """The pixels of a widget, or None while the window cannot be read."""
+        return self.screen.picture(self.window(window).id, self.widget(window, name).rect)
+
+    def look(self, name):
+        self.seen += 1
+        if PICTURES:
+            self.windows()
+            os.makedirs(PICTURES, exist_ok=True)
+            self.screen.output("import", "-window", "root", os.path.join(PICTURES, f"{self.seen:02}-{name}.png"))
+
+    # --- keys
+    def activate(self, name):
         def active():
-            self.screen.output("xdotool", "windowactivate", window)
-            return self.screen.output("xdotool", "getactivewindow").decode().strip() == window
+            window = self.find(name)
+            if window and not window.active:
+                self.screen.output("xdotool", "windowactivate", window.id)
+            return window and window.active
 
-        until("a window is active", active)
+        until(f"the window {name} is active", active)
 
     def press(self, window, *keys):
         self.activate(window)
@@ -46,111 +148,142 @@ class Person:
     def type(self, text):
         self.screen.do("type", "--clearmodifiers", "--delay", 15, "--", text)
 
-    def answer(self, title, text):
-        """Types into a dialog."""
-        dialog = self.window(title)
-        self.activate(dialog)
+    def fill(self, window, text):
+        """Types instead of what the field has that has the keyboard."""
         self.screen.do("key", "ctrl+a")
         self.type(text)
+        until(f"a field of {window} says {text}",
+              lambda: any(one.focus and text in (one.text, str(one.value)) for one in self.window(window).widgets))
+
+    def answer(self, dialog, text):
+        self.activate(dialog)
+        self.fill(dialog, text)
         self.screen.do("key", "Return")
-        until(f"{title} is closed", lambda: not self.screen.windows(title))
-
-    def changes(self, window, act):
-        """Until the window shows something else."""
-        self.activate(window)
-        time.sleep(0.5)
-        before = self.screen.output("import", "-window", window, "-depth", "8", "ppm:-")
-        act()
-        until("the window changes", lambda: self.screen.output("import", "-window", window, "-depth", "8", "ppm:-") != before)
-        time.sleep(0.3)
-
-    def menu(self, window, opens, *path):
-        """Goes from menu to menu by keys; the last one chooses."""
-        self.activate(window)
-        for key in (opens, *path[:-1]):
-            before = set(self.screen.windows())
-            self.screen.do("key", key)
-            until(f"a menu opens by {key}", lambda: set(self.screen.windows()) - before)
-            time.sleep(0.2)
-        for key in path[-1].split():
-            self.screen.do("key", key)
+        self.gone(dialog)
 
     # --- pointer
-    def to(self, window, at):
-        self.screen.do("mousemove", "--window", window, round(at[0]), round(at[1]))
+    def at(self, window, place):
+        return "mousemove", "--window", window.id, round(place[0]), round(place[1])
 
-    def click(self, window, at, button=1, times=1):
+    def click(self, window, place, button=1, times=1):
         self.activate(window)
-        self.to(window, at)
-        time.sleep(0.1)
-        self.screen.do("click", "--repeat", times, "--delay", 40, button)
+        self.screen.do(*self.at(self.window(window), place), "click", "--repeat", times, "--delay", 40, button)
 
-    def drag(self, window, start, end, button=1, key="shift"):
+    def clickOn(self, window, name, times=1):
+        self.click(window, self.widget(window, name).middle, times=times)
+
+    def drag(self, window, start, end, key=None):
+        """Looks around before it lets go: what it gives is what the windows were then."""
         self.activate(window)
-        self.to(window, start)
-        if key:
-            self.screen.do("keydown", key)
-        self.screen.do("mousedown", button)
+        inside = self.window(window)
+        self.screen.do(*self.at(inside, start), *(["keydown", key] if key else []), "mousedown", 1)
         for step in range(1, 9):
-            self.to(window, [a + (b - a) * step / 8 for a, b in zip(start, end)])
-            time.sleep(0.05)
-        self.screen.do("mouseup", button)
-        if key:
-            self.screen.do("keyup", key)
+            self.screen.do(*self.at(inside, [a + (b - a) * step / 8 for a, b in zip(start, end)]))
+            held = self.windows()
+        self.screen.do("mouseup", 1, *(["keyup", key] if key else []))
+        return held
 
-    # --- what there is to see
+    # --- menus
+    def menus(self):
+        return [window for window in self.windows() if window.type == "QMenu"]
+
+    def offered(self, window, *path):
+        """Waits until the entry can be chosen, of a menu that is not filled when it is opened."""
+        def enabled():
+            entry = self.action(window, *path)
+            return entry and entry.enabled
+
+        until(f"{window} has {' > '.join(path)}", enabled)
+
+    def menu(self, window, title, *path):
+        """From the bar of a window."""
+        self.offered(window, title)
+        self.click(window, self.action(window, title).middle)
+        self.choose(*path)
+
+    def choose(self, *path):
+        """From the menu that is open or about to open."""
+        used = set()
+        for label in path:
+            def entry():
+                for menu in self.menus():
+                    for action in menu.widgets[0].actions if menu.id not in used else []:
+                        if same(label, action.text) and action.enabled:
+                            return menu, action
+                return None
+
+            menu, action = until(f"a menu has {label}", entry)
+            used.add(menu.id)
+            self.screen.do(*self.at(menu, action.middle), "click", 1)
+        until("the menus are closed", lambda: not self.menus())
+
+
+class Author(Person):
+    """Makes a scene with asgard alone. What the file says is what the windows show, once it is written."""
+
+    def __init__(self, test, asgard, folder, text=b""):
+        self.file = os.path.join(folder, "scene.al")
+        with open(self.file, "wb") as file:
+            file.write(text)
+        super().__init__(test, folder, asgard, [self.file])
+        for name in ("languageViewer1", "graphicalViewer1", "controlPanel"):
+            self.window(name)
+
     def saved(self):
-        """What stands in the file, once it is written: it is what the windows show."""
         def written():
-            self.press(self.language, "ctrl+s")
-            time.sleep(0.2)
-            return "*" not in self.title(self.language)
+            if self.isModified("languageViewer1"):
+                self.press("languageViewer1", "ctrl+s")
+                return False
+            return True
 
         until("the scene is saved", written)
         with open(self.file, encoding="utf-8") as file:
             return file.read()
 
-    def title(self, window):
-        return self.screen.output("xdotool", "getwindowname", window).decode()
-
     def says(self, pattern):
         """The saved text has it; gives the match."""
-        def found():
-            return re.search(pattern, self.saved(), re.M)
-
-        return until(f"the text says {pattern}", found)
-
-    def line(self, pattern):
-        return self.saved()[:self.says(pattern).start()].count("\n") + 1
+        return until(f"the text says {pattern}", lambda: re.search(pattern, self.saved(), re.M))
 
     def append(self, pattern, text):
         """Writes at the end of the line that has it, and updates the scene."""
-        line = self.line(pattern)
-        self.press(self.language, "ctrl+g")
+        line = self.saved()[:self.says(pattern).start()].count("\n") + 1
+        self.press("languageViewer1", "ctrl+g")
         self.answer("Go to Line", str(line))
-        self.press(self.language, "End")
+        self.press("languageViewer1", "End")
         self.type(text)
-        self.press(self.language, "ctrl+Return")
+        self.press("languageViewer1", "ctrl+Return")
 
-    def grey(self, window, area):
-        """The box about what is grey in a part of a window: bodies without a colour."""
+    def exactly(self, element, *values):
+        """Types the exact values of what is marked, which is of that element."""
+        def asked():
+            self.press("graphicalViewer1", "Return")
+            if not self.isAsked():
+                return False  # nothing is marked yet
+            if element in self.widget("graphicalViewer1", "valueTitle").text:
+                return True
+            self.screen.do("key", "Escape")  # what is new is not marked yet
+            until("nothing is asked", lambda: not self.isAsked())
+            return False
+
+        until(f"values of {element} are asked for", asked)
+        for i, value in enumerate(values):
+            until(f"value {i + 1} has the keyboard", lambda: self.widget("graphicalViewer1", f"value{i + 1}").focus)
+            self.fill("graphicalViewer1", value)
+            self.screen.do("key", "Tab" if i + 1 < len(values) else "Return")
+        until("the values are taken", lambda: not self.isAsked())
+
+    def isAsked(self):
+        return any(one.name == "valueEntry" for one in self.window("graphicalViewer1").widgets)
+
+    def greyBox(self):
+        """The box about what is grey in the picture: bodies without a colour."""
         def found():
-            picture = self.screen.picture(window)
-            if not picture:
-                return None
-            left, top, right, bottom = area
-            spots = [(x, y) for y in range(top, bottom, 3) for x in range(left, right, 3)
-                     if all(picture.isGrey(x + dx, y + dy) for dx, dy in ((0, 0), (4, 0), (0, 4), (4, 4)))]
+            picture = self.picture("graphicalViewer1", "scene")
+            spots = picture and [(x, y) for y in range(0, picture.height - 4, 3) for x in range(0, picture.width - 4, 3)
+                                 if all(picture.isGrey(x + dx, y + dy) for dx, dy in ((0, 0), (4, 0), (0, 4), (4, 4)))]
             if not spots:
                 return None
             xs, ys = zip(*spots)
             return min(xs), min(ys), max(xs) + 4, max(ys) + 4
 
         return until("something grey is seen", found)
-
-    def look(self, name):
-        self.seen += 1
-        if PICTURES:
-            time.sleep(1)
-            os.makedirs(PICTURES, exist_ok=True)
-            self.screen.output("import", "-window", "root", os.path.join(PICTURES, f"{self.seen:02}-{name}.png"))

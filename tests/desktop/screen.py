@@ -32,14 +32,16 @@ class Screen:
     def __init__(self, folder, size="1100x1000x24"):
         reading, writing = os.pipe()
         # Without -noreset the server begins anew whenever its last client leaves, and throws out who comes at that moment.
-        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(writing), "-screen", "0", size, "-nolisten", "tcp", "-noreset"],
-                                       pass_fds=[writing], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(writing), "-screen", "0", size, "-nolisten", "tcp", "-noreset"],
+            pass_fds=[writing], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(writing)
         with os.fdopen(reading) as f:
             display = ":" + f.readline().strip()
         run = os.path.join(folder, "run")
         os.mkdir(run, 0o700)
-        self.environment = {"PATH": os.environ["PATH"], "HOME": folder, "DISPLAY": display, "XDG_RUNTIME_DIR": run, "LC_ALL": "C.UTF-8"}
+        self.environment = {"PATH": os.environ["PATH"], "HOME": folder, "DISPLAY": display, "XDG_RUNTIME_DIR": run,
+                            "LC_ALL": "C.UTF-8"}
         self.words = os.path.join(folder, "window-manager")
         with open(self.words, "wb") as f:
             self.manager = subprocess.Popen(["openbox"], env=self.environment, stdout=f, stderr=f)
@@ -57,18 +59,21 @@ class Screen:
             process.wait()
 
     def output(self, *command):
-        return subprocess.run(command, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
+        return subprocess.run([str(word) for word in command], env=self.environment, stdout=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL).stdout
 
     def windows(self, title=""):
         return self.output("xdotool", "search", "--onlyvisible", "--name", title).decode().split()
 
-    def picture(self, window):
-        """None while the window cannot be read."""
-        ppm = self.output("import", "-window", window, "-depth", "8", "ppm:-")
+    def picture(self, window, rect=None):
+        """Of a window or a part of it; None while it cannot be read."""
+        part = ["-crop", "%dx%d+%d+%d" % (rect[2], rect[3], rect[0], rect[1]), "+repage"] if rect else []
+        ppm = self.output("import", "-window", window, *part, "-depth", "8", "ppm:-")
         return Picture(ppm) if ppm else None
 
     def do(self, *words):
-        subprocess.run(["xdotool", *[str(word) for word in words]], env=self.environment, check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(["xdotool", *[str(word) for word in words]], env=self.environment, check=True,
+                       stdout=subprocess.DEVNULL)
 
 
 def until(what, probe):
