@@ -36,7 +36,7 @@ inline Manifest scriptedManifest(const QStringList& behaviour = {}) {
 
 // Short enough for tests, long enough for a machine under load.
 inline TimeLimits shortLimits() {
-    return {.initialize = 8000,
+    return {.initialize = 120'000,
             .quiet = 300,
             .hung = 2500,
             .shutdown = 500,

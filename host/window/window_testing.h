@@ -50,16 +50,20 @@ class Heartbeat {
 public:
     Heartbeat() {
         since_.start();
-        QObject::connect(&timer_, &QTimer::timeout,
-                         [this] { longest_ = std::max(longest_, since_.restart()); });
+        QObject::connect(&timer_, &QTimer::timeout, [this] {
+            longest_ = std::max(longest_, since_.restart());
+            ++count_;
+        });
         timer_.start(1);
     }
-    [[nodiscard]] qint64 longest() const { return longest_; }
+    [[nodiscard]] qint64 longest() const { return longest_; } // ms
+    [[nodiscard]] int count() const { return count_; }        // how often it came to its timers
 
 private:
     QElapsedTimer since_;
     QTimer timer_;
     qint64 longest_ = 0;
+    int count_ = 0;
 };
 
 // The processes that this one has started.
@@ -116,7 +120,7 @@ protected:
 
     QTemporaryDir folder_;
     int files_ = 0;
-    Application application_{{.initialize = 8000,
+    Application application_{{.initialize = 120'000,
                               .quiet = 300,
                               .hung = 5000,
                               .shutdown = 500,

@@ -103,14 +103,11 @@ TEST_F(AutosaveTest, KeepsDuringChangesThatNeverRest) {
                 return keptIn(folder() + "/" + name.toStdString()).text;
         return std::string();
     };
-    QElapsedTimer clock;
-    clock.start();
-    for (int count = 1; onDisk().find("# 7\n") == std::string::npos && clock.elapsed() < 60'000;
-         ++count) {
-        document_.setText(document_.text() + "# " + std::to_string(count) + "\n", "Edit");
-        QTest::qWait(20);
-    }
-    EXPECT_NE(onDisk().find("# 7\n"), std::string::npos);
+    int count = 0;
+    EXPECT_TRUE(waitFor([&] {
+        document_.setText(document_.text() + "# " + std::to_string(++count) + "\n", "Edit");
+        return onDisk().find("# 7\n") != std::string::npos;
+    }));
 }
 
 TEST_F(AutosaveTest, KeepsDraftsAndGivesThemBack) {

@@ -148,7 +148,7 @@ TEST_F(NewcomerTest, ANewWindowLiesWhereItIsSeenAndHidesNothingWhole) {
     GraphicalViewer* first = editor.openGraphicalViewer();
     first->move(60, 50);
     first->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(first));
+    ASSERT_TRUE(QTest::qWaitForWindowActive(first, longestWait));
     const GraphicalViewer* second = editor.openGraphicalViewer();
     EXPECT_NE(second->pos(), first->pos());
     EXPECT_GE(second->pos().y(), second->screen()->availableGeometry().top());

@@ -139,7 +139,7 @@ protected:
                    editor.openStudy(),
                    manual.get()};
         manual->show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(language));
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(language, longestWait));
         // Pictures and charts show the last good scene; the text says what is wrong.
         editor.document().setText(text + "body b9 nothing\n", "Edit");
         ASSERT_TRUE(settle(editor.document()));

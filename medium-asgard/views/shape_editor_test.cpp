@@ -34,7 +34,7 @@ protected:
         editor = std::make_unique<ShapeEditor>(document);
         editor->setAttribute(Qt::WA_DeleteOnClose, false);
         editor->show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(editor.get()));
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(editor.get(), longestWait));
     }
 
     [[nodiscard]] QPoint at(const Vector& place) const {

@@ -22,7 +22,7 @@ protected:
         editor.document().setText(text, "Edit");
         EXPECT_TRUE(settle(editor.document()));
         viewer = editor.openLanguageViewer();
-        EXPECT_TRUE(QTest::qWaitForWindowActive(viewer));
+        EXPECT_TRUE(QTest::qWaitForWindowActive(viewer, longestWait));
         return viewer;
     }
     SceneEditor& text() { return viewer->editor(); }

@@ -26,7 +26,7 @@ protected:
         editor->setAttribute(Qt::WA_DeleteOnClose, false);
         editor->resize(700, 720);
         editor->show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(editor.get()));
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(editor.get(), longestWait));
     }
 
     [[nodiscard]] QPoint at(int component, double time, double value) const {

@@ -82,7 +82,7 @@ TEST_F(ViewersTest, PlayingAdvancesTimeAndMovesThePicture) {
     double now = 0;
     viewer->playback().setClock([&] { return now; });
     viewer->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(viewer));
+    ASSERT_TRUE(QTest::qWaitForWindowActive(viewer, longestWait));
     viewer->display().setFocus();
     QTest::keyClick(&viewer->display(), Qt::Key_Space);
     EXPECT_TRUE(viewer->playback().isPlaying());

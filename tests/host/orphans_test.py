@@ -3,10 +3,13 @@
 import os
 import signal
 import subprocess
-import time
+import sys
 import unittest
 
-from running import ENSEMBLE, InFolder, main, memo, scripted
+from running import ENSEMBLE, SOURCE, InFolder, main, memo, scripted
+
+sys.path.insert(0, os.path.join(SOURCE, "tests", "desktop"))
+from screen import until  # noqa: E402
 
 ROUNDS = int(os.environ.get("KILLS", "3"))
 
@@ -22,12 +25,24 @@ def descendants(pid):
     return found
 
 
-def alive(pid):
+def status(pid):
+    """The words of /proc/PID/stat from the state on; none when it is gone."""
     try:
         with open("/proc/%d/stat" % pid, encoding="utf-8") as f:
-            return f.read().rsplit(")", 1)[1].split()[0] != "Z"
-    except FileNotFoundError:
-        return False
+            return f.read().rsplit(")", 1)[1].split()
+    except (FileNotFoundError, ProcessLookupError):
+        return None
+
+
+def alive(pid):
+    words = status(pid)
+    return words is not None and words[0] != "Z"
+
+
+def computes(pid):
+    """It has had a second of a processor: more than a medium needs to start."""
+    words = status(pid)
+    return words is not None and int(words[11]) > os.sysconf("SC_CLK_TCK")
 
 
 class Orphans(InFolder):
@@ -37,21 +52,12 @@ class Orphans(InFolder):
         for _ in range(ROUNDS):
             host = subprocess.Popen([ENSEMBLE, "a.ens"], cwd=self.folder.name, stderr=subprocess.DEVNULL,
                                     env=self.environment(QT_QPA_PLATFORM="offscreen"))
-            deadline = time.monotonic() + 120
-            media = []
-            while len(media) < 3 and time.monotonic() < deadline:
-                time.sleep(0.05)
-                media = descendants(host.pid)
-            self.assertGreaterEqual(len(media), 3)
-            time.sleep(0.5)
+            until("media have started", lambda: len(descendants(host.pid)) >= 3)
+            until("one of them computes", lambda: any(map(computes, descendants(host.pid))))
             media = descendants(host.pid)
             host.send_signal(signal.SIGKILL)
             host.wait()
-            # A second on an idle machine; how long the dead wait for a processor is not theirs to say.
-            deadline = time.monotonic() + 20
-            while any(alive(pid) for pid in media) and time.monotonic() < deadline:
-                time.sleep(0.02)
-            self.assertEqual([pid for pid in media if alive(pid)], [])
+            until("its media have ended", lambda: not any(map(alive, media)))
 
 
 if __name__ == "__main__":

@@ -356,7 +356,7 @@ TEST(Evaluators, OfAReaderStandConfined) {
     std::vector<pid_t> evaluators;
     // The next one is made ready just after the answer.
     for (int i = 0;
-         i < 1000 && (evaluators.empty() || statusOf(evaluators[0], "Seccomp_filters") != "2");
+         i < 60'000 && (evaluators.empty() || statusOf(evaluators[0], "Seccomp_filters") != "2");
          ++i) {
         usleep(2000);
         evaluators = childrenOf(servers[0]);

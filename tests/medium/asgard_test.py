@@ -10,7 +10,10 @@ import sys
 import time
 import unittest
 
-from small_host import SmallHost, children, end_by_kill, running
+from small_host import SmallHost, children, cpu_seconds, end_by_kill, running
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "desktop"))
+from screen import until  # noqa: E402
 
 ASGARD = None
 
@@ -343,21 +346,20 @@ class Endings(unittest.TestCase):
             "import sys, time; sys.path.insert(0, sys.argv[1])\n"
             "from small_host import SmallHost\n"
             "h = SmallHost([sys.argv[2], '--medium']); h.initialize()\n"
-            "h.call('subdocument/load', text=sys.argv[3], revision=1); time.sleep(0.3)\n"
-            "print(h.process.pid, flush=True); time.sleep(60)\n")
+            "h.call('subdocument/load', text=sys.argv[3], revision=1)\n"
+            "print(h.process.pid, flush=True); time.sleep(600)\n")
         parent = subprocess.Popen([sys.executable, "-c", starter, os.path.dirname(os.path.abspath(__file__)), ASGARD, text],
                                   stdout=subprocess.PIPE)
         try:
             medium = int(parent.stdout.readline())
+            before = cpu_seconds(medium)
+            until("it reads or computes",
+                  lambda: sum(map(cpu_seconds, {medium} | children(medium))) > before + 0.3)
             family = {medium} | children(medium)
             self.assertGreaterEqual(len(family), 2, "the evaluator server is missing")
             end_by_kill(parent.pid)
             parent.wait()
-            # A second on an idle machine; how long the dead wait for a processor is not theirs to say.
-            end = time.monotonic() + 20
-            while any(map(running, family)) and time.monotonic() < end:
-                time.sleep(0.02)
-            self.assertEqual([pid for pid in family if running(pid)], [])
+            until("its medium has ended", lambda: not any(map(running, family)))
         finally:
             parent.stdout.close()
 

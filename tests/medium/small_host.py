@@ -173,10 +173,18 @@ class SmallHost:
             frame, pixels = self.frame(rendition, seconds)
 
     def cpu_seconds(self):
-        """Of the medium's process and its ended children."""
-        with open(f"/proc/{self.process.pid}/stat") as file:
+        """Of the medium's process."""
+        return cpu_seconds(self.process.pid)
+
+
+def cpu_seconds(pid):
+    """What a process has had so far; 0 when it is gone."""
+    try:
+        with open(f"/proc/{pid}/stat") as file:
             fields = file.read().rsplit(")", 1)[1].split()
-        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+    except (FileNotFoundError, ProcessLookupError):
+        return 0
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def running(pid):
