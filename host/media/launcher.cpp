@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cerrno>
+#include <climits>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
@@ -21,6 +22,13 @@ std::vector<char*> pointers(const std::vector<std::string>& strings) {
         result.push_back(const_cast<char*>(string.c_str()));
     result.push_back(nullptr);
     return result;
+}
+
+std::string keeperProgram() {
+    std::array<char, PATH_MAX> self{};
+    const ssize_t length = readlink("/proc/self/exe", self.data(), self.size());
+    const std::string program(self.data(), length > 0 ? static_cast<std::size_t>(length) : 0);
+    return program.substr(0, program.rfind('/') + 1) + "medium-keeper";
 }
 
 struct Ends {
@@ -64,7 +72,7 @@ bool placeDescriptors(int in, int out, int log, int frames) {
     sigprocmask(SIG_SETMASK, &none, nullptr);
     signal(SIGPIPE, SIG_DFL);
     if (placeDescriptors(ends.in[0], ends.out[1], ends.log[1], request.frames))
-        execve(request.program.c_str(), arguments, environment);
+        execve(arguments[0], arguments, environment);
     _exit(127);
 }
 
@@ -82,6 +90,12 @@ bool placeDescriptors(int in, int out, int log, int frames) {
 
 Launched launch(const Launch& request) {
     Launched result;
+    const std::string keeper = keeperProgram();
+    if (access(keeper.c_str(), X_OK) != 0) {
+        result.error = "could not be started: the program " + keeper +
+                       ", which ends what media leave behind, is missing; install Ensemble again";
+        return result;
+    }
     Ends ends;
     if (!ends.open()) {
         result.error = std::string("no pipe to it could be made: ") + std::strerror(errno);
@@ -89,7 +103,8 @@ Launched launch(const Launch& request) {
         return result;
     }
     std::vector<char*> arguments = pointers(request.arguments);
-    arguments.insert(arguments.begin(), const_cast<char*>(request.program.c_str()));
+    arguments.insert(arguments.begin(), {const_cast<char*>(keeper.c_str()),
+                                         const_cast<char*>(request.program.c_str())});
     const std::vector<char*> environment = pointers(request.environment);
     const pid_t parent = getpid();
     const pid_t process =
@@ -112,11 +127,16 @@ Launched launch(const Launch& request) {
     return result;
 }
 
-int endAndReap(pid_t process) {
-    kill(-process, SIGKILL); // the session's process group
-    kill(process, SIGKILL);
+void askToEnd(const Launched& medium) {
+    kill(medium.process, SIGTERM);
+    kill(medium.process, SIGCONT); // the medium may have stopped it
+}
+
+void endWithKeeper(const Launched& medium) { kill(medium.process, SIGKILL); }
+
+int reap(const Launched& medium) {
     int status = 0;
-    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    while (waitpid(medium.process, &status, 0) < 0 && errno == EINTR) {
     }
     return status;
 }

@@ -380,6 +380,45 @@ TEST_F(MediumProcessTest, NothingIsLeftOfAMediumThatDoesNotWantToGo) {
     EXPECT_TRUE(waitFor([&] { return pipes_.alive() == 0; }));
 }
 
+// Processes that sleep for so many seconds.
+int sleeping(const QByteArray& seconds) {
+    const QByteArray command = QByteArray("sleep\0", 6) + seconds + '\0';
+    int count = 0;
+    for (const QString& process : QDir("/proc").entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+        QFile file("/proc/" + process + "/cmdline");
+        count += file.open(QIODevice::ReadOnly) && file.readAll() == command;
+    }
+    return count;
+}
+
+TEST_F(MediumProcessTest, WhatLeftTheSessionOfAMediumEndsWithIt) {
+    const QByteArray seconds = QByteArray::number(1'000'000 + QCoreApplication::applicationPid());
+    for (const char* end : {"", "\nbehave exit", "\nbehave crash", "\nbehave garbage"}) {
+        auto it = subdocument("behave daemon " + seconds, {}, patient());
+        it->start();
+        ASSERT_TRUE(waitFor([&] { return it->hasLoaded() && sleeping(seconds) == 1; })) << end;
+        if (*end)
+            it->edit({{0, it->text().size(), end}}, {});
+        else
+            it->makeStill();
+        EXPECT_TRUE(waitFor([&] { return pipes_.alive() == 0; })) << end;
+        EXPECT_EQ(sleeping(seconds), 0) << end;
+    }
+}
+
+TEST_F(MediumProcessTest, TheEndOfTheHostsMediaIsTheEndOfWhatLeftThem) {
+    const QByteArray seconds = QByteArray::number(2'000'000 + QCoreApplication::applicationPid());
+    {
+        PipeThread pipes;
+        const Manifest manifest = scriptedManifest();
+        LiveSubdocument it(manifest, programOf(manifest, {}), pipes, patient());
+        it.setText("behave stay\nbehave daemon " + seconds);
+        it.start();
+        ASSERT_TRUE(waitFor([&] { return it.hasLoaded() && sleeping(seconds) == 1; }));
+    }
+    EXPECT_EQ(sleeping(seconds), 0);
+}
+
 TEST_F(MediumProcessTest, InheritsNothingButWhatIsNamed) {
     Manifest manifest = scriptedManifest();
     manifest.command =

@@ -29,6 +29,8 @@ constexpr std::size_t mostUnsentMessages = 1000;
 constexpr std::size_t mostLog = 4096;
 // A process that closed its output is about to end: its exit code is worth this wait.
 constexpr std::chrono::milliseconds graceAfterEof{300};
+// What a keeper may take to kill all that a medium started; others are served meanwhile.
+constexpr std::chrono::milliseconds mostToEnd{5000};
 // How often memory is measured: a process fills some 200 MiB in a second. Seldom while they hold
 // little.
 constexpr std::chrono::milliseconds measureOften{200}, measureSeldom{1000};
@@ -84,6 +86,8 @@ struct Pipe {
     std::optional<Clock::time_point> deadline;
     std::string closing; // why it is being ended by us; empty: it ended itself
     bool forGood = false;
+    std::optional<Clock::time_point> endsUntil; // it was asked to end
+    bool hasEnded = false;                      // it can be reaped
 };
 
 class PipeThread::Loop {
@@ -92,18 +96,15 @@ public:
 
     void run() {
         while (takeRequests()) {
+            endAndFinish();
             wait();
             watchMemory();
-            for (auto next = pipes_.begin(); next != pipes_.end();) {
-                const auto here = next++;
-                if (isOver(here->second))
-                    finish(here);
-            }
         }
-        while (!pipes_.empty()) {
-            pipes_.begin()->second.closing = "the program ends";
-            finish(pipes_.begin());
-        }
+        for (auto& [link, pipe] : pipes_)
+            pipe.closing = "the program ends";
+        measureAt_ = Clock::now() + mostToEnd; // what they hold matters no more
+        for (endAndFinish(); !pipes_.empty(); endAndFinish())
+            wait();
     }
 
 private:
@@ -122,17 +123,34 @@ private:
         return true;
     }
 
+    void endAndFinish() {
+        for (auto next = pipes_.begin(); next != pipes_.end();) {
+            const auto here = next++;
+            Pipe& pipe = here->second;
+            if (isOver(pipe) && !pipe.endsUntil) {
+                askToEnd(pipe.ends);
+                forget(here->first);
+                pipe.endsUntil = Clock::now() + mostToEnd;
+            }
+            if (pipe.endsUntil && Clock::now() >= *pipe.endsUntil) {
+                endWithKeeper(pipe.ends);
+                pipe.hasEnded = true;
+            }
+            if (pipe.hasEnded)
+                finish(here);
+        }
+    }
+
     void obey(Request& request) {
         if (request.kind == Request::Kind::start) {
             startPipe(request);
             return;
         }
         const auto found = pipes_.find(request.link);
-        if (found == pipes_.end())
+        if (found == pipes_.end() || isOver(found->second))
             return;
         if (request.kind == Request::Kind::end) {
             found->second.closing = request.text;
-            finish(found);
             return;
         }
         if (request.kind == Request::Kind::closeInput)
@@ -163,7 +181,7 @@ private:
     void wait() {
         std::vector<pollfd> polled{{shared_->wake, POLLIN, 0}};
         std::vector<std::pair<Link, int Launched::*>> whose{{0, nullptr}};
-        int timeout = pipes_.empty() ? -1 : static_cast<int>(untilMeasured());
+        Clock::time_point until = measureAt_;
         for (auto& [link, pipe] : pipes_) {
             const auto add = [&, id = link, &ends = pipe.ends](int Launched::*end, short events) {
                 if (ends.*end >= 0) {
@@ -171,14 +189,20 @@ private:
                     whose.emplace_back(id, end);
                 }
             };
+            if (pipe.endsUntil) { // whatever it says
+                add(&Launched::processDescriptor, POLLIN);
+                until = std::min(until, *pipe.endsUntil);
+                continue;
+            }
             add(&Launched::fromMedium, POLLIN);
             add(&Launched::log, POLLIN);
             add(&Launched::processDescriptor, POLLIN);
             if (!pipe.toSend.empty())
                 add(&Launched::toMedium, POLLOUT);
             if (pipe.deadline)
-                timeout = std::min(timeout, static_cast<int>(graceAfterEof.count()));
+                until = std::min(until, *pipe.deadline);
         }
+        const int timeout = pipes_.empty() ? -1 : msUntil(until);
         if (poll(polled.data(), polled.size(), timeout) <= 0)
             return;
         if (polled[0].revents) {
@@ -198,10 +222,12 @@ private:
             readLog(pipe);
         else if (end == &Launched::toMedium)
             writeTo(link, pipe);
-        else if (!pipe.deadline) { // it ended: what it still said comes first
-            readAll(pipe);
-            readLog(pipe);
-            pipe.deadline = Clock::now();
+        else {
+            if (!pipe.endsUntil) { // it ended by itself: what it still said comes first
+                readAll(pipe);
+                readLog(pipe);
+            }
+            pipe.hasEnded = true;
         }
     }
 
@@ -280,14 +306,14 @@ private:
         unsent.messages -= messages;
     }
 
-    [[nodiscard]] std::chrono::milliseconds::rep untilMeasured() const {
-        const auto rest = std::chrono::ceil<std::chrono::milliseconds>(measureAt_ - Clock::now());
-        return std::max(rest, std::chrono::milliseconds(0)).count();
+    static int msUntil(Clock::time_point time) {
+        const auto rest = std::chrono::ceil<std::chrono::milliseconds>(time - Clock::now());
+        return static_cast<int>(std::max(rest, std::chrono::milliseconds(0)).count());
     }
 
     // Ends the largest while all together hold too much; it is not started again by itself.
     void watchMemory() {
-        if (pipes_.empty() || untilMeasured() > 0)
+        if (pipes_.empty() || msUntil(measureAt_) > 0)
             return;
         std::vector<Pipe*> measured;
         std::vector<std::size_t> held;
@@ -303,16 +329,19 @@ private:
         }();
         while (const auto largest = tooLarge(held, most)) {
             Pipe& pipe = *measured[*largest];
+            const std::size_t its = std::exchange(held[*largest], 0);
+            if (isOver(pipe)) // it is about to give back what it holds
+                continue;
             pipe.closing = "was ended, since all media together held more than " + inMiB(most) +
-                           " of memory, and it held the most, " + inMiB(held[*largest]);
+                           " of memory, and it held the most, " + inMiB(its);
             pipe.forGood = true;
-            held[*largest] = 0;
         }
         measureAt_ = Clock::now() + (sum > most / 4 ? measureOften : measureSeldom);
     }
 
     static bool isOver(const Pipe& pipe) {
-        return !pipe.closing.empty() || (pipe.deadline && Clock::now() >= *pipe.deadline);
+        return pipe.hasEnded || !pipe.closing.empty() ||
+               (pipe.deadline && Clock::now() >= *pipe.deadline);
     }
 
     void forget(Link link) {
@@ -322,12 +351,11 @@ private:
 
     void finish(Pipes::iterator at) {
         Pipe& pipe = at->second;
-        const int status = endAndReap(pipe.ends.process);
+        const int status = reap(pipe.ends);
         readLog(pipe);
         for (int Launched::*end : {&Launched::toMedium, &Launched::fromMedium, &Launched::log,
                                    &Launched::processDescriptor})
             closeOnce(pipe.ends.*end);
-        forget(at->first);
         {
             const std::lock_guard lock(shared_->mutex);
             --shared_->alive;

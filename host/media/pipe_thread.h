@@ -20,7 +20,7 @@ public:
     using Link = std::uint64_t;
 
     PipeThread();
-    ~PipeThread(); // ends every medium
+    ~PipeThread(); // ends every medium, and waits for it
     PipeThread(const PipeThread&) = delete;
     PipeThread& operator=(const PipeThread&) = delete;
 
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] bool send(Link link, std::string framed);
     [[nodiscard]] std::size_t unsent(Link link) const; // messages
     void closeInput(Link link);                        // after what is unsent
-    // Ends it now. Its mailbox gets `ended` with `why`.
+    // Ends it now. Its mailbox gets `ended` with `why` when nothing of it is left.
     void end(Link link, std::string why);
 
     // The parent of processes that were asked to end and that nobody waits for.

@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import unittest
 
-from running import InFolder, main, memo, scripted
+from running import ENSEMBLE, InFolder, main, memo, scripted
 
 
 class Convert(InFolder):
@@ -160,6 +160,16 @@ class Check(InFolder):
         code, out, _ = self.ensemble("--check", "a.ens")
         self.assertEqual(code, 1)
         self.assertRegex(out.decode(), r"a\.ens:5:12: error: .*signal 11")
+
+
+class Keeper(InFolder):
+    def test_without_the_program_that_keeps_media_none_is_started_and_it_is_said(self):
+        shutil.copy(ENSEMBLE, self.path("ensemble"))
+        self.write("a.ens", memo(scripted("colour 0")))
+        done = subprocess.run([self.path("ensemble"), "--check", "a.ens"], cwd=self.folder.name, env=self.environment(), capture_output=True)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("a.ens:5:12: error: Scripted could not be started: the program %s, which ends what media leave behind, is missing; "
+                      "install Ensemble again.\n" % os.path.realpath(self.path("medium-keeper")), done.stdout.decode())
 
 
 class Version(InFolder):

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""No medium outlives its host: the host is killed while its media compute, hang, have children of their own."""
+"""No medium outlives its host, and nothing that it started: the host is killed while its media compute, hang, and have
+children that left their session and their parent."""
 import os
 import signal
 import subprocess
@@ -15,14 +16,32 @@ ROUNDS = int(os.environ.get("KILLS", "3"))
 
 
 def descendants(pid):
-    found = []
+    children = []
     try:
         for task in os.listdir("/proc/%d/task" % pid):
             with open("/proc/%d/task/%s/children" % (pid, task), encoding="ascii") as f:
-                found += [int(word) for word in f.read().split()]
-    except FileNotFoundError:
+                children += [int(word) for word in f.read().split()]
+    except (FileNotFoundError, ProcessLookupError):
         pass
+    return children + [one for child in children for one in descendants(child)]
+
+
+def sleeping(seconds):
+    """The processes `sleep SECONDS`, whoever their parents are."""
+    found = []
+    for pid in filter(str.isdigit, os.listdir("/proc")):
+        try:
+            with open("/proc/%s/cmdline" % pid, "rb") as f:
+                if f.read().split(b"\0")[:2] == [b"sleep", b"%d" % seconds]:
+                    found.append(int(pid))
+        except (FileNotFoundError, ProcessLookupError):
+            pass
     return found
+
+
+def end_all(seconds):
+    for pid in sleeping(seconds):
+        os.kill(pid, signal.SIGKILL)
 
 
 def status(pid):
@@ -47,17 +66,29 @@ def computes(pid):
 
 class Orphans(InFolder):
     def test_killed_host(self):
-        behaviours = ["colour 102030", "behave busy", "behave hang", "behave stay", "behave flood"]
+        seconds = 3_000_000 + os.getpid()
+        self.addCleanup(end_all, seconds)
+        behaviours = ["behave daemon %d" % seconds, "behave daemon %d\nbehave busy" % seconds, "behave hang",
+                      "behave stay", "behave flood"]
         self.write("a.ens", memo(*[scripted(text) for text in behaviours]))
         for _ in range(ROUNDS):
             host = subprocess.Popen([ENSEMBLE, "a.ens"], cwd=self.folder.name, stderr=subprocess.DEVNULL,
                                     env=self.environment(QT_QPA_PLATFORM="offscreen"))
-            until("media have started", lambda: len(descendants(host.pid)) >= 3)
+            until("media have left processes behind", lambda: len(sleeping(seconds)) >= 2)
             until("one of them computes", lambda: any(map(computes, descendants(host.pid))))
             media = descendants(host.pid)
+            self.assertGreaterEqual(len(media), 5)
             host.send_signal(signal.SIGKILL)
             host.wait()
             until("its media have ended", lambda: not any(map(alive, media)))
+            until("what left them has ended", lambda: not sleeping(seconds))
+
+    def test_a_host_that_ends_by_itself(self):
+        seconds = 4_000_000 + os.getpid()
+        self.addCleanup(end_all, seconds)
+        self.write("a.ens", memo(scripted("behave daemon %d" % seconds)))
+        self.assertEqual(self.ensemble("--convert-to", "pdf", "a.ens")[0], 0)
+        self.assertEqual(sleeping(seconds), [])
 
 
 if __name__ == "__main__":

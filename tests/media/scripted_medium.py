@@ -21,10 +21,11 @@ A press of a button turns the rendition magenta; that is its state, which the ne
 Behaviours: normal, exit (at once), crash (a signal), crash-after S, hang (stops answering), stop (stops itself
 by SIGSTOP), busy (computes, never reads), flood, garbage, truncated, slow MS (per answer), oversize,
 wrong-version, silent (no answer to initialize), stay (ignores shutdown and the end of its input),
-child (leaves a process behind), bad-frame (a frame outside of its slot), bad-reply (an answer to nothing),
-deaf (reads nothing more), undo (asks for it, as its windows would), chatter (a menu, again and again, never many
-unread), take MIB (memory, for good), lie WHAT COUNT BYTES (a message with a list of COUNT, each of them BYTES long: diagnostics, menu, icons,
-groups, edits, title, state).
+child (leaves a process behind), daemon S (leaves one that sleeps for S, in a session of its own and without a
+parent), bad-frame (a frame outside of its slot), bad-reply (an answer to nothing), deaf (reads nothing more),
+undo (asks for it, as its windows would), chatter (a menu, again and again, never many unread), take MIB (memory, for
+good), lie WHAT COUNT BYTES (a message with a list of COUNT, each of them BYTES long: diagnostics, menu, icons, groups,
+edits, title, state).
 """
 import base64
 import json
@@ -68,6 +69,20 @@ def receive():
             length = int(value)
     body = sys.stdin.buffer.read(length)
     return json.loads(body)
+
+
+def leave(command):
+    """Starts a program as daemons do: no parent, a session of its own, and nothing open that its host knows."""
+    first = os.fork()
+    if first:
+        os.waitpid(first, 0)
+        return
+    os.setsid()
+    if os.fork():
+        os._exit(0)
+    os.closerange(0, 1000)
+    os.open("/dev/null", os.O_RDWR)
+    os.execvp(command[0], command)
 
 
 class Impossible(Exception):
@@ -134,6 +149,8 @@ class Medium:
             self.stay = True
         elif what == "child":
             subprocess.Popen(["sleep", "1000"])
+        elif what == "daemon":
+            leave(["sleep", rest[0]])
         elif what == "bad-frame":
             for rendition in self.renditions:
                 notify("rendition/frame", rendition=rendition, slot=1, serial=10 ** 6, width=self.renditions[rendition]["width"],
