@@ -21,7 +21,8 @@ public:
             if (media::LiveSubdocument* live = batch_.document().live(id))
                 examine(id, *live);
     }
-    [[nodiscard]] const std::vector<session::ListedFault>& failures() const { return failures_; }
+    // A fault for each medium that has said nothing in time.
+    [[nodiscard]] const std::vector<session::ListedFault>& silent() const { return silent_; }
 
 private:
     void examine(document::SubdocumentId id, media::LiveSubdocument& live) {
@@ -43,13 +44,10 @@ private:
         QTimer::singleShot(mostMsForDiagnostics, &loop, &QEventLoop::quit);
         live.start();
         loop.exec();
-        if (!answered || live.condition() == media::Condition::failed)
-            failures_.push_back(
+        if (!answered && live.condition() != media::Condition::failed)
+            silent_.push_back(
                 {placeOf(id), true,
-                 live.condition() == media::Condition::failed
-                     ? live.reason()
-                     : live.name() + QStringLiteral(" did not say whether the text is right."),
-                 id});
+                 live.name() + QStringLiteral(" did not say whether the text is right."), id});
         live.makeStill();
     }
 
@@ -61,7 +59,7 @@ private:
     }
 
     BatchDocument& batch_;
-    std::vector<session::ListedFault> failures_;
+    std::vector<session::ListedFault> silent_;
 };
 
 } // namespace
@@ -75,7 +73,7 @@ int check(const QString& input) {
     Examination examination(batch);
     examination.run();
     std::vector<session::ListedFault> faults = batch.document().faults();
-    faults.insert(faults.end(), examination.failures().begin(), examination.failures().end());
+    faults.insert(faults.end(), examination.silent().begin(), examination.silent().end());
     std::stable_sort(faults.begin(), faults.end(), [](const auto& a, const auto& b) {
         return std::pair(a.file.isEmpty(), a.position) < std::pair(b.file.isEmpty(), b.position);
     });

@@ -42,6 +42,11 @@ sgml::Fault warningAt(sgml::Range range, std::string message) {
     return fault;
 }
 
+// A sentence while a medium has failed.
+QString failureOf(const media::LiveSubdocument& live) {
+    return live.condition() == media::Condition::failed ? live.reason() : QString();
+}
+
 } // namespace
 
 OpenDocument::OpenDocument(std::unique_ptr<document::Document> document,
@@ -111,6 +116,14 @@ void OpenDocument::connectLive(document::SubdocumentId id, media::LiveSubdocumen
         askForParameters();
         Q_EMIT faultsChanged();
     });
+    connect(&live, &LiveSubdocument::conditionChanged, this,
+            [this, id, &live, last = failureOf(live)]() mutable {
+                const QString before = std::exchange(last, failureOf(live));
+                if (before == last)
+                    return;
+                placed_.erase(id);
+                Q_EMIT faultsChanged();
+            });
     connect(&live, &LiveSubdocument::loaded, this, askForParameters);
     connect(&live, &LiveSubdocument::parametersChanged, this, &OpenDocument::faultsChanged);
     connect(&live, &LiveSubdocument::windowsChanged, this, &OpenDocument::draftsChanged);
@@ -244,11 +257,15 @@ std::vector<sgml::Fault> OpenDocument::saidBy(document::SubdocumentId id) const 
                           static_cast<int>(std::clamp(item.column, ipc::Integer{0}, most))});
     }
     const std::vector<std::size_t> offsets = document_->fileOffsets(id, places);
+    const std::size_t start = document_->tree().node(in->element).range.from;
     std::vector<sgml::Fault> result;
+    if (const QString failure = failureOf(*subdocument); !failure.isEmpty()) {
+        result.push_back(warningAt({start, start}, failure.toStdString()));
+        result.back().severity = sgml::Severity::error;
+    }
     for (std::size_t i = 0; i < places.size(); ++i) {
         const ipc::DiagnosticItem& item = subdocument->diagnostics().items[i];
-        const std::size_t at =
-            places[i].line > 0 ? offsets[i] : document_->tree().node(in->element).range.from;
+        const std::size_t at = places[i].line > 0 ? offsets[i] : start;
         result.push_back(warningAt({at, at}, item.message));
         if (item.severity == ipc::Severity::error)
             result.back().severity = sgml::Severity::error;

@@ -56,10 +56,10 @@ public:
 
     // All that is known to be wrong: of the format, of what its schemas do not allow, references to
     // nothing, pictures that cannot be read, parameters that sliders do not find, of subdocuments
-    // as their media say; in order of place. Before these, what is wrong in the files of its
-    // schemas.
+    // as their media say, and why media failed; in order of place. Before these, what is wrong in
+    // the files of its schemas.
     [[nodiscard]] std::vector<ListedFault> faults();
-    // Faults that a subdocument's medium finds, placed in the file.
+    // Faults that a subdocument's medium finds, and why it failed, placed in the file.
     [[nodiscard]] const std::vector<ListedFault>& faultsOf(document::SubdocumentId id) const;
     // Are there sliders for its parameters?
     [[nodiscard]] bool hasSliders(document::SubdocumentId id) const { return driven_.contains(id); }

@@ -136,6 +136,52 @@ TEST_F(PresentedTest, EveryFaultIsInTheOneList) {
                                     HasSubstr("9: no subdocument has the ID s")));
 }
 
+// A subdocument of a medium that is named by the test alone, and has no program.
+std::string scripted(const std::string& text) {
+    return "<PARAGRAPH><DOCUMENT>\nDOCUMENT SCRIPTED\n<SCRIPTED><SCRIPT>{" + text +
+           "}</SCRIPT></SCRIPTED>\n</DOCUMENT></PARAGRAPH>\n";
+}
+
+TEST_F(PresentedTest, WhyAMediumFailedIsInTheOneListWhileItHasFailed) {
+    media::Registry registry;
+    media::Manifest manifest;
+    manifest.name = "Scripted";
+    manifest.documentClass = "SCRIPTED";
+    manifest.storage = "SCRIPT";
+    manifest.command = {"no-such-program"};
+    registry.add(manifest);
+    media::LiveMedia media(registry, QString(), pipes_);
+    const std::string tooLong(ipc::longestText.most + 1, 'x');
+    OpenDocument document(
+        std::make_unique<document::Document>(memo(scripted(tooLong) + scripted("short"))), schemas_,
+        media);
+    int told = 0;
+    QObject::connect(&document, &OpenDocument::faultsChanged, [&] { ++told; });
+    const auto listed = [&] {
+        std::vector<std::string> result;
+        for (const ListedFault& fault : document.faults())
+            result.push_back((fault.isError ? "error " : "warning ") +
+                             std::to_string(fault.position.line) + ": " +
+                             fault.message.toStdString());
+        return result;
+    };
+    const std::string longSaid = "error 5: Scripted is not started: this text has 8.0 MiB, and it "
+                                 "may have 8 MiB at most. Make it shorter.";
+    EXPECT_THAT(listed(), ElementsAre(longSaid));
+    const std::vector<document::SubdocumentId> all = document.document().subdocuments();
+    document.live(all[1])->start();
+    while (document.live(all[1])->condition() != media::Condition::failed)
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    EXPECT_EQ(told, 1);
+    EXPECT_THAT(listed(), ElementsAre(longSaid, "error 9: Scripted could not be started: there is "
+                                                "no program \"no-such-program\"."));
+    ASSERT_EQ(document.document().editText(all[0],
+                                           document.document().subdocument(all[0])->revision,
+                                           {{{0, tooLong.size()}, "short"}}, "Shorten"),
+              document::EditResult::applied);
+    EXPECT_THAT(listed(), ElementsAre(HasSubstr("error 9: Scripted could not be started")));
+}
+
 } // namespace
 } // namespace session
 

@@ -227,8 +227,11 @@ TEST_F(WindowTest, ACrashedMediumKeepsItsPictureAndStartsOnAClick) {
                 HasSubstr("was ended by signal 11"));
     EXPECT_EQ(live(*window, 1).condition(), media::Condition::live);
     EXPECT_EQ(window->document().document().bytes(), before);
+    auto* pane = window->findChild<FaultsPane*>();
+    EXPECT_TRUE(waitFor([&] { return pane->count() == 1; }));
     click(*window, 0);
     EXPECT_TRUE(waitFor([&] { return live(*window, 0).condition() == media::Condition::live; }));
+    EXPECT_TRUE(waitFor([&] { return pane->count() == 0; }));
 }
 
 TEST_F(WindowTest, AFaultyTextSaysSoWithItsLineInTheFile) {
