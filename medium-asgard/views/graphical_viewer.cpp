@@ -4,6 +4,7 @@
 #include "plain/plain.h"
 #include "views/create_menu.h"
 #include "views/keep_view.h"
+#include "views/known_span.h"
 #include "views/manual.h"
 #include "views/motion_span.h"
 #include "views/notice_bar.h"
@@ -442,12 +443,14 @@ void GraphicalViewer::updateRange() {
     if (known)
         for (const simulation::Impact& impact : shown.motion->impacts())
             impacts.push_back(impact.time);
-    timeBar_->setMarks(known ? shown.motion->predictableUntil() : std::nullopt, impacts);
+    const KnownSpan span =
+        known ? knownSpan(*shown.motion) : KnownSpan{playback_.computed(), {}, 0};
+    timeBar_->setRange(playback_.start(), playback_.finish(), span.computed);
+    timeBar_->setMarks(span.reliableUntil, impacts);
     timeBar_->setEnabled(known);
 }
 
 void GraphicalViewer::updateState() {
-    timeBar_->setRange(playback_.start(), playback_.finish(), playback_.computed());
     timeBar_->setTime(playback_.time());
     timeStrip_->setRange(playback_.start(), playback_.finish());
     timeStrip_->setTime(playback_.time());

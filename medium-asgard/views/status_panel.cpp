@@ -2,6 +2,7 @@
 
 #include "plain/plain.h"
 #include "render/handles.h"
+#include "views/known_span.h"
 #include "views/parameters_panel.h"
 
 #include <QFormLayout>
@@ -34,22 +35,6 @@ QLabel* addRow(QFormLayout* form, const QString& label, const QString& tip) {
     before->setToolTip(plain::tip(tip));
     form->addRow(before, value);
     return value;
-}
-
-// Bodies that stopped before the end, and when the first did.
-struct Stopped {
-    std::size_t count = 0;
-    double first = 0;
-};
-
-Stopped stoppedIn(const simulation::Motion& motion) {
-    Stopped stopped;
-    for (std::size_t body = 0; body < motion.bodies(); ++body)
-        if (const auto stop = motion.stop(body)) {
-            stopped.first = stopped.count == 0 ? stop->time : std::min(stopped.first, stop->time);
-            ++stopped.count;
-        }
-    return stopped;
 }
 
 // The handle as it looks in the picture.
@@ -194,25 +179,22 @@ void StatusPanel::showMotion() {
     showTime();
     const auto& motion = document_.shown().motion;
     const double length = playback_.finish() - playback_.start();
-    const bool whole = playback_.computed() >= playback_.finish();
-    const Stopped stopped = motion ? stoppedIn(*motion) : Stopped();
-    computed_->setText(stopped.count > 0 ? tr("to %1").arg(timeText(stopped.first, length))
-                       : whole           ? tr("all %1").arg(timeText(length, length))
-                                         : tr("to %1").arg(timeText(playback_.computed(), length)));
+    const KnownSpan known = motion ? knownSpan(*motion) : KnownSpan{playback_.computed(), {}, 0};
+    const bool whole = known.stopped == 0 && known.computed >= playback_.finish();
+    computed_->setText(whole ? tr("all %1").arg(timeText(length, length))
+                             : tr("to %1").arg(timeText(known.computed, length)));
     computed_->setToolTip(plain::tip(
-        stopped.count > 0 ? tr("Bodies that stop before the end: %1. The first of them stops "
+        known.stopped > 0 ? tr("Bodies that stop before the end: %1. The first of them stops "
                                "there; a language viewer says why")
-                                .arg(stopped.count)
+                                .arg(known.stopped)
                           : tr("How far the motion is computed")));
     const auto error = motion ? motion->errorEstimate() : std::nullopt;
     accuracy_->setText(error ? QStringLiteral("≤ ") + QString::number(*error, 'g', 2)
                              : QStringLiteral("–"));
-    auto until = motion ? motion->predictableUntil() : std::nullopt;
-    if (stopped.count > 0)
-        until = std::min(until.value_or(stopped.first), stopped.first);
     predictable_->setText(!motion ? QStringLiteral("–")
-                          : until ? tr("to %1").arg(timeText(*until, length))
-                                  : tr("throughout"));
+                          : known.reliableUntil
+                              ? tr("to %1").arg(timeText(*known.reliableUntil, length))
+                              : tr("throughout"));
     if (document_.work() == Work::reading)
         state_->setText(tr("Reading the scene…"));
     else if (document_.work() == Work::simulating)

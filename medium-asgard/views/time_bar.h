@@ -17,6 +17,7 @@ public:
     explicit TimeBar(QWidget* parent = nullptr);
 
     void setRange(double start, double finish, double computed);
+    [[nodiscard]] double computed() const { return computed_; } // filled to there
     void setMarks(std::optional<double> predictableUntil, std::vector<double> impacts);
     void setTime(double time); // emits nothing
     void setStale(bool stale); // the motion is an older scene's
