@@ -183,7 +183,8 @@ std::array<double, bodyUnknowns> BodyMotion::unknownsOf(const BodyValues& v) con
 }
 
 EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
-                                     const std::function<void()>& meanwhile) {
+                                     const std::function<void()>& meanwhile,
+                                     scene::ShapeReader* shapes) {
     const auto pause = [&meanwhile](std::size_t done) {
         if (done % 64 == 63 && meanwhile)
             meanwhile();
@@ -192,7 +193,8 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
     set.time = g.symbol("t");
     std::vector<BodyMass> masses;
     std::vector<BodySymbols> symbols;
-    MassReader reader(scene);
+    scene::ShapeReader own(meanwhile);
+    MassReader reader(scene, shapes ? *shapes : own);
     for (const scene::Body& body : scene.bodies) {
         pause(bodies.size());
         const auto mass = reader.massOf(body);

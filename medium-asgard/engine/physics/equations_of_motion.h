@@ -83,8 +83,10 @@ struct LinkNodes {
 
 struct EquationsOfMotion {
     // Of many bodies it takes a while: `meanwhile` is called now and then, and may throw to end it.
+    // `shapes`: of this scene, where they are wanted for more than masses; may be null.
     explicit EquationsOfMotion(const scene::Scene& scene,
-                               const std::function<void()>& meanwhile = {});
+                               const std::function<void()>& meanwhile = {},
+                               scene::ShapeReader* shapes = nullptr);
 
     expression::EquationSet set;
     std::vector<BodyMotion> bodies; // as Scene::bodies

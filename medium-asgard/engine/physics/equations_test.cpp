@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
+#include <utility>
 
 namespace physics {
 namespace {
@@ -208,6 +210,36 @@ TEST(Equations, OfAFreeBodySplitIntoScalars) {
         EXPECT_EQ(readBy(motion, name), "ball.d" + std::string(name).substr(5) + ' ');
     for (const char* name : {"ball.dx", "ball.dy", "ball.dz", "ball.wx", "ball.wy", "ball.wz"})
         EXPECT_EQ(readBy(motion, name), "");
+}
+
+// Of points all of which are corners: thousands of questions which of them sees which triangle.
+scene::ShapeSet roundHull(const std::string& name, int points) {
+    scene::HullShape hull;
+    for (int i = 0; i < points; ++i) {
+        const double height = (2.0 * i + 1) / points - 1, turn = 2.4 * i;
+        const double radius = std::sqrt(1 - height * height);
+        hull.points.emplace_back(radius * std::cos(turn), radius * std::sin(turn), height);
+    }
+    scene::ShapeSet set;
+    set.name = name;
+    set.parts.resize(1);
+    set.parts[0].shape = hull;
+    return set;
+}
+
+TEST(Equations, AskWhileTheyMakeAHullAndShareOneThatIsMade) {
+    scene::Scene scene = ballAndRod();
+    scene.shapeSets[0] = roundHull("ball1", 1000);
+    std::size_t asked = 0;
+    const auto count = [&] { ++asked; };
+    EXPECT_TRUE(EquationsOfMotion(scene, count).faults.empty());
+    EXPECT_GT(asked, 5u);
+    scene::ShapeReader shapes(count);
+    (void)shapes.of(scene.shapeSets[0]);
+    const std::size_t once = std::exchange(asked, 0);
+    EXPECT_GT(once, 5u);
+    EXPECT_TRUE(EquationsOfMotion(scene, count, &shapes).faults.empty());
+    EXPECT_EQ(asked, 0u);
 }
 
 TEST(Equations, TellWhatEachUnknownMeasures) {

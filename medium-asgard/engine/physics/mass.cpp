@@ -1,7 +1,5 @@
 #include "physics/mass.h"
 
-#include "scene/shape_of.h"
-
 #include <cmath>
 
 namespace physics {
@@ -39,7 +37,7 @@ bool BodyMass::isIsotropic() const {
     return isPrincipal() && inertia(0, 0) == inertia(1, 1) && inertia(1, 1) == inertia(2, 2);
 }
 
-MassReader::MassReader(const scene::Scene& scene) {
+MassReader::MassReader(const scene::Scene& scene, scene::ShapeReader& shapes) : shapes_(shapes) {
     for (const scene::ShapeSet& set : scene.shapeSets)
         sets_.try_emplace(set.name, &set);
 }
@@ -49,9 +47,9 @@ MassReader::propertiesOf(const scene::ShapeSet& set) {
     const auto [it, isNew] = known_.try_emplace(&set);
     if (!isNew)
         return it->second;
-    auto made = scene::shapeOf(set);
-    if (auto* sentence = std::get_if<std::string>(&made)) {
-        it->second = std::move(*sentence);
+    const auto& made = shapes_.of(set);
+    if (const auto* sentence = std::get_if<std::string>(&made)) {
+        it->second = *sentence;
     } else {
         const auto& shape = std::get<geometry::Shape>(made);
         const auto properties = geometry::massProperties(shape, 1);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/mass.h"
-#include "scene/scene.h"
+#include "scene/shape_of.h"
 
 #include <string>
 #include <unordered_map>
@@ -25,7 +25,7 @@ struct BodyMass {
 // that no equation depends on what it does not. Each shape set is worked out once.
 class MassReader {
 public:
-    explicit MassReader(const scene::Scene& scene);
+    MassReader(const scene::Scene& scene, scene::ShapeReader& shapes);
 
     // The sentence says why there is no mass.
     [[nodiscard]] std::variant<BodyMass, std::string> massOf(const scene::Body& body);
@@ -38,6 +38,7 @@ private:
     [[nodiscard]] const std::variant<OfUnitDensity, std::string>&
     propertiesOf(const scene::ShapeSet& set);
 
+    scene::ShapeReader& shapes_;
     std::unordered_map<std::string, const scene::ShapeSet*> sets_;
     std::unordered_map<const scene::ShapeSet*, std::variant<OfUnitDensity, std::string>> known_;
 };

@@ -34,6 +34,13 @@ TEST(ShapeOf, TurnsAPartAndThenMovesIt) {
     EXPECT_NEAR(geometry::massProperties(shape, 1).volume, 48 + std::numbers::pi / 6, 1e-12);
 }
 
+TEST(ShapeReader, MakesEachShapeOnce) {
+    ShapeSet set;
+    set.parts.push_back({BoxShape{{2, 4, 6}}, Vector::Zero(), Vector::Zero(), {}});
+    ShapeReader reader;
+    EXPECT_EQ(&reader.of(set), &reader.of(set));
+}
+
 TEST(ShapeOf, SaysWhyAPartHasNoVolume) {
     ShapeSet set;
     set.parts.push_back({SphereShape{}, Vector::Zero(), Vector::Zero(), {}});

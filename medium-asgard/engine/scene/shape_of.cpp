@@ -58,4 +58,10 @@ std::variant<geometry::Shape, std::string> shapeOf(const ShapeSet& set,
     return shape;
 }
 
+const ShapeReader::Made& ShapeReader::of(const ShapeSet& set) {
+    const auto place = known_.find(&set);
+    return place != known_.end() ? place->second
+                                 : known_.emplace(&set, shapeOf(set, meanwhile_)).first->second;
+}
+
 } // namespace scene

@@ -6,6 +6,8 @@
 
 #include <functional>
 #include <string>
+#include <unordered_map>
+#include <utility>
 #include <variant>
 
 namespace scene {
@@ -14,5 +16,19 @@ namespace scene {
 // takes a while: `meanwhile` is called now and then, and may throw to end it.
 [[nodiscard]] std::variant<geometry::Shape, std::string>
 shapeOf(const ShapeSet& set, const std::function<void()>& meanwhile = {});
+
+// The shapes of one scene, each made when it is first asked for: collisions and masses share them.
+// The scene must not change meanwhile.
+class ShapeReader {
+public:
+    using Made = std::variant<geometry::Shape, std::string>;
+    explicit ShapeReader(std::function<void()> meanwhile = {}) : meanwhile_(std::move(meanwhile)) {}
+
+    [[nodiscard]] const Made& of(const ShapeSet& set);
+
+private:
+    std::function<void()> meanwhile_;
+    std::unordered_map<const ShapeSet*, Made> known_;
+};
 
 } // namespace scene

@@ -58,6 +58,25 @@ TEST(Cancelling, AMethodAsksAtEachStep) {
     expectLittleBetweenQuestions(b.scene, {.evaluations = 100, .pairTests = 0});
 }
 
+TEST(Cancelling, AHullIsMadeOnceAndAsksMeanwhile) {
+    SceneBuilder b(0);
+    b.scene.simulator.collisions = false;
+    b.box("stone", {0, 0, 0}, {1, 1, 1});
+    scene::HullShape hull;
+    for (int i = 0; i < 1000; ++i) {
+        const double height = (2.0 * i + 1) / 1000 - 1, radius = std::sqrt(1 - height * height);
+        hull.points.emplace_back(radius * std::cos(2.4 * i), radius * std::sin(2.4 * i), height);
+    }
+    std::size_t ofHull = 0;
+    b.scene.shapeSets[0].parts[0].shape = hull;
+    ASSERT_EQ(scene::shapeOf(b.scene.shapeSets[0], [&] { ++ofHull; }).index(), 0u);
+    ASSERT_GT(ofHull, 5u);
+    const Course first = courseOf(b.scene, ofHull / 2), whole = courseOf(b.scene, 0);
+    EXPECT_TRUE(first.result.cancelled);
+    EXPECT_FALSE(first.result.motion);
+    EXPECT_LT(whole.asked, 2 * ofHull);
+}
+
 TEST(Cancelling, ASearchForMeetingsAsksAtEachOfThem) {
     constexpr std::size_t perEdge = 4, balls = perEdge * perEdge * perEdge;
     SceneBuilder b(3);
