@@ -65,11 +65,8 @@ Result compose(const KnownMotion& known, Statistics work) {
     work.components = work.largestComponent = 0;
     for (const UnitPointer& unit : known.units) {
         isEstimated = isEstimated && unit->error;
-        if (unit->error) {
-            error.estimate = std::max(error.estimate, unit->error->estimate);
-            error.predictableUntil =
-                std::min(error.predictableUntil, unit->error->predictableUntil);
-        }
+        if (unit->error)
+            error = worse(error, *unit->error);
         work.components += unit->components;
         work.largestComponent = std::max(work.largestComponent, unit->largestComponent);
     }
@@ -79,7 +76,7 @@ Result compose(const KnownMotion& known, Statistics work) {
         contents.predictableUntil = error.predictableUntil;
     const double accuracy = known.version->scene->simulator.accuracy;
     if (isEstimated && error.estimate > accuracy)
-        contents.notes.push_back(shortfallOf(accuracy, error.estimate, contents.predictableUntil));
+        contents.notes.push_back(shortfallOf(accuracy, error));
     work.historyBytes = 0;
     for (const ComputedMotion::Part& part : contents.parts)
         work.historyBytes += part.histories->bytes();

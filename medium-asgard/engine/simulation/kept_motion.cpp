@@ -86,9 +86,7 @@ void addErrors(std::vector<Unit>& units, const std::vector<std::size_t>& unitOf,
         std::optional<BodyError>& error = units[unitOf[p]].error;
         if (!error)
             error.emplace();
-        error->estimate = std::max(error->estimate, solved.errors[p].estimate);
-        error->predictableUntil =
-            std::min(error->predictableUntil, solved.errors[p].predictableUntil);
+        *error = worse(*error, solved.errors[p]);
     }
 }
 

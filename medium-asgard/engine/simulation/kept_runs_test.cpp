@@ -28,7 +28,7 @@ std::vector<double> tolerancesOf(const Problem& problem, double tolerance = 1e-6
 }
 
 std::vector<double> rowsOf(const Run& run, const Problem& problem) {
-    const MotionPointer motion = run.motion(problem, false, {}, {});
+    const MotionPointer motion = run.motion(problem, false);
     std::vector<double> all;
     for (std::size_t body = 0; body < problem.bodies->size(); ++body)
         std::ranges::copy(rows(*motion, body), std::back_inserter(all));

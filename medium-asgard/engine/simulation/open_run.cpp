@@ -169,7 +169,7 @@ void OpenRun::publish(double known) {
         run.impacts = machinery_->collisions->impacts(problem_.finish());
         run.notes = machinery_->collisions->notes(problem_.finish());
     }
-    observer_.progress(run.motion(problem_, true, {}, {}));
+    observer_.progress(run.motion(problem_, true));
 }
 
 Run OpenRun::collect(double until) {

@@ -83,26 +83,21 @@ std::optional<std::vector<std::size_t>> askedOf(const Problem& problem) {
     return asked;
 }
 
-// By body; each set's is made once.
-std::vector<geometry::Shape> shapesOf(const scene::Scene& scene,
+// By body.
+std::vector<geometry::Shape> shapesOf(const scene::Scene& scene, scene::ShapeReader& reader,
                                       const std::function<void()>& meanwhile,
                                       std::vector<std::string>& faults) {
-    using Made = std::variant<geometry::Shape, std::string>;
-    std::map<const scene::ShapeSet*, Made> known;
+    const scene::ShapeReader::Made none = "there is none";
     std::vector<geometry::Shape> shapes;
     for (const scene::Body& body : scene.bodies) {
         if (shapes.size() % 16 == 15)
             meanwhile();
         const scene::ShapeSet* set = scene::findShapeSet(scene, body.shape);
-        auto place = known.find(set);
-        if (place == known.end())
-            place =
-                known.emplace(set, set ? scene::shapeOf(*set, meanwhile) : Made("there is none"))
-                    .first;
-        if (const auto* why = std::get_if<std::string>(&place->second))
+        const auto& made = set ? reader.of(*set) : none;
+        if (const auto* why = std::get_if<std::string>(&made))
             faults.push_back("Body \"" + body.name + "\" has no shape: " + *why + ".");
         else
-            shapes.push_back(std::get<geometry::Shape>(place->second));
+            shapes.push_back(std::get<geometry::Shape>(made));
     }
     return shapes;
 }
@@ -115,10 +110,11 @@ posed(const scene::Scene& original, const Options& options,
     std::vector<std::string> faults;
     scene::Scene scene = original;
     applyOptions(scene, options, faults);
-    std::vector<geometry::Shape> shapes = shapesOf(scene, meanwhile, faults);
+    scene::ShapeReader reader(meanwhile);
+    std::vector<geometry::Shape> shapes = shapesOf(scene, reader, meanwhile, faults);
     if (!faults.empty())
         return faults;
-    physics::EquationsOfMotion equations(scene, meanwhile);
+    physics::EquationsOfMotion equations(scene, meanwhile, &reader);
     if (!equations.faults.empty())
         return equations.faults;
     auto bodies = std::make_shared<const std::vector<BodyRecord>>(recordsOf(equations));
@@ -200,34 +196,49 @@ problemOf(const scene::Scene& original, const Options& options, const Observer& 
     }
 }
 
-std::string shortfallOf(double accuracy, double estimate, std::optional<double> predictableUntil) {
-    constexpr double lost = 0.03; // of the size
-    char text[240], from[40] = "";
-    if (predictableUntil && estimate > lost) {
+BodyError worse(const BodyError& first, const BodyError& second) {
+    BodyError error = first.estimate >= second.estimate ? first : second;
+    error.predictableUntil = std::min(first.predictableUntil, second.predictableUntil);
+    return error;
+}
+
+std::string shortfallOf(double accuracy, const BodyError& error) {
+    char text[280], from[40] = "";
+    const bool hasHorizon = std::isfinite(error.predictableUntil);
+    if (hasHorizon && error.estimate > unpredictable) {
         std::snprintf(text, sizeof text,
                       "From t = %.4g on the motion is not predictable to %.3g of its size, since "
                       "it amplifies even rounding beyond that; a looser accuracy is kept for "
                       "longer, a tighter one for less long.",
-                      *predictableUntil, accuracy);
+                      error.predictableUntil, accuracy);
         return text;
     }
-    if (predictableUntil)
-        std::snprintf(from, sizeof from, " from t = %.4g on", *predictableUntil);
+    if (hasHorizon)
+        std::snprintf(from, sizeof from, " from t = %.4g on", error.predictableUntil);
+    const bool isByHops = error.lostHops > error.estimate / 2;
     std::snprintf(text, sizeof text,
-                  "An accuracy of %.3g is not reached%s: rounding, which the motion amplifies, "
-                  "leaves an error of about %.1g of its size.",
-                  accuracy, from, estimate);
+                  isByHops
+                      ? "An accuracy of %.3g is not reached%s: where bouncing ends, the engine "
+                        "leaves out the last hops, up to about %.1g of its size high."
+                      : "An accuracy of %.3g is not reached%s: rounding, which the motion "
+                        "amplifies, leaves an error of about %.1g of its size.",
+                  accuracy, from, isByHops ? error.lostHops : error.estimate);
     return text;
 }
 
-MotionPointer Run::motion(const Problem& problem, bool draft, std::optional<double> errorEstimate,
-                          std::optional<double> predictableUntil) const {
+MotionPointer Run::motion(const Problem& problem, bool draft,
+                          const std::optional<BodyError>& error) const {
     std::vector<ComputedMotion::Place> places(problem.bodies->size());
     for (std::size_t b = 0; b < places.size(); ++b)
         places[b] = {.part = 0, .body = b};
     std::vector<std::string> told = notes;
-    if (errorEstimate && *errorEstimate > problem.accuracy())
-        told.push_back(shortfallOf(problem.accuracy(), *errorEstimate, predictableUntil));
+    if (error && error->estimate > problem.accuracy())
+        told.push_back(shortfallOf(problem.accuracy(), *error));
+    std::optional<double> estimate, until;
+    if (error)
+        estimate = error->estimate;
+    if (error && std::isfinite(error->predictableUntil))
+        until = error->predictableUntil;
     return std::make_shared<ComputedMotion>(
         ComputedMotion::Contents{.start = problem.start(),
                                  .finish = problem.finish(),
@@ -237,8 +248,8 @@ MotionPointer Run::motion(const Problem& problem, bool draft, std::optional<doub
                                  .stops = stops,
                                  .impacts = impacts,
                                  .notes = std::move(told),
-                                 .errorEstimate = errorEstimate,
-                                 .predictableUntil = predictableUntil});
+                                 .errorEstimate = estimate,
+                                 .predictableUntil = until});
 }
 
 } // namespace simulation

@@ -42,6 +42,14 @@ struct Problem {
 [[nodiscard]] std::variant<std::shared_ptr<Problem>, std::vector<std::string>>
 problemOf(const scene::Scene& scene, const Options& options, const Observer& observer = {});
 
+struct BodyError {
+    double estimate = 0; // over the size of what it moves with
+    double predictableUntil = solution::infinity;
+    double lostHops = 0; // the part of the estimate that is the height of hops left out
+};
+// Of all bodies: the largest estimate, with what it is made of, and the first horizon.
+[[nodiscard]] BodyError worse(const BodyError& first, const BodyError& second);
+
 struct Run {
     std::shared_ptr<const solution::Histories> histories;
     std::map<std::size_t, Stop> stops; // by body
@@ -66,14 +74,13 @@ struct Run {
     std::vector<bool> isIntegrated; // by body: some of its motion is not exact
     std::vector<bool> isTaken;      // by body: from the run before; empty: none
 
+    // `error`: the worst of its bodies', where it is known.
     [[nodiscard]] MotionPointer motion(const Problem& problem, bool draft,
-                                       std::optional<double> errorEstimate,
-                                       std::optional<double> predictableUntil) const;
+                                       const std::optional<BodyError>& error = {}) const;
 };
 
 // What is said of a motion whose estimated error exceeds the accuracy.
-[[nodiscard]] std::string shortfallOf(double accuracy, double estimate,
-                                      std::optional<double> predictableUntil);
+[[nodiscard]] std::string shortfallOf(double accuracy, const BodyError& error);
 
 // Which bodies belong together when these impacts happen, and some meet where another's motion has
 // ended.

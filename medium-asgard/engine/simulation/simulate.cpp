@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace simulation {
@@ -67,18 +68,11 @@ void deliver(const Problem& problem, Run run, Solved& solved) {
     putInOrder(run.impacts, [&](std::size_t b) { return (*problem.bodies)[b].isFixed; });
     std::ranges::sort(run.notes);
     describe(problem, run, result);
-    if (solved.isEstimated) {
-        double estimate = 0, until = solution::infinity;
-        for (const BodyError& error : solved.errors) {
-            estimate = std::max(estimate, error.estimate);
-            until = std::min(until, error.predictableUntil);
-        }
-        result.statistics.errorEstimate = estimate;
-        if (std::isfinite(until))
-            result.statistics.predictableUntil = until;
-    }
-    result.motion = run.motion(problem, result.cancelled || run.cancelled,
-                               result.statistics.errorEstimate, result.statistics.predictableUntil);
+    std::optional<BodyError> worst;
+    if (solved.isEstimated)
+        worst = std::accumulate(solved.errors.begin(), solved.errors.end(), BodyError{}, worse);
+    result.motion = run.motion(problem, result.cancelled || run.cancelled, worst);
+    result.statistics.errorEstimate = result.motion->errorEstimate();
     result.cancelled = result.cancelled || run.cancelled;
     solved.run = std::move(run);
 }
@@ -188,13 +182,14 @@ void addLostHops(const Problem& problem, const Run& run, const std::vector<doubl
         if (!(size > 0))
             continue;
         BodyError& error = lost[island];
-        error.estimate = std::max(error.estimate, std::min(hop.height / size, 1.0));
+        error.lostHops = std::max(error.lostHops, std::min(hop.height / size, 1.0));
         if (hop.height > problem.accuracy() * size)
             error.predictableUntil = std::min(error.predictableUntil, hop.time);
     }
     for (std::size_t b = 0; b < errors.size(); ++b) {
         const BodyError& error = lost[run.island[b]];
-        errors[b].estimate += error.estimate;
+        errors[b].estimate += error.lostHops;
+        errors[b].lostHops = error.lostHops;
         errors[b].predictableUntil = std::min(errors[b].predictableUntil, error.predictableUntil);
     }
 }
@@ -300,6 +295,19 @@ void endWithStops(const Problem& problem, const Run& run, std::vector<BodyError>
     }
 }
 
+// Of the island with the largest error that was estimated by comparing.
+std::optional<double> sizeOfWorst(const std::vector<BodyError>& errors,
+                                  const std::vector<double>& sizes) {
+    double worst = -1;
+    std::optional<double> size;
+    for (std::size_t b = 0; b < errors.size(); ++b)
+        if (sizes[b] > 0 && errors[b].estimate > worst) {
+            worst = errors[b].estimate;
+            size = sizes[b];
+        }
+    return size;
+}
+
 Solved solveToAccuracy(const Problem& problem, const Observer& observer, KeptRuns& runs) {
     Solved solved;
     Tightening search(problem.accuracy(), problem.bodies->size());
@@ -315,7 +323,7 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer, KeptRun
     std::vector<double> sizes(solved.errors.size());
     const auto rounding = judgeRounding(problem, run, silent, search.loose(), runs, solved, sizes);
     if (observer.progress && !isExact(run))
-        observer.progress(run.motion(problem, true, {}, {}));
+        observer.progress(run.motion(problem, true));
     search.leaveExact(run);
     while (tighten(problem, silent, search, runs, run, solved) &&
            prove(problem, run, silent, search, runs, solved)) {
@@ -327,6 +335,7 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer, KeptRun
     for (std::size_t b = 0; b < sizes.size(); ++b)
         sizes[b] = std::max(sizes[b], compared[b]);
     addLostHops(problem, run, sizes, solved.errors);
+    solved.result.statistics.movingSize = sizeOfWorst(solved.errors, sizes);
     deliver(problem, std::move(run), solved);
     return solved;
 }

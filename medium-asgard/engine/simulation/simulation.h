@@ -66,8 +66,13 @@ struct Statistics {
     std::size_t components = 0, largestComponent = 0, historyBytes = 0;
     double reached = 0;
     std::optional<double> errorEstimate, predictableUntil;
+    // Of what moves together where the estimate is largest; none: no runs were compared there.
+    std::optional<double> movingSize;
     std::vector<ComponentStatistics> componentList;
 };
+// A motion whose estimate is over this is not predictable from Statistics::predictableUntil on;
+// below, it is known, but not to the accuracy.
+inline constexpr double unpredictable = 0.03;
 
 struct Result {
     // Null when `refusal` says why nothing could be computed, or when it was cancelled before.

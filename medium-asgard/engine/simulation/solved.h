@@ -9,11 +9,6 @@
 
 namespace simulation {
 
-struct BodyError {
-    double estimate = 0; // over the size of what it moves with
-    double predictableUntil = solution::infinity;
-};
-
 struct Solved {
     Result result;
     Run run; // that the result's motion shows

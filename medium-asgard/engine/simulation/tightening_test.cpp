@@ -328,9 +328,9 @@ TEST(Horizon, OfADoublePendulumComesTheLaterTheLessIsAsked) {
 }
 
 TEST(Horizon, OfWhatIsLittleWorseThanItsAccuracyIsToldToo) {
-    EXPECT_THAT(shortfallOf(1e-9, 4e-9, 3.5),
+    EXPECT_THAT(shortfallOf(1e-9, {.estimate = 4e-9, .predictableUntil = 3.5}),
                 HasSubstr("An accuracy of 1e-09 is not reached from t = 3.5 on: rounding"));
-    EXPECT_THAT(shortfallOf(1e-9, 4e-9, {}), HasSubstr("is not reached: rounding"));
+    EXPECT_THAT(shortfallOf(1e-9, {.estimate = 4e-9}), HasSubstr("is not reached: rounding"));
 }
 
 // Two runs of these agree by chance where both are off by 8 to 76 times the accuracy: one in a
