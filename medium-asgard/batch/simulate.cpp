@@ -1,3 +1,4 @@
+#include "batch/accuracy_line.h"
 #include "batch/command.h"
 #include "batch/input.h"
 #include "batch/output.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 
 namespace batch {
 namespace {
@@ -82,31 +82,22 @@ bool writeStatistics(const std::string& file, const scene::Scene& scene,
     return output.finish(output.write(json));
 }
 
-std::string shortNumber(double value, int digits = 6) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.*g", digits, value);
-    return text;
-}
-
-// Of a method that was asked for nothing is known. Where the accuracy is not kept a warning has
-// said so.
-void tellError(const SimulateArguments& arguments, const scene::Scene& scene,
-               std::optional<double> estimate) {
-    if (std::ranges::all_of(scene.bodies, &scene::Body::fixed))
+void tellAccuracy(const SimulateArguments& arguments, const scene::Scene& scene,
+                  const simulation::Result& result) {
+    const double reached = reachedBy(*result.motion);
+    if (std::ranges::all_of(scene.bodies, &scene::Body::fixed) ||
+        (reached == result.motion->start() && result.motion->finish() > reached))
         return; // nothing moves
     const scene::Simulator& simulator = scene.simulator;
-    const std::string method = arguments.method.empty() ? simulator.method : arguments.method;
-    const double accuracy = arguments.accuracy.value_or(simulator.accuracy);
-    if (!estimate && method != "auto") {
-        const std::string steps =
-            arguments.fixedStep ? " at steps of " + shortNumber(*arguments.fixedStep) : "";
-        terminal::complain("asgard: the error of " + method + steps +
-                           " is not estimated; only the method auto estimates its error");
-    } else if (estimate && *estimate <= accuracy) {
-        terminal::complain("asgard: the error is estimated at " + shortNumber(*estimate, 2) +
-                           " of the scene's size, where " + shortNumber(accuracy) +
-                           " was asked for");
-    }
+    const std::string line =
+        accuracyLine({.start = result.motion->start(),
+                      .reached = reached,
+                      .accuracy = arguments.accuracy.value_or(simulator.accuracy),
+                      .method = arguments.method.empty() ? simulator.method : arguments.method,
+                      .fixedStep = arguments.fixedStep.value_or(0)},
+                     result.statistics);
+    if (!line.empty())
+        terminal::complain("asgard: " + line);
 }
 
 // The scene is good, the times are good: compute and write.
@@ -129,7 +120,7 @@ int compute(const SceneText& scene, const SimulateArguments& arguments,
         return refuse(refusal);
     }
     const bool stopped = tell(scene, *result.motion);
-    tellError(arguments, scene.reading.scene, result.motion->errorEstimate());
+    tellAccuracy(arguments, scene.reading.scene, result);
     Output output(arguments.csv);
     if (!output.good() || !output.finish(writeTable(output.stream(), scene.reading.scene,
                                                     *result.motion, quantities, columns, times)))

@@ -20,15 +20,6 @@ Json stopsOf(const scene::Scene& scene, const simulation::Motion& motion) {
     return stops;
 }
 
-// All bodies are known up to here.
-double reachedBy(const simulation::Motion& motion) {
-    double reached = motion.computed();
-    for (std::size_t b = 0; b < motion.bodies(); ++b)
-        if (const auto stop = motion.stop(b))
-            reached = std::min(reached, stop->time);
-    return reached;
-}
-
 // Where all stopped as soon as they started, nothing was estimated.
 bool isAnyMotion(const scene::Scene& scene, const simulation::Motion& motion) {
     bool isAny = false, isStopped = false;
@@ -41,6 +32,14 @@ bool isAnyMotion(const scene::Scene& scene, const simulation::Motion& motion) {
 }
 
 } // namespace
+
+double reachedBy(const simulation::Motion& motion) {
+    double reached = motion.computed();
+    for (std::size_t b = 0; b < motion.bodies(); ++b)
+        if (const auto stop = motion.stop(b))
+            reached = std::min(reached, stop->time);
+    return reached;
+}
 
 std::string statisticsJson(const scene::Scene& scene, const simulation::Motion& motion,
                            const simulation::Statistics& s, double secondsReading) {

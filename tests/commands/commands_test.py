@@ -202,8 +202,20 @@ class Commands(unittest.TestCase):
                          "only the method auto estimates its error\n")
 
     def test_a_motion_says_in_one_line_how_accurate_it_is(self):
-        said = self.told("force -body b -x {-b.x-1}", code=0, arguments=("--accuracy", "1e-6"))
-        self.assertRegex(said, r"^asgard: the error is estimated at [0-9.e-]+ of the scene's size, where 1e-06 was asked for\n$")
+        said = self.told("force -body b -x {-9*sin(b.x)-1}", code=0, arguments=("--accuracy", "1e-6"))
+        self.assertRegex(said, r"^asgard: accurate to [0-9.]+e-[0-9]+ of [0-9.]+ m over 10 s, asked 1e-6\n$")
+        said = self.told(code=0)
+        self.assertEqual(said, "asgard: accurate to rounding over 10 s, asked 1e-4\n")
+
+    def test_a_motion_says_in_one_line_up_to_when_it_is_accurate(self):
+        chaos = ("-29.43*sin(a.x) - 9.81*sin(a.x-2*b.x) - 2*sin(a.x-b.x)*(b.dx^2+a.dx^2*cos(a.x-b.x))",
+                 "2*sin(a.x-b.x)*(2*a.dx^2+19.62*cos(a.x)+b.dx^2*cos(a.x-b.x))")
+        scene = self.file("chaos.al", "simulator -finish 40 -collisions 0\nshape_set s -desc {-sub {-sphere 0.1}}\n"
+                          "body a s -mass 1 -init_pos {2.1 0 0}\nbody b s -mass 1 -init_pos {3 0 1}\n" +
+                          "".join(f"force -body {body} -x {{({force})/(3-cos(2*a.x-2*b.x))}}\n" for body, force in zip("ab", chaos)))
+        said = self.run_asgard("simulate", scene, "--csv", os.devnull).stderr.split("\n")[-2]
+        self.assertRegex(said, r"^asgard: accurate to 1e-4 of [0-9.]+ m, as asked, only for the first [12][0-9.]+ s of 40 s; "
+                               r"not predictable after that$")
 
     def test_what_needs_too_much_memory_stops_at_one_time(self):
         once = self.told("force -body b -x {sin(1e9*t)}", arguments=("--memory", "2"))
