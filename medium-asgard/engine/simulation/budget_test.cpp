@@ -35,7 +35,7 @@ TEST_F(Budget, WhereItIsSpentMotionStopsWithASentence) {
     EXPECT_GT(stop->time, 0);
     EXPECT_LT(stop->time, 1);
     EXPECT_THAT(stop->sentence, HasSubstr("the motion up to here takes 1 MB, which is the limit, "
-                                          "most of it for body \"shaken\"; let what drives it"));
+                                          "most of it for body \"shaken\"; let its forces "));
     EXPECT_LE(first.statistics.historyBytes, 1'010'000u);
     EXPECT_THAT(reportOf(scene, *first.motion), SizeIs(1)) << "one sentence for all";
 
