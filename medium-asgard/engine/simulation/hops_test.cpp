@@ -231,7 +231,8 @@ TEST(Hops, ThatAreLeftOutAreAPartOfTheEstimate) {
             EXPECT_LT(*result.statistics.errorEstimate, std::max(accuracy, 3e-9))
                 << e << " " << accuracy;
             if (*result.statistics.errorEstimate > accuracy)
-                EXPECT_THAT(result.motion->notes(), Contains(HasSubstr("leaves out the last hops")));
+                EXPECT_THAT(result.motion->notes(),
+                            Contains(HasSubstr("leaves out the last hops")));
             else
                 EXPECT_THAT(result.motion->notes(), IsEmpty());
             EXPECT_EQ(result.motion->at(1, rest).velocity.y(), 0);
