@@ -172,6 +172,15 @@ class Person:
     def clickOn(self, window, name, times=1):
         self.click(window, self.widget(window, name).middle, times=times)
 
+    def hint(self, window, place, words):
+        """Moves about the place until the window's hint has these words: what lies there is known by then."""
+        def told():
+            for nearby in (place[0] + 1, place[1]), place:
+                self.screen.do(*self.at(self.window(window), nearby))
+            return words in self.widget(window, "hint").text
+
+        until(f"the hint of {window} speaks of {words}", told)
+
     def drag(self, window, start, end, key=None):
         """Looks around before it lets go: what it gives is what the windows were then."""
         self.activate(window)

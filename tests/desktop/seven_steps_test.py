@@ -129,9 +129,9 @@ class SevenSteps(unittest.TestCase):
     def throwBall(self, author):
         """The handle of a velocity that is zero lies on its body."""
         author.menu(VIEWER, "Handles", "Velocities")
-        until("velocities have handles", lambda: author.action(VIEWER, "Handles", "Velocities").checked)
-        author.look("velocities")
         x, y = BALL
+        author.hint(VIEWER, author.point(VIEWER, x, y, 0), f"velocity of {self.ball}")
+        author.look("velocities")
         author.drag(VIEWER, author.point(VIEWER, x, y, 0), author.point(VIEWER, x - 3, y, 0), key="shift")
         author.says(rf"^body {self.ball} .*-init_dpos \{{-")
         author.look("thrown")
