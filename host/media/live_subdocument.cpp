@@ -223,10 +223,8 @@ void LiveSubdocument::adopt(std::unique_ptr<MediumProcess> process) {
     menus_ = process_->introduction().menus;
     const QString why = std::exchange(reason_, {});
     loaded_ = false;
-    // Before it has told where it is itself.
-    const std::optional<ipc::TimeChanged> last = time_;
     load();
-    restoreTime(last);
+    steer(time_.forNextProcess());
     restoreWindows(why);
     const auto isCurrent = currentProcess();
     process_->request(ipc::PresentationList{},
@@ -253,15 +251,13 @@ void LiveSubdocument::invokeWaiting() {
     }
 }
 
-void LiveSubdocument::restoreTime(const std::optional<ipc::TimeChanged>& last) {
-    if (last) {
-        process_->request(ipc::TimeRate{last->rate, last->loop});
-        process_->request(ipc::TimeSeek{last->time});
-        if (last->playing)
-            process_->request(ipc::TimePlay{});
-    } else if (poster_) {
-        process_->request(ipc::TimeSeek{*poster_});
-    }
+void LiveSubdocument::steer(const KeptTime::Commands& commands) {
+    if (commands.rate)
+        process_->request(*commands.rate);
+    if (commands.seek)
+        process_->request(*commands.seek);
+    if (commands.play)
+        process_->request(ipc::TimePlay{});
 }
 
 void LiveSubdocument::restoreWindows(const QString& why) {
@@ -365,8 +361,7 @@ void LiveSubdocument::told(const ipc::ToHost& report) {
     if (const auto* frame = std::get_if<ipc::RenditionFrame>(&report)) {
         takeFrame(*frame);
     } else if (const auto* time = std::get_if<ipc::TimeChanged>(&report)) {
-        time_ = *time;
-        leavePoster();
+        steer(time_.told(*time));
         Q_EMIT timeChanged();
     } else if (const auto* menus = std::get_if<ipc::MenuChanged>(&report)) {
         menus_ = menus->menus;
@@ -558,25 +553,7 @@ void LiveSubdocument::takeDrafts() { invoke(updateDrafts, nullptr); }
 void LiveSubdocument::play() {
     if (!process_)
         return;
-    process_->request(ipc::TimePlay{}); // from the start, the first time: see leavePoster()
-}
-
-// The poster is what stands there before it is played; playing begins at the start, whoever began
-// it: a command of ours, or the medium's menu and keys. A time that was looked for by hand stays.
-void LiveSubdocument::leavePoster() {
-    if (!poster_ || time_->finish <= time_->start)
-        return;
-    const double shown = std::clamp(*poster_, time_->start, time_->finish);
-    if (time_->playing) {
-        poster_.reset();
-        process_->request(ipc::TimeSeek{time_->start});
-        if (process_)
-            process_->request(ipc::TimePlay{}); // the finish may have come before
-    } else if (time_->time == shown) {
-        atPoster_ = true;
-    } else if (atPoster_) {
-        poster_.reset();
-    }
+    process_->request(ipc::TimePlay{}); // from the start, the first time: see KeptTime
 }
 
 void LiveSubdocument::pause() {
@@ -587,7 +564,7 @@ void LiveSubdocument::pause() {
 void LiveSubdocument::seek(double time) {
     if (!process_ || process_->isCongested())
         return;
-    poster_.reset();
+    time_.chosenByHand();
     process_->request(ipc::TimeSeek{time});
 }
 

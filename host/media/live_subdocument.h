@@ -9,6 +9,7 @@
 // that mode with the current text, moves the renditions there, and ends the first.
 #pragma once
 
+#include "media/kept_time.h"
 #include "media/kept_windows.h"
 #include "media/manifest.h"
 #include "media/medium_process.h"
@@ -63,7 +64,7 @@ public:
     [[nodiscard]] bool mayStart() const { return !isTooLong(); } // whatever happened before
     [[nodiscard]] bool hasWindows() const; // perhaps: its process may open some
     void makeStill();                      // ends the process; pictures and menus stay
-    void setPoster(std::optional<double> time) { poster_ = time; } // the time it is first shown at
+    void setPoster(std::optional<double> time) { time_.setPoster(time); } // s; at first
 
     // --- its renditions
     [[nodiscard]] std::unique_ptr<Rendition> createRendition(const QString& presentation = {});
@@ -90,7 +91,7 @@ public:
     [[nodiscard]] bool takesDrafts() const;
     void takeDrafts();
     // Of a medium that moves; nothing for a medium without time.
-    [[nodiscard]] const std::optional<ipc::TimeChanged>& time() const { return time_; }
+    [[nodiscard]] const std::optional<ipc::TimeChanged>& time() const { return time_.last(); }
     void play();
     void pause();
     void seek(double time);
@@ -139,9 +140,8 @@ private:
     void adopt(std::unique_ptr<MediumProcess> process);
     [[nodiscard]] std::function<bool()> currentProcess() const;
     void load();
-    void restoreTime(const std::optional<ipc::TimeChanged>& last);
+    void steer(const KeptTime::Commands& commands);
     void restoreWindows(const QString& why);
-    void leavePoster();
     void askForSize();
     void told(const ipc::ToHost& report);
     void asked(MediumProcess& by, const ipc::Id& id, const ipc::ToHost& request);
@@ -183,9 +183,7 @@ private:
     std::optional<QSizeF> preferredSize_;
     QSizeF available_{640, 0};
     std::vector<ipc::MenuEntry> menus_;
-    std::optional<ipc::TimeChanged> time_;
-    std::optional<double> poster_; // until it is played
-    bool atPoster_ = false;        // the medium has told that it shows it
+    KeptTime time_;
     ipc::Diagnostics diagnostics_;
     std::optional<std::vector<std::string>> parameters_;
     ipc::WindowsChanged windows_;
