@@ -117,6 +117,7 @@ void DocumentView::placeSubdocuments() {
 void DocumentView::setPresentation(const QString& name) {
     presentation_ = name;
     layOut();
+    setZoom(usualZoom()); // pages of another one may be wider
 }
 
 double DocumentView::scale() const { return zoom_ / layout::twipsPerPixel; }
@@ -181,6 +182,8 @@ void DocumentView::setZoom(double zoom) {
     viewport()->update();
     Q_EMIT zoomChanged();
 }
+
+double DocumentView::usualZoom() const { return std::min(presented_.page().zoom, widthZoom()); }
 
 double DocumentView::widthZoom() const {
     const double page = layout::toPixels(pages().size).width();

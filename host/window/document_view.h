@@ -31,6 +31,7 @@ public:
     void setZoom(double zoom); // the middle of the view stays where it is
     void zoomBy(int steps);
     [[nodiscard]] double widthZoom() const; // at which a page is as wide as the view
+    [[nodiscard]] double usualZoom() const; // the presentation's, if the page is seen whole
 
     [[nodiscard]] document::SubdocumentId chosen() const { return chosen_; }
     void choose(document::SubdocumentId id);

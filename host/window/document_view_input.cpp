@@ -27,7 +27,7 @@ void DocumentView::scrollContentsBy(int, int) {
 void DocumentView::showEvent(QShowEvent* event) {
     QAbstractScrollArea::showEvent(event);
     if (!std::exchange(wasShown_, true))
-        setZoom(std::min(presented_.page().zoom, widthZoom()));
+        setZoom(usualZoom());
     updateGeometries();
     updateNearness();
 }

@@ -41,8 +41,11 @@ TEST_F(WindowTest, PresentationsDifferFromWindowToWindow) {
     DocumentWindow* one = open(memo(scripted("colour 802020")));
     DocumentWindow* two = application_.addWindow(one->shared());
     const QSizeF before = two->view().pages().size;
+    two->resize(700, 700);
+    ASSERT_TRUE(waitFor([&] { return two->view().widthZoom() < 1; }));
     two->view().setPresentation("slides");
     EXPECT_NE(two->view().pages().size, before);
+    EXPECT_EQ(two->view().zoom(), two->view().widthZoom()); // it is seen whole
     EXPECT_EQ(one->view().pages().size, before);
 }
 
