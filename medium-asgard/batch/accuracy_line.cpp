@@ -12,7 +12,7 @@ std::string number(double value, int digits) {
     const bool isSmall = value > 0 && value < small;
     std::snprintf(text, sizeof text, isSmall ? "%.*e" : "%.*g", isSmall ? digits - 1 : digits,
                   value);
-    const std::string printed = text;
+    std::string printed = text;
     const std::size_t e = printed.find('e');
     if (e == std::string::npos)
         return printed;
