@@ -25,8 +25,8 @@ ComponentEquations::ComponentEquations(std::shared_ptr<const BoundModel> bound,
       out_(model_.outputs().size()), base_(out_.size()), other_(out_.size()),
       guards_(model_.function().decisions()), sides_(model_.surfaces().size(), onSurface),
       levels_(model_.surfaces().size(), 0), joined_(model_.surfaces().size()),
-      isGrazed_(model_.surfaces().size(), 0), decisions_(model_.function().decisions()),
-      units_(model_.directions().parts),
+      isGrazed_(model_.surfaces().size(), 0), wasPassed_(model_.surfaces().size(), 0),
+      decisions_(model_.function().decisions()), units_(model_.directions().parts),
       isPlain_(decisions_.empty() && bound_->held.empty() && bound_->loop.empty() &&
                model_.directions().ranges.empty()),
       readsInputs_(!bound_->inputs.empty()) {

@@ -128,8 +128,10 @@ public:
     // them is an error of polynomials, where a guard is smaller than that.
     [[nodiscard]] bool contradicts(const Violation& violation, double t, std::span<const double> y);
     // There the rates lead away from the one surface of the violation, to the side that holds, and
-    // its guard is no more than what rounding leaves of a difference: the motion has just left the
-    // surface, and goes on where it is. From then on crossings back count beyond `standing` only.
+    // its guard is no more than what rounding leaves of a difference: the motion, which started on
+    // the surface, has just left it, and goes on where it is. From then on crossings back count
+    // beyond `standing` only. A surface that was passed is not grazed so: swings that become ever
+    // shorter would never end.
     [[nodiscard]] bool grazesByRounding(const Violation& violation, double t,
                                         std::span<const double> y);
     enum class Crossing { done, impossible };
@@ -318,6 +320,7 @@ private:
     // The guard crosses 0 by rounding alone, or no rate beyond the surface moves the state away
     // from it.
     std::vector<char> isGrazed_;
+    std::vector<char> wasPassed_; // by surface, since the start or the last event
     std::vector<expression::Decision> decisions_;
     std::vector<std::size_t> sliding_; // surfaces
     // On these the motion was told to stand, at that time; what else is passed then moves it off

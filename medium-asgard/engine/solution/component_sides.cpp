@@ -154,6 +154,7 @@ void ComponentEquations::decide(double t, std::span<double> y) {
     leaving_.reset();
     standing_.clear();
     isGrazed_.assign(model_.surfaces().size(), 0);
+    wasPassed_.assign(model_.surfaces().size(), 0);
     for (std::vector<Joined>& joined : joined_)
         joined.clear();
     if (model_.surfaces().empty())
@@ -367,7 +368,7 @@ bool ComponentEquations::grazesByRounding(const Violation& violation, double t,
     if (violation.watches.size() != 1 || violation.watches[0] >= watches_.size())
         return false;
     const Watch& watch = watches_[violation.watches[0]];
-    if (isGrazed_[watch.surface] != 0)
+    if (isGrazed_[watch.surface] != 0 || wasPassed_[watch.surface] != 0)
         return false;
     fill(t, y);
     field();
@@ -423,6 +424,7 @@ void ComponentEquations::slideWhereLedBack(const Passed& passed) {
     model_.function().guards(in_, guards_, scratch_, decisions_);
     std::vector<std::size_t> back;
     for (const std::size_t s : passed.surfaces) {
+        wasPassed_[s] = 1;
         const Slope slope = guardRate(s, behind);
         setGrazed(s, !slope.still && std::abs(slope.rate) <= slope.noise);
         if (isOnSide(s) && slope.rate * sides_[s] < -slope.noise &&

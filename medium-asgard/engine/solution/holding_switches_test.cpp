@@ -24,6 +24,7 @@ void expectAt(const std::vector<Line>& lines, double t, double x, double dx, dou
         ASSERT_EQ(h.stop(1), nullptr) << lines[1].derivative << ": " << h.stop(1)->sentence;
         EXPECT_NEAR(h.value(0, t), x, 10 * accuracy + off) << lines[1].derivative;
         EXPECT_NEAR(h.value(1, t), dx, 10 * accuracy + off) << lines[1].derivative;
+        EXPECT_LT(solver.statistics().steps, 1000u) << lines[1].derivative << " at " << accuracy;
     }
 }
 

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <deque>
 #include <random>
 
 using namespace solution;
