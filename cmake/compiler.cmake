@@ -25,10 +25,12 @@ if(FUZZ)
     add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
+option(COMPILER_CACHE "Compile through ccache, where it is installed" ON)
 find_program(CCACHE ccache)
-if(CCACHE)
+if(CCACHE AND COMPILER_CACHE)
     set(CMAKE_CXX_COMPILER_LAUNCHER
         ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+        CCACHE_INODECACHE=1 # a precompiled header of 360 MB is hashed once, not for each source
         CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} ${CCACHE})
     if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
         add_compile_options(-fpch-preprocess)
