@@ -35,11 +35,17 @@ template <class Window> QList<Window*> alive(const QList<QPointer<Window>>& wind
     return result;
 }
 
+constexpr int frame = 8, title = 32; // of the window manager, around a window
+
+// No new window is larger than its screen: with large letters a screen is small.
+void fitScreen(QWidget& window, const QWidget* asked) {
+    const QSize room = (asked ? asked : &window)->screen()->availableGeometry().size();
+    window.resize(window.size().boundedTo(room - QSize(2 * frame, frame + title)));
+}
+
 // A new window lies a little below and right of the one that asked for it, within the screen.
 void placeBeside(QWidget& window, const QWidget* asked) {
-    if (!asked)
-        return;
-    constexpr int step = 40, frame = 8, title = 32;
+    constexpr int step = 40;
     const QRect screen = asked->screen()->availableGeometry();
     const auto within = [](int at, int low, int high) {
         return std::clamp(at, low, std::max(low, high));
@@ -53,7 +59,7 @@ void placeBeside(QWidget& window, const QWidget* asked) {
 // far as the screen allows (dissertation, Figure 4.1).
 void arrange(ControlPanel& panel, GraphicalViewer& graphical, LanguageViewer& language) {
     const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
-    const int gap = 12, title = 32;
+    const int gap = 12;
     const int left = std::max(panel.sizeHint().width(), screen.width() * 9 / 25);
     panel.move(screen.left() + gap, screen.top() + title);
     const int under = panel.sizeHint().height() + 2 * title + gap;
@@ -142,7 +148,10 @@ void Editor::showBeside(QMainWindow& window) {
     const char* prepared = "prepared";
     if (!window.property(prepared).toBool()) { // later it lies where it was put
         addSessionActions(window, session);
-        placeBeside(window, QApplication::activeWindow());
+        const QWidget* asked = QApplication::activeWindow();
+        fitScreen(window, asked);
+        if (asked) // else the window manager finds a place: beside a host's window, say
+            placeBeside(window, asked);
     }
     window.setProperty(prepared, true);
     window.show();

@@ -155,5 +155,16 @@ TEST_F(NewcomerTest, ANewWindowLiesWhereItIsSeenAndHidesNothingWhole) {
     EXPECT_NE(second->pos(), QPoint(0, 0));
 }
 
+// As where everything is twice as large. No window of this process is active under a document.
+TEST_F(NewcomerTest, ANewWindowIsNotLargerThanItsScreen) {
+    open(ballScene);
+    const QList<QMainWindow*> all{editor.openGraphicalViewer(), editor.openLanguageViewer()};
+    for (const QMainWindow* window : all) {
+        const QSize room = window->screen()->availableGeometry().size();
+        EXPECT_LT(window->width(), room.width()) << window->windowTitle().toStdString();
+        EXPECT_LT(window->height(), room.height()) << window->windowTitle().toStdString();
+    }
+}
+
 } // namespace
 } // namespace views
