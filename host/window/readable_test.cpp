@@ -11,6 +11,7 @@
 #include <QSlider>
 #include <QStatusBar>
 #include <QStyle>
+#include <QTreeWidget>
 
 namespace window {
 namespace {

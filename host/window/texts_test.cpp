@@ -1,6 +1,8 @@
 // Texts of documents and media are shown as they are written: no widget takes them for markup.
 #include "window/window_testing.h"
 
+#include <QTreeWidget>
+
 namespace window {
 namespace {
 
