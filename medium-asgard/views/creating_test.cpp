@@ -134,7 +134,7 @@ TEST_F(CreatingTest, AllBodiesThatCanFallGetTheirWeightAtOnce) {
     ASSERT_EQ(scene().forces.size(), 2U);
     EXPECT_THAT(text(), HasSubstr("force -body b2 -gravitational {0 0 -1.6}\n"));
     display().creating().start(weightForAll(usualGravity(scene())));
-    EXPECT_THAT(display().editing().said().toStdString(), HasSubstr("No body is without weight"));
+    EXPECT_THAT(display().editing().said().toStdString(), HasSubstr("has a weight already"));
 }
 
 TEST_F(CreatingTest, AShapeOfTheLibraryIsPlacedAtOnce) {

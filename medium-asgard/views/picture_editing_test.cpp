@@ -372,10 +372,12 @@ TEST_F(PictureEditingTest, WhatALoopMakesIsOfferedWithTheChangeOfTheTextAsItWasD
     ASSERT_NE(entry, nullptr);
     EXPECT_THAT(entry->saying().toStdString(), HasSubstr("is one of 3 that line 4 makes"));
     QPushButton* step = nullptr;
+    const QString becomes = "The step: 0.5 becomes ";
     for (auto* button : entry->findChildren<QPushButton*>())
-        if (button->text().startsWith("The step: 0.5 becomes 0.7"))
+        if (button->text().startsWith(becomes))
             step = button;
     ASSERT_NE(step, nullptr);
+    EXPECT_NEAR(step->text().section('\n', 0, 0).mid(becomes.size()).toDouble(), 0.7, 0.015);
     QString shown;
     for (auto* label : entry->findChildren<QLabel*>())
         shown += label->text();
