@@ -25,7 +25,14 @@ const std::string twoScenes =
     "<DOCUMENT>DOCUMENT CHART\n<CHART ID=\"two\" WIDTH=\"wide\"><DATA></DATA></CHART></DOCUMENT>\n"
     "</BODY></CMEMO>\n";
 
-// What is announced about texts, as a medium would apply it.
+// A memo whose one animation, "one", has these bytes as its storage.
+std::string memoWith(const std::string& storage) {
+    return "DOCUMENT CMEMO\n<CMEMO><PARAGRAPH><DOCUMENT>\nDOCUMENT ANIMATION\n"
+           "<ANIMATION ID=\"one\">" +
+           storage + "</ANIMATION></DOCUMENT></PARAGRAPH></CMEMO>";
+}
+
+// The announced edits of texts, as a medium would apply it.
 struct Mirror {
     std::string text;
     int revision = 0;
@@ -144,12 +151,9 @@ TEST(Document, SubdocumentsKeepTheirNumberThroughEditsAndComeBackWithIt) {
     EXPECT_EQ(document.subdocuments(), (std::vector<SubdocumentId>{added, two}));
 }
 
-// Undo to the start gives the first bytes, redo to the end the last; every listener keeps up.
 // Other tags say where such a text ends: "{>" and "{aXb<" would be read back otherwise.
 TEST(Document, ATextThatNoBraceClosesIsNotEdited) {
-    Document document("DOCUMENT CMEMO\n<CMEMO><PARAGRAPH><DOCUMENT>\nDOCUMENT ANIMATION\n"
-                      "<ANIMATION ID=\"one\"><ASGARD>{a</ASGARD></ANIMATION></DOCUMENT>"
-                      "</PARAGRAPH></CMEMO>");
+    Document document(memoWith("<ASGARD>{a</ASGARD>"));
     const SubdocumentId one = document.subdocumentNamed("one");
     ASSERT_NE(document.subdocument(one), nullptr);
     EXPECT_EQ(document.text(one), "a");
@@ -158,14 +162,13 @@ TEST(Document, ATextThatNoBraceClosesIsNotEdited) {
 
 // What would be written behind a tag that is not closed would be read as a part of the tag.
 TEST(Document, AStorageWhoseTagIsNotClosedHasNoText) {
-    Document document("DOCUMENT CMEMO\n<CMEMO><PARAGRAPH><DOCUMENT>\nDOCUMENT ANIMATION\n"
-                      "<ANIMATION ID=\"one\"><ASGARD C{a}</ASGARD></ANIMATION></DOCUMENT>"
-                      "</PARAGRAPH></CMEMO>");
+    Document document(memoWith("<ASGARD C{a}</ASGARD>"));
     const SubdocumentId one = document.subdocumentNamed("one");
     ASSERT_NE(document.subdocument(one), nullptr);
     EXPECT_EQ(document.editText(one, 0, {{{0, 0}, "b"}}, "Type"), EditResult::unknown);
 }
 
+// Undo to the start gives the first bytes, redo to the end the last; every listener keeps up.
 TEST(Document, RandomEditsUndoAndRedoExactly) {
     sgml::RandomDocument random(40);
     for (int round = 0; round < 60; ++round) {

@@ -1,4 +1,4 @@
-// Which time a subdocument shows, over all of its processes.
+// The time that a subdocument shows, over all of its processes.
 //
 // At first it stands at its poster. Playing begins at the start, whoever began it: a command of
 // ours, or the medium's menu and keys. A time that was looked for by hand stays, and the next
@@ -23,9 +23,9 @@ public:
     void setPoster(std::optional<double> time) { poster_ = time; } // s
     void chosenByHand() { poster_.reset(); }
 
-    // What a process has told last: nothing before, and of a medium without time.
+    // The time that a process told last: nothing before, and of a medium without time.
     [[nodiscard]] const std::optional<ipc::TimeChanged>& last() const { return last_; }
-    // A process told it; what it is told in return.
+    // A process told its time; the commands in return.
     [[nodiscard]] Commands told(const ipc::TimeChanged& time);
     [[nodiscard]] Commands forNextProcess() const; // right behind the text
 

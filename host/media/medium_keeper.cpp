@@ -1,9 +1,9 @@
 // medium-keeper PROGRAM ARGUMENTS...: runs a program, and leaves nothing of it behind.
 //
-// Whatever the program starts becomes a child of this process when its own parent ends, also what
-// has left its session (PR_SET_CHILD_SUBREAPER). When the program ends, when this process is sent
-// SIGTERM, or when its own parent ends, all of them are killed, and this process ends as the
-// program did: the same exit code, the same signal. docs/decisions/0055-medium-keeper.md.
+// A process that the program starts becomes a child of this one when its own parent ends, also
+// after it has left the session (PR_SET_CHILD_SUBREAPER). When the program ends, when this process
+// is sent SIGTERM, or when its own parent ends, all of them are killed, and this process ends as
+// the program did: the same exit code, the same signal. docs/decisions/0055-medium-keeper.md.
 //
 // It is started for every medium, so it uses the C library alone, which loads at once.
 //

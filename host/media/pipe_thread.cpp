@@ -29,7 +29,8 @@ constexpr std::size_t mostUnsentMessages = 1000;
 constexpr std::size_t mostLog = 4096;
 // A process that closed its output is about to end: its exit code is worth this wait.
 constexpr std::chrono::milliseconds graceAfterEof{300};
-// What a keeper may take to kill all that a medium started; others are served meanwhile.
+// The longest time that a keeper has to kill all processes of a medium; others are served
+// meanwhile.
 constexpr std::chrono::milliseconds mostToEnd{5000};
 // How often memory is measured: a process fills some 200 MiB in a second. Seldom while they hold
 // little.

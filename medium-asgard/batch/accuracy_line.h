@@ -1,4 +1,4 @@
-// How accurate a motion is, in one line for whoever asked for it (docs/command-line.md).
+// The accuracy of a motion, in one line (docs/command-line.md).
 #pragma once
 
 #include "simulation/simulation.h"

@@ -6,6 +6,7 @@
 #include "batch/table.h"
 #include "batch/waiting.h"
 #include "simulation/budget.h"
+#include "simulation/known_span.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>
@@ -84,7 +85,7 @@ bool writeStatistics(const std::string& file, const scene::Scene& scene,
 
 void tellAccuracy(const SimulateArguments& arguments, const scene::Scene& scene,
                   const simulation::Result& result) {
-    const double reached = reachedBy(*result.motion);
+    const double reached = simulation::knownSpan(*result.motion).computed;
     if (std::ranges::all_of(scene.bodies, &scene::Body::fixed) ||
         (reached == result.motion->start() && result.motion->finish() > reached))
         return; // nothing moves

@@ -1,5 +1,7 @@
 #include "batch/statistics.h"
 
+#include "simulation/known_span.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -33,14 +35,6 @@ bool isAnyMotion(const scene::Scene& scene, const simulation::Motion& motion) {
 
 } // namespace
 
-double reachedBy(const simulation::Motion& motion) {
-    double reached = motion.computed();
-    for (std::size_t b = 0; b < motion.bodies(); ++b)
-        if (const auto stop = motion.stop(b))
-            reached = std::min(reached, stop->time);
-    return reached;
-}
-
 std::string statisticsJson(const scene::Scene& scene, const simulation::Motion& motion,
                            const simulation::Statistics& s, double secondsReading) {
     const auto orNull = [](const std::optional<double>& value) {
@@ -67,7 +61,7 @@ std::string statisticsJson(const scene::Scene& scene, const simulation::Motion& 
                        {"components", s.components},
                        {"largest_component", s.largestComponent},
                        {"history_bytes", s.historyBytes},
-                       {"reached", reachedBy(motion)},
+                       {"reached", simulation::knownSpan(motion).computed},
                        {"error_estimate", orNull(estimate)},
                        {"predictable_until", orNull(s.predictableUntil)},
                        {"stops", stopsOf(scene, motion)},

@@ -7,9 +7,6 @@
 
 namespace batch {
 
-// Up to when all bodies are known: a stop ends that of its body.
-[[nodiscard]] double reachedBy(const simulation::Motion& motion);
-
 [[nodiscard]] std::string statisticsJson(const scene::Scene& scene,
                                          const simulation::Motion& motion,
                                          const simulation::Statistics& statistics,

@@ -22,8 +22,8 @@ struct Kept {
     KnownFile file{};    // that the text was read from or saved to, as it was then
     std::int64_t at = 0; // when it was kept: s since the epoch
     std::string text{};
-    // What was typed and is not in the text yet, as whoever shows it wants it back; the keys are
-    // the caller's.
+    // Typed words that are not in the text yet, in the form of the view that shows them; the keys
+    // are the caller's.
     std::map<std::string, std::string> drafts{};
     bool operator==(const Kept&) const = default;
 };
@@ -71,11 +71,11 @@ struct LeftBehind {
 
 struct AllLeft {
     std::vector<LeftBehind> texts;   // the newest first
-    std::vector<std::string> faults; // what could not be read, a sentence each
+    std::vector<std::string> faults; // a sentence for each that could not be read
 };
 
-// The texts that ended processes have left. What is in its file by now is no longer left, and goes.
-// What is damaged is put aside under another name, so that it is told once.
+// The texts that ended processes have left. A text that its file has by now is removed.
+// A damaged file is put aside under another name, so that it is told once.
 [[nodiscard]] AllLeft leftBehind(FileSystem& files, const std::string& folder);
 
 // The folder of the user's for a program's unsaved texts: XDG_STATE_HOME, else ~/.local/state.

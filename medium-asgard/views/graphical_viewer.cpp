@@ -2,9 +2,9 @@
 
 #include "gestures/new_point.h"
 #include "plain/plain.h"
+#include "simulation/known_span.h"
 #include "views/create_menu.h"
 #include "views/keep_view.h"
-#include "views/known_span.h"
 #include "views/manual.h"
 #include "views/motion_span.h"
 #include "views/notice_bar.h"
@@ -443,8 +443,8 @@ void GraphicalViewer::updateRange() {
     if (known)
         for (const simulation::Impact& impact : shown.motion->impacts())
             impacts.push_back(impact.time);
-    const KnownSpan span =
-        known ? knownSpan(*shown.motion) : KnownSpan{playback_.computed(), {}, 0};
+    const simulation::KnownSpan span = known ? simulation::knownSpan(*shown.motion)
+                                             : simulation::KnownSpan{playback_.computed(), {}, 0};
     timeBar_->setRange(playback_.start(), playback_.finish(), span.computed);
     timeBar_->setMarks(span.reliableUntil, impacts);
     timeBar_->setEnabled(known);

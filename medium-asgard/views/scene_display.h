@@ -78,7 +78,7 @@ public:
     [[nodiscard]] gestures::Sight sight() const { return {control_.camera(), pixelSize()}; }
     [[nodiscard]] Eigen::Vector2d inPixels(const QPointF& position) const;
     [[nodiscard]] QPointF fromPixels(const Eigen::Vector2d& pixels) const;
-    // Where a point of the world is seen, in the widget.
+    // The place of a point of the world, in the widget.
     [[nodiscard]] Q_INVOKABLE QPointF placeOf(double x, double y, double z) const;
     void keepCamera(); // it does not frame the scene by itself any more
 

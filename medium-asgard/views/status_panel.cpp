@@ -1,8 +1,9 @@
 #include "views/status_panel.h"
+#include "simulation/known_span.h"
 
 #include "plain/plain.h"
 #include "render/handles.h"
-#include "views/known_span.h"
+#include "simulation/known_span.h"
 #include "views/parameters_panel.h"
 
 #include <QFormLayout>
@@ -179,7 +180,8 @@ void StatusPanel::showMotion() {
     showTime();
     const auto& motion = document_.shown().motion;
     const double length = playback_.finish() - playback_.start();
-    const KnownSpan known = motion ? knownSpan(*motion) : KnownSpan{playback_.computed(), {}, 0};
+    const simulation::KnownSpan known = motion ? simulation::knownSpan(*motion)
+                                               : simulation::KnownSpan{playback_.computed(), {}, 0};
     const bool whole = known.stopped == 0 && known.computed >= playback_.finish();
     computed_->setText(whole ? tr("all %1").arg(timeText(length, length))
                              : tr("to %1").arg(timeText(known.computed, length)));

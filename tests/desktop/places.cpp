@@ -88,7 +88,7 @@ QJsonArray rowsOf(const QAbstractItemView& view) {
     return all;
 }
 
-// Where points of its scene are seen, of a widget that says it.
+// The places of points of its scene, for a widget that has placeOf().
 void addPoints(QJsonObject& to, QWidget& widget, const QJsonArray& points) {
     if (widget.metaObject()->indexOfMethod("placeOf(double,double,double)") < 0)
         return;

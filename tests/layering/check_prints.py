@@ -9,6 +9,8 @@ import os
 import re
 import sys
 
+from lint import files, report
+
 # The place that prints, the table of numbers that may go to standard output, and a tool for developers.
 ALLOWED = {os.path.join("medium-asgard", "terminal", "terminal.cpp"), os.path.join("medium-asgard", "batch", "output.cpp"),
            os.path.join("host", "sgml", "round_trip_run.cpp")}
@@ -17,23 +19,14 @@ PRINTS = re.compile(r"\bstd::(cout|cerr|clog|print|println|puts|putchar)\b|\b(st
                     r"/dev/(stdout|stderr|tty)")
 
 
-def main():
-    root, faults, seen = sys.argv[1], 0, 0
-    for top in ("host", "medium-asgard"):
-        for here, _, files in os.walk(os.path.join(root, top)):
-            for file in sorted(files):
-                path = os.path.relpath(os.path.join(here, file), root)
-                if not file.endswith((".h", ".cpp")) or file.endswith("_test.cpp") or path in ALLOWED:
-                    continue
-                seen += 1
-                with open(os.path.join(root, path), encoding="utf-8") as f:
-                    for number, line in enumerate(f, 1):
-                        if PRINTS.search(line.split("//")[0]):
-                            print(f"{path}:{number}: {line.strip()}: programs print by terminal/terminal.h")
-                            faults += 1
-    assert seen > 100, "this is no root of the project"
-    return 1 if faults else 0
+def violations(_, text):
+    for number, line in enumerate(text.split("\n"), 1):
+        if PRINTS.search(line.split("//")[0]):
+            yield number, line.strip() + ": programs print by terminal/terminal.h"
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    root = sys.argv[1]
+    sources = [path for path in files(root, ("host", "medium-asgard"), (".h", ".cpp"))
+               if not path.endswith("_test.cpp") and path not in ALLOWED]
+    sys.exit(report(root, sources, violations, least=100))

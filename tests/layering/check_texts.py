@@ -10,6 +10,8 @@ import os
 import re
 import sys
 
+from lint import files, read, report
+
 # The folders that make widgets.
 FOLDERS = (os.path.join("host", "window"), os.path.join("medium-asgard", "views"))
 # The manuals are markup of our own, from the programs' resources.
@@ -118,27 +120,18 @@ def violations(path, text, header):
             yield number, lines[number - 1]
 
 
-def main():
-    root, faults, seen = sys.argv[1], 0, 0
-    for folder in FOLDERS:
-        for here, _, files in os.walk(os.path.join(root, folder)):
-            for file in sorted(files):
-                path = os.path.relpath(os.path.join(here, file), root)
-                if not file.endswith((".h", ".cpp")) or re.search(r"(^test_|_test\.|_testing\.)", file):
-                    continue
-                with open(os.path.join(root, path), encoding="utf-8") as f:
-                    text = without_comments(f.read())
-                header = ""
-                if file.endswith(".cpp") and os.path.exists(os.path.join(here, file[:-4] + ".h")):
-                    with open(os.path.join(here, file[:-4] + ".h"), encoding="utf-8") as f:
-                        header = f.read()
-                seen += 1
-                for number, line in sorted(set(violations(path, text, header))):
-                    print(f"{path}:{number}: {line.strip()}: a text of others goes through plain/plain.h")
-                    faults += 1
-    assert seen > 100, "this is no root of the project"
-    return 1 if faults else 0
+def sentences(root):
+    def of(path, text):
+        header = path[:-4] + ".h"
+        beside = without_comments(read(root, header)) if path.endswith(".cpp") and os.path.exists(
+            os.path.join(root, header)) else ""
+        for number, line in sorted(set(violations(path, without_comments(text), beside))):
+            yield number, line.strip() + ": a text of others goes through plain/plain.h"
+    return of
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    root = sys.argv[1]
+    sources = [path for path in files(root, FOLDERS, (".h", ".cpp"))
+               if not re.search(r"(^test_|_test\.|_testing\.)", os.path.basename(path))]
+    sys.exit(report(root, sources, sentences(root), least=100))

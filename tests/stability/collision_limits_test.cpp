@@ -1,4 +1,4 @@
-// Where searches for impacts fail, and that ours does not (docs/numerics/measurements.md,
+// Cases in which searches for impacts fail, and ours does not (docs/numerics/measurements.md,
 // Stability, 25 to 29).
 #include "marks.h"
 

@@ -47,7 +47,7 @@ struct BodyError {
     double predictableUntil = solution::infinity;
     double lostHops = 0; // the part of the estimate that is the height of hops left out
 };
-// Of all bodies: the largest estimate, with what it is made of, and the first horizon.
+// Of both: the larger estimate, with its part by hops, and the earlier horizon.
 [[nodiscard]] BodyError worse(const BodyError& first, const BodyError& second);
 
 struct Run {

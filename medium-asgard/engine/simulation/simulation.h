@@ -66,7 +66,7 @@ struct Statistics {
     std::size_t components = 0, largestComponent = 0, historyBytes = 0;
     double reached = 0;
     std::optional<double> errorEstimate, predictableUntil;
-    // Of what moves together where the estimate is largest; none: no runs were compared there.
+    // The size, in m, of the island with the largest estimate; none: no runs were compared there.
     std::optional<double> movingSize;
     std::vector<ComponentStatistics> componentList;
 };

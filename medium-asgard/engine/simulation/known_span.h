@@ -1,4 +1,5 @@
-// How far the motion that is shown is known: what the status panel and the time scrollbar say.
+// The span over which a motion is known, for all that tell it: statistics, the status panel, the
+// time scrollbar.
 #pragma once
 
 #include "simulation/motion.h"
@@ -6,7 +7,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace views {
+namespace simulation {
 
 struct KnownSpan {
     double computed = 0;                 // s; of all bodies: to where the first of them stops
@@ -14,6 +15,6 @@ struct KnownSpan {
     std::size_t stopped = 0;             // bodies that stop before the end
 };
 
-[[nodiscard]] KnownSpan knownSpan(const simulation::Motion& motion);
+[[nodiscard]] KnownSpan knownSpan(const Motion& motion);
 
-} // namespace views
+} // namespace simulation

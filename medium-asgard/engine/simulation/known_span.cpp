@@ -1,10 +1,10 @@
-#include "views/known_span.h"
+#include "simulation/known_span.h"
 
 #include <algorithm>
 
-namespace views {
+namespace simulation {
 
-KnownSpan knownSpan(const simulation::Motion& motion) {
+KnownSpan knownSpan(const Motion& motion) {
     KnownSpan known{motion.computed(), motion.predictableUntil(), 0};
     for (std::size_t body = 0; body < motion.bodies(); ++body)
         if (const auto stop = motion.stop(body)) {
@@ -15,4 +15,4 @@ KnownSpan knownSpan(const simulation::Motion& motion) {
     return known;
 }
 
-} // namespace views
+} // namespace simulation
