@@ -131,6 +131,8 @@ void Document::play(Change& change, Direction direction, const QString& label) {
         playText(change, direction, label);
     else
         playAll(change, direction, label);
+    const bool forward = direction == Direction::forward;
+    emit edited({.edits = forward ? change.forward : change.backward, .everything = true});
 }
 
 // Only one content changes. In a sound document that leaves the structure as it is, and with it all

@@ -8,7 +8,7 @@
 #include "document/schemas.h"
 #include "document/subdocument.h"
 #include "files/save.h"
-#include "sgml/edit.h"
+#include "sgml/change.h"
 
 #include <QObject>
 #include <QString>
@@ -97,7 +97,9 @@ public:
     void recoverText(const files::KnownFile& file, const std::string& text);
 
 Q_SIGNALS:
-    void changed(); // after any change of the bytes
+    void changed(); // after an edit, an undo or a redo, however many changes that is
+    // After each single change of the bytes, before changed(): tree and subdocuments have followed.
+    void edited(const sgml::Change& change);
     void textChanged(document::SubdocumentId id, const sgml::Edits& edits, int revision,
                      const QString& label); // unescaped edits; undo and redo too
     void subdocumentsChanged();             // some came or went, or an attribute changed

@@ -102,6 +102,27 @@ TEST(Document, EditsOfATextAreAnnouncedCheckedAndUndone) {
     EXPECT_EQ(document.redoLabel(), "Move");
 }
 
+// Whoever keeps something of the bytes follows by the announced edits alone.
+TEST(Document, EachChangeOfTheBytesIsAnnounced) {
+    Document document(twoScenes);
+    std::string bytes = document.bytes();
+    int steps = 0;
+    QObject::connect(&document, &Document::edited, &document, [&](const sgml::Change& change) {
+        bytes = sgml::applied(bytes, change.edits);
+        EXPECT_EQ(bytes, document.bytes());
+    });
+    QObject::connect(&document, &Document::changed, &document, [&] { ++steps; });
+    const SubdocumentId one = document.subdocumentNamed("one");
+    (void)document.editText(one, 0, {{{0, 1}, "x"}}, "Type", "typing");
+    (void)document.editText(one, 1, {{{1, 1}, "y"}}, "Type", "typing");
+    (void)document.edit({{{0, 8}, "DOCUMENT "}, {{16, 16}, "<TO>{you}</TO>"}}, "Insert");
+    document.undo();
+    document.undo();
+    EXPECT_EQ(bytes, twoScenes);
+    document.redo();
+    EXPECT_EQ(steps, 6);
+}
+
 TEST(Document, AStorageWithoutBracesTakesText) {
     Document document(twoScenes);
     const SubdocumentId two = document.subdocumentNamed("two");

@@ -1,0 +1,33 @@
+// What an edit of a document's bytes did to its tree. Whoever keeps something of each node (a
+// model, faults, subdocuments) follows a change by it instead of reading the whole tree again.
+//
+// A node that stays keeps its NodeId, however far its bytes moved. The number of a node that is
+// gone is not given to another node in the same change; a later change may do so.
+#pragma once
+
+#include "sgml/edit.h"
+
+#include <vector>
+
+namespace sgml {
+
+struct Change {
+    // The nodes below `parent`, which stays, that went and came: the topmost ones, in their order.
+    // What lies below them went and came with them.
+    struct Children {
+        NodeId parent = noNode;
+        std::vector<NodeId> removed{}, added{};
+    };
+
+    Edits edits{}; // of the bytes, in offsets of the text before
+    // All was read again: only the root kept its number, the lists below are empty, and the numbers
+    // of nodes that are gone may be in use again.
+    bool everything = false;
+    std::vector<NodeId> texts{}; // contents that stay and whose bytes changed
+    std::vector<NodeId> tags{};  // elements that stay and whose start tag (attributes) changed,
+                                 // and documents whose class changed
+    std::vector<Children> children{}; // in no order of place
+    std::vector<NodeId> gone{};       // every node that went, those below `removed` included
+};
+
+} // namespace sgml
