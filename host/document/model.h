@@ -11,6 +11,7 @@
 #include "document/style.h"
 #include "document/subdocument.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -30,19 +31,21 @@ enum class RunKind {
     lineBreak,
 };
 
+struct Footnote;
+
 // A piece of a line. Its letters are the bytes of `content` from `offset` on, unless content is
 // noNode: then they are generated (a number, a reference, a mark) and cannot be edited.
 // A line end in flowing text becomes one blank; what is left out there begins a new run.
 struct Run {
     RunKind kind = RunKind::text;
     std::string text{};                  // UTF-8
-    std::uint32_t style = 0;             // index into Model::textStyles
+    std::uint32_t style = 0;             // in Model::textStyles
     sgml::NodeId element = sgml::noNode; // the innermost element
     sgml::NodeId content = sgml::noNode;
     std::size_t offset = 0; // unescaped, of the text's first byte
     std::string target{};   // LINK: its address; REF: "#" and the ID
     SubdocumentId subdocument = noSubdocument;
-    std::size_t footnote = 0; // index into Model::footnotes
+    std::shared_ptr<const Footnote> footnote{}; // never null in a mark
 };
 
 enum class BlockKind {
@@ -58,6 +61,11 @@ enum class BlockKind {
 
 struct Cell;
 using Row = std::vector<Cell>;
+
+// A block that a model holds never changes. A model made after an edit holds the same block again
+// where nothing has changed: equal pointers are equal blocks.
+struct Block;
+using Blocks = std::vector<std::shared_ptr<const Block>>;
 
 struct Block {
     BlockKind kind = BlockKind::text;
@@ -79,13 +87,13 @@ struct Block {
 struct Cell {
     sgml::NodeId element = sgml::noNode;
     BlockStyle style; // border, background, padding, align
-    std::vector<Block> blocks;
+    Blocks blocks;
 };
 
 struct Footnote {
     std::string number;
     sgml::NodeId element = sgml::noNode;
-    std::vector<Block> blocks; // the first one has the number as its marker
+    Blocks blocks; // the first one has the number as its marker
 };
 
 // A frame or a background around the blocks first..last of Model::blocks, from the outermost to the
@@ -102,14 +110,17 @@ struct Box {
 
 // LIMIT: tables nested deeper are shown as the text of their cells.
 inline constexpr int deepestTable = 8;
+// LIMIT: footnotes nested deeper stand in the text of the footnote around them.
+inline constexpr int deepestFootnote = 8;
 
 struct Model {
     PageStyle page;
-    std::vector<TextStyle> textStyles; // each different one once
-    std::vector<Block> blocks;
+    // Shared by the models of one document by one presentation.
+    std::shared_ptr<const TextStyles> textStyles;
+    Blocks blocks;
     std::vector<Box> boxes;
-    std::vector<Footnote> footnotes;
-    std::string title; // of the window and of the PDF
+    std::vector<std::shared_ptr<const Footnote>> footnotes; // in order of their marks
+    std::string title;                                      // of the window and of the PDF
 };
 
 [[nodiscard]] Model buildModel(const Document& document, const Presentation& presentation,

@@ -20,7 +20,10 @@ Block& ModelBuilder::addBlock(BlockKind kind) {
         enterCell({}, frames_.back().node); // text in a row that is in no cell
     closeText();
     const Frame& frame = blockFrame();
-    Block block;
+    if (frame.together < flow_.out->size())
+        flow_.last->style.keepWithNext = true;
+    const auto made = std::make_shared<Block>();
+    Block& block = *made;
     block.kind = kind;
     block.element = frame.node;
     block.style = frame.style.block;
@@ -40,9 +43,10 @@ Block& ModelBuilder::addBlock(BlockKind kind) {
     takeMarker(block);
     flow_.space = flow_.padding = 0;
     flow_.pageBreak = false;
-    flow_.out->push_back(std::move(block));
+    flow_.out->push_back(made);
+    flow_.last = made;
     ++emitted_;
-    return flow_.out->back();
+    return block;
 }
 
 // The innermost marker that waits for a block, up to the cell or footnote that this is in.
@@ -87,7 +91,10 @@ void ModelBuilder::addRun(Run run) {
     run.target = run.target.empty() ? frames_.back().target : run.target;
     if (titles_ > 0 && !titled_ && run.kind == RunKind::text)
         model_.title += run.text;
-    flow_.out->back().runs.push_back(std::move(run));
+    if (run.text.empty() && run.target.starts_with('#') &&
+        (referring_.empty() || referring_.back() != flow_.last))
+        referring_.push_back(flow_.last);
+    flow_.last->runs.push_back(std::move(run));
     ++emitted_;
 }
 
@@ -100,7 +107,7 @@ void ModelBuilder::addText(std::string text, NodeId content, std::size_t offset)
     addRun(std::move(run));
 }
 
-bool ModelBuilder::atLineStart() const { return !flow_.open || flow_.out->back().runs.empty(); }
+bool ModelBuilder::atLineStart() const { return !flow_.open || flow_.last->runs.empty(); }
 
 void ModelBuilder::addGenerated(const Frame& frame, std::string_view name,
                                 const std::string& text) {
@@ -122,7 +129,7 @@ void ModelBuilder::addGenerated(const Frame& frame, std::string_view name,
 
 void ModelBuilder::addContent(NodeId content) {
     const sgml::Unescaped text = tree_.unescaped(content);
-    if (flow_.open && flow_.out->back().kind == BlockKind::verbatim)
+    if (flow_.open && flow_.last->kind == BlockKind::verbatim)
         addLines(text, content);
     else
         addFlowing(text, content);
@@ -208,32 +215,6 @@ void ModelBuilder::addStray(NodeId node) {
 }
 
 // --- small things ---------------------------------------------------------------------------
-
-namespace {
-
-std::size_t hashOf(const TextStyle& style) {
-    std::size_t hash = std::hash<std::string>()(style.family);
-    const auto mix = [&](std::size_t value) { hash = hash * 31 + value; };
-    mix(std::hash<double>()(style.size));
-    mix((style.bold ? 1U : 0U) + (style.italic ? 2U : 0U) + (style.underline ? 4U : 0U) +
-        (style.raised ? 8U : 0U));
-    mix(style.color.red * 65536U + style.color.green * 256U + style.color.blue);
-    return hash;
-}
-
-} // namespace
-
-std::uint32_t ModelBuilder::textStyle(const TextStyle& style) {
-    const std::size_t hash = hashOf(style);
-    const auto [first, last] = styles_.equal_range(hash);
-    for (auto known = first; known != last; ++known)
-        if (model_.textStyles[known->second] == style)
-            return known->second;
-    const auto index = static_cast<std::uint32_t>(model_.textStyles.size());
-    model_.textStyles.push_back(style);
-    styles_.emplace(hash, index);
-    return index;
-}
 
 std::string ModelBuilder::attribute(NodeId node, std::string_view name) const {
     return std::string(tree_.attribute(node, name).value_or(""));

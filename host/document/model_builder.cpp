@@ -14,6 +14,8 @@ ModelBuilder::ModelBuilder(const Document& document, const Presentation& present
     : document_(document), tree_(document.tree()), presentation_(presentation), schemas_(schemas) {
     for (const SubdocumentId id : document.subdocuments())
         subdocuments_[document.subdocument(id)->element] = id;
+    styles_ = std::make_shared<TextStyles>();
+    model_.textStyles = styles_;
     model_.page = presentation_.page();
     flow_.out = &model_.blocks;
     Frame root;
@@ -26,11 +28,7 @@ ModelBuilder::ModelBuilder(const Document& document, const Presentation& present
 }
 
 Model ModelBuilder::take() {
-    model_.footnotes.assign(std::make_move_iterator(footnotes_.begin()),
-                            std::make_move_iterator(footnotes_.end()));
-    resolveReferences(model_.blocks);
-    for (Footnote& footnote : model_.footnotes)
-        resolveReferences(footnote.blocks);
+    resolveReferences();
     // Inner ones ended before those around them.
     std::reverse(model_.boxes.begin(), model_.boxes.end());
     std::stable_sort(model_.boxes.begin(), model_.boxes.end(), [](const Box& a, const Box& b) {
@@ -96,6 +94,7 @@ ModelBuilder::Frame ModelBuilder::frameInside(NodeId node) const {
     frame.progress = outer.progress;
     frame.indentLeft = outer.indentLeft;
     frame.indentRight = outer.indentRight;
+    frame.together = outer.together;
     frame.target = outer.target;
     frame.path = outer.path;
     frame.reference = outer.reference;
@@ -157,8 +156,8 @@ void ModelBuilder::leave() {
     dropMarker(frame); // an inline element's has no place
     if (frame.role == Role::row || frame.role == Role::cell || frame.role == Role::footnote)
         flow_ = frame.outer;
-    if (frame.role == Role::table)
-        --tables_;
+    tables_ -= frame.role == Role::table ? 1 : 0;
+    notes_ -= frame.role == Role::footnote ? 1 : 0;
     if (frame.style.title)
         titled_ = --titles_ == 0 && !model_.title.empty();
     endNumbering(frame);
@@ -204,9 +203,9 @@ void keepTogether(std::string& text) {
 } // namespace
 
 // Runs that refer are empty until all is numbered, since they may refer to what comes later.
-void ModelBuilder::resolveReferences(std::vector<Block>& blocks) {
-    for (Block& block : blocks) {
-        for (Run& run : block.runs) {
+void ModelBuilder::resolveReferences() {
+    for (const std::shared_ptr<Block>& block : referring_)
+        for (Run& run : block->runs) {
             if (!run.text.empty() || !run.target.starts_with('#'))
                 continue;
             const auto reference = references_.find(run.target.substr(1));
@@ -215,10 +214,7 @@ void ModelBuilder::resolveReferences(std::vector<Block>& blocks) {
                            : reference->second;
             keepTogether(run.text);
         }
-        for (Row& row : block.rows)
-            for (Cell& cell : row)
-                resolveReferences(cell.blocks); // not deeper than deepestTable
-    }
+    referring_.clear();
 }
 
 // --- what elements become -------------------------------------------------------------------
@@ -278,6 +274,8 @@ bool ModelBuilder::beginBlock(Frame& frame) {
     frame.indentLeft += style.indentLeft;
     frame.indentRight += style.indentRight;
     frame.firstBlock = flow_.out != nullptr ? flow_.out->size() : 0;
+    if (style.keepTogether)
+        frame.together = std::min(frame.together, frame.firstBlock);
     if ((style.background || style.border.width > 0) && flow_.out == &model_.blocks) {
         flow_.padding += style.padding;
         frame.indentLeft += style.padding;
@@ -304,9 +302,6 @@ void ModelBuilder::endBlock(Frame& frame) {
     flow_.space = std::max(flow_.space, style.spaceAfter);
     if (flow_.out == nullptr || flow_.out->size() <= frame.firstBlock)
         return;
-    if (style.keepTogether)
-        for (std::size_t i = frame.firstBlock; i + 1 < flow_.out->size(); ++i)
-            (*flow_.out)[i].style.keepWithNext = true;
     if ((!style.background && style.border.width <= 0) || flow_.out != &model_.blocks ||
         frame.role != Role::block)
         return;
@@ -329,13 +324,13 @@ bool ModelBuilder::beginVerbatim(Frame& frame) {
 
 // The line end before the closing brace is the brace's, not the text's.
 void ModelBuilder::endVerbatim() {
-    if (!flow_.open || flow_.out->back().runs.empty())
+    if (!flow_.open || flow_.last->runs.empty())
         return;
-    std::string& last = flow_.out->back().runs.back().text;
+    std::string& last = flow_.last->runs.back().text;
     if (last.ends_with('\n'))
         last.pop_back();
     if (last.empty())
-        flow_.out->back().runs.pop_back();
+        flow_.last->runs.pop_back();
 }
 
 // Blocks in a table that are no rows, such as its caption, stand before or behind it.
@@ -359,11 +354,12 @@ bool ModelBuilder::beginRow(Frame& frame) {
     }
     frame.role = Role::row;
     frame.outer = flow_;
-    std::vector<Row>& rows = (*flow_.out)[table.table].rows;
+    std::vector<Row>& rows = flow_.last->rows; // of the table's block
     rows.emplace_back();
     flow_ = {};
     flow_.rows = &rows;
     frame.indentLeft = frame.indentRight = 0;
+    frame.together = noBlock;
     return true;
 }
 
@@ -380,11 +376,15 @@ bool ModelBuilder::beginCell(Frame& frame) {
 }
 
 bool ModelBuilder::beginFootnote(Frame& frame) {
-    const std::string number = std::to_string(footnotes_.size() + 1);
-    Run mark{.kind = RunKind::footnote,
-             .text = number,
-             .element = frame.node,
-             .footnote = footnotes_.size()};
+    if (notes_ >= deepestFootnote)
+        return true;
+    const std::string number = std::to_string(model_.footnotes.size() + 1);
+    const auto footnote = std::make_shared<Footnote>();
+    footnote->number = number;
+    footnote->element = frame.node;
+    model_.footnotes.push_back(footnote);
+    Run mark{
+        .kind = RunKind::footnote, .text = number, .element = frame.node, .footnote = footnote};
     TextStyle style = frames_[frames_.size() - 2].style.text;
     style.raised = true;
     mark.style = textStyle(style);
@@ -394,9 +394,10 @@ bool ModelBuilder::beginFootnote(Frame& frame) {
     dropMarker(frame);
     frame.marker = number;
     ++markers_;
-    footnotes_.push_back({.number = number, .element = frame.node, .blocks = {}});
+    ++notes_;
     flow_ = {};
-    flow_.out = &footnotes_.back().blocks;
+    flow_.out = &footnote->blocks;
+    frame.together = noBlock;
     frame.indentLeft = frame.style.block.indentLeft;
     frame.indentRight = frame.style.block.indentRight;
     return true;

@@ -7,11 +7,9 @@
 #include "document/presentation.h"
 #include "document/schemas.h"
 
-#include <deque>
 #include <map>
 #include <set>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace document {
@@ -28,9 +26,10 @@ public:
 private:
     // The block that runs are added to, the space before the next one, and where both go.
     struct Flow {
-        std::vector<Block>* out = nullptr;
+        Blocks* out = nullptr;
+        std::shared_ptr<Block> last;      // of out
         std::vector<Row>* rows = nullptr; // inside a row but outside a cell: its table's
-        bool open = false;                // out->back() takes more runs
+        bool open = false;                // the last block takes more runs
         bool pageBreak = false;
         double space = 0, padding = 0;
     };
@@ -49,6 +48,7 @@ private:
         std::size_t blockFrame = 0;             // index of the innermost one that is no inline
         std::size_t emitted = 0;                // blocks and runs before it was entered
         std::size_t firstBlock = 0;             // of those that it put into flow_.out
+        std::size_t together = noBlock;         // the first block of what is kept together here
         std::size_t table = noBlock;            // role table: its block in flow_.out
         std::set<std::string_view> seen;        // names of the children so far
         Flow outer;                             // roles row, cell, footnote: to go back to
@@ -67,7 +67,7 @@ private:
     // numbers and names
     void beginNumbering(Frame& frame);
     void endNumbering(const Frame& frame);
-    void resolveReferences(std::vector<Block>& blocks);
+    void resolveReferences();
 
     // what elements become; true: their children are walked
     bool beginDisplay(Frame& frame);
@@ -102,7 +102,9 @@ private:
     void addRun(Run run);
     void addText(std::string text, sgml::NodeId content = sgml::noNode, std::size_t offset = 0);
     [[nodiscard]] bool atLineStart() const;
-    [[nodiscard]] std::uint32_t textStyle(const TextStyle& style);
+    [[nodiscard]] std::uint32_t textStyle(const TextStyle& style) {
+        return styles_->numberOf(style);
+    }
     [[nodiscard]] const Frame& blockFrame() const;
     [[nodiscard]] std::string attribute(sgml::NodeId node, std::string_view name) const;
     [[nodiscard]] std::optional<double> lengthAttribute(sgml::NodeId node,
@@ -118,14 +120,15 @@ private:
     sgml::NodeId at_ = sgml::noNode; // the next one
     Flow flow_;
     Counters counters_;
-    std::deque<Footnote> footnotes_;                // grows without moving what flow_ points into
     std::map<std::string, std::string> references_; // by ID
-    std::unordered_multimap<std::size_t, std::uint32_t> styles_; // by hash, index into the model's
+    std::vector<std::shared_ptr<Block>> referring_; // blocks with runs that wait for these
+    std::shared_ptr<TextStyles> styles_;
     std::map<sgml::NodeId, SubdocumentId> subdocuments_;
     std::vector<std::string> anchors_; // of the next block
     std::size_t emitted_ = 0;
     std::size_t markers_ = 0; // that wait for a block
     int tables_ = 0;          // that are open
+    int notes_ = 0;           // footnotes that are open
     int titles_ = 0;
     bool titled_ = false;
 };

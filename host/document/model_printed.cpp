@@ -21,7 +21,7 @@ std::string runPrinted(const Run& run, const Model& model) {
                            : std::string(kinds[static_cast<std::size_t>(run.kind)]) + ":";
     for (const char c : run.text)
         text += c == '\n' ? std::string("\\n") : std::string(1, c);
-    const TextStyle& style = model.textStyles[run.style];
+    const TextStyle& style = (*model.textStyles)[run.style];
     std::string marks = style.bold ? "b" : "";
     marks += style.italic ? "i" : "";
     marks += style.family == "mono" ? "m" : "";
@@ -29,8 +29,7 @@ std::string runPrinted(const Run& run, const Model& model) {
     return "[" + (marks.empty() ? "" : marks + "|") + text + target + "]";
 }
 
-void print(const std::vector<Block>& blocks, const Model& model, const std::string& indent,
-           std::string& lines);
+void print(const Blocks& blocks, const Model& model, const std::string& indent, std::string& lines);
 
 void print(const Block& block, const Model& model, const std::string& indent, std::string& lines) {
     constexpr std::array<const char*, 8> kinds = {"text",  "verbatim", "subdocument", "image",
@@ -39,7 +38,7 @@ void print(const Block& block, const Model& model, const std::string& indent, st
     const BlockStyle& style = block.style;
     lines += indent + kinds[static_cast<std::size_t>(block.kind)] + " " +
              aligns[static_cast<std::size_t>(style.align)] + " " +
-             shortNumber(model.textStyles[block.textStyle].size) + "pt";
+             shortNumber((*model.textStyles)[block.textStyle].size) + "pt";
     if (style.indentLeft != 0)
         lines += " in " + shortNumber(style.indentLeft);
     if (style.spaceBefore != 0)
@@ -66,10 +65,10 @@ void print(const Block& block, const Model& model, const std::string& indent, st
     }
 }
 
-void print(const std::vector<Block>& blocks, const Model& model, const std::string& indent,
+void print(const Blocks& blocks, const Model& model, const std::string& indent,
            std::string& lines) {
-    for (const Block& block : blocks)
-        print(block, model, indent, lines);
+    for (const std::shared_ptr<const Block>& block : blocks)
+        print(*block, model, indent, lines);
 }
 
 } // namespace
@@ -79,9 +78,9 @@ std::string printed(const Model& model) {
     print(model.blocks, model, "", lines);
     for (const Box& box : model.boxes)
         lines += "box " + std::to_string(box.first) + ".." + std::to_string(box.last) + "\n";
-    for (const Footnote& footnote : model.footnotes) {
-        lines += "footnote " + footnote.number + "\n";
-        print(footnote.blocks, model, "  ", lines);
+    for (const std::shared_ptr<const Footnote>& footnote : model.footnotes) {
+        lines += "footnote " + footnote->number + "\n";
+        print(footnote->blocks, model, "  ", lines);
     }
     return lines;
 }

@@ -73,7 +73,7 @@ TEST(Model, FlowingTextJoinsLinesAndKeepsItsPlaces) {
         body("<PARAGRAPH><TEXT>{\n  one\n   two three }</TEXT><EMPH>{four}</EMPH></PARAGRAPH>"));
     const Schemas schemas = Schemas::builtIn();
     const Model model = buildModel(document, schemas.presentation("CMEMO"), schemas);
-    const Block& block = model.blocks.back();
+    const Block& block = *model.blocks.back();
     ASSERT_EQ(block.runs.size(), 3u);
     std::string all;
     for (const document::Run& run : block.runs) {
@@ -177,6 +177,16 @@ TEST(Model, DeepNestingEndsInASentenceNotInACrash) {
         const Model model = buildModel(document, schemas.presentation("REPORT"), schemas);
         EXPECT_LE(model.footnotes.size(), 20'000u) << unit;
     }
+}
+
+TEST(Model, FootnotesInFootnotesEndSomewhereAndLoseNoText) {
+    std::string text;
+    for (int i = 0; i < 20; ++i)
+        text += "<FOOTNOTE><TEXT>{n" + std::to_string(i) + "}</TEXT>";
+    const std::string model = modelOf(body("<PARAGRAPH>" + text));
+    EXPECT_NE(model.find("footnote 8\n"), std::string::npos);
+    EXPECT_EQ(model.find("footnote 9\n"), std::string::npos);
+    EXPECT_NE(model.find("[n19]"), std::string::npos);
 }
 
 // What was never thought of is at least shown and survived.

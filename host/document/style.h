@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace document {
@@ -26,6 +28,21 @@ struct TextStyle {
     Color color;
     std::optional<Color> background;
     bool operator==(const TextStyle&) const = default;
+};
+
+// Each different look once, by number. The table only grows: a number stays true as long as the
+// table lives.
+class TextStyles {
+public:
+    std::uint32_t numberOf(const TextStyle& style);
+    [[nodiscard]] const TextStyle& operator[](std::uint32_t number) const {
+        return styles_[number];
+    }
+    [[nodiscard]] std::size_t size() const { return styles_.size(); }
+
+private:
+    std::deque<TextStyle> styles_;
+    std::unordered_multimap<std::size_t, std::uint32_t> numbers_; // by hash
 };
 
 enum class Align { left, center, right, justify };

@@ -54,13 +54,13 @@ public:
         : document_(document), model_(model), width_(width) {}
 
     std::string write() {
-        for (const Block& block : model_.blocks)
-            writeBlock(block);
+        for (const std::shared_ptr<const Block>& block : model_.blocks)
+            writeBlock(*block);
         if (!model_.footnotes.empty())
             text_ += "\n" + std::string(20, '-') + "\n";
-        for (const Footnote& footnote : model_.footnotes)
-            for (const Block& block : footnote.blocks)
-                writeFlowing(block, block.marker.empty() ? "" : "[" + block.marker + "]");
+        for (const std::shared_ptr<const Footnote>& footnote : model_.footnotes)
+            for (const std::shared_ptr<const Block>& block : footnote->blocks)
+                writeFlowing(*block, block->marker.empty() ? "" : "[" + block->marker + "]");
         return std::move(text_);
     }
 
@@ -132,9 +132,9 @@ private:
 
     std::string cellText(const Cell& cell) const {
         std::string text;
-        for (const Block& block : cell.blocks)
+        for (const std::shared_ptr<const Block>& block : cell.blocks)
             text += (text.empty() ? "" : " ") +
-                    (block.runs.empty() ? placeholder(block) : plain(block.runs));
+                    (block->runs.empty() ? placeholder(*block) : plain(block->runs));
         return text;
     }
 

@@ -26,8 +26,7 @@ Piece moved(Piece piece, QPointF by) {
     return piece;
 }
 
-Flow::Flow(const Surroundings& in, const std::vector<document::Block>& blocks)
-    : in_(in), blocks_(blocks) {}
+Flow::Flow(const Surroundings& in, const document::Blocks& blocks) : in_(in), blocks_(blocks) {}
 
 Flow::~Flow() = default;
 Flow::Flow(Flow&&) noexcept = default;
@@ -52,7 +51,7 @@ double Flow::aligned(const document::Block& block, double itsWidth) const {
 
 Made Flow::next(Strip& strip) {
     while (block_ < blocks_.size()) {
-        const document::Block& block = blocks_[block_];
+        const document::Block& block = *blocks_[block_];
         bool last = true;
         const Made made = inBlock(block, strip, last);
         if (made == Made::strip)
@@ -228,14 +227,14 @@ std::vector<Widths> wantedBy(const Surroundings& in, const document::Block& bloc
                 continue;
             const double padding = fromPoints(row[c].style.padding);
             std::size_t ofCell = Paragraph::segmentLength;
-            for (const document::Block& inside : row[c].blocks) {
+            for (const auto& inside : row[c].blocks) {
                 const std::size_t before = ofCell;
                 if (before == 0)
                     break;
-                const Widths widths = widthsIn(in, inside, available, ofCell);
+                const Widths widths = widthsIn(in, *inside, available, ofCell);
                 letters -= std::min(letters, before - ofCell);
                 const double extra =
-                    2 * padding + fromPoints(inside.style.indentLeft) + fromPoints(0.5);
+                    2 * padding + fromPoints(inside->style.indentLeft) + fromPoints(0.5);
                 wanted[c].natural = std::max(wanted[c].natural, widths.natural + extra);
                 wanted[c].least = std::max(wanted[c].least, widths.least + extra);
             }

@@ -30,7 +30,7 @@ enum class Made {
 class Flow {
 public:
     // The blocks and what `in` refers to are read until the end.
-    Flow(const Surroundings& in, const std::vector<document::Block>& blocks);
+    Flow(const Surroundings& in, const document::Blocks& blocks);
     ~Flow();
     Flow(Flow&&) noexcept;
     Flow& operator=(Flow&&) = delete;
@@ -64,7 +64,7 @@ private:
     [[nodiscard]] double aligned(const document::Block& block, double itsWidth) const;
 
     Surroundings in_;
-    const std::vector<document::Block>& blocks_;
+    const document::Blocks& blocks_;
     std::size_t block_ = 0;
     std::size_t made_ = 0; // strips of this block
     bool breakNext_ = false;

@@ -5,15 +5,11 @@
 
 namespace layout {
 
-Notes::Notes(const Surroundings& in, const std::vector<document::Footnote>& notes)
-    : in_(in), notes_(notes) {}
-
-Notes::Note& Notes::opened(std::size_t note) {
+Notes::Note& Notes::opened(const Footnote& note) {
     const auto known = open_.find(note);
     if (known != open_.end())
         return known->second;
-    return open_.emplace(note, Note{Flow(in_, notes_[note].blocks), {}, 0, 0, false, false})
-        .first->second;
+    return open_.emplace(note, Note{Flow(in_, note->blocks), {}, 0, 0, false, false}).first->second;
 }
 
 // True: at least one strip is ready, and as many as that height takes, if there are.
@@ -31,12 +27,12 @@ bool Notes::makeReady(Note& note, double height) {
     return !note.ready.empty();
 }
 
-Notes::Wanted Notes::wanted(const std::vector<std::size_t>& notes, double most) {
+Notes::Wanted Notes::wanted(const std::vector<Footnote>& notes, double most) {
     Wanted result;
-    for (const std::size_t number : notes) {
-        if (number >= notes_.size() || result.all > most)
-            continue;
-        Note& note = opened(number);
+    for (const Footnote& footnote : notes) {
+        if (result.all > most)
+            break;
+        Note& note = opened(footnote);
         if (!makeReady(note, most))
             continue;
         if (result.all == 0)
@@ -45,11 +41,6 @@ Notes::Wanted Notes::wanted(const std::vector<std::size_t>& notes, double most) 
         result.all += note.height + (divided ? most : 0);
     }
     return result;
-}
-
-void Notes::mark(std::size_t note) {
-    if (note < notes_.size())
-        waiting_.push_back(note);
 }
 
 void Notes::fill(double room, bool forced) {
@@ -69,7 +60,7 @@ void Notes::fill(double room, bool forced) {
                 return;
             for (const Piece& piece : part.pieces)
                 pieces_.push_back(moved(piece, {0, top}));
-            for (const std::size_t inner : part.footnotes)
+            for (const Footnote& inner : part.footnotes)
                 mark(inner);
             height_ = top + part.height;
             note.begun = true;
@@ -86,7 +77,7 @@ void Notes::fill(double room, bool forced) {
 
 std::vector<Piece> Notes::take() {
     height_ = 0;
-    for (auto& [number, note] : open_)
+    for (auto& [footnote, note] : open_)
         note.begun = false; // on the next page nothing is above it
     return std::exchange(pieces_, {});
 }

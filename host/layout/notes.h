@@ -13,17 +13,18 @@ namespace layout {
 
 class Notes {
 public:
-    Notes(const Surroundings& in, const std::vector<document::Footnote>& notes);
+    using Footnote = std::shared_ptr<const document::Footnote>;
+    explicit Notes(const Surroundings& in) : in_(in) {}
 
     // How high these notes are together; more than `most` is not measured further. `least`: what of
     // them must stand on the page of their marks.
     struct Wanted {
         double all = 0, least = 0;
     };
-    [[nodiscard]] Wanted wanted(const std::vector<std::size_t>& notes, double most);
+    [[nodiscard]] Wanted wanted(const std::vector<Footnote>& notes, double most);
 
     // A mark was put on the page.
-    void mark(std::size_t note);
+    void mark(const Footnote& note) { waiting_.push_back(note); }
     // Puts as much of the notes as `room` takes, one strip at least when `forced`. The room is that
     // of all notes of the page.
     void fill(double room, bool forced);
@@ -41,13 +42,12 @@ private:
         double after = 0;  // of the last that was taken
         bool begun = false, ended = false;
     };
-    Note& opened(std::size_t note);
+    Note& opened(const Footnote& note);
     static bool makeReady(Note& note, double height);
 
     Surroundings in_;
-    const std::vector<document::Footnote>& notes_;
-    std::map<std::size_t, Note> open_;
-    std::deque<std::size_t> waiting_;
+    std::map<Footnote, Note> open_;
+    std::deque<Footnote> waiting_;
     std::vector<Piece> pieces_;
     double height_ = 0;
 };

@@ -14,29 +14,55 @@
 namespace layout {
 namespace {
 
-document::Block paragraph(const std::string& text) {
-    document::Block block;
+std::shared_ptr<document::Block> paragraph(const std::string& text) {
+    auto block = std::make_shared<document::Block>();
     document::Run run;
     run.text = text;
-    block.runs.push_back(run);
+    block->runs.push_back(run);
     return block;
 }
 
-document::Block picture(document::SubdocumentId id) {
-    document::Block block;
-    block.kind = document::BlockKind::subdocument;
-    block.subdocument = id;
-    block.style.keepWithNext = true;
+// With the mark of a footnote behind the text.
+std::shared_ptr<document::Block> noted(const std::string& text, const std::string& mark,
+                                       const std::string& note) {
+    auto block = paragraph(text);
+    auto footnote = std::make_shared<document::Footnote>();
+    footnote->blocks.push_back(paragraph(note));
+    document::Run run;
+    run.kind = document::RunKind::footnote;
+    run.text = mark;
+    run.footnote = footnote;
+    block->runs.push_back(run);
+    return block;
+}
+
+std::shared_ptr<document::Block> picture(document::SubdocumentId id) {
+    auto block = std::make_shared<document::Block>();
+    block->kind = document::BlockKind::subdocument;
+    block->subdocument = id;
+    block->style.keepWithNext = true;
+    return block;
+}
+
+std::shared_ptr<document::Block> tableOf(std::vector<document::Row> rows) {
+    auto block = std::make_shared<document::Block>();
+    block->kind = document::BlockKind::table;
+    block->rows = std::move(rows);
     return block;
 }
 
 class PagesTest : public ::testing::Test {
 protected:
     PagesTest() {
-        model_.textStyles.emplace_back();
+        setStyle({});
         objects_.subdocumentSize = [this](document::SubdocumentId) { return size_; };
     }
     Pages pages() const { return layOut(model_, objects_); }
+    void setStyle(const document::TextStyle& style) {
+        const auto styles = std::make_shared<document::TextStyles>();
+        styles->numberOf(style);
+        model_.textStyles = styles;
+    }
     double areaHeight() const {
         return fromPoints(model_.page.height - model_.page.marginTop - model_.page.marginBottom);
     }
@@ -79,8 +105,9 @@ TEST_F(PagesTest, EveryLineIsOnExactlyOnePageAndInsideTheMargins) {
 
 TEST_F(PagesTest, AHeadingIsNeverTheLastOfAPage) {
     for (int i = 0; i < 300; ++i) {
-        model_.blocks.push_back(paragraph(i % 3 == 0 ? "Heading" : "Text"));
-        model_.blocks.back().style.keepWithNext = i % 3 == 0;
+        const auto block = paragraph(i % 3 == 0 ? "Heading" : "Text");
+        block->style.keepWithNext = i % 3 == 0;
+        model_.blocks.push_back(block);
     }
     const Pages laid = pages();
     ASSERT_GT(laid.pages.size(), 3u);
@@ -114,19 +141,10 @@ TEST_F(PagesTest, APictureLargerThanThePageIsMadeToFit) {
 }
 
 TEST_F(PagesTest, AFootnoteStandsOnThePageOfItsMark) {
-    for (int i = 0; i < 100; ++i) {
-        model_.blocks.push_back(paragraph("Text"));
-        if (i % 10 != 5)
-            continue;
-        document::Run mark;
-        mark.kind = document::RunKind::footnote;
-        mark.text = std::to_string(i);
-        mark.footnote = model_.footnotes.size();
-        model_.blocks.back().runs.push_back(mark);
-        document::Footnote note;
-        note.blocks.push_back(paragraph("Note " + std::to_string(i)));
-        model_.footnotes.push_back(note);
-    }
+    for (int i = 0; i < 100; ++i)
+        model_.blocks.push_back(i % 10 == 5
+                                    ? noted("Text", std::to_string(i), "Note " + std::to_string(i))
+                                    : paragraph("Text"));
     const std::string all = printed(pages());
     std::size_t page = 0;
     for (int i = 5; i < 100; i += 10) {
@@ -141,14 +159,14 @@ TEST_F(PagesTest, AFootnoteStandsOnThePageOfItsMark) {
 
 TEST_F(PagesTest, InlineSubdocumentsStandInTheirLine) {
     size_ = fromPixels({40, 60});
-    document::Block block = paragraph("before ");
+    const auto block = paragraph("before ");
     document::Run object;
     object.kind = document::RunKind::subdocument;
     object.subdocument = 3;
-    block.runs.push_back(object);
+    block->runs.push_back(object);
     document::Run after;
     after.text = " after";
-    block.runs.push_back(after);
+    block->runs.push_back(after);
     model_.blocks.push_back(block);
     const Pages laid = pages();
     ASSERT_EQ(laid.subdocuments.size(), 1u);
@@ -158,15 +176,11 @@ TEST_F(PagesTest, InlineSubdocumentsStandInTheirLine) {
 }
 
 TEST_F(PagesTest, TablesFitTheirWidth) {
-    document::Block table;
-    table.kind = document::BlockKind::table;
-    for (int r = 0; r < 3; ++r) {
-        document::Row row(4);
+    std::vector<document::Row> rows(3, document::Row(4));
+    for (document::Row& row : rows)
         for (document::Cell& cell : row)
             cell.blocks.push_back(paragraph("several words that want much room in a cell"));
-        table.rows.push_back(row);
-    }
-    model_.blocks.push_back(table);
+    model_.blocks.push_back(tableOf(rows));
     const Pages laid = pages();
     for (const Piece& piece : laid.pages[0].pieces) {
         const auto& text = std::get<TextPiece>(piece);
@@ -203,8 +217,7 @@ std::multiset<std::string> split(const std::string& text) {
 }
 
 TEST_F(PagesTest, ARowTallerThanAPageGoesOnOnTheNextPages) {
-    document::Block table;
-    table.kind = document::BlockKind::table;
+    std::vector<document::Row> rows;
     std::multiset<std::string> all;
     for (const int count : {5, 3000, 8, 2000}) {
         document::Row row(2);
@@ -216,9 +229,10 @@ TEST_F(PagesTest, ARowTallerThanAPageGoesOnOnTheNextPages) {
         row[1].style.padding = 4;
         all.merge(split(left));
         all.merge(split(right));
-        table.rows.push_back(row);
+        rows.push_back(row);
     }
-    table.style.keepTogether = true;
+    const auto table = tableOf(rows);
+    table->style.keepTogether = true;
     for (int i = 0; i < 20; ++i) {
         model_.blocks.push_back(paragraph("before"));
         all.insert("before");
@@ -233,15 +247,10 @@ TEST_F(PagesTest, ARowTallerThanAPageGoesOnOnTheNextPages) {
 }
 
 TEST_F(PagesTest, ARowInARowIsDividedToo) {
-    document::Block inner;
-    inner.kind = document::BlockKind::table;
     const std::string text = words(3000, "w");
-    inner.rows.push_back(document::Row(1));
-    inner.rows[0][0].blocks.push_back(paragraph(text));
-    document::Block outer;
-    outer.kind = document::BlockKind::table;
-    outer.rows.push_back(document::Row(1));
-    outer.rows[0][0].blocks = {paragraph("above"), inner, paragraph("below")};
+    const auto inner = tableOf({document::Row(1)}), outer = tableOf({document::Row(1)});
+    inner->rows[0][0].blocks.push_back(paragraph(text));
+    outer->rows[0][0].blocks = {paragraph("above"), inner, paragraph("below")};
     model_.blocks.push_back(outer);
     const Pages laid = pages();
     EXPECT_EQ(wordsOn(laid, laid.size.height() - fromPoints(72)), split("above below " + text));
@@ -250,22 +259,16 @@ TEST_F(PagesTest, ARowInARowIsDividedToo) {
 TEST_F(PagesTest, ALongFootnoteGoesOnAtTheFootOfTheNextPages) {
     std::multiset<std::string> all;
     for (int i = 0; i < 60; ++i) {
-        model_.blocks.push_back(paragraph("text" + std::to_string(i)));
+        const std::string number = std::to_string(i);
         if (i != 10 && i != 11) {
-            all.insert("text" + std::to_string(i));
+            model_.blocks.push_back(paragraph("text" + number));
+            all.insert("text" + number);
             continue;
         }
-        document::Run mark;
-        mark.kind = document::RunKind::footnote;
-        mark.text = "*";
-        mark.footnote = model_.footnotes.size();
-        model_.blocks.back().runs.push_back(mark);
-        all.insert("text" + std::to_string(i) + "*");
-        document::Footnote note;
-        const std::string text = words(i == 10 ? 3000 : 30, "note" + std::to_string(i) + "-");
-        note.blocks.push_back(paragraph(text));
+        const std::string text = words(i == 10 ? 3000 : 30, "note" + number + "-");
+        model_.blocks.push_back(noted("text" + number, "*", text));
+        all.insert("text" + number + "*");
         all.merge(split(text));
-        model_.footnotes.push_back(note);
     }
     const Pages laid = pages();
     EXPECT_EQ(wordsOn(laid, laid.size.height() - fromPoints(72)), all);
@@ -278,10 +281,8 @@ TEST_F(PagesTest, ALongFootnoteGoesOnAtTheFootOfTheNextPages) {
 TEST_F(PagesTest, APageWithoutRoomForTextHasSomeAllTheSame) {
     model_.page.marginTop = 500;
     model_.page.marginBottom = 500;
-    document::Block table;
-    table.kind = document::BlockKind::table;
-    table.rows.push_back(document::Row(1));
-    table.rows[0][0].blocks.push_back(paragraph(words(100, "w")));
+    const auto table = tableOf({document::Row(1)});
+    table->rows[0][0].blocks.push_back(paragraph(words(100, "w")));
     model_.blocks = {paragraph(words(100, "v")), table};
     EXPECT_EQ(wordsOn(pages(), 1e9).size(), 200u);
 }
@@ -329,9 +330,9 @@ TEST_F(PagesTest, WordsAreFoundInLongTextsToo) {
 // Lines are the same whether a text is laid out in one piece or in several.
 TEST_F(PagesTest, SegmentsLeaveNoTrace) {
     const std::string text = words(5000, "some");
-    document::Block block = paragraph(text);
-    block.style.align = document::Align::justify;
-    Paragraph whole(model_, block, 8000, objects_);
+    const auto block = paragraph(text);
+    block->style.align = document::Align::justify;
+    Paragraph whole(model_, *block, 8000, objects_);
     std::string together;
     for (std::size_t i = 0; whole.makeLine(i); ++i) {
         together += whole.textOfLine(static_cast<int>(i)).toStdString();
@@ -356,7 +357,9 @@ TEST_F(PagesTest, PagesComeOneAfterTheOther) {
 }
 
 TEST_F(PagesTest, LettersArePaintedInTheirColour) {
-    model_.textStyles[0].color = {200, 0, 0};
+    document::TextStyle red200;
+    red200.color = {200, 0, 0};
+    setStyle(red200);
     model_.blocks.push_back(paragraph("MMMM"));
     const Pages laid = pages();
     QImage image(600, 200, QImage::Format_RGB32);

@@ -29,7 +29,7 @@ Paginator::Paginator(const document::Model& model, const Objects& objects)
           width_,
           std::max(pageHeight() - fromPoints(captionPoints), fromPoints(leastPoints)),
           pageHeight()},
-      flow_(in_, model.blocks), notes_(in_, model.footnotes), frames_(model) {
+      flow_(in_, model.blocks), notes_(in_), frames_(model) {
     pages_.size = {fromPoints(model.page.width), fromPoints(model.page.height)};
     pages_.paper = colorOf(model.page.background);
     newPage();
@@ -118,7 +118,7 @@ double Paginator::roomBelow() const {
     return bottom_ - y_ - (notes_.isEmpty() ? 0 : notes_.height() + fromPoints(noteGapPoints));
 }
 
-bool Paginator::fits(double height, const std::vector<std::size_t>& notes) {
+bool Paginator::fits(double height, const std::vector<Notes::Footnote>& notes) {
     const double room = roomBelow();
     if (notes.empty())
         return height <= room;
@@ -131,7 +131,7 @@ bool Paginator::fits(double height, const std::vector<std::size_t>& notes) {
 }
 
 bool Paginator::fits(const Group& group) {
-    std::vector<std::size_t> notes;
+    std::vector<Notes::Footnote> notes;
     for (const Strip& strip : group.strips)
         notes.insert(notes.end(), strip.footnotes.begin(), strip.footnotes.end());
     pages_.work.strips += group.strips.size();
@@ -220,14 +220,14 @@ void Paginator::put(const Strip& strip, bool first, bool last) {
     placed_.push_back({strip.block, first, last, y_, y_ + strip.height});
     y_ += strip.height;
     after_ = strip.after;
-    for (const std::size_t note : strip.footnotes)
+    for (const Notes::Footnote& note : strip.footnotes)
         notes_.mark(note);
     fillNotes(false);
 }
 
 // What refers to places: the outline and the anchors.
 void Paginator::remember(const Strip& strip) {
-    const document::Block& block = model_.blocks[strip.block];
+    const document::Block& block = *model_.blocks[strip.block];
     const std::size_t page = pages_.pages.size() - 1;
     for (const std::string& anchor : block.anchors)
         pages_.anchors[anchor] = {page, y_};
@@ -310,7 +310,9 @@ void Paginator::addLine(std::size_t page, const std::string& pattern, document::
     text.replace("{title}", QString::fromStdString(model_.title));
     static const Objects none;
     document::Model model;
-    model.textStyles = {model_.page.headerStyle};
+    const auto styles = std::make_shared<document::TextStyles>();
+    styles->numberOf(model_.page.headerStyle);
+    model.textStyles = styles;
     document::Block block;
     block.style.align = align;
     document::Run run;

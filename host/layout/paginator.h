@@ -31,7 +31,7 @@ private:
     [[nodiscard]] double gapBefore(const Strip& strip) const;
     [[nodiscard]] bool fits(const Group& group);
     [[nodiscard]] bool mayBegin(const Group& group);
-    [[nodiscard]] bool fits(double height, const std::vector<std::size_t>& notes);
+    [[nodiscard]] bool fits(double height, const std::vector<Notes::Footnote>& notes);
     [[nodiscard]] double roomBelow() const;
     [[nodiscard]] double pageHeight() const { return bottom_ - top_; }
     [[nodiscard]] bool atTop() const { return y_ == top_; }

@@ -29,7 +29,8 @@ Qt::Alignment alignmentOf(document::Align align) {
 
 const document::TextStyle& styleOf(const document::Model& model, std::uint32_t index) {
     static const document::TextStyle plain;
-    return index < model.textStyles.size() ? model.textStyles[index] : plain;
+    return model.textStyles && index < model.textStyles->size() ? (*model.textStyles)[index]
+                                                                : plain;
 }
 
 } // namespace
@@ -188,8 +189,8 @@ Paragraph::Line Paragraph::measured(const QTextLine& line, int from) const {
             result.baseline += grow;
         }
     }
-    for (auto mark = std::lower_bound(footnotes_.begin(), footnotes_.end(),
-                                      std::pair(first, std::size_t{0}));
+    const auto marksBefore = [](const auto& mark, int at) { return mark.first < at; };
+    for (auto mark = std::lower_bound(footnotes_.begin(), footnotes_.end(), first, marksBefore);
          mark != footnotes_.end() && mark->first < end; ++mark)
         result.footnotes.push_back(mark->second);
     return result;

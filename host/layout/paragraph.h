@@ -42,7 +42,7 @@ public:
         double height = 0;   // with its share of the space between lines
         double baseline = 0; // below its top
         std::vector<InlineObject> objects;
-        std::vector<std::size_t> footnotes;
+        std::vector<std::shared_ptr<const document::Footnote>> footnotes;
         std::size_t segment = 0; // where its letters are
         int index = 0;
     };
@@ -100,7 +100,8 @@ private:
     QList<QTextLayout::FormatRange> formats_;
     std::optional<std::uint32_t> lastStyle_; // of the last of these, unless it is an object
     std::vector<InlineObject> objects_;
-    std::vector<std::pair<int, std::size_t>> footnotes_; // place of the mark, footnote
+    std::vector<std::pair<int, std::shared_ptr<const document::Footnote>>>
+        footnotes_; // place of the mark, footnote
     std::vector<Segment> segments_;
     std::vector<Line> lines_;
     int next_ = 0; // the first letter without a line

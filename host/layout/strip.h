@@ -45,7 +45,7 @@ struct Strip {
     bool firstOfBlock = false, lastOfBlock = false;
     std::size_t block = 0; // index into the model's blocks; of a table's rows all the same
     std::vector<Piece> pieces;
-    std::vector<std::size_t> footnotes;
+    std::vector<std::shared_ptr<const document::Footnote>> footnotes;
     std::shared_ptr<Cells> cells; // instead of pieces: too tall for a page; taken in parts
 };
 

@@ -47,20 +47,20 @@ public:
         write(model_.blocks);
         if (!model_.footnotes.empty())
             out_ += "\n" + QString(20, '-') + "\n";
-        for (const document::Footnote& note : model_.footnotes)
-            write(note.blocks);
+        for (const auto& note : model_.footnotes)
+            write(note->blocks);
         return out_;
     }
 
 private:
     static constexpr double pointsPerColumn = 6;
 
-    void write(const std::vector<document::Block>& blocks) {
-        for (const document::Block& block : blocks) {
-            if (!out_.isEmpty() && (block.style.spaceBefore > 3 || lastAfter_ > 3))
+    void write(const document::Blocks& blocks) {
+        for (const auto& block : blocks) {
+            if (!out_.isEmpty() && (block->style.spaceBefore > 3 || lastAfter_ > 3))
                 out_ += '\n';
-            lastAfter_ = block.style.spaceAfter;
-            write(block);
+            lastAfter_ = block->style.spaceAfter;
+            write(*block);
         }
     }
 
@@ -120,8 +120,8 @@ private:
             QStringList cells;
             for (const document::Cell& cell : row) {
                 QStringList parts;
-                for (const document::Block& inside : cell.blocks)
-                    parts << textOf(inside.runs, named_).simplified();
+                for (const auto& inside : cell.blocks)
+                    parts << textOf(inside->runs, named_).simplified();
                 cells << parts.join(' ');
             }
             widths.resize(std::max(widths.size(), static_cast<std::size_t>(cells.size())), 0);
