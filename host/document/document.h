@@ -16,6 +16,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace document {
@@ -137,6 +138,7 @@ private:
     sgml::Tree tree_;
     std::map<SubdocumentId, Subdocument> subdocuments_;
     std::vector<SubdocumentId> order_;
+    std::unordered_map<sgml::NodeId, SubdocumentId> byElement_;
     std::map<SubdocumentId, int> revisions_; // of those that are gone too
     SubdocumentId lastId_ = noSubdocument;
     int revision_ = 0;

@@ -44,10 +44,8 @@ const Subdocument* Document::subdocument(SubdocumentId id) const {
 }
 
 SubdocumentId Document::subdocumentOf(NodeId documentElement) const {
-    for (const auto& [id, subdocument] : subdocuments_)
-        if (subdocument.element == documentElement)
-            return id;
-    return noSubdocument;
+    const auto found = byElement_.find(documentElement);
+    return found == byElement_.end() ? noSubdocument : found->second;
 }
 
 SubdocumentId Document::subdocumentNamed(const std::string& name) const {
@@ -93,6 +91,7 @@ std::vector<std::size_t> Document::fileOffsets(SubdocumentId id,
 void Document::readSubdocuments(const std::map<std::size_t, SubdocumentId>& known) {
     std::map<SubdocumentId, Subdocument> now;
     order_.clear();
+    byElement_.clear();
     for (NodeId node = tree_.root(); node != noNode; node = tree_.following(node)) {
         if (!tree_.isElement(node) || tree_.name(node) != "DOCUMENT")
             continue;
@@ -102,6 +101,7 @@ void Document::readSubdocuments(const std::map<std::size_t, SubdocumentId>& know
         subdocument.id = id;
         subdocument.revision = revisions_[id];
         order_.push_back(id);
+        byElement_.emplace(node, id);
         now.emplace(id, std::move(subdocument));
     }
     subdocuments_ = std::move(now);

@@ -44,6 +44,7 @@ struct Run {
     sgml::NodeId content = sgml::noNode;
     std::size_t offset = 0; // unescaped, of the text's first byte
     std::string target{};   // LINK: its address; REF: "#" and the ID
+    bool refers = false;    // the text is the number or the name of what has that ID
     SubdocumentId subdocument = noSubdocument;
     std::shared_ptr<const Footnote> footnote{}; // never null in a mark
 };

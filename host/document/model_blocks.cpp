@@ -1,5 +1,5 @@
 // Blocks, runs and their text.
-#include "document/model_builder.h"
+#include "document/model_walk.h"
 
 #include <algorithm>
 
@@ -10,14 +10,14 @@ using sgml::noNode;
 
 // --- blocks ---------------------------------------------------------------------------------
 
-const ModelBuilder::Frame& ModelBuilder::blockFrame() const {
-    const Frame& top = frames_.back();
-    return top.role == Role::inlined ? frames_[top.blockFrame] : top;
+const ModelWalk::Frame& ModelWalk::blockFrame() const {
+    const Frame& top = state_.frames.back();
+    return top.role == Role::inlined ? state_.frames[top.blockFrame] : top;
 }
 
-Block& ModelBuilder::addBlock(BlockKind kind) {
+Block& ModelWalk::addBlock(BlockKind kind) {
     if (flow_.out == nullptr)
-        enterCell({}, frames_.back().node); // text in a row that is in no cell
+        enterCell({}, state_.frames.back().node); // text in a row that is in no cell
     closeText();
     const Frame& frame = blockFrame();
     if (frame.together < flow_.out->size())
@@ -29,9 +29,9 @@ Block& ModelBuilder::addBlock(BlockKind kind) {
     block.style = frame.style.block;
     block.style.indentLeft = frame.indentLeft;
     block.style.indentRight = frame.indentRight;
-    block.style.spaceBefore = flow_.space + flow_.padding;
+    block.style.spaceBefore = flow_.gap.space + flow_.gap.padding;
     block.style.spaceAfter = 0;
-    block.style.pageBreakBefore = flow_.pageBreak;
+    block.style.pageBreakBefore = flow_.gap.pageBreak;
     if (kind != BlockKind::rule) {
         block.style.background.reset();
         block.style.border = {};
@@ -39,26 +39,58 @@ Block& ModelBuilder::addBlock(BlockKind kind) {
     }
     block.textStyle = textStyle(frame.style.text);
     block.headingLevel = kind == BlockKind::text ? frame.style.headingLevel : 0;
-    block.anchors.swap(anchors_);
+    block.anchors.swap(state_.anchors);
     takeMarker(block);
-    flow_.space = flow_.padding = 0;
-    flow_.pageBreak = false;
+    flow_.gap.space = flow_.gap.padding = 0;
+    flow_.gap.pageBreak = false;
     flow_.out->push_back(made);
     flow_.last = made;
-    ++emitted_;
+    markFrames();
     return block;
 }
 
+// Something was made in all that is open.
+void ModelWalk::markFrames() {
+    std::vector<Frame>& frames = state_.frames;
+    for (std::size_t i = frames.size(); i-- > 0 && frames[i].empty;)
+        frames[i].empty = false;
+    if (flow_.out != &model_.blocks)
+        return;
+    std::size_t first = frames.size();
+    while (first > 0 && !frames[first - 1].filled)
+        --first;
+    for (; first < frames.size(); ++first) {
+        frames[first].filled = true;
+        if (frames[first].boxed)
+            openBox(first);
+    }
+}
+
+// The frame's first block is the last that was made.
+void ModelWalk::openBox(std::size_t of) {
+    const Frame& frame = state_.frames[of];
+    const BlockStyle& style = frame.style.block;
+    boxes_[of] = model_.boxes.size();
+    const std::size_t block = model_.blocks.size() - 1;
+    model_.boxes.push_back({.first = block,
+                            .last = block,
+                            .indentLeft = frame.indentLeft - style.padding,
+                            .indentRight = frame.indentRight - style.padding,
+                            .padding = style.padding,
+                            .background = style.background,
+                            .border = style.border});
+}
+
 // The innermost marker that waits for a block, up to the cell or footnote that this is in.
-void ModelBuilder::takeMarker(Block& block) {
-    for (std::size_t i = frames_.size(); i-- > 0 && markers_ > 0;) {
-        Frame& frame = frames_[i];
+void ModelWalk::takeMarker(Block& block) {
+    for (std::size_t i = state_.frames.size(); i-- > 0 && state_.markers > 0;) {
+        Frame& frame = state_.frames[i];
         if (!frame.marker.empty()) {
             Presentation::Progress progress = frame.progress;
             const ElementStyle style =
                 frame.presentation->style({.name = "MARKER"}, frame.style, progress);
             block.marker.swap(frame.marker);
-            --markers_;
+            --state_.markers;
             block.markerStyle = textStyle(style.text);
             block.style.markerWidth = frame.style.block.markerWidth;
             block.style.markerAlign = frame.style.block.markerAlign;
@@ -69,65 +101,71 @@ void ModelBuilder::takeMarker(Block& block) {
     }
 }
 
-void ModelBuilder::openText() {
+void ModelWalk::openText() {
     if (flow_.open)
         return;
     addBlock(BlockKind::text);
     flow_.open = true;
 }
 
-void ModelBuilder::enterCell(const BlockStyle& style, NodeId node) {
+void ModelWalk::enterCell(const BlockStyle& style, NodeId node) {
     Row& row = flow_.rows->back();
     row.push_back({.element = node, .style = style, .blocks = {}});
     flow_.out = &row.back().blocks;
     flow_.open = false;
-    flow_.space = flow_.padding = 0;
+    flow_.gap.space = flow_.gap.padding = 0;
 }
 
 // --- runs -----------------------------------------------------------------------------------
 
-void ModelBuilder::addRun(Run run) {
+void ModelWalk::addRun(Run run) {
     openText();
-    run.target = run.target.empty() ? frames_.back().target : run.target;
-    if (titles_ > 0 && !titled_ && run.kind == RunKind::text)
+    run.target = run.target.empty() ? state_.frames.back().target : run.target;
+    if (titles_ > 0 && !state_.titled && run.kind == RunKind::text)
         model_.title += run.text;
-    if (run.text.empty() && run.target.starts_with('#') &&
-        (referring_.empty() || referring_.back() != flow_.last))
-        referring_.push_back(flow_.last);
+    run.refers = run.text.empty() && run.target.starts_with('#');
+    if (run.refers)
+        markReferring();
     flow_.last->runs.push_back(std::move(run));
-    ++emitted_;
+    markFrames();
 }
 
-void ModelBuilder::addText(std::string text, NodeId content, std::size_t offset) {
+// All that is being made is part of the last block of the outermost flow.
+void ModelWalk::markReferring() {
+    Segment& segment = trail_.back();
+    const std::size_t block = model_.blocks.size() - 1 - segment.begin.blocksBefore;
+    if (segment.referring.empty() || segment.referring.back() != block)
+        segment.referring.push_back(block);
+}
+
+void ModelWalk::addText(std::string text, NodeId content, std::size_t offset) {
     Run run{.text = std::move(text),
-            .element = frames_.back().node,
+            .element = state_.frames.back().node,
             .content = content,
             .offset = offset};
-    run.style = textStyle(frames_.back().style.text);
+    run.style = textStyle(state_.frames.back().style.text);
     addRun(std::move(run));
 }
 
-bool ModelBuilder::atLineStart() const { return !flow_.open || flow_.last->runs.empty(); }
+bool ModelWalk::atLineStart() const { return !flow_.open || flow_.last->runs.empty(); }
 
-void ModelBuilder::addGenerated(const Frame& frame, std::string_view name,
-                                const std::string& text) {
+void ModelWalk::addGenerated(const Frame& frame, std::string_view name, const std::string& text) {
     Presentation::Progress progress = frame.progress;
     Frame generated = frameInside(frame.node);
     generated.style = frame.presentation->style({.name = name}, frame.style, progress);
     const bool block = generated.style.display == Display::block;
-    generated.emitted = emitted_;
-    frames_.push_back(std::move(generated));
-    frames_.back().role = Role::inlined;
+    generated.role = Role::inlined;
+    push(std::move(generated));
     if (block)
-        beginBlock(frames_.back());
-    if (frames_.back().style.show)
+        beginBlock(state_.frames.back());
+    if (state_.frames.back().style.show)
         addText(text);
     if (block)
-        endBlock(frames_.back());
-    frames_.pop_back();
+        endBlock(state_.frames.back());
+    pop();
 }
 
-void ModelBuilder::addContent(NodeId content) {
+void ModelWalk::addContent(NodeId content) {
     const sgml::Unescaped text = tree_.unescaped(content);
     if (flow_.open && flow_.last->kind == BlockKind::verbatim)
         addLines(text, content);
@@ -151,7 +189,7 @@ std::size_t behindBlanks(const std::string& text, std::size_t at, bool& lineEnd)
 
 // Blanks with a line end among them are one blank, none at the start of a line; what is left out
 // begins a new run, so that a run's bytes always follow each other in the text.
-void ModelBuilder::addFlowing(const sgml::Unescaped& unescaped, NodeId content) {
+void ModelWalk::addFlowing(const sgml::Unescaped& unescaped, NodeId content) {
     const std::string& text = unescaped.text();
     std::string piece;
     std::size_t from = 0;
@@ -181,7 +219,7 @@ void ModelBuilder::addFlowing(const sgml::Unescaped& unescaped, NodeId content) 
 }
 
 // A line end directly behind the opening brace is the brace's.
-void ModelBuilder::addLines(const sgml::Unescaped& unescaped, NodeId content) {
+void ModelWalk::addLines(const sgml::Unescaped& unescaped, NodeId content) {
     const std::string& text = unescaped.text();
     std::size_t at = 0;
     const auto lineEndAt = [&](std::size_t i) -> std::size_t {
@@ -200,14 +238,14 @@ void ModelBuilder::addLines(const sgml::Unescaped& unescaped, NodeId content) {
 }
 
 // LIMIT: of long stray text the first 500 bytes are shown; the file keeps all of it.
-void ModelBuilder::addStray(NodeId node) {
+void ModelWalk::addStray(NodeId node) {
     constexpr std::size_t most = 500;
     std::string text(tree_.text(tree_.node(node).range));
     if (text.size() > most)
         text = text.substr(0, most) + "...";
     std::replace(text.begin(), text.end(), '\n', ' ');
     Run run{.text = std::move(text), .element = node};
-    TextStyle style = frames_.back().style.text;
+    TextStyle style = state_.frames.back().style.text;
     style.family = "mono";
     style.color = {176, 0, 0};
     run.style = textStyle(style);
@@ -216,17 +254,19 @@ void ModelBuilder::addStray(NodeId node) {
 
 // --- small things ---------------------------------------------------------------------------
 
-std::string ModelBuilder::attribute(NodeId node, std::string_view name) const {
+std::string ModelWalk::attribute(NodeId node, std::string_view name) const {
     return std::string(tree_.attribute(node, name).value_or(""));
 }
 
-std::optional<double> ModelBuilder::lengthAttribute(NodeId node, std::string_view name) const {
+std::optional<double> ModelWalk::lengthAttribute(NodeId node, std::string_view name) const {
     return numberIn(tree_.attribute(node, name), 1, longestLength);
 }
 
 // Of its name among the children of the frame on top; to be asked once for each.
-bool ModelBuilder::isFirst(NodeId node) {
-    return frames_.back().seen.insert(tree_.name(node)).second;
+bool ModelWalk::isFirst(NodeId node) {
+    std::set<std::string, std::less<>>& seen = state_.frames.back().seen;
+    const std::string_view name = tree_.name(node);
+    return seen.find(name) == seen.end() && seen.emplace(name).second;
 }
 
 } // namespace document

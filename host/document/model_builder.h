@@ -1,136 +1,73 @@
-// Builds a Model: one walk over the tree, with what is open on a stack of frames.
+// Makes the model of a document by one of its presentations, and keeps it in step with edits.
+//
+// The walk over the tree leaves checkpoints. After an edit it is taken up at the last one before
+// the change, and goes on until it meets, behind the change, an old checkpoint with an equal
+// state: from there on all is as it was. So a letter costs some hundred nodes however long the
+// document is, and an edit costs as far as it reaches: a heading that is put in numbers all that
+// follow it. A model that was followed is equal to one that is made anew.
+//
+// LIMIT: no checkpoint is inside a table, a footnote, what is kept together, or deep nesting
+// (ModelWalk::deepestRest): an edit there walks over all of it.
 #pragma once
 
-#include "document/document.h"
-#include "document/model.h"
-#include "document/numbering.h"
-#include "document/presentation.h"
-#include "document/schemas.h"
-
-#include <map>
-#include <set>
-#include <string>
-#include <vector>
+#include "document/model_walk.h"
+#include "document/references.h"
+#include "sgml/change.h"
 
 namespace document {
 
 class ModelBuilder {
 public:
-    ModelBuilder(const Document& document, const Presentation& presentation,
-                 const Schemas& schemas);
-    // Walks over some more nodes; false: there are no more.
+    // All three are read as long as this lives. Another presentation, and a document whose class
+    // has changed, take another builder. Styles are added to the table. `spacing`: nodes from one
+    // checkpoint to the next.
+    ModelBuilder(const Document& document, const Presentation& presentation, const Schemas& schemas,
+                 std::shared_ptr<TextStyles> styles = std::make_shared<TextStyles>(),
+                 int spacing = 100);
+
+    // The document has changed; to be told of each change at once (Document::edited).
+    void follow(const sgml::Change& change);
+    // Walks over some more nodes; false: the model is that of the document.
     [[nodiscard]] bool step(int nodes);
-    // When all are walked over.
-    [[nodiscard]] Model take();
+    // The last one that was complete; null before the first.
+    [[nodiscard]] const std::shared_ptr<const Model>& model() const { return model_; }
+    // A copy of it, for those who do not follow.
+    [[nodiscard]] Model take() const { return *model_; }
+
+    // Counts of the work, for tests.
+    struct Work {
+        std::size_t nodes = 0;  // walked over
+        std::size_t blocks = 0; // that are no blocks of the model before
+    };
+    [[nodiscard]] const Work& work() const { return work_; }
 
 private:
-    // The block that runs are added to, the space before the next one, and where both go.
-    struct Flow {
-        Blocks* out = nullptr;
-        std::shared_ptr<Block> last;      // of out
-        std::vector<Row>* rows = nullptr; // inside a row but outside a cell: its table's
-        bool open = false;                // the last block takes more runs
-        bool pageBreak = false;
-        double space = 0, padding = 0;
+    // Bytes of the file, before and after some changes: all nodes outside, and those around them,
+    // are as they were.
+    struct Region {
+        std::size_t from = 0, to = 0, end = 0; // [from, to) became [from, end)
     };
-    enum class Role { inlined, block, table, row, cell, footnote };
-    struct Frame {
-        sgml::NodeId node = sgml::noNode;
-        Role role = Role::block;
-        ElementStyle style;
-        const Presentation* presentation = nullptr;
-        Presentation::Progress progress;
-        double indentLeft = 0, indentRight = 0; // from the text area's edges
-        std::string target;                     // of the link that this is in
-        std::string marker;                     // not yet shown
-        std::vector<int> path;                  // of the innermost counter
-        std::string reference;                  // what refers to its element
-        std::size_t blockFrame = 0;             // index of the innermost one that is no inline
-        std::size_t emitted = 0;                // blocks and runs before it was entered
-        std::size_t firstBlock = 0;             // of those that it put into flow_.out
-        std::size_t together = noBlock;         // the first block of what is kept together here
-        std::size_t table = noBlock;            // role table: its block in flow_.out
-        std::set<std::string_view> seen;        // names of the children so far
-        Flow outer;                             // roles row, cell, footnote: to go back to
-    };
-    static constexpr std::size_t noBlock = static_cast<std::size_t>(-1);
-
-    // the walk
-    void walkOne();
-    bool enter(sgml::NodeId node);
-    bool enterElement(sgml::NodeId node);
-    bool enterNested(sgml::NodeId node);
-    [[nodiscard]] Frame frameInside(sgml::NodeId node) const;
-    bool begin(Frame frame);
-    void leave();
-
-    // numbers and names
-    void beginNumbering(Frame& frame);
-    void endNumbering(const Frame& frame);
-    void resolveReferences();
-
-    // what elements become; true: their children are walked
-    bool beginDisplay(Frame& frame);
-    bool beginBlock(Frame& frame);
-    void endBlock(Frame& frame);
-    bool beginVerbatim(Frame& frame);
-    void endVerbatim();
-    bool beginTable(Frame& frame);
-    bool beginRow(Frame& frame);
-    bool beginCell(Frame& frame);
-    bool beginFootnote(Frame& frame);
-    bool beginUnknown(Frame& frame);
-    bool beginReference(Frame& frame);
-    bool addLiving(const Frame& frame);
-    bool addChart(const Frame& frame);
-    bool addImage(const Frame& frame);
-    bool addLeaf(const Frame& frame, BlockKind kind);
-    bool addSubdocument(sgml::NodeId node);
-    void addGenerated(const Frame& frame, std::string_view name, const std::string& text);
-    void addContent(sgml::NodeId content);
-    void addFlowing(const sgml::Unescaped& text, sgml::NodeId content);
-    void addLines(const sgml::Unescaped& text, sgml::NodeId content);
-    void addStray(sgml::NodeId node);
-
-    // blocks and runs
-    Block& addBlock(BlockKind kind);
-    void openText();
-    void closeText() { flow_.open = false; }
-    void enterCell(const BlockStyle& style, sgml::NodeId node);
-    void takeMarker(Block& block);
-    void dropMarker(Frame& frame);
-    void addRun(Run run);
-    void addText(std::string text, sgml::NodeId content = sgml::noNode, std::size_t offset = 0);
-    [[nodiscard]] bool atLineStart() const;
-    [[nodiscard]] std::uint32_t textStyle(const TextStyle& style) {
-        return styles_->numberOf(style);
-    }
-    [[nodiscard]] const Frame& blockFrame() const;
-    [[nodiscard]] std::string attribute(sgml::NodeId node, std::string_view name) const;
-    [[nodiscard]] std::optional<double> lengthAttribute(sgml::NodeId node,
-                                                        std::string_view name) const;
-    bool isFirst(sgml::NodeId node);
+    [[nodiscard]] Region regionOf(const sgml::Change& change) const;
+    void begin();
+    [[nodiscard]] bool meets();
+    void finish();
+    void join(Model& model);
+    [[nodiscard]] std::optional<std::size_t> spliceTrail();
+    [[nodiscard]] bool resolve(Model& model, std::optional<std::size_t> walked);
 
     const Document& document_;
-    const sgml::Tree& tree_;
     const Presentation& presentation_;
     const Schemas& schemas_;
-    Model model_;
-    std::vector<Frame> frames_;
-    sgml::NodeId at_ = sgml::noNode; // the next one
-    Flow flow_;
-    Counters counters_;
-    std::map<std::string, std::string> references_; // by ID
-    std::vector<std::shared_ptr<Block>> referring_; // blocks with runs that wait for these
     std::shared_ptr<TextStyles> styles_;
-    std::map<sgml::NodeId, SubdocumentId> subdocuments_;
-    std::vector<std::string> anchors_; // of the next block
-    std::size_t emitted_ = 0;
-    std::size_t markers_ = 0; // that wait for a block
-    int tables_ = 0;          // that are open
-    int notes_ = 0;           // footnotes that are open
-    int titles_ = 0;
-    bool titled_ = false;
+    int spacing_;
+    std::shared_ptr<const Model> model_;
+    ModelWalk::Trail trail_;          // of the model
+    References references_;           // of the model
+    std::optional<Region> region_;    // that the model does not follow yet
+    std::unique_ptr<ModelWalk> walk_; // under way
+    std::size_t resumed_ = 0;         // index of the segment that it began with
+    std::size_t ahead_ = 0;           // index of the next one that it may meet
+    Work work_;
 };
 
 } // namespace document

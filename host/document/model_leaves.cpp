@@ -1,12 +1,12 @@
 // Elements that become one run or one block, and have nothing inside that is walked.
-#include "document/model_builder.h"
+#include "document/model_walk.h"
 
 namespace document {
 
 using sgml::NodeId;
 
 // Shown as text of its own until something gives it life.
-bool ModelBuilder::addLiving(const Frame& frame) {
+bool ModelWalk::addLiving(const Frame& frame) {
     const bool slider = frame.style.display == Display::slider;
     Run run{.kind = slider ? RunKind::slider : RunKind::value, .element = frame.node};
     run.style = textStyle(frame.style.text);
@@ -16,9 +16,9 @@ bool ModelBuilder::addLiving(const Frame& frame) {
     return false;
 }
 
-bool ModelBuilder::addChart(const Frame& frame) {
+bool ModelWalk::addChart(const Frame& frame) {
     const std::string values = attribute(frame.node, "VALUES"); // before frames move
-    Frame& own = frames_.back();
+    Frame& own = state_.frames.back();
     beginBlock(own);
     Block& block = addBlock(BlockKind::chart);
     block.width = lengthAttribute(block.element, "WIDTH");
@@ -29,11 +29,11 @@ bool ModelBuilder::addChart(const Frame& frame) {
     return false;
 }
 
-bool ModelBuilder::addImage(const Frame& frame) {
+bool ModelWalk::addImage(const Frame& frame) {
     std::string file = attribute(frame.node, "FILE");
     if (file.empty())
         file = tree_.contentText(frame.node);
-    beginBlock(frames_.back());
+    beginBlock(state_.frames.back());
     Block& block = addBlock(BlockKind::image);
     block.source = file;
     block.width = lengthAttribute(block.element, "WIDTH");
@@ -42,26 +42,24 @@ bool ModelBuilder::addImage(const Frame& frame) {
     return false;
 }
 
-bool ModelBuilder::addLeaf(const Frame& frame, BlockKind kind) {
-    (void)frame;
-    beginBlock(frames_.back());
+bool ModelWalk::addLeaf(BlockKind kind) {
+    beginBlock(state_.frames.back());
     addBlock(kind);
     return false;
 }
 
-bool ModelBuilder::addSubdocument(NodeId node) {
-    const auto known = subdocuments_.find(node);
-    const SubdocumentId id = known == subdocuments_.end() ? noSubdocument : known->second;
+bool ModelWalk::addSubdocument(NodeId node) {
+    const SubdocumentId id = document_.subdocumentOf(node);
     const Subdocument* subdocument = document_.subdocument(id);
     Frame frame = frameInside(node);
     frame.style = frame.presentation->style({"DOCUMENT", isFirst(node), &tree_, node},
-                                            frames_.back().style, frame.progress);
+                                            state_.frames.back().style, frame.progress);
     if (subdocument != nullptr && !subdocument->name.empty())
-        references_.try_emplace(subdocument->name, frame.reference);
+        trail_.back().names.push_back({subdocument->name, frame.reference});
     if (!frame.style.show)
         return false;
     if (subdocument != nullptr && !subdocument->name.empty())
-        anchors_.push_back(subdocument->name);
+        state_.anchors.push_back(subdocument->name);
     if (subdocument != nullptr && subdocument->placement == Placement::inlined) {
         addRun({.kind = RunKind::subdocument,
                 .style = textStyle(frame.style.text),
@@ -69,9 +67,8 @@ bool ModelBuilder::addSubdocument(NodeId node) {
                 .subdocument = id});
         return false;
     }
-    frames_.push_back(std::move(frame));
-    Frame& own = frames_.back();
-    own.emitted = emitted_;
+    push(std::move(frame));
+    Frame& own = state_.frames.back();
     beginBlock(own);
     Block& block = addBlock(BlockKind::subdocument);
     block.subdocument = id;
@@ -82,7 +79,7 @@ bool ModelBuilder::addSubdocument(NodeId node) {
     if (placement == Placement::center || placement == Placement::right)
         block.style.align = placement == Placement::center ? Align::center : Align::right;
     endBlock(own);
-    frames_.pop_back();
+    pop();
     return false;
 }
 

@@ -18,7 +18,14 @@ std::vector<int> Counters::step(const std::string& counter) {
 
 void Counters::leaveStep(const std::string& counter) { counters_[counter].back().pop_back(); }
 void Counters::restart(const std::string& counter) { counters_[counter].push_back({0}); }
-void Counters::leaveRestart(const std::string& counter) { counters_[counter].pop_back(); }
+
+// A counter that nothing counts is none: so equal states are equal, wherever they come from.
+void Counters::leaveRestart(const std::string& counter) {
+    const auto of = counters_.find(counter);
+    of->second.pop_back();
+    if (of->second.empty())
+        counters_.erase(of);
+}
 
 namespace {
 

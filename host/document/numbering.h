@@ -22,6 +22,7 @@ public:
     void leaveStep(const std::string& counter);
     void restart(const std::string& counter);
     void leaveRestart(const std::string& counter);
+    bool operator==(const Counters&) const = default;
 
 private:
     using Levels = std::vector<int>;

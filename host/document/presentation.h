@@ -55,6 +55,7 @@ struct ElementStyle {
     std::string reference; // pattern of what REF shows; "" is `number` without its last punctuation
     int headingLevel = 0;
     bool title = false; // its text is the document's title
+    bool operator==(const ElementStyle&) const = default;
 };
 
 // `font: 14pt bold "Gentium"` as read: a name and its words.
