@@ -1,9 +1,12 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of packages.txt that are missing. Asks for root only when one is.
+# Installs the Debian packages of packages.txt that are missing: all, or with the argument `run` those that build and
+# run the programs. Asks for root only when one is missing.
 set -eu
 cd "$(dirname "$0")"
 missing=()
-for package in $(sed 's/#.*//' packages.txt); do
+drop=
+[ "${1:-}" != run ] || drop=d
+for package in $(sed "/^# To test\$/,\$ { $drop }; s/#.*//" packages.txt); do
     status=$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true)
     [ "$status" = "install ok installed" ] || missing+=("$package")
 done

@@ -47,7 +47,9 @@ std::string statisticsJson(const scene::Scene& scene, const simulation::Motion& 
                               {"method", c.method},
                               {"steps", c.steps},
                               {"evaluations", c.evaluations}});
-    const auto estimate = isAnyMotion(scene, motion) ? s.errorEstimate : std::nullopt;
+    std::optional<double> estimate = s.errorEstimate;
+    if (!isAnyMotion(scene, motion))
+        estimate.reset();
     const Json json = {{"seconds", s.seconds},
                        {"seconds_reading", secondsReading},
                        {"steps", s.steps},

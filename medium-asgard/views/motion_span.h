@@ -38,7 +38,8 @@ private:
     [[nodiscard]] QString change(const char* option, double value); // "" or why not
 
     SceneDocument& document_;
-    QLineEdit *start_, *finish_;
+    QLineEdit* start_ = nullptr; // while its field is made, events reach this
+    QLineEdit* finish_ = nullptr;
 };
 
 } // namespace views
