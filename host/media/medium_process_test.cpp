@@ -227,10 +227,8 @@ TEST_F(MediumProcessTest, ClosesOneThatSendsMoreThanTheProtocolHolds) {
 }
 
 TEST_F(MediumProcessTest, CountsWhatIsSaidWhetherItWaitsOrNot) {
-    auto it = subdocument("behave chatter");
-    it->start();
-    ASSERT_TRUE(waitFor([&] { return it->condition() == Condition::failed; }));
-    EXPECT_THAT(it->reason().toStdString(), HasSubstr("more than it may in a second (a flood)"));
+    EXPECT_THAT(failure("behave chatter", {}, patient()),
+                HasSubstr("more than it may in a second (a flood)"));
 }
 
 TEST_F(MediumProcessTest, OnlyAProcessWithWindowsMayUndo) {

@@ -47,9 +47,7 @@ std::string statisticsJson(const scene::Scene& scene, const simulation::Motion& 
                               {"method", c.method},
                               {"steps", c.steps},
                               {"evaluations", c.evaluations}});
-    std::optional<double> estimate = s.errorEstimate;
-    if (!isAnyMotion(scene, motion))
-        estimate.reset();
+    const auto estimate = isAnyMotion(scene, motion) ? s.errorEstimate : std::nullopt;
     const Json json = {{"seconds", s.seconds},
                        {"seconds_reading", secondsReading},
                        {"steps", s.steps},

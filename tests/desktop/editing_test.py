@@ -139,14 +139,14 @@ class Editing(unittest.TestCase):
         self.person.press(HOST, "ctrl+z")
         self.assertEqual(self.saved(), self.original)
 
-    def isKept(self, draft):
-        """In the journal, where the host writes what it was told of the medium's windows."""
+    def kept(self):
+        """The journal's bytes: the document's text, and what the host was told of the medium's windows."""
         journal = os.path.join(self.folder.name, ".local", "state", "ensemble", "unsaved")
         for name in os.listdir(journal):
             if name.endswith(".kept"):
                 with open(os.path.join(journal, name), "rb") as file:
-                    return draft in file.read()
-        return False
+                    return file.read()
+        return b""
 
     def test_a_dead_medium_takes_no_text_and_no_draft_with_it(self):
         self.openViewer()
@@ -154,7 +154,7 @@ class Editing(unittest.TestCase):
         self.update(VIEWER)
         until("the document is modified", self.isModified)
         self.typed(VIEWER, "# typed ")
-        until("the host keeps the draft", lambda: self.isKept(b"# typed "))
+        until("the host keeps the draft", lambda: b"# typed " in self.kept())
         ensemble = self.person.program.pid
         before = children(ensemble)
         for pid in before:
@@ -162,6 +162,8 @@ class Editing(unittest.TestCase):
         until("another process is there", lambda: set(children(ensemble)) - set(before))
         until("the draft is there again", lambda: self.person.isModified(VIEWER))
         self.update(VIEWER)
+        until("the host knows that the draft is in the text",
+              lambda: b"{# typed # kept" in self.kept() and self.kept().count(b"# typed ") == 1)
         self.assertIn(b"{# typed # kept\nshape_set", self.saved())
         self.typed(VIEWER, "# and on ")
         self.update(VIEWER)
