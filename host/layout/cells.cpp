@@ -13,9 +13,8 @@ Cells::Cells(const Surroundings& in, const document::Row& row, const std::vector
     double x = left;
     for (std::size_t c = 0; c < row.size(); ++c) {
         const double padding = fromPoints(row[c].style.padding);
-        Surroundings inside{in.model,         in.objects,
-                            in.work,          std::max(columns[c] - 2 * padding, 1.0),
-                            in.pictureHeight, in.pageHeight};
+        Surroundings inside = in;
+        inside.width = std::max(columns[c] - 2 * padding, 1.0);
         cells_.push_back(
             {x, columns[c], padding, &row[c].style, Flow(inside, row[c].blocks), {}, 0, false});
         x += columns[c];

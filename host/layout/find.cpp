@@ -18,7 +18,7 @@ public:
         // A match may have begun on the line before, and may end on the next. No more of the text
         // is read for it.
         const int first = std::max(0, from - length + 1);
-        const QString text = of.text().mid(first, to + length - 1 - first);
+        const QString text = of.text(first, to + length - 1 - first);
         for (auto at = text.indexOf(words_, 0, Qt::CaseInsensitive); at >= 0;
              at = text.indexOf(words_, at + length, Qt::CaseInsensitive)) {
             const int begin = first + static_cast<int>(at);
@@ -56,7 +56,7 @@ std::vector<Found> findText(const Pages& pages, const QString& words) {
         return {};
     Finding finding(words);
     for (std::size_t i = 0; i < pages.pages.size(); ++i)
-        for (const Piece& piece : pages.pages[i].pieces)
+        for (const Piece& piece : pages.pages[i]->pieces)
             if (const auto* text = std::get_if<TextPiece>(&piece))
                 finding.line(i, *text);
     return std::move(finding.found);

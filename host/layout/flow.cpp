@@ -31,15 +31,24 @@ Flow::Flow(const Surroundings& in, const document::Blocks& blocks) : in_(in), bl
 Flow::~Flow() = default;
 Flow::Flow(Flow&&) noexcept = default;
 
-double Flow::left(const document::Block& block) const { return fromPoints(block.style.indentLeft); }
-
-double Flow::room(const document::Block& block) const {
-    return std::max(in_.width - left(block) - fromPoints(block.style.indentRight), fromPoints(20));
+void Flow::seek(Place place) {
+    countText();
+    block_ = place.block;
+    made_ = place.strip;
+    breakNext_ = false;
+    paragraph_.reset();
+    table_.reset();
 }
 
-double Flow::aligned(const document::Block& block, double itsWidth) const {
+double Flow::left(const BlockPointer& block) const { return fromPoints(block->style.indentLeft); }
+
+double Flow::room(const BlockPointer& block) const {
+    return std::max(in_.width - left(block) - fromPoints(block->style.indentRight), fromPoints(20));
+}
+
+double Flow::aligned(const BlockPointer& block, double itsWidth) const {
     const double spare = std::max(0.0, room(block) - itsWidth);
-    switch (block.style.align) {
+    switch (block->style.align) {
     case document::Align::center:
         return left(block) + spare / 2;
     case document::Align::right:
@@ -51,7 +60,7 @@ double Flow::aligned(const document::Block& block, double itsWidth) const {
 
 Made Flow::next(Strip& strip) {
     while (block_ < blocks_.size()) {
-        const document::Block& block = *blocks_[block_];
+        const BlockPointer& block = blocks_[block_];
         bool last = true;
         const Made made = inBlock(block, strip, last);
         if (made == Made::strip)
@@ -59,7 +68,7 @@ Made Flow::next(Strip& strip) {
         if (made != Made::end && (made == Made::pause || !last))
             return made;
         breakNext_ =
-            made == Made::end && (breakNext_ || block.kind == document::BlockKind::pageBreak);
+            made == Made::end && (breakNext_ || block->kind == document::BlockKind::pageBreak);
         leaveBlock();
         if (made == Made::strip)
             return made;
@@ -68,8 +77,7 @@ Made Flow::next(Strip& strip) {
 }
 
 void Flow::leaveBlock() {
-    if (paragraph_)
-        in_.work.letters += paragraph_->lettersShaped();
+    countText();
     ++block_;
     made_ = 0;
     paragraph_.reset();
@@ -77,9 +85,9 @@ void Flow::leaveBlock() {
 }
 
 // The next strip of a block, `last` when there is none behind it; Made::end: the block has none.
-Made Flow::inBlock(const document::Block& block, Strip& strip, bool& last) {
+Made Flow::inBlock(const BlockPointer& block, Strip& strip, bool& last) {
     using document::BlockKind;
-    switch (block.kind) {
+    switch (block->kind) {
     case BlockKind::text:
     case BlockKind::verbatim:
     case BlockKind::chart:
@@ -101,63 +109,86 @@ Made Flow::inBlock(const document::Block& block, Strip& strip, bool& last) {
     return Made::end;
 }
 
-void Flow::finish(const document::Block& block, Strip& strip, bool last) {
+void Flow::finish(const BlockPointer& block, Strip& strip, bool last) {
     ++in_.work.strips;
     strip.block = block_;
     strip.firstOfBlock = made_ == 0;
     strip.lastOfBlock = last;
     if (strip.firstOfBlock) {
-        strip.before = fromPoints(block.style.spaceBefore);
-        strip.breakBefore = breakNext_ || block.style.pageBreakBefore;
+        strip.before = fromPoints(block->style.spaceBefore);
+        strip.breakBefore = breakNext_ || block->style.pageBreakBefore;
     }
     if (last)
-        strip.after = fromPoints(block.style.spaceAfter);
-    if (last ? block.style.keepWithNext : block.style.keepTogether)
+        strip.after = fromPoints(block->style.spaceAfter);
+    if (last ? block->style.keepWithNext : block->style.keepTogether)
         strip.keepWithNext = true;
     ++made_;
 }
 
 // --- text --------------------------------------------------------------------------------------
 
-Made Flow::text(const document::Block& block, Strip& strip, bool& last) {
-    const bool markerInFront = !block.marker.empty() && block.style.markerWidth <= 0;
-    if (!paragraph_) {
-        const QString prefix =
-            markerInFront ? QString::fromStdString(block.marker) + QChar(' ') : QString();
-        paragraph_ =
-            std::make_shared<Paragraph>(in_.model, block, room(block), in_.objects, prefix);
-    }
+void Flow::beginText(const BlockPointer& block) {
+    const bool markerInFront = !block->marker.empty() && block->style.markerWidth <= 0;
+    const auto part = markerInFront ? Stock::Part::withMarker : Stock::Part::text;
+    paragraph_ = in_.stock.paragraph(block, room(block), part, [&] {
+        return std::make_unique<Paragraph>(in_.stock.materials(), block, room(block),
+                                           markerInFront);
+    });
+    lettersBefore_ = paragraph_->lettersShaped();
+}
+
+void Flow::countText() {
+    if (!paragraph_ || paragraph_->lettersShaped() == lettersBefore_)
+        return;
+    in_.work.letters += paragraph_->lettersShaped() - lettersBefore_;
+    lettersBefore_ = paragraph_->lettersShaped();
+    ++in_.work.paragraphs;
+}
+
+Made Flow::text(const BlockPointer& block, Strip& strip, bool& last) {
+    if (!paragraph_)
+        beginText(block);
     const std::size_t i = made_;
     if (!paragraph_->makeLine(i))
         return Made::end;
     last = !paragraph_->makeLine(i + 1);
-    const Paragraph::Line& line = paragraph_->lines()[i];
     const int index = static_cast<int>(i);
-    strip.height = line.height;
-    strip.footnotes = line.footnotes;
+    strip.height = paragraph_->lines()[i].height;
+    for (const NoteMark& mark : paragraph_->notesOf(index))
+        strip.footnotes.push_back(mark.note);
     strip.pieces.emplace_back(TextPiece{paragraph_, index, {left(block), 0}});
-    for (const InlineObject& object : line.objects)
+    for (const InlineObject& object : paragraph_->objectsOf(index))
         strip.pieces.emplace_back(
-            SubdocumentPiece{block.runs[object.run].subdocument,
+            SubdocumentPiece{block->runs[object.run].subdocument,
                              paragraph_->objectRect(index, object).translated(left(block), 0)});
     // Neither the first nor the last line of a paragraph stands alone.
-    const bool ragged = block.kind == document::BlockKind::verbatim;
+    const bool ragged = block->kind == document::BlockKind::verbatim;
     strip.keepWithNext = !ragged && !last && (i == 0 || !paragraph_->makeLine(i + 2));
-    if (i == 0 && !block.marker.empty() && !markerInFront)
-        addMarker(block, strip, line.baseline);
+    if (i == 0 && !block->marker.empty() && block->style.markerWidth > 0)
+        addMarker(block, strip, paragraph_->lines()[i].baseline);
     return Made::strip;
 }
 
-void Flow::addMarker(const document::Block& block, Strip& strip, double lineBaseline) const {
-    document::Block marker;
-    marker.style.align = block.style.markerAlign;
-    marker.style.lineHeight = block.style.lineHeight;
-    document::Run run;
-    run.text = block.marker;
-    run.style = block.markerStyle;
-    marker.runs.push_back(run);
-    const double column = fromPoints(block.style.markerWidth);
-    const auto paragraph = std::make_shared<Paragraph>(in_.model, marker, column, in_.objects);
+void Flow::addMarker(const BlockPointer& block, Strip& strip, double lineBaseline) const {
+    const double column = fromPoints(block->style.markerWidth);
+    const auto make = [&] {
+        // It keeps the block, by which it is known, alive.
+        struct Marker {
+            BlockPointer of;
+            document::Block block;
+        };
+        const auto marker = std::make_shared<Marker>();
+        marker->of = block;
+        marker->block.style.align = block->style.markerAlign;
+        marker->block.style.lineHeight = block->style.lineHeight;
+        document::Run run;
+        run.text = block->marker;
+        run.style = block->markerStyle;
+        marker->block.runs.push_back(run);
+        return std::make_unique<Paragraph>(in_.stock.materials(),
+                                           BlockPointer(marker, &marker->block), column);
+    };
+    const auto paragraph = in_.stock.paragraph(block, column, Stock::Part::marker, make);
     if (!paragraph->makeLine(0))
         return;
     const double down = lineBaseline - paragraph->lines().front().baseline;
@@ -166,38 +197,38 @@ void Flow::addMarker(const document::Block& block, Strip& strip, double lineBase
 
 // --- pictures and rules ------------------------------------------------------------------------
 
-void Flow::subdocument(const document::Block& block, Strip& strip) const {
+void Flow::subdocument(const BlockPointer& block, Strip& strip) const {
     const QSizeF size =
-        fitted(in_.objects.subdocumentSize(block.subdocument), room(block), in_.pictureHeight);
+        fitted(in_.stock.sizes().subdocument(block->subdocument), room(block), in_.pictureHeight);
     strip.height = size.height();
-    strip.mayFloat = block.style.keepWithNext;
+    strip.mayFloat = block->style.keepWithNext;
     strip.pieces.emplace_back(
-        SubdocumentPiece{block.subdocument, {QPointF(aligned(block, size.width()), 0), size}});
+        SubdocumentPiece{block->subdocument, {QPointF(aligned(block, size.width()), 0), size}});
 }
 
-void Flow::image(const document::Block& block, Strip& strip) const {
-    const QSize pixels = in_.objects.imageSize ? in_.objects.imageSize(block.source) : QSize();
+void Flow::image(const BlockPointer& block, Strip& strip) const {
+    const QSize pixels = in_.stock.sizes().image(block->source);
     QSizeF size = pixels.isEmpty() ? QSizeF(320, 120) : QSizeF(pixels);
-    if (block.width)
-        size.scale(*block.width, block.height ? *block.height : size.height() * *block.width,
-                   block.height ? Qt::IgnoreAspectRatio : Qt::KeepAspectRatio);
-    else if (block.height)
-        size.scale(size.width() * *block.height, *block.height, Qt::KeepAspectRatio);
+    if (block->width)
+        size.scale(*block->width, block->height ? *block->height : size.height() * *block->width,
+                   block->height ? Qt::IgnoreAspectRatio : Qt::KeepAspectRatio);
+    else if (block->height)
+        size.scale(size.width() * *block->height, *block->height, Qt::KeepAspectRatio);
     size = fitted(fromPixels(size), room(block), in_.pictureHeight);
     strip.height = size.height();
-    strip.mayFloat = block.style.keepWithNext;
-    const QString named = block.alternative.empty() ? QString::fromStdString(block.source)
-                                                    : QString::fromStdString(block.alternative);
+    strip.mayFloat = block->style.keepWithNext;
+    const QString named = block->alternative.empty() ? QString::fromStdString(block->source)
+                                                     : QString::fromStdString(block->alternative);
     strip.pieces.emplace_back(
-        ImagePiece{block.source, {QPointF(aligned(block, size.width()), 0), size}, named});
+        ImagePiece{block->source, {QPointF(aligned(block, size.width()), 0), size}, named});
 }
 
-void Flow::rule(const document::Block& block, Strip& strip) const {
-    const double thickness = fromPoints(std::max(block.style.border.width, 0.25));
+void Flow::rule(const BlockPointer& block, Strip& strip) const {
+    const double thickness = fromPoints(std::max(block->style.border.width, 0.25));
     document::Border none;
     strip.height = thickness;
     strip.pieces.emplace_back(
-        FramePiece{{left(block), 0, room(block), thickness}, block.style.border.color, none});
+        FramePiece{{left(block), 0, room(block), thickness}, block->style.border.color, none});
 }
 
 // --- tables ------------------------------------------------------------------------------------
@@ -205,36 +236,43 @@ void Flow::rule(const document::Block& block, Strip& strip) const {
 namespace {
 
 // What a block in a cell would like, and cannot do without, of at most so many letters.
-Widths widthsIn(const Surroundings& in, const document::Block& block, double available,
+Widths widthsIn(Stock& stock, Columns& columns, const document::Block& block, double available,
                 std::size_t& letters) {
-    Widths widths = widthsOf(in.model, block, in.objects, letters);
+    const auto sizeOf = [&](document::SubdocumentId id) {
+        columns.sizes.emplace_back(id, stock.sizes().subdocument(id));
+        return columns.sizes.back().second;
+    };
+    Widths widths = widthsOf(stock.materials(), block, letters);
+    for (const document::Run& run : block.runs)
+        if (run.kind == document::RunKind::subdocument)
+            sizeOf(run.subdocument);
     if (block.kind == document::BlockKind::subdocument)
-        widths.natural = widths.least = in.objects.subdocumentSize(block.subdocument).width();
+        widths.natural = widths.least = sizeOf(block.subdocument).width();
     else if (block.kind != document::BlockKind::text)
         widths.natural = std::max(widths.natural, available / 3);
     return widths;
 }
 
 // Of each column. Every column is measured by one of its cells at least.
-std::vector<Widths> wantedBy(const Surroundings& in, const document::Block& block,
-                             double available) {
+std::vector<Widths> wantedBy(Stock& stock, Columns& columns, double available) {
     std::vector<Widths> wanted;
     std::size_t letters = Flow::lettersForColumns;
-    for (const document::Row& row : block.rows) {
+    for (const document::Row& row : columns.block->rows) {
         wanted.resize(std::max(wanted.size(), row.size()));
         for (std::size_t c = 0; c < row.size(); ++c) {
             if (letters == 0 && wanted[c].natural > 0)
                 continue;
             const double padding = fromPoints(row[c].style.padding);
             std::size_t ofCell = Paragraph::segmentLength;
-            for (const auto& inside : row[c].blocks) {
+            for (const auto& pointer : row[c].blocks) {
+                const document::Block& inside = *pointer;
                 const std::size_t before = ofCell;
                 if (before == 0)
                     break;
-                const Widths widths = widthsIn(in, *inside, available, ofCell);
+                const Widths widths = widthsIn(stock, columns, inside, available, ofCell);
                 letters -= std::min(letters, before - ofCell);
                 const double extra =
-                    2 * padding + fromPoints(inside->style.indentLeft) + fromPoints(0.5);
+                    2 * padding + fromPoints(inside.style.indentLeft) + fromPoints(0.5);
                 wanted[c].natural = std::max(wanted[c].natural, widths.natural + extra);
                 wanted[c].least = std::max(wanted[c].least, widths.least + extra);
             }
@@ -245,9 +283,10 @@ std::vector<Widths> wantedBy(const Surroundings& in, const document::Block& bloc
 
 // Columns as wide as their widest text where there is room; else each gets its longest word, and
 // they share what is left by how much more they would like.
-std::vector<double> columnsOf(const Surroundings& in, const document::Block& block,
-                              double available) {
-    const std::vector<Widths> wanted = wantedBy(in, block, available);
+std::unique_ptr<Columns> columnsOf(Stock& stock, const BlockPointer& block, double available) {
+    auto result = std::make_unique<Columns>();
+    result->block = block;
+    const std::vector<Widths> wanted = wantedBy(stock, *result, available);
     double natural = 0, least = 0;
     for (const Widths& column : wanted) {
         natural += column.natural;
@@ -257,27 +296,29 @@ std::vector<double> columnsOf(const Surroundings& in, const document::Block& blo
                          : natural > least ? std::max(0.0, (available - least) / (natural - least))
                                            : 0;
     const double squeeze = least > available ? available / least : 1;
-    std::vector<double> result;
     for (const Widths& column : wanted)
-        result.push_back(squeeze * (column.least + share * (column.natural - column.least)));
+        result->widths.push_back(squeeze *
+                                 (column.least + share * (column.natural - column.least)));
     return result;
 }
 
 } // namespace
 
-Made Flow::table(const document::Block& block, Strip& strip, bool& last) {
-    const std::size_t rows = block.rows.size();
+Made Flow::table(const BlockPointer& block, Strip& strip, bool& last) {
+    const std::size_t rows = block->rows.size();
     if (!table_) {
         table_ = std::make_unique<Table>();
-        table_->columns = columnsOf(in_, block, room(block));
-        const auto& columns = table_->columns;
-        table_->left = aligned(block, std::accumulate(columns.begin(), columns.end(), 0.0));
+        table_->columns = in_.stock.columns(
+            block, room(block), [&] { return columnsOf(in_.stock, block, room(block)); });
+        const auto& widths = table_->columns->widths;
+        table_->left = aligned(block, std::accumulate(widths.begin(), widths.end(), 0.0));
     }
-    if (table_->row >= rows)
+    const std::size_t row = made_;
+    if (row >= rows)
         return Made::end;
     if (!table_->cells)
         table_->cells =
-            std::make_shared<Cells>(in_, block.rows[table_->row], table_->columns, table_->left);
+            std::make_shared<Cells>(in_, block->rows[row], table_->columns->widths, table_->left);
     if (!table_->cells->prepare())
         return Made::pause;
     if (table_->cells->fitsOnPage())
@@ -285,10 +326,10 @@ Made Flow::table(const document::Block& block, Strip& strip, bool& last) {
     else
         strip.cells = std::move(table_->cells);
     table_->cells.reset();
-    const std::size_t r = table_->row++;
-    last = r + 1 == rows;
+    strip.columns = table_->columns;
+    last = row + 1 == rows;
     // Neither the first nor the last row of a table stands alone.
-    strip.keepWithNext = !last && (r == 0 || r + 2 == rows);
+    strip.keepWithNext = !last && (row == 0 || row + 2 == rows);
     return Made::strip;
 }
 

@@ -1,20 +1,14 @@
 // Blocks as strips, made one by one as they are read: what is not read costs nothing.
 #pragma once
 
+#include "layout/stock.h"
 #include "layout/strip.h"
+#include "layout/work.h"
 
 namespace layout {
 
-// Counts of the work, for tests: it grows with the size of the document and no faster.
-struct Work {
-    std::size_t letters = 0; // that were given to the text layout for lines
-    std::size_t strips = 0;  // that were put on pages, or looked at for it
-    std::size_t boxes = 0;   // frames that were looked at for a page
-};
-
 struct Surroundings {
-    const document::Model& model;
-    const Objects& objects;
+    Stock& stock;
     Work& work;
     double width = 0;         // of the text area
     double pictureHeight = 0; // the most of a picture
@@ -29,7 +23,7 @@ enum class Made {
 
 class Flow {
 public:
-    // The blocks and what `in` refers to are read until the end.
+    // The list and what `in` refers to are read until the end.
     Flow(const Surroundings& in, const document::Blocks& blocks);
     ~Flow();
     Flow(Flow&&) noexcept;
@@ -39,36 +33,46 @@ public:
 
     [[nodiscard]] Made next(Strip& strip);
 
+    // Between two strips: where the next one is.
+    struct Place {
+        std::size_t block = 0, strip = 0; // of that block
+        auto operator<=>(const Place&) const = default;
+    };
+    [[nodiscard]] Place place() const { return {block_, made_}; }
+    void seek(Place place);
+
     // LIMIT: so many letters of a table, and a Paragraph::segmentLength of a cell, decide how wide
     // its columns are.
     static constexpr std::size_t lettersForColumns = 50'000;
 
 private:
     struct Table {
-        std::vector<double> columns;
+        std::shared_ptr<const Columns> columns;
         double left = 0;
-        std::size_t row = 0;
         std::shared_ptr<Cells> cells; // of the row that is being made
     };
-    [[nodiscard]] Made inBlock(const document::Block& block, Strip& strip, bool& last);
-    void finish(const document::Block& block, Strip& strip, bool last);
+    [[nodiscard]] Made inBlock(const BlockPointer& block, Strip& strip, bool& last);
+    void finish(const BlockPointer& block, Strip& strip, bool last);
     void leaveBlock();
-    [[nodiscard]] Made text(const document::Block& block, Strip& strip, bool& last);
-    void addMarker(const document::Block& block, Strip& strip, double lineBaseline) const;
-    void subdocument(const document::Block& block, Strip& strip) const;
-    void image(const document::Block& block, Strip& strip) const;
-    void rule(const document::Block& block, Strip& strip) const;
-    [[nodiscard]] Made table(const document::Block& block, Strip& strip, bool& last);
-    [[nodiscard]] double left(const document::Block& block) const;
-    [[nodiscard]] double room(const document::Block& block) const;
-    [[nodiscard]] double aligned(const document::Block& block, double itsWidth) const;
+    void beginText(const BlockPointer& block);
+    void countText();
+    [[nodiscard]] Made text(const BlockPointer& block, Strip& strip, bool& last);
+    void addMarker(const BlockPointer& block, Strip& strip, double lineBaseline) const;
+    void subdocument(const BlockPointer& block, Strip& strip) const;
+    void image(const BlockPointer& block, Strip& strip) const;
+    void rule(const BlockPointer& block, Strip& strip) const;
+    [[nodiscard]] Made table(const BlockPointer& block, Strip& strip, bool& last);
+    [[nodiscard]] double left(const BlockPointer& block) const;
+    [[nodiscard]] double room(const BlockPointer& block) const;
+    [[nodiscard]] double aligned(const BlockPointer& block, double itsWidth) const;
 
     Surroundings in_;
     const document::Blocks& blocks_;
     std::size_t block_ = 0;
-    std::size_t made_ = 0; // strips of this block
+    std::size_t made_ = 0; // strips of this block: lines or rows
     bool breakNext_ = false;
     std::shared_ptr<Paragraph> paragraph_;
+    std::size_t lettersBefore_ = 0; // of the paragraph, when this flow came to it
     std::unique_ptr<Table> table_;
 };
 

@@ -12,7 +12,7 @@ namespace layout {
 // beside each other.
 Frames::Frames(const document::Model& model)
     : boxes_(model.boxes), nested_(boxes_.size()), innermost_(model.blocks.size(), none),
-      above_(model.blocks.size(), 0) {
+      above_(model.blocks.size(), 0), edges_(model.blocks.size(), 0) {
     std::vector<std::size_t> open;
     std::size_t block = 0;
     const auto goTo = [&](std::size_t to) {
@@ -37,14 +37,44 @@ Frames::Frames(const document::Model& model)
         const double padding = fromPoints(box.padding);
         nested_[b].before += padding;
         nested_[b].after += padding;
-        if (box.first < above_.size())
+        if (box.first < above_.size()) {
             above_[box.first] += padding;
+            edges_[box.first] += 1;
+        }
+        if (box.last < edges_.size())
+            edges_[box.last] += std::uint64_t{1} << 32;
         const std::size_t outer = nested_[b].outer;
         if (outer != none && boxes_[outer].first == box.first)
             nested_[outer].before += nested_[b].before;
         if (outer != none && boxes_[outer].last == box.last)
             nested_[outer].after += nested_[b].after;
     }
+}
+
+// Boxes lie in each other: with the same ones around both blocks, and as many that begin and end
+// there, it is the same ones that do.
+bool Frames::Comparison::same(std::size_t blockOfA, std::size_t blockOfB) {
+    return a_.edges_[blockOfA] == b_.edges_[blockOfB] &&
+           a_.above_[blockOfA] == b_.above_[blockOfB] &&
+           sameBox(a_.innermost_[blockOfA], b_.innermost_[blockOfB]);
+}
+
+// Of at most `deepest` that lie in each other.
+bool Frames::Comparison::sameBox(std::size_t ofA, std::size_t ofB) {
+    if (ofA == none || ofB == none)
+        return ofA == ofB;
+    if (matched_[ofB] != none)
+        return matched_[ofB] == ofA;
+    const document::Box &a = a_.boxes_[ofA], &b = b_.boxes_[ofB];
+    const Nested &inA = a_.nested_[ofA], &inB = b_.nested_[ofB];
+    const bool looksSame = a.indentLeft == b.indentLeft && a.indentRight == b.indentRight &&
+                           a.padding == b.padding && a.background == b.background &&
+                           a.border == b.border && inA.before == inB.before &&
+                           inA.after == inB.after;
+    if (!looksSame || !sameBox(inA.outer, inB.outer))
+        return false;
+    matched_[ofB] = ofA;
+    return true;
 }
 
 std::vector<FramePiece> Frames::on(const std::vector<Placed>& page, double left, double width,

@@ -27,6 +27,9 @@ public:
     [[nodiscard]] std::vector<FramePiece> on(const std::vector<Placed>& page, double left,
                                              double width, std::size_t& boxesVisited) const;
 
+    // Compares the frames of two models.
+    class Comparison;
+
 private:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
     struct Nested {
@@ -38,6 +41,21 @@ private:
     std::vector<Nested> nested_;         // of each box
     std::vector<std::size_t> innermost_; // of each block, its box or none
     std::vector<double> above_;
+    std::vector<std::uint64_t> edges_; // of each block, how many boxes begin with it and end
+};
+
+class Frames::Comparison {
+public:
+    Comparison(const Frames& a, const Frames& b) : a_(a), b_(b), matched_(b.boxes_.size(), none) {}
+    // Do both blocks stand in the same place of boxes that look the same?
+    [[nodiscard]] bool same(std::size_t blockOfA, std::size_t blockOfB);
+
+private:
+    bool sameBox(std::size_t ofA, std::size_t ofB);
+
+    const Frames& a_;
+    const Frames& b_;
+    std::vector<std::size_t> matched_; // of each box of b, that of a
 };
 
 } // namespace layout

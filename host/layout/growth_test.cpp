@@ -96,8 +96,8 @@ Effort effortOf(const std::string& text) {
     const document::Document document(text);
     const document::Schemas schemas = document::Schemas::builtIn();
     (void)document::documentFaults(document, schemas, {});
-    const document::Model model =
-        document::buildModel(document, schemas.presentation("REPORT"), schemas);
+    const auto model = std::make_shared<document::Model>(
+        document::buildModel(document, schemas.presentation("REPORT"), schemas));
     Objects objects;
     objects.subdocumentSize = [](document::SubdocumentId) { return QSizeF(2000, 2000); };
     objects.imageSize = [](const std::string&) { return QSize(300, 300); };

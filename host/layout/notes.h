@@ -13,7 +13,7 @@ namespace layout {
 
 class Notes {
 public:
-    using Footnote = std::shared_ptr<const document::Footnote>;
+    using Pointer = std::shared_ptr<const document::Footnote>;
     explicit Notes(const Surroundings& in) : in_(in) {}
 
     // How high these notes are together; more than `most` is not measured further. `least`: what of
@@ -21,10 +21,10 @@ public:
     struct Wanted {
         double all = 0, least = 0;
     };
-    [[nodiscard]] Wanted wanted(const std::vector<Footnote>& notes, double most);
+    [[nodiscard]] Wanted wanted(const std::vector<Pointer>& notes, double most);
 
-    // A mark was put on the page.
-    void mark(const Footnote& note) { waiting_.push_back(note); }
+    // A mark was put on the page, in that block of the model.
+    void mark(const Pointer& note, const document::Block* block);
     // Puts as much of the notes as `room` takes, one strip at least when `forced`. The room is that
     // of all notes of the page.
     void fill(double room, bool forced);
@@ -32,23 +32,39 @@ public:
     [[nodiscard]] bool isEmpty() const { return height_ == 0; }
     [[nodiscard]] double height() const { return height_; } // on this page
     // Their pieces, the top left of the page's notes at the origin; the next page begins.
-    [[nodiscard]] std::vector<Piece> take();
+    struct Taken {
+        Piece piece;
+        const document::Block* block = nullptr; // of its mark
+    };
+    [[nodiscard]] std::vector<Taken> take();
+
+    // What goes on to the next page, between two pages.
+    struct Waiting {
+        Pointer note;
+        Flow::Place at;                         // what of it comes next
+        const document::Block* block = nullptr; // of its mark
+        bool operator==(const Waiting&) const = default;
+    };
+    // Nothing: a row of a table in a note is divided.
+    [[nodiscard]] std::optional<std::vector<Waiting>> waiting() const;
+    void resume(const std::vector<Waiting>& waiting);
 
 private:
     struct Note {
         Flow flow;
         std::deque<Strip> ready;
-        double height = 0; // of these, and of what was taken before
-        double after = 0;  // of the last that was taken
-        bool begun = false, ended = false;
+        std::deque<Flow::Place> places{}; // of these
+        double height = 0;                // of these, and of what was taken before
+        double after = 0;                 // of the last that was taken
+        bool begun = false, ended = false, divided = false;
     };
-    Note& opened(const Footnote& note);
+    Note& opened(const Pointer& note);
     static bool makeReady(Note& note, double height);
 
     Surroundings in_;
-    std::map<Footnote, Note> open_;
-    std::deque<Footnote> waiting_;
-    std::vector<Piece> pieces_;
+    std::map<Pointer, Note> open_;
+    std::deque<std::pair<Pointer, const document::Block*>> waiting_; // and the block of its mark
+    std::vector<Taken> pieces_;
     double height_ = 0;
 };
 

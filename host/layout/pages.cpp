@@ -8,17 +8,51 @@
 
 namespace layout {
 
-Pagination::Pagination(const document::Model& model, const Objects& objects)
-    : paginator_(std::make_unique<Paginator>(model, objects)) {}
+std::vector<TextPiece> Pages::headersOf(std::size_t page) const {
+    return headers ? headers->on(page, pages.size()) : std::vector<TextPiece>{};
+}
+
+std::vector<PlacedSubdocument> Pages::subdocuments() const {
+    std::vector<PlacedSubdocument> result;
+    for (std::size_t i = 0; i < pages.size(); ++i)
+        for (const PlacedObject& object : pages[i]->objects)
+            if (object.subdocument)
+                result.push_back({object.subdocument, i, object.rect});
+    return result;
+}
+
+std::vector<OutlineEntry> Pages::outline() const {
+    std::vector<OutlineEntry> result;
+    for (std::size_t i = 0; i < pages.size(); ++i)
+        for (const Heading& heading : pages[i]->headings)
+            result.push_back({i, heading});
+    return result;
+}
+
+std::optional<std::pair<std::size_t, double>> Pages::anchor(const std::string& name) const {
+    for (std::size_t i = pages.size(); i-- > 0;)
+        for (const auto& [anchor, top] : pages[i]->anchors)
+            if (anchor == name)
+                return std::pair(i, top);
+    return std::nullopt;
+}
+
+Pagination::Pagination(const ModelPointer& model, const Objects& objects, const Pages& old)
+    : paginator_(std::make_unique<Paginator>(model, objects, old)) {}
 
 Pagination::~Pagination() = default;
 
 bool Pagination::step() { return paginator_->step(); }
-const Pages& Pagination::pages() const { return paginator_->pages(); }
+Pages Pagination::pages() const { return paginator_->pages(); }
+std::size_t Pagination::count() const { return paginator_->count(); }
 Pages Pagination::take() { return paginator_->take(); }
 
-Pages layOut(const document::Model& model, const Objects& objects) {
-    Pagination pagination(model, objects);
+Pages layOut(const ModelPointer& model, const Objects& objects) {
+    return relaid({}, model, objects);
+}
+
+Pages relaid(const Pages& old, const ModelPointer& model, const Objects& objects) {
+    Pagination pagination(model, objects, old);
     while (pagination.step())
         continue;
     return pagination.take();
@@ -49,21 +83,25 @@ std::string printed(const Pages& pages) {
                       .arg(qRound(rect.height()))
                       .arg(text.trimmed());
     };
+    const auto textLine = [&](const TextPiece& text) {
+        const auto& of = text.paragraph->lines()[static_cast<std::size_t>(text.line)];
+        line("text", {text.at, QSizeF(text.paragraph->naturalWidth(), of.height)},
+             text.paragraph->textOfLine(text.line));
+    };
     for (std::size_t i = 0; i < pages.pages.size(); ++i) {
         result += QStringLiteral("page %1\n").arg(i + 1);
-        for (const Piece& piece : pages.pages[i].pieces) {
-            if (const auto* text = std::get_if<TextPiece>(&piece)) {
-                const auto& of = text->paragraph->lines()[static_cast<std::size_t>(text->line)];
-                line("text", {text->at, QSizeF(text->paragraph->naturalWidth(), of.height)},
-                     text->paragraph->textOfLine(text->line));
-            } else if (const auto* placed = std::get_if<SubdocumentPiece>(&piece)) {
+        for (const Piece& piece : pages.pages[i]->pieces) {
+            if (const auto* text = std::get_if<TextPiece>(&piece))
+                textLine(*text);
+            else if (const auto* placed = std::get_if<SubdocumentPiece>(&piece))
                 line("subdocument", placed->rect, QString::number(placed->subdocument));
-            } else if (const auto* frame = std::get_if<FramePiece>(&piece)) {
+            else if (const auto* frame = std::get_if<FramePiece>(&piece))
                 line("frame", frame->rect, {});
-            } else if (const auto* image = std::get_if<ImagePiece>(&piece)) {
+            else if (const auto* image = std::get_if<ImagePiece>(&piece))
                 line("image", image->rect, image->alternative);
-            }
         }
+        for (const TextPiece& text : pages.headersOf(i))
+            textLine(text);
     }
     return result.toStdString();
 }

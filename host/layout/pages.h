@@ -6,14 +6,40 @@
 // before. Footnotes stand on the page of their mark; of what does not fit there, and of a table's
 // row that is taller than a page, the rest goes on to the next pages. All of it is linear in the
 // size of the document, and may be done in slices: see Pagination.
+//
+// Pages follow a change of the model. Those before the first changed block stay. From there on
+// pages are filled until one begins as an old one did, with the same blocks behind it; the old ones
+// follow it up to the next change. Blocks are the same when their pointers are.
 #pragma once
 
-#include "layout/flow.h"
+#include "layout/headers.h"
+#include "layout/work.h"
+
+#include <QColor>
 
 namespace layout {
 
+struct Heading {
+    QString text;
+    int level = 0;
+    double top = 0;
+};
+
+// A subdocument or an image on a page.
+struct PlacedObject {
+    document::SubdocumentId subdocument = document::noSubdocument;
+    std::string image{}; // its source
+    QRectF rect;
+    const document::Block* block = nullptr; // of the model, that it or its mark is in; to compare
+};
+
+// Knows nothing of other pages, nor how many there are before it.
 struct Page {
-    std::vector<Piece> pieces; // in twips from the page's top left, in painting order
+    std::vector<Piece> pieces; // in twips from the page's top left, in painting order; no headers
+    std::vector<PlacedObject> objects;
+    std::vector<Heading> headings;
+    std::vector<std::pair<std::string, double>> anchors; // and the height on it
+    std::vector<std::shared_ptr<const Columns>> columns; // of the tables on it, for other layouts
 };
 
 struct PlacedSubdocument {
@@ -22,38 +48,50 @@ struct PlacedSubdocument {
     QRectF rect;
 };
 
-struct Heading {
-    QString text;
-    int level = 0;
+struct OutlineEntry {
     std::size_t page = 0;
-    double top = 0;
+    Heading heading;
 };
+
+struct Basis; // what pages were made of: what the next ones begin with
 
 struct Pages {
     QSizeF size; // of each, in twips
     QColor paper;
-    std::vector<Page> pages;
-    std::vector<PlacedSubdocument> subdocuments; // in order of place
-    std::vector<Heading> outline;
-    std::map<std::string, std::pair<std::size_t, double>> anchors; // page and height on it
-    Work work;
+    std::vector<std::shared_ptr<const Page>> pages;
+    std::shared_ptr<const Headers> headers; // null while there are no pages
+    std::shared_ptr<const Basis> basis;     // null while pages are missing
+    Work work;                              // for those that were made last
+
+    // With the headers and footers, which come last.
+    [[nodiscard]] std::vector<TextPiece> headersOf(std::size_t page) const;
+    // Over all pages, in order of place. Each takes a look at every page.
+    [[nodiscard]] std::vector<PlacedSubdocument> subdocuments() const;
+    [[nodiscard]] std::vector<OutlineEntry> outline() const;
+    [[nodiscard]] std::optional<std::pair<std::size_t, double>>
+    anchor(const std::string& name) const; // page and height on it
 };
 
-[[nodiscard]] Pages layOut(const document::Model& model, const Objects& objects);
+using ModelPointer = std::shared_ptr<const document::Model>;
 
-// The same a little at a time, from the first page to the last. Headers and footers come at the
-// end, when the number of pages is known. Model and objects are read until then.
+[[nodiscard]] Pages layOut(const ModelPointer& model, const Objects& objects);
+
+// The pages of `model`, of which as many as possible are those of `old`.
+[[nodiscard]] Pages relaid(const Pages& old, const ModelPointer& model, const Objects& objects);
+
+// The same a little at a time, from the first page that is made to the last.
 class Pagination {
 public:
-    Pagination(const document::Model& model, const Objects& objects);
+    Pagination(const ModelPointer& model, const Objects& objects, const Pages& old = {});
     ~Pagination();
     Pagination(const Pagination&) = delete;
     Pagination& operator=(const Pagination&) = delete;
 
     // Some paragraphs' or a page's worth of work; false: there is none left.
     [[nodiscard]] bool step();
-    // All but the last of them are full.
-    [[nodiscard]] const Pages& pages() const;
+    // So far. What is not made yet is old, if there are old ones.
+    [[nodiscard]] Pages pages() const;
+    [[nodiscard]] std::size_t count() const; // of pages that are made
     [[nodiscard]] Pages take();
 
 private:

@@ -1,5 +1,7 @@
 #include "layout/find.h"
+#include "layout/flow.h"
 #include "layout/measure.h"
+#include "layout/model_testing.h"
 #include "layout/paint.h"
 
 #include <gmock/gmock.h>
@@ -14,50 +16,14 @@
 namespace layout {
 namespace {
 
-std::shared_ptr<document::Block> paragraph(const std::string& text) {
-    auto block = std::make_shared<document::Block>();
-    document::Run run;
-    run.text = text;
-    block->runs.push_back(run);
-    return block;
-}
-
-// With the mark of a footnote behind the text.
-std::shared_ptr<document::Block> noted(const std::string& text, const std::string& mark,
-                                       const std::string& note) {
-    auto block = paragraph(text);
-    auto footnote = std::make_shared<document::Footnote>();
-    footnote->blocks.push_back(paragraph(note));
-    document::Run run;
-    run.kind = document::RunKind::footnote;
-    run.text = mark;
-    run.footnote = footnote;
-    block->runs.push_back(run);
-    return block;
-}
-
-std::shared_ptr<document::Block> picture(document::SubdocumentId id) {
-    auto block = std::make_shared<document::Block>();
-    block->kind = document::BlockKind::subdocument;
-    block->subdocument = id;
-    block->style.keepWithNext = true;
-    return block;
-}
-
-std::shared_ptr<document::Block> tableOf(std::vector<document::Row> rows) {
-    auto block = std::make_shared<document::Block>();
-    block->kind = document::BlockKind::table;
-    block->rows = std::move(rows);
-    return block;
-}
-
 class PagesTest : public ::testing::Test {
 protected:
     PagesTest() {
         setStyle({});
         objects_.subdocumentSize = [this](document::SubdocumentId) { return size_; };
     }
-    Pages pages() const { return layOut(model_, objects_); }
+    ModelPointer model() const { return std::make_shared<document::Model>(model_); }
+    Pages pages() const { return layOut(model(), objects_); }
     void setStyle(const document::TextStyle& style) {
         const auto styles = std::make_shared<document::TextStyles>();
         styles->numberOf(style);
@@ -84,8 +50,8 @@ TEST_F(PagesTest, EveryLineIsOnExactlyOnePageAndInsideTheMargins) {
                                           std::string(300, 'x').replace(150, 1, " ")));
     const Pages laid = pages();
     std::size_t lines = 0;
-    for (const Page& page : laid.pages)
-        for (const Piece& piece : page.pieces) {
+    for (const auto& page : laid.pages)
+        for (const Piece& piece : page->pieces) {
             const auto& text = std::get<TextPiece>(piece);
             ++lines;
             EXPECT_GE(text.at.y(), fromPoints(72));
@@ -94,8 +60,9 @@ TEST_F(PagesTest, EveryLineIsOnExactlyOnePageAndInsideTheMargins) {
         }
     std::size_t expected = 0;
     Work work;
-    const Surroundings in{model_,       objects_,    work, fromPoints(595.276 - 144),
-                          areaHeight(), areaHeight()};
+    Stock stock(model_.textStyles);
+    (void)stock.sizes().follow(objects_);
+    const Surroundings in{stock, work, fromPoints(595.276 - 144), areaHeight(), areaHeight()};
     Flow flow(in, model_.blocks);
     for (Strip strip; flow.next(strip) == Made::strip; strip = {})
         ++expected;
@@ -111,8 +78,8 @@ TEST_F(PagesTest, AHeadingIsNeverTheLastOfAPage) {
     }
     const Pages laid = pages();
     ASSERT_GT(laid.pages.size(), 3u);
-    for (const Page& page : laid.pages)
-        EXPECT_EQ(lastText(page), "Text");
+    for (const auto& page : laid.pages)
+        EXPECT_EQ(lastText(*page), "Text");
 }
 
 TEST_F(PagesTest, AFigureWithoutRoomMovesToTheNextPageAndTextFillsTheGap) {
@@ -124,18 +91,18 @@ TEST_F(PagesTest, AFigureWithoutRoomMovesToTheNextPageAndTextFillsTheGap) {
     for (int i = 0; i < 25; ++i)
         model_.blocks.push_back(paragraph("After"));
     const Pages laid = pages();
-    ASSERT_EQ(laid.subdocuments.size(), 1u);
-    EXPECT_EQ(laid.subdocuments[0].page, 1u);
-    EXPECT_EQ(laid.subdocuments[0].rect.top(), fromPoints(72));
-    EXPECT_EQ(lastText(laid.pages[0]), "After");
+    ASSERT_EQ(laid.subdocuments().size(), 1u);
+    EXPECT_EQ(laid.subdocuments()[0].page, 1u);
+    EXPECT_EQ(laid.subdocuments()[0].rect.top(), fromPoints(72));
+    EXPECT_EQ(lastText(*laid.pages[0]), "After");
 }
 
 TEST_F(PagesTest, APictureLargerThanThePageIsMadeToFit) {
     size_ = QSizeF(fromPoints(5000), fromPoints(9000));
     model_.blocks.push_back(picture(1));
     const Pages laid = pages();
-    ASSERT_EQ(laid.subdocuments.size(), 1u);
-    const QRectF rect = laid.subdocuments[0].rect;
+    ASSERT_EQ(laid.subdocuments().size(), 1u);
+    const QRectF rect = laid.subdocuments()[0].rect;
     EXPECT_LE(rect.bottom(), laid.size.height() - fromPoints(72));
     EXPECT_NEAR(rect.width() / rect.height(), 5.0 / 9.0, 1e-9);
 }
@@ -169,10 +136,10 @@ TEST_F(PagesTest, InlineSubdocumentsStandInTheirLine) {
     block->runs.push_back(after);
     model_.blocks.push_back(block);
     const Pages laid = pages();
-    ASSERT_EQ(laid.subdocuments.size(), 1u);
-    EXPECT_EQ(laid.subdocuments[0].rect.size(), size_);
-    EXPECT_GE(laid.subdocuments[0].rect.top(), fromPoints(72) - 1e-6);
-    EXPECT_GT(laid.subdocuments[0].rect.left(), fromPoints(72));
+    ASSERT_EQ(laid.subdocuments().size(), 1u);
+    EXPECT_EQ(laid.subdocuments()[0].rect.size(), size_);
+    EXPECT_GE(laid.subdocuments()[0].rect.top(), fromPoints(72) - 1e-6);
+    EXPECT_GT(laid.subdocuments()[0].rect.left(), fromPoints(72));
 }
 
 TEST_F(PagesTest, TablesFitTheirWidth) {
@@ -182,7 +149,7 @@ TEST_F(PagesTest, TablesFitTheirWidth) {
             cell.blocks.push_back(paragraph("several words that want much room in a cell"));
     model_.blocks.push_back(tableOf(rows));
     const Pages laid = pages();
-    for (const Piece& piece : laid.pages[0].pieces) {
+    for (const Piece& piece : laid.pages[0]->pieces) {
         const auto& text = std::get<TextPiece>(piece);
         EXPECT_LE(text.at.x() + text.paragraph->naturalWidth(), fromPoints(595.276 - 72) + 1);
     }
@@ -198,8 +165,8 @@ std::string words(int count, const std::string& name) {
 // The words on all pages, none of which stands outside the margins.
 std::multiset<std::string> wordsOn(const Pages& laid, double bottom) {
     std::multiset<std::string> found;
-    for (const Page& page : laid.pages)
-        for (const Piece& piece : page.pieces)
+    for (const auto& page : laid.pages)
+        for (const Piece& piece : page->pieces)
             if (const auto* text = std::get_if<TextPiece>(&piece)) {
                 const double height =
                     text->paragraph->lines()[static_cast<std::size_t>(text->line)].height;
@@ -310,7 +277,8 @@ TEST_F(PagesTest, FramesLieInEachOther) {
                 frames.push_back(*frame);
         return frames;
     };
-    const std::vector<FramePiece> first = framesOf(laid.pages[0]), second = framesOf(laid.pages[1]);
+    const std::vector<FramePiece> first = framesOf(*laid.pages[0]),
+                                  second = framesOf(*laid.pages[1]);
     ASSERT_GE(first.size(), 2u);
     EXPECT_LT(first[0].rect.left(), first[1].rect.left());
     EXPECT_EQ(first[1].rect.top() - first[0].rect.top(), fromPoints(5));
@@ -332,7 +300,7 @@ TEST_F(PagesTest, SegmentsLeaveNoTrace) {
     const std::string text = words(5000, "some");
     const auto block = paragraph(text);
     block->style.align = document::Align::justify;
-    Paragraph whole(model_, *block, 8000, objects_);
+    Paragraph whole(std::make_shared<Materials>(model_.textStyles), block, 8000);
     std::string together;
     for (std::size_t i = 0; whole.makeLine(i); ++i) {
         together += whole.textOfLine(static_cast<int>(i)).toStdString();
@@ -347,8 +315,8 @@ TEST_F(PagesTest, SegmentsLeaveNoTrace) {
 TEST_F(PagesTest, PagesComeOneAfterTheOther) {
     for (int i = 0; i < 2000; ++i)
         model_.blocks.push_back(paragraph("line"));
-    Pagination pagination(model_, objects_);
-    while (pagination.pages().pages.size() < 3)
+    Pagination pagination(model(), objects_);
+    while (pagination.count() < 3)
         ASSERT_TRUE(pagination.step());
     EXPECT_LT(pagination.pages().work.strips, 500u); // no more is made than what is shown
     while (pagination.step())
@@ -366,7 +334,7 @@ TEST_F(PagesTest, LettersArePaintedInTheirColour) {
     image.fill(Qt::white);
     QPainter painter(&image);
     painter.scale(1 / twipsPerPixel, 1 / twipsPerPixel);
-    paintPage(painter, laid.pages[0], {0, 0, 9000, 3000}, {});
+    paintPage(painter, laid, 0, {0, 0, 9000, 3000}, {});
     bool red = false;
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x)

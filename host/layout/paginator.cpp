@@ -1,5 +1,6 @@
 #include "layout/paginator.h"
 
+#include "layout/cells.h"
 #include "layout/measure.h"
 #include "layout/typeface.h"
 
@@ -12,126 +13,196 @@ namespace {
 constexpr double rulePoints = 0.5;
 constexpr double noteGapPoints = 8;
 constexpr double captionPoints = 80; // of a page that a picture leaves to its caption
-constexpr double leastPoints = 50;   // of a text area, whatever the margins are
+constexpr double leastPicturePoints = 50;
+
+std::shared_ptr<Basis> basisOf(const ModelPointer& model, const Pages& old) {
+    const bool sameStyles =
+        old.basis && old.basis->stock->materials()->looks.styles() == model->textStyles;
+    return std::make_shared<Basis>(model, sameStyles ? old.basis->stock
+                                                     : std::make_shared<Stock>(model->textStyles));
+}
+
+// Pages of the same size, set by the same styles.
+Pages comparable(const Pages& old, const Basis& now) {
+    if (!old.basis || old.basis->stock != now.stock ||
+        old.size != QSizeF(fromPoints(now.model->page.width), fromPoints(now.model->page.height)) ||
+        textAreaOf(old.basis->model->page) != textAreaOf(now.model->page))
+        return {};
+    return old;
+}
 
 } // namespace
 
-Paginator::Paginator(const document::Model& model, const Objects& objects)
-    : model_(model), left_(fromPoints(model.page.marginLeft)),
-      top_(fromPoints(model.page.marginTop)),
-      bottom_(std::max(fromPoints(model.page.height - model.page.marginBottom),
-                       top_ + fromPoints(leastPoints))),
-      width_(std::max(fromPoints(model.page.width - model.page.marginRight) - left_,
-                      fromPoints(leastPoints))),
-      in_{model,
-          objects,
-          pages_.work,
-          width_,
-          std::max(pageHeight() - fromPoints(captionPoints), fromPoints(leastPoints)),
-          pageHeight()},
-      flow_(in_, model.blocks), notes_(in_), frames_(model) {
-    pages_.size = {fromPoints(model.page.width), fromPoints(model.page.height)};
-    pages_.paper = colorOf(model.page.background);
-    newPage();
+Paginator::Paginator(const ModelPointer& model, const Objects& objects, const Pages& old)
+    : area_(textAreaOf(model->page)), basis_(basisOf(model, old)),
+      old_(comparable(old, *basis_), *basis_, basis_->stock->sizes().follow(objects)),
+      in_{*basis_->stock, pages_.work, area_.width,
+          std::max(area_.height() - fromPoints(captionPoints), fromPoints(leastPicturePoints)),
+          area_.height()},
+      groups_(in_, model->blocks), notes_(in_) {
+    pages_.size = {fromPoints(model->page.width), fromPoints(model->page.height)};
+    pages_.paper = colorOf(model->page.background);
+    const bool sameHeaders = old.headers && old.headers->isOf(model->page, model->title);
+    pages_.headers =
+        sameHeaders ? old.headers : std::make_shared<const Headers>(model->page, model->title);
+    if (const auto part = old_.first())
+        follow(*part);
+    else
+        beginPage({});
 }
 
 bool Paginator::step() {
-    switch (stage_) {
-    case Stage::text: {
-        const Made made = readGroup();
-        if (made == Made::strip)
-            placeOrFloat(std::exchange(group_, {}));
-        if (made == Made::end)
-            stage_ = Stage::rest;
-        return true;
+    if (std::exchange(pageBegun_, false)) {
+        if (const auto part = old_.met(basis_->starts.back())) {
+            basis_->starts.pop_back();
+            follow(*part);
+            return stage_ != Stage::done;
+        }
+        fillNotes(true);
     }
+    switch (stage_) {
+    case Stage::read:
+        stage_ = readGroup();
+        break;
+    case Stage::begin:
+        stage_ = Stage::consider;
+        if (hand_.strips.front().breakBefore && !atTop()) {
+            newPage(PageStart::Next::afterBreak);
+            stage_ = Stage::afterBreak;
+        }
+        break;
+    case Stage::afterBreak:
+        placeFloats();
+        stage_ = Stage::consider;
+        break;
+    case Stage::consider:
+        stage_ = considerGroup();
+        break;
+    case Stage::afterFull:
+        placeFloats();
+        stage_ = Stage::place;
+        if (!mayBegin(hand_) && !isFresh())
+            newPage(PageStart::Next::place);
+        break;
+    case Stage::place:
+        stage_ = placeHand();
+        break;
     case Stage::rest:
         if (!floats_.empty() || notes_.isWaiting()) {
-            newPage();
+            newPage(PageStart::Next::within);
             placeFloats();
-            return true;
+            break;
         }
         finishPage();
-        stage_ = Stage::headers;
-        return true;
-    case Stage::headers:
-        if (headed_ < pages_.pages.size()) {
-            addHeaders(headed_++);
-            return true;
-        }
         stage_ = Stage::done;
-        return false;
+        break;
     case Stage::done:
         break;
     }
-    return false;
+    return stage_ != Stage::done;
+}
+
+Pages Paginator::pages() const {
+    Pages result = pages_;
+    if (stage_ == Stage::done || basis_->starts.empty())
+        return result;
+    const auto& old = old_.pages().pages;
+    const std::size_t rest = old_.behind(basis_->starts.back());
+    result.pages.insert(result.pages.end(),
+                        old.begin() + static_cast<std::ptrdiff_t>(std::min(rest, old.size())),
+                        old.end());
+    return result;
+}
+
+Pages Paginator::take() {
+    pages_.basis = basis_;
+    return std::move(pages_);
+}
+
+// --- old pages ---------------------------------------------------------------------------------
+
+void Paginator::follow(const OldPages::Part& part) {
+    const auto& old = old_.pages().pages;
+    for (std::size_t i = part.from; i < part.to; ++i) {
+        pages_.pages.push_back(old[i]);
+        basis_->starts.push_back(old_.startOf(i, part.shift));
+    }
+    if (part.next)
+        resume(*part.next);
+    else
+        stage_ = Stage::done;
+}
+
+Group Paginator::groupAt(const GroupStart& start) {
+    groups_.seek(start);
+    Group group;
+    while (groups_.read(group) == Made::pause)
+        continue;
+    return group;
+}
+
+void Paginator::resume(const PageStart& start) {
+    floats_.clear();
+    for (const GroupStart& waiting : start.floats)
+        floats_.push_back(groupAt(waiting));
+    hand_ = {};
+    groups_.seek(start.group);
+    using Next = PageStart::Next;
+    if (start.next != Next::read)
+        hand_ = groupAt(start.group);
+    strip_ = start.strip;
+    notes_.resume(start.notes);
+    stage_ = start.next == Next::read         ? Stage::read
+             : start.next == Next::afterBreak ? Stage::afterBreak
+             : start.next == Next::afterFull  ? Stage::afterFull
+                                              : Stage::place;
+    beginPage(start);
+    pageBegun_ = true;
 }
 
 // --- groups ------------------------------------------------------------------------------------
 
-void Paginator::append(Strip strip) {
-    std::vector<Strip>& strips = group_.strips;
-    if (strips.empty())
-        group_.mayFloat = strip.mayFloat && !tooTall_;
-    else
-        group_.height += std::max(strips.back().after, strip.before);
-    group_.height += strip.cells ? 2 * pageHeight() : strip.height;
-    strips.push_back(std::move(strip));
-}
-
-// Made::strip: there is a group. No more is read of one than a page takes: what is taller cannot be
-// kept together.
-Made Paginator::readGroup() {
-    for (;;) {
-        Strip strip;
-        const Made made = ahead_ ? Made::strip : flow_.next(strip);
-        if (made != Made::strip)
-            return made == Made::end && !group_.strips.empty() ? Made::strip : made;
-        if (ahead_)
-            strip = std::move(*std::exchange(ahead_, {}));
-        if (strip.breakBefore) {
-            tooTall_ = false;
-            if (!group_.strips.empty()) {
-                ahead_ = std::move(strip);
-                return Made::strip;
-            }
-        }
-        const bool goesOn = strip.keepWithNext;
-        append(std::move(strip));
-        tooTall_ = goesOn && (tooTall_ || group_.height > pageHeight());
-        if (group_.height > pageHeight())
-            group_.mayFloat = false;
-        if (!goesOn || tooTall_)
-            return Made::strip;
+Paginator::Stage Paginator::readGroup() {
+    switch (groups_.read(hand_)) {
+    case Made::pause:
+        return Stage::read;
+    case Made::strip:
+        strip_ = 0;
+        return Stage::begin;
+    case Made::end:
+        break;
     }
+    hand_ = {groups_.next()};
+    return Stage::rest;
 }
 
 double Paginator::gapBefore(const Strip& strip) const {
     if (atTop())
-        return strip.firstOfBlock ? frames_.above(strip.block) : 0;
-    return std::max(after_, strip.before);
+        return strip.firstOfBlock ? basis_->frames.above(strip.block) : 0;
+    return std::max(filling_.after, strip.before);
 }
 
 double Paginator::roomBelow() const {
     if (notes_.isWaiting())
         return -1; // it is full of notes
-    return bottom_ - y_ - (notes_.isEmpty() ? 0 : notes_.height() + fromPoints(noteGapPoints));
+    return area_.bottom - filling_.y -
+           (notes_.isEmpty() ? 0 : notes_.height() + fromPoints(noteGapPoints));
 }
 
-bool Paginator::fits(double height, const std::vector<Notes::Footnote>& notes) {
+bool Paginator::fits(double height, const std::vector<Notes::Pointer>& notes) {
     const double room = roomBelow();
     if (notes.empty())
         return height <= room;
-    const Notes::Wanted wanted = notes_.wanted(notes, pageHeight());
+    const Notes::Wanted wanted = notes_.wanted(notes, area_.height());
     const double gap = notes_.isEmpty() ? fromPoints(noteGapPoints) : 0;
     if (height + gap + wanted.all <= room)
         return true;
     // Notes for which no page would be high enough are divided where their mark stands.
-    return height + gap + wanted.all > pageHeight() && height + gap + wanted.least <= room;
+    return height + gap + wanted.all > area_.height() && height + gap + wanted.least <= room;
 }
 
 bool Paginator::fits(const Group& group) {
-    std::vector<Notes::Footnote> notes;
+    std::vector<Notes::Pointer> notes;
     for (const Strip& strip : group.strips)
         notes.insert(notes.end(), strip.footnotes.begin(), strip.footnotes.end());
     pages_.work.strips += group.strips.size();
@@ -140,7 +211,7 @@ bool Paginator::fits(const Group& group) {
 
 // Here, that is: all of it, or of what is taller than a page anyway its first two strips.
 bool Paginator::mayBegin(const Group& group) {
-    if (group.height <= pageHeight())
+    if (group.height <= area_.height())
         return fits(group);
     double height = gapBefore(group.strips.front());
     for (std::size_t i = 0; i < std::min<std::size_t>(2, group.strips.size()); ++i)
@@ -148,49 +219,51 @@ bool Paginator::mayBegin(const Group& group) {
     return height <= roomBelow();
 }
 
-void Paginator::placeOrFloat(Group group) {
-    const Strip& front = group.strips.front();
-    if (front.breakBefore && !atTop()) {
-        newPage();
-        placeFloats();
-    }
-    if (!mayBegin(group) && !isFresh()) {
-        if (group.mayFloat) {
-            floats_.push_back(std::move(group));
-            return;
+Paginator::Stage Paginator::considerGroup() {
+    if (!mayBegin(hand_) && !isFresh()) {
+        if (hand_.mayFloat) {
+            floats_.push_back(std::exchange(hand_, {}));
+            return Stage::read;
         }
-        newPage();
-        placeFloats();
-        if (!mayBegin(group) && !isFresh())
-            newPage();
-    } else if (group.mayFloat && !floats_.empty()) {
-        floats_.push_back(std::move(group)); // figures keep their order
-        return;
+        newPage(PageStart::Next::afterFull);
+        return Stage::afterFull;
     }
-    place(group);
+    if (hand_.mayFloat && !floats_.empty()) {
+        floats_.push_back(std::exchange(hand_, {})); // figures keep their order
+        return Stage::read;
+    }
+    return Stage::place;
+}
+
+// The rest of the group, or as much as the page takes.
+Paginator::Stage Paginator::placeHand() {
+    for (; strip_ < hand_.strips.size(); ++strip_) {
+        const Strip& strip = hand_.strips[strip_];
+        if (!strip.cells && !fits(strip) && !isFresh()) {
+            newPage(PageStart::Next::place);
+            return Stage::place;
+        }
+        placeStrip(strip);
+    }
+    return Stage::read;
 }
 
 void Paginator::placeFloats() {
     while (!floats_.empty() && (isFresh() || fits(floats_.front()))) {
         const Group group = std::move(floats_.front());
         floats_.pop_front();
-        place(group);
+        for (const Strip& strip : group.strips)
+            placeStrip(strip);
     }
 }
 
-// --- pages -------------------------------------------------------------------------------------
-
-void Paginator::place(const Group& group) {
-    for (const Strip& strip : group.strips) {
-        if (strip.cells) {
-            placeCells(strip);
-            continue;
-        }
-        while (!fits(gapBefore(strip) + strip.height, strip.footnotes) && !isFresh())
-            newPage();
-        y_ += gapBefore(strip);
-        put(strip, strip.firstOfBlock, strip.lastOfBlock);
-    }
+void Paginator::placeStrip(const Strip& strip) {
+    if (strip.cells)
+        return placeCells(strip);
+    while (!fits(strip) && !isFresh())
+        newPage(PageStart::Next::within);
+    filling_.y += gapBefore(strip);
+    put(strip, strip.firstOfBlock, strip.lastOfBlock);
 }
 
 // As much of a tall row as there is room for, on as many pages as it takes.
@@ -201,36 +274,42 @@ void Paginator::placeCells(const Strip& strip) {
         const double gap = begun ? 0 : gapBefore(strip);
         Strip part = cells.take(roomBelow() - gap, isFresh());
         if (part.height > 0 || cells.isTaken()) {
-            y_ += gap;
+            filling_.y += gap;
             part.block = strip.block;
             part.after = strip.after;
+            part.columns = strip.columns;
             put(part, strip.firstOfBlock && !begun, strip.lastOfBlock && cells.isTaken());
             begun = true;
         }
         if (!cells.isTaken())
-            newPage();
+            newPage(PageStart::Next::within);
     }
 }
+
+// --- pages -------------------------------------------------------------------------------------
 
 void Paginator::put(const Strip& strip, bool first, bool last) {
     if (first)
         remember(strip);
+    const document::Block* block = basis_->model->blocks[strip.block].get();
     for (const Piece& piece : strip.pieces)
-        put(moved(piece, {left_, y_}));
-    placed_.push_back({strip.block, first, last, y_, y_ + strip.height});
-    y_ += strip.height;
-    after_ = strip.after;
-    for (const Notes::Footnote& note : strip.footnotes)
-        notes_.mark(note);
+        put(moved(piece, {area_.left, filling_.y}), block);
+    auto& columns = filling_.page->columns;
+    if (strip.columns && (columns.empty() || columns.back() != strip.columns))
+        columns.push_back(strip.columns);
+    filling_.placed.push_back({strip.block, first, last, filling_.y, filling_.y + strip.height});
+    filling_.y += strip.height;
+    filling_.after = strip.after;
+    for (const Notes::Pointer& note : strip.footnotes)
+        notes_.mark(note, block);
     fillNotes(false);
 }
 
 // What refers to places: the outline and the anchors.
 void Paginator::remember(const Strip& strip) {
-    const document::Block& block = *model_.blocks[strip.block];
-    const std::size_t page = pages_.pages.size() - 1;
+    const document::Block& block = *basis_->model->blocks[strip.block];
     for (const std::string& anchor : block.anchors)
-        pages_.anchors[anchor] = {page, y_};
+        filling_.page->anchors.emplace_back(anchor, filling_.y);
     if (block.headingLevel <= 0)
         return;
     QString text = QString::fromStdString(block.marker);
@@ -240,87 +319,73 @@ void Paginator::remember(const Strip& strip) {
                          ? QString()
                          : QStringLiteral(" ")) +
                     QString::fromStdString(run.text);
-    pages_.outline.push_back({text, block.headingLevel, page, y_});
+    filling_.page->headings.push_back({text, block.headingLevel, filling_.y});
 }
 
-void Paginator::put(const Piece& piece) {
+void Paginator::put(const Piece& piece, const document::Block* block) {
     if (const auto* placed = std::get_if<SubdocumentPiece>(&piece))
-        pages_.subdocuments.push_back({placed->subdocument, pages_.pages.size() - 1, placed->rect});
-    pages_.pages.back().pieces.push_back(piece);
+        filling_.page->objects.push_back({placed->subdocument, {}, placed->rect, block});
+    else if (const auto* image = std::get_if<ImagePiece>(&piece))
+        filling_.page->objects.push_back(
+            {document::noSubdocument, image->source, image->rect, block});
+    filling_.page->pieces.push_back(piece);
 }
 
 void Paginator::fillNotes(bool forced) {
     if (notes_.isWaiting())
-        notes_.fill(bottom_ - y_ - fromPoints(noteGapPoints), forced);
+        notes_.fill(area_.bottom - filling_.y - fromPoints(noteGapPoints), forced);
 }
 
-void Paginator::newPage() {
-    if (!pages_.pages.empty())
-        finishPage();
-    pages_.pages.emplace_back();
-    y_ = top_;
-    after_ = 0;
-    fillNotes(true);
+void Paginator::newPage(PageStart::Next next) {
+    finishPage();
+    PageStart start;
+    start.next = next;
+    start.group = hand_.start;
+    start.strip = strip_;
+    start.first = start.group.at.block;
+    if (!floats_.empty())
+        start.first = floats_.front().start.at.block;
+    start.reached = groups_.reached();
+    for (const Group& waiting : floats_)
+        start.floats.push_back(waiting.start);
+    if (auto waiting = notes_.waiting())
+        start.notes = std::move(*waiting);
+    else
+        start.next = PageStart::Next::within;
+    beginPage(start);
+    if (next == PageStart::Next::within)
+        fillNotes(true);
+    else
+        pageBegun_ = true;
+}
+
+void Paginator::beginPage(const PageStart& start) {
+    basis_->starts.push_back(start);
+    filling_ = {std::make_shared<Page>(), {}, area_.top, 0};
+    ++pages_.work.pages;
 }
 
 // Boxes lie behind what is in them; footnotes stand at the bottom.
 void Paginator::finishPage() {
-    const std::vector<FramePiece> behind = frames_.on(placed_, left_, width_, pages_.work.boxes);
-    auto& pieces = pages_.pages.back().pieces;
+    const std::vector<FramePiece> behind =
+        basis_->frames.on(filling_.placed, area_.left, area_.width, pages_.work.boxes);
+    auto& pieces = filling_.page->pieces;
     pieces.insert(pieces.begin(), behind.begin(), behind.end());
     addNotes();
-    placed_.clear();
+    pages_.pages.push_back(std::move(filling_.page));
 }
 
 void Paginator::addNotes() {
     if (notes_.isEmpty())
         return;
-    const double y = bottom_ - notes_.height();
+    const double y = area_.bottom - notes_.height();
     const double ruleTop = y - fromPoints(noteGapPoints / 2);
-    put(FramePiece{
-        {left_, ruleTop, width_ / 4, fromPoints(rulePoints)}, document::Color{150, 150, 150}, {}});
-    for (const Piece& piece : notes_.take())
-        put(moved(piece, {left_, y}));
-}
-
-// --- headers and footers -----------------------------------------------------------------------
-
-void Paginator::addHeaders(std::size_t page) {
-    const document::PageStyle& style = model_.page;
-    const double height = fromPoints(style.headerStyle.size * 1.2);
-    if (page > 0 || style.headerOnFirstPage) {
-        const double y = top_ / 2 - height / 2;
-        addLine(page, style.headerLeft, document::Align::left, y);
-        addLine(page, style.headerCenter, document::Align::center, y);
-        addLine(page, style.headerRight, document::Align::right, y);
-    }
-    const double y = bottom_ + (pages_.size.height() - bottom_) / 2 - height / 2;
-    addLine(page, style.footerLeft, document::Align::left, y);
-    addLine(page, style.footerCenter, document::Align::center, y);
-    addLine(page, style.footerRight, document::Align::right, y);
-}
-
-void Paginator::addLine(std::size_t page, const std::string& pattern, document::Align align,
-                        double y) {
-    if (pattern.empty())
-        return;
-    QString text = QString::fromStdString(pattern);
-    text.replace("{page}", QString::number(page + 1));
-    text.replace("{pages}", QString::number(pages_.pages.size()));
-    text.replace("{title}", QString::fromStdString(model_.title));
-    static const Objects none;
-    document::Model model;
-    const auto styles = std::make_shared<document::TextStyles>();
-    styles->numberOf(model_.page.headerStyle);
-    model.textStyles = styles;
-    document::Block block;
-    block.style.align = align;
-    document::Run run;
-    run.text = text.toStdString();
-    block.runs.push_back(run);
-    const auto paragraph = std::make_shared<Paragraph>(model, block, width_, none);
-    if (paragraph->makeLine(0))
-        pages_.pages[page].pieces.push_back(TextPiece{paragraph, 0, {left_, y}});
+    put(FramePiece{{area_.left, ruleTop, area_.width / 4, fromPoints(rulePoints)},
+                   document::Color{150, 150, 150},
+                   {}},
+        nullptr);
+    for (const Notes::Taken& taken : notes_.take())
+        put(moved(taken.piece, {area_.left, y}), taken.block);
 }
 
 } // namespace layout

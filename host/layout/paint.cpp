@@ -51,11 +51,15 @@ QRectF boundsOf(const TextPiece& text) {
 
 } // namespace
 
-void paintPage(QPainter& painter, const Page& page, const QRectF& clip, const Painters& painters) {
-    for (const Piece& piece : page.pieces) {
+void paintPage(QPainter& painter, const Pages& pages, std::size_t page, const QRectF& clip,
+               const Painters& painters) {
+    const auto paintText = [&](const TextPiece& text) {
+        if (boundsOf(text).intersects(clip))
+            text.paragraph->paintLine(painter, text.line, text.at);
+    };
+    for (const Piece& piece : pages.pages[page]->pieces) {
         if (const auto* text = std::get_if<TextPiece>(&piece)) {
-            if (boundsOf(*text).intersects(clip))
-                text->paragraph->paintLine(painter, text->line, text->at);
+            paintText(*text);
         } else if (const auto* frame = std::get_if<FramePiece>(&piece)) {
             if (frame->rect.intersects(clip))
                 paintFrame(painter, *frame);
@@ -67,6 +71,8 @@ void paintPage(QPainter& painter, const Page& page, const QRectF& clip, const Pa
                 painters.subdocument(painter, *placed);
         }
     }
+    for (const TextPiece& text : pages.headersOf(page))
+        paintText(text);
 }
 
 } // namespace layout

@@ -15,6 +15,7 @@ struct Painters {
 };
 
 // Only what touches `clip` is drawn.
-void paintPage(QPainter& painter, const Page& page, const QRectF& clip, const Painters& painters);
+void paintPage(QPainter& painter, const Pages& pages, std::size_t page, const QRectF& clip,
+               const Painters& painters);
 
 } // namespace layout

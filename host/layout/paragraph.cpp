@@ -27,70 +27,138 @@ Qt::Alignment alignmentOf(document::Align align) {
     return Qt::AlignLeft;
 }
 
-const document::TextStyle& styleOf(const document::Model& model, std::uint32_t index) {
-    static const document::TextStyle plain;
-    return model.textStyles && index < model.textStyles->size() ? (*model.textStyles)[index]
-                                                                : plain;
-}
-
 } // namespace
 
-Paragraph::Paragraph(const document::Model& model, const document::Block& block, double width,
-                     const Objects& objects, const QString& prefix)
-    : model_(model), objectsOf_(objects), kind_(block.kind), style_(block.style), width_(width),
-      runs_(block.runs) {
-    const document::TextStyle& style =
-        styleOf(model, runs_.empty() ? block.textStyle : runs_.front().style);
-    font_ = fontOf(style);
-    leading_ = fromPoints(style.size) * block.style.lineHeight;
-    if (!prefix.isEmpty()) {
-        formats_.append({0, static_cast<int>(prefix.size()), format(block.markerStyle)});
-        text_ = prefix;
+// --- what is kept ------------------------------------------------------------------------------
+
+// Of all paragraphs, what was asked for last in front. LIMIT: one thread lays out and paints.
+class Paragraph::Kept {
+public:
+    // Never destroyed: paragraphs may live as long as the program.
+    static Kept& all() {
+        static Kept& kept = *new Kept;
+        return kept;
     }
+    KeptPlace add(const Paragraph& of, int segment, int letters) {
+        items_.push_front({&of, segment, static_cast<std::size_t>(letters)});
+        letters_ += items_.front().letters;
+        while (letters_ > mostKept && items_.size() > 1) {
+            const KeptItem last = items_.back();
+            last.of->forget(last.segment); // removes it
+        }
+        return items_.begin();
+    }
+    void use(KeptPlace item, int letters) {
+        items_.splice(items_.begin(), items_, item);
+        letters_ -= std::exchange(item->letters, static_cast<std::size_t>(letters));
+        letters_ += item->letters;
+    }
+    void remove(KeptPlace item) {
+        letters_ -= item->letters;
+        items_.erase(item);
+    }
+    [[nodiscard]] std::size_t letters() const { return letters_; }
+
+private:
+    std::list<KeptItem> items_;
+    std::size_t letters_ = 0;
+};
+
+std::size_t Paragraph::lettersKept() { return Kept::all().letters(); }
+
+void Paragraph::forget(int segment) const {
+    if (segment == ofLetters) {
+        Kept::all().remove(*letters_->kept);
+        letters_.reset();
+        return;
+    }
+    Segment& of = segments_[static_cast<std::size_t>(segment)];
+    Kept::all().remove(of.kept);
+    of.layout.reset();
 }
 
-const QTextCharFormat& Paragraph::format(std::uint32_t style) {
-    const auto [known, isNew] = styles_.try_emplace(style);
-    if (isNew)
-        known->second = formatOf(styleOf(model_, style));
-    return known->second;
+Paragraph::Paragraph(std::shared_ptr<Materials> materials, BlockPointer block, double width,
+                     bool markerInFront)
+    : materials_(std::move(materials)), block_(std::move(block)), width_(width),
+      markerInFront_(markerInFront) {
+    const std::uint32_t style = block_->runs.empty() ? block_->textStyle : block_->runs[0].style;
+    leading_ = fromPoints(materials_->looks.style(style).size) * block_->style.lineHeight;
+}
+
+Paragraph::~Paragraph() {
+    if (letters_ && letters_->kept)
+        forget(ofLetters);
+    for (std::size_t i = 0; i < segments_.size(); ++i)
+        if (segments_[i].layout)
+            forget(static_cast<int>(i));
 }
 
 // --- letters -----------------------------------------------------------------------------------
 
-void Paragraph::readRuns(int to) {
-    while (text_.size() < to && runStarts_.size() < runs_.size())
-        append(runStarts_.size());
+const Paragraph::Letters& Paragraph::read(int to) const {
+    if (!letters_) {
+        letters_ = std::make_unique<Letters>();
+        if (markerInFront_) {
+            letters_->text = QString::fromStdString(block_->marker) + QChar(' ');
+            letters_->formats.append({0, static_cast<int>(letters_->text.size()),
+                                      materials_->looks.format(block_->markerStyle)});
+        }
+    }
+    while (letters_->text.size() < to && letters_->runStarts.size() < block_->runs.size())
+        append(letters_->runStarts.size());
+    const auto length = static_cast<int>(letters_->text.size());
+    if (letters_->kept)
+        Kept::all().use(*letters_->kept, length);
+    else if (complete_) // until then they are needed for the next line
+        letters_->kept = Kept::all().add(*this, ofLetters, length);
+    return *letters_;
 }
 
-void Paragraph::append(std::size_t index) {
-    const document::Run& run = runs_[index];
-    const int start = static_cast<int>(text_.size());
-    runStarts_.push_back(start);
-    QTextCharFormat own = format(run.style);
-    if (run.kind == document::RunKind::subdocument && objectsOf_.subdocumentSize) {
-        const QSizeF size = objectsOf_.subdocumentSize(run.subdocument);
-        objects_.push_back({index, start, size});
-        text_ += blank;
+// What is read again has the size that its lines were made for.
+QSizeF Paragraph::sizeOfObject(std::size_t run, int position) const {
+    if (run >= runsRead_) {
+        const QSizeF size = materials_->sizes.subdocument(block_->runs[run].subdocument);
+        objects_.push_back({run, position, size, 0});
+        return size;
+    }
+    const auto isBefore = [](const InlineObject& object, int at) { return object.position < at; };
+    return std::lower_bound(objects_.begin(), objects_.end(), position, isBefore)->size;
+}
+
+void Paragraph::append(std::size_t index) const {
+    const document::Run& run = block_->runs[index];
+    QString& text = letters_->text;
+    const int start = static_cast<int>(text.size());
+    letters_->runStarts.push_back(start);
+    QTextCharFormat own = materials_->looks.format(run.style);
+    const bool isObject = run.kind == document::RunKind::subdocument;
+    if (isObject) {
+        text += blank;
         QFont font = own.font();
         font.setPixelSize(1);
-        font.setLetterSpacing(QFont::AbsoluteSpacing, size.width());
+        font.setLetterSpacing(QFont::AbsoluteSpacing, sizeOfObject(index, start).width());
         own.setFont(font);
     } else if (run.kind == document::RunKind::lineBreak) {
-        text_ += QChar(QChar::LineSeparator);
+        text += QChar(QChar::LineSeparator);
     } else {
-        text_ += QString::fromStdString(run.text).replace(QLatin1Char('\n'),
-                                                          QChar(QChar::LineSeparator));
+        text += QString::fromStdString(run.text).replace(QLatin1Char('\n'),
+                                                         QChar(QChar::LineSeparator));
     }
-    if (run.kind == document::RunKind::footnote)
-        footnotes_.emplace_back(start, run.footnote);
-    const int length = static_cast<int>(text_.size()) - start;
-    const bool isObject = !objects_.empty() && objects_.back().position == start;
-    if (!isObject && lastStyle_ == run.style)
-        formats_.back().length += length;
+    if (run.kind == document::RunKind::footnote && index >= runsRead_ && run.footnote)
+        marks_.push_back({start, run.footnote});
+    runsRead_ = std::max(runsRead_, index + 1);
+    const int length = static_cast<int>(text.size()) - start;
+    if (!isObject && letters_->lastStyle == run.style)
+        letters_->formats.back().length += length;
     else
-        formats_.append({start, length, own});
-    lastStyle_ = isObject ? std::nullopt : std::optional(run.style);
+        letters_->formats.append({start, length, own});
+    letters_->lastStyle = isObject ? std::nullopt : std::optional(run.style);
+}
+
+bool Paragraph::isOf(Sizes& sizes) const {
+    return std::ranges::all_of(objects_, [&](const InlineObject& object) {
+        return sizes.subdocument(block_->runs[object.run].subdocument) == object.size;
+    });
 }
 
 // --- lines -------------------------------------------------------------------------------------
@@ -109,61 +177,84 @@ bool endsBefore(const QTextLayout::FormatRange& range, int at) {
 
 } // namespace
 
-int Paragraph::lengthOfSegment() const {
-    int end = std::min(next_ + segmentLength, static_cast<int>(text_.size()));
-    const auto first = std::lower_bound(formats_.begin(), formats_.end(), next_, endsBefore);
-    if (formats_.end() - first > segmentFormats)
+int Paragraph::lengthOfSegment(const Letters& letters) const {
+    const auto& formats = letters.formats;
+    const auto all = static_cast<int>(letters.text.size());
+    int end = std::min(next_ + segmentLength, all);
+    const auto first = std::lower_bound(formats.begin(), formats.end(), next_, endsBefore);
+    if (formats.end() - first > segmentFormats)
         end = std::min(end, (first + segmentFormats)->start);
-    if (end < text_.size() && end > next_ + 1 && text_[end].isLowSurrogate())
+    if (end < all && end > next_ + 1 && letters.text[end].isLowSurrogate())
         --end;
     return end - next_;
 }
 
-void Paragraph::breakSegment() {
-    readRuns(next_ + segmentLength + 1);
-    const int length = lengthOfSegment();
-    const bool isLast = next_ + length == text_.size();
-    QTextOption option(alignmentOf(style_.align));
-    option.setUseDesignMetrics(true);
-    option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
-    if (!segments_.empty())
-        option.setTextDirection(segments_.front().layout->textOption().textDirection());
-    else if (!isLast)
-        option.setTextDirection(text_.isRightToLeft() ? Qt::RightToLeft : Qt::LeftToRight);
-    auto layout = std::make_unique<QTextLayout>(text_.mid(next_, length), font_);
-    layout->setTextOption(option);
-    layout->setCacheEnabled(true);
-    layout->setFormats(formatsOf(next_, next_ + length));
-    lettersShaped_ += static_cast<std::size_t>(length);
-    const std::size_t before = lines_.size();
-    layout->beginLayout();
-    for (QTextLine line = layout->createLine(); line.isValid(); line = layout->createLine()) {
-        const bool indented = lines_.empty() && kind_ != document::BlockKind::verbatim;
-        const double indent = indented ? fromPoints(style_.firstLine) : 0;
-        line.setLineWidth(std::max(width_ - indent, fromPoints(1)));
-        line.setPosition({indent, 0});
-        naturalWidth_ = std::max(naturalWidth_, line.naturalTextWidth() + indent);
-        lines_.push_back(measured(line, next_));
-        lines_.back().segment = segments_.size();
-        lines_.back().index = static_cast<int>(lines_.size() - 1 - before);
-    }
-    layout->endLayout();
-    leastWidth_ = std::max(leastWidth_, layout->minimumWidth());
-    const int from = next_;
-    next_ += length;
-    complete_ = isLast;
-    if (!isLast && lines_.size() > before + 1) {
-        // The text goes on in it: it is made anew.
-        next_ = from + layout->lineAt(lines_.back().index).textStart();
-        lines_.pop_back();
-    }
-    segments_.push_back({from, std::move(layout)});
+double Paragraph::indentOf(int from) const {
+    const bool isFirst = from == 0 && block_->kind != document::BlockKind::verbatim;
+    return isFirst ? fromPoints(block_->style.firstLine) : 0;
 }
 
-QList<QTextLayout::FormatRange> Paragraph::formatsOf(int from, int to) const {
+// The same each time that it is called.
+std::unique_ptr<QTextLayout> Paragraph::shaped(int from, int length) const {
+    const Letters& letters = read(from + length);
+    const auto& runs = block_->runs;
+    const std::uint32_t style = runs.empty() ? block_->textStyle : runs.front().style;
+    QTextOption option(alignmentOf(block_->style.align));
+    option.setUseDesignMetrics(true);
+    option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+    option.setTextDirection(direction_);
+    auto layout = std::make_unique<QTextLayout>(letters.text.mid(from, length),
+                                                materials_->looks.font(style));
+    layout->setTextOption(option);
+    layout->setCacheEnabled(true);
+    layout->setFormats(formatsOf(letters, from, from + length));
+    layout->beginLayout();
+    for (QTextLine line = layout->createLine(); line.isValid(); line = layout->createLine()) {
+        const double indent = indentOf(from + line.textStart());
+        line.setLineWidth(std::max(width_ - indent, fromPoints(1)));
+        line.setPosition({indent, 0});
+    }
+    layout->endLayout();
+    return layout;
+}
+
+void Paragraph::breakSegment() {
+    const Letters& letters = read(next_ + segmentLength + 1);
+    const int from = next_, length = lengthOfSegment(letters);
+    const bool isLast = from + length == letters.text.size();
+    if (segments_.empty() && !isLast)
+        direction_ = letters.text.isRightToLeft() ? Qt::RightToLeft : Qt::LeftToRight;
+    std::unique_ptr<QTextLayout> layout = shaped(from, length);
+    lettersShaped_ += static_cast<std::size_t>(length);
+    int count = layout->lineCount();
+    next_ = from + length;
+    if (!isLast && count > 1) // the text goes on in the last line: it is made anew
+        next_ = from + layout->lineAt(--count).textStart();
+    for (int i = 0; i < count; ++i) {
+        const QTextLine line = layout->lineAt(i);
+        naturalWidth_ =
+            std::max(naturalWidth_, line.naturalTextWidth() + indentOf(from + line.textStart()));
+        Line& made = lines_.emplace_back();
+        made.from = from + line.textStart();
+        made.to = made.from + line.textLength();
+        made.segment = static_cast<int>(segments_.size());
+        made.index = i;
+        measure(made, line);
+    }
+    leastWidth_ = std::max(leastWidth_, layout->minimumWidth());
+    complete_ = isLast;
+    segments_.push_back({from, length});
+    segments_.back().layout = std::move(layout);
+    segments_.back().kept = Kept::all().add(*this, static_cast<int>(segments_.size()) - 1, length);
+    if (complete_)
+        letters_.reset(); // most are asked for no more
+}
+
+QList<QTextLayout::FormatRange> Paragraph::formatsOf(const Letters& letters, int from, int to) {
     QList<QTextLayout::FormatRange> result;
-    for (auto at = std::lower_bound(formats_.begin(), formats_.end(), from, endsBefore);
-         at != formats_.end() && at->start < to; ++at) {
+    for (auto at =
+             std::lower_bound(letters.formats.begin(), letters.formats.end(), from, endsBefore);
+         at != letters.formats.end() && at->start < to; ++at) {
         QTextLayout::FormatRange part = *at;
         part.start = std::max(at->start, from) - from;
         part.length = std::min(at->start + at->length, to) - from - part.start;
@@ -172,35 +263,60 @@ QList<QTextLayout::FormatRange> Paragraph::formatsOf(int from, int to) const {
     return result;
 }
 
-Paragraph::Line Paragraph::measured(const QTextLine& line, int from) const {
-    const double ascent = line.ascent(), descent = line.descent();
-    Line result;
+void Paragraph::measure(Line& line, const QTextLine& of) {
+    const double ascent = of.ascent(), descent = of.descent();
     // Larger letters than the block's own need their own room, but not so much between lines.
-    result.height = std::max(leading_, ascent + descent > 1.25 * leading_ ? ascent + descent : 0);
-    result.baseline = (result.height - ascent - descent) / 2 + ascent;
-    const int first = from + line.textStart(), end = first + line.textLength();
-    const auto isBefore = [](const auto& object, int at) { return object.position < at; };
-    for (auto object = std::lower_bound(objects_.begin(), objects_.end(), first, isBefore);
-         object != objects_.end() && object->position < end; ++object) {
-        result.objects.push_back(*object);
-        const double grow = object->size.height() + leading_ - result.height;
+    line.height = std::max(leading_, ascent + descent > 1.25 * leading_ ? ascent + descent : 0);
+    line.baseline = (line.height - ascent - descent) / 2 + ascent;
+    const auto isBefore = [](const InlineObject& object, int at) { return object.position < at; };
+    for (auto object = std::lower_bound(objects_.begin(), objects_.end(), line.from, isBefore);
+         object != objects_.end() && object->position < line.to; ++object) {
+        object->left = of.cursorToX(object->position - line.from + of.textStart());
+        const double grow = object->size.height() + leading_ - line.height;
         if (grow > 0) {
-            result.height += grow;
-            result.baseline += grow;
+            line.height += grow;
+            line.baseline += grow;
         }
     }
-    const auto marksBefore = [](const auto& mark, int at) { return mark.first < at; };
-    for (auto mark = std::lower_bound(footnotes_.begin(), footnotes_.end(), first, marksBefore);
-         mark != footnotes_.end() && mark->first < end; ++mark)
-        result.footnotes.push_back(mark->second);
-    return result;
 }
 
 // --- what stands on them -----------------------------------------------------------------------
 
+namespace {
+
+template <class Thing>
+std::span<const Thing> within(const std::vector<Thing>& all, int from, int to) {
+    const auto isBefore = [](const Thing& thing, int at) { return thing.position < at; };
+    const auto first = std::lower_bound(all.begin(), all.end(), from, isBefore);
+    return {first, std::lower_bound(first, all.end(), to, isBefore)};
+}
+
+} // namespace
+
+std::span<const InlineObject> Paragraph::objectsOf(int line) const {
+    const auto [from, to] = rangeOfLine(line);
+    return within(objects_, from, to);
+}
+
+std::span<const NoteMark> Paragraph::notesOf(int line) const {
+    const auto [from, to] = rangeOfLine(line);
+    return within(marks_, from, to);
+}
+
+const QTextLayout& Paragraph::layoutOf(int segment) const {
+    Segment& of = segments_[static_cast<std::size_t>(segment)];
+    if (of.layout) {
+        Kept::all().use(of.kept, of.length);
+    } else {
+        of.layout = shaped(of.from, of.length);
+        of.kept = Kept::all().add(*this, segment, of.length);
+    }
+    return *of.layout;
+}
+
 QTextLine Paragraph::drawn(int line) const {
     const Line& of = lines_[static_cast<std::size_t>(line)];
-    return segments_[of.segment].layout->lineAt(of.index);
+    return layoutOf(of.segment).lineAt(of.index);
 }
 
 void Paragraph::paintLine(QPainter& painter, int line, QPointF topLeft) const {
@@ -213,44 +329,49 @@ void Paragraph::paintLine(QPainter& painter, int line, QPointF topLeft) const {
 
 QRectF Paragraph::objectRect(int line, const InlineObject& object) const {
     const double baseline = lines_[static_cast<std::size_t>(line)].baseline;
-    return {QPointF(leftOf(line, object.position), baseline - object.size.height()), object.size};
+    return {QPointF(object.left, baseline - object.size.height()), object.size};
 }
 
 const document::Run* Paragraph::runAt(int line, double x) const {
     const QTextLine found = drawn(line);
     if (x < found.naturalTextRect().left() || x > found.naturalTextRect().right())
         return nullptr;
-    const int position = segments_[lines_[static_cast<std::size_t>(line)].segment].from +
-                         found.xToCursor(x, QTextLine::CursorOnCharacter);
-    const auto behind = std::upper_bound(runStarts_.begin(), runStarts_.end(), position);
-    return behind == runStarts_.begin() ? nullptr : &runs_[behind - runStarts_.begin() - 1];
+    const Segment& segment =
+        segments_[static_cast<std::size_t>(lines_[static_cast<std::size_t>(line)].segment)];
+    const int position = segment.from + found.xToCursor(x, QTextLine::CursorOnCharacter);
+    const std::vector<int>& starts = read(position + 1).runStarts;
+    const auto behind = std::upper_bound(starts.begin(), starts.end(), position);
+    return behind == starts.begin() ? nullptr : &block_->runs[behind - starts.begin() - 1];
+}
+
+QString Paragraph::text(int from, int count) const {
+    return read(from + count).text.mid(from, count);
 }
 
 QString Paragraph::textOfLine(int line) const {
     const auto [from, to] = rangeOfLine(line);
-    return text_.mid(from, to - from);
+    return text(from, to - from);
 }
 
 std::pair<int, int> Paragraph::rangeOfLine(int line) const {
-    const QTextLine found = drawn(line);
-    const int from = segments_[lines_[static_cast<std::size_t>(line)].segment].from;
-    return {from + found.textStart(), from + found.textStart() + found.textLength()};
+    const Line& of = lines_[static_cast<std::size_t>(line)];
+    return {of.from, of.to};
 }
 
 double Paragraph::leftOf(int line, int position) const {
-    const int from = segments_[lines_[static_cast<std::size_t>(line)].segment].from;
-    return drawn(line).cursorToX(position - from);
+    const Line& of = lines_[static_cast<std::size_t>(line)];
+    return drawn(line).cursorToX(position - segments_[static_cast<std::size_t>(of.segment)].from);
 }
 
-Widths widthsOf(const document::Model& model, const document::Block& block, const Objects& objects,
+Widths widthsOf(const std::shared_ptr<Materials>& materials, const document::Block& block,
                 std::size_t& letters) {
-    document::Block left;
-    left.kind = block.kind;
-    left.style = block.style;
-    left.style.align = document::Align::left;
-    left.textStyle = block.textStyle;
-    left.runs = block.runs;
-    Paragraph whole(model, left, unbroken, objects);
+    auto left = std::make_shared<document::Block>();
+    left->kind = block.kind;
+    left->style = block.style;
+    left->style.align = document::Align::left;
+    left->textStyle = block.textStyle;
+    left->runs = block.runs;
+    Paragraph whole(materials, left, unbroken);
     for (std::size_t line = 0; whole.lettersShaped() < letters && whole.makeLine(line);)
         line = whole.lines().size();
     letters -= std::min(letters, std::max<std::size_t>(whole.lettersShaped(), 1));

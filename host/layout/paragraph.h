@@ -6,64 +6,74 @@
 // page of a text costs what stands on that page, and the whole costs what its length does, however
 // long it is and without any blank. LIMIT: marks for the direction of writing that enclose more
 // than a segment count in their segment.
+//
+// A line is kept as its place in the text and its height. Its letters, and Qt's layout of them, are
+// kept of those paragraphs alone that were asked for last, and are made again when one is painted:
+// so a long document keeps what its windows show.
 #pragma once
 
-#include "document/model.h"
+#include "layout/materials.h"
 
 #include <QTextLayout>
-#include <functional>
-#include <map>
+#include <list>
 #include <memory>
-#include <optional>
+#include <span>
 
 namespace layout {
 
-// What the layout must be told about things that are not letters.
-struct Objects {
-    std::function<QSizeF(document::SubdocumentId)> subdocumentSize; // in twips
-    // In pixels, of 1/96 inch; empty: there is no such picture.
-    std::function<QSize(const std::string& source)> imageSize;
-};
+using BlockPointer = std::shared_ptr<const document::Block>;
 
 struct InlineObject {
     std::size_t run = 0;
     int position = 0; // of its blank in the paragraph's text
     QSizeF size;
+    double left = 0; // of its blank in its line
+};
+
+struct NoteMark {
+    int position = 0;
+    std::shared_ptr<const document::Footnote> note;
 };
 
 class Paragraph {
 public:
-    // `prefix` is generated text in front of the runs, set in `prefixStyle`. Model and objects are
-    // read until the last line is made.
-    Paragraph(const document::Model& model, const document::Block& block, double width,
-              const Objects& objects, const QString& prefix = {});
+    // `markerInFront`: the block's marker is set before its runs, on the first line.
+    Paragraph(std::shared_ptr<Materials> materials, BlockPointer block, double width,
+              bool markerInFront = false);
+    ~Paragraph();
+    Paragraph(const Paragraph&) = delete;
+    Paragraph& operator=(const Paragraph&) = delete;
 
     struct Line {
-        double height = 0;   // with its share of the space between lines
-        double baseline = 0; // below its top
-        std::vector<InlineObject> objects;
-        std::vector<std::shared_ptr<const document::Footnote>> footnotes;
-        std::size_t segment = 0; // where its letters are
-        int index = 0;
+        double height = 0;    // with its share of the space between lines
+        double baseline = 0;  // below its top
+        int from = 0, to = 0; // its letters
+        int segment = 0;      // where these are
+        int index = 0;        // in it
     };
     // Makes lines up to this one; false: there are fewer.
     bool makeLine(std::size_t line);
     [[nodiscard]] const std::vector<Line>& lines() const { return lines_; } // that are made
-    // Letters given to the text layout so far: those of a segment's last line twice.
+    [[nodiscard]] std::span<const InlineObject> objectsOf(int line) const;
+    [[nodiscard]] std::span<const NoteMark> notesOf(int line) const;
+    // Letters given to the text layout for lines so far: those of a segment's last line twice.
     [[nodiscard]] std::size_t lettersShaped() const { return lettersShaped_; }
     [[nodiscard]] double naturalWidth() const { return naturalWidth_; } // of the widest line
     [[nodiscard]] double leastWidth() const { return leastWidth_; }     // of the widest word
+    // Are the objects in it as large as they were when it was made?
+    [[nodiscard]] bool isOf(Sizes& sizes) const;
 
     void paintLine(QPainter& painter, int line, QPointF topLeft) const;
     // Where an object of a line stands, the line's top left at the origin.
     [[nodiscard]] QRectF objectRect(int line, const InlineObject& object) const;
 
-    [[nodiscard]] const std::vector<document::Run>& runs() const { return runs_; }
+    [[nodiscard]] const BlockPointer& block() const { return block_; }
     // The run that the letter at `x` belongs to, or nullptr.
     [[nodiscard]] const document::Run* runAt(int line, double x) const;
-    [[nodiscard]] QString text() const { return text_; } // of the lines that are made, at least
+    // So many letters from there on, as far as there are.
+    [[nodiscard]] QString text(int from, int count) const;
     [[nodiscard]] QString textOfLine(int line) const;
-    // The letters [first, second) of text() that stand on it, and where one begins in it.
+    // The letters [first, second) that stand on it, and where one begins in it.
     [[nodiscard]] std::pair<int, int> rangeOfLine(int line) const;
     [[nodiscard]] double leftOf(int line, int position) const;
 
@@ -71,43 +81,62 @@ public:
     // Pieces of different looks, since the text layout's effort grows with their square.
     static constexpr int segmentFormats = 2048;
 
-private:
-    struct Segment {
-        int from = 0; // its first letter in text_
-        std::unique_ptr<QTextLayout> layout;
-    };
-    void readRuns(int to);
-    void append(std::size_t index);
-    void breakSegment();
-    [[nodiscard]] int lengthOfSegment() const;
-    [[nodiscard]] QList<QTextLayout::FormatRange> formatsOf(int from, int to) const;
-    [[nodiscard]] Line measured(const QTextLine& line, int from) const;
-    [[nodiscard]] const QTextCharFormat& format(std::uint32_t style);
-    [[nodiscard]] QTextLine drawn(int line) const;
+    // Letters that all paragraphs together keep, and keep laid out: those of some fifty pages.
+    // The one that is asked for is kept, however long it is.
+    static constexpr std::size_t mostKept = 200'000;
+    [[nodiscard]] static std::size_t lettersKept();
 
-    const document::Model& model_;
-    const Objects& objectsOf_;
-    document::BlockKind kind_;
-    document::BlockStyle style_;
+private:
+    static constexpr int ofLetters = -1; // instead of a segment's index
+    class Kept;
+    struct KeptItem { // letters, or the layout of a segment, of one of all paragraphs
+        const Paragraph* of = nullptr;
+        int segment = ofLetters;
+        std::size_t letters = 0;
+    };
+    using KeptPlace = std::list<KeptItem>::iterator;
+    struct Letters {
+        QString text;
+        QList<QTextLayout::FormatRange> formats;
+        std::vector<int> runStarts;             // of the runs that are read, in order of place
+        std::optional<std::uint32_t> lastStyle; // of the last format, unless it is an object
+        std::optional<KeptPlace> kept;          // once the last line is made
+    };
+    struct Segment {
+        int from = 0, length = 0;
+        std::unique_ptr<QTextLayout> layout{}; // null: it is made again when it is asked for
+        KeptPlace kept{};                      // of the layout
+    };
+
+    const Letters& read(int to) const;
+    void append(std::size_t index) const;
+    [[nodiscard]] QSizeF sizeOfObject(std::size_t run, int position) const;
+    void breakSegment();
+    [[nodiscard]] int lengthOfSegment(const Letters& letters) const;
+    [[nodiscard]] std::unique_ptr<QTextLayout> shaped(int from, int length) const;
+    [[nodiscard]] double indentOf(int from) const;
+    [[nodiscard]] const QTextLayout& layoutOf(int segment) const;
+    static QList<QTextLayout::FormatRange> formatsOf(const Letters& letters, int from, int to);
+    void measure(Line& line, const QTextLine& drawn);
+    [[nodiscard]] QTextLine drawn(int line) const;
+    void forget(int segment) const;
+
+    std::shared_ptr<Materials> materials_;
+    BlockPointer block_;
     double width_ = 0;
-    QFont font_;
     double leading_ = 0;
-    std::vector<document::Run> runs_;
-    std::map<std::uint32_t, QTextCharFormat> styles_;
-    // Of the runs that are read, in order of place.
-    std::vector<int> runStarts_;
-    QString text_;
-    QList<QTextLayout::FormatRange> formats_;
-    std::optional<std::uint32_t> lastStyle_; // of the last of these, unless it is an object
-    std::vector<InlineObject> objects_;
-    std::vector<std::pair<int, std::shared_ptr<const document::Footnote>>>
-        footnotes_; // place of the mark, footnote
-    std::vector<Segment> segments_;
-    std::vector<Line> lines_;
-    int next_ = 0; // the first letter without a line
+    bool markerInFront_ = false;
     bool complete_ = false;
-    std::size_t lettersShaped_ = 0;
+    int next_ = 0; // the first letter without a line
+    Qt::LayoutDirection direction_ = Qt::LayoutDirectionAuto;
     double naturalWidth_ = 0, leastWidth_ = 0;
+    std::size_t lettersShaped_ = 0;
+    std::vector<Line> lines_;
+    mutable std::vector<InlineObject> objects_; // of the runs that were ever read, like the marks
+    mutable std::vector<NoteMark> marks_;
+    mutable std::size_t runsRead_ = 0;
+    mutable std::vector<Segment> segments_;
+    mutable std::unique_ptr<Letters> letters_;
 };
 
 // The width of a text without breaks, and of its longest word.
@@ -115,7 +144,7 @@ struct Widths {
     double natural = 0, least = 0;
 };
 // Of its first `letters`, from which those that are read are taken off.
-[[nodiscard]] Widths widthsOf(const document::Model& model, const document::Block& block,
-                              const Objects& objects, std::size_t& letters);
+[[nodiscard]] Widths widthsOf(const std::shared_ptr<Materials>& materials,
+                              const document::Block& block, std::size_t& letters);
 
 } // namespace layout

@@ -35,6 +35,7 @@ using Piece = std::variant<FramePiece, TextPiece, SubdocumentPiece, ImagePiece>;
 [[nodiscard]] Piece moved(Piece piece, QPointF by);
 
 class Cells;
+struct Columns;
 
 struct Strip {
     double height = 0;
@@ -47,6 +48,7 @@ struct Strip {
     std::vector<Piece> pieces;
     std::vector<std::shared_ptr<const document::Footnote>> footnotes;
     std::shared_ptr<Cells> cells; // instead of pieces: too tall for a page; taken in parts
+    std::shared_ptr<const Columns> columns; // of a table's row
 };
 
 } // namespace layout

@@ -26,11 +26,11 @@ void Paper::prepare() { pictures_.start(); }
 // decoded beforehand as are kept; the others are when their page is painted.
 void Paper::askForImages() {
     laidOut_ = true;
-    for (const layout::Page& page : presented_.pages().pages)
-        for (const layout::Piece& piece : page.pieces)
-            if (const auto* image = std::get_if<layout::ImagePiece>(&piece)) {
-                QSize& size = imageSizes_[image->source];
-                const QSizeF pixels = image->rect.size() * (dpi_ / layout::twipsPerInch);
+    for (const auto& page : presented_.pages().pages)
+        for (const layout::PlacedObject& object : page->objects)
+            if (!object.subdocument) {
+                QSize& size = imageSizes_[object.image];
+                const QSizeF pixels = object.rect.size() * (dpi_ / layout::twipsPerInch);
                 size = size.expandedTo(pixels.toSize());
             }
     qint64 bytes = 0;
@@ -47,7 +47,7 @@ void Paper::becomeReady() {
     if (ready_ || !laidOut_ || document_.images().isWaiting())
         return;
     ready_ = true;
-    for (const layout::PlacedSubdocument& placed : presented_.pages().subdocuments) {
+    for (const layout::PlacedSubdocument& placed : presented_.pages().subdocuments()) {
         const auto found = pictures_.pictures().find(placed.subdocument);
         if (found != pictures_.pictures().end() && !found->second.error.isEmpty())
             failures_ << found->second.error;
@@ -109,7 +109,7 @@ void Paper::paint(QPainter& painter, int page) const {
     const QRectF whole({0, 0}, pages.size);
     if (pages.paper != QColor(Qt::white))
         painter.fillRect(whole, pages.paper);
-    layout::paintPage(painter, pages.pages[static_cast<std::size_t>(page)], whole,
+    layout::paintPage(painter, pages, static_cast<std::size_t>(page), whole,
                       {[this](QPainter& by, const layout::SubdocumentPiece& piece) {
                            paintSubdocument(by, piece);
                        },

@@ -21,7 +21,6 @@ struct Presented::Making {
                                                            document.schemas())) {}
     std::unique_ptr<document::ModelBuilder> builder; // until the model is complete
     layout::Objects objects;
-    document::Model model;
     std::unique_ptr<layout::Pagination> pagination;
 };
 
@@ -65,10 +64,6 @@ void Presented::begin(const QString& presentation) {
     timer_.start(0);
 }
 
-const layout::Pages& Presented::pages() const {
-    return fresh_ && making_ && making_->pagination ? making_->pagination->pages() : pages_;
-}
-
 // False: all is made.
 bool Presented::step() {
     Making& making = *making_;
@@ -76,9 +71,10 @@ bool Presented::step() {
         return making.pagination->step();
     if (making.builder->step(nodesAtOnce))
         return true;
-    making.model = making.builder->take();
+    const auto model = std::make_shared<const document::Model>(making.builder->take());
+    title_ = QString::fromStdString(model->title);
     making.builder.reset();
-    making.pagination = std::make_unique<layout::Pagination>(making.model, making.objects);
+    making.pagination = std::make_unique<layout::Pagination>(model, making.objects, pages_);
     return true;
 }
 
@@ -94,17 +90,17 @@ void Presented::slice() {
 
 // Seldom enough that whoever looks at all pages each time does not look at too many.
 void Presented::tell() {
-    const std::size_t now = making_->pagination ? making_->pagination->pages().pages.size() : 0;
+    const std::size_t now = making_->pagination ? making_->pagination->count() : 0;
     if (!fresh_ || now < told_ + told_ / 4 + 1)
         return;
     told_ = now;
+    pages_ = making_->pagination->pages();
     Q_EMIT grown();
 }
 
 void Presented::finish() {
     timer_.stop();
     pages_ = making_->pagination->take();
-    title_ = QString::fromStdString(making_->model.title);
     making_.reset();
     Q_EMIT complete();
 }

@@ -28,7 +28,7 @@ public:
     void begin(const QString& presentation);
     [[nodiscard]] bool isComplete() const { return making_ == nullptr; }
 
-    [[nodiscard]] const layout::Pages& pages() const;
+    [[nodiscard]] const layout::Pages& pages() const { return pages_; }
     [[nodiscard]] const document::PageStyle& page() const { return page_; }
     [[nodiscard]] const QString& title() const { return title_; } // when it is complete
 

@@ -93,7 +93,7 @@ void DocumentView::showPages() {
 void DocumentView::placeSubdocuments() {
     std::map<document::SubdocumentId, Shown> before;
     before.swap(shown_);
-    for (const layout::PlacedSubdocument& placed : pages().subdocuments) {
+    for (const layout::PlacedSubdocument& placed : pages().subdocuments()) {
         const auto old = before.find(placed.subdocument);
         Shown shown;
         if (old != before.end())
@@ -418,7 +418,7 @@ void DocumentView::paintPages(QPainter& painter, const QRect& area) {
         painter.scale(scale(), scale());
         const QRectF clip((QPointF(area.topLeft()) - page.topLeft()) / scale(),
                           QSizeF(area.size()) / scale());
-        layout::paintPage(painter, pages().pages[i], clip,
+        layout::paintPage(painter, pages(), i, clip,
                           {{}, [this](const layout::ImagePiece& piece) { return imageOf(piece); }});
         paintFound(painter, i);
         painter.restore();

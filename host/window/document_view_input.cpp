@@ -192,7 +192,7 @@ void DocumentView::useKey(int key, Qt::KeyboardModifiers modifiers) {
 // Tab goes from rendition to rendition, then on to the other widgets.
 bool DocumentView::focusNextPrevChild(bool next) {
     std::vector<document::SubdocumentId> order;
-    for (const layout::PlacedSubdocument& placed : pages().subdocuments)
+    for (const layout::PlacedSubdocument& placed : pages().subdocuments())
         order.push_back(placed.subdocument);
     const auto at = std::find(order.begin(), order.end(), chosen_);
     std::size_t index = at == order.end() ? (next ? 0 : order.size() - 1)
@@ -215,7 +215,7 @@ const document::Run* DocumentView::linkAt(QPointF point) const {
         if (!page.contains(point))
             continue;
         const document::Run* run =
-            layout::runAt(pages().pages[i], (point - page.topLeft()) / scale());
+            layout::runAt(*pages().pages[i], (point - page.topLeft()) / scale());
         return run && !run->target.empty() ? run : nullptr;
     }
     return nullptr;
@@ -226,10 +226,10 @@ void DocumentView::follow(const QString& target) {
         Q_EMIT linkActivated(target);
         return;
     }
-    const auto anchor = pages().anchors.find(target.mid(1).toStdString());
-    if (anchor == pages().anchors.end())
+    const auto anchor = pages().anchor(target.mid(1).toStdString());
+    if (!anchor)
         return;
-    const double y = pageTopLeft(anchor->second.first).y() + anchor->second.second * scale();
+    const double y = pageTopLeft(anchor->first).y() + anchor->second * scale();
     verticalScrollBar()->setValue(verticalScrollBar()->value() + static_cast<int>(y - margin));
 }
 

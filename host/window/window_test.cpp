@@ -7,7 +7,7 @@ using ::testing::HasSubstr;
 
 TEST_F(WindowTest, TextIsThereAtOnceAndPicturesFollow) {
     DocumentWindow* window = open(memo(scripted("colour 20A040")));
-    EXPECT_FALSE(window->view().pages().outline.empty() && window->view().pages().pages.empty());
+    EXPECT_FALSE(window->view().pages().outline().empty() && window->view().pages().pages.empty());
     EXPECT_FALSE(hasPicture(*window, 0));
     ASSERT_TRUE(waitFor([&] { return hasPicture(*window, 0); }));
     EXPECT_EQ(colourShown(*window, 0), QColor(0x20, 0xA0, 0x40));

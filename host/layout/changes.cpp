@@ -1,0 +1,70 @@
+#include "layout/changes.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace layout {
+
+namespace {
+
+// Collects what is not the same; what touches becomes one.
+class Hunks {
+public:
+    void add(std::size_t oldFrom, std::size_t oldTo, std::size_t newFrom, std::size_t newTo) {
+        if (oldFrom == oldTo && newFrom == newTo)
+            return;
+        if (!all.empty() && all.back().oldTo == oldFrom && all.back().newTo == newFrom) {
+            all.back().oldTo = oldTo;
+            all.back().newTo = newTo;
+        } else {
+            all.push_back({oldFrom, oldTo, newFrom, newTo});
+        }
+    }
+    std::vector<Hunk> all;
+};
+
+} // namespace
+
+std::vector<Hunk> differences(const document::Model& before, const Frames& framesBefore,
+                              const document::Model& now, const Frames& framesNow,
+                              const std::unordered_set<const document::Block*>& changed) {
+    const document::Blocks &a = before.blocks, &b = now.blocks;
+    Frames::Comparison frames(framesBefore, framesNow);
+    Hunks hunks;
+    std::size_t i = 0, j = 0; // blocks before these are compared
+    const auto pass = [&] {   // two that are one
+        if (!frames.same(i, j) || changed.contains(b[j].get()))
+            hunks.add(i, i + 1, j, j + 1);
+        ++i;
+        ++j;
+    };
+    while (i < a.size() && j < b.size() && a[i] == b[j])
+        pass();
+    std::size_t aEnd = a.size(), bEnd = b.size();
+    while (aEnd > i && bEnd > j && a[aEnd - 1] == b[bEnd - 1]) {
+        --aEnd;
+        --bEnd;
+    }
+    std::unordered_map<const document::Block*, std::size_t> places;
+    for (std::size_t k = i; k < aEnd; ++k)
+        places.emplace(a[k].get(), k);
+    std::size_t newFrom = j;
+    for (std::size_t k = j; k < bEnd; ++k) {
+        const auto found = places.find(b[k].get());
+        if (found == places.end() || found->second < i)
+            continue;
+        hunks.add(i, found->second, newFrom, k);
+        i = found->second;
+        j = k;
+        pass();
+        newFrom = j;
+    }
+    hunks.add(i, aEnd, newFrom, bEnd);
+    i = aEnd;
+    j = bEnd;
+    while (i < a.size())
+        pass();
+    return std::move(hunks.all);
+}
+
+} // namespace layout

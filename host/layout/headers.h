@@ -1,0 +1,44 @@
+// Headers and footers of pages, made when a page is asked for: the number of pages changes all.
+#pragma once
+
+#include "layout/strip.h"
+
+#include <deque>
+
+namespace layout {
+
+// Where the text of a page stands, in twips.
+struct TextArea {
+    double left = 0, top = 0, bottom = 0, width = 0;
+    [[nodiscard]] double height() const { return bottom - top; }
+    bool operator==(const TextArea&) const = default;
+};
+[[nodiscard]] TextArea textAreaOf(const document::PageStyle& style);
+
+class Headers {
+public:
+    Headers(const document::PageStyle& style, std::string title);
+
+    [[nodiscard]] std::vector<TextPiece> on(std::size_t page, std::size_t pages) const;
+    [[nodiscard]] bool isOf(const document::PageStyle& style, const std::string& title) const {
+        return style == style_ && title == title_;
+    }
+
+private:
+    struct Line {
+        std::string text;
+        document::Align align = document::Align::left;
+        std::shared_ptr<const Paragraph> paragraph;
+    };
+    static constexpr std::size_t mostLines = 32; // those of some pages are kept
+    [[nodiscard]] std::shared_ptr<const Paragraph> line(const std::string& text,
+                                                        document::Align align) const;
+
+    document::PageStyle style_;
+    std::string title_;
+    TextArea area_;
+    std::shared_ptr<Materials> materials_;
+    mutable std::deque<Line> lines_;
+};
+
+} // namespace layout

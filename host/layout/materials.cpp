@@ -1,0 +1,62 @@
+#include "layout/materials.h"
+
+#include "layout/typeface.h"
+
+#include <utility>
+
+namespace layout {
+
+const document::TextStyle& Looks::style(std::uint32_t index) const {
+    static const document::TextStyle plain;
+    return styles_ && index < styles_->size() ? (*styles_)[index] : plain;
+}
+
+const Looks::Look& Looks::look(std::uint32_t index) {
+    static const Look plain{fontOf({}), formatOf({})};
+    if (!styles_ || index >= styles_->size())
+        return plain;
+    looks_.resize(styles_->size());
+    std::optional<Look>& known = looks_[index];
+    if (!known)
+        known = Look{fontOf(style(index)), formatOf(style(index))};
+    return *known;
+}
+
+const QFont& Looks::font(std::uint32_t index) { return look(index).font; }
+const QTextCharFormat& Looks::format(std::uint32_t index) { return look(index).format; }
+
+Sizes::Changed Sizes::follow(Objects objects) {
+    objects_ = std::move(objects);
+    Changed changed;
+    for (auto& [id, size] : subdocuments_)
+        if (std::exchange(size, ask(id)) != size)
+            changed.subdocuments.insert(id);
+    for (auto& [source, size] : images_)
+        if (std::exchange(size, ask(source)) != size)
+            changed.images.insert(source);
+    return changed;
+}
+
+QSizeF Sizes::ask(document::SubdocumentId id) const {
+    return objects_.subdocumentSize ? objects_.subdocumentSize(id) : QSizeF(0, 0);
+}
+
+QSize Sizes::ask(const std::string& source) const {
+    return objects_.imageSize ? objects_.imageSize(source) : QSize();
+}
+
+QSizeF Sizes::subdocument(document::SubdocumentId id) {
+    const auto [known, isNew] = subdocuments_.try_emplace(id);
+    if (isNew)
+        known->second = ask(id);
+    return known->second;
+}
+
+QSize Sizes::image(const std::string& source) {
+    const auto [known, isNew] = images_.try_emplace(source);
+    if (isNew)
+        known->second = ask(source);
+    return known->second;
+}
+
+} // namespace layout

@@ -1,0 +1,76 @@
+// What paragraphs are set with: the looks of a model's text styles, and the sizes of what is not
+// letters. Each is asked for once, and kept from one layout to the next.
+#pragma once
+
+#include "document/model.h"
+
+#include <QFont>
+#include <QSize>
+#include <QSizeF>
+#include <QTextCharFormat>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace layout {
+
+// What the layout must be told about things that are not letters.
+struct Objects {
+    std::function<QSizeF(document::SubdocumentId)> subdocumentSize; // in twips
+    // In pixels, of 1/96 inch; empty: there is no such picture.
+    std::function<QSize(const std::string& source)> imageSize;
+};
+
+class Looks {
+public:
+    using Styles = std::shared_ptr<const document::TextStyles>;
+    explicit Looks(Styles styles) : styles_(std::move(styles)) {}
+    [[nodiscard]] const Styles& styles() const { return styles_; } // may grow
+    [[nodiscard]] const document::TextStyle& style(std::uint32_t index) const;
+    [[nodiscard]] const QFont& font(std::uint32_t index);
+    [[nodiscard]] const QTextCharFormat& format(std::uint32_t index);
+
+private:
+    struct Look {
+        QFont font;
+        QTextCharFormat format;
+    };
+    const Look& look(std::uint32_t index);
+
+    Styles styles_;
+    std::vector<std::optional<Look>> looks_; // of those that were asked for
+};
+
+class Sizes {
+public:
+    // Objects whose sizes are no longer those that were answered.
+    struct Changed {
+        std::set<document::SubdocumentId> subdocuments;
+        std::set<std::string> images;
+        [[nodiscard]] bool empty() const { return subdocuments.empty() && images.empty(); }
+    };
+    // Asks again for all that were asked for.
+    Changed follow(Objects objects);
+    [[nodiscard]] QSizeF subdocument(document::SubdocumentId id);
+    [[nodiscard]] QSize image(const std::string& source);
+
+private:
+    [[nodiscard]] QSizeF ask(document::SubdocumentId id) const;
+    [[nodiscard]] QSize ask(const std::string& source) const;
+
+    Objects objects_;
+    std::map<document::SubdocumentId, QSizeF> subdocuments_;
+    std::map<std::string, QSize> images_;
+};
+
+struct Materials {
+    explicit Materials(Looks::Styles styles) : looks(std::move(styles)) {}
+    Looks looks;
+    Sizes sizes{};
+};
+
+} // namespace layout

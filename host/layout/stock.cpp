@@ -1,0 +1,12 @@
+#include "layout/stock.h"
+
+#include <algorithm>
+
+namespace layout {
+
+bool Columns::isOf(Sizes& sizesNow) const {
+    return std::ranges::all_of(
+        sizes, [&](const auto& one) { return sizesNow.subdocument(one.first) == one.second; });
+}
+
+} // namespace layout

@@ -1,0 +1,83 @@
+// What one layout leaves for the next: paragraphs and the widths of tables' columns, by block. An
+// entry lives as long as the pages that use it.
+#pragma once
+
+#include "layout/paragraph.h"
+
+#include <unordered_map>
+
+namespace layout {
+
+// The widths of a table's columns, and what they depend on beside the table.
+struct Columns {
+    BlockPointer block;
+    std::vector<double> widths;
+    std::vector<std::pair<document::SubdocumentId, QSizeF>> sizes; // that were asked for
+
+    [[nodiscard]] bool isOf(Sizes& sizesNow) const;
+};
+
+class Stock {
+public:
+    explicit Stock(Looks::Styles styles)
+        : materials_(std::make_shared<Materials>(std::move(styles))) {}
+
+    enum class Part { text, withMarker, marker };
+
+    // One that is known, or a new one that has no lines yet. `make` makes it.
+    template <class Make>
+    [[nodiscard]] std::shared_ptr<Paragraph> paragraph(const BlockPointer& block, double width,
+                                                       Part part, Make make) {
+        return found<Paragraph>(paragraphs_, {block.get(), width, part}, make);
+    }
+    template <class Make>
+    [[nodiscard]] std::shared_ptr<Columns> columns(const BlockPointer& block, double width,
+                                                   Make make) {
+        return found<Columns>(columns_, {block.get(), width, Part::text}, make);
+    }
+    [[nodiscard]] const std::shared_ptr<Materials>& materials() const { return materials_; }
+    [[nodiscard]] Sizes& sizes() { return materials_->sizes; }
+    [[nodiscard]] std::size_t paragraphsKnown() const { return paragraphs_->size(); }
+
+private:
+    struct Key {
+        const document::Block* block = nullptr; // which its entry keeps alive
+        double width = 0;
+        Part part = Part::text;
+        bool operator==(const Key&) const = default;
+    };
+    struct Hash {
+        std::size_t operator()(const Key& key) const {
+            return std::hash<const void*>()(key.block) * 31 + std::hash<double>()(key.width) * 7 +
+                   static_cast<std::size_t>(key.part);
+        }
+    };
+    template <class Thing> using Known = std::unordered_map<Key, std::weak_ptr<Thing>, Hash>;
+
+    // The last one who uses it takes the entry away.
+    template <class Thing, class Make>
+    std::shared_ptr<Thing> found(const std::shared_ptr<Known<Thing>>& known, const Key& key,
+                                 Make make) {
+        std::weak_ptr<Thing>& entry = (*known)[key];
+        std::shared_ptr<Thing> thing = entry.lock();
+        if (thing && thing->isOf(sizes()))
+            return thing;
+        const auto forget = [key, all = std::weak_ptr(known)](Thing* of) {
+            if (const auto from = all.lock()) {
+                const auto at = from->find(key);
+                if (at != from->end() && at->second.expired())
+                    from->erase(at);
+            }
+            delete of;
+        };
+        thing = std::shared_ptr<Thing>(make().release(), forget);
+        (*known)[key] = thing;
+        return thing;
+    }
+
+    std::shared_ptr<Materials> materials_;
+    std::shared_ptr<Known<Paragraph>> paragraphs_ = std::make_shared<Known<Paragraph>>();
+    std::shared_ptr<Known<Columns>> columns_ = std::make_shared<Known<Columns>>();
+};
+
+} // namespace layout
