@@ -3,9 +3,9 @@
 // the export as text both read it.
 //
 // Method: one walk over the tree with an explicit stack. A presentation says for each element what
-// it is (its `display`) and how it looks; containers leave no trace but indents, spaces and borders
-// of the blocks inside. An element that the presentation does not know is shown with `<TAG>` before
-// its content. So the whole document is visible unless the presentation says `show: no`.
+// it is (its `display` and its `role`) and how it looks; what holds blocks is a range of them. An
+// element that the presentation does not know is shown with `<TAG>` before its content. So the
+// whole document is visible unless the presentation says `show: no`.
 #pragma once
 
 #include "document/style.h"
@@ -63,6 +63,17 @@ enum class BlockKind {
 struct Cell;
 using Row = std::vector<Cell>;
 
+// The blocks first..last of those beside it, which one element holds. Containers come in order of
+// their first blocks, outer ones before those inside. Rows and cells of a table are in its block.
+struct Container {
+    ContainerRole role = ContainerRole::none;
+    int level = 1; // 2: a section in a section, a list in a list
+    sgml::NodeId element = sgml::noNode;
+    std::size_t first = 0, last = 0; // inclusive
+    bool operator==(const Container&) const = default;
+};
+using Containers = std::vector<Container>;
+
 // A block that a model holds never changes. A model made after an edit holds the same block again
 // where nothing has changed: equal pointers are equal blocks.
 struct Block;
@@ -89,12 +100,14 @@ struct Cell {
     sgml::NodeId element = sgml::noNode;
     BlockStyle style; // border, background, padding, align
     Blocks blocks;
+    Containers containers{};
 };
 
 struct Footnote {
     std::string number;
     sgml::NodeId element = sgml::noNode;
     Blocks blocks; // the first one has the number as its marker
+    Containers containers;
 };
 
 // A frame or a background around the blocks first..last of Model::blocks, from the outermost to the
@@ -119,6 +132,7 @@ struct Model {
     // Shared by the models of one document by one presentation.
     std::shared_ptr<const TextStyles> textStyles;
     Blocks blocks;
+    Containers containers;
     std::vector<Box> boxes;
     std::vector<std::shared_ptr<const Footnote>> footnotes; // in order of their marks
     std::string title;                                      // of the window and of the PDF

@@ -54,24 +54,32 @@ void ModelWalk::markFrames() {
     std::vector<Frame>& frames = state_.frames;
     for (std::size_t i = frames.size(); i-- > 0 && frames[i].empty;)
         frames[i].empty = false;
-    if (flow_.out != &model_.blocks)
-        return;
     std::size_t first = frames.size();
     while (first > 0 && !frames[first - 1].filled)
         --first;
     for (; first < frames.size(); ++first) {
         frames[first].filled = true;
-        if (frames[first].boxed)
-            openBox(first);
+        open(first);
     }
 }
 
 // The frame's first block is the last that was made.
-void ModelWalk::openBox(std::size_t of) {
+void ModelWalk::open(std::size_t of) {
     const Frame& frame = state_.frames[of];
     const BlockStyle& style = frame.style.block;
-    boxes_[of] = model_.boxes.size();
-    const std::size_t block = model_.blocks.size() - 1;
+    const std::size_t block = flow_.out->size() - 1;
+    const ContainerRole role = frame.style.role;
+    if (role != ContainerRole::none && (frame.role == Role::block || frame.role == Role::table)) {
+        opened_[of].container = flow_.containers->size();
+        flow_.containers->push_back({.role = role,
+                                     .level = frame.levels[static_cast<std::size_t>(role)],
+                                     .element = frame.node,
+                                     .first = block,
+                                     .last = block});
+    }
+    if (!frame.boxed)
+        return;
+    opened_[of].box = model_.boxes.size();
     model_.boxes.push_back({.first = block,
                             .last = block,
                             .indentLeft = frame.indentLeft - style.padding,
@@ -79,6 +87,17 @@ void ModelWalk::openBox(std::size_t of) {
                             .padding = style.padding,
                             .background = style.background,
                             .border = style.border});
+}
+
+// What the innermost frame opened ends with the last block.
+void ModelWalk::close() {
+    const Opened& opened = opened_.back();
+    if (opened.container != none)
+        (*flow_.containers)[opened.container].last = flow_.out->size() - 1;
+    if (opened.box == none)
+        return;
+    model_.boxes[opened.box].last = flow_.out->size() - 1;
+    flow_.gap.padding += state_.frames.back().style.block.padding;
 }
 
 // The innermost marker that waits for a block, up to the cell or footnote that this is in.
@@ -112,6 +131,7 @@ void ModelWalk::enterCell(const BlockStyle& style, NodeId node) {
     Row& row = flow_.rows->back();
     row.push_back({.element = node, .style = style, .blocks = {}});
     flow_.out = &row.back().blocks;
+    flow_.containers = &row.back().containers;
     flow_.open = false;
     flow_.gap.space = flow_.gap.padding = 0;
 }

@@ -110,6 +110,7 @@ void ModelBuilder::begin() {
     };
     copyFirst(model_->blocks, model.blocks, from.blocksBefore);
     copyFirst(model_->boxes, model.boxes, from.boxesBefore);
+    copyFirst(model_->containers, model.containers, from.containersBefore);
     copyFirst(model_->footnotes, model.footnotes, from.state.footnotes);
     model.title = from.state.titled ? model_->title : "";
     walk_->resume(from, std::move(model));
@@ -192,34 +193,75 @@ void ModelBuilder::finish() {
     region_.reset();
 }
 
+namespace {
+
+// Ranges of blocks that were opened behind a checkpoint come behind those of a new walk; ranges
+// that were open there, and have other numbers now, end where they did.
+class Ranges {
+public:
+    // Ranges before the checkpoint, in the old model and now, and by how much blocks moved.
+    Ranges(std::size_t then, std::size_t now, std::size_t blocks)
+        : then_(then), now_(now), blocks_(blocks) {}
+
+    template <class Range>
+    void append(const std::vector<Range>& old, std::vector<Range>& model) const {
+        for (std::size_t i = then_; i < old.size(); ++i) {
+            model.push_back(old[i]);
+            model.back().first += blocks_;
+            model.back().last += blocks_;
+        }
+    }
+    template <class Range>
+    void end(const std::vector<Range>& old, std::size_t was, std::vector<Range>& model,
+             std::size_t is) const {
+        if (is != ModelWalk::none)
+            model[is].last = old[was].last + blocks_;
+    }
+    // The number of a range of the old model; `open`: of what is open there now.
+    [[nodiscard]] std::size_t moved(std::size_t range, std::size_t open) const {
+        if (range == ModelWalk::none)
+            return range;
+        return range < then_ ? open : range - then_ + now_;
+    }
+
+private:
+    std::size_t then_, now_, blocks_;
+};
+
+} // namespace
+
 // What comes behind the checkpoint that was met is as it was, only further on or back.
 void ModelBuilder::join(Model& model) {
     const ModelWalk::Checkpoint now = walk_->checkpoint();
-    const std::size_t blocks = trail_[ahead_].begin.blocksBefore;
-    const std::size_t boxes = trail_[ahead_].begin.boxesBefore;
-    const auto moved = [&](std::size_t block) { return block - blocks + now.blocksBefore; };
-    model.blocks.insert(model.blocks.end(),
-                        model_->blocks.begin() + static_cast<std::ptrdiff_t>(blocks),
-                        model_->blocks.end());
-    for (std::size_t i = 0; i < now.boxes.size(); ++i)
-        if (now.boxes[i] != ModelWalk::none)
-            model.boxes[now.boxes[i]].last =
-                moved(model_->boxes[trail_[ahead_].begin.boxes[i]].last);
-    for (std::size_t i = boxes; i < model_->boxes.size(); ++i) {
-        model.boxes.push_back(model_->boxes[i]);
-        model.boxes.back().first = moved(model.boxes.back().first);
-        model.boxes.back().last = moved(model.boxes.back().last);
+    const ModelWalk::Checkpoint then = trail_[ahead_].begin;
+    // Differences of unsigned numbers wrap, and so do sums with them.
+    const std::size_t blocks = now.blocksBefore - then.blocksBefore;
+    const Ranges boxes(then.boxesBefore, now.boxesBefore, blocks);
+    const Ranges containers(then.containersBefore, now.containersBefore, blocks);
+    boxes.append(model_->boxes, model.boxes);
+    containers.append(model_->containers, model.containers);
+    for (std::size_t i = 0; i < now.opened.size(); ++i) {
+        boxes.end(model_->boxes, then.opened[i].box, model.boxes, now.opened[i].box);
+        containers.end(model_->containers, then.opened[i].container, model.containers,
+                       now.opened[i].container);
     }
+    model.blocks.insert(model.blocks.end(),
+                        model_->blocks.begin() + static_cast<std::ptrdiff_t>(then.blocksBefore),
+                        model_->blocks.end());
     if (!now.state.titled)
         model.title = model_->title;
     for (std::size_t s = ahead_; s < trail_.size(); ++s) {
         ModelWalk::Checkpoint& begin = trail_[s].begin;
-        begin.offset = begin.offset + region_->end - region_->to;
-        begin.blocksBefore = moved(begin.blocksBefore);
-        begin.boxesBefore = begin.boxesBefore - boxes + now.boxesBefore;
-        for (std::size_t i = 0; i < begin.boxes.size(); ++i)
-            if (std::size_t& box = begin.boxes[i]; box != ModelWalk::none)
-                box = box < boxes ? now.boxes[i] : box - boxes + now.boxesBefore;
+        begin.offset += now.offset - then.offset;
+        begin.blocksBefore += blocks;
+        begin.boxesBefore += now.boxesBefore - then.boxesBefore;
+        begin.containersBefore += now.containersBefore - then.containersBefore;
+        for (std::size_t i = 0; i < begin.opened.size(); ++i) {
+            const ModelWalk::Opened open =
+                i < now.opened.size() ? now.opened[i] : ModelWalk::Opened{};
+            begin.opened[i] = {boxes.moved(begin.opened[i].box, open.box),
+                               containers.moved(begin.opened[i].container, open.container)};
+        }
     }
 }
 

@@ -31,6 +31,15 @@ std::string runPrinted(const Run& run, const Model& model) {
 
 void print(const Blocks& blocks, const Model& model, const std::string& indent, std::string& lines);
 
+void print(const Containers& containers, const std::string& indent, std::string& lines) {
+    constexpr std::array<const char*, 8> roles = {"",       "section", "list",    "item",
+                                                  "figure", "table",   "caption", "quote"};
+    for (const Container& container : containers)
+        lines += indent + "in " + roles[static_cast<std::size_t>(container.role)] + " " +
+                 std::to_string(container.level) + ": " + std::to_string(container.first) + ".." +
+                 std::to_string(container.last) + "\n";
+}
+
 void print(const Block& block, const Model& model, const std::string& indent, std::string& lines) {
     constexpr std::array<const char*, 8> kinds = {"text",  "verbatim", "subdocument", "image",
                                                   "chart", "table",    "rule",        "page-break"};
@@ -61,6 +70,7 @@ void print(const Block& block, const Model& model, const std::string& indent, st
         for (const Cell& cell : row) {
             lines += indent + "    cell\n";
             print(cell.blocks, model, indent + "      ", lines);
+            print(cell.containers, indent + "      ", lines);
         }
     }
 }
@@ -76,11 +86,13 @@ void print(const Blocks& blocks, const Model& model, const std::string& indent,
 std::string printed(const Model& model) {
     std::string lines = "title " + model.title + "\n";
     print(model.blocks, model, "", lines);
+    print(model.containers, "", lines);
     for (const Box& box : model.boxes)
         lines += "box " + std::to_string(box.first) + ".." + std::to_string(box.last) + "\n";
     for (const std::shared_ptr<const Footnote>& footnote : model.footnotes) {
         lines += "footnote " + footnote->number + "\n";
         print(footnote->blocks, model, "  ", lines);
+        print(footnote->containers, "  ", lines);
     }
     return lines;
 }

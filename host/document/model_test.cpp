@@ -40,12 +40,13 @@ std::string body(const std::string& inside) {
     return "DOCUMENT CMEMO\n<CMEMO><BODY>" + inside + "</BODY></CMEMO>";
 }
 
-// Without the lines that every memo has: the title and the word Memorandum; without boxes.
+// Without the lines that every memo has: the title and the word Memorandum; without boxes and
+// containers.
 std::string blocksOf(const std::string& inside) {
     std::istringstream lines(modelOf(body(inside)));
     std::string result, line;
     for (int i = 0; std::getline(lines, line); ++i)
-        if (i >= 2 && !line.starts_with("box"))
+        if (i >= 2 && !line.starts_with("box") && !line.starts_with("in "))
             result += line + "\n";
     return result;
 }
@@ -156,7 +157,28 @@ TEST(Model, ASecondPresentationShowsTheSameDocumentOtherwise) {
                                         "text left 18pt [b|T]\n"
                                         "text left 12pt after 10 level 1 keep (1  ) [b|a]\n"
                                         "text left 11pt in 18 after 3 level 2 keep (1.1  ) [b]\n"
-                                        "text left 12pt after 8 level 1 keep (2  ) [b|c]\n");
+                                        "text left 12pt after 8 level 1 keep (2  ) [b|c]\n"
+                                        "in section 1: 1..2\nin section 2: 2..2\n"
+                                        "in section 1: 3..3\n");
+}
+
+TEST(Model, ContainersKeepTheirRoles) {
+    const std::string text =
+        "<PARAGRAPH>{p}</PARAGRAPH><LIST><ITEM>{a}</ITEM><ITEM>{b}<LIST><ITEM>{c}"
+        "</ITEM></LIST></ITEM></LIST><FIGURE><IMAGE></IMAGE><CAPTION>{d}</CAPTION></FIGURE>"
+        "<TABLE><ROW><CELL><PARAGRAPH>{e}</PARAGRAPH><LIST><ITEM>{f}</ITEM></LIST></CELL></ROW>"
+        "</TABLE><PARAGRAPH><FOOTNOTE><TEXT>{f}</TEXT><LIST><ITEM>{g}</ITEM></LIST></FOOTNOTE></"
+        "PARAGRAPH>";
+    std::istringstream lines(modelOf(body(text)));
+    std::string found;
+    for (std::string line; std::getline(lines, line);)
+        if (line.substr(line.find_first_not_of(' '), 3) == "in ")
+            found += line + "\n";
+    EXPECT_EQ(found, "      in list 1: 1..1\n      in item 1: 1..1\n" // in the cell
+                     "in list 1: 2..4\nin item 1: 2..2\nin item 1: 3..4\n"
+                     "in list 2: 4..4\nin item 2: 4..4\n"
+                     "in figure 1: 5..6\nin caption 1: 6..6\nin table 1: 7..7\n"
+                     "  in list 1: 1..1\n  in item 1: 1..1\n"); // in the footnote
 }
 
 TEST(Model, AClassWithoutAPresentationIsShownAsWhatItIs) {

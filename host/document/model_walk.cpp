@@ -16,6 +16,7 @@ ModelWalk::ModelWalk(const Document& document, const Presentation& presentation,
     model_.textStyles = styles_;
     model_.page = presentation_.page();
     flow_.out = &model_.blocks;
+    flow_.containers = &model_.containers;
     Frame root;
     root.node = tree_.root();
     root.style = presentation_.rootStyle();
@@ -31,9 +32,10 @@ ModelWalk::ModelWalk(const Document& document, const Presentation& presentation,
 void ModelWalk::resume(const Checkpoint& from, Model model) {
     model_ = std::move(model);
     state_ = from.state;
-    boxes_ = from.boxes;
+    opened_ = from.opened;
     flow_ = {};
     flow_.out = &model_.blocks;
+    flow_.containers = &model_.containers;
     flow_.gap = state_.gap;
     trail_.clear();
     trail_.push_back({from, {}, {}});
@@ -58,10 +60,11 @@ bool ModelWalk::mayRest() const {
 
 ModelWalk::Checkpoint ModelWalk::checkpoint() const {
     Checkpoint result{.state = state_,
-                      .boxes = boxes_,
+                      .opened = opened_,
                       .offset = state_.at == noNode ? 0 : tree_.node(state_.at).range.from,
                       .blocksBefore = model_.blocks.size(),
-                      .boxesBefore = model_.boxes.size()};
+                      .boxesBefore = model_.boxes.size(),
+                      .containersBefore = model_.containers.size()};
     result.state.gap = flow_.gap;
     return result;
 }
@@ -129,6 +132,7 @@ ModelWalk::Frame ModelWalk::frameInside(NodeId node) const {
     frame.indentLeft = outer.indentLeft;
     frame.indentRight = outer.indentRight;
     frame.together = outer.together;
+    frame.levels = outer.levels;
     frame.target = outer.target;
     frame.path = outer.path;
     frame.reference = outer.reference;
@@ -167,12 +171,12 @@ const Presentation* ModelWalk::presentationOf(NodeId nested) const {
 
 void ModelWalk::push(Frame frame) {
     state_.frames.push_back(std::move(frame));
-    boxes_.push_back(none);
+    opened_.emplace_back();
 }
 
 void ModelWalk::pop() {
     state_.frames.pop_back();
-    boxes_.pop_back();
+    opened_.pop_back();
 }
 
 bool ModelWalk::begin(Frame frame) {
@@ -296,6 +300,7 @@ bool ModelWalk::beginBlock(Frame& frame) {
     }
     const BlockStyle& style = frame.style.block;
     frame.role = Role::block;
+    ++frame.levels[static_cast<std::size_t>(frame.style.role)];
     closeText();
     flow_.gap.space = std::max(flow_.gap.space, style.spaceBefore);
     flow_.gap.pageBreak = flow_.gap.pageBreak || style.pageBreakBefore;
@@ -327,10 +332,7 @@ void ModelWalk::endBlock(Frame& frame) {
         return;
     const BlockStyle& style = frame.style.block;
     flow_.gap.space = std::max(flow_.gap.space, style.spaceAfter);
-    if (boxes_.back() == none)
-        return;
-    flow_.gap.padding += style.padding;
-    model_.boxes[boxes_.back()].last = model_.blocks.size() - 1;
+    close();
 }
 
 bool ModelWalk::beginVerbatim(Frame& frame) {
@@ -416,6 +418,7 @@ bool ModelWalk::beginFootnote(Frame& frame) {
     ++notes_;
     flow_ = {};
     flow_.out = &footnote->blocks;
+    flow_.containers = &footnote->containers;
     frame.together = none;
     frame.indentLeft = frame.style.block.indentLeft;
     frame.indentRight = frame.style.block.indentRight;

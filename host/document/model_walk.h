@@ -11,6 +11,7 @@
 #include "document/presentation.h"
 #include "document/schemas.h"
 
+#include <array>
 #include <map>
 #include <set>
 #include <string>
@@ -37,6 +38,7 @@ public:
     // The block that runs are added to, the space before the next one, and where both go.
     struct Flow {
         Blocks* out = nullptr;
+        Containers* containers = nullptr; // of these blocks
         std::shared_ptr<Block> last;      // of out
         std::vector<Row>* rows = nullptr; // inside a row but outside a cell: its table's
         bool open = false;                // the last block takes more runs
@@ -58,9 +60,10 @@ public:
         std::size_t blockFrame = 0;              // index of the innermost one that is no inline
         bool empty = true;                       // neither a block nor a run was made in it
         bool boxed = false;                      // its blocks have a frame or a background
-        bool filled = false;                     // it has a block of the outermost flow
+        bool filled = false;                     // it has a block in its flow
         bool nested = false;                     // a nested document of text
         bool holdsElements = false;              // asked of an unknown one
+        std::array<int, 8> levels{};             // of each ContainerRole, here
         std::size_t together = none;             // the first block of what is kept together here
         std::size_t table = none;                // role table: its block in the flow
         std::set<std::string, std::less<>> seen; // names of the children so far
@@ -78,12 +81,16 @@ public:
         bool titled = false;
         bool operator==(const State&) const = default;
     };
+    // Of a frame, or none.
+    struct Opened {
+        std::size_t box = none, container = none;
+    };
     // A place where a walk rested, and how much it had made.
     struct Checkpoint {
         State state;
-        std::vector<std::size_t> boxes; // of each frame, its box or none
-        std::size_t offset = 0;         // in the file, of the next node
-        std::size_t blocksBefore = 0, boxesBefore = 0;
+        std::vector<Opened> opened; // by each frame
+        std::size_t offset = 0;     // in the file, of the next node
+        std::size_t blocksBefore = 0, boxesBefore = 0, containersBefore = 0;
     };
     // From a checkpoint to the next one.
     struct Segment {
@@ -168,7 +175,8 @@ private:
     void addText(std::string text, sgml::NodeId content = sgml::noNode, std::size_t offset = 0);
     void markFrames();
     void markReferring();
-    void openBox(std::size_t frame);
+    void open(std::size_t frame);
+    void close();
     [[nodiscard]] bool atLineStart() const;
     [[nodiscard]] std::uint32_t textStyle(const TextStyle& style) {
         return styles_->numberOf(style);
@@ -186,8 +194,8 @@ private:
     std::shared_ptr<TextStyles> styles_;
     Model model_;
     Trail trail_;
-    State state_;                    // its gap is that of the flow
-    std::vector<std::size_t> boxes_; // of each frame, its box or none
+    State state_;                // its gap is that of the flow
+    std::vector<Opened> opened_; // by each frame
     Flow flow_;
     const int spacing_;
     int sinceRest_ = 0; // nodes

@@ -54,6 +54,7 @@ struct ElementStyle {
     std::vector<std::string> restart; // counters that begin again inside it
     std::string reference; // pattern of what REF shows; "" is `number` without its last punctuation
     int headingLevel = 0;
+    ContainerRole role = ContainerRole::none;
     bool title = false; // its text is the document's title
     bool operator==(const ElementStyle&) const = default;
 };

@@ -221,6 +221,20 @@ std::string setDisplay(Display& target, const Words& words) {
                    "reference, slider, value or chart";
 }
 
+std::string setRole(ContainerRole& target, const Words& words) {
+    constexpr std::pair<std::string_view, ContainerRole> names[] = {
+        {"none", ContainerRole::none},     {"section", ContainerRole::section},
+        {"list", ContainerRole::list},     {"item", ContainerRole::item},
+        {"figure", ContainerRole::figure}, {"table", ContainerRole::table},
+        {"quote", ContainerRole::quote},   {"caption", ContainerRole::caption}};
+    for (const auto& [name, value] : names)
+        if (words.size() == 1 && words[0].text == name) {
+            target = value;
+            return "";
+        }
+    return "wants section, list, item, figure, table, caption, quote or none";
+}
+
 std::string setLineHeight(double& target, const Words& words) {
     std::string_view unit;
     const auto value = words.size() == 1 ? number(words[0].text, unit) : std::nullopt;
@@ -294,6 +308,7 @@ const std::map<std::string_view, StyleSetter>& styleSetters() {
         {"counter", [](E& e, const Words& w, const E&) { return setName(e.counter, w); }},
         {"restart", [](E& e, const Words& w, const E&) { return setRestart(e.restart, w); }},
         {"level", [](E& e, const Words& w, const E&) { return setLevel(e.headingLevel, w); }},
+        {"role", [](E& e, const Words& w, const E&) { return setRole(e.role, w); }},
         {"title", [](E& e, const Words& w, const E&) { return setFlag(e.title, w); }},
     };
     return setters;

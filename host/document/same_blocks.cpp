@@ -17,8 +17,9 @@ bool isEqual(const std::shared_ptr<const Block>& a, const std::shared_ptr<const 
 }
 
 bool isEqual(const Cell& a, const Cell& b) {
-    const auto& [element, style, blocks] = a;
-    return element == b.element && style == b.style && areEqual(blocks, b.blocks);
+    const auto& [element, style, blocks, containers] = a;
+    return element == b.element && style == b.style && containers == b.containers &&
+           areEqual(blocks, b.blocks);
 }
 
 bool isEqual(const Row& a, const Row& b) { return areEqual(a, b); }
@@ -26,8 +27,9 @@ bool isEqual(const Row& a, const Row& b) { return areEqual(a, b); }
 bool isEqual(const std::shared_ptr<const Footnote>& a, const std::shared_ptr<const Footnote>& b) {
     if (a == b || !a || !b)
         return a == b;
-    const auto& [number, element, blocks] = *a;
-    return number == b->number && element == b->element && areEqual(blocks, b->blocks);
+    const auto& [number, element, blocks, containers] = *a;
+    return number == b->number && element == b->element && containers == b->containers &&
+           areEqual(blocks, b->blocks);
 }
 
 bool isEqual(const Run& a, const Run& b) {

@@ -75,6 +75,9 @@ struct BlockStyle {
     bool operator==(const BlockStyle&) const = default;
 };
 
+// What an element is for its reader, however it looks. Some stand for several elements.
+enum class ContainerRole { none, section, list, item, figure, table, caption, quote };
+
 // The paper. In headers and footers {page}, {pages} and {title} stand for what they say.
 struct PageStyle {
     double width = 595.276, height = 841.89; // A4
