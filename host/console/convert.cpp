@@ -1,8 +1,8 @@
 #include "console/convert.h"
 
 #include "console/batch_document.h"
+#include "document/text_export.h"
 #include "paper/paper.h"
-#include "paper/plain_text.h"
 #include "terminal/terminal.h"
 #include "utf8/printable.h"
 
@@ -66,15 +66,9 @@ QString writeText(BatchDocument& batch, const QString& name) {
     const document::Document& of = batch.document().document();
     const document::Model model =
         document::buildModel(of, batch.schemas().presentation(of.className()), batch.schemas());
-    const QString text = paper::plainText(model, [&](document::SubdocumentId id) {
-        const document::Subdocument* subdocument = of.subdocument(id);
-        return QString::fromStdString(!subdocument ? std::string("?")
-                                      : subdocument->alternative.empty()
-                                          ? subdocument->className
-                                          : subdocument->alternative);
-    });
     // Each line is the document's own, so that what orders its letters from right to left stays.
-    const std::string shown = utf8::printable(text.toStdString(), utf8::Direction::kept);
+    const std::string shown =
+        utf8::printable(document::exportText(of, model), utf8::Direction::kept);
     if (name == "-")
         return terminal::pass(shown) ? QString() : "cannot be written";
     return writeBytes(name, QByteArray::fromStdString(shown));

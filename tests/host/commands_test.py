@@ -59,7 +59,7 @@ class Convert(InFolder):
         code, out, _ = self.ensemble("--convert-to", "text", "--output", "-", "a.ens")
         self.assertEqual(code, 0)
         self.assertIn("One two\n", out.decode())
-        self.assertIn("[A colour]", out.decode())
+        self.assertIn("[SCRIPTED: A colour]", out.decode())
 
     def test_pages_as_png_are_numbered(self):
         self.write("a.ens", memo(*["<PARAGRAPH><TEXT>{line}</TEXT></PARAGRAPH>\n"] * 100))
