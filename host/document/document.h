@@ -9,6 +9,8 @@
 #include "document/subdocument.h"
 #include "files/save.h"
 #include "sgml/change.h"
+#include "text/edit.h"
+#include "text/places.h"
 
 #include <QObject>
 #include <QString>
@@ -52,20 +54,20 @@ public:
     [[nodiscard]] SubdocumentId subdocumentNamed(const std::string& name) const;
     [[nodiscard]] std::string text(SubdocumentId id) const; // unescaped
     // The place in the file of a place in a subdocument's text, escapes counted.
-    [[nodiscard]] sgml::Position filePosition(SubdocumentId id, sgml::Position inText) const;
+    [[nodiscard]] text::Position filePosition(SubdocumentId id, text::Position inText) const;
     // The bytes of the file at many places, in any order: reads the text once. Those of a text that
     // is not there are where its element begins.
     [[nodiscard]] std::vector<std::size_t>
-    fileOffsets(SubdocumentId id, const std::vector<sgml::Position>& inText) const;
+    fileOffsets(SubdocumentId id, const std::vector<text::Position>& inText) const;
 
     // --- edits
     [[nodiscard]] int revision() const { return revision_; } // of the whole; grows with each change
     // Ranges are bytes of the unescaped text. `base` is the subdocument's revision that they were
     // made for. Edits with the same `group` that follow each other are one step of undo.
-    EditResult editText(SubdocumentId id, int base, const sgml::Edits& edits, const QString& label,
+    EditResult editText(SubdocumentId id, int base, const text::Edits& edits, const QString& label,
                         const QString& group = {});
     // Ranges are bytes of the file.
-    EditResult edit(const sgml::Edits& edits, const QString& label, const QString& group = {});
+    EditResult edit(const text::Edits& edits, const QString& label, const QString& group = {});
 
     // --- undo: to the start gives the first bytes, redo to the end the last
     [[nodiscard]] bool canUndo() const { return done_ > 0; }
@@ -101,7 +103,7 @@ Q_SIGNALS:
     void changed(); // after an edit, an undo or a redo, however many changes that is
     // After each single change of the bytes, before changed(): tree and subdocuments have followed.
     void edited(const sgml::Change& change);
-    void textChanged(document::SubdocumentId id, const sgml::Edits& edits, int revision,
+    void textChanged(document::SubdocumentId id, const text::Edits& edits, int revision,
                      const QString& label); // unescaped edits; undo and redo too
     void subdocumentsChanged();             // some came or went, or an attribute changed
     void undoChanged();                     // labels, canUndo, canRedo
@@ -111,9 +113,9 @@ Q_SIGNALS:
 private:
     // One change of the bytes, and what it did to the subdocuments.
     struct Change {
-        sgml::Edits forward, backward;
+        text::Edits forward, backward;
         SubdocumentId id = noSubdocument; // whose text it changes and nothing else
-        sgml::Edits textForward, textBackward;
+        text::Edits textForward, textBackward;
         std::map<std::size_t, SubdocumentId> lost, found; // by offset before and after
     };
     struct Step {

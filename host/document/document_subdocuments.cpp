@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 
 namespace document {
 
@@ -61,29 +60,22 @@ std::string Document::text(SubdocumentId id) const {
                                                         : tree_.unescaped(found->content).text();
 }
 
-sgml::Position Document::filePosition(SubdocumentId id, sgml::Position inText) const {
-    return subdocument(id) == nullptr ? sgml::Position{}
+text::Position Document::filePosition(SubdocumentId id, text::Position inText) const {
+    return subdocument(id) == nullptr ? text::Position{}
                                       : tree_.position(fileOffsets(id, {inText}).front());
 }
 
 std::vector<std::size_t> Document::fileOffsets(SubdocumentId id,
-                                               const std::vector<sgml::Position>& inText) const {
+                                               const std::vector<text::Position>& inText) const {
     const Subdocument* found = subdocument(id);
     if (found == nullptr || found->content == noNode)
         return std::vector<std::size_t>(
             inText.size(), found == nullptr ? 0 : tree_.node(found->element).range.from);
-    std::vector<std::size_t> order(inText.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return inText[a] < inText[b]; });
-    std::vector<sgml::Position> sorted;
-    for (const std::size_t i : order)
-        sorted.push_back(inText[i]);
     const sgml::Unescaped unescaped = tree_.unescaped(found->content);
-    const std::vector<std::size_t> offsets = sgml::offsetsOf(unescaped.text(), sorted);
-    std::vector<std::size_t> result(inText.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        result[order[i]] = unescaped.fileOffset(offsets[i]);
+    const text::Places places(unescaped.text());
+    std::vector<std::size_t> result;
+    for (const text::Position& position : inText)
+        result.push_back(unescaped.fileOffset(places.offset(position)));
     return result;
 }
 

@@ -40,10 +40,10 @@ struct Mirror {
     Mirror(Document& document, SubdocumentId of) : text(document.text(of)), id(of) {
         QObject::connect(
             &document, &Document::textChanged, &document,
-            [this](SubdocumentId changed, const sgml::Edits& edits, int now, const QString&) {
+            [this](SubdocumentId changed, const text::Edits& edits, int now, const QString&) {
                 if (changed != id)
                     return;
-                text = sgml::applied(text, edits);
+                text = text::applied(text, edits);
                 EXPECT_GT(now, revision);
                 revision = now;
             });
@@ -73,10 +73,10 @@ TEST(Document, DescribesItsSubdocuments) {
 TEST(Document, PlacesOfAMediumBecomePlacesOfTheFile) {
     const Document document(twoScenes);
     const SubdocumentId one = document.subdocumentNamed("one");
-    const sgml::Position start = document.filePosition(one, {1, 1});
-    EXPECT_EQ(document.bytes().substr(sgml::offsetOf(document.bytes(), start), 4), "a \\{");
+    const text::Position start = document.filePosition(one, {1, 1});
+    EXPECT_EQ(document.bytes().substr(text::Places(document.bytes()).offset(start), 4), "a \\{");
     EXPECT_EQ(document.filePosition(one, {1, 4}).column, start.column + 4);
-    EXPECT_EQ(document.filePosition(one, {2, 3}), (sgml::Position{start.line + 1, 3}));
+    EXPECT_EQ(document.filePosition(one, {2, 3}), (text::Position{start.line + 1, 3}));
 }
 
 TEST(Document, EditsOfATextAreAnnouncedCheckedAndUndone) {
@@ -108,7 +108,7 @@ TEST(Document, EachChangeOfTheBytesIsAnnounced) {
     std::string bytes = document.bytes();
     int steps = 0;
     QObject::connect(&document, &Document::edited, &document, [&](const sgml::Change& change) {
-        bytes = sgml::applied(bytes, change.edits);
+        bytes = text::applied(bytes, change.edits);
         EXPECT_EQ(bytes, document.bytes());
     });
     QObject::connect(&document, &Document::changed, &document, [&] { ++steps; });

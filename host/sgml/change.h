@@ -19,7 +19,7 @@ struct Change {
         std::vector<NodeId> removed{}, added{};
     };
 
-    Edits edits{}; // of the bytes, in offsets of the text before
+    text::Edits edits{}; // of the bytes, in offsets of the text before
     // All was read again: only the root kept its number, the lists below are empty, and the numbers
     // of nodes that are gone may be in use again.
     bool everything = false;

@@ -1,7 +1,7 @@
 #include "sgml/parser.h"
 
 #include "sgml/braces.h"
-#include "sgml/utf8.h"
+#include "text/characters.h"
 
 #include <algorithm>
 
@@ -37,8 +37,8 @@ void Parser::parse() {
     open_.push_back(0);
     if (checkEncoding()) {
         checkBytes();
-        if (text_.starts_with(byteOrderMark))
-            at_ = byteOrderMark.size();
+        if (text_.starts_with(text::byteOrderMark))
+            at_ = text::byteOrderMark.size();
         skipBlanks();
         if (!atEnd())
             readDocumentLine();
@@ -60,7 +60,7 @@ void Parser::skipBlanks() {
         ++at_;
 }
 
-Range Parser::readName() {
+text::Range Parser::readName() {
     const std::size_t from = at_;
     if (!atEnd() && isNameStart(here()))
         while (!atEnd() && isNamePart(here()))
@@ -124,7 +124,7 @@ void Parser::readStartTag() {
         return;
     }
     ++at_;
-    const Range name = readName();
+    const text::Range name = readName();
     checkPlace(NodeKind::element, from);
     const NodeId element = addNode(NodeKind::element, {from, at_});
     tree_.nodes_[element].name = name;
@@ -166,7 +166,7 @@ void Parser::readEndTag() {
     const bool closed = !atEnd() && here() == '>';
     if (closed)
         ++at_;
-    const Range tag{from, at_};
+    const text::Range tag{from, at_};
     if (!closed)
         fault(FaultKind::badTag, tag,
               "the end tag " + endTagOf(name) + " is not closed with \">\"");
@@ -257,7 +257,7 @@ void Parser::readStray(FaultKind kind, std::string message) {
 
 // --- nodes ----------------------------------------------------------------------------------
 
-NodeId Parser::addNode(NodeKind kind, Range range) {
+NodeId Parser::addNode(NodeKind kind, text::Range range) {
     const auto id = static_cast<NodeId>(tree_.nodes_.size());
     Node node;
     node.kind = kind;
@@ -315,7 +315,7 @@ void Parser::open(NodeId id) {
     }
 }
 
-void Parser::close(std::size_t end, Range endTag) {
+void Parser::close(std::size_t end, text::Range endTag) {
     const NodeId id = top();
     Node& node = tree_.nodes_[id];
     node.range.to = end;

@@ -27,15 +27,15 @@ private:
     [[nodiscard]] bool startsHere(std::string_view token) const;
     [[nodiscard]] NodeId top() const { return open_.back(); }
     void skipBlanks();
-    Range readName();
+    text::Range readName();
 
     void readItem();
     void readDocumentLine();
     void readStartTag();
     void readAttributes(NodeId element);
     bool readAttribute(NodeId element);
-    Range readAttributeValue(Range name);
-    Range unquotedValue(Range name);
+    text::Range readAttributeValue(text::Range name);
+    text::Range unquotedValue(text::Range name);
     void keepAttribute(NodeId element, const Attribute& attribute);
     void finishStartTag(NodeId element);
     void readEndTag();
@@ -45,19 +45,19 @@ private:
     void readMarkup();
     void readStray(FaultKind kind, std::string message);
 
-    NodeId addNode(NodeKind kind, Range range);
+    NodeId addNode(NodeKind kind, text::Range range);
     void checkPlace(NodeKind kind, std::size_t at);
     void checkPlaceInDocument(NodeId document, NodeKind kind, std::size_t at);
     [[nodiscard]] bool isComplete(NodeId document) const { return complete_.contains(document); }
     void open(NodeId node);
-    void close(std::size_t end, Range endTag);
+    void close(std::size_t end, text::Range endTag);
     [[nodiscard]] std::size_t endOfTop() const;
     void closeMissing(std::size_t at);
     void closeAllAtEnd();
     void finishDocument(NodeId document);
     void stop(std::string message);
 
-    void fault(FaultKind kind, Range range, std::string message,
+    void fault(FaultKind kind, text::Range range, std::string message,
                Severity severity = Severity::error);
     void checkBytes();
     bool checkEncoding();

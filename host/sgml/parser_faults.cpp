@@ -1,13 +1,13 @@
 // What the parser says about the text's bytes, and where its faults stand.
 #include "sgml/parser.h"
-#include "sgml/utf8.h"
+#include "text/characters.h"
 
 #include <algorithm>
 
 namespace sgml {
 
 // Reserves a line for what is not listed, so that a text of nothing but faults stays readable.
-void Parser::fault(FaultKind kind, Range range, std::string message, Severity severity) {
+void Parser::fault(FaultKind kind, text::Range range, std::string message, Severity severity) {
     if (tree_.faults_.size() >= limits_.faults) {
         ++unlisted_;
         return;
@@ -37,8 +37,8 @@ bool Parser::checkEncoding() {
 
 void Parser::checkBytes() {
     const std::size_t half = limits_.faults / 2; // leaves room for the faults of structure
-    for (Range bad = illFormed(text_); !bad.empty() && tree_.faults_.size() < half;
-         bad = illFormed(text_, bad.to))
+    for (text::Range bad = text::illFormed(text_); !bad.empty() && tree_.faults_.size() < half;
+         bad = text::illFormed(text_, bad.to))
         fault(FaultKind::invalidUtf8, bad, "these bytes are not UTF-8; they are kept as they are",
               Severity::warning);
     for (std::size_t at = text_.find('\0');
@@ -55,12 +55,11 @@ void Parser::placeFaults() {
         faults.push_back({.kind = FaultKind::limit,
                           .range = faults.back().range,
                           .message = std::to_string(unlisted_) + " more faults are not listed"});
-    std::vector<std::size_t> offsets;
-    for (const Fault& fault : faults)
-        offsets.push_back(fault.range.from);
-    const std::vector<Position> positions = positionsOf(text_, offsets);
-    for (std::size_t i = 0; i < faults.size(); ++i)
-        faults[i].position = positions[i];
+    if (faults.empty())
+        return;
+    const text::Places places(text_);
+    for (Fault& fault : faults)
+        fault.position = places.at(fault.range.from);
 }
 
 } // namespace sgml

@@ -17,11 +17,11 @@ bool survivesEdit(const Tree& tree, RandomDocument& random) {
         return true;
     const std::size_t size = tree.unescaped(id).text().size();
     const std::size_t from = random.below(size + 1);
-    const Edits edits =
+    const text::Edits edits =
         contentEdit(tree, id, {from, from + random.below(size - from + 1)}, random.text(3));
     const Tree after = edited(tree, edits, id);
-    return after == Tree::parse(applied(tree.bytes(), edits)) &&
-           applied(after.bytes(), inverse(tree.bytes(), edits)) == tree.bytes();
+    return after == Tree::parse(text::applied(tree.bytes(), edits)) &&
+           text::applied(after.bytes(), text::inverse(tree.bytes(), edits)) == tree.bytes();
 }
 
 bool survives(const std::string& bytes, bool sound, RandomDocument& random) {

@@ -19,7 +19,7 @@ bool Tree::isBroken() const {
                        [](const Fault& fault) { return fault.severity == Severity::error; });
 }
 
-std::string_view Tree::text(Range range) const {
+std::string_view Tree::text(text::Range range) const {
     return std::string_view(bytes_).substr(range.from, range.size());
 }
 
@@ -67,12 +67,12 @@ NodeId Tree::content(NodeId element) const {
     return noNode;
 }
 
-Range Tree::contentRange(NodeId content) const {
+text::Range Tree::contentRange(NodeId content) const {
     return {nodes_[content].startTag.to, nodes_[content].endTag.from};
 }
 
 Unescaped Tree::unescaped(NodeId content) const {
-    const Range range = contentRange(content);
+    const text::Range range = contentRange(content);
     return Unescaped(text(range), range.from);
 }
 
@@ -105,7 +105,7 @@ NodeId Tree::innermostAt(std::size_t offset) const {
 
 namespace {
 
-std::string rangeText(Range range) {
+std::string rangeText(text::Range range) {
     return " " + std::to_string(range.from) + ".." + std::to_string(range.to);
 }
 

@@ -13,7 +13,8 @@
 
 #include "sgml/escape.h"
 #include "sgml/fault.h"
-#include "sgml/position.h"
+#include "text/edit.h"
+#include "text/places.h"
 
 #include <cstdint>
 #include <optional>
@@ -29,9 +30,9 @@ inline constexpr NodeId noNode = 0xFFFFFFFF;
 enum class NodeKind : std::uint8_t { document, element, content, stray };
 
 struct Attribute {
-    Range name{};
-    Range value{}; // between the quotes
-    Range whole{}; // name, `=` and quotes
+    text::Range name{};
+    text::Range value{}; // between the quotes
+    text::Range whole{}; // name, `=` and quotes
     bool operator==(const Attribute&) const = default;
 };
 
@@ -41,10 +42,11 @@ struct Node {
     NodeId firstChild = noNode;
     NodeId lastChild = noNode;
     NodeId next = noNode;
-    Range range{}; // all of it, tags or braces included
-    Range name{};  // element: its name in the start tag; document: its class in the DOCUMENT line
-    Range startTag{}; // element only
-    Range endTag{};   // element only; empty when it is missing
+    text::Range range{}; // all of it, tags or braces included
+    text::Range
+        name{}; // element: its name in the start tag; document: its class in the DOCUMENT line
+    text::Range startTag{}; // element only
+    text::Range endTag{};   // element only; empty when it is missing
     std::uint32_t firstAttribute = 0;
     std::uint32_t attributeCount = 0;
     bool operator==(const Node&) const = default;
@@ -74,7 +76,7 @@ public:
     [[nodiscard]] NodeId root() const { return 0; } // the file's document node
     [[nodiscard]] bool isElement(NodeId id) const { return nodes_[id].kind == NodeKind::element; }
 
-    [[nodiscard]] std::string_view text(Range range) const;
+    [[nodiscard]] std::string_view text(text::Range range) const;
     // An element's tag, or a document's class (its class element's tag when the line is missing).
     [[nodiscard]] std::string_view name(NodeId id) const;
     [[nodiscard]] std::vector<Attribute> attributes(NodeId element) const;
@@ -88,7 +90,7 @@ public:
     // The element's braced content or noNode.
     [[nodiscard]] NodeId content(NodeId element) const;
     // The bytes between the braces, as spelled, and what they stand for.
-    [[nodiscard]] Range contentRange(NodeId content) const;
+    [[nodiscard]] text::Range contentRange(NodeId content) const;
     [[nodiscard]] Unescaped unescaped(NodeId content) const;
     // Of an element: the text of its content, "" without one.
     [[nodiscard]] std::string contentText(NodeId element) const;
@@ -100,7 +102,9 @@ public:
     // The innermost node that holds the byte at `offset`.
     [[nodiscard]] NodeId innermostAt(std::size_t offset) const;
 
-    [[nodiscard]] Position position(std::size_t offset) const { return positionOf(bytes_, offset); }
+    [[nodiscard]] text::Position position(std::size_t offset) const {
+        return text::Places(bytes_).at(offset);
+    }
 
     // One line per node: indented kind, name, byte range, attributes, content (for tests and logs).
     [[nodiscard]] std::string printed() const;

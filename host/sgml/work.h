@@ -6,7 +6,6 @@
 namespace sgml {
 
 struct Work {
-    std::size_t bytesPlaced = 0;    // walked over to find lines and columns
     std::size_t siblingsPassed = 0; // looked at to find an element among them
 };
 
