@@ -51,11 +51,11 @@ private:
         live.makeStill();
     }
 
-    text::Position placeOf(document::SubdocumentId id) const {
+    sgml::Position placeOf(document::SubdocumentId id) const {
         const document::Document& of = batch_.document().document();
         const document::Subdocument* subdocument = of.subdocument(id);
         return subdocument ? of.tree().position(of.tree().node(subdocument->element).range.from)
-                           : text::Position{};
+                           : sgml::Position{};
     }
 
     BatchDocument& batch_;

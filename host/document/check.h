@@ -18,11 +18,11 @@ documentFaults(const Document& document, const Schemas& schemas, const QStringLi
 // An element that shows the picture of a file, or drives a parameter of a subdocument: these are
 // sound only if the file and the parameter are there.
 struct ImageUse {
-    text::Range range;
+    sgml::Range range;
     std::string source;
 };
 struct SliderUse {
-    text::Range range;
+    sgml::Range range;
     SubdocumentId subdocument = noSubdocument;
     std::string parameter;
 };

@@ -4,7 +4,7 @@
 // balanced pair of bare braces is itself. New text is always escaped.
 #pragma once
 
-#include "text/edit.h"
+#include "sgml/position.h"
 
 #include <string>
 #include <string_view>

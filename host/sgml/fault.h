@@ -4,8 +4,7 @@
 // A warning means that it is one, with something in it that is likely not meant.
 #pragma once
 
-#include "text/edit.h"
-#include "text/places.h"
+#include "sgml/position.h"
 
 #include <string>
 #include <vector>
@@ -37,8 +36,8 @@ enum class FaultKind {
 struct Fault {
     FaultKind kind = FaultKind::strayText;
     Severity severity = Severity::error;
-    text::Range range{}; // what to underline; may be empty
-    text::Position position{};
+    Range range{}; // what to underline; may be empty
+    Position position{};
     std::string message{}; // one sentence, without place
     bool operator==(const Fault&) const = default;
 };

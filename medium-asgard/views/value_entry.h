@@ -37,7 +37,7 @@ private:
     void addFields(QVBoxLayout* column);
     void update();
     void showOffers();
-    void take(const text::Edits& edits);
+    void take(const std::vector<editing::TextEdit>& edits);
     void leave();
 
     SceneDocument& document_;
