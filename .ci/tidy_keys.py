@@ -6,7 +6,7 @@ settings of clang-tidy, the list of packages and the compiler's options.
 import hashlib, os, re, sys
 
 INCLUDE = re.compile(rb'^\s*#\s*include\s+"([^"]+)"', re.M)
-ROOTS = ["host", "medium-asgard", "medium-asgard/engine", "."]
+ROOTS = ["common", "host", "medium-asgard", "medium-asgard/engine", "."]
 read = {}
 
 

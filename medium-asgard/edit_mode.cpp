@@ -3,6 +3,7 @@
 #include "plain/qt_messages.h"
 #include "service/menu.h"
 #include "terminal/terminal.h"
+#include "text/difference.h"
 #include "views/editor.h"
 
 #include <QApplication>
@@ -34,7 +35,7 @@ public:
           news_(connection.session().descriptor(), QSocketNotifier::Read),
           output_(connection.output(), QSocketNotifier::Write) {
         views::HostLink link;
-        link.changed = [this](const views::TextEdit&, const QString& label) {
+        link.changed = [this](const text::Edit&, const QString& label) {
             label_ = label;
             propose();
         };
@@ -205,18 +206,17 @@ private:
     void propose() {
         if (proposed_)
             return;
-        const views::TextEdit edit = views::editBetween(subdocument().text(), document().text());
-        if (edit.from == edit.to && edit.text.empty())
+        const text::Edit edit = text::difference(subdocument().text(), document().text());
+        if (edit.empty())
             return document().didAccept(); // it was taken back meanwhile
         proposed_ = true;
         proposedText_ = document().text();
-        connection_.session().propose(
-            {static_cast<ipc::Integer>(edit.from), static_cast<ipc::Integer>(edit.to), edit.text},
-            label_.toStdString(), [this](const std::optional<std::string>& refusal) {
-                proposed_ = false;
-                answered(refusal);
-                tellWindows();
-            });
+        connection_.session().propose(edit, label_.toStdString(),
+                                      [this](const std::optional<std::string>& refusal) {
+                                          proposed_ = false;
+                                          answered(refusal);
+                                          tellWindows();
+                                      });
         connection_.flush();
         output_.setEnabled(connection_.sending());
     }

@@ -51,11 +51,11 @@ private:
         live.makeStill();
     }
 
-    sgml::Position placeOf(document::SubdocumentId id) const {
+    text::Position placeOf(document::SubdocumentId id) const {
         const document::Document& of = batch_.document().document();
         const document::Subdocument* subdocument = of.subdocument(id);
         return subdocument ? of.tree().position(of.tree().node(subdocument->element).range.from)
-                           : sgml::Position{};
+                           : text::Position{};
     }
 
     BatchDocument& batch_;

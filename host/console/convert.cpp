@@ -4,7 +4,7 @@
 #include "document/text_export.h"
 #include "paper/paper.h"
 #include "terminal/terminal.h"
-#include "utf8/printable.h"
+#include "text/printable.h"
 
 #include <QBuffer>
 #include <QFile>
@@ -68,7 +68,7 @@ QString writeText(BatchDocument& batch, const QString& name) {
         document::buildModel(of, batch.schemas().presentation(of.className()), batch.schemas());
     // Each line is the document's own, so that what orders its letters from right to left stays.
     const std::string shown =
-        utf8::printable(document::exportText(of, model), utf8::Direction::kept);
+        text::printable(document::exportText(of, model), text::Direction::kept);
     if (name == "-")
         return terminal::pass(shown) ? QString() : "cannot be written";
     return writeBytes(name, QByteArray::fromStdString(shown));

@@ -67,12 +67,9 @@ void placeFaults(std::vector<sgml::Fault>& faults, std::string_view bytes) {
     std::stable_sort(faults.begin(), faults.end(), [](const sgml::Fault& a, const sgml::Fault& b) {
         return a.range.from < b.range.from;
     });
-    std::vector<std::size_t> offsets;
-    for (const sgml::Fault& fault : faults)
-        offsets.push_back(fault.range.from);
-    const std::vector<sgml::Position> positions = sgml::positionsOf(bytes, offsets);
-    for (std::size_t i = 0; i < faults.size(); ++i)
-        faults[i].position = positions[i];
+    const text::Places places(bytes);
+    for (sgml::Fault& fault : faults)
+        fault.position = places.at(fault.range.from);
 }
 
 } // namespace document

@@ -18,11 +18,11 @@ documentFaults(const Document& document, const Schemas& schemas, const QStringLi
 // An element that shows the picture of a file, or drives a parameter of a subdocument: these are
 // sound only if the file and the parameter are there.
 struct ImageUse {
-    sgml::Range range;
+    text::Range range;
     std::string source;
 };
 struct SliderUse {
-    sgml::Range range;
+    text::Range range;
     SubdocumentId subdocument = noSubdocument;
     std::string parameter;
 };

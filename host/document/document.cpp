@@ -1,7 +1,8 @@
 #include "document/document.h"
 
 #include "sgml/braces.h"
-#include "sgml/utf8.h"
+#include "text/characters.h"
+#include "text/difference.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -10,15 +11,13 @@
 
 namespace document {
 
-using sgml::Edits;
 using sgml::NodeId;
 using sgml::noNode;
+using text::Edits;
 
 Document::Document(std::string bytes, QObject* parent)
     : QObject(parent), tree_(sgml::Tree::parse(std::move(bytes))) {
-    std::map<std::size_t, SubdocumentId> none;
-    readSubdocuments(tree_.root(), none);
-    orderSubdocuments();
+    readSubdocuments({});
 }
 
 Document::~Document() = default;
@@ -29,57 +28,17 @@ std::string Document::className() const { return std::string(tree_.name(tree_.ro
 
 namespace {
 
-bool isPlain(const Edits& edits, const std::string& text) {
-    const auto splitsCharacter = [&](std::size_t at) {
-        return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80;
-    };
-    return std::all_of(edits.begin(), edits.end(), [&](const sgml::Edit& edit) {
-        return sgml::isUtf8(edit.text) && !splitsCharacter(edit.range.from) &&
-               !splitsCharacter(edit.range.to);
+bool isPlain(const text::Edits& edits, const std::string& text) {
+    return std::all_of(edits.begin(), edits.end(), [&](const text::Edit& edit) {
+        return text::isUtf8(edit.text) && !text::isInsideCharacter(text, edit.range.from) &&
+               !text::isInsideCharacter(text, edit.range.to);
     });
-}
-
-// Looks at the bytes around the edits alone.
-bool changesNothing(Edits edits, const std::string& text) {
-    if (edits.empty())
-        return true;
-    const std::size_t from = edits.front().range.from, to = edits.back().range.to;
-    std::size_t added = 0, removed = 0;
-    for (sgml::Edit& edit : edits) {
-        added += edit.text.size();
-        removed += edit.range.size();
-        edit.range = {edit.range.from - from, edit.range.to - from};
-    }
-    const std::string_view before = std::string_view(text).substr(from, to - from);
-    return added == removed && sgml::applied(before, edits) == before;
-}
-
-// The one replacement that makes `after` of `before`; none when they are equal.
-Edits differenceOf(std::string_view before, std::string_view after) {
-    if (before == after)
-        return {};
-    const std::size_t shorter = std::min(before.size(), after.size());
-    std::size_t head = 0, tail = 0;
-    while (head < shorter && before[head] == after[head])
-        ++head;
-    while (tail < shorter - head &&
-           before[before.size() - 1 - tail] == after[after.size() - 1 - tail])
-        ++tail;
-    // Whole characters only, since a medium reads UTF-8.
-    const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
-    while (head > 0 && ((head < before.size() && continues(before[head])) ||
-                        (head < after.size() && continues(after[head]))))
-        --head;
-    while (tail > 0 && continues(before[before.size() - tail]))
-        --tail;
-    return {{{head, before.size() - tail},
-             std::string(after.substr(head, after.size() - tail - head))}};
 }
 
 } // namespace
 
-EditResult Document::editText(SubdocumentId id, int base, const Edits& edits, const QString& label,
-                              const QString& group) {
+EditResult Document::editText(SubdocumentId id, int base, const text::Edits& edits,
+                              const QString& label, const QString& group) {
     const Subdocument* target = subdocument(id);
     if (target == nullptr || !target->hasText)
         return EditResult::unknown;
@@ -90,9 +49,9 @@ EditResult Document::editText(SubdocumentId id, int base, const Edits& edits, co
     if (base != target->revision)
         return EditResult::stale;
     const std::string before = text(id);
-    if (!sgml::areOrdered(edits, before.size()) || !isPlain(edits, before))
+    if (!text::areOrdered(edits, before.size()) || !isPlain(edits, before))
         return EditResult::invalid;
-    const std::string after = sgml::applied(before, edits);
+    const std::string after = text::applied(before, edits);
     if (after == before)
         return EditResult::nothing;
     Change change;
@@ -104,15 +63,15 @@ EditResult Document::editText(SubdocumentId id, int base, const Edits& edits, co
         change.forward = sgml::contentEdits(tree_, target->content, edits);
         change.id = id;
         change.textForward = edits;
-        change.textBackward = sgml::inverse(before, edits);
+        change.textBackward = text::inverse(before, edits);
     }
     return perform(std::move(change), label, group);
 }
 
-EditResult Document::edit(const Edits& edits, const QString& label, const QString& group) {
-    if (!sgml::areOrdered(edits, bytes().size()))
+EditResult Document::edit(const text::Edits& edits, const QString& label, const QString& group) {
+    if (!text::areOrdered(edits, bytes().size()))
         return EditResult::invalid;
-    if (changesNothing(edits, bytes()))
+    if (text::applied(bytes(), edits) == bytes())
         return EditResult::nothing;
     Change change;
     change.forward = edits;
@@ -121,7 +80,7 @@ EditResult Document::edit(const Edits& edits, const QString& label, const QStrin
 
 EditResult Document::perform(Change change, const QString& label, const QString& group) {
     const bool wasModified = isModified();
-    change.backward = sgml::inverse(bytes(), change.forward);
+    change.backward = text::inverse(bytes(), change.forward);
     play(change, Direction::forward, label);
     push(std::move(change), label, group);
     announce(wasModified);
@@ -142,34 +101,65 @@ void Document::push(Change change, const QString& label, const QString& group) {
     group_ = group;
 }
 
-// Everything that is known of the text before is taken down, then the tree follows, then the
-// subdocuments, then all are told.
 void Document::play(Change& change, Direction direction, const QString& label) {
     ++revision_;
+    if (change.id != noSubdocument && subdocument(change.id) != nullptr)
+        playText(change, direction, label);
+    else
+        playAll(change, direction, label);
     const bool forward = direction == Direction::forward;
-    const Edits& edits = forward ? change.forward : change.backward;
-    const std::vector<Remembered> before = rememberSubdocuments(edits);
-    const sgml::Change told = sgml::applyEdits(tree_, edits);
-    const bool structure = told.everything || !told.tags.empty() || !told.children.empty();
-    const std::set<SubdocumentId> touched =
-        structure ? followStructure(told, before, change, direction) : ownersOf(told.texts);
-    bool anyText = false;
-    for (const Remembered& was : before) {
-        const Subdocument* now = subdocument(was.id);
-        if (now == nullptr || !touched.contains(was.id))
-            continue;
-        const Edits known = forward ? change.textForward : change.textBackward;
-        const Edits changes = was.id == change.id && !known.empty()
-                                  ? known
-                                  : differenceOf(textBefore(was, edits), text(was.id));
-        if (changes.empty())
-            continue;
-        anyText = true;
-        emit textChanged(was.id, changes, nextRevision(was.id), label);
+    emit edited({.edits = forward ? change.forward : change.backward, .everything = true});
+}
+
+// Only one content changes. In a sound document that leaves the structure as it is, and with it all
+// that is known of the subdocuments.
+void Document::playText(Change& change, Direction direction, const QString& label) {
+    const bool forward = direction == Direction::forward;
+    const bool sound = tree_.faults().empty();
+    const std::map<std::size_t, SubdocumentId> known =
+        sound ? std::map<std::size_t, SubdocumentId>{} : survivors(change, direction);
+    tree_ = sgml::edited(std::move(tree_), forward ? change.forward : change.backward,
+                         subdocuments_.at(change.id).content);
+    if (!sound)
+        readSubdocuments(known);
+    const int revision = nextRevision(change.id);
+    emit textChanged(change.id, forward ? change.textForward : change.textBackward, revision,
+                     label);
+}
+
+// Anything may change: texts are compared, and what came and went is kept for the way back.
+void Document::playAll(Change& change, Direction direction, const QString& label) {
+    std::map<SubdocumentId, std::string> before;
+    for (const SubdocumentId id : order_)
+        before[id] = text(id);
+    const std::map<std::size_t, SubdocumentId> known = survivors(change, direction);
+    tree_ = sgml::Tree::parse(
+        text::applied(bytes(), direction == Direction::forward ? change.forward : change.backward));
+    readSubdocuments(known);
+    for (const SubdocumentId id : std::vector(order_)) {
+        const auto old = before.find(id);
+        const std::string now = text(id);
+        if (old != before.end() && old->second != now)
+            emit textChanged(id, {text::difference(old->second, now)}, nextRevision(id), label);
     }
-    if (structure || (anyText && told.texts.size() > touched.size()))
-        emit subdocumentsChanged();
-    emit edited(told);
+    emit subdocumentsChanged();
+}
+
+// Where the subdocuments will be that the change leaves, or brings back.
+std::map<std::size_t, SubdocumentId> Document::survivors(Change& change,
+                                                         Direction direction) const {
+    const bool forward = direction == Direction::forward;
+    const text::Edits& edits = forward ? change.forward : change.backward;
+    auto& lost = forward ? change.lost : change.found;
+    std::map<std::size_t, SubdocumentId> known = forward ? change.found : change.lost;
+    for (const auto& [id, subdocument] : subdocuments_) {
+        const std::size_t offset = tree_.node(subdocument.element).range.from;
+        if (const auto now = text::movedByte(offset, edits))
+            known[*now] = id;
+        else
+            lost[offset] = id;
+    }
+    return known;
 }
 
 // --- undo -----------------------------------------------------------------------------------
@@ -247,7 +237,7 @@ std::unique_ptr<Document> Document::recover(const files::KnownFile& file, std::s
 
 void Document::recoverText(const files::KnownFile& file, const std::string& text) {
     file_ = file;
-    edit(differenceOf(bytes(), text), tr("Recover"));
+    edit({text::difference(bytes(), text)}, tr("Recover"));
 }
 
 files::SaveResult Document::save(files::SaveOptions options) { return saveAs(fileName_, options); }

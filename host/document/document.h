@@ -9,13 +9,14 @@
 #include "document/subdocument.h"
 #include "files/save.h"
 #include "sgml/change.h"
+#include "text/edit.h"
+#include "text/places.h"
 
 #include <QObject>
 #include <QString>
 
 #include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -53,20 +54,20 @@ public:
     [[nodiscard]] SubdocumentId subdocumentNamed(const std::string& name) const;
     [[nodiscard]] std::string text(SubdocumentId id) const; // unescaped
     // The place in the file of a place in a subdocument's text, escapes counted.
-    [[nodiscard]] sgml::Position filePosition(SubdocumentId id, sgml::Position inText) const;
+    [[nodiscard]] text::Position filePosition(SubdocumentId id, text::Position inText) const;
     // The bytes of the file at many places, in any order: reads the text once. Those of a text that
     // is not there are where its element begins.
     [[nodiscard]] std::vector<std::size_t>
-    fileOffsets(SubdocumentId id, const std::vector<sgml::Position>& inText) const;
+    fileOffsets(SubdocumentId id, const std::vector<text::Position>& inText) const;
 
     // --- edits
     [[nodiscard]] int revision() const { return revision_; } // of the whole; grows with each change
     // Ranges are bytes of the unescaped text. `base` is the subdocument's revision that they were
     // made for. Edits with the same `group` that follow each other are one step of undo.
-    EditResult editText(SubdocumentId id, int base, const sgml::Edits& edits, const QString& label,
+    EditResult editText(SubdocumentId id, int base, const text::Edits& edits, const QString& label,
                         const QString& group = {});
     // Ranges are bytes of the file.
-    EditResult edit(const sgml::Edits& edits, const QString& label, const QString& group = {});
+    EditResult edit(const text::Edits& edits, const QString& label, const QString& group = {});
 
     // --- undo: to the start gives the first bytes, redo to the end the last
     [[nodiscard]] bool canUndo() const { return done_ > 0; }
@@ -102,19 +103,19 @@ Q_SIGNALS:
     void changed(); // after an edit, an undo or a redo, however many changes that is
     // After each single change of the bytes, before changed(): tree and subdocuments have followed.
     void edited(const sgml::Change& change);
-    void textChanged(document::SubdocumentId id, const sgml::Edits& edits, int revision,
+    void textChanged(document::SubdocumentId id, const text::Edits& edits, int revision,
                      const QString& label); // unescaped edits; undo and redo too
-    void subdocumentsChanged(); // some came or went, or elements or attributes changed somewhere
-    void undoChanged();         // labels, canUndo, canRedo
+    void subdocumentsChanged();             // some came or went, or an attribute changed
+    void undoChanged();                     // labels, canUndo, canRedo
     void modifiedChanged(bool modified);
     void fileNameChanged();
 
 private:
     // One change of the bytes, and what it did to the subdocuments.
     struct Change {
-        sgml::Edits forward, backward;
+        text::Edits forward, backward;
         SubdocumentId id = noSubdocument; // whose text it changes and nothing else
-        sgml::Edits textForward, textBackward;
+        text::Edits textForward, textBackward;
         std::map<std::size_t, SubdocumentId> lost, found; // by offset before and after
     };
     struct Step {
@@ -125,30 +126,15 @@ private:
 
     EditResult perform(Change change, const QString& label, const QString& group);
     void play(Change& change, Direction direction, const QString& label);
+    void playText(Change& change, Direction direction, const QString& label);
+    void playAll(Change& change, Direction direction, const QString& label);
     void push(Change change, const QString& label, const QString& group);
     void announce(bool wasModified);
-    // A subdocument before a change.
-    struct Remembered {
-        SubdocumentId id = noSubdocument;
-        std::size_t at = 0;    // of its element
-        sgml::Range spelled{}; // its text in the file
-        std::string text{};    // if the change edits it
-        bool isEdited = false;
-    };
-    [[nodiscard]] std::vector<Remembered> rememberSubdocuments(const sgml::Edits& edits) const;
-    [[nodiscard]] std::string textBefore(const Remembered& was, const sgml::Edits& edits) const;
-    // The subdocuments whose text may have changed.
-    std::set<SubdocumentId> followStructure(const sgml::Change& told,
-                                            const std::vector<Remembered>& before, Change& change,
-                                            Direction direction);
-    std::set<SubdocumentId> forgetSubdocuments(const sgml::Change& told);
-    void readSubdocuments(sgml::NodeId top, std::map<std::size_t, SubdocumentId>& known);
-    void describe(SubdocumentId id, sgml::NodeId element);
-    void orderSubdocuments();
-    // The innermost subdocuments that these nodes belong to.
-    [[nodiscard]] std::set<SubdocumentId> ownersOf(const std::vector<sgml::NodeId>& nodes) const;
+    [[nodiscard]] std::map<std::size_t, SubdocumentId> survivors(Change& change,
+                                                                 Direction direction) const;
+    void readSubdocuments(const std::map<std::size_t, SubdocumentId>& known);
     int nextRevision(SubdocumentId id);
-    [[nodiscard]] Subdocument described(sgml::NodeId element) const;
+    [[nodiscard]] Subdocument describe(sgml::NodeId element) const;
 
     static constexpr std::size_t noStep = static_cast<std::size_t>(-1);
     sgml::Tree tree_;

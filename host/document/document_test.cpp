@@ -1,6 +1,5 @@
 #include "document/document.h"
 #include "sgml/random_document.h"
-#include "sgml/work.h"
 
 #include <gtest/gtest.h>
 
@@ -41,10 +40,10 @@ struct Mirror {
     Mirror(Document& document, SubdocumentId of) : text(document.text(of)), id(of) {
         QObject::connect(
             &document, &Document::textChanged, &document,
-            [this](SubdocumentId changed, const sgml::Edits& edits, int now, const QString&) {
+            [this](SubdocumentId changed, const text::Edits& edits, int now, const QString&) {
                 if (changed != id)
                     return;
-                text = sgml::applied(text, edits);
+                text = text::applied(text, edits);
                 EXPECT_GT(now, revision);
                 revision = now;
             });
@@ -74,10 +73,10 @@ TEST(Document, DescribesItsSubdocuments) {
 TEST(Document, PlacesOfAMediumBecomePlacesOfTheFile) {
     const Document document(twoScenes);
     const SubdocumentId one = document.subdocumentNamed("one");
-    const sgml::Position start = document.filePosition(one, {1, 1});
-    EXPECT_EQ(document.bytes().substr(sgml::offsetOf(document.bytes(), start), 4), "a \\{");
+    const text::Position start = document.filePosition(one, {1, 1});
+    EXPECT_EQ(document.bytes().substr(text::Places(document.bytes()).offset(start), 4), "a \\{");
     EXPECT_EQ(document.filePosition(one, {1, 4}).column, start.column + 4);
-    EXPECT_EQ(document.filePosition(one, {2, 3}), (sgml::Position{start.line + 1, 3}));
+    EXPECT_EQ(document.filePosition(one, {2, 3}), (text::Position{start.line + 1, 3}));
 }
 
 TEST(Document, EditsOfATextAreAnnouncedCheckedAndUndone) {
@@ -109,7 +108,7 @@ TEST(Document, EachChangeOfTheBytesIsAnnounced) {
     std::string bytes = document.bytes();
     int steps = 0;
     QObject::connect(&document, &Document::edited, &document, [&](const sgml::Change& change) {
-        bytes = sgml::applied(bytes, change.edits);
+        bytes = text::applied(bytes, change.edits);
         EXPECT_EQ(bytes, document.bytes());
     });
     QObject::connect(&document, &Document::changed, &document, [&] { ++steps; });
@@ -241,56 +240,6 @@ TEST(Document, RandomEditsUndoAndRedoExactly) {
         ASSERT_TRUE(document.tree() == sgml::Tree::parse(end));
         expectMirrored();
     }
-}
-
-// A letter and an Enter in the middle of 4 MB with 500 scenes: what is read is the paragraph, and
-// no scene is read or described again.
-TEST(Document, ALetterAndAnEnterCostTheSameInALongDocument) {
-    std::string text = "DOCUMENT REPORT\n<REPORT>\n";
-    for (int i = 0; i < 500; ++i) {
-        for (int k = 0; k < 60; ++k)
-            text += "<PARAGRAPH>{" + std::string(110, 'w') + "}</PARAGRAPH>\n";
-        text += "<DOCUMENT>DOCUMENT ANIMATION\n<ANIMATION><ASGARD>{s}</ASGARD></ANIMATION>"
-                "</DOCUMENT>\n";
-    }
-    Document document(text + "</REPORT>");
-    ASSERT_GT(document.bytes().size(), 4'000'000u);
-    const std::vector<SubdocumentId> before = document.subdocuments();
-    int texts = 0, structures = 0;
-    QObject::connect(&document, &Document::textChanged, &document, [&] { ++texts; });
-    QObject::connect(&document, &Document::subdocumentsChanged, &document, [&] { ++structures; });
-    const std::size_t at = document.bytes().find("www", document.bytes().size() / 2) + 50;
-    const auto cost = [&](const auto& act) {
-        const sgml::Work work = sgml::work();
-        act();
-        EXPECT_LE(sgml::work().bytesRead - work.bytesRead, 300u);
-        EXPECT_LE(sgml::work().nodesMade - work.nodesMade, 3u);
-    };
-    cost([&] { (void)document.edit({{{at, at}, "x"}}, "Type"); });
-    EXPECT_EQ(structures, 0);
-    cost([&] { (void)document.edit({{{at, at}, "}</PARAGRAPH><PARAGRAPH>{"}}, "Enter"); });
-    EXPECT_EQ(structures, 1);
-    cost([&] { document.undo(); });
-    cost([&] { document.undo(); });
-    cost([&] { document.redo(); });
-    EXPECT_EQ(texts, 0);
-    EXPECT_EQ(document.subdocuments(), before);
-    document.undo();
-    EXPECT_EQ(document.bytes(), text + "</REPORT>");
-}
-
-// What an unclosed brace swallowed comes back with its number when the brace is closed.
-TEST(Document, SubdocumentsThatABrokenTextHidesComeBackWithTheirNumber) {
-    Document document(twoScenes);
-    const std::vector<SubdocumentId> before = document.subdocuments();
-    const std::size_t body = twoScenes.find("<BODY>") + 6;
-    (void)document.edit({{{body, body}, "{"}}, "Type");
-    EXPECT_TRUE(document.subdocuments().empty());
-    document.undo();
-    EXPECT_EQ(document.subdocuments(), before);
-    document.redo();
-    document.undo();
-    EXPECT_EQ(document.subdocuments(), before);
 }
 
 TEST(Document, SamplesHoldWhatTheySay) {

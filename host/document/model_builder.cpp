@@ -16,7 +16,7 @@ ModelBuilder::ModelBuilder(const Document& document, const Presentation& present
 namespace {
 
 // Grows a range of bytes by another one.
-void cover(sgml::Range& all, sgml::Range part) {
+void cover(text::Range& all, text::Range part) {
     all = {std::min(all.from, part.from), std::max(all.to, part.to)};
 }
 
@@ -27,15 +27,13 @@ void cover(sgml::Range& all, sgml::Range part) {
 ModelBuilder::Region ModelBuilder::regionOf(const sgml::Change& change) const {
     const sgml::Tree& tree = document_.tree();
     std::size_t added = 0, removed = 0; // bytes
-    sgml::Range all{tree.bytes().size(), 0};
-    for (const sgml::Edit& edit : change.edits) {
+    text::Range all{tree.bytes().size(), 0};
+    for (const text::Edit& edit : change.edits) {
         const std::size_t from = edit.range.from + added - removed;
         cover(all, {from, from + edit.text.size()});
         added += edit.text.size();
         removed += edit.range.to - edit.range.from;
     }
-    for (const sgml::Range read : change.read)
-        cover(all, read);
     for (const sgml::NodeId text : change.texts)
         cover(all, tree.node(text).range);
     for (const sgml::NodeId tag : change.tags) {

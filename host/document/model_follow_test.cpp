@@ -181,10 +181,10 @@ public:
     std::string id() { return chance(50) ? " ID=\"n" + std::to_string(below(names)) + "\"" : ""; }
 
     // Some edit of the bytes, sound or not.
-    sgml::Edits edit(const sgml::Tree& tree) {
+    text::Edits edit(const sgml::Tree& tree) {
         const std::string& bytes = tree.bytes();
         const sgml::NodeId node = anyNode(tree);
-        const sgml::Range range = tree.node(node).range;
+        const text::Range range = tree.node(node).range;
         const bool isContent = tree.node(node).kind == sgml::NodeKind::content;
         switch (below(12)) {
         case 0: // another part before, behind or in it
@@ -192,7 +192,7 @@ public:
         case 1:
             return {{{range.to, range.to}, part(2)}};
         case 2:
-            return isContent ? sgml::Edits{} : sgml::Edits{{range, ""}};
+            return isContent ? text::Edits{} : text::Edits{{range, ""}};
         case 3: { // moved
             const std::size_t to = tree.node(anyNode(tree)).range.from;
             if (to <= range.from)

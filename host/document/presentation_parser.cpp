@@ -192,7 +192,7 @@ private:
     void fail(std::size_t offset, std::string message) {
         sgml::Fault fault;
         fault.range = {offset, offset};
-        fault.position = sgml::positionOf(text_, offset);
+        fault.position = text::Places(text_).at(offset);
         fault.message = std::move(message);
         faults_.push_back(std::move(fault));
     }

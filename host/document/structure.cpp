@@ -133,7 +133,7 @@ private:
     void fail(const std::string& message) {
         sgml::Fault fault;
         fault.range = {line_, line_};
-        fault.position = sgml::positionOf(text_, line_);
+        fault.position = text::Places(text_).at(line_);
         fault.message = message;
         faults_.push_back(std::move(fault));
     }
@@ -155,7 +155,7 @@ StructureSchema StructureSchema::parse(std::string_view text, std::vector<sgml::
 
 namespace {
 
-void warn(std::vector<sgml::Fault>& warnings, sgml::Range range, std::string message) {
+void warn(std::vector<sgml::Fault>& warnings, text::Range range, std::string message) {
     sgml::Fault fault;
     fault.severity = sgml::Severity::warning;
     fault.range = range;

@@ -99,7 +99,7 @@ private:
                      "nothing has the ID " + std::string(id) + " that this refers to");
     }
 
-    void warn(sgml::Range range, std::string message) {
+    void warn(text::Range range, std::string message) {
         sgml::Fault fault;
         fault.severity = sgml::Severity::warning;
         fault.range = range;

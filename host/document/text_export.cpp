@@ -1,5 +1,7 @@
 #include "document/text_export.h"
 
+#include "text/characters.h"
+
 #include <algorithm>
 
 namespace document {
@@ -10,9 +12,8 @@ constexpr double pointsPerColumn = 6;
 constexpr double blankLine = 4.5; // points of space that become an empty line
 
 std::size_t columns(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-        return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-    }));
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return !text::isContinuation(c); }));
 }
 
 std::string padded(std::string text, std::size_t width) {

@@ -93,6 +93,7 @@ struct Effort {
 
 Effort effortOf(const std::string& text) {
     const sgml::Work before = sgml::work();
+    const std::size_t placed = text::bytesPlaced();
     const document::Document document(text);
     const document::Schemas schemas = document::Schemas::builtIn();
     (void)document::documentFaults(document, schemas, {});
@@ -102,7 +103,7 @@ Effort effortOf(const std::string& text) {
     objects.subdocumentSize = [](document::SubdocumentId) { return QSizeF(2000, 2000); };
     objects.imageSize = [](const std::string&) { return QSize(300, 300); };
     const Work work = layOut(model, objects).work;
-    return {work.letters, work.strips, work.boxes, sgml::work().bytesPlaced - before.bytesPlaced,
+    return {work.letters, work.strips, work.boxes, text::bytesPlaced() - placed,
             sgml::work().siblingsPassed - before.siblingsPassed};
 }
 
@@ -127,15 +128,15 @@ TEST(Growth, ManyFaultsOfASubdocumentArePlacedAtOnce) {
         const document::Document document(
             report("<PARAGRAPH><DOCUMENT>DOCUMENT MOVIE\n<MOVIE><SCRIPT>{" +
                    repeated("a \\{line\\} #\n", n) + "}</SCRIPT></MOVIE></DOCUMENT></PARAGRAPH>"));
-        std::vector<sgml::Position> places;
+        std::vector<text::Position> places;
         for (int i = n; i > 0; --i)
             places.push_back({i, 3});
-        const sgml::Work before = sgml::work();
+        const std::size_t before = text::bytesPlaced();
         const std::vector<std::size_t> offsets =
             document.fileOffsets(document.subdocuments().front(), places);
         EXPECT_EQ(document.bytes().substr(offsets.back(), 6), "\\{line");
         EXPECT_GT(offsets.front(), offsets.back());
-        return sgml::work().bytesPlaced - before.bytesPlaced;
+        return text::bytesPlaced() - before;
     };
     EXPECT_LE(placed(2000), 2 * placed(1000) + 100);
 }

@@ -83,13 +83,13 @@ void LiveSubdocument::setText(const QByteArray& text) {
         load();
 }
 
-void LiveSubdocument::edit(const std::vector<ipc::TextEdit>& edits, const QString& label) {
+void LiveSubdocument::edit(const text::Edits& edits, const QString& label) {
     const bool wasTooLong = isTooLong();
     std::size_t typed = 0;
-    for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit) {
-        text_.replace(edit->from, edit->to - edit->from, QByteArray::fromStdString(edit->text));
-        typed += edit->text.size();
-    }
+    for (const text::Edit& edit : edits)
+        typed += edit.text.size();
+    const std::string_view before(text_.constData(), static_cast<std::size_t>(text_.size()));
+    text_ = QByteArray::fromStdString(text::applied(before, edits));
     ++revision_;
     if (!judgeText(wasTooLong) || applyingOwnChange_ || !isReady())
         return; // it knows already, or is told by load()
@@ -148,18 +148,15 @@ void LiveSubdocument::applyChange(MediumProcess& by, const ipc::Id& id,
                        "the text is at revision " + std::to_string(revision_)});
         return;
     }
-    ipc::Integer last = 0;
-    auto length = static_cast<ipc::Integer>(text_.size());
-    for (const ipc::TextEdit& edit : change.edits) {
-        if (edit.from < last || edit.to < edit.from || edit.to > text_.size()) {
-            by.refuse(id, {ipc::ErrorCode::invalidParameters,
-                           "the edits must ascend, not overlap and lie in the text"});
-            return;
-        }
-        last = edit.to;
-        length += edit.from - edit.to + static_cast<ipc::Integer>(edit.text.size());
+    auto length = static_cast<std::size_t>(text_.size());
+    if (!text::areOrdered(change.edits, length)) {
+        by.refuse(id, {ipc::ErrorCode::invalidParameters,
+                       "the edits must ascend, not overlap and lie in the text"});
+        return;
     }
-    if (length > static_cast<ipc::Integer>(ipc::longestText.most)) {
+    for (const text::Edit& edit : change.edits)
+        length = length - edit.range.size() + edit.text.size();
+    if (length > ipc::longestText.most) {
         by.refuse(id, {ipc::ErrorCode::notPossible, "the text would be too long"});
         return;
     }

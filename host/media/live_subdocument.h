@@ -52,7 +52,7 @@ public:
 
     // --- its text
     void setText(const QByteArray& text); // whole: at first, and after a reload of the document
-    void edit(const std::vector<ipc::TextEdit>& edits, const QString& label);
+    void edit(const text::Edits& edits, const QString& label);
     [[nodiscard]] const QByteArray& text() const { return text_; }
     void setTitle(const QString& title) { title_ = title; } // for the medium's own windows
     void onChange(ChangeHandler handler) { changeHandler_ = std::move(handler); }

@@ -297,7 +297,7 @@ TEST_F(MediumProcessTest, TheLongestTextsAreTold) {
     EXPECT_TRUE(it->hasLoaded()) << it->reason().toStdString();
     // More changes than a message holds are told as a new text.
     it->setText(QByteArray(20'000, '\n'));
-    std::vector<ipc::TextEdit> edits;
+    text::Edits edits;
     for (ipc::Integer i = 0; i < 20'000; ++i)
         edits.push_back({i, i, i == 0 ? "fault 1 1 there" : "\n"});
     it->edit(edits, {});
@@ -309,7 +309,7 @@ TEST_F(MediumProcessTest, TheLongestTextsAreTold) {
 
 TEST_F(MediumProcessTest, PassesOnAChangeAndRefusesAStaleOne) {
     auto it = subdocument("colour 102030\nchange X");
-    std::vector<ipc::TextEdit> got;
+    text::Edits got;
     it->onChange([&](const ipc::SubdocumentChanged& change) -> std::optional<QString> {
         got = change.edits;
         it->edit(change.edits, "Append");

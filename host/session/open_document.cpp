@@ -10,22 +10,6 @@ namespace session {
 
 namespace {
 
-sgml::Edits toSgml(const std::vector<ipc::TextEdit>& edits) {
-    sgml::Edits result;
-    for (const ipc::TextEdit& edit : edits)
-        result.push_back(
-            {{static_cast<std::size_t>(edit.from), static_cast<std::size_t>(edit.to)}, edit.text});
-    return result;
-}
-
-std::vector<ipc::TextEdit> toIpc(const sgml::Edits& edits) {
-    std::vector<ipc::TextEdit> result;
-    for (const sgml::Edit& edit : edits)
-        result.push_back({static_cast<ipc::Integer>(edit.range.from),
-                          static_cast<ipc::Integer>(edit.range.to), edit.text});
-    return result;
-}
-
 ListedFault listed(const sgml::Fault& fault, document::SubdocumentId id = document::noSubdocument) {
     return {fault.position,
             fault.severity == sgml::Severity::error,
@@ -34,7 +18,7 @@ ListedFault listed(const sgml::Fault& fault, document::SubdocumentId id = docume
             {}};
 }
 
-sgml::Fault warningAt(sgml::Range range, std::string message) {
+sgml::Fault warningAt(text::Range range, std::string message) {
     sgml::Fault fault;
     fault.severity = sgml::Severity::warning;
     fault.range = range;
@@ -60,7 +44,7 @@ OpenDocument::OpenDocument(std::unique_ptr<document::Document> document,
     });
     document::Document* watched = document_.get();
     connect(watched, &document::Document::textChanged, this,
-            [this](document::SubdocumentId id, const sgml::Edits& edits, int,
+            [this](document::SubdocumentId id, const text::Edits& edits, int,
                    const QString& label) { textChanged(id, edits, label); });
     connect(watched, &document::Document::subdocumentsChanged, this, [this] {
         onlyText_ = false;
@@ -206,11 +190,11 @@ QSizeF OpenDocument::sizeOf(document::SubdocumentId id) const {
     return size.expandedTo({1, 1}).boundedTo({20'000, 20'000});
 }
 
-void OpenDocument::textChanged(document::SubdocumentId id, const sgml::Edits& edits,
+void OpenDocument::textChanged(document::SubdocumentId id, const text::Edits& edits,
                                const QString& label) {
     onlyText_ = true;
     if (media::LiveSubdocument* subdocument = live(id))
-        subdocument->edit(toIpc(edits), label);
+        subdocument->edit(edits, label);
 }
 
 void OpenDocument::documentChanged() {
@@ -228,7 +212,7 @@ std::optional<QString> OpenDocument::applyChange(document::SubdocumentId id,
     const QString group = change.group.empty()
                               ? QString()
                               : QStringLiteral("%1/%2").arg(id).arg(change.group.c_str());
-    switch (document_->editText(id, subdocument->revision, toSgml(change.edits),
+    switch (document_->editText(id, subdocument->revision, change.edits,
                                 QString::fromStdString(change.label), group)) {
     case document::EditResult::applied:
     case document::EditResult::nothing:
@@ -250,7 +234,7 @@ std::vector<sgml::Fault> OpenDocument::saidBy(document::SubdocumentId id) const 
     const document::Subdocument* in = document_->subdocument(id);
     if (!subdocument || !in)
         return {};
-    std::vector<sgml::Position> places;
+    std::vector<text::Position> places;
     for (const ipc::DiagnosticItem& item : subdocument->diagnostics().items) {
         constexpr ipc::Integer most = 1'000'000'000;
         places.push_back({static_cast<int>(std::clamp(item.line, ipc::Integer{0}, most)),
@@ -353,14 +337,11 @@ std::vector<ListedFault> OpenDocument::faults() {
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return all[a].range.from < all[b].range.from;
     });
-    std::vector<std::size_t> offsets;
-    for (const std::size_t i : order)
-        offsets.push_back(all[i].range.from);
-    const std::vector<sgml::Position> positions = sgml::positionsOf(document_->bytes(), offsets);
+    const text::Places places(document_->bytes());
     std::vector<ListedFault> result = ofSchemas();
     for (std::size_t i = 0; i < order.size(); ++i) {
         result.push_back(listed(all[order[i]], by[order[i]]));
-        result.back().position = positions[i];
+        result.back().position = places.at(all[order[i]].range.from);
     }
     return result;
 }

@@ -9,6 +9,8 @@
 #include "media/live_media.h"
 #include "session/images.h"
 #include "session/unsaved.h"
+#include "text/edit.h"
+#include "text/places.h"
 
 #include <QObject>
 #include <QSizeF>
@@ -19,7 +21,7 @@
 namespace session {
 
 struct ListedFault {
-    sgml::Position position; // line 0: no place is known
+    text::Position position; // line 0: no place is known
     bool isError = false;
     QString message;
     document::SubdocumentId subdocument = document::noSubdocument;
@@ -84,7 +86,7 @@ private:
     [[nodiscard]] std::vector<ListedFault> ofSchemas() const;
     void nameSubdocuments(); // for the windows of media
     void documentChanged();
-    void textChanged(document::SubdocumentId id, const sgml::Edits& edits, const QString& label);
+    void textChanged(document::SubdocumentId id, const text::Edits& edits, const QString& label);
     [[nodiscard]] std::optional<QString> applyChange(document::SubdocumentId id,
                                                      const ipc::SubdocumentChanged& change);
 

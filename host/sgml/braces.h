@@ -5,7 +5,7 @@
 // stack answers for a whole file, and reading stays linear however many contents are never closed.
 #pragma once
 
-#include "sgml/position.h"
+#include "text/edit.h"
 
 #include <string_view>
 #include <unordered_map>

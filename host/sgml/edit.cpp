@@ -1,61 +1,11 @@
 #include "sgml/edit.h"
 
 #include "sgml/braces.h"
-#include "sgml/utf8.h"
+#include "text/characters.h"
 
 #include <algorithm>
 
 namespace sgml {
-
-// --- edits of any text ----------------------------------------------------------------------
-
-bool areOrdered(const Edits& edits, std::size_t size) {
-    std::size_t before = 0;
-    for (const Edit& edit : edits) {
-        if (edit.range.from < before || edit.range.to < edit.range.from || edit.range.to > size)
-            return false;
-        before = edit.range.to;
-    }
-    return true;
-}
-
-std::string applied(std::string_view text, const Edits& edits) {
-    std::string result;
-    std::size_t kept = 0;
-    for (const Edit& edit : edits) {
-        result += text.substr(kept, edit.range.from - kept);
-        result += edit.text;
-        kept = edit.range.to;
-    }
-    result += text.substr(kept);
-    return result;
-}
-
-Edits inverse(std::string_view text, const Edits& edits) {
-    Edits result;
-    std::size_t added = 0, removed = 0;
-    for (const Edit& edit : edits) {
-        const std::size_t from = edit.range.from + added - removed;
-        result.push_back({{from, from + edit.text.size()},
-                          std::string(text.substr(edit.range.from, edit.range.size()))});
-        added += edit.text.size();
-        removed += edit.range.size();
-    }
-    return result;
-}
-
-std::optional<std::size_t> moved(std::size_t offset, const Edits& edits) {
-    std::size_t added = 0, removed = 0;
-    for (const Edit& edit : edits) {
-        if (edit.range.from > offset)
-            break;
-        if (edit.range.contains(offset))
-            return std::nullopt;
-        added += edit.text.size();
-        removed += edit.range.size();
-    }
-    return offset + added - removed;
-}
 
 // --- edits of content -----------------------------------------------------------------------
 
@@ -68,8 +18,8 @@ public:
         : tree_(tree), content_(content), range_(tree.contentRange(content)),
           unescaped_(tree.unescaped(content)) {}
 
-    Edits edits(const Edits& unescaped) {
-        for (const Edit& edit : unescaped) {
+    text::Edits edits(const text::Edits& unescaped) {
+        for (const text::Edit& edit : unescaped) {
             const std::size_t size = unescaped_.text().size();
             const std::size_t to = std::min(edit.range.to, size);
             const std::size_t from = std::min(edit.range.from, to);
@@ -85,9 +35,9 @@ private:
     // A bare brace whose partner goes would close the content or never be closed.
     void escapeWidowedBraces() {
         const std::string_view spelling = tree_.text(range_);
-        Edits widowed;
+        text::Edits widowed;
         std::unordered_map<std::size_t, std::size_t> pairs;
-        for (const Edit& edit : edits_) {
+        for (const text::Edit& edit : edits_) {
             if (tree_.text(edit.range).find_first_of("{}") == std::string_view::npos)
                 continue;
             if (pairs.empty())
@@ -100,13 +50,14 @@ private:
             }
         }
         edits_.insert(edits_.end(), widowed.begin(), widowed.end());
-        std::stable_sort(edits_.begin(), edits_.end(),
-                         [](const Edit& a, const Edit& b) { return a.range.from < b.range.from; });
+        std::stable_sort(
+            edits_.begin(), edits_.end(),
+            [](const text::Edit& a, const text::Edit& b) { return a.range.from < b.range.from; });
     }
 
     [[nodiscard]] bool isReplaced(std::size_t offset) const {
         return std::any_of(edits_.begin(), edits_.end(),
-                           [&](const Edit& edit) { return edit.range.contains(offset); });
+                           [&](const text::Edit& edit) { return edit.range.contains(offset); });
     }
 
     // A bare backslash is itself only as long as no brace or backslash follows it.
@@ -147,25 +98,26 @@ private:
 
     const Tree& tree_;
     NodeId content_;
-    Range range_;
+    text::Range range_;
     Unescaped unescaped_;
-    Edits edits_;
+    text::Edits edits_;
 };
 
 } // namespace
 
-Edits contentEdits(const Tree& tree, NodeId content, const Edits& unescaped) {
+text::Edits contentEdits(const Tree& tree, NodeId content, const text::Edits& unescaped) {
     return ContentEditor(tree, content).edits(unescaped);
 }
 
-Edits contentEdit(const Tree& tree, NodeId content, Range unescaped, std::string_view text) {
+text::Edits contentEdit(const Tree& tree, NodeId content, text::Range unescaped,
+                        std::string_view text) {
     return contentEdits(tree, content, {{unescaped, std::string(text)}});
 }
 
 // --- edits of attributes --------------------------------------------------------------------
 
-Edits attributeEdit(const Tree& tree, NodeId element, std::string_view name,
-                    std::string_view value) {
+text::Edits attributeEdit(const Tree& tree, NodeId element, std::string_view name,
+                          std::string_view value) {
     std::string spelled(value);
     std::replace(spelled.begin(), spelled.end(), '"', '\'');
     const Node& node = tree.node(element);
@@ -178,7 +130,7 @@ Edits attributeEdit(const Tree& tree, NodeId element, std::string_view name,
     return {{{end, end}, " " + std::string(name) + "=\"" + spelled + '"'}};
 }
 
-Edits attributeRemoval(const Tree& tree, NodeId element, std::string_view name) {
+text::Edits attributeRemoval(const Tree& tree, NodeId element, std::string_view name) {
     std::size_t before = tree.node(element).name.to;
     for (const Attribute& attribute : tree.attributes(element)) {
         if (tree.text(attribute.name) == name)
@@ -191,6 +143,57 @@ Edits attributeRemoval(const Tree& tree, NodeId element, std::string_view name) 
 std::string elementText(std::string_view name, std::string_view content) {
     const std::string tag(name);
     return "<" + tag + ">{" + escaped(content) + "}</" + tag + ">";
+}
+
+// --- trees ----------------------------------------------------------------------------------
+
+// Moves the offsets of a tree whose structure an edit of one content leaves alone.
+class Splice {
+public:
+    Splice(Tree& tree, const text::Edits& edits, NodeId content)
+        : tree_(tree), content_(tree.node(content).startTag.from) {
+        for (const text::Edit& edit : edits)
+            shift_ += static_cast<std::ptrdiff_t>(edit.text.size()) -
+                      static_cast<std::ptrdiff_t>(edit.range.size());
+        tree_.bytes_ = text::applied(tree_.bytes_, edits);
+        for (Node& node : tree_.nodes_)
+            for (text::Range* range : {&node.range, &node.name, &node.startTag, &node.endTag})
+                move(*range);
+        for (Attribute& attribute : tree_.attributes_)
+            for (text::Range* range : {&attribute.name, &attribute.value, &attribute.whole})
+                move(*range);
+    }
+
+private:
+    void move(text::Range& range) const {
+        move(range.from);
+        move(range.to);
+    }
+    // No offset of a node lies inside the content: it is at or before its `{`, just behind that, or
+    // at its `}` or later.
+    void move(std::size_t& offset) const {
+        if (offset > content_ + 1)
+            offset = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(offset) + shift_);
+    }
+
+    Tree& tree_;
+    std::size_t content_;
+    std::ptrdiff_t shift_ = 0;
+};
+
+Tree edited(Tree tree, const text::Edits& edits, NodeId within) {
+    const bool sound =
+        within != noNode && tree.faults().empty() && !tree.contentRange(within).empty();
+    const auto isPlain = [](const text::Edit& edit) {
+        return text::isUtf8(edit.text) && edit.text.find('\0') == std::string::npos;
+    };
+    if (!sound || !std::all_of(edits.begin(), edits.end(), isPlain))
+        return Tree::parse(text::applied(tree.bytes(), edits));
+    Splice(tree, edits, within);
+    // An edit may have begun or ended inside a character.
+    if (text::isUtf8(tree.text(tree.contentRange(within))))
+        return tree;
+    return Tree::parse(tree.bytes());
 }
 
 } // namespace sgml

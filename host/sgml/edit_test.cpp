@@ -1,4 +1,4 @@
-#include "sgml/change.h"
+#include "sgml/edit.h"
 #include "sgml/random_document.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ NodeId onlyContent(const Tree& tree) { return tree.content(tree.classElement(tre
 TEST(Edit, ContentEditsChangeOnlyTheirBytes) {
     struct {
         std::string before;
-        Range range;
+        text::Range range;
         std::string text, after;
     } cases[] = {
         {"\\{1 2\\} {3}", {1, 2}, "7", "\\{7 2\\} {3}"}, // the spelling around stays as it is
@@ -32,36 +32,21 @@ TEST(Edit, ContentEditsChangeOnlyTheirBytes) {
     for (const auto& [before, range, text, after] : cases) {
         const Tree tree = Tree::parse(around(before));
         ASSERT_FALSE(tree.isBroken()) << before;
-        const Edits edits = contentEdit(tree, onlyContent(tree), range, text);
-        EXPECT_EQ(applied(tree.bytes(), edits), around(after)) << before;
+        const text::Edits edits = contentEdit(tree, onlyContent(tree), range, text);
+        EXPECT_EQ(text::applied(tree.bytes(), edits), around(after)) << before;
     }
 }
 
 TEST(Edit, AttributesAreSetAddedAndRemoved) {
     const Tree tree = Tree::parse("DOCUMENT A\n<A  X=\"1\"\tY = \"2\" ></A>");
     const NodeId a = tree.classElement(tree.root());
-    EXPECT_EQ(applied(tree.bytes(), attributeEdit(tree, a, "Y", "a\"b")),
+    EXPECT_EQ(text::applied(tree.bytes(), attributeEdit(tree, a, "Y", "a\"b")),
               "DOCUMENT A\n<A  X=\"1\"\tY=\"a'b\" ></A>");
-    EXPECT_EQ(applied(tree.bytes(), attributeEdit(tree, a, "Z", "3")),
+    EXPECT_EQ(text::applied(tree.bytes(), attributeEdit(tree, a, "Z", "3")),
               "DOCUMENT A\n<A  X=\"1\"\tY = \"2\" Z=\"3\" ></A>");
-    EXPECT_EQ(applied(tree.bytes(), attributeRemoval(tree, a, "X")),
+    EXPECT_EQ(text::applied(tree.bytes(), attributeRemoval(tree, a, "X")),
               "DOCUMENT A\n<A\tY = \"2\" ></A>");
     EXPECT_TRUE(attributeRemoval(tree, a, "Z").empty());
-}
-
-TEST(Edit, InverseAndMovedOffsets) {
-    const std::string text = "0123456789";
-    const Edits edits = {{{2, 4}, "abc"}, {{6, 6}, "--"}};
-    ASSERT_TRUE(areOrdered(edits, text.size()));
-    EXPECT_EQ(applied(text, edits), "01abc45--6789");
-    EXPECT_EQ(applied(applied(text, edits), inverse(text, edits)), text);
-    EXPECT_EQ(moved(1, edits), 1u);
-    EXPECT_EQ(moved(2, edits), std::nullopt);
-    EXPECT_EQ(moved(5, edits), 6u);
-    EXPECT_EQ(moved(6, edits), 9u);
-    EXPECT_FALSE(areOrdered({{{3, 2}, ""}}, 10));
-    EXPECT_FALSE(areOrdered({{{2, 4}, ""}, {{3, 5}, ""}}, 10));
-    EXPECT_FALSE(areOrdered({{{2, 11}, ""}}, 10));
 }
 
 // The slow way checks the quick one: a spliced tree is the tree of the edited bytes; the text is as
@@ -78,16 +63,16 @@ TEST(Edit, RandomContentEditsEqualReadingAgain) {
             const std::size_t from = random.below(before.size() + 1);
             const std::size_t to = from + random.below(before.size() - from + 1);
             const std::string text = random.text(4);
-            const Edits edits = contentEdit(tree, id, {from, to}, text);
+            const text::Edits edits = contentEdit(tree, id, {from, to}, text);
             const std::string bytes = tree.bytes();
-            const Range range = tree.contentRange(id);
-            ASSERT_TRUE(areOrdered(edits, bytes.size()));
-            for (const Edit& edit : edits) {
+            const text::Range range = tree.contentRange(id);
+            ASSERT_TRUE(text::areOrdered(edits, bytes.size()));
+            for (const text::Edit& edit : edits) {
                 ASSERT_GE(edit.range.from, range.from);
                 ASSERT_LE(edit.range.to, range.to);
             }
-            applyEdits(tree, edits);
-            ASSERT_TRUE(tree == Tree::parse(applied(bytes, edits))) << bytes;
+            tree = edited(std::move(tree), edits, id);
+            ASSERT_TRUE(tree == Tree::parse(text::applied(bytes, edits))) << bytes;
             ASSERT_EQ(tree.unescaped(id).text(), before.substr(0, from) + text + before.substr(to))
                 << bytes;
         }
@@ -100,17 +85,16 @@ TEST(Edit, SeveralRangesAtOnce) {
         const Tree tree = Tree::parse(around(random.spelling(3)));
         const NodeId content = onlyContent(tree);
         const std::string before = tree.unescaped(content).text();
-        Edits asked;
+        text::Edits asked;
         for (std::size_t at = 0; at <= before.size() && asked.size() < 4;) {
             const std::size_t from = at + random.below(before.size() - at + 1);
             const std::size_t to = from + random.below(before.size() - from + 1);
             asked.push_back({{from, to}, random.text(3)});
             at = to + random.below(2);
         }
-        Tree after = tree;
-        applyEdits(after, contentEdits(tree, content, asked));
+        const Tree after = edited(tree, contentEdits(tree, content, asked));
         ASSERT_FALSE(after.isBroken()) << tree.bytes() << "\n" << after.bytes();
-        ASSERT_EQ(after.unescaped(onlyContent(after)).text(), applied(before, asked))
+        ASSERT_EQ(after.unescaped(onlyContent(after)).text(), text::applied(before, asked))
             << tree.bytes();
     }
 }

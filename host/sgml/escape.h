@@ -4,7 +4,7 @@
 // balanced pair of bare braces is itself. New text is always escaped.
 #pragma once
 
-#include "sgml/position.h"
+#include "text/edit.h"
 
 #include <string>
 #include <string_view>

@@ -4,7 +4,8 @@
 // A warning means that it is one, with something in it that is likely not meant.
 #pragma once
 
-#include "sgml/position.h"
+#include "text/edit.h"
+#include "text/places.h"
 
 #include <string>
 #include <vector>
@@ -36,8 +37,8 @@ enum class FaultKind {
 struct Fault {
     FaultKind kind = FaultKind::strayText;
     Severity severity = Severity::error;
-    Range range{}; // what to underline; may be empty
-    Position position{};
+    text::Range range{}; // what to underline; may be empty
+    text::Position position{};
     std::string message{}; // one sentence, without place
     bool operator==(const Fault&) const = default;
 };

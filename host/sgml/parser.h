@@ -7,10 +7,6 @@
 //   content that is never closed ends before the next end tag of an open element;
 //   a tag that is never closed ends before the next `<`; an attribute value, at the end of its
 //   line; anything else is stray up to the next `<` or `{`.
-//
-// Between two items (tags, contents, strays) the whole state is the nodes that are open, what the
-// innermost of them holds so far, and the place. So reading can begin at any such place of a text
-// whose nodes before it are known: resume().
 #pragma once
 
 #include "sgml/tree.h"
@@ -22,38 +18,24 @@ namespace sgml {
 
 class Parser {
 public:
-    explicit Parser(Tree& tree);
+    Parser(Tree& tree, const Limits& limits);
     void parse();
 
-    // Goes on at `at`, between two items, inside these nodes, the outermost first. The tree holds
-    // what stands before `at`, and nothing behind it.
-    void resume(std::size_t at, std::vector<NodeId> open);
-    // Reads blanks and one item. False: the text has ended, and all nodes are closed.
-    bool readNext();
-    [[nodiscard]] std::size_t at() const { return at_; }
-    [[nodiscard]] const std::vector<NodeId>& openNodes() const { return open_; }
-    [[nodiscard]] bool hasStopped() const { return stopped_; } // at a limit
-    // What can be said of a document when all of it is read.
-    void checkDocument(NodeId document);
-    // The faults of bytes [from, to): their encoding alone.
-    void checkBytes(Range range);
-
 private:
-    void begin();
     [[nodiscard]] bool atEnd() const { return at_ >= text_.size(); }
     [[nodiscard]] char here() const { return text_[at_]; }
     [[nodiscard]] bool startsHere(std::string_view token) const;
     [[nodiscard]] NodeId top() const { return open_.back(); }
     void skipBlanks();
-    Range readName();
+    text::Range readName();
 
     void readItem();
     void readDocumentLine();
     void readStartTag();
     void readAttributes(NodeId element);
     bool readAttribute(NodeId element);
-    Range readAttributeValue(Range name);
-    Range unquotedValue(Range name);
+    text::Range readAttributeValue(text::Range name);
+    text::Range unquotedValue(text::Range name);
     void keepAttribute(NodeId element, const Attribute& attribute);
     void finishStartTag(NodeId element);
     void readEndTag();
@@ -63,40 +45,37 @@ private:
     void readMarkup();
     void readStray(FaultKind kind, std::string message);
 
-    NodeId addNode(NodeKind kind, Range range);
+    NodeId addNode(NodeKind kind, text::Range range);
     void checkPlace(NodeKind kind, std::size_t at);
     void checkPlaceInDocument(NodeId document, NodeKind kind, std::size_t at);
     [[nodiscard]] bool isComplete(NodeId document) const { return complete_.contains(document); }
     void open(NodeId node);
-    void close(std::size_t end, Range endTag);
+    void close(std::size_t end, text::Range endTag);
     [[nodiscard]] std::size_t endOfTop() const;
-    void closeMissing(Range endTag);
+    void closeMissing(std::size_t at);
     void closeAllAtEnd();
+    void finishDocument(NodeId document);
     void stop(std::string message);
 
-    void fault(FaultKind kind, Range range, std::string message,
+    void fault(FaultKind kind, text::Range range, std::string message,
                Severity severity = Severity::error);
+    void checkBytes();
     bool checkEncoding();
-    void countUnlisted();
+    void placeFaults();
 
     Tree& tree_;
     std::string_view text_;
-    const Limits& limits_;
+    Limits limits_;
     std::size_t at_ = 0;
     std::vector<NodeId> open_;
     std::size_t elementDepth_ = 0;
     std::unordered_map<std::string_view, int> openNames_;
     std::unordered_set<NodeId> complete_; // documents that have their class element
-    std::size_t nodes_ = 1;               // that were read
     std::vector<std::size_t> unclosed_;
     bool unclosedKnown_ = false;
     bool noMoreQuotes_ = false;
     bool trailingReported_ = false;
-    bool stopped_ = false;
     std::size_t unlisted_ = 0;
 };
-
-// Sorts them by place and finds their lines and columns.
-void placeFaults(std::vector<Fault>& faults, std::string_view text);
 
 } // namespace sgml

@@ -28,7 +28,7 @@ void Parser::readAttributes(NodeId element) {
 // False: the tag cannot be read further.
 bool Parser::readAttribute(NodeId element) {
     const std::size_t from = at_;
-    const Range name = readName();
+    const text::Range name = readName();
     if (name.empty()) {
         const std::size_t end = text_.find_first_of(" \t\r\n<>", at_ + 1);
         at_ = end == npos ? text_.size() : end;
@@ -44,12 +44,12 @@ bool Parser::readAttribute(NodeId element) {
     }
     ++at_;
     skipBlanks();
-    const Range value = readAttributeValue(name);
+    const text::Range value = readAttributeValue(name);
     keepAttribute(element, {.name = name, .value = value, .whole = {from, at_}});
     return !atEnd();
 }
 
-Range Parser::readAttributeValue(Range name) {
+text::Range Parser::readAttributeValue(text::Range name) {
     if (atEnd() || here() != '"')
         return unquotedValue(name);
     const std::size_t from = at_ + 1;
@@ -67,11 +67,11 @@ Range Parser::readAttributeValue(Range name) {
     return {from, at_};
 }
 
-Range Parser::unquotedValue(Range name) {
+text::Range Parser::unquotedValue(text::Range name) {
     const std::size_t from = at_;
     const std::size_t end = text_.find_first_of(" \t\r\n<>\"", at_);
     at_ = end == npos ? text_.size() : end;
-    fault(FaultKind::badAttribute, {from < at_ ? from : name.from, at_},
+    fault(FaultKind::badAttribute, {from, at_},
           "the value of attribute " + std::string(tree_.text(name)) + " is not in double quotes");
     return {from, at_};
 }

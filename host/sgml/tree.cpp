@@ -10,8 +10,7 @@ namespace sgml {
 Tree Tree::parse(std::string bytes, const Limits& limits) {
     Tree tree;
     tree.bytes_ = std::move(bytes);
-    tree.limits_ = limits;
-    Parser(tree).parse();
+    Parser(tree, limits).parse();
     return tree;
 }
 
@@ -20,7 +19,7 @@ bool Tree::isBroken() const {
                        [](const Fault& fault) { return fault.severity == Severity::error; });
 }
 
-std::string_view Tree::text(Range range) const {
+std::string_view Tree::text(text::Range range) const {
     return std::string_view(bytes_).substr(range.from, range.size());
 }
 
@@ -68,12 +67,12 @@ NodeId Tree::content(NodeId element) const {
     return noNode;
 }
 
-Range Tree::contentRange(NodeId content) const {
+text::Range Tree::contentRange(NodeId content) const {
     return {nodes_[content].startTag.to, nodes_[content].endTag.from};
 }
 
 Unescaped Tree::unescaped(NodeId content) const {
-    const Range range = contentRange(content);
+    const text::Range range = contentRange(content);
     return Unescaped(text(range), range.from);
 }
 
@@ -93,16 +92,6 @@ NodeId Tree::followingSkippingChildren(NodeId id, NodeId top) const {
     return id == top ? noNode : nodes_[id].next;
 }
 
-// Places decide, except where a parent and its first child begin with the same byte.
-bool Tree::isBefore(NodeId a, NodeId b) const {
-    if (nodes_[a].range.from != nodes_[b].range.from)
-        return nodes_[a].range.from < nodes_[b].range.from;
-    for (NodeId above = nodes_[b].parent; above != noNode; above = nodes_[above].parent)
-        if (above == a)
-            return true;
-    return false;
-}
-
 NodeId Tree::innermostAt(std::size_t offset) const {
     NodeId innermost = root();
     for (NodeId id = nodes_[innermost].firstChild; id != noNode;) {
@@ -116,7 +105,7 @@ NodeId Tree::innermostAt(std::size_t offset) const {
 
 namespace {
 
-std::string rangeText(Range range) {
+std::string rangeText(text::Range range) {
     return " " + std::to_string(range.from) + ".." + std::to_string(range.to);
 }
 
@@ -161,50 +150,6 @@ std::string Tree::printed() const {
     return lines;
 }
 
-bool Tree::isSame(NodeId id, const Tree& other, NodeId otherId) const {
-    const Node &a = nodes_[id], &b = other.nodes_[otherId];
-    return a.kind == b.kind && a.range == b.range && a.name == b.name && a.startTag == b.startTag &&
-           a.endTag == b.endTag && attributes(id) == other.attributes(otherId);
-}
-
-bool Tree::operator==(const Tree& other) const {
-    if (bytes_ != other.bytes_ || faults_ != other.faults_)
-        return false;
-    NodeId id = root(), there = root();
-    while (isSame(id, other, there)) {
-        const bool deeper = nodes_[id].firstChild != noNode;
-        if (deeper != (other.nodes_[there].firstChild != noNode))
-            return false;
-        if (deeper) {
-            id = nodes_[id].firstChild;
-            there = other.nodes_[there].firstChild;
-            continue;
-        }
-        // Up in both as long as neither has a next one.
-        while (id != root() && there != root() && nodes_[id].next == noNode &&
-               other.nodes_[there].next == noNode) {
-            id = nodes_[id].parent;
-            there = other.nodes_[there].parent;
-        }
-        if (id == root() || there == root())
-            return id == there;
-        id = nodes_[id].next;
-        there = other.nodes_[there].next;
-        if (id == noNode || there == noNode)
-            return false;
-    }
-    return false;
-}
-
-NodeId Tree::newNode() {
-    if (free_.empty()) {
-        nodes_.emplace_back();
-        return static_cast<NodeId>(nodes_.size() - 1);
-    }
-    const NodeId id = free_.back();
-    free_.pop_back();
-    nodes_[id] = {};
-    return id;
-}
+bool Tree::operator==(const Tree&) const = default;
 
 } // namespace sgml

@@ -2,9 +2,7 @@
 //
 // Every byte of the file belongs to bytes(), whether it was understood or not; writing a tree is
 // writing bytes(). Nodes live in one array and refer to each other by number, so that no walk and
-// no destruction recurses: a document may be nested 20,000 elements deep. A node keeps its number
-// through every edit that it outlives (change.h), so numbers say nothing of the document's order:
-// following() and isBefore() do.
+// no destruction recurses: a document may be nested 20,000 elements deep.
 //
 //   document   `DOCUMENT CLASS` and the class element. Node 0 is the file's own; a nested one
 //              is the child of its <DOCUMENT> element.
@@ -15,7 +13,8 @@
 
 #include "sgml/escape.h"
 #include "sgml/fault.h"
-#include "sgml/position.h"
+#include "text/edit.h"
+#include "text/places.h"
 
 #include <cstdint>
 #include <optional>
@@ -31,9 +30,9 @@ inline constexpr NodeId noNode = 0xFFFFFFFF;
 enum class NodeKind : std::uint8_t { document, element, content, stray };
 
 struct Attribute {
-    Range name{};
-    Range value{}; // between the quotes
-    Range whole{}; // name, `=` and quotes
+    text::Range name{};
+    text::Range value{}; // between the quotes
+    text::Range whole{}; // name, `=` and quotes
     bool operator==(const Attribute&) const = default;
 };
 
@@ -43,12 +42,14 @@ struct Node {
     NodeId firstChild = noNode;
     NodeId lastChild = noNode;
     NodeId next = noNode;
-    Range range{}; // all of it, tags or braces included
-    Range name{};  // element: its name in the start tag; document: its class in the DOCUMENT line
-    Range startTag{}; // element only
-    Range endTag{};   // element only; empty when it is missing
+    text::Range range{}; // all of it, tags or braces included
+    text::Range
+        name{}; // element: its name in the start tag; document: its class in the DOCUMENT line
+    text::Range startTag{}; // element only
+    text::Range endTag{};   // element only; empty when it is missing
     std::uint32_t firstAttribute = 0;
     std::uint32_t attributeCount = 0;
+    bool operator==(const Node&) const = default;
 };
 
 // LIMIT: what is read of one file. Beyond it the bytes are kept, and a fault says where reading
@@ -70,16 +71,12 @@ public:
     [[nodiscard]] const std::vector<Fault>& faults() const { return faults_; } // in order of place
     [[nodiscard]] bool isBroken() const; // an error among the faults
 
-    // Every number of a node is less. Numbers of nodes that are gone are among them.
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
-    [[nodiscard]] bool holds(NodeId id) const {
-        return id == root() || (id < nodes_.size() && nodes_[id].parent != noNode);
-    }
     [[nodiscard]] const Node& node(NodeId id) const { return nodes_[id]; }
     [[nodiscard]] NodeId root() const { return 0; } // the file's document node
     [[nodiscard]] bool isElement(NodeId id) const { return nodes_[id].kind == NodeKind::element; }
 
-    [[nodiscard]] std::string_view text(Range range) const;
+    [[nodiscard]] std::string_view text(text::Range range) const;
     // An element's tag, or a document's class (its class element's tag when the line is missing).
     [[nodiscard]] std::string_view name(NodeId id) const;
     [[nodiscard]] std::vector<Attribute> attributes(NodeId element) const;
@@ -93,7 +90,7 @@ public:
     // The element's braced content or noNode.
     [[nodiscard]] NodeId content(NodeId element) const;
     // The bytes between the braces, as spelled, and what they stand for.
-    [[nodiscard]] Range contentRange(NodeId content) const;
+    [[nodiscard]] text::Range contentRange(NodeId content) const;
     [[nodiscard]] Unescaped unescaped(NodeId content) const;
     // Of an element: the text of its content, "" without one.
     [[nodiscard]] std::string contentText(NodeId element) const;
@@ -102,32 +99,25 @@ public:
     [[nodiscard]] NodeId following(NodeId id, NodeId top = 0) const;
     // The same without going into `id`.
     [[nodiscard]] NodeId followingSkippingChildren(NodeId id, NodeId top = 0) const;
-    // Does `a` come before `b` in document order? A parent comes before its children.
-    [[nodiscard]] bool isBefore(NodeId a, NodeId b) const;
     // The innermost node that holds the byte at `offset`.
     [[nodiscard]] NodeId innermostAt(std::size_t offset) const;
 
-    [[nodiscard]] Position position(std::size_t offset) const { return positionOf(bytes_, offset); }
+    [[nodiscard]] text::Position position(std::size_t offset) const {
+        return text::Places(bytes_).at(offset);
+    }
 
     // One line per node: indented kind, name, byte range, attributes, content (for tests and logs).
     [[nodiscard]] std::string printed() const;
 
-    // The same bytes, read as the same nodes with the same places and faults; numbers may differ.
-    bool operator==(const Tree& other) const;
+    bool operator==(const Tree&) const;
 
 private:
     friend class Parser;
-    friend class Reparser;
-    NodeId newNode();
-    [[nodiscard]] bool isSame(NodeId id, const Tree& other, NodeId otherId) const;
-
+    friend class Splice;
     std::string bytes_;
     std::vector<Node> nodes_;
-    std::vector<NodeId> free_; // numbers of nodes that are gone
     std::vector<Attribute> attributes_;
-    std::size_t unusedAttributes_ = 0; // of nodes that are gone
     std::vector<Fault> faults_;
-    Limits limits_;
 };
 
 } // namespace sgml

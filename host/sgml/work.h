@@ -6,10 +6,7 @@
 namespace sgml {
 
 struct Work {
-    std::size_t bytesPlaced = 0;    // walked over to find lines and columns
     std::size_t siblingsPassed = 0; // looked at to find an element among them
-    std::size_t bytesRead = 0;      // by the parser
-    std::size_t nodesMade = 0;
 };
 
 inline Work& work() {

@@ -2,6 +2,7 @@
 
 #include "paper/paper.h"
 #include "plain/plain.h"
+#include "text/characters.h"
 #include "window/application.h"
 #include "window/faults_pane.h"
 #include "window/find_bar.h"
@@ -311,9 +312,8 @@ namespace {
 
 // A document without its first line begins with an element.
 bool looksLikeADocument(std::string_view bytes) {
-    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-    if (bytes.starts_with(byteOrderMark))
-        bytes.remove_prefix(byteOrderMark.size());
+    if (bytes.starts_with(text::byteOrderMark))
+        bytes.remove_prefix(text::byteOrderMark.size());
     const auto first = bytes.find_first_not_of(" \t\r\n");
     return first == bytes.npos || bytes[first] == '<' ||
            bytes.substr(first).starts_with("DOCUMENT");

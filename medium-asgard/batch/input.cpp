@@ -2,7 +2,7 @@
 
 #include "batch/command.h"
 #include "files/read.h"
-#include "script/places.h"
+#include "script/locate.h"
 #include "simulation/report.h"
 #include "terminal/terminal.h"
 
@@ -74,7 +74,7 @@ std::vector<std::string> faultsOf(const SceneText& scene) {
 }
 
 std::string placed(const SceneText& scene, scene::Diagnostic said) {
-    script::Places(scene.text).locate(said);
+    script::locate(text::Places(scene.text), said);
     return scene::formatted(said, scene.file, scene.text);
 }
 

@@ -1,7 +1,7 @@
 #include "batch/output.h"
 
 #include "terminal/terminal.h"
-#include "utf8/printable.h"
+#include "text/printable.h"
 
 #include <cerrno>
 #include <cstring>
@@ -21,7 +21,7 @@ Output::~Output() {
 }
 
 bool Output::write(const std::string& text) {
-    const std::string shown = utf8::printable(text);
+    const std::string shown = text::printable(text);
     return std::fwrite(shown.data(), 1, shown.size(), stream_) == shown.size();
 }
 

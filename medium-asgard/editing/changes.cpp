@@ -1,6 +1,7 @@
 #include "editing/changes.h"
 
 #include "editing/fingerprint.h"
+#include "text/difference.h"
 
 #include <algorithm>
 #include <map>
@@ -8,33 +9,6 @@
 namespace editing {
 
 namespace {
-
-// Where a place of the text before is in the text after: the two are the same before and behind
-// one stretch.
-class Places {
-public:
-    Places(std::string_view before, std::string_view after)
-        : length_(before.size()),
-          shift_(static_cast<long>(after.size()) - static_cast<long>(before.size())) {
-        const std::size_t shorter = std::min(before.size(), after.size());
-        while (head_ < shorter && before[head_] == after[head_])
-            ++head_;
-        while (tail_ < shorter - head_ &&
-               before[before.size() - 1 - tail_] == after[after.size() - 1 - tail_])
-            ++tail_;
-    }
-    [[nodiscard]] std::optional<std::size_t> operator()(std::size_t at) const {
-        if (at <= head_)
-            return at;
-        if (at + tail_ < length_)
-            return std::nullopt;
-        return static_cast<std::size_t>(static_cast<long>(at) + shift_);
-    }
-
-private:
-    std::size_t length_, head_ = 0, tail_ = 0;
-    long shift_;
-};
 
 // What is known of one element on either side.
 struct Card {
@@ -137,7 +111,10 @@ std::optional<Element> Changes::now(const Element& before) const {
 }
 
 Changes changesBetween(const Reading& before, const Reading& after) {
-    const Places places(before.text, after.text);
+    const text::Edits edits{text::difference(before.text, after.text)};
+    const auto places = [&](std::size_t at) {
+        return at <= edits.front().range.from ? std::optional(at) : text::movedByte(at, edits);
+    };
     return Matching(cardsOf(before.scene, places),
                     cardsOf(after.scene, [](std::size_t at) { return std::optional(at); }))
         .changes();

@@ -48,7 +48,7 @@ public:
     }
 
     void add(const NewElement& element);
-    [[nodiscard]] std::vector<TextEdit> edits() const { return edits_; }
+    [[nodiscard]] text::Edits edits() const { return edits_; }
 
 private:
     struct Place {
@@ -68,7 +68,7 @@ private:
     Structure structure_;
     std::string lineBreak_;
     std::map<Kind, std::size_t> counts_;
-    std::vector<TextEdit> edits_;
+    text::Edits edits_;
 };
 
 const Command* Writing::commandAt(const Element& element) const {
@@ -140,8 +140,8 @@ Writing::Place Writing::placeFor(const NewElement& element) const {
         place.at = endOfScript();
         place.newGroup = true;
     }
-    for (const TextEdit& edit : edits_) // what is new may name what is new
-        place.at = std::max(place.at, edit.from);
+    for (const text::Edit& edit : edits_) // what is new may name what is new
+        place.at = std::max(place.at, edit.range.from);
     return place;
 }
 
@@ -171,7 +171,7 @@ void Writing::add(const NewElement& element) {
     const bool onLine = place.at > 0 && text_[place.at - 1] != '\n'; // something stands before it
     const bool atEnd = place.at == text_.size();
     const bool blankFollows = !atEnd && (text_[place.at] == '\n' || text_[place.at] == '\r');
-    const auto before = std::ranges::find(edits_, place.at, &TextEdit::from);
+    const auto before = text::startingAt(edits_, place.at);
     const bool first = before == edits_.end();
     std::string text;
     if (onLine && first)
@@ -185,10 +185,10 @@ void Writing::add(const NewElement& element) {
     const bool staysOpen = onLine && atEnd; // as the text's last line was
     text += staysOpen ? (first ? "" : lineBreak_) + line : line + lineBreak_;
     if (first)
-        edits_.push_back({place.at, place.at, text});
+        edits_.push_back({{place.at, place.at}, text});
     else
         before->text += text;
-    putInOrder(edits_);
+    text::putInOrder(edits_);
 }
 
 // Whether the text has it as a word of its own anywhere, even in comments and expressions.
@@ -212,8 +212,8 @@ std::string stemOf(const std::string& name) {
 
 } // namespace
 
-std::vector<TextEdit> created(const std::string& text, const scene::Scene& scene,
-                              const std::vector<NewElement>& elements) {
+text::Edits created(const std::string& text, const scene::Scene& scene,
+                    const std::vector<NewElement>& elements) {
     Writing writing(text, scene);
     for (const NewElement& element : elements)
         writing.add(element);

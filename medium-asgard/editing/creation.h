@@ -6,7 +6,7 @@
 #pragma once
 
 #include "editing/element.h"
-#include "editing/text_edit.h"
+#include "text/edit.h"
 
 #include <string>
 #include <vector>
@@ -22,8 +22,8 @@ struct NewElement {
 };
 
 // The edits, in order; one at most for each place.
-[[nodiscard]] std::vector<TextEdit> created(const std::string& text, const scene::Scene& scene,
-                                            const std::vector<NewElement>& elements);
+[[nodiscard]] text::Edits created(const std::string& text, const scene::Scene& scene,
+                                  const std::vector<NewElement>& elements);
 
 // Whether expressions can read it as a name, and nothing of the scene or the language has it.
 [[nodiscard]] bool isFreeName(const scene::Scene& scene, const std::string& name);

@@ -13,7 +13,7 @@ using ::testing::HasSubstr;
 const std::string shapes = "shape_set s -desc {-sub {-sphere 1}}\n";
 
 std::string withNew(const std::string& text, const NewElement& element) {
-    const std::string after = applied(text, created(text, *readScene(text), {element}));
+    const std::string after = text::applied(text, created(text, *readScene(text), {element}));
     (void)readScene(after);
     return after;
 }
@@ -76,7 +76,7 @@ TEST(Creation, EndsALineThatABackslashContinues) {
         const Element first{Kind::body, 0};
         const Deletion deletion = deletionOf(two, *readScene(two), {first});
         ASSERT_TRUE(deletion.possible());
-        EXPECT_EQ(readScene(applied(two, deletion.edits))->bodies.size(), 1U);
+        EXPECT_EQ(readScene(text::applied(two, deletion.edits))->bodies.size(), 1U);
         const std::string between = withNew(two, weightOn("b1", 0));
         EXPECT_EQ(readScene(between)->forces.size(), 1U) << between;
     }
@@ -116,7 +116,8 @@ class Deletions : public testing::TestWithParam<Taken> {};
 TEST_P(Deletions, TakeLinesAndWhatDependsOnThem) {
     const std::string text = shapes + GetParam().before;
     const Deletion deletion = deletionOf(text, *readScene(text), {{Kind::body, 0}});
-    const std::string after = deletion.possible() ? applied(text, deletion.edits) : deletion.reason;
+    const std::string after =
+        deletion.possible() ? text::applied(text, deletion.edits) : deletion.reason;
     EXPECT_EQ(after, deletion.possible() ? shapes + GetParam().after : GetParam().after);
     if (deletion.possible())
         (void)readScene(after);
@@ -148,7 +149,7 @@ TEST(Deletion, OfAShapeTakesItsBodiesAndTheirForces) {
     const std::string text = shapes + "body a s\nforce -body a -y 1\nsimulator -finish 1\n";
     const Deletion deletion = deletionOf(text, *readScene(text), {{Kind::shapeSet, 0}});
     EXPECT_THAT(deletion.along, ElementsAre(Element{Kind::body, 0}, Element{Kind::force, 0}));
-    EXPECT_EQ(applied(text, deletion.edits), "simulator -finish 1\n");
+    EXPECT_EQ(text::applied(text, deletion.edits), "simulator -finish 1\n");
 }
 
 TEST(Deletion, OfAParameterThatTheScriptReadsIsRefused) {

@@ -205,7 +205,7 @@ Deletion deletionOf(const std::string& text, const scene::Scene& scene,
     }
     std::ranges::sort(ranges, {}, &scene::Range::from);
     for (const scene::Range& range : ranges)
-        deletion.edits.push_back({range.from, range.to, ""});
+        deletion.edits.push_back({{range.from, range.to}, ""});
     return deletion;
 }
 

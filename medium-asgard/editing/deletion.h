@@ -7,7 +7,7 @@
 #pragma once
 
 #include "editing/element.h"
-#include "editing/text_edit.h"
+#include "text/edit.h"
 
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@
 namespace editing {
 
 struct Deletion {
-    std::vector<TextEdit> edits;
+    text::Edits edits;
     std::vector<Element> along; // what goes too, in the order in which it was found
     std::string reason;         // why nothing can go: one sentence
     scene::Range cause;

@@ -83,8 +83,8 @@ std::vector<Editable> editablesOf(const std::string& text,
                                                  .option = argument.option,
                                                  .path = {},
                                                  .values = others(option->values)});
-            for (const TextEdit& edit : answer.edits)
-                found.push_back({element, argument.option, {edit.from, edit.to}});
+            for (const text::Edit& edit : answer.edits)
+                found.push_back({element, argument.option, {edit.range.from, edit.range.to}});
         }
     }
     return found;

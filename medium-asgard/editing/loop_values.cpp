@@ -191,7 +191,7 @@ enum class Effect { own, alike, step }; // on the others: none, as much, each by
 
 struct Way { // to the value that is wanted
     Effect effect = Effect::own;
-    TextEdit edit;
+    text::Edit edit;
     std::string before;
     bool ofLoop = false; // the number that a `for` goes on by
 };
@@ -267,7 +267,7 @@ std::optional<Way> Ways::by(Range literal, double wanted) const {
     // What is typed exactly is reached up to rounding, which is nothing to write down.
     const double least = 1e-11 * std::max({1.0, std::abs(old), std::abs(value)});
     value = std::abs(value) < least ? 0 : value;
-    way.edit = {literal.from, literal.to,
+    way.edit = {{literal.from, literal.to},
                 numberText(value, way.ofLoop ? 1 : std::max(resolution, least), way.before)};
     const std::size_t other = making_.which == 0 ? 1 : 0;
     const auto elsewhere = slope(other, literal);
@@ -308,7 +308,7 @@ std::optional<Offer> offerBy(Effect effect, const std::vector<Changing>& all, co
             return std::nullopt;
         if (!one.plain && way->effect == effect)
             told = &*way;
-        const auto twice = std::ranges::find(offer.edits, way->edit.from, &TextEdit::from);
+        const auto twice = text::startingAt(offer.edits, way->edit.range.from);
         if (twice == offer.edits.end())
             offer.edits.push_back(way->edit);
         else if (twice->text != way->edit.text)
@@ -316,7 +316,7 @@ std::optional<Offer> offerBy(Effect effect, const std::vector<Changing>& all, co
     }
     if (!told)
         return std::nullopt;
-    putInOrder(offer.edits);
+    text::putInOrder(offer.edits);
     const std::string who = making.name.empty() ? "this one" : making.name;
     offer.label = effect == Effect::own ? "Only " + who + ", in " + loop.place
                   : effect == Effect::alike
@@ -411,11 +411,11 @@ bool Promise::isMet(std::size_t component, const Insteads& insteads) const {
 
 bool Promise::isKept(const Offer& offer, Effect effect) const {
     Insteads insteads;
-    for (const TextEdit& edit : offer.edits) {
+    for (const text::Edit& edit : offer.edits) {
         const auto number = tclNumber(edit.text);
         if (!number)
             return false;
-        insteads.push_back({{edit.from, edit.to}, *number});
+        insteads.push_back({{edit.range.from, edit.range.to}, *number});
     }
     if (!std::ranges::all_of(insteads, [&](const Instead& one) {
             return changesNothingElse(one.literal, insteads);

@@ -47,8 +47,8 @@ TEST_P(LoopOffers, MakeTheValueWhatItIsToBe) {
         labels += offer.label + "\n";
         if (offer.label != one.label)
             continue;
-        EXPECT_EQ(applied(text, offer.edits), ball + one.after);
-        const auto after = reader().read(applied(text, offer.edits));
+        EXPECT_EQ(text::applied(text, offer.edits), ball + one.after);
+        const auto after = reader().read(text::applied(text, offer.edits));
         ASSERT_TRUE(after.usable);
         EXPECT_EQ(namesOf(after.scene), namesOf(before.scene));
         const auto& place = after.scene.bodies[one.body].initialPosition;
@@ -212,7 +212,7 @@ TEST_P(LoopTraps, OfferOnlyWhatTheTextThenGives) {
                                          .resolution = 0.01});
     for (const Offer& offer : answer.offers) {
         SCOPED_TRACE(offer.label);
-        const auto after = readScene(applied(text, offer.edits));
+        const auto after = readScene(text::applied(text, offer.edits));
         ASSERT_EQ(namesOf(*after), namesOf(*before));
         for (std::size_t i = 0; i < after->bodies.size(); ++i) {
             const auto& is = after->bodies[i].initialPosition;

@@ -94,23 +94,23 @@ std::optional<Offer> allOfThem(const Making& making, const Wish& wish, const Ori
         // Of all, and of nothing else; and one number in two places cannot become two.
         if (!isOnlyIn(word->range, from, from[i], origins) ||
             !mayBecome(from[i], wish.values[i], origins) ||
-            !join(offer.edits, {from[i].literal.from, from[i].literal.to,
-                                numberText(wish.values[i], wish.resolution, before)}))
+            !text::join(offer.edits, {{from[i].literal.from, from[i].literal.to},
+                                      numberText(wish.values[i], wish.resolution, before)}))
             return std::nullopt;
     }
     // Another of the numbers comes from the same one, and is to stay.
-    const auto isKept = [&](const TextEdit& edit) {
+    const auto isKept = [&](const text::Edit& edit) {
         bool kept = false;
         for (std::size_t i = 0; i < wish.values.size(); ++i)
-            kept =
-                kept || (from[i].literal.known() && from[i].literal.from == edit.from && stays(i));
+            kept = kept ||
+                   (from[i].literal.known() && from[i].literal.from == edit.range.from && stays(i));
         return kept;
     };
     if (offer.edits.empty() || std::ranges::any_of(offer.edits, isKept))
         return std::nullopt;
     offer.label =
         "All " + std::to_string(making.together) + (whole ? "" : ", only the numbers in common");
-    putInOrder(offer.edits);
+    text::putInOrder(offer.edits);
     return offer;
 }
 

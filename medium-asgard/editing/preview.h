@@ -1,7 +1,7 @@
 // A change of the text, line by line, before it is made.
 #pragma once
 
-#include "editing/text_edit.h"
+#include "text/edit.h"
 
 namespace editing {
 
@@ -15,6 +15,6 @@ struct LineChange {
 // The lines that differ, without the blanks at their starts, each cut down to the surroundings of
 // what changes. A line that is new has an empty `before`.
 [[nodiscard]] std::vector<LineChange> changedLines(const std::string& text,
-                                                   const std::vector<TextEdit>& edits);
+                                                   const text::Edits& edits);
 
 } // namespace editing

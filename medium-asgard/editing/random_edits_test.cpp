@@ -243,7 +243,7 @@ void RandomEdits::changeValue(const Read& read, bool evaluate) {
         ASSERT_GT(answer.reason.size(), who.size());
         for (const Offer& offer : answer.offers) {
             ASSERT_FALSE(offer.edits.empty());
-            const std::string offered = applied(text, offer.edits);
+            const std::string offered = text::applied(text, offer.edits);
             ASSERT_NE(offered, text);
             if (evaluate)
                 keepsItsWord(read, wish, offer.label, offered);
@@ -253,18 +253,18 @@ void RandomEdits::changeValue(const Read& read, bool evaluate) {
     ++changed_;
     const scene::Source& source = *sourceOf(*read.scene, element);
     std::size_t last = 0;
-    for (const TextEdit& edit : answer.edits) {
-        ASSERT_GE(edit.from, last);
-        last = edit.to;
-        if (edit.from == edit.to) {
-            ASSERT_EQ(edit.from, source.command.to);
+    for (const text::Edit& edit : answer.edits) {
+        ASSERT_GE(edit.range.from, last);
+        last = edit.range.to;
+        if (edit.range.empty()) {
+            ASSERT_EQ(edit.range.from, source.command.to);
             ASSERT_TRUE(edit.text.starts_with(" " + wish.option + " "));
         } else {
-            ASSERT_TRUE(script::decimalNumber(text.substr(edit.from, edit.to - edit.from)));
+            ASSERT_TRUE(script::decimalNumber(text.substr(edit.range.from, edit.range.size())));
             ASSERT_TRUE(script::decimalNumber(edit.text)) << edit.text;
             if (const auto word = writtenAt(text, *read.scene, source, wish.option)) {
-                ASSERT_TRUE(word->from <= edit.from && edit.to <= word->to)
-                    << who << " " << wish.option << ": " << edit.from << "\n"
+                ASSERT_TRUE(word->from <= edit.range.from && edit.range.to <= word->to)
+                    << who << " " << wish.option << ": " << edit.range.from << "\n"
                     << text;
             }
         }
@@ -273,13 +273,13 @@ void RandomEdits::changeValue(const Read& read, bool evaluate) {
     if (!evaluate)
         return;
     ++evaluated_;
-    const auto after = readScene(applied(text, answer.edits));
+    const auto after = readScene(text::applied(text, answer.edits));
     const Values is = valuesOf(*after, element, wish.option, wish.path);
     ASSERT_TRUE(is);
     for (std::size_t i = 0; i < wish.values.size(); ++i)
         ASSERT_NEAR((*is)[i], wish.values[i],
                     0.5001 * wish.resolution + 1e-12 * std::abs(wish.values[i]))
-            << applied(text, answer.edits);
+            << text::applied(text, answer.edits);
 }
 
 void RandomEdits::create(const Read& read, bool evaluate) {
@@ -311,19 +311,19 @@ void RandomEdits::create(const Read& read, bool evaluate) {
     }
     if (kind != Kind::force && kind != Kind::link)
         element.name = unusedName(text, scene, kind, "n");
-    const std::vector<TextEdit> edits = created(text, scene, {element});
+    const text::Edits edits = created(text, scene, {element});
     ASSERT_EQ(edits.size(), 1U);
-    ASSERT_EQ(edits[0].from, edits[0].to); // put in: nothing else changes
+    ASSERT_TRUE(edits[0].range.empty()); // put in: nothing else changes
     ++changed_;
     if (!evaluate)
         return;
     ++evaluated_;
-    const auto after = readScene(applied(text, edits));
+    const auto after = readScene(text::applied(text, edits));
     for (const Kind one : kinds)
         for (std::size_t i = 0;; ++i) {
             const bool had = sourceOf(scene, {one, i}), has = sourceOf(*after, {one, i});
             if (!had) {
-                ASSERT_EQ(has, one == kind) << applied(text, edits);
+                ASSERT_EQ(has, one == kind) << text::applied(text, edits);
                 break;
             }
             ASSERT_EQ(nameOf(scene, {one, i}), nameOf(*after, {one, i}));
@@ -343,15 +343,15 @@ void RandomEdits::remove(const Read& read, bool evaluate) {
     }
     ++changed_;
     std::size_t last = 0;
-    for (const TextEdit& edit : deletion.edits) {
+    for (const text::Edit& edit : deletion.edits) {
         ASSERT_TRUE(edit.text.empty());
-        ASSERT_GE(edit.from, last);
-        last = edit.to;
+        ASSERT_GE(edit.range.from, last);
+        last = edit.range.to;
     }
     if (!evaluate)
         return;
     ++evaluated_;
-    const std::string after = applied(text, deletion.edits);
+    const std::string after = text::applied(text, deletion.edits);
     const auto left = readScene(after);
     // All the others are there, and only they.
     std::vector<Element> gone = deletion.along;
@@ -392,8 +392,8 @@ void RandomEdits::changePoints(const Read& read, bool evaluate) {
     if (!evaluate)
         return;
     ++evaluated_;
-    const auto after = readScene(applied(text, answer.edits));
-    const TrajectoryEdits now(applied(text, answer.edits), after, which);
+    const auto after = readScene(text::applied(text, answer.edits));
+    const TrajectoryEdits now(text::applied(text, answer.edits), after, which);
     ASSERT_NE(now.points().size(), points.size());
     ASSERT_EQ(now.points().size() > points.size(), in);
 }
@@ -437,7 +437,7 @@ TEST_F(RandomEdits, GoOnFromWhatTheyLeave) {
             const Wish wish = wishFor(read, element);
             const Answer answer = read.mapper->answer(wish);
             const bool create = below(3) == 0;
-            const std::vector<TextEdit> edits =
+            const text::Edits edits =
                 create ? created(read.from.text, *read.scene,
                                  {{Kind::body,
                                    unusedName(read.from.text, *read.scene, Kind::body, "n"),
@@ -446,7 +446,7 @@ TEST_F(RandomEdits, GoOnFromWhatTheyLeave) {
                                    read.scene->shapeSets[0].name}})
                        : answer.edits;
             const std::size_t bodies = read.scene->bodies.size();
-            read = readAll({applied(read.from.text, edits), one.readOnly});
+            read = readAll({text::applied(read.from.text, edits), one.readOnly});
             ASSERT_EQ(read.scene->bodies.size(), bodies + (create ? 1 : 0)) << read.from.text;
             if (create || !answer.possible())
                 continue;

@@ -126,8 +126,8 @@ Wish RandomLoops::wishOf(const scene::Scene& scene, std::size_t body) {
 void RandomLoops::check(const std::string& text, const std::shared_ptr<const scene::Scene>& before,
                         const Wish& wish, const Offer& offer) {
     SCOPED_TRACE(text + offer.label + " of " + before->bodies[wish.element.index].name + "\n" +
-                 applied(text, offer.edits));
-    const auto after = readScene(applied(text, offer.edits));
+                 text::applied(text, offer.edits));
+    const auto after = readScene(text::applied(text, offer.edits));
     ASSERT_EQ(after->bodies.size(), before->bodies.size());
     ASSERT_EQ(after->lights.size(), before->lights.size());
     ++offered_;
@@ -181,8 +181,8 @@ std::vector<Wish> RandomLoops::pushOf(const scene::Scene& scene, std::size_t for
 void RandomLoops::checkForce(const std::string& text,
                              const std::shared_ptr<const scene::Scene>& before,
                              const std::vector<Wish>& wishes, const Offer& offer) {
-    SCOPED_TRACE(text + offer.label + "\n" + applied(text, offer.edits));
-    const auto after = readScene(applied(text, offer.edits));
+    SCOPED_TRACE(text + offer.label + "\n" + text::applied(text, offer.edits));
+    const auto after = readScene(text::applied(text, offer.edits));
     ASSERT_EQ(after->bodies.size(), before->bodies.size());
     ASSERT_EQ(after->forces.size(), before->forces.size());
     ++forcesOffered_;

@@ -85,12 +85,12 @@ public:
     void change(std::size_t index, const scene::Part& before, const scene::Part& after);
     void remove(std::size_t index);
     void append(const scene::Part& part);
-    [[nodiscard]] std::vector<TextEdit> edits();
+    [[nodiscard]] text::Edits edits();
 
 private:
     void put(scene::Range range, std::string text) {
         if (text_.compare(range.from, range.to - range.from, text) != 0)
-            edits_.push_back({range.from, range.to, std::move(text)});
+            edits_.push_back({{range.from, range.to}, std::move(text)});
     }
     void putNumber(const Item& item, double value) {
         if (const auto old = script::decimalNumber(item.value); !old || *old != value)
@@ -116,7 +116,7 @@ private:
     std::vector<WrittenPart> parts_;
     std::vector<std::size_t> removed_; // places in items_ of option words that go with their values
     std::string appended_;
-    std::vector<TextEdit> edits_;
+    text::Edits edits_;
 };
 
 // Points that stay keep their bytes: what is common to both at the beginning and at the end, and
@@ -247,7 +247,7 @@ void Description::change(std::size_t index, const scene::Part& before, const sce
 void Description::removeWithin(const std::vector<Item>& items, const Item* value) {
     const Item* option = value - 1;
     const std::size_t from = option == items.data() ? option->range.from : (option - 1)->range.to;
-    edits_.push_back({from, value->range.to, ""});
+    edits_.push_back({{from, value->range.to}, ""});
 }
 
 void Description::removeWhole(const std::pair<Item, Item>& words) {
@@ -273,7 +273,7 @@ void Description::append(const scene::Part& part) {
 
 // What is removed one after another is one stretch: with the space before it, or at the beginning
 // with that after it. What is added comes in the place of a stretch at the end.
-std::vector<TextEdit> Description::edits() {
+text::Edits Description::edits() {
     std::ranges::sort(removed_);
     for (std::size_t i = 0; i < removed_.size();) {
         std::size_t next = i + 1;
@@ -284,16 +284,16 @@ std::vector<TextEdit> Description::edits() {
         const std::size_t from = first > 0 ? items_[first - 1].range.to : items_.front().range.from;
         const std::size_t to =
             first > 0 || isLast ? items_[last].range.to : items_[last + 1].range.from;
-        edits_.push_back({from, to, isLast ? std::exchange(appended_, {}) : ""});
+        edits_.push_back({{from, to}, isLast ? std::exchange(appended_, {}) : ""});
         if (first == 0 && isLast)
             edits_.back().text.erase(0, edits_.back().text.find_first_not_of(" \t\r\n\\"));
         i = next;
     }
     const std::size_t end = items_.empty() ? content_.from : items_.back().range.to;
     if (!appended_.empty())
-        edits_.push_back({end, end, appended_});
+        edits_.push_back({{end, end}, appended_});
     // What is put in before what is removed or replaced comes first.
-    putInOrder(edits_);
+    text::putInOrder(edits_);
     return edits_;
 }
 
@@ -422,7 +422,7 @@ Answer renamed(const std::string& text, const scene::Scene& scene, std::size_t s
             answer.cause = word ? word->word : scene::Range{};
             return;
         }
-        const TextEdit edit{word->word.from, word->word.to, name};
+        const text::Edit edit{{word->word.from, word->word.to}, name};
         if (std::ranges::find(answer.edits, edit) == answer.edits.end())
             answer.edits.push_back(edit);
     };
@@ -433,7 +433,7 @@ Answer renamed(const std::string& text, const scene::Scene& scene, std::size_t s
         if (body.shape == set.name)
             rename(shapeWordOf(body), "The shape of body \"" + body.name + "\" in line " +
                                           std::to_string(body.source.line));
-    putInOrder(answer.edits);
+    text::putInOrder(answer.edits);
     if (!answer.reason.empty())
         answer.edits.clear();
     return answer;

@@ -23,7 +23,7 @@ std::string after(const std::string& text,
     auto draft = draftOf(scene->shapeSets.at(0));
     change(draft);
     const Answer answer = become(text, scene, 0, draft);
-    return answer.possible() ? applied(text, answer.edits) : answer.reason;
+    return answer.possible() ? text::applied(text, answer.edits) : answer.reason;
 }
 
 std::vector<Vector>& points(DraftPart& one) {
@@ -181,7 +181,7 @@ TEST(ShapeEditTest, WhatIsComputedSaysSoAndCanBeWrittenOut) {
     const Answer answer = become(text, scene, 0, draft);
     EXPECT_THAT(answer.reason, HasSubstr("-desc of shape set \"s\" is computed"));
     ASSERT_EQ(answer.offers.size(), 1U);
-    EXPECT_EQ(applied(text, answer.offers[0].edits),
+    EXPECT_EQ(text::applied(text, answer.offers[0].edits),
               "set r 1\nshape_set s -desc {-sub {-sphere 3}}\n");
 }
 
@@ -199,7 +199,7 @@ TEST(ShapeEditTest, AColourIsWrittenChangedAndTakenAway) {
 TEST(ShapeEditTest, ANameChangesWhereItIsUsed) {
     const auto rename = [](const std::string& text) {
         const Answer answer = renamed(text, *readScene(text), 0, "n");
-        return answer.possible() ? applied(text, answer.edits) : answer.reason;
+        return answer.possible() ? text::applied(text, answer.edits) : answer.reason;
     };
     EXPECT_EQ(rename("shape_set {s} -desc {-sub {-sphere 1}} ;# s\nbody a s\n"
                      "foreach i {1 2} {body b$i -init_pos \"0 0 $i\" -shape s}\n"),
@@ -323,7 +323,7 @@ TEST(ShapeEditTest, RandomChangesReadAsTheParts) {
                 continue; // refused, as it would be in any text
             const Answer answer = become(text, scene, 0, draft);
             ASSERT_TRUE(answer.possible()) << answer.reason << text;
-            const std::string now = applied(text, answer.edits);
+            const std::string now = text::applied(text, answer.edits);
             const auto result = reader().read(now);
             ASSERT_TRUE(result.usable) << result.diagnostics.front().message << text << now;
             const auto& parts = result.scene.shapeSets.at(0).parts;

@@ -289,11 +289,11 @@ Answer TrajectoryEdits::place(const std::string& option, std::size_t index,
     if (!answer.possible())
         return answer;
     assert(!answer.edits.empty() && "another time is another text");
-    const auto opening = text_.find_last_not_of(" \t\r\n", answer.edits.front().from - 1);
+    const auto opening = text_.find_last_not_of(" \t\r\n", answer.edits.front().range.from - 1);
     if (opening == std::string::npos || text_[opening] != '{') {
         answer.reason = option + " of " + mapper_.nameOf({Kind::trajectory, trajectory_}) +
                         " is not written as lists in braces.";
-        answer.cause = {answer.edits.front().from, answer.edits.front().to};
+        answer.cause = {answer.edits.front().range.from, answer.edits.front().range.to};
         answer.edits.clear();
         return answer;
     }
@@ -325,9 +325,9 @@ Answer TrajectoryEdits::insertAt(const std::string& option, std::size_t before, 
     }
     Answer answer;
     if (atEnd)
-        answer.edits = {{here.to, here.to, space + element}};
+        answer.edits = {{{here.to, here.to}, space + element}};
     else
-        answer.edits = {{here.from, here.from, element + space}};
+        answer.edits = {{{here.from, here.from}, element + space}};
     return answer;
 }
 
@@ -343,7 +343,7 @@ Answer TrajectoryEdits::removeAt(const std::string& option, std::size_t index,
     else if (count > 1)
         to = std::min(text_.find_first_not_of(" \t\r\n", here.to), text_.size());
     Answer answer;
-    answer.edits = {{from, to, ""}};
+    answer.edits = {{{from, to}, ""}};
     return answer;
 }
 
@@ -406,7 +406,7 @@ Answer TrajectoryEdits::add(double time, const Vector& place) const {
         scene::Range here;
         if (Answer no = this->place("-bezier", c, here); !no.possible())
             return no;
-        answer.edits = {{here.from, here.to, curveText(left) + " " + curveText(right)}};
+        answer.edits = {{{here.from, here.to}, curveText(left) + " " + curveText(right)}};
         return answer;
     }
     // Outside of all: a straight way from the nearest end.
@@ -458,7 +458,7 @@ Answer TrajectoryEdits::remove(std::size_t point) const {
             left.from,
             right.to,
             {first.control[0], first.control[1], second.control[2], second.control[3]}};
-        answer.edits = {{a.from, b.to, curveText(one)}};
+        answer.edits = {{{a.from, b.to}, curveText(one)}};
     }
     return answer;
 }

@@ -21,7 +21,7 @@ struct Edited {
     explicit Edited(const std::string& source)
         : text(source), edits(source, readScene(source), 0) {}
     [[nodiscard]] std::string with(const Answer& answer) const {
-        return answer.possible() ? applied(text, answer.edits) : answer.reason;
+        return answer.possible() ? text::applied(text, answer.edits) : answer.reason;
     }
 };
 

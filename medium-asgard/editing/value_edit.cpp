@@ -55,8 +55,8 @@ public:
 private:
     [[nodiscard]] Answer refuse(const std::string& what, scene::Range cause) const;
     [[nodiscard]] Answer insert() const;
-    [[nodiscard]] std::variant<TextEdit, Answer> number(const Origin& origin,
-                                                        std::size_t which) const;
+    [[nodiscard]] std::variant<text::Edit, Answer> number(const Origin& origin,
+                                                          std::size_t which) const;
     [[nodiscard]] Answer rewrite(const std::vector<Origin>& origins) const;
     [[nodiscard]] bool isNow() const; // nothing is to change
     // The parameter whose value stands there and may not become that.
@@ -102,7 +102,7 @@ Answer Edit::insert() const {
 }
 
 // The number that stands there becomes the wish's; or why it cannot.
-std::variant<TextEdit, Answer> Edit::number(const Origin& origin, std::size_t which) const {
+std::variant<text::Edit, Answer> Edit::number(const Origin& origin, std::size_t which) const {
     const double wish = wish_.values[which];
     const bool known = !wish_.now.empty();
     const std::string before = origins_.slice(origin.literal);
@@ -120,8 +120,8 @@ std::variant<TextEdit, Answer> Edit::number(const Origin& origin, std::size_t wh
                           numberText(wanted < *old ? *bound->minimum : *bound->maximum, 0),
                       origin.literal);
     const bool stays = known && same(wish_.now[which], wish, wish_.resolution);
-    return TextEdit{
-        origin.literal.from, origin.literal.to,
+    return text::Edit{
+        {origin.literal.from, origin.literal.to},
         stays || same(*old, wanted, resolution) ? before : numberText(wanted, resolution, before)};
 }
 
@@ -142,8 +142,8 @@ Answer Edit::rewrite(const std::vector<Origin>& origins) const {
         const auto number = this->number(origin, i);
         if (const auto* refusal = std::get_if<Answer>(&number))
             return *refusal;
-        const TextEdit& edit = std::get<TextEdit>(number);
-        const auto clash = std::ranges::find(answer.edits, edit.from, &TextEdit::from);
+        const text::Edit& edit = std::get<text::Edit>(number);
+        const auto clash = text::startingAt(answer.edits, edit.range.from);
         if (clash == answer.edits.end())
             answer.edits.push_back(edit);
         else if (clash->text != edit.text)
@@ -151,13 +151,13 @@ Answer Edit::rewrite(const std::vector<Origin>& origins) const {
                               ", in two places, which cannot become different",
                           origin.literal);
     }
-    std::erase_if(answer.edits, [&](const TextEdit& edit) {
-        const bool keeps = edit.text == text_.substr(edit.from, edit.to - edit.from);
+    std::erase_if(answer.edits, [&](const text::Edit& edit) {
+        const bool keeps = edit.text == text_.substr(edit.range.from, edit.range.size());
         if (keeps)
-            answer.kept.push_back({edit.from, edit.to});
+            answer.kept.push_back({edit.range.from, edit.range.to});
         return keeps;
     });
-    putInOrder(answer.edits);
+    text::putInOrder(answer.edits);
     return answer;
 }
 
@@ -383,9 +383,9 @@ std::vector<Offer> together(const std::vector<Answer>& answers) {
                 return false;
             return std::ranges::all_of(
                 answer.possible() ? answer.edits : found->edits,
-                [&](const TextEdit& edit) { return join(whole.edits, edit); });
+                [&](const text::Edit& edit) { return text::join(whole.edits, edit); });
         });
-        putInOrder(whole.edits);
+        text::putInOrder(whole.edits);
         if (all)
             offers.push_back(std::move(whole));
     }
@@ -407,26 +407,26 @@ Answer Mapper::answer(const std::vector<Wish>& wishes) const {
         return whole;
     }
     for (const Answer& one : answers)
-        for (const TextEdit& edit : one.edits) {
+        for (const text::Edit& edit : one.edits) {
             const bool keptElsewhere = std::ranges::any_of(answers, [&](const Answer& other) {
-                return std::ranges::find(other.kept, edit.from, &scene::Range::from) !=
+                return std::ranges::find(other.kept, edit.range.from, &scene::Range::from) !=
                        other.kept.end();
             });
-            const auto clash = std::ranges::find(whole.edits, edit.from, &TextEdit::from);
+            const auto clash = text::startingAt(whole.edits, edit.range.from);
             if (clash == whole.edits.end() && !keptElsewhere) {
                 whole.edits.push_back(edit);
-            } else if (!keptElsewhere && clash->to == clash->from && edit.to == edit.from) {
+            } else if (!keptElsewhere && clash->range.empty() && edit.range.empty()) {
                 clash->text += edit.text; // two new options
             } else if (keptElsewhere || clash->text != edit.text) {
                 whole.reason = "One number of the text, " +
-                               text_.substr(edit.from, edit.to - edit.from) +
+                               text_.substr(edit.range.from, edit.range.size()) +
                                ", cannot become two different ones.";
-                whole.cause = {edit.from, edit.to};
+                whole.cause = {edit.range.from, edit.range.to};
                 whole.edits.clear();
                 return whole;
             }
         }
-    putInOrder(whole.edits);
+    text::putInOrder(whole.edits);
     return whole;
 }
 

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "editing/element.h"
-#include "editing/text_edit.h"
+#include "text/edit.h"
 
 #include "scene/scene.h"
 #include "script/structure.h"
@@ -41,13 +41,13 @@ struct Wish {
 // A change that is possible, but only if the author wants it.
 struct Offer {
     std::string label; // "Only b3: ...", "All 4: ..."
-    std::vector<TextEdit> edits;
+    text::Edits edits;
 };
 
 struct Answer {
-    std::vector<TextEdit> edits; // empty with an empty reason: nothing changes
-    std::string reason;          // why the text cannot be changed so: one sentence
-    scene::Range cause;          // what is meant by it, where it has a place
+    text::Edits edits;  // empty with an empty reason: nothing changes
+    std::string reason; // why the text cannot be changed so: one sentence
+    scene::Range cause; // what is meant by it, where it has a place
     std::vector<Offer> offers;
     std::vector<scene::Range> kept; // numbers of the wish that are to stay as they stand
     [[nodiscard]] bool possible() const { return reason.empty(); }

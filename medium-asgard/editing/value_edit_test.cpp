@@ -30,20 +30,9 @@ struct Mapped {
     // The text after the wish, or its reason.
     std::string after(const Wish& wish) const {
         const Answer answer = mapper.answer(wish);
-        return answer.possible() ? applied(text, answer.edits) : answer.reason;
+        return answer.possible() ? text::applied(text, answer.edits) : answer.reason;
     }
 };
-
-TEST(TextEditTest, EditsThatAreNotInOrderAndApartChangeNothing) {
-    using Edits = std::vector<TextEdit>;
-    EXPECT_EQ(applied("abcdef", {{1, 2, "X"}, {2, 2, "+"}, {4, 6, ""}}), "aX+cd");
-    for (const Edits& wrong : {Edits{{4, 6, ""}, {1, 2, "X"}}, Edits{{1, 3, "X"}, {2, 4, "Y"}},
-                               Edits{{5, 7, "X"}}, Edits{{3, 2, "X"}}, Edits{{7, 7, "X"}}})
-        EXPECT_EQ(applied("abcdef", wrong), "abcdef");
-    Edits mixed = {{3, 4, "D"}, {3, 3, "1"}, {0, 1, "A"}, {3, 3, "2"}};
-    putInOrder(mixed);
-    EXPECT_EQ(applied("abcdef", mixed), "Abc12Def");
-}
 
 Wish move(std::size_t body, std::vector<double> to, double resolution = 0.01) {
     return {.element = {Kind::body, body},
@@ -177,12 +166,12 @@ TEST(Offers, OfALoopAreThisOneAndAll) {
     const Answer answer = scene.mapper.answer(move(1, {2, 1.5, 0}));
     ASSERT_EQ(answer.offers.size(), 2u);
     EXPECT_EQ(answer.offers[0].label, "Only b2");
-    const auto one = Mapped::read(applied(scene.text, answer.offers[0].edits));
+    const auto one = Mapped::read(text::applied(scene.text, answer.offers[0].edits));
     EXPECT_EQ(one->bodies[1].initialPosition, geometry::Vector(2, 1.5, 0));
     EXPECT_EQ(one->bodies[0].initialPosition, geometry::Vector(1, 0, 0));
     EXPECT_EQ(one->bodies[2].initialPosition, geometry::Vector(3, 0, 0));
     EXPECT_EQ(answer.offers[1].label, "All 3");
-    const auto all = Mapped::read(applied(scene.text, answer.offers[1].edits));
+    const auto all = Mapped::read(text::applied(scene.text, answer.offers[1].edits));
     for (int i = 0; i < 3; ++i)
         EXPECT_EQ(all->bodies[static_cast<std::size_t>(i)].initialPosition,
                   geometry::Vector(i + 1, 1.5, 0));
@@ -192,7 +181,7 @@ TEST(Offers, ForAnOptionThatIsNotThereStartFromWhatItWas) {
     const Mapped scene(ball + "foreach i {1 2} {body b$i s}\n");
     const Answer answer = scene.mapper.answer(move(0, {4, 5, 6}));
     ASSERT_EQ(answer.offers.size(), 1u);
-    const auto one = Mapped::read(applied(scene.text, answer.offers[0].edits));
+    const auto one = Mapped::read(text::applied(scene.text, answer.offers[0].edits));
     EXPECT_EQ(one->bodies[0].initialPosition, geometry::Vector(4, 5, 6));
     EXPECT_EQ(one->bodies[1].initialPosition, geometry::Vector(0, 0, 0));
 }
@@ -207,7 +196,7 @@ TEST(Offers, DoNotChangeOneNumberTwice) {
     const Answer same = scene.mapper.answer(move(0, {2, 2, 1}));
     const auto all = std::ranges::find(same.offers, "All 2", &Offer::label);
     ASSERT_NE(all, same.offers.end());
-    EXPECT_EQ(applied(scene.text, all->edits),
+    EXPECT_EQ(text::applied(scene.text, all->edits),
               ball + "set x 2\nforeach i {1 2} {body b$i s -init_pos \"$x $x $i\"}\n");
 }
 
@@ -220,24 +209,11 @@ TEST(Offers, OfSeveralOptionsDoNotChangeOneNumberTwice) {
         const Answer answer = scene.mapper.answer(std::vector<Wish>{push("-x", x), push("-y", y)});
         EXPECT_FALSE(answer.possible());
         const auto all = std::ranges::find(answer.offers, "All 2", &Offer::label);
-        return all == answer.offers.end() ? "" : applied(scene.text, all->edits);
+        return all == answer.offers.end() ? "" : text::applied(scene.text, all->edits);
     };
     EXPECT_EQ(offered("v", 2, 3), "");
     EXPECT_EQ(offered("v", 2, 1), "");
     EXPECT_THAT(offered("w", 2, 3), HasSubstr("set v 2; set w 3\nforeach"));
-}
-
-TEST(TextEdits, AreJoinedOnceAndNeverOverlap) {
-    std::vector<TextEdit> edits;
-    EXPECT_TRUE(join(edits, {3, 5, "a"}));
-    EXPECT_TRUE(join(edits, {3, 5, "a"}));
-    EXPECT_EQ(edits.size(), 1u);
-    EXPECT_FALSE(join(edits, {3, 5, "b"}));
-    EXPECT_FALSE(join(edits, {4, 4, "b"}));
-    EXPECT_FALSE(join(edits, {4, 7, "b"}));
-    EXPECT_TRUE(join(edits, {5, 5, "c"}));
-    EXPECT_TRUE(join(edits, {5, 7, "d"}));
-    EXPECT_EQ(edits.size(), 3u);
 }
 
 TEST(Forces, AreDraggedByTheFactorOfTheirExpression) {

@@ -146,7 +146,7 @@ void HandleDrag::update() {
         follows_ = isOnSurface(place_);
     answer_ = asked(false); // which nobody sees before it ends
     if (answer_.possible())
-        ground_.preview(editing::applied(ground_.text, answer_.edits));
+        ground_.preview(text::applied(ground_.text, answer_.edits));
 }
 
 void HandleDrag::move(const Eigen::Vector2d& pixels) {
@@ -178,7 +178,7 @@ void HandleDrag::setFree(bool free) {
 void HandleDrag::finish() {
     if (moved_ && !answer_.possible())
         answer_ = asked(true);
-    ground_.finish(answer_.possible() && moved_ ? editing::applied(ground_.text, answer_.edits)
+    ground_.finish(answer_.possible() && moved_ ? text::applied(ground_.text, answer_.edits)
                                                 : ground_.text,
                    label());
 }

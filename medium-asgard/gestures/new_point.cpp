@@ -74,7 +74,7 @@ double NewPoint::timeTowards(bool later) const {
 void NewPoint::update() {
     answer_ = edits_.add(time_, place_);
     if (answer_.possible())
-        ground_.preview(editing::applied(ground_.text, answer_.edits));
+        ground_.preview(text::applied(ground_.text, answer_.edits));
 }
 
 void NewPoint::move(const Eigen::Vector2d& pixels) {
@@ -117,7 +117,7 @@ void NewPoint::after() {
 }
 
 void NewPoint::finish() {
-    ground_.finish(later_ && answer_.possible() ? editing::applied(ground_.text, answer_.edits)
+    ground_.finish(later_ && answer_.possible() ? text::applied(ground_.text, answer_.edits)
                                                 : ground_.text,
                    "New point of " + ground_.scene->trajectories[trajectory_].name);
 }

@@ -77,7 +77,7 @@ void Faults::add(scene::Severity severity, Range range, std::string message,
     diagnostic.range = range;
     diagnostic.message = std::move(message);
     diagnostic.suggestion = std::move(suggestion);
-    places_.locate(diagnostic);
+    locate(places_, diagnostic);
     out_.push_back(std::move(diagnostic));
 }
 

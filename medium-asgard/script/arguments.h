@@ -2,7 +2,7 @@
 // the word that is wrong, with what was expected.
 #pragma once
 
-#include "script/places.h"
+#include "script/locate.h"
 #include "script/structure.h"
 
 #include <functional>
@@ -36,14 +36,14 @@ struct Call {
 // Collects what is wrong, with lines and columns.
 class Faults {
 public:
-    Faults(const Places& places, std::vector<scene::Diagnostic>& out)
+    Faults(const text::Places& places, std::vector<scene::Diagnostic>& out)
         : places_(places), out_(out) {}
     void error(Range range, std::string message, std::string suggestion = "");
     void warning(Range range, std::string message, std::string suggestion = "");
 
 private:
     void add(scene::Severity severity, Range range, std::string message, std::string suggestion);
-    const Places& places_;
+    const text::Places& places_;
     std::vector<scene::Diagnostic>& out_;
     std::map<std::size_t, int> atPlace_;
 };

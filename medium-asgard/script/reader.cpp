@@ -2,10 +2,10 @@
 
 #include "script/evaluator.h"
 #include "script/make_scene.h"
-#include "script/places.h"
 #include "script/processes.h"
 #include "script/servers.h"
 #include "script/verdict.h"
+#include "text/characters.h"
 
 #include <cerrno>
 #include <csignal>
@@ -172,10 +172,9 @@ ReadResult Reader::read(std::string_view text, const std::map<std::string, doubl
         return result;
     }
     // Editors of other systems write a mark before the text; as blanks it moves nothing.
-    constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
     std::string plain(text);
-    if (text.starts_with(byteOrderMark))
-        plain.replace(0, byteOrderMark.size(), byteOrderMark.size(), ' ');
+    if (text.starts_with(text::byteOrderMark))
+        plain.replace(0, text::byteOrderMark.size(), text::byteOrderMark.size(), ' ');
     const Answer answer = implementation_->ask(plain, parameters);
     return judge(plain, answer, implementation_->limits, parameters);
 }

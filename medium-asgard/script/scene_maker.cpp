@@ -39,7 +39,7 @@ SceneMaker::SceneMaker(std::string_view text, const std::map<std::string, double
 void SceneMaker::make(Call& call) {
     const Range known = call.source.command.known() ? call.source.command : call.words[0].range;
     if (known.known()) {
-        const Place place = places_.at(known.from);
+        const text::Position place = places_.at(known.from);
         call.source.line = place.line;
         call.source.column = place.column;
     }

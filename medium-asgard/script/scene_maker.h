@@ -3,6 +3,7 @@
 
 #include "script/arguments.h"
 #include "script/make_scene.h"
+#include "text/places.h"
 
 #include <array>
 #include <set>
@@ -88,7 +89,7 @@ private:
     std::string_view text_;
     const std::map<std::string, double>& overrides_;
     MadeScene& made_;
-    Places places_;
+    text::Places places_;
     Faults faults_;
     std::map<std::string, Kind> symbols_; // bodies, trajectories, parameters share their names
     std::map<Kind, std::vector<std::string>> others_;

@@ -1,7 +1,7 @@
 #include "script/verdict.h"
 
+#include "script/locate.h"
 #include "script/make_scene.h"
-#include "script/places.h"
 #include "script/structure.h"
 #include "script/suggestion.h"
 
@@ -13,13 +13,13 @@ namespace script {
 
 namespace {
 
-scene::Diagnostic diagnosticAt(const Places& places, Range range, std::string message,
+scene::Diagnostic diagnosticAt(const text::Places& places, Range range, std::string message,
                                std::string suggestion = "") {
     scene::Diagnostic diagnostic;
     diagnostic.range = range;
     diagnostic.message = std::move(message);
     diagnostic.suggestion = std::move(suggestion);
-    places.locate(diagnostic);
+    locate(places, diagnostic);
     return diagnostic;
 }
 
@@ -145,8 +145,8 @@ std::string quotedPart(std::string_view message) {
     return to == std::string_view::npos ? "" : std::string(message.substr(from + 1, to - from - 1));
 }
 
-scene::Diagnostic tclError(std::string_view text, const Structure& structure, const Places& places,
-                           const Recording& recording) {
+scene::Diagnostic tclError(std::string_view text, const Structure& structure,
+                           const text::Places& places, const Recording& recording) {
     std::string message(recording.message);
     const Command* command = failed(text, structure, recording);
     Range range = command ? command->range : Range{};
@@ -196,7 +196,7 @@ scene::Diagnostic tclError(std::string_view text, const Structure& structure, co
     return diagnosticAt(places, range, std::move(message), std::move(suggestion));
 }
 
-scene::Diagnostic limitError(const Structure& structure, const Places& places,
+scene::Diagnostic limitError(const Structure& structure, const text::Places& places,
                              const Recording& recording, const Limits& limits) {
     const Range range = commandAt(structure, recording.offset);
     if (recording.ending == Ending::commandLimit)
@@ -209,7 +209,7 @@ scene::Diagnostic limitError(const Structure& structure, const Places& places,
 } // namespace
 
 std::optional<scene::Diagnostic> refuse(std::string_view text, std::size_t mostBytes) {
-    const Places places(text.substr(0, mostBytes));
+    const text::Places places(text.substr(0, mostBytes));
     if (text.size() > mostBytes)
         return diagnosticAt(places, {}, "the text is longer than 8 MB");
     for (std::size_t at = 0; at < text.size();) {
@@ -226,7 +226,7 @@ std::optional<scene::Diagnostic> refuse(std::string_view text, std::size_t mostB
 ReadResult judge(std::string_view text, const Answer& answer, const Limits& limits,
                  const std::map<std::string, double>& parameters) {
     ReadResult result;
-    const Places places(text);
+    const text::Places places(text);
     const Structure structure = structureOf(text);
     const auto decoded = decodeRecording(answer.bytes);
     const bool whole = decoded && decoded->complete && answer.end == End::exited;

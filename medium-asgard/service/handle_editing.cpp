@@ -72,7 +72,7 @@ void HandleEditing::remove(const gestures::Ground& ground, const render::Handle&
     const editing::TrajectoryEdits edits(ground.text, ground.scene, handle.element);
     const editing::Answer answer = edits.remove(gestures::pointOf(edits, handle));
     if (answer.possible())
-        ground.finish(editing::applied(ground.text, answer.edits), "Remove a point");
+        ground.finish(text::applied(ground.text, answer.edits), "Remove a point");
     say(answer.reason);
 }
 

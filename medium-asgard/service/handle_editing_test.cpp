@@ -129,11 +129,11 @@ protected:
         release(end);
     }
     // The host takes the only change that it was asked for.
-    ipc::TextEdit accepted(const std::string& label) {
+    text::Edit accepted(const std::string& label) {
         EXPECT_THAT(asked, SizeIs(1));
         const auto& change = std::get<ipc::SubdocumentChanged>(asked.at(0).call);
         EXPECT_EQ(change.label, label);
-        const ipc::TextEdit edit = change.edits.at(0);
+        const text::Edit edit = change.edits.at(0);
         host.answer(asked[0].id, ipc::Revised{change.base + 1});
         asked.clear();
         settle();
@@ -168,10 +168,10 @@ TEST_F(HandleEditingTest, ADragIsOneChangeOfItsNumbersAndTheHostHasItWhenItEnds)
     ASSERT_FALSE(said.empty());
     EXPECT_THAT(said.back(), HasSubstr("b1: position -0."));
     release(at + Eigen::Vector2d(40, 0));
-    const ipc::TextEdit edit = accepted("Move b1");
+    const text::Edit edit = accepted("Move b1");
     const std::size_t numbers = before.find("{-1") + 1;
-    EXPECT_GE(static_cast<std::size_t>(edit.from), numbers);
-    EXPECT_LE(static_cast<std::size_t>(edit.to), before.find("} ;# left"));
+    EXPECT_GE(edit.range.from, numbers);
+    EXPECT_LE(edit.range.to, before.find("} ;# left"));
     EXPECT_EQ(text().substr(0, numbers), before.substr(0, numbers));
     EXPECT_THAT(text(), testing::EndsWith("} ;# left\n"));
     EXPECT_FALSE(session->subdocument().previewing());
@@ -306,8 +306,8 @@ TEST_F(HandleEditingTest, ADragEndsWhereAWindowsChangeIsAccepted) {
     const std::string before = ball + "body b1 ball -init_pos {-1 0 0}\n", added = "# theirs\n";
     open(before, {"position-handles"});
     std::optional<std::string> refused;
-    const auto end = static_cast<ipc::Integer>(before.size());
-    session->propose({end, end, added}, "Update",
+    const std::size_t end = before.size();
+    session->propose({{end, end}, added}, "Update",
                      [&](const std::optional<std::string>& why) { refused = why; });
     exchange();
     ASSERT_THAT(asked, SizeIs(1));

@@ -51,7 +51,7 @@ public:
     [[nodiscard]] const std::string& title() const { return title_; } // for windows; may be ""
     // One change of the text, made in one of the medium's windows: it is the host's to accept. Then
     // it is the text here too, and `done` hears nothing; else why not.
-    void propose(const ipc::TextEdit& edit, const std::string& label,
+    void propose(const text::Edit& edit, const std::string& label,
                  std::function<void(std::optional<std::string> refusal)> done);
     void tellWindows(const ipc::WindowsChanged& windows);
     void keepWindows(const std::string& state) { channel_.notify(ipc::SessionKeep{state}); }

@@ -70,7 +70,7 @@ auto Session::serve(const ipc::SubdocumentEdit& call) -> Reply<ipc::Done> {
 }
 
 // An edit that leaves the text as it is makes no revision: it is not for the host.
-void Session::propose(const ipc::TextEdit& edit, const std::string& label,
+void Session::propose(const text::Edit& edit, const std::string& label,
                       std::function<void(std::optional<std::string>)> done) {
     ipc::SubdocumentChanged change{subdocument_.revision(), {edit}, label, ""};
     channel_.request(change, [this, edit, done](const ipc::Outcome<ipc::Revised>& outcome) {

@@ -1,5 +1,6 @@
 // Handles in a rendition: from the host's pointer to a change of the host's text.
 #include "service/session.h"
+#include "text/difference.h"
 
 namespace service {
 
@@ -22,15 +23,14 @@ gestures::Ground Session::ground() {
 void Session::finishGesture(const std::string& text, const std::string& label) {
     if (text == subdocument_.text())
         return subdocument_.endPreview(now_);
-    const editing::TextEdit edit = editing::editBetween(subdocument_.text(), text);
+    const text::Edit edit = text::difference(subdocument_.text(), text);
     subdocument_.preview(text, now_); // until the host has answered
-    propose({static_cast<ipc::Integer>(edit.from), static_cast<ipc::Integer>(edit.to), edit.text},
-            label, [this](const std::optional<std::string>& refusal) {
-                if (!refusal)
-                    return;
-                subdocument_.endPreview(now_);
-                refusedWords_ = *refusal;
-            });
+    propose(edit, label, [this](const std::optional<std::string>& refusal) {
+        if (!refusal)
+            return;
+        subdocument_.endPreview(now_);
+        refusedWords_ = *refusal;
+    });
 }
 
 bool Session::edit(Rendition& rendition, const ipc::Input& input) {

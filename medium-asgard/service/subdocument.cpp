@@ -1,7 +1,8 @@
 #include "service/subdocument.h"
 
-#include "script/places.h"
+#include "script/locate.h"
 #include "simulation/report.h"
+#include "text/places.h"
 
 #include <algorithm>
 #include <utility>
@@ -56,24 +57,14 @@ void Subdocument::endPreview(Instant now) {
         start(now);
 }
 
-std::optional<std::string> Subdocument::edit(const std::vector<ipc::TextEdit>& edits,
-                                             ipc::Integer revision, Instant now) {
+std::optional<std::string> Subdocument::edit(const text::Edits& edits, ipc::Integer revision,
+                                             Instant now) {
     if (revision <= revision_)
         return "the edit makes revision " + std::to_string(revision) + ", this is " +
                std::to_string(revision_) + " already";
-    std::string text;
-    std::size_t at = 0;
-    for (const ipc::TextEdit& edit : edits) {
-        const auto from = static_cast<std::size_t>(edit.from);
-        const auto to = static_cast<std::size_t>(edit.to);
-        if (from < at || to < from || to > text_.size())
-            return "an edit lies outside the text or over another";
-        text.append(text_, at, from - at);
-        text += edit.text;
-        at = to;
-    }
-    text.append(text_, at);
-    load(std::move(text), revision, now);
+    if (!text::areOrdered(edits, text_.size()))
+        return "an edit lies outside the text or over another";
+    load(text::applied(text_, edits), revision, now);
     return std::nullopt;
 }
 
@@ -189,9 +180,9 @@ std::vector<scene::Diagnostic> Subdocument::faults() const {
         faults.emplace_back().message = sentence;
     if (faulty_ || !shown_.motion || worker_.busy())
         return faults;
-    const script::Places places(text_);
+    const text::Places places(text_);
     for (scene::Diagnostic& said : simulation::reportOf(*shown_.scene, *shown_.motion)) {
-        places.locate(said);
+        script::locate(places, said);
         faults.push_back(std::move(said));
     }
     return faults;

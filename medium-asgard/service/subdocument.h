@@ -27,8 +27,8 @@ public:
 
     void load(std::string text, ipc::Integer revision, Instant now);
     // All or none of the edits; the sentence says why not.
-    [[nodiscard]] std::optional<std::string> edit(const std::vector<ipc::TextEdit>& edits,
-                                                  ipc::Integer revision, Instant now);
+    [[nodiscard]] std::optional<std::string> edit(const text::Edits& edits, ipc::Integer revision,
+                                                  Instant now);
     // While a gesture lasts: this text is read and shown, and is that of no revision. What the host
     // sends ends it, as endPreview() does: then the text is shown as it is.
     void preview(std::string text, Instant now);

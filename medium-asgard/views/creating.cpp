@@ -170,7 +170,7 @@ void Creating::finish() {
     const auto edits = editing::created(document_.text(), scene, made);
     // LIMIT: a new element that is not the last of its kind is not the one that is marked.
     Q_EMIT created({kind, count}, recipe.handles);
-    document_.setText(editing::applied(document_.text(), edits), recipe.label);
+    document_.setText(text::applied(document_.text(), edits), recipe.label);
 }
 
 bool Creating::key(const QKeyEvent& event) {

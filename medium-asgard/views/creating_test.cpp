@@ -315,7 +315,7 @@ TEST_F(CreatingTest, UnderAHostASliderChangesTheTextToo) {
     open("parameter g -value 1 -min 0 -max 4\n" + balls);
     std::vector<std::string> told;
     editor.document().setHostLink(
-        {[&](const TextEdit& edit, const QString&) { told.push_back(edit.text); }, [] {}, [] {}});
+        {[&](const text::Edit& edit, const QString&) { told.push_back(edit.text); }, [] {}, [] {}});
     QSlider* slider = viewer->findChild<ParametersPanel*>()->slider("g");
     slider->setSliderDown(true);
     slider->setSliderPosition(500);

@@ -112,7 +112,7 @@ TEST_F(DocumentGesturesTest, AGestureThatDidNothingTakesNothingBack) {
     document.finishPreview(two, "Drag", since);
     EXPECT_EQ(document.text(), two + "# theirs\n");
     EXPECT_EQ(document.undoLabel(), "Set");
-    document.setHostLink({[](const TextEdit&, const QString&) {}, [] {}, [] {}});
+    document.setHostLink({[](const text::Edit&, const QString&) {}, [] {}, [] {}});
     const int later = document.revision();
     document.setTextFromHost(two + "# the host's\n");
     document.finishPreview(two, "Drag", later);

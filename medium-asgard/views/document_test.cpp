@@ -238,16 +238,14 @@ TEST_F(DocumentTest, UndoAndRedoWalkThroughTheTexts) {
 // --- under a host, and files ------------------------------------------------------------------
 
 TEST_F(DocumentTest, UnderAHostChangesGoThereAndUndoIsAskedForThere) {
-    std::vector<TextEdit> edits;
+    text::Edits edits;
     int undos = 0;
     document.setTextFromHost("# a b c\n");
-    document.setHostLink({[&](const TextEdit& edit, const QString&) { edits.push_back(edit); },
+    document.setHostLink({[&](const text::Edit& edit, const QString&) { edits.push_back(edit); },
                           [&] { ++undos; }, [] {}});
     document.setText("# a bx c\n", "Edit");
     ASSERT_EQ(edits.size(), 1U);
-    EXPECT_EQ(edits[0].from, 5U);
-    EXPECT_EQ(edits[0].to, 5U);
-    EXPECT_EQ(edits[0].text, "x");
+    EXPECT_EQ(edits[0], (text::Edit{{5, 5}, "x"}));
     document.undo();
     EXPECT_EQ(undos, 1);
     EXPECT_EQ(document.text(), "# a bx c\n"); // until the host's answer arrives
@@ -260,14 +258,14 @@ TEST_F(DocumentTest, WhoIsToldOfAChangeSeesItInTheText) {
     document.setTextFromHost("# a\n");
     std::string seen;
     document.setHostLink(
-        {[&](const TextEdit&, const QString&) { seen = document.text(); }, [] {}, [] {}});
+        {[&](const text::Edit&, const QString&) { seen = document.text(); }, [] {}, [] {}});
     document.setText("# b\n", "Edit");
     EXPECT_EQ(seen, "# b\n");
 }
 
 TEST_F(DocumentTest, ARefusedChangeLeavesTheTextOfTheHost) {
     document.setTextFromHost("# a\n");
-    document.setHostLink({[](const TextEdit&, const QString&) {}, [] {}, [] {}});
+    document.setHostLink({[](const text::Edit&, const QString&) {}, [] {}, [] {}});
     QString why;
     QObject::connect(&document, &SceneDocument::changeRefused,
                      [&](const QString& sentence) { why = sentence; });
@@ -283,7 +281,7 @@ TEST_F(DocumentTest, WhatAnotherComputedIsShownAndNothingIsComputedHere) {
     QObject::connect(&shown, &SceneDocument::sceneChanged, [&] { ++scenes; });
     QObject::connect(&shown, &SceneDocument::motionChanged, [&] { ++motions; });
     QObject::connect(&shown, &SceneDocument::diagnosticsChanged, [&] { ++faults; });
-    shown.setHostLink({[](const TextEdit&, const QString&) {}, [] {}, [] {}, [&] { ++asked; }});
+    shown.setHostLink({[](const text::Edit&, const QString&) {}, [] {}, [] {}, [&] { ++asked; }});
     shown.setTextFromHost(ballScene);
     shown.recompute();
     EXPECT_EQ(asked, 1);
@@ -310,7 +308,7 @@ TEST_F(DocumentTest, WhatAnotherComputedIsShownAndNothingIsComputedHere) {
 // What is shown may be of an older text than the host's: elements are found again by that one.
 TEST_F(DocumentTest, TheSceneThatAnotherReadBelongsToTheTextThatItWasReadFrom) {
     SceneDocument shown{Workshop{}};
-    shown.setHostLink({[](const TextEdit&, const QString&) {}, [] {}, [] {}});
+    shown.setHostLink({[](const text::Edit&, const QString&) {}, [] {}, [] {}});
     const std::string head = "shape_set s -desc {-sub {-sphere 1}}\nbody b s\n";
     const std::string one = head + "force -body b -x 1\n";
     const std::string both = head + "force -body b -x 2\n" + "force -body b -x 1\n";
@@ -353,38 +351,6 @@ TEST_F(DocumentTest, FilesThatCannotBeReadOrWrittenSaySo) {
     EXPECT_TRUE(
         document.save("/nowhere/at-all.al").sentence.starts_with("at-all.al was not saved"));
     EXPECT_EQ(document.path(), QString());
-}
-
-// --- edits ----------------------------------------------------------------------------------
-
-TEST(EditBetween, IsTheSmallestAndKeepsCharactersWhole) {
-    const auto edit = [](const std::string& a, const std::string& b) {
-        const TextEdit e = editBetween(a, b);
-        return std::to_string(e.from) + "-" + std::to_string(e.to) + ":" + e.text;
-    };
-    EXPECT_EQ(edit("abc", "abc"), "3-3:");
-    EXPECT_EQ(edit("abc", "abXc"), "2-2:X");
-    EXPECT_EQ(edit("aaa", "aa"), "2-3:");
-    EXPECT_EQ(edit("", "new"), "0-0:new");
-    // a-umlaut (C3 A4) to o-umlaut (C3 B6): the common first byte belongs to the character.
-    EXPECT_EQ(edit("x\xC3\xA4y", "x\xC3\xB6y"), "1-3:\xC3\xB6");
-    // ... and a common last byte too (C3 A4 to C2 A4).
-    EXPECT_EQ(edit("x\xC3\xA4y", "x\xC2\xA4y"), "1-3:\xC2\xA4");
-}
-
-TEST(EditBetween, AppliedGivesTheOtherText) {
-    std::mt19937 random(6);
-    const auto text = [&] {
-        std::string s;
-        for (unsigned i = random() % 12; i > 0; --i)
-            s += std::string(random() % 3 == 0 ? "\xC3\xA4" : random() % 2 == 0 ? "a" : "b");
-        return s;
-    };
-    for (int i = 0; i < 2000; ++i) {
-        const std::string before = text(), after = text();
-        const TextEdit e = editBetween(before, after);
-        ASSERT_EQ(before.substr(0, e.from) + e.text + before.substr(e.to), after);
-    }
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "views/draft.h"
 
 #include "editing/lines.h"
+#include "text/merge.h"
 
 #include <algorithm>
 #include <utility>
@@ -13,7 +14,7 @@ namespace {
 
 constexpr int draftMarker = 2; // in the margin, at lines that the document does not have so
 
-long length(Range range) { return static_cast<long>(range.to - range.from); }
+Range asScene(text::Range range) { return {range.from, range.to}; }
 
 } // namespace
 
@@ -41,10 +42,10 @@ Draft::Draft(SceneEditor& editor, SceneDocument& document)
 
 // Replaces only what differs, so that cursor, scroll position and marks of the rest stay.
 void Draft::take(const std::string& text) {
-    const TextEdit edit = editBetween(editor_.bytes(), text);
+    const text::Edit edit = text::difference(editor_.bytes(), text);
     taking_ = true;
-    if (edit.from != edit.to || !edit.text.empty())
-        editor_.replace({edit.from, edit.to}, edit.text);
+    if (!edit.empty())
+        editor_.replace(asScene(edit.range), edit.text);
     editor_.SendScintilla(QsciScintillaBase::SCI_EMPTYUNDOBUFFER);
     taking_ = false;
     editor_.setScrollWidth(1); // the longest line may be gone; it grows when it is drawn
@@ -88,10 +89,10 @@ void Draft::merge() {
     if (conflicts().empty())
         undisputed_ = base_;
     const std::string mine = editor_.bytes();
-    const editing::Merge merge = editing::merged(base_, mine, document_.text());
+    const text::Merge merge = text::merged(base_, mine, document_.text());
     taking_ = true;
     for (auto edit = merge.edits.rbegin(); edit != merge.edits.rend(); ++edit)
-        editor_.replace({edit->from, edit->to}, edit->text);
+        editor_.replace(asScene(edit->range), edit->text);
     editor_.SendScintilla(QsciScintillaBase::SCI_EMPTYUNDOBUFFER);
     taking_ = false;
     base_ = document_.text();
@@ -103,11 +104,11 @@ void Draft::merge() {
     markLines();
 }
 
-void Draft::showConflicts(const std::vector<Range>& conflicts) {
-    for (const Range& conflict : conflicts) {
+void Draft::showConflicts(const std::vector<text::Range>& conflicts) {
+    for (const text::Range& conflict : conflicts) {
         // What the draft left out has no bytes of its own: then the byte beside it is marked.
         const std::size_t end = editor_.length();
-        Range range = conflict;
+        Range range = asScene(conflict);
         if (!range.known() && range.to < end)
             ++range.to;
         else if (!range.known() && range.from > 0)
@@ -179,11 +180,11 @@ void Draft::bring(std::vector<Typed>& from, std::vector<Typed>& to) {
     const Typed step = std::move(from.back());
     from.pop_back();
     to.push_back({base_, editor_.bytes()});
-    const editing::Merge merge = editing::merged(step.base, step.text, base_);
-    const std::string text = editing::applied(step.text, merge.edits);
-    const TextEdit edit = editBetween(editor_.bytes(), text);
+    const text::Merge merge = text::merged(step.base, step.text, base_);
+    const std::string text = text::applied(step.text, merge.edits);
+    const text::Edit edit = text::difference(editor_.bytes(), text);
     taking_ = true;
-    editor_.replace({edit.from, edit.to}, edit.text);
+    editor_.replace(asScene(edit.range), edit.text);
     editor_.SendScintilla(QsciScintillaBase::SCI_EMPTYUNDOBUFFER);
     taking_ = false;
     editor_.unmark(Mark::conflict);
@@ -241,14 +242,14 @@ void Draft::refused(const QString& why) {
 
 // What differs there. Words that were left out beside it, but for blanks, belong to it: the draft
 // has no bytes of theirs that could be in the range.
-std::optional<editing::Hunk> Draft::hunkAt(Range range) const {
+std::optional<text::Hunk> Draft::hunkAt(Range range) const {
     const std::string& mine = editor_.bytes();
     const auto blanksTo = [&](std::size_t from, std::size_t to) {
         return from >= to || mine.find_first_not_of(" \t", from) >= to;
     };
-    std::optional<editing::Hunk> found;
-    for (const editing::Hunk& hunk : hunks_) {
-        const bool leftOut = !hunk.after.known();
+    std::optional<text::Hunk> found;
+    for (const text::Hunk& hunk : hunks_) {
+        const bool leftOut = hunk.after.empty();
         if (!(hunk.after.from <= range.to && range.from <= hunk.after.to) &&
             !(leftOut && blanksTo(range.to, hunk.after.from) &&
               blanksTo(hunk.after.to, range.from)))
@@ -263,8 +264,7 @@ std::optional<editing::Hunk> Draft::hunkAt(Range range) const {
 
 QString Draft::theirs(Range conflict) const {
     const auto hunk = hunkAt(conflict);
-    return hunk ? QString::fromStdString(
-                      base_.substr(hunk->before.from, hunk->before.to - hunk->before.from))
+    return hunk ? QString::fromStdString(base_.substr(hunk->before.from, hunk->before.size()))
                 : QString();
 }
 
@@ -282,10 +282,8 @@ void Draft::takeTheirs(Range conflict) {
     const auto hunk = hunkAt(conflict);
     editor_.unmark(Mark::conflict, conflict);
     if (hunk) {
-        editor_.replace(hunk->after, base_.substr(hunk->before.from,
-                                                  static_cast<std::size_t>(length(hunk->before))));
-        editor_.select(
-            {hunk->after.from, hunk->after.from + static_cast<std::size_t>(length(hunk->before))});
+        editor_.replace(asScene(hunk->after), base_.substr(hunk->before.from, hunk->before.size()));
+        editor_.select({hunk->after.from, hunk->after.from + hunk->before.size()});
     }
     Q_EMIT changed();
 }
@@ -295,10 +293,10 @@ void Draft::markLines() {
     hunks_.clear();
     if (!edited_)
         return;
-    hunks_ = editing::differences(base_, editor_.bytes());
-    for (const editing::Hunk& hunk : hunks_) {
+    hunks_ = text::differences(base_, editor_.bytes());
+    for (const text::Hunk& hunk : hunks_) {
         const int last =
-            editor_.lineOf(std::max(hunk.after.from, hunk.after.to - (hunk.after.known() ? 1 : 0)));
+            editor_.lineOf(std::max(hunk.after.from, hunk.after.to - (hunk.after.empty() ? 0 : 1)));
         for (int line = editor_.lineOf(hunk.after.from); line <= last; ++line)
             editor_.markerAdd(line, draftMarker);
     }

@@ -9,7 +9,7 @@
 // then, with what others have done since merged into it.
 #pragma once
 
-#include "editing/merge.h"
+#include "text/difference.h"
 #include "views/scene_document.h"
 #include "views/scene_editor.h"
 
@@ -28,7 +28,7 @@ public:
         return editor_.marks(Mark::conflict);
     }
     // Where it differs from the document's text, which comes first.
-    [[nodiscard]] const std::vector<editing::Hunk>& hunks() const { return hunks_; }
+    [[nodiscard]] const std::vector<text::Hunk>& hunks() const { return hunks_; }
     // The document's text in the place of a conflict.
     [[nodiscard]] QString theirs(scene::Range conflict) const;
 
@@ -58,7 +58,7 @@ private:
     };
     void keepTyped();
     void bring(std::vector<Typed>& from, std::vector<Typed>& to);
-    void showConflicts(const std::vector<scene::Range>& conflicts);
+    void showConflicts(const std::vector<text::Range>& conflicts);
     void forgetTyped();
     void typed();
     void follow();
@@ -66,14 +66,14 @@ private:
     void take(const std::string& text);
     void merge();
     void markLines();
-    [[nodiscard]] std::optional<editing::Hunk> hunkAt(scene::Range range) const;
+    [[nodiscard]] std::optional<text::Hunk> hunkAt(scene::Range range) const;
 
     SceneEditor& editor_;
     SceneDocument& document_;
     bool edited_ = false;
     bool taking_ = false; // the text changes because the document's did
     std::string base_;    // the document's text that the draft is a draft of
-    std::vector<editing::Hunk> hunks_;
+    std::vector<text::Hunk> hunks_;
     std::optional<std::string> submitted_; // until the host has accepted it
     std::string submittedOn_;              // the document's text that this was a draft of
     // The draft's text as typing went on after submit(), until the document's text came into it.

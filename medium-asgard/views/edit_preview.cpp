@@ -15,7 +15,7 @@ QString marked(const std::string& s, std::size_t from, std::size_t to) {
 
 } // namespace
 
-QString previewOf(const std::string& text, const std::vector<editing::TextEdit>& edits) {
+QString previewOf(const std::string& text, const text::Edits& edits) {
     QString shown;
     for (const editing::LineChange& line : editing::changedLines(text, edits))
         shown +=

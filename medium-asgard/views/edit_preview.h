@@ -1,13 +1,12 @@
 // An edit of the text, line by line, as a label shows it before it is made.
 #pragma once
 
-#include "editing/text_edit.h"
+#include "text/edit.h"
 
 #include <QString>
 
 namespace views {
 
-[[nodiscard]] QString previewOf(const std::string& text,
-                                const std::vector<editing::TextEdit>& edits);
+[[nodiscard]] QString previewOf(const std::string& text, const text::Edits& edits);
 
 } // namespace views

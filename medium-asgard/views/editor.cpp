@@ -43,35 +43,40 @@ void fitScreen(QWidget& window, const QWidget* asked) {
     window.resize(window.size().boundedTo(room - QSize(2 * frame, frame + title)));
 }
 
-// A new window lies a little below and right of the one that asked for it, within the screen.
-void placeBeside(QWidget& window, const QWidget* asked) {
-    constexpr int step = 40;
-    const QRect screen = asked->screen()->availableGeometry();
+// To that place, or as near to it as the screen shows the whole window.
+void moveWithin(const QRect& screen, QWidget& window, int x, int y) {
     const auto within = [](int at, int low, int high) {
         return std::clamp(at, low, std::max(low, high));
     };
-    window.move(
-        within(asked->x() + step, screen.left(), screen.right() - window.width() - frame),
-        within(asked->y() + step, screen.top(), screen.bottom() - window.height() - frame - title));
+    const QSize least = window.size().expandedTo(window.minimumSizeHint());
+    window.move(within(x, screen.left(), screen.right() - least.width() - frame),
+                within(y, screen.top(), screen.bottom() - least.height() - frame - title));
+}
+
+// A new window lies a little below and right of the one that asked for it, within the screen.
+void placeBeside(QWidget& window, const QWidget* asked) {
+    constexpr int step = 40;
+    moveWithin(asked->screen()->availableGeometry(), window, asked->x() + step, asked->y() + step);
 }
 
 // Control panel at the top left, the language viewer below it, the graphical one beside them, as
-// far as the screen allows (dissertation, Figure 4.1).
+// far as the screen allows (dissertation, Figure 4.1). On a small screen they overlap.
 void arrange(ControlPanel& panel, GraphicalViewer& graphical, LanguageViewer& language) {
     const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
     const int gap = 12;
     const int left = std::max(panel.sizeHint().width(), screen.width() * 9 / 25);
     panel.move(screen.left() + gap, screen.top() + title);
     const int under = panel.sizeHint().height() + 2 * title + gap;
-    language.resize(left - 2 * gap, std::max(280, screen.height() - under - 2 * gap));
-    language.move(screen.left() + gap, screen.top() + under);
+    constexpr int leastHeight = 280;
+    language.resize(left - 2 * gap, std::max(leastHeight, screen.height() - under - 2 * gap));
+    moveWithin(screen, language, screen.left() + gap, screen.top() + under);
     // The picture four to three, as scenes' views are made for, or as high as what stands beside
     // it.
     constexpr int beside = 232, below = 168, panelHeight = 610; // what else stands in the window
     const int width = screen.width() - left - 2 * gap;
     graphical.resize(width, std::min(screen.height() - title - 3 * gap,
                                      std::max((width - beside) * 3 / 4, panelHeight) + below));
-    graphical.move(screen.left() + left + gap / 2, screen.top() + title);
+    moveWithin(screen, graphical, screen.left() + left + gap / 2, screen.top() + title);
 }
 
 } // namespace

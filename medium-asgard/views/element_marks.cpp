@@ -21,11 +21,11 @@ namespace {
 constexpr int selectedMarker = 3;
 
 // A place of one side of the hunks on the other: the nearest, where it has none.
-std::size_t across(const std::vector<editing::Hunk>& hunks, std::size_t place, bool forward) {
+std::size_t across(const std::vector<text::Hunk>& hunks, std::size_t place, bool forward) {
     long shift = 0;
-    for (const editing::Hunk& hunk : hunks) {
-        const Range here = forward ? hunk.before : hunk.after;
-        const Range there = forward ? hunk.after : hunk.before;
+    for (const text::Hunk& hunk : hunks) {
+        const text::Range here = forward ? hunk.before : hunk.after;
+        const text::Range there = forward ? hunk.after : hunk.before;
         if (place < here.from)
             break;
         if (place < here.to)

@@ -1,7 +1,7 @@
 #include "views/find_bar.h"
 
-#include "editing/text_edit.h"
 #include "plain/plain.h"
+#include "text/edit.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
@@ -170,11 +170,11 @@ int FindBar::replaceAll() {
     const std::string with = with_->text().toStdString();
     if (!all.empty()) { // as one change: whoever follows the text does so once
         const std::string text = editor_.bytes();
-        std::vector<editing::TextEdit> edits;
+        text::Edits edits;
         edits.reserve(all.size());
         for (const Range& place : all)
-            edits.push_back({place.from, place.to, with});
-        const std::string after = editing::applied(text, edits);
+            edits.push_back({{place.from, place.to}, with});
+        const std::string after = text::applied(text, edits);
         const Range whole{all.front().from, all.back().to};
         editor_.replace(
             whole, after.substr(whole.from, after.size() - (text.size() - whole.to) - whole.from));

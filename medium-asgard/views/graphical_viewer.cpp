@@ -348,7 +348,7 @@ void GraphicalViewer::keepView() {
             return display_->editing().say(
                 tr("The text was changed meanwhile: the view was not kept."));
         if (!dialog.wantsNew())
-            return document_.setText(editing::applied(document_.text(), dialog.answer().edits),
+            return document_.setText(text::applied(document_.text(), dialog.answer().edits),
                                      tr("Keep the View %1").arg(dialog.name()));
     }
     display_->creating().start(keptView(sight.camera, sight.pixelLength(sight.camera.center)));

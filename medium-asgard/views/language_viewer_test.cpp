@@ -3,7 +3,7 @@
 #include "views/scene_lexer.h"
 #include "views/test_language_viewer.h"
 
-#include "editing/merge.h"
+#include "text/difference.h"
 
 #include <gmock/gmock.h>
 
@@ -322,13 +322,13 @@ TEST_F(LanguageViewerTest, AKeyGoesThroughTheTextOnce) {
     caretAt(viewer->draft().size());
     QTest::keyClicks(&text(), "fo");
     const std::size_t structures = script::structuresMade();
-    const std::size_t differences = editing::differencesSought();
+    const std::size_t differences = text::differencesSought();
     QTest::keyClicks(&text(), "r");
     EXPECT_TRUE(text().isListActive());
     viewer->repaint();
     QCoreApplication::processEvents();
     EXPECT_LE(script::structuresMade() - structures, 2U);
-    EXPECT_LE(editing::differencesSought() - differences, 1U);
+    EXPECT_LE(text::differencesSought() - differences, 1U);
 }
 
 TEST_F(LanguageViewerTest, WhatIsBegunIsCompleted) {

@@ -112,7 +112,7 @@ QString MotionSpan::change(const char* option, double value) {
     if (!now.source) {
         const editing::NewElement made{
             editing::Kind::simulator, "", {option, editing::numberText(value, 0)}, {}};
-        document_.setText(editing::applied(text, editing::created(text, *scene, {made})), label);
+        document_.setText(text::applied(text, editing::created(text, *scene, {made})), label);
         return {};
     }
     editing::Wish wish;
@@ -122,7 +122,7 @@ QString MotionSpan::change(const char* option, double value) {
     wish.absent = {isStart ? scene::Simulator().start : scene::Simulator().finish};
     const editing::Answer answer = editing::Mapper(text, scene).answer(wish);
     if (answer.possible())
-        document_.setText(editing::applied(text, answer.edits), label);
+        document_.setText(text::applied(text, answer.edits), label);
     return QString::fromStdString(answer.reason);
 }
 

@@ -137,7 +137,7 @@ TEST_F(NewcomerTest, ADragOfASliderLeavesTheKeysToThePicture) {
 
 TEST_F(NewcomerTest, UnderADocumentSavingADraftUpdatesTheScene) {
     HostLink link;
-    link.changed = [](const TextEdit&, const QString&) {};
+    link.changed = [](const text::Edit&, const QString&) {};
     editor.document().setHostLink(link);
     const auto keys = action(*editor.openLanguageViewer(), "Update")->shortcuts();
     EXPECT_TRUE(keys.contains(QKeySequence(QKeySequence::Save)));

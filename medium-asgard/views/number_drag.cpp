@@ -104,7 +104,7 @@ std::optional<Asked> NumberDrag::asked() const {
     if (!gesture_)
         return std::nullopt;
     Asked asked{gesture_->since, {}};
-    asked.answer.edits = {{gesture_->number.from, gesture_->number.to, gesture_->now}};
+    asked.answer.edits = {{{gesture_->number.from, gesture_->number.to}, gesture_->now}};
     return asked;
 }
 

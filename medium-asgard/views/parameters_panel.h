@@ -42,7 +42,7 @@ private:
         std::shared_ptr<const scene::Scene> scene;
         editing::Mapper mapper;
         editing::Answer last; // that was possible
-        [[nodiscard]] std::string wanted() const { return editing::applied(text, last.edits); }
+        [[nodiscard]] std::string wanted() const { return text::applied(text, last.edits); }
     };
     void refresh();
     void rebuild();

@@ -39,7 +39,7 @@ void PictureEditing::setFixed(std::size_t body, bool fixed) {
     const double value = fixed ? 1 : 0;
     const editing::Answer answer = asked.answer({value});
     if (answer.possible())
-        return document_.setText(editing::applied(asked.text, answer.edits), asked.label);
+        return document_.setText(text::applied(asked.text, answer.edits), asked.label);
     editing::Wish wish; // what makes it so is said, and what can be done
     wish.values = {value};
     openEntry(std::move(asked), positionOf(body)->place);

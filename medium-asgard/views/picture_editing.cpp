@@ -412,9 +412,9 @@ void PictureEditing::markElement(const editing::Element& element) {
         mark_->kind = HandleKind::torqueHead;
 }
 
-void PictureEditing::take(const std::vector<editing::TextEdit>& edits, const QString& label) {
+void PictureEditing::take(const text::Edits& edits, const QString& label) {
     mark_.reset();
-    document_.setText(editing::applied(document_.text(), edits), label);
+    document_.setText(text::applied(document_.text(), edits), label);
     Q_EMIT changed();
 }
 

@@ -81,7 +81,7 @@ private:
     bool letGo();
     void take(const gestures::Grasp& grasp, const Eigen::Vector2d& pixels);
     bool removePoint(const render::Handle& handle);
-    void take(const std::vector<editing::TextEdit>& edits, const QString& label);
+    void take(const text::Edits& edits, const QString& label);
     void followSelection();
     [[nodiscard]] std::optional<render::Handle> positionOf(std::size_t body) const;
     void paintSelection(QPainter& painter) const;

@@ -113,7 +113,7 @@ TEST_F(PositioningTest, AViewThatIsThereIsChangedToWhatIsSeen) {
         EXPECT_EQ(dialog.name(), name);
         EXPECT_FALSE(dialog.wantsNew());
         ASSERT_TRUE(dialog.answer().possible()) << dialog.answer().reason;
-        editor.document().setText(editing::applied(editor.document().text(), dialog.answer().edits),
+        editor.document().setText(text::applied(editor.document().text(), dialog.answer().edits),
                                   "Keep");
         ASSERT_TRUE(settle(editor.document()));
         display.followView(name);

@@ -119,13 +119,13 @@ protected:
             const auto onCurve =
                 std::ranges::count_if(edits.points(), [](const auto& one) { return one.onCurve; });
             if (answer.possible())
-                after = editing::applied(after, answer.edits);
+                after = text::applied(after, answer.edits);
             whole = !answer.possible() && edits.points()[point].onCurve && onCurve <= 2;
         }
         if (whole)
             if (const auto deletion = editing::deletionOf(model.text(), scene(), elements);
                 deletion.possible())
-                after = editing::applied(after, deletion.edits);
+                after = text::applied(after, deletion.edits);
         press(display, Qt::Key_Delete);
         removals += after == model.text() ? 0 : 1;
         model.change(after);
@@ -223,7 +223,7 @@ protected:
                 if ((box->buttonRole(button) == QMessageBox::AcceptRole) == taken)
                     button->click();
             if (taken)
-                model.change(editing::applied(before, asked->answer.offers.front().edits));
+                model.change(text::applied(before, asked->answer.offers.front().edits));
             delete box;
         }
     }

@@ -1,8 +1,9 @@
 #include "views/scene_document.h"
 
 #include "editing/changes.h"
-#include "script/places.h"
+#include "script/locate.h"
 #include "simulation/report.h"
+#include "text/difference.h"
 #include "views/stale_motion.h"
 #include "views/worker.h"
 
@@ -17,11 +18,6 @@ namespace views {
 
 namespace {
 
-std::string applied(const std::string& text, std::size_t from, std::size_t to,
-                    const std::string& replacement) {
-    return text.substr(0, from) + replacement + text.substr(to);
-}
-
 bool same(const scene::Diagnostic& a, const scene::Diagnostic& b) {
     return a.severity == b.severity && a.range.from == b.range.from && a.range.to == b.range.to &&
            a.line == b.line && a.column == b.column && a.message == b.message &&
@@ -32,7 +28,7 @@ bool same(const scene::Diagnostic& a, const scene::Diagnostic& b) {
 // most. Quick for the usual case, where nothing comes or goes.
 class Stays {
 public:
-    Stays(const scene::Scene& before, const scene::Scene& after, const TextEdit& edit)
+    Stays(const scene::Scene& before, const scene::Scene& after, const text::Edit& edit)
         : before_(before), after_(after), edit_(edit) {}
 
     // Something came or went: then a command may stand where another one stood.
@@ -58,15 +54,16 @@ public:
         const scene::Range command = old->command;
         if (old->runs != 1 || !command.known())
             return false;
-        if (command.to <= edit_.from || (command.from < edit_.from && edit_.to <= command.to))
+        if (command.to <= edit_.range.from ||
+            (command.from < edit_.range.from && edit_.range.to <= command.to))
             return now->command.from == command.from;
-        return command.from >= edit_.to &&
-               now->command.from == command.from - (edit_.to - edit_.from) + edit_.text.size();
+        return command.from >= edit_.range.to &&
+               now->command.from == command.from - edit_.range.size() + edit_.text.size();
     }
 
 private:
     const scene::Scene &before_, &after_;
-    const TextEdit& edit_;
+    const text::Edit& edit_;
 };
 
 } // namespace
@@ -128,7 +125,7 @@ void SceneDocument::followSelection(const scene::Scene& before, const std::strin
     const std::string textBefore = std::exchange(shownText_, text);
     if (selected_.empty())
         return;
-    const TextEdit edit = editBetween(textBefore, shownText_);
+    const text::Edit edit = text::difference(textBefore, shownText_);
     const Stays stays(before, *shown_.scene, edit);
     if (stays.sameCounts() && std::ranges::all_of(selected_, stays))
         return;
@@ -145,9 +142,9 @@ void SceneDocument::setText(const std::string& text, const QString& label) {
     if (text == text_)
         return;
     endGesture();
-    const TextEdit edit = editBetween(text_, text);
+    const text::Edit edit = text::difference(text_, text);
     if (!host_.changed) {
-        done_.push_back({edit, text_.substr(edit.from, edit.to - edit.from), label});
+        done_.push_back({edit, text::inverse(text_, {edit}).front(), label});
         undone_.clear();
     }
     replaceText(text);
@@ -176,10 +173,10 @@ void SceneDocument::finishPreview(const std::string& text, const QString& label,
     if (!gesture_ || gesture_->since != since || gesture_->hand != hand)
         return; // the text was changed meanwhile
     const auto gesture = std::exchange(gesture_, std::nullopt);
-    const TextEdit edit = editBetween(gesture->before, text);
+    const text::Edit edit = text::difference(gesture->before, text);
     const bool changes = gesture->before != text;
     if (changes && !host_.changed) {
-        done_.push_back({edit, gesture->before.substr(edit.from, edit.to - edit.from), label});
+        done_.push_back({edit, text::inverse(gesture->before, {edit}).front(), label});
         undone_.clear();
     }
     if (text != text_)
@@ -271,8 +268,7 @@ void SceneDocument::undo() {
     const Change change = done_.back();
     done_.pop_back();
     undone_.push_back(change);
-    replaceText(applied(text_, change.edit.from, change.edit.from + change.edit.text.size(),
-                        change.removed));
+    replaceText(text::applied(text_, {change.backward}));
 }
 
 void SceneDocument::redo() {
@@ -284,7 +280,7 @@ void SceneDocument::redo() {
     const Change change = undone_.back();
     undone_.pop_back();
     done_.push_back(change);
-    replaceText(applied(text_, change.edit.from, change.edit.to, change.edit.text));
+    replaceText(text::applied(text_, {change.forward}));
 }
 
 void SceneDocument::replaceText(const std::string& text) {
@@ -436,9 +432,9 @@ void SceneDocument::didFinish(const Moved& moved) {
 }
 
 void SceneDocument::reportFaults(const Moved& moved) {
-    const script::Places places(text_);
+    const text::Places places(text_);
     const auto add = [&](scene::Diagnostic said) {
-        places.locate(said);
+        script::locate(places, said);
         diagnostics_.push_back(std::move(said));
     };
     for (const std::string& sentence : moved.result.refusal)

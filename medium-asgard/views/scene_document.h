@@ -11,13 +11,13 @@
 // has no workshop and computes nothing.
 #pragma once
 
-#include "editing/text_edit.h"
 #include "editing/value_edit.h"
 #include "files/save.h"
 #include "gestures/ground.h"
 #include "scene/diagnostic.h"
 #include "script/reader.h"
 #include "simulation/simulation.h"
+#include "text/edit.h"
 
 #include <QObject>
 #include <QString>
@@ -43,11 +43,8 @@ struct Workshop {
         simulate;
 };
 
-using editing::editBetween;
-using editing::TextEdit;
-
 struct HostLink {
-    std::function<void(const TextEdit& edit, const QString& label)> changed;
+    std::function<void(const text::Edit& edit, const QString& label)> changed;
     std::function<void()> undo, redo;
     std::function<void()> recompute = nullptr; // where the motion is computed by another
     // The text as a gesture has it, to be read and shown; it is no change. None: it waits for the
@@ -201,8 +198,7 @@ Q_SIGNALS:
 
 private:
     struct Change { // one step of undo
-        TextEdit edit;
-        std::string removed;
+        text::Edit forward, backward;
         QString label;
     };
     struct Worker;

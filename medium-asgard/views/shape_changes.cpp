@@ -104,8 +104,7 @@ void ShapeEditor::offer(const editing::Answer& answer, const QString& label) {
         box->addButton(plain::caption(QString::fromStdString(one.label)), QMessageBox::AcceptRole);
     connect(box, &QMessageBox::buttonClicked, this, [=, this](QAbstractButton* button) {
         if (button == accept && document_.text() == text)
-            document_.setText(editing::applied(text, one.edits),
-                              tr("%1 of %2").arg(label, shape()));
+            document_.setText(text::applied(text, one.edits), tr("%1 of %2").arg(label, shape()));
     });
     box->open();
 }

@@ -23,13 +23,13 @@ bool ShapeGesture::show(const std::vector<editing::DraftPart>& draft) {
     }
     answer_ = editing::become(text_, scene_, shapeSet_, draft);
     if (answer_.possible())
-        document_.preview(editing::applied(text_, answer_.edits), since_, this);
+        document_.preview(text::applied(text_, answer_.edits), since_, this);
     return answer_.possible();
 }
 
 void ShapeGesture::finish(const QString& label) {
-    document_.finishPreview(answer_.possible() ? editing::applied(text_, answer_.edits) : text_,
-                            label, since_, this);
+    document_.finishPreview(answer_.possible() ? text::applied(text_, answer_.edits) : text_, label,
+                            since_, this);
 }
 
 void ShapeGesture::cancel() { document_.finishPreview(text_, {}, since_, this); }

@@ -41,7 +41,7 @@ QString makeShape(SceneDocument& document, const QString& name,
     element.words = {"-desc", editing::descriptionText(parts)};
     const std::string& text = document.text();
     document.setText(
-        editing::applied(text, editing::created(text, *document.shown().scene, {element})), label);
+        text::applied(text, editing::created(text, *document.shown().scene, {element})), label);
     return {};
 }
 
@@ -56,7 +56,7 @@ QString renameShape(SceneDocument& document, std::size_t shapeSet, const QString
     if (!answer.possible())
         return QString::fromStdString(answer.reason);
     const QString before = QString::fromStdString(scene.shapeSets[shapeSet].name);
-    document.setText(editing::applied(document.text(), answer.edits),
+    document.setText(text::applied(document.text(), answer.edits),
                      SceneDocument::tr("Rename %1 to %2").arg(before, name));
     return {};
 }

@@ -6,6 +6,7 @@
 #include "script/evaluator.h"
 #include "script/interpreter.h"
 #include "script/verdict.h"
+#include "text/characters.h"
 #include "views/graphical_viewer.h"
 #include "views/language_viewer.h"
 #include "views/number_drag.h"
@@ -146,7 +147,7 @@ protected:
     }
     std::string wanted(const Asked& asked) const {
         const std::string& start = model.textAt(asked.since);
-        return asked.answer.possible() ? editing::applied(start, asked.answer.edits) : start;
+        return asked.answer.possible() ? text::applied(start, asked.answer.edits) : start;
     }
     void previewed(const void* hand, const std::optional<Asked>& asked) {
         if (asked && asked->answer.possible())
@@ -183,8 +184,9 @@ protected:
     // --- language viewers
     void select(Text& text, scene::Range range) { text.viewer->select(range.from, range.to); }
     static std::size_t atCharacter(const std::string& text, std::size_t place) {
-        while (place > 0 && place < text.size() &&
-               ((text[place] & 0xC0) == 0x80 || (text[place - 1] == '\r' && text[place] == '\n')))
+        while (
+            place > 0 && place < text.size() &&
+            (text::isContinuation(text[place]) || (text[place - 1] == '\r' && text[place] == '\n')))
             --place;
         return place;
     }
@@ -300,7 +302,7 @@ protected:
         press(text.viewer->editor(), below(2) == 0 ? Qt::Key_Up : Qt::Key_Down, Qt::AltModifier);
         const auto asked = numbers.asked();
         if (asked && text.countsInDraft)
-            draft.text = editing::applied(text.counted, asked->answer.edits);
+            draft.text = text::applied(text.counted, asked->answer.edits);
         else
             previewed(&text, asked);
     }

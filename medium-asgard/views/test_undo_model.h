@@ -5,7 +5,7 @@
 // another's word for every byte.
 #pragma once
 
-#include "editing/merge.h"
+#include "text/merge.h"
 
 #include <map>
 #include <optional>
@@ -106,8 +106,8 @@ private:
             if (!draft.edited() || draft.text == text)
                 draft.text = text;
             else
-                draft.text = editing::applied(draft.text,
-                                              editing::merged(draft.base, draft.text, text).edits);
+                draft.text =
+                    text::applied(draft.text, text::merged(draft.base, draft.text, text).edits);
             draft.base = text;
         }
     }

@@ -23,7 +23,7 @@ void TrajectoryDrag::move(std::size_t point, double time, const geometry::Vector
     if (!answer_.possible())
         return;
     curves_ = edits_.moved(point, time, place, leastInterval_, breaks);
-    document_.preview(editing::applied(text_, answer_.edits), since_, this);
+    document_.preview(text::applied(text_, answer_.edits), since_, this);
 }
 
 QString TrajectoryDrag::reason() const {
@@ -33,7 +33,7 @@ QString TrajectoryDrag::reason() const {
 
 void TrajectoryDrag::finish(const QString& label) {
     document_.finishPreview(
-        answer_.possible() ? editing::applied(text_, answer_.edits) : text_,
+        answer_.possible() ? text::applied(text_, answer_.edits) : text_,
         label.isEmpty() ? QObject::tr("Change Trajectory %1").arg(name_) : label, since_, this);
     moves_ = false;
 }
@@ -46,7 +46,7 @@ void TrajectoryDrag::cancel() {
 bool TrajectoryDrag::doAtOnce(editing::Answer answer, const QString& label) {
     answer_ = std::move(answer);
     if (answer_.possible())
-        document_.setText(editing::applied(text_, answer_.edits), label);
+        document_.setText(text::applied(text_, answer_.edits), label);
     return answer_.possible();
 }
 

@@ -176,8 +176,8 @@ void ValueEntry::openAt(const QPoint& handle) {
     fields_.front()->selectAll();
 }
 
-void ValueEntry::take(const std::vector<editing::TextEdit>& edits) {
-    const std::string text = editing::applied(asked_.text, edits);
+void ValueEntry::take(const text::Edits& edits) {
+    const std::string text = text::applied(asked_.text, edits);
     const QString label = asked_.label;
     SceneDocument& document = document_;
     leave();
@@ -189,7 +189,7 @@ void ValueEntry::accept() {
     if (!wanted)
         return;
     if (answer_.possible())
-        take(*wanted == asked_.now ? std::vector<editing::TextEdit>() : answer_.edits);
+        take(*wanted == asked_.now ? text::Edits() : answer_.edits);
 }
 
 // Back to the picture; deleted later, since a child of this may be sending the event.

@@ -37,7 +37,7 @@ private:
     void addFields(QVBoxLayout* column);
     void update();
     void showOffers();
-    void take(const std::vector<editing::TextEdit>& edits);
+    void take(const text::Edits& edits);
     void leave();
 
     SceneDocument& document_;

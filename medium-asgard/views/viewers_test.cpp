@@ -302,7 +302,7 @@ TEST_F(ViewersTest, RevertGoesBackToWhatWasSaved) {
 }
 
 TEST_F(ViewersTest, UnderAHostRevertDropsTheDraftOnly) {
-    editor.document().setHostLink({[](const TextEdit&, const QString&) {}, [] {}, [] {}});
+    editor.document().setHostLink({[](const text::Edit&, const QString&) {}, [] {}, [] {}});
     LanguageViewer* viewer = editor.openLanguageViewer();
     type(*viewer, "# something else\n");
     viewer->revert();
@@ -313,7 +313,7 @@ TEST_F(ViewersTest, UnderAHostRevertDropsTheDraftOnly) {
 }
 
 TEST_F(ViewersTest, WhatTheHostRefusesIsADraftAgain) {
-    editor.document().setHostLink({[](const TextEdit&, const QString&) {}, [] {}, [] {}});
+    editor.document().setHostLink({[](const text::Edit&, const QString&) {}, [] {}, [] {}});
     LanguageViewer* one = editor.openLanguageViewer();
     LanguageViewer* two = editor.openLanguageViewer();
     const std::string mine = ballScene + "# mine\n", theirs = ballScene + "# theirs\n";
@@ -348,7 +348,7 @@ TEST_F(ViewersTest, WhatTheHostRefusesIsADraftAgain) {
 
 // What was typed after Update is a draft upon what the host refuses: all of it is kept.
 TEST_F(ViewersTest, WhatGoesOnAfterAnUpdateKeepsWhatTheHostRefuses) {
-    editor.document().setHostLink({[](const TextEdit&, const QString&) {}, [] {}, [] {}});
+    editor.document().setHostLink({[](const text::Edit&, const QString&) {}, [] {}, [] {}});
     LanguageViewer* viewer = editor.openLanguageViewer();
     type(*viewer, "# one\n" + ballScene);
     viewer->updateDocument();

@@ -472,7 +472,7 @@ TEST_F(WindowsTest, AViewerGoesWithItsOpenMenu) {
 
 TEST_F(WindowsTest, UnderADocumentSavingSaysWhere) {
     HostLink link;
-    link.changed = [](const TextEdit&, const QString&) {};
+    link.changed = [](const text::Edit&, const QString&) {};
     editor.document().setHostLink(link);
     viewer = editor.openGraphicalViewer();
     QAction* save = action(*viewer, "Save");

@@ -18,7 +18,7 @@ void checkTree(const sgml::Tree& tree) {
         const sgml::Node& node = tree.node(id);
         FUZZ_REQUIRE(node.range.from <= node.range.to && node.range.to <= size);
         if (node.parent != sgml::noNode) {
-            const sgml::Range outer = tree.node(node.parent).range;
+            const text::Range outer = tree.node(node.parent).range;
             FUZZ_REQUIRE(node.parent < id);
             FUZZ_REQUIRE(outer.from <= node.range.from && node.range.to <= outer.to);
         }

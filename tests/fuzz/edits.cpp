@@ -16,8 +16,8 @@ void checkTree(const Document& document) {
     FUZZ_REQUIRE(document.tree() == sgml::Tree::parse(document.bytes()));
 }
 
-sgml::Edits editsOf(fuzz::Input& input, std::size_t size) {
-    sgml::Edits edits;
+text::Edits editsOf(fuzz::Input& input, std::size_t size) {
+    text::Edits edits;
     const std::size_t count = 1 + input.below(3);
     std::size_t from = 0;
     for (std::size_t i = 0; i < count && from <= size; ++i) {
@@ -35,10 +35,10 @@ void editText(Document& document, fuzz::Input& input) {
         return;
     const document::SubdocumentId id = ids[input.below(ids.size())];
     const std::string before = document.text(id);
-    const sgml::Edits edits = editsOf(input, before.size());
+    const text::Edits edits = editsOf(input, before.size());
     const int revision = document.subdocument(id)->revision;
     if (document.editText(id, revision, edits, QStringLiteral("text")) == EditResult::applied)
-        FUZZ_REQUIRE(document.text(id) == sgml::applied(before, edits));
+        FUZZ_REQUIRE(document.text(id) == text::applied(before, edits));
     FUZZ_REQUIRE(document.editText(id, revision - 1, edits, {}) != EditResult::applied);
 }
 
@@ -48,7 +48,7 @@ void editContent(Document& document, fuzz::Input& input) {
         return;
     const std::string before = document.tree().unescaped(node).text();
     const std::size_t from = input.below(before.size() + 1);
-    const sgml::Range range{from, from + input.below(before.size() - from + 1)};
+    const text::Range range{from, from + input.below(before.size() - from + 1)};
     (void)document.edit(sgml::contentEdit(document.tree(), node, range, input.last(8)),
                         QStringLiteral("content"));
 }

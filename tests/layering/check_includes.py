@@ -16,7 +16,7 @@ CALL = re.compile(r'asgard_module\(\s*([A-Za-z_-]+)')
 
 def modules(root):
     names = {}
-    for top in ("host", "medium-asgard"):
+    for top in ("common", "host", "medium-asgard"):
         for folder, _, files in os.walk(os.path.join(root, top)):
             if "CMakeLists.txt" in files:
                 with open(os.path.join(folder, "CMakeLists.txt"), encoding="utf-8") as f:

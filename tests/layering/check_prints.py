@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fails where a program prints by another way than medium-asgard/terminal.
+"""Fails where a program prints by another way than common/terminal.
 
 usage: check_prints.py ROOT
 
@@ -12,7 +12,7 @@ import sys
 from lint import files, report
 
 # The place that prints, the table of numbers that may go to standard output, and a tool for developers.
-ALLOWED = {os.path.join("medium-asgard", "terminal", "terminal.cpp"), os.path.join("medium-asgard", "batch", "output.cpp"),
+ALLOWED = {os.path.join("common", "terminal", "terminal.cpp"), os.path.join("medium-asgard", "batch", "output.cpp"),
            os.path.join("host", "sgml", "round_trip_run.cpp")}
 PRINTS = re.compile(r"\bstd::(cout|cerr|clog|print|println|puts|putchar)\b|\b(stdout|stderr)\b|(?<![\w.>])v?f?printf\(|\bputs\(|"
                     r"\bperror\(|\bpsignal\(|\bq(Warning|Debug|Info|Critical|Fatal)\(|\bqC(Warning|Debug|Info|Critical)\(|"
@@ -27,6 +27,6 @@ def violations(_, text):
 
 if __name__ == "__main__":
     root = sys.argv[1]
-    sources = [path for path in files(root, ("host", "medium-asgard"), (".h", ".cpp"))
+    sources = [path for path in files(root, ("common", "host", "medium-asgard"), (".h", ".cpp"))
                if not path.endswith("_test.cpp") and path not in ALLOWED]
     sys.exit(report(root, sources, violations, least=100))

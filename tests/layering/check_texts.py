@@ -4,7 +4,7 @@
 usage: check_texts.py ROOT
 
 Words of our own stand in the call, as tr("...") or another literal, or come through plain::ours. Whatever else is
-shown goes through medium-asgard/plain (plain::label, tip, caption, title, Message). Prints each violation as file:line: text.
+shown goes through common/plain (plain::label, tip, caption, title, Message). Prints each violation as file:line: text.
 """
 import os
 import re
