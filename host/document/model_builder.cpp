@@ -265,9 +265,8 @@ void ModelBuilder::join(Model& model) {
     }
 }
 
-// The segments of the walk take the place of the old ones. Gives how many these are, and nothing
-// when some name has changed: then each reference may have.
-std::optional<std::size_t> ModelBuilder::spliceTrail() {
+// The segments of the walk take the place of the old ones.
+ModelBuilder::Spliced ModelBuilder::spliceTrail() {
     Trail& made = walk_->trail();
     const auto from = trail_.begin() + static_cast<std::ptrdiff_t>(resumed_);
     const auto to = trail_.begin() + static_cast<std::ptrdiff_t>(ahead_);
@@ -276,27 +275,28 @@ std::optional<std::size_t> ModelBuilder::spliceTrail() {
     trail_.insert(trail_.erase(from, to), std::make_move_iterator(made.begin()),
                   std::make_move_iterator(made.end()));
     if (!renamed)
-        return count;
+        return {count, false};
     References now(trail_);
     const bool differ = now.differFrom(references_);
     references_ = std::move(now);
-    return differ ? std::nullopt : std::optional(count);
+    return {count, differ};
 }
 
-// Gives references their text: in the segments of the walk, or in all when there is no number of
-// these. True: a block elsewhere became another one.
-bool ModelBuilder::resolve(Model& model, std::optional<std::size_t> walked) {
-    bool elsewhere = false;
-    const std::size_t from = walked ? resumed_ : 0;
-    const std::size_t to = walked ? resumed_ + *walked : trail_.size();
-    for (std::size_t s = from; s < to; ++s)
+// Gives references their text: in the segments of the walk and, where a name has changed, in all.
+// True: a block elsewhere became another one.
+bool ModelBuilder::resolve(Model& model, const Spliced& spliced) {
+    const std::size_t first = resumed_, end = resumed_ + spliced.segments;
+    std::size_t elsewhere = 0;
+    for (std::size_t s = spliced.renamed ? 0 : first; s < (spliced.renamed ? trail_.size() : end);
+         ++s)
         for (const std::size_t i : trail_[s].referring) {
             std::shared_ptr<const Block>& block = model.blocks[trail_[s].begin.blocksBefore + i];
             std::shared_ptr<const Block> now = references_.resolved(block);
-            elsewhere = elsewhere || now != block;
+            elsewhere += now != block && (s < first || s >= end) ? 1 : 0;
             block = std::move(now);
         }
-    return elsewhere && !walked;
+    work_.blocks += elsewhere;
+    return elsewhere > 0;
 }
 
 Model buildModel(const Document& document, const Presentation& presentation,

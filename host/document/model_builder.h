@@ -52,8 +52,12 @@ private:
     [[nodiscard]] bool meets();
     void finish();
     void join(Model& model);
-    [[nodiscard]] std::optional<std::size_t> spliceTrail();
-    [[nodiscard]] bool resolve(Model& model, std::optional<std::size_t> walked);
+    struct Spliced {
+        std::size_t segments = 0; // of the walk
+        bool renamed = false;     // some ID is referred to by another text
+    };
+    [[nodiscard]] Spliced spliceTrail();
+    [[nodiscard]] bool resolve(Model& model, const Spliced& spliced);
 
     const Document& document_;
     const Presentation& presentation_;
