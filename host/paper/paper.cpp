@@ -11,22 +11,29 @@ namespace paper {
 Paper::Paper(session::OpenDocument& document, const QString& presentation, double dpi, bool posters,
              QObject* parent)
     : QObject(parent), document_(document), presentation_(presentation), dpi_(dpi),
-      pictures_(document, document.document().subdocuments(), dpi / 96, posters),
-      presented_(document) {
+      pictures_(document, document.document().subdocuments(), dpi / 96, posters) {
     connect(&pictures_, &session::Pictures::progressed, this, &Paper::progressed);
-    connect(&pictures_, &session::Pictures::finished, this,
-            [this] { presented_.begin(presentation_); });
-    connect(&presented_, &session::Presented::complete, this, &Paper::askForImages);
+    connect(&pictures_, &session::Pictures::finished, this, &Paper::present);
     connect(&document_.images(), &session::Images::ready, this, &Paper::becomeReady);
 }
 
 void Paper::prepare() { pictures_.start(); }
 
+// Once media have said how large their pictures are.
+void Paper::present() {
+    presented_ = document_.presented(presentation_);
+    if (presented_->isComplete())
+        return askForImages();
+    connect(presented_.get(), &session::Presented::complete, this, &Paper::askForImages,
+            Qt::SingleShotConnection);
+}
+
 // Each file at the resolution of its largest place, so that a PDF holds it once. As many are
 // decoded beforehand as are kept; the others are when their page is painted.
 void Paper::askForImages() {
     laidOut_ = true;
-    for (const auto& page : presented_.pages().pages)
+    pages_ = presented_->pages();
+    for (const auto& page : pages_.pages)
         for (const layout::PlacedObject& object : page->objects)
             if (!object.subdocument) {
                 QSize& size = imageSizes_[object.image];
@@ -47,7 +54,7 @@ void Paper::becomeReady() {
     if (ready_ || !laidOut_ || document_.images().isWaiting())
         return;
     ready_ = true;
-    for (const layout::PlacedSubdocument& placed : presented_.pages().subdocuments()) {
+    for (const layout::PlacedSubdocument& placed : pages_.subdocuments()) {
         const auto found = pictures_.pictures().find(placed.subdocument);
         if (found != pictures_.pictures().end() && !found->second.error.isEmpty())
             failures_ << found->second.error;
@@ -105,11 +112,10 @@ void Paper::paintSubdocument(QPainter& painter, const layout::SubdocumentPiece& 
 }
 
 void Paper::paint(QPainter& painter, int page) const {
-    const layout::Pages& pages = presented_.pages();
-    const QRectF whole({0, 0}, pages.size);
-    if (pages.paper != QColor(Qt::white))
-        painter.fillRect(whole, pages.paper);
-    layout::paintPage(painter, pages, static_cast<std::size_t>(page), whole,
+    const QRectF whole({0, 0}, pages_.size);
+    if (pages_.paper != QColor(Qt::white))
+        painter.fillRect(whole, pages_.paper);
+    layout::paintPage(painter, pages_, static_cast<std::size_t>(page), whole,
                       {[this](QPainter& by, const layout::SubdocumentPiece& piece) {
                            paintSubdocument(by, piece);
                        },
@@ -122,8 +128,8 @@ QString Paper::writePdf(QIODevice& file) const {
     writer.setCreator(QStringLiteral("ensemble"));
     writer.setTitle(title());
     writer.setPageMargins({0, 0, 0, 0});
-    writer.setPageSize(QPageSize(presented_.pages().size / layout::twipsPerPoint, QPageSize::Point,
-                                 {}, QPageSize::ExactMatch));
+    writer.setPageSize(QPageSize(pages_.size / layout::twipsPerPoint, QPageSize::Point, {},
+                                 QPageSize::ExactMatch));
     QPainter painter;
     if (!painter.begin(&writer))
         return tr("The file cannot be written.");
@@ -137,8 +143,8 @@ QString Paper::writePdf(QIODevice& file) const {
 
 QImage Paper::image(int page, double dpi) const {
     const double scale = dpi / layout::twipsPerInch;
-    QImage image((presented_.pages().size * scale).toSize(), QImage::Format_RGB32);
-    image.fill(presented_.pages().paper);
+    QImage image((pages_.size * scale).toSize(), QImage::Format_RGB32);
+    image.fill(pages_.paper);
     QPainter painter(&image);
     painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
     painter.scale(scale, scale);

@@ -24,11 +24,9 @@ public:
     void prepare(); // emits ready() when all pictures are there and the pages are laid out
 
     // --- when ready
-    [[nodiscard]] int pageCount() const {
-        return static_cast<int>(presented_.pages().pages.size());
-    }
+    [[nodiscard]] int pageCount() const { return static_cast<int>(pages_.pages.size()); }
     [[nodiscard]] const QStringList& failures() const { return failures_; }
-    [[nodiscard]] const QString& title() const { return presented_.title(); }
+    [[nodiscard]] const QString& title() const { return presented_->title(); }
     [[nodiscard]] QString writePdf(QIODevice& file) const; // what failed; empty: nothing
     [[nodiscard]] QImage image(int page, double dpi) const;
     void print(QPrinter& printer) const;
@@ -38,6 +36,7 @@ Q_SIGNALS:
     void ready();
 
 private:
+    void present();
     void askForImages();
     void becomeReady();
     [[nodiscard]] QImage imageOf(const layout::ImagePiece& piece) const;
@@ -48,8 +47,9 @@ private:
     QString presentation_;
     double dpi_ = 0;
     session::Pictures pictures_;
-    session::Presented presented_;
-    std::map<std::string, QSize> imageSizes_; // in pixels, of the largest place of each
+    std::shared_ptr<session::Presented> presented_; // once the pictures are there
+    layout::Pages pages_;                           // that are printed, whatever changes meanwhile
+    std::map<std::string, QSize> imageSizes_;       // in pixels, of the largest place of each
     bool laidOut_ = false, ready_ = false;
     QStringList failures_;
 };

@@ -1,6 +1,7 @@
 #include "session/open_document.h"
 
 #include "document/check.h"
+#include "session/presented.h"
 
 #include <QFileInfo>
 #include <algorithm>
@@ -64,6 +65,15 @@ Unsaved& OpenDocument::keepUnsavedIn(const std::string& folder) {
     return *unsaved_;
 }
 
+std::shared_ptr<Presented> OpenDocument::presented(const QString& presentation) {
+    std::shared_ptr<Presented> known = presented_[presentation].lock();
+    if (!known) {
+        known = std::make_shared<Presented>(*this, presentation);
+        presented_[presentation] = known;
+    }
+    return known;
+}
+
 void OpenDocument::readSubdocuments() {
     const std::vector<document::SubdocumentId> there = document_->subdocuments();
     std::erase_if(live_, [&](const auto& one) { return !document_->subdocument(one.first); });
@@ -110,6 +120,7 @@ void OpenDocument::connectLive(document::SubdocumentId id, media::LiveSubdocumen
             });
     connect(&live, &LiveSubdocument::loaded, this, askForParameters);
     connect(&live, &LiveSubdocument::parametersChanged, this, &OpenDocument::faultsChanged);
+    connect(&live, &LiveSubdocument::preferredSizeChanged, this, &OpenDocument::resized);
     connect(&live, &LiveSubdocument::windowsChanged, this, &OpenDocument::draftsChanged);
     connect(&live, &LiveSubdocument::keptStateChanged, this, &OpenDocument::draftsChanged);
     connect(&live, &LiveSubdocument::message, this, &OpenDocument::message);

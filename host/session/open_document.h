@@ -29,6 +29,8 @@ struct ListedFault {
     bool operator==(const ListedFault&) const = default;
 };
 
+class Presented;
+
 class OpenDocument : public QObject {
     Q_OBJECT
 
@@ -42,6 +44,10 @@ public:
     [[nodiscard]] const document::Schemas& schemas() const { return schemas_; }
     [[nodiscard]] media::LiveMedia& media() { return media_; }
     [[nodiscard]] Images& images() { return images_; }
+
+    // Its pages by that presentation ("": the class's own), the same for all who ask while one of
+    // them keeps it.
+    [[nodiscard]] std::shared_ptr<Presented> presented(const QString& presentation);
 
     // Nothing for one whose medium is not installed, or that is text.
     [[nodiscard]] media::LiveSubdocument* live(document::SubdocumentId id) const;
@@ -72,6 +78,7 @@ public:
 
 Q_SIGNALS:
     void structureChanged(); // something else than the text of subdocuments
+    void resized();          // a medium would like another size
     void faultsChanged();
     void draftsChanged(); // what was typed in windows of media, or whether anything was
     void message(const QString& text);
@@ -99,6 +106,7 @@ private:
     mutable std::map<document::SubdocumentId, std::vector<ListedFault>> placed_; // what media said
     bool onlyText_ = false; // the change that is being announced
     std::unique_ptr<Unsaved> unsaved_;
+    std::map<QString, std::weak_ptr<Presented>> presented_;
 };
 
 } // namespace session

@@ -1,10 +1,7 @@
 #include "session/presented.h"
 
-#include "document/model_builder.h"
 #include "layout/measure.h"
 #include "layout/typeface.h"
-
-#include <QElapsedTimer>
 
 namespace session {
 
@@ -12,97 +9,121 @@ namespace {
 
 constexpr int sliceMs = 8;
 constexpr int nodesAtOnce = 25;
+// So long a picture file is not looked at again: each edit asks for the sizes of all.
+constexpr int imagesMs = 1000;
 
 } // namespace
 
-struct Presented::Making {
-    explicit Making(const OpenDocument& document, const document::Presentation& presentation)
-        : builder(std::make_unique<document::ModelBuilder>(document.document(), presentation,
-                                                           document.schemas())) {}
-    std::unique_ptr<document::ModelBuilder> builder; // until the model is complete
-    layout::Objects objects;
-    std::unique_ptr<layout::Pagination> pagination;
-};
-
-Presented::Presented(OpenDocument& document, QObject* parent)
-    : QObject(parent), document_(document) {
+Presented::Presented(OpenDocument& document, QString presentation)
+    : document_(document), presentation_(std::move(presentation)) {
     timer_.setSingleShot(true);
     connect(&timer_, &QTimer::timeout, this, &Presented::slice);
-    // A model is of one state of the document. Pages need the document no more.
-    connect(&document_.document(), &document::Document::changed, this, [this] {
-        if (making_ && making_->builder)
-            begin(presentation_);
+    connect(&document_.document(), &document::Document::edited, this, &Presented::follow);
+    connect(&document_.document(), &document::Document::fileNameChanged, this, [this] {
+        imagesAsked_.invalidate(); // they are looked for in another folder
+        require(Due::layout);
     });
+    connect(&document_, &OpenDocument::resized, this, [this] { require(Due::layout); });
+    begin();
 }
 
 Presented::~Presented() = default;
 
-void Presented::begin(const QString& presentation) {
-    fresh_ = !begun_ || (fresh_ && making_) || presentation != presentation_;
-    begun_ = true;
-    presentation_ = presentation;
-    const document::Presentation& by =
-        document_.schemas().presentation(document_.document().className(), presentation);
-    page_ = by.page();
-    making_ = std::make_unique<Making>(document_, by);
-    making_->objects.subdocumentSize = [this](document::SubdocumentId id) {
-        return layout::fromPixels(document_.sizeOf(id));
-    };
-    making_->objects.imageSize = [this](const std::string& source) {
-        return document_.images().size(source);
-    };
-    if (fresh_) {
-        pages_ = {};
-        pages_.size = {layout::fromPoints(page_.width), layout::fromPoints(page_.height)};
-        pages_.paper = layout::colorOf(page_.background);
-    }
+// From nothing.
+void Presented::begin() {
+    className_ = document_.document().className();
+    by_ = &document_.schemas().presentation(className_, presentation_);
+    builder_ =
+        std::make_unique<document::ModelBuilder>(document_.document(), *by_, document_.schemas());
+    base_ = {};
+    pages_ = {};
+    pages_.size = {layout::fromPoints(page().width), layout::fromPoints(page().height)};
+    pages_.paper = layout::colorOf(page().background);
+    pagination_.reset();
+    due_ = Due::model;
     told_ = 0;
     for (int i = 0; i < firstSteps; ++i)
         if (!step())
-            return finish();
+            return;
     tell();
+    timer_.start(0);
+}
+
+void Presented::follow(const sgml::Change& change) {
+    builder_->follow(change);
+    require(Due::model);
+}
+
+// What is being made is of an older state; what it is compared with is complete.
+void Presented::require(Due due) {
+    due_ = std::max(due_, due);
+    pagination_.reset();
     timer_.start(0);
 }
 
 // False: all is made.
 bool Presented::step() {
-    Making& making = *making_;
-    if (making.pagination)
-        return making.pagination->step();
-    if (making.builder->step(nodesAtOnce))
+    if (due_ == Due::model) {
+        if (builder_->step(nodesAtOnce))
+            return true;
+        title_ = QString::fromStdString(builder_->model()->title);
+        due_ = Due::layout;
         return true;
-    const auto model = std::make_shared<const document::Model>(making.builder->take());
-    title_ = QString::fromStdString(model->title);
-    making.builder.reset();
-    making.pagination = std::make_unique<layout::Pagination>(model, making.objects, pages_);
-    return true;
+    }
+    if (due_ == Due::layout) {
+        due_ = Due::nothing;
+        told_ = 0;
+        pagination_ = std::make_unique<layout::Pagination>(builder_->model(), objects(), base_);
+        return true;
+    }
+    if (pagination_->step())
+        return true;
+    finish();
+    return false;
 }
 
 void Presented::slice() {
+    if (document_.document().className() != className_)
+        return begin(); // another class has other presentations
     QElapsedTimer time;
     time.start();
     while (time.elapsed() < sliceMs)
         if (!step())
-            return finish();
+            return;
     tell();
     timer_.start(0);
 }
 
 // Seldom enough that whoever looks at all pages each time does not look at too many.
 void Presented::tell() {
-    const std::size_t now = making_->pagination ? making_->pagination->count() : 0;
-    if (!fresh_ || now < told_ + told_ / 4 + 1)
+    if (!pagination_ || pagination_->count() < told_ + told_ / 4 + 1)
         return;
-    told_ = now;
-    pages_ = making_->pagination->pages();
+    told_ = pagination_->count();
+    pages_ = pagination_->pages();
     Q_EMIT grown();
 }
 
 void Presented::finish() {
     timer_.stop();
-    pages_ = making_->pagination->take();
-    making_.reset();
+    base_ = pages_ = pagination_->take();
+    pagination_.reset();
     Q_EMIT complete();
+}
+
+layout::Objects Presented::objects() {
+    return {[this](document::SubdocumentId id) { return layout::fromPixels(document_.sizeOf(id)); },
+            [this](const std::string& source) { return imageSize(source); }};
+}
+
+QSize Presented::imageSize(const std::string& source) {
+    if (!imagesAsked_.isValid() || imagesAsked_.hasExpired(imagesMs)) {
+        imageSizes_.clear();
+        imagesAsked_.start();
+    }
+    const auto [known, isNew] = imageSizes_.try_emplace(source);
+    if (isNew)
+        known->second = document_.images().size(source);
+    return known->second;
 }
 
 } // namespace session

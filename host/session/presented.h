@@ -1,18 +1,18 @@
-// A document by one of its presentations: the model and the pages of it, made a little at a time.
+// A document by one of its presentations: the model and the pages of it, once for all views and for
+// paper (OpenDocument::presented), in step with the document.
 //
 // A short document is there at once. A long one is made in slices between other events: its first
-// pages are there early, and the window lives meanwhile. A new begin gives up unfinished
-// work.
+// pages are there early, and the window lives meanwhile. After an edit, or when a figure has
+// another size, model and pages follow in the same way: first the pages that have changed, then
+// those behind them, which are the old ones until then.
 #pragma once
 
+#include "document/model_builder.h"
 #include "layout/pages.h"
 #include "session/open_document.h"
 
+#include <QElapsedTimer>
 #include <QTimer>
-
-namespace document {
-class ModelBuilder;
-}
 
 namespace session {
 
@@ -20,42 +20,48 @@ class Presented : public QObject {
     Q_OBJECT
 
 public:
-    explicit Presented(OpenDocument& document, QObject* parent = nullptr);
+    Presented(OpenDocument& document, QString presentation);
     ~Presented() override;
 
-    // Begins anew. While the same presentation is made again its pages so far stay; those of
-    // another one are shown as they come.
-    void begin(const QString& presentation);
-    [[nodiscard]] bool isComplete() const { return making_ == nullptr; }
-
+    [[nodiscard]] bool isComplete() const { return !timer_.isActive(); }
+    // So far. Those who show them keep what they show until they are told.
     [[nodiscard]] const layout::Pages& pages() const { return pages_; }
-    [[nodiscard]] const document::PageStyle& page() const { return page_; }
+    [[nodiscard]] const document::PageStyle& page() const { return by_->page(); }
     [[nodiscard]] const QString& title() const { return title_; } // when it is complete
 
-    // Steps that begin() takes before it returns: what some 50 pages need.
+    // Steps that are taken before the document is shown: what some 50 pages need.
     static constexpr int firstSteps = 4000;
 
 Q_SIGNALS:
-    void grown();    // there are more pages, and more to come
+    void grown();    // there are more pages, or newer ones, and more to come
     void complete(); // all are there
 
 private:
-    struct Making;
+    enum class Due { nothing, layout, model };
+    void begin();
+    void follow(const sgml::Change& change);
+    void require(Due due);
     bool step();
     void slice();
     void finish();
     void tell();
+    [[nodiscard]] layout::Objects objects();
+    [[nodiscard]] QSize imageSize(const std::string& source);
 
     OpenDocument& document_;
     QString presentation_;
-    bool begun_ = false;
-    bool fresh_ = true; // what is being made is shown
-    std::unique_ptr<Making> making_;
+    std::string className_;
+    const document::Presentation* by_ = nullptr; // of that class
+    std::unique_ptr<document::ModelBuilder> builder_;
+    std::unique_ptr<layout::Pagination> pagination_;
+    Due due_ = Due::nothing;
     std::size_t told_ = 0; // pages
-    document::PageStyle page_;
+    layout::Pages base_;   // the last that were complete
     layout::Pages pages_;
     QString title_;
     QTimer timer_;
+    std::map<std::string, QSize> imageSizes_; // as the files said lately
+    QElapsedTimer imagesAsked_;
 };
 
 } // namespace session

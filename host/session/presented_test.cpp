@@ -1,5 +1,7 @@
 #include "session/presented.h"
 
+#include "layout/find.h"
+
 #include <gmock/gmock.h>
 
 #include <QGuiApplication>
@@ -41,8 +43,7 @@ protected:
 
 TEST_F(PresentedTest, AShortDocumentIsThereAtOnce) {
     const auto document = open(memo(paragraphs(100)));
-    Presented presented(*document);
-    presented.begin({});
+    const Presented presented(*document, {});
     EXPECT_TRUE(presented.isComplete());
     EXPECT_EQ(presented.title(), "Test");
     EXPECT_GE(presented.pages().pages.size(), 2u);
@@ -50,7 +51,7 @@ TEST_F(PresentedTest, AShortDocumentIsThereAtOnce) {
 
 TEST_F(PresentedTest, ALongOneShowsItsFirstPagesAndTheRestInSlices) {
     const auto document = open(memo(paragraphs(Presented::firstSteps * 3 / 2)));
-    Presented presented(*document);
+    Presented presented(*document, {});
     std::vector<std::size_t> grown;
     QObject::connect(&presented, &Presented::grown, &presented,
                      [&] { grown.push_back(presented.pages().pages.size()); });
@@ -58,7 +59,6 @@ TEST_F(PresentedTest, ALongOneShowsItsFirstPagesAndTheRestInSlices) {
     QTimer other; // what a window does meanwhile
     QObject::connect(&other, &QTimer::timeout, &other, [&] { ++events; });
     other.start(0);
-    presented.begin({});
     EXPECT_FALSE(presented.isComplete());
     const std::size_t first = presented.pages().pages.size();
     EXPECT_GE(first, 10u);
@@ -67,23 +67,66 @@ TEST_F(PresentedTest, ALongOneShowsItsFirstPagesAndTheRestInSlices) {
     EXPECT_GT(presented.pages().pages.size(), first);
     EXPECT_TRUE(std::is_sorted(grown.begin(), grown.end()));
     EXPECT_LE(grown.size(), 30u); // by a quarter each time
+}
 
-    // The same anew: the pages that are there stay until it is done.
-    const std::size_t all = presented.pages().pages.size();
-    presented.begin({});
-    EXPECT_FALSE(presented.isComplete());
-    EXPECT_EQ(presented.pages().pages.size(), all);
-    // Another one: its own pages come.
-    presented.begin("slides");
-    EXPECT_NE(presented.pages().pages.size(), all);
-    EXPECT_EQ(presented.page().width, 720);
-    complete(presented);
+TEST_F(PresentedTest, AChangeCostsItsPagesAndTheOthersStay) {
+    const auto document = open(memo(paragraphs(Presented::firstSteps * 3 / 2)));
+    const auto presented = document->presented({});
+    complete(*presented);
+    const layout::Pages before = presented->pages();
+    EXPECT_GT(before.work.pages, 50u);
+    const auto insert = [&](const std::string& behind, const std::string& text) {
+        const std::size_t at = document->document().bytes().find(behind) + behind.size();
+        EXPECT_EQ(document->document().edit({{{at, at}, text}}, "test"),
+                  document::EditResult::applied);
+        EXPECT_FALSE(presented->isComplete());
+        EXPECT_EQ(presented->pages().pages.size(), before.pages.size()); // stay until then
+        complete(*presented);
+    };
+    insert("{paragraph 3000", "x");
+    EXPECT_LE(presented->pages().work.pages, 3u);
+    EXPECT_EQ(presented->pages().work.paragraphs, 1u);
+    EXPECT_EQ(presented->pages().pages.front(), before.pages.front());
+    EXPECT_EQ(presented->pages().pages.back(), before.pages.back());
+    EXPECT_EQ(layout::findText(presented->pages(), "3000x").size(), 1u);
+
+    insert("{paragraph 3000x}</PARAGRAPH>\n", "<PARAGRAPH>{new}</PARAGRAPH>\n");
+    EXPECT_EQ(presented->pages().pages.front(), before.pages.front());
+    Presented anew(*document, {});
+    complete(anew);
+    EXPECT_EQ(layout::printed(presented->pages()), layout::printed(anew.pages()));
+}
+
+TEST_F(PresentedTest, AllWhoShowAPresentationShareIt) {
+    const auto document = open(memo(paragraphs(3)));
+    auto one = document->presented({});
+    EXPECT_EQ(document->presented({}), one);
+    const auto slides = document->presented("slides");
+    EXPECT_NE(slides, one);
+    EXPECT_EQ(slides->page().width, 720);
+    const std::weak_ptr<Presented> kept = one;
+    one.reset();
+    EXPECT_TRUE(kept.expired()); // nobody shows it
+}
+
+TEST_F(PresentedTest, AnotherClassHasOtherPages) {
+    const auto document = open(memo(paragraphs(3)));
+    const auto presented = document->presented({});
+    std::string text = document->document().bytes();
+    const std::size_t whole = text.size();
+    for (std::size_t at = text.find("CMEMO"); at != std::string::npos; at = text.find("CMEMO", at))
+        text.replace(at, 5, "REPORT");
+    ASSERT_EQ(document->document().edit({{{0, whole}, text}}, "test"),
+              document::EditResult::applied);
+    complete(*presented);
+    EXPECT_EQ(presented->page(), document->schemas().presentation("REPORT").page());
+    EXPECT_EQ(presented->pages().pages.size(), 1u);
 }
 
 TEST_F(PresentedTest, WhatIsBeingMadeEndsWithItsView) {
     const auto document = open(memo(paragraphs(Presented::firstSteps * 3 / 2)));
-    auto presented = std::make_unique<Presented>(*document);
-    presented->begin({});
+    auto presented = document->presented({});
+    EXPECT_FALSE(presented->isComplete());
     presented.reset();
     QCoreApplication::processEvents();
 }
@@ -93,8 +136,7 @@ TEST_F(PresentedTest, AModelThatIsBeingMadeIsBegunAnewWhenTheDocumentChanges) {
     for (int i = 0; i < 60'000; ++i)
         many += "<EMPH>{x}</EMPH>";
     const auto document = open(memo("<PARAGRAPH>" + many + "</PARAGRAPH>"));
-    Presented presented(*document);
-    presented.begin({});
+    const Presented presented(*document, {});
     EXPECT_TRUE(presented.pages().pages.empty()); // it is not that far
     const std::size_t title = document->document().bytes().find("Test");
     EXPECT_EQ(document->document().edit({{{title, title + 4}, "Other"}}, "test"),

@@ -35,27 +35,21 @@ void paintShadow(QPainter& painter, const QRectF& page) {
 } // namespace
 
 DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
-    : QAbstractScrollArea(parent), document_(document), presented_(document),
-      playBar_(new PlayBar(true, viewport())) {
+    : QAbstractScrollArea(parent), document_(document), playBar_(new PlayBar(true, viewport())) {
     setFrameShape(QFrame::NoFrame);
     setAccessibleName(tr("Document"));
     setFocusPolicy(Qt::StrongFocus);
     viewport()->setMouseTracking(true);
     verticalScrollBar()->setSingleStep(40);
     playBar_->hide();
-    layoutTimer_.setSingleShot(true);
-    connect(&layoutTimer_, &QTimer::timeout, this, &DocumentView::layOut);
     geometryTimer_.setSingleShot(true);
     connect(&geometryTimer_, &QTimer::timeout, this, &DocumentView::updateGeometries);
-    connect(&presented_, &session::Presented::grown, this, &DocumentView::showPages);
-    connect(&presented_, &session::Presented::complete, this, &DocumentView::showPages);
     connect(&document_.images(), &session::Images::ready, viewport(),
             qOverload<>(&QWidget::update));
     connect(&document_, &session::OpenDocument::structureChanged, this, [this] {
         std::erase_if(shown_, [this](const auto& one) {
             return !document_.document().subdocument(one.first);
         });
-        layoutTimer_.start(0);
     });
     connect(playBar_, &PlayBar::playWanted, this, [this] {
         if (media::LiveSubdocument* live = document_.live(hovered_))
@@ -69,7 +63,7 @@ DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
         if (media::LiveSubdocument* live = document_.live(hovered_))
             live->seek(time);
     });
-    layOut();
+    present();
 }
 
 DocumentView::~DocumentView() {
@@ -80,14 +74,47 @@ DocumentView::~DocumentView() {
 
 // --- layout ------------------------------------------------------------------------------------
 
-void DocumentView::layOut() { presented_.begin(presentation_); }
+void DocumentView::present() {
+    if (presented_)
+        disconnect(presented_.get(), nullptr, this, nullptr);
+    presented_ = document_.presented(presentation_);
+    connect(presented_.get(), &session::Presented::grown, this, &DocumentView::showPages);
+    connect(presented_.get(), &session::Presented::complete, this, &DocumentView::showPages);
+    showPages();
+}
 
+// The words at the top of the view stay where they are, unless that is the top of the document.
 void DocumentView::showPages() {
+    QScrollBar* bar = verticalScrollBar();
+    const double height = pageSize().height() + gap;
+    const auto top = static_cast<std::size_t>(std::max(0.0, (bar->value() - margin) / height));
+    const double y = -pageTopLeft(top).y() / scale();
+    const std::optional<layout::Spot> spot =
+        bar->value() > 0 ? layout::spotAt(pages_, {top, y}) : std::nullopt;
+    const auto heightOf = [this](const layout::PlaceOnPage& place) {
+        return pageTopLeft(place.page).y() + place.y * scale();
+    };
+    const auto was = spot ? layout::placeOf(pages_, *spot, top) : std::nullopt;
+    const double stood = was ? heightOf(*was) : 0;
+    const layout::Pages before = std::exchange(pages_, presented_->pages());
     placeSubdocuments();
     setScrollBars();
+    if (const auto place = was ? layout::placeOf(pages_, *spot, top) : std::nullopt)
+        bar->setValue(bar->value() + static_cast<int>(std::lround(heightOf(*place) - stood)));
     updateNearness();
-    viewport()->update();
+    showChanged(before);
     Q_EMIT laidOut();
+}
+
+// Paints what is no longer as it was.
+void DocumentView::showChanged(const layout::Pages& before) {
+    const auto& now = pages_.pages;
+    if (before.size != pages_.size || before.paper != pages_.paper ||
+        before.headers != pages_.headers || before.pages.size() != now.size())
+        return viewport()->update(); // the headers may say how many pages there are
+    for (std::size_t i = 0; i < now.size(); ++i)
+        if (before.pages[i] != now[i])
+            viewport()->update(QRectF(pageTopLeft(i), pageSize()).toAlignedRect());
 }
 
 void DocumentView::placeSubdocuments() {
@@ -116,7 +143,7 @@ void DocumentView::placeSubdocuments() {
 
 void DocumentView::setPresentation(const QString& name) {
     presentation_ = name;
-    layOut();
+    present();
     setZoom(usualZoom()); // pages of another one may be wider
 }
 
@@ -183,7 +210,7 @@ void DocumentView::setZoom(double zoom) {
     Q_EMIT zoomChanged();
 }
 
-double DocumentView::usualZoom() const { return std::min(presented_.page().zoom, widthZoom()); }
+double DocumentView::usualZoom() const { return std::min(presented_->page().zoom, widthZoom()); }
 
 double DocumentView::widthZoom() const {
     const double page = layout::toPixels(pages().size).width();
@@ -229,8 +256,6 @@ void DocumentView::connectShown(Shown& shown) {
             updatePlayBar();
     });
     connect(live, &media::LiveSubdocument::diagnosticsChanged, context, update);
-    connect(live, &media::LiveSubdocument::preferredSizeChanged, context,
-            [this] { layoutTimer_.start(0); });
     connect(live, &media::LiveSubdocument::timeChanged, context, [this, id] {
         if (hovered_ == id)
             updatePlayBar();
@@ -286,7 +311,7 @@ void DocumentView::updateGeometry(Shown& shown) {
     if (media::LiveSubdocument* live = document_.live(shown.id))
         live->setAvailable(layout::toPixels(
             {pages().size.width() -
-                 layout::fromPoints(presented_.page().marginLeft + presented_.page().marginRight),
+                 layout::fromPoints(presented_->page().marginLeft + presented_->page().marginRight),
              0}));
 }
 
@@ -409,6 +434,7 @@ void DocumentView::paintPages(QPainter& painter, const QRect& area) {
             break;
         if (!page.adjusted(-8, -8, 8, 8).intersects(QRectF(area)))
             continue;
+        ++pagesPainted_;
         paintShadow(painter, page);
         painter.fillRect(page, pages().paper);
         painter.save();

@@ -1,13 +1,15 @@
 // The pages of a document on the screen, with live renditions on them.
 //
-// Text is painted at once; renditions appear when their media have drawn. A view lays the pages out
-// for itself, by its own presentation and zoom, and has renditions of its own; the medium's process
-// is the document's. Clicking a rendition chooses it: the wheel and the keys then belong to it,
+// Text is painted at once; renditions appear when their media have drawn. A view has the pages of
+// its presentation, which other views may have, too, and a zoom and renditions of its own; the
+// medium's process is the document's. When pages change, the words at the top of the view stay
+// there. Clicking a rendition chooses it: the wheel and the keys then belong to it,
 // Escape gives them back.
 #pragma once
 
 #include "layout/find.h"
 #include "layout/paint.h"
+#include "layout/spot.h"
 #include "session/presented.h"
 #include "window/shown.h"
 
@@ -48,10 +50,11 @@ public:
     void showFound(int which); // around the ends
 
     // So far: a long document is laid out while its first pages are shown.
-    [[nodiscard]] const layout::Pages& pages() const { return presented_.pages(); }
-    [[nodiscard]] bool isLaidOut() const { return presented_.isComplete(); }
-    [[nodiscard]] const QString& title() const { return presented_.title(); } // when it is
-    void layOut();
+    [[nodiscard]] const layout::Pages& pages() const { return pages_; }
+    [[nodiscard]] bool isLaidOut() const { return presented_->isComplete(); }
+    [[nodiscard]] const QString& title() const { return presented_->title(); } // when it is
+    // Pages that were painted since the view was made, for tests.
+    [[nodiscard]] int pagesPainted() const { return pagesPainted_; }
 
     static constexpr double margin = 28; // around the pages
     static constexpr double leastZoom = 0.25, mostZoom = 5;
@@ -92,7 +95,9 @@ private:
     [[nodiscard]] const document::Run* linkAt(QPointF point) const;
     [[nodiscard]] QPointF pixelsIn(const Shown& shown, QPointF point) const;
 
+    void present();
     void showPages();
+    void showChanged(const layout::Pages& before);
     void placeSubdocuments();
     void connectShown(Shown& shown);
     void setScrollBars();
@@ -111,7 +116,9 @@ private:
     session::OpenDocument& document_;
     QString presentation_;
     double zoom_ = 1;
-    session::Presented presented_;
+    std::shared_ptr<session::Presented> presented_;
+    layout::Pages pages_; // that are shown
+    int pagesPainted_ = 0;
     std::map<document::SubdocumentId, Shown> shown_;
     std::vector<layout::Found> found_;
     int shownFound_ = 0;
@@ -122,7 +129,6 @@ private:
     bool wasDragged_ = false;
     bool wasShown_ = false;
     PlayBar* playBar_;
-    QTimer layoutTimer_;
     QTimer geometryTimer_;
     std::vector<document::SubdocumentId> visible_;
 };

@@ -26,6 +26,45 @@ TEST_F(WindowTest, ALongDocumentIsShownWhileItIsLaidOut) {
     EXPECT_EQ(view.foundCount(), 1);
 }
 
+// Pages that come before what one reads move it, and the view moves with it.
+TEST_F(WindowTest, TheWordsThatOneReadsStayWhenPagesBeforeThemChange) {
+    DocumentWindow* window = open(memo(paragraphs(1500)));
+    DocumentView& view = window->view();
+    ASSERT_TRUE(waitFor([&] { return view.isLaidOut(); }));
+    QScrollBar* bar = view.verticalScrollBar();
+    view.find("line 1000");
+    ASSERT_GT(bar->value(), 0);
+    const int before = bar->value();
+    document::Document& document = window->document().document();
+    const auto insert = [&](const std::string& behind, const std::string& text) {
+        const std::size_t at = document.bytes().find(behind) + behind.size();
+        ASSERT_EQ(document.edit({{{at, at}, text}}, "test"), document::EditResult::applied);
+        ASSERT_TRUE(waitFor([&] { return view.isLaidOut(); }));
+        QCoreApplication::processEvents();
+    };
+    insert("{line 10}</PARAGRAPH>\n", paragraphs(200).replace("line", "more").toStdString());
+    EXPECT_GT(bar->value(), before + view.viewport()->height());
+    const int moved = bar->value();
+    view.find("line 1000"); // would scroll to it, were it out of sight
+    EXPECT_EQ(bar->value(), moved);
+
+    // What is out of sight is not painted.
+    QCoreApplication::processEvents();
+    const int painted = view.pagesPainted();
+    insert("{line 20", "x");
+    EXPECT_EQ(view.pagesPainted(), painted);
+    insert("{line 1000", "x");
+    ASSERT_TRUE(waitFor([&] { return view.pagesPainted() > painted; }));
+    EXPECT_EQ(bar->value(), moved);
+}
+
+TEST_F(WindowTest, WindowsOfOnePresentationShareItsPages) {
+    DocumentWindow* one = open(memo(paragraphs(10)));
+    DocumentWindow* two = application_.addWindow(one->shared());
+    ASSERT_FALSE(two->view().pages().pages.empty());
+    EXPECT_EQ(one->view().pages().pages.front(), two->view().pages().pages.front());
+}
+
 TEST_F(WindowTest, ALongDocumentIsClosedWhileItIsLaidOut) {
     QPointer<DocumentWindow> window =
         open(memo(paragraphs(session::Presented::firstSteps * 3 / 2)));
