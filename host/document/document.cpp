@@ -13,11 +13,12 @@ namespace document {
 
 using sgml::NodeId;
 using sgml::noNode;
-using text::Edits;
 
 Document::Document(std::string bytes, QObject* parent)
     : QObject(parent), tree_(sgml::Tree::parse(std::move(bytes))) {
-    readSubdocuments({});
+    std::map<std::size_t, SubdocumentId> none;
+    readSubdocuments(tree_.root(), none);
+    orderSubdocuments();
 }
 
 Document::~Document() = default;
@@ -33,6 +34,21 @@ bool isPlain(const text::Edits& edits, const std::string& text) {
         return text::isUtf8(edit.text) && !text::isInsideCharacter(text, edit.range.from) &&
                !text::isInsideCharacter(text, edit.range.to);
     });
+}
+
+// Looks at the bytes around the edits alone.
+bool changesNothing(text::Edits edits, const std::string& text) {
+    if (edits.empty())
+        return true;
+    const std::size_t from = edits.front().range.from, to = edits.back().range.to;
+    std::size_t added = 0, removed = 0;
+    for (text::Edit& edit : edits) {
+        added += edit.text.size();
+        removed += edit.range.size();
+        edit.range = {edit.range.from - from, edit.range.to - from};
+    }
+    const std::string_view before = std::string_view(text).substr(from, to - from);
+    return added == removed && text::applied(before, edits) == before;
 }
 
 } // namespace
@@ -71,7 +87,7 @@ EditResult Document::editText(SubdocumentId id, int base, const text::Edits& edi
 EditResult Document::edit(const text::Edits& edits, const QString& label, const QString& group) {
     if (!text::areOrdered(edits, bytes().size()))
         return EditResult::invalid;
-    if (text::applied(bytes(), edits) == bytes())
+    if (changesNothing(edits, bytes()))
         return EditResult::nothing;
     Change change;
     change.forward = edits;
@@ -101,65 +117,33 @@ void Document::push(Change change, const QString& label, const QString& group) {
     group_ = group;
 }
 
+// Everything that is known of the text before is taken down, then the tree follows, then the
+// subdocuments, then all are told.
 void Document::play(Change& change, Direction direction, const QString& label) {
     ++revision_;
-    if (change.id != noSubdocument && subdocument(change.id) != nullptr)
-        playText(change, direction, label);
-    else
-        playAll(change, direction, label);
-    const bool forward = direction == Direction::forward;
-    emit edited({.edits = forward ? change.forward : change.backward, .everything = true});
-}
-
-// Only one content changes. In a sound document that leaves the structure as it is, and with it all
-// that is known of the subdocuments.
-void Document::playText(Change& change, Direction direction, const QString& label) {
-    const bool forward = direction == Direction::forward;
-    const bool sound = tree_.faults().empty();
-    const std::map<std::size_t, SubdocumentId> known =
-        sound ? std::map<std::size_t, SubdocumentId>{} : survivors(change, direction);
-    tree_ = sgml::edited(std::move(tree_), forward ? change.forward : change.backward,
-                         subdocuments_.at(change.id).content);
-    if (!sound)
-        readSubdocuments(known);
-    const int revision = nextRevision(change.id);
-    emit textChanged(change.id, forward ? change.textForward : change.textBackward, revision,
-                     label);
-}
-
-// Anything may change: texts are compared, and what came and went is kept for the way back.
-void Document::playAll(Change& change, Direction direction, const QString& label) {
-    std::map<SubdocumentId, std::string> before;
-    for (const SubdocumentId id : order_)
-        before[id] = text(id);
-    const std::map<std::size_t, SubdocumentId> known = survivors(change, direction);
-    tree_ = sgml::Tree::parse(
-        text::applied(bytes(), direction == Direction::forward ? change.forward : change.backward));
-    readSubdocuments(known);
-    for (const SubdocumentId id : std::vector(order_)) {
-        const auto old = before.find(id);
-        const std::string now = text(id);
-        if (old != before.end() && old->second != now)
-            emit textChanged(id, {text::difference(old->second, now)}, nextRevision(id), label);
-    }
-    emit subdocumentsChanged();
-}
-
-// Where the subdocuments will be that the change leaves, or brings back.
-std::map<std::size_t, SubdocumentId> Document::survivors(Change& change,
-                                                         Direction direction) const {
     const bool forward = direction == Direction::forward;
     const text::Edits& edits = forward ? change.forward : change.backward;
-    auto& lost = forward ? change.lost : change.found;
-    std::map<std::size_t, SubdocumentId> known = forward ? change.found : change.lost;
-    for (const auto& [id, subdocument] : subdocuments_) {
-        const std::size_t offset = tree_.node(subdocument.element).range.from;
-        if (const auto now = text::movedByte(offset, edits))
-            known[*now] = id;
-        else
-            lost[offset] = id;
+    const std::vector<Remembered> before = rememberSubdocuments(edits);
+    const sgml::Change told = sgml::applyEdits(tree_, edits);
+    const bool structure = told.everything || !told.tags.empty() || !told.children.empty();
+    const std::set<SubdocumentId> touched =
+        structure ? followStructure(told, before, change, direction) : ownersOf(told.texts);
+    bool anyText = false;
+    for (const Remembered& was : before) {
+        const Subdocument* now = subdocument(was.id);
+        if (now == nullptr || !touched.contains(was.id))
+            continue;
+        text::Edits changes = forward ? change.textForward : change.textBackward;
+        if (was.id != change.id || changes.empty())
+            changes = {text::difference(textBefore(was, edits), text(was.id))};
+        if (changes.front().empty())
+            continue;
+        anyText = true;
+        emit textChanged(was.id, changes, nextRevision(was.id), label);
     }
-    return known;
+    if (structure || (anyText && told.texts.size() > touched.size()))
+        emit subdocumentsChanged();
+    emit edited(told);
 }
 
 // --- undo -----------------------------------------------------------------------------------

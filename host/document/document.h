@@ -17,6 +17,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -105,8 +106,8 @@ Q_SIGNALS:
     void edited(const sgml::Change& change);
     void textChanged(document::SubdocumentId id, const text::Edits& edits, int revision,
                      const QString& label); // unescaped edits; undo and redo too
-    void subdocumentsChanged();             // some came or went, or an attribute changed
-    void undoChanged();                     // labels, canUndo, canRedo
+    void subdocumentsChanged(); // some came or went, or elements or attributes changed somewhere
+    void undoChanged();         // labels, canUndo, canRedo
     void modifiedChanged(bool modified);
     void fileNameChanged();
 
@@ -126,15 +127,30 @@ private:
 
     EditResult perform(Change change, const QString& label, const QString& group);
     void play(Change& change, Direction direction, const QString& label);
-    void playText(Change& change, Direction direction, const QString& label);
-    void playAll(Change& change, Direction direction, const QString& label);
     void push(Change change, const QString& label, const QString& group);
     void announce(bool wasModified);
-    [[nodiscard]] std::map<std::size_t, SubdocumentId> survivors(Change& change,
-                                                                 Direction direction) const;
-    void readSubdocuments(const std::map<std::size_t, SubdocumentId>& known);
+    // A subdocument before a change.
+    struct Remembered {
+        SubdocumentId id = noSubdocument;
+        std::size_t at = 0;    // of its element
+        text::Range spelled{}; // its text in the file
+        std::string text{};    // if the change edits it
+        bool isEdited = false;
+    };
+    [[nodiscard]] std::vector<Remembered> rememberSubdocuments(const text::Edits& edits) const;
+    [[nodiscard]] std::string textBefore(const Remembered& was, const text::Edits& edits) const;
+    // The subdocuments whose text may have changed.
+    std::set<SubdocumentId> followStructure(const sgml::Change& told,
+                                            const std::vector<Remembered>& before, Change& change,
+                                            Direction direction);
+    std::set<SubdocumentId> forgetSubdocuments(const sgml::Change& told);
+    void readSubdocuments(sgml::NodeId top, std::map<std::size_t, SubdocumentId>& known);
+    void describe(SubdocumentId id, sgml::NodeId element);
+    void orderSubdocuments();
+    // The innermost subdocuments that these nodes belong to.
+    [[nodiscard]] std::set<SubdocumentId> ownersOf(const std::vector<sgml::NodeId>& nodes) const;
     int nextRevision(SubdocumentId id);
-    [[nodiscard]] Subdocument describe(sgml::NodeId element) const;
+    [[nodiscard]] Subdocument described(sgml::NodeId element) const;
 
     static constexpr std::size_t noStep = static_cast<std::size_t>(-1);
     sgml::Tree tree_;

@@ -79,31 +79,132 @@ std::vector<std::size_t> Document::fileOffsets(SubdocumentId id,
     return result;
 }
 
-// Those that stand where a known one must be keep its number and revision.
-void Document::readSubdocuments(const std::map<std::size_t, SubdocumentId>& known) {
-    std::map<SubdocumentId, Subdocument> now;
-    order_.clear();
-    byElement_.clear();
-    for (NodeId node = tree_.root(); node != noNode; node = tree_.following(node)) {
+// --- following a change ---------------------------------------------------------------------
+
+std::vector<Document::Remembered> Document::rememberSubdocuments(const text::Edits& edits) const {
+    std::vector<Remembered> all;
+    all.reserve(order_.size());
+    for (const SubdocumentId id : order_) {
+        const Subdocument& subdocument = subdocuments_.at(id);
+        Remembered one{.id = id, .at = tree_.node(subdocument.element).range.from};
+        if (subdocument.content != noNode)
+            one.spelled = tree_.contentRange(subdocument.content);
+        const auto next =
+            std::partition_point(edits.begin(), edits.end(), [&](const text::Edit& edit) {
+                return edit.range.to < one.spelled.from;
+            });
+        one.isEdited = next != edits.end() && next->range.from <= one.spelled.to;
+        if (one.isEdited)
+            one.text = text(id);
+        all.push_back(std::move(one));
+    }
+    return all;
+}
+
+std::string Document::textBefore(const Remembered& was, const text::Edits& edits) const {
+    if (was.isEdited || was.spelled.empty())
+        return was.text;
+    const std::size_t from = text::movedByte(was.spelled.from, edits).value_or(0);
+    return sgml::Unescaped(tree_.text({from, from + was.spelled.size()})).text();
+}
+
+std::set<SubdocumentId> Document::ownersOf(const std::vector<NodeId>& nodes) const {
+    std::set<SubdocumentId> owners;
+    for (NodeId id : nodes) {
+        while (id != noNode && !byElement_.contains(id))
+            id = tree_.node(id).parent;
+        if (id != noNode)
+            owners.insert(byElement_.at(id));
+    }
+    return owners;
+}
+
+// Subdocuments that the change takes away are kept for the way back, at their places.
+std::set<SubdocumentId> Document::followStructure(const sgml::Change& told,
+                                                  const std::vector<Remembered>& before,
+                                                  Change& change, Direction direction) {
+    const bool forward = direction == Direction::forward;
+    const text::Edits& edits = forward ? change.forward : change.backward;
+    auto& lost = forward ? change.lost : change.found;
+    std::map<std::size_t, SubdocumentId> known = forward ? change.found : change.lost;
+    const std::set<SubdocumentId> displaced = forgetSubdocuments(told);
+    for (const Remembered& was : before)
+        if (displaced.contains(was.id))
+            if (const auto now = text::movedByte(was.at, edits))
+                known[*now] = was.id;
+    const std::size_t left = subdocuments_.size();
+    if (told.everything)
+        readSubdocuments(tree_.root(), known);
+    std::vector<NodeId> nodes = told.texts;
+    nodes.insert(nodes.end(), told.tags.begin(), told.tags.end());
+    for (const sgml::Change::Children& children : told.children) {
+        nodes.push_back(children.parent);
+        for (const NodeId top : children.added)
+            readSubdocuments(top, known);
+    }
+    if (!displaced.empty() || subdocuments_.size() != left)
+        orderSubdocuments();
+    for (const Remembered& was : before)
+        if (!subdocuments_.contains(was.id))
+            lost[was.at] = was.id;
+    std::set<SubdocumentId> touched = ownersOf(nodes);
+    for (const SubdocumentId id : touched)
+        describe(id, subdocuments_.at(id).element);
+    touched.insert(displaced.begin(), displaced.end());
+    return touched;
+}
+
+// Those whose element is gone.
+std::set<SubdocumentId> Document::forgetSubdocuments(const sgml::Change& told) {
+    std::set<SubdocumentId> displaced;
+    if (told.everything) {
+        displaced.insert(order_.begin(), order_.end());
+        byElement_.clear();
+    }
+    for (const NodeId id : told.gone)
+        if (const auto found = byElement_.find(id); found != byElement_.end()) {
+            displaced.insert(found->second);
+            byElement_.erase(found);
+        }
+    for (const SubdocumentId id : displaced)
+        subdocuments_.erase(id);
+    return displaced;
+}
+
+// Those at or below `top` that stand where a known one must be keep its number and revision.
+void Document::readSubdocuments(NodeId top, std::map<std::size_t, SubdocumentId>& known) {
+    for (NodeId node = top; node != noNode; node = tree_.following(node, top)) {
         if (!tree_.isElement(node) || tree_.name(node) != "DOCUMENT")
             continue;
         const auto before = known.find(tree_.node(node).range.from);
-        const SubdocumentId id = before != known.end() ? before->second : ++lastId_;
-        Subdocument subdocument = describe(node);
-        subdocument.id = id;
-        subdocument.revision = revisions_[id];
-        order_.push_back(id);
-        byElement_.emplace(node, id);
-        now.emplace(id, std::move(subdocument));
+        const bool isKnown = before != known.end() && !subdocuments_.contains(before->second);
+        const SubdocumentId id = isKnown ? before->second : ++lastId_;
+        byElement_[node] = id;
+        describe(id, node);
     }
-    subdocuments_ = std::move(now);
+}
+
+void Document::describe(SubdocumentId id, NodeId element) {
+    Subdocument now = described(element);
+    now.id = id;
+    now.revision = revisions_[id];
+    subdocuments_[id] = std::move(now);
+}
+
+void Document::orderSubdocuments() {
+    order_.clear();
+    for (const auto& [id, subdocument] : subdocuments_)
+        order_.push_back(id);
+    std::sort(order_.begin(), order_.end(), [&](SubdocumentId a, SubdocumentId b) {
+        return tree_.isBefore(subdocuments_.at(a).element, subdocuments_.at(b).element);
+    });
 }
 
 int Document::nextRevision(SubdocumentId id) {
     return subdocuments_.at(id).revision = ++revisions_[id];
 }
 
-Subdocument Document::describe(NodeId element) const {
+Subdocument Document::described(NodeId element) const {
     Subdocument result;
     result.element = element;
     const NodeId document = tree_.node(element).firstChild;

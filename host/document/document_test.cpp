@@ -1,5 +1,6 @@
 #include "document/document.h"
 #include "sgml/random_document.h"
+#include "sgml/work.h"
 
 #include <gtest/gtest.h>
 
@@ -240,6 +241,56 @@ TEST(Document, RandomEditsUndoAndRedoExactly) {
         ASSERT_TRUE(document.tree() == sgml::Tree::parse(end));
         expectMirrored();
     }
+}
+
+// A letter and an Enter in the middle of 4 MB with 500 scenes: what is read is the paragraph, and
+// no scene is read or described again.
+TEST(Document, ALetterAndAnEnterCostTheSameInALongDocument) {
+    std::string text = "DOCUMENT REPORT\n<REPORT>\n";
+    for (int i = 0; i < 500; ++i) {
+        for (int k = 0; k < 60; ++k)
+            text += "<PARAGRAPH>{" + std::string(110, 'w') + "}</PARAGRAPH>\n";
+        text += "<DOCUMENT>DOCUMENT ANIMATION\n<ANIMATION><ASGARD>{s}</ASGARD></ANIMATION>"
+                "</DOCUMENT>\n";
+    }
+    Document document(text + "</REPORT>");
+    ASSERT_GT(document.bytes().size(), 4'000'000u);
+    const std::vector<SubdocumentId> before = document.subdocuments();
+    int texts = 0, structures = 0;
+    QObject::connect(&document, &Document::textChanged, &document, [&] { ++texts; });
+    QObject::connect(&document, &Document::subdocumentsChanged, &document, [&] { ++structures; });
+    const std::size_t at = document.bytes().find("www", document.bytes().size() / 2) + 50;
+    const auto cost = [&](const auto& act) {
+        const sgml::Work work = sgml::work();
+        act();
+        EXPECT_LE(sgml::work().bytesRead - work.bytesRead, 300u);
+        EXPECT_LE(sgml::work().nodesMade - work.nodesMade, 3u);
+    };
+    cost([&] { (void)document.edit({{{at, at}, "x"}}, "Type"); });
+    EXPECT_EQ(structures, 0);
+    cost([&] { (void)document.edit({{{at, at}, "}</PARAGRAPH><PARAGRAPH>{"}}, "Enter"); });
+    EXPECT_EQ(structures, 1);
+    cost([&] { document.undo(); });
+    cost([&] { document.undo(); });
+    cost([&] { document.redo(); });
+    EXPECT_EQ(texts, 0);
+    EXPECT_EQ(document.subdocuments(), before);
+    document.undo();
+    EXPECT_EQ(document.bytes(), text + "</REPORT>");
+}
+
+// What an unclosed brace swallowed comes back with its number when the brace is closed.
+TEST(Document, SubdocumentsThatABrokenTextHidesComeBackWithTheirNumber) {
+    Document document(twoScenes);
+    const std::vector<SubdocumentId> before = document.subdocuments();
+    const std::size_t body = twoScenes.find("<BODY>") + 6;
+    (void)document.edit({{{body, body}, "{"}}, "Type");
+    EXPECT_TRUE(document.subdocuments().empty());
+    document.undo();
+    EXPECT_EQ(document.subdocuments(), before);
+    document.redo();
+    document.undo();
+    EXPECT_EQ(document.subdocuments(), before);
 }
 
 TEST(Document, SamplesHoldWhatTheySay) {

@@ -34,6 +34,8 @@ ModelBuilder::Region ModelBuilder::regionOf(const sgml::Change& change) const {
         added += edit.text.size();
         removed += edit.range.to - edit.range.from;
     }
+    for (const text::Range read : change.read)
+        cover(all, read);
     for (const sgml::NodeId text : change.texts)
         cover(all, tree.node(text).range);
     for (const sgml::NodeId tag : change.tags) {

@@ -23,7 +23,7 @@ struct Subdocument {
     std::string storage;                      // tag of the storage element; "" when there is none
     bool hasText = false;                     // the storage element holds content in braces
     int revision = 0;                         // grows with each change of its text
-    sgml::NodeId element = sgml::noNode;      // <DOCUMENT>; numbers of nodes change with each edit
+    sgml::NodeId element = sgml::noNode;      // <DOCUMENT>
     sgml::NodeId classElement = sgml::noNode; // <ANIMATION>; noNode in a broken document
     sgml::NodeId content = sgml::noNode;      // the storage element's content, if it has any
 

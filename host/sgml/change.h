@@ -23,11 +23,19 @@ struct Change {
     // All was read again: only the root kept its number, the lists below are empty, and the numbers
     // of nodes that are gone may be in use again.
     bool everything = false;
+    // The bytes of the text after that were read again, in their order. Nodes that came lie in
+    // them; so do the new tags and ends of nodes that stay, and what became of the bytes of nodes
+    // that went.
+    std::vector<text::Range> read{};
     std::vector<NodeId> texts{}; // contents that stay and whose bytes changed
     std::vector<NodeId> tags{};  // elements that stay and whose start tag (attributes) changed,
                                  // and documents whose class changed
     std::vector<Children> children{}; // in no order of place
     std::vector<NodeId> gone{};       // every node that went, those below `removed` included
 };
+
+// Edits the tree's bytes. The tree is then equal to Tree::parse() of them, and what was read again
+// is no more than the edits can have changed (reparser.h). The edits must be ordered.
+Change applyEdits(Tree& tree, const text::Edits& edits);
 
 } // namespace sgml

@@ -25,10 +25,6 @@ namespace sgml {
                                         std::string_view value);
 [[nodiscard]] text::Edits attributeRemoval(const Tree& tree, NodeId element, std::string_view name);
 
-// The tree of the edited bytes, equal to Tree::parse(text::applied(bytes, edits)). Where `within`
-// is a content and the edits come from contentEdits(), the structure is kept and only offsets move.
-[[nodiscard]] Tree edited(Tree tree, const text::Edits& edits, NodeId within = noNode);
-
 // `<NAME A="...">{content escaped}</NAME>`
 [[nodiscard]] std::string elementText(std::string_view name, std::string_view content);
 

@@ -1,4 +1,4 @@
-#include "sgml/edit.h"
+#include "sgml/change.h"
 #include "sgml/random_document.h"
 
 #include <gtest/gtest.h>
@@ -71,7 +71,7 @@ TEST(Edit, RandomContentEditsEqualReadingAgain) {
                 ASSERT_GE(edit.range.from, range.from);
                 ASSERT_LE(edit.range.to, range.to);
             }
-            tree = edited(std::move(tree), edits, id);
+            applyEdits(tree, edits);
             ASSERT_TRUE(tree == Tree::parse(text::applied(bytes, edits))) << bytes;
             ASSERT_EQ(tree.unescaped(id).text(), before.substr(0, from) + text + before.substr(to))
                 << bytes;
@@ -92,7 +92,8 @@ TEST(Edit, SeveralRangesAtOnce) {
             asked.push_back({{from, to}, random.text(3)});
             at = to + random.below(2);
         }
-        const Tree after = edited(tree, contentEdits(tree, content, asked));
+        Tree after = tree;
+        applyEdits(after, contentEdits(tree, content, asked));
         ASSERT_FALSE(after.isBroken()) << tree.bytes() << "\n" << after.bytes();
         ASSERT_EQ(after.unescaped(onlyContent(after)).text(), text::applied(before, asked))
             << tree.bytes();

@@ -1,6 +1,7 @@
 #include "sgml/parser.h"
 
 #include "sgml/braces.h"
+#include "sgml/work.h"
 #include "text/characters.h"
 
 #include <algorithm>
@@ -29,24 +30,60 @@ std::string endTagOf(std::string_view name) { return "</" + std::string(name) + 
 
 } // namespace
 
-Parser::Parser(Tree& tree, const Limits& limits)
-    : tree_(tree), text_(tree.bytes_), limits_(limits) {}
+Parser::Parser(Tree& tree) : tree_(tree), text_(tree.bytes_), limits_(tree.limits_) {}
 
 void Parser::parse() {
     tree_.nodes_.push_back({.kind = NodeKind::document, .range = {0, text_.size()}});
-    open_.push_back(0);
+    open_ = {tree_.root()};
     if (checkEncoding()) {
-        checkBytes();
-        if (text_.starts_with(text::byteOrderMark))
-            at_ = text::byteOrderMark.size();
-        skipBlanks();
-        if (!atEnd())
-            readDocumentLine();
-        while (skipBlanks(), !atEnd())
-            readItem();
-        closeAllAtEnd();
+        checkBytes({0, text_.size()});
+        resume(0, {tree_.root()});
+        while (readNext()) {
+        }
+        for (NodeId id = 0; id < tree_.nodes_.size(); ++id)
+            if (tree_.nodes_[id].kind == NodeKind::document)
+                checkDocument(id);
     }
-    placeFaults();
+    countUnlisted();
+    placeFaults(tree_.faults_, text_);
+}
+
+void Parser::resume(std::size_t at, std::vector<NodeId> open) {
+    open_ = std::move(open);
+    at_ = at;
+    elementDepth_ = 0;
+    openNames_.clear();
+    complete_.clear();
+    for (const NodeId id : open_) {
+        if (tree_.isElement(id)) {
+            ++elementDepth_;
+            ++openNames_[tree_.name(id)];
+        } else if (tree_.classElement(id) != noNode) {
+            complete_.insert(id);
+        }
+    }
+    if (at == 0)
+        begin();
+}
+
+void Parser::begin() {
+    if (text_.starts_with(text::byteOrderMark))
+        at_ = text::byteOrderMark.size();
+    skipBlanks();
+    if (!atEnd())
+        readDocumentLine();
+}
+
+bool Parser::readNext() {
+    const std::size_t from = at_;
+    skipBlanks();
+    const bool more = !atEnd();
+    if (more)
+        readItem();
+    else
+        closeAllAtEnd();
+    work().bytesRead += at_ - from;
+    return more;
 }
 
 // --- characters -----------------------------------------------------------------------------
@@ -71,7 +108,7 @@ text::Range Parser::readName() {
 // --- items ----------------------------------------------------------------------------------
 
 void Parser::readItem() {
-    if (tree_.nodes_.size() >= limits_.nodes) {
+    if (nodes_ >= limits_.nodes) {
         stop("more than " + std::to_string(limits_.nodes) +
              " elements and contents; reading stops here");
         return;
@@ -178,7 +215,7 @@ void Parser::readEndTag() {
         return;
     }
     while (tree_.nodes_[top()].kind == NodeKind::document || tree_.name(top()) != name)
-        closeMissing(from);
+        closeMissing(tag);
     close(at_, tag);
 }
 
@@ -206,7 +243,9 @@ std::size_t Parser::closingBraceOf(std::size_t open) {
         return npos;
     const std::size_t closing = closingBrace(text_, open);
     if (closing == npos && !unclosedKnown_) {
-        unclosed_ = unclosedBraces(text_);
+        unclosed_ = unclosedBraces(text_.substr(open));
+        for (std::size_t& brace : unclosed_)
+            brace += open;
         unclosedKnown_ = true;
     }
     return closing;
@@ -258,12 +297,16 @@ void Parser::readStray(FaultKind kind, std::string message) {
 // --- nodes ----------------------------------------------------------------------------------
 
 NodeId Parser::addNode(NodeKind kind, text::Range range) {
-    const auto id = static_cast<NodeId>(tree_.nodes_.size());
-    Node node;
+    ++nodes_;
+    ++work().nodesMade;
+    const NodeId id = tree_.newNode();
+    Node& node = tree_.nodes_[id];
     node.kind = kind;
-    node.range = range;
     node.parent = top();
-    tree_.nodes_.push_back(node);
+    node.range = range;
+    // Places that the node does not have stand where they move along with it.
+    node.name = node.startTag = {range.from, range.from};
+    node.endTag = {range.to, range.to};
     Node& parent = tree_.nodes_[top()];
     if (parent.lastChild == noNode)
         parent.firstChild = id;
@@ -321,9 +364,7 @@ void Parser::close(std::size_t end, text::Range endTag) {
     node.range.to = end;
     node.endTag = endTag;
     open_.pop_back();
-    if (node.kind == NodeKind::document) {
-        finishDocument(id);
-    } else {
+    if (node.kind == NodeKind::element) {
         --elementDepth_;
         --openNames_[tree_.name(id)];
     }
@@ -337,11 +378,11 @@ std::size_t Parser::endOfTop() const {
     return std::max({node.range.from, node.startTag.to, node.name.to});
 }
 
-void Parser::closeMissing(std::size_t at) {
+void Parser::closeMissing(text::Range endTag) {
     const std::size_t end = endOfTop();
     if (tree_.isElement(top()))
-        fault(FaultKind::missingEndTag, {at, at},
-              endTagOf(tree_.name(top())) + " is missing before " + quoted(text_.substr(at, 20)));
+        fault(FaultKind::missingEndTag, {endTag.from, endTag.from},
+              endTagOf(tree_.name(top())) + " is missing before " + quoted(tree_.text(endTag)));
     close(end, {end, end});
 }
 
@@ -361,10 +402,9 @@ void Parser::closeAllAtEnd() {
         const std::size_t end = tree_.isElement(top()) ? text_.size() : endOfTop();
         close(end, {end, end});
     }
-    finishDocument(tree_.root());
 }
 
-void Parser::finishDocument(NodeId id) {
+void Parser::checkDocument(NodeId id) {
     const Node& document = tree_.nodes_[id];
     const NodeId element = tree_.classElement(id);
     const std::size_t at = std::max(document.range.from, document.name.to);
@@ -381,6 +421,7 @@ void Parser::stop(std::string message) {
     fault(FaultKind::limit, {at_, at_}, std::move(message));
     addNode(NodeKind::stray, {at_, text_.size()});
     at_ = text_.size();
+    stopped_ = true;
     while (open_.size() > 1)
         close(text_.size(), {text_.size(), text_.size()});
 }

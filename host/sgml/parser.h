@@ -7,6 +7,10 @@
 //   content that is never closed ends before the next end tag of an open element;
 //   a tag that is never closed ends before the next `<`; an attribute value, at the end of its
 //   line; anything else is stray up to the next `<` or `{`.
+//
+// Between two items (tags, contents, strays) the whole state is the nodes that are open, what the
+// innermost of them holds so far, and the place. So reading can begin at any such place of a text
+// whose nodes before it are known: resume().
 #pragma once
 
 #include "sgml/tree.h"
@@ -18,10 +22,24 @@ namespace sgml {
 
 class Parser {
 public:
-    Parser(Tree& tree, const Limits& limits);
+    explicit Parser(Tree& tree);
     void parse();
 
+    // Goes on at `at`, between two items, inside these nodes, the outermost first. The tree holds
+    // what stands before `at`, and nothing behind it.
+    void resume(std::size_t at, std::vector<NodeId> open);
+    // Reads blanks and one item. False: the text has ended, and all nodes are closed.
+    bool readNext();
+    [[nodiscard]] std::size_t at() const { return at_; }
+    [[nodiscard]] const std::vector<NodeId>& openNodes() const { return open_; }
+    [[nodiscard]] bool hasStopped() const { return stopped_; } // at a limit
+    // What can be said of a document when all of it is read.
+    void checkDocument(NodeId document);
+    // The faults of bytes [from, to): their encoding alone.
+    void checkBytes(text::Range range);
+
 private:
+    void begin();
     [[nodiscard]] bool atEnd() const { return at_ >= text_.size(); }
     [[nodiscard]] char here() const { return text_[at_]; }
     [[nodiscard]] bool startsHere(std::string_view token) const;
@@ -52,30 +70,33 @@ private:
     void open(NodeId node);
     void close(std::size_t end, text::Range endTag);
     [[nodiscard]] std::size_t endOfTop() const;
-    void closeMissing(std::size_t at);
+    void closeMissing(text::Range endTag);
     void closeAllAtEnd();
-    void finishDocument(NodeId document);
     void stop(std::string message);
 
     void fault(FaultKind kind, text::Range range, std::string message,
                Severity severity = Severity::error);
-    void checkBytes();
     bool checkEncoding();
-    void placeFaults();
+    void countUnlisted();
 
     Tree& tree_;
     std::string_view text_;
-    Limits limits_;
+    const Limits& limits_;
     std::size_t at_ = 0;
     std::vector<NodeId> open_;
     std::size_t elementDepth_ = 0;
     std::unordered_map<std::string_view, int> openNames_;
     std::unordered_set<NodeId> complete_; // documents that have their class element
+    std::size_t nodes_ = 1;               // that were read
     std::vector<std::size_t> unclosed_;
     bool unclosedKnown_ = false;
     bool noMoreQuotes_ = false;
     bool trailingReported_ = false;
+    bool stopped_ = false;
     std::size_t unlisted_ = 0;
 };
+
+// Sorts them by place and finds their lines and columns.
+void placeFaults(std::vector<Fault>& faults, std::string_view text);
 
 } // namespace sgml

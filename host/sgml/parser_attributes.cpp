@@ -71,7 +71,7 @@ text::Range Parser::unquotedValue(text::Range name) {
     const std::size_t from = at_;
     const std::size_t end = text_.find_first_of(" \t\r\n<>\"", at_);
     at_ = end == npos ? text_.size() : end;
-    fault(FaultKind::badAttribute, {from, at_},
+    fault(FaultKind::badAttribute, {from < at_ ? from : name.from, at_},
           "the value of attribute " + std::string(tree_.text(name)) + " is not in double quotes");
     return {from, at_};
 }

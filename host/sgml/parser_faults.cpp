@@ -3,6 +3,7 @@
 #include "text/characters.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace sgml {
 
@@ -35,29 +36,41 @@ bool Parser::checkEncoding() {
     return !utf16 && !tooLong && !text_.empty();
 }
 
-void Parser::checkBytes() {
+void Parser::checkBytes(text::Range range) {
     const std::size_t half = limits_.faults / 2; // leaves room for the faults of structure
-    for (text::Range bad = text::illFormed(text_); !bad.empty() && tree_.faults_.size() < half;
-         bad = text::illFormed(text_, bad.to))
+    const std::string_view text = text_.substr(0, range.to);
+    for (text::Range bad = text::illFormed(text, range.from);
+         !bad.empty() && tree_.faults_.size() < half; bad = text::illFormed(text, bad.to))
         fault(FaultKind::invalidUtf8, bad, "these bytes are not UTF-8; they are kept as they are",
               Severity::warning);
-    for (std::size_t at = text_.find('\0');
-         at != std::string_view::npos && tree_.faults_.size() < half; at = text_.find('\0', at + 1))
+    for (std::size_t at = text.find('\0', range.from);
+         at != std::string_view::npos && tree_.faults_.size() < half; at = text.find('\0', at + 1))
         fault(FaultKind::nulByte, {at, at + 1}, "a NUL byte; it is kept as it is",
               Severity::warning);
 }
 
-void Parser::placeFaults() {
-    std::vector<Fault>& faults = tree_.faults_;
-    std::stable_sort(faults.begin(), faults.end(),
-                     [](const Fault& a, const Fault& b) { return a.range.from < b.range.from; });
-    if (unlisted_ > 0)
-        faults.push_back({.kind = FaultKind::limit,
-                          .range = faults.back().range,
-                          .message = std::to_string(unlisted_) + " more faults are not listed"});
+void Parser::countUnlisted() {
+    if (unlisted_ == 0)
+        return;
+    const auto last = std::max_element(
+        tree_.faults_.begin(), tree_.faults_.end(),
+        [](const Fault& a, const Fault& b) { return a.range.from < b.range.from; });
+    const text::Range range = last->range;
+    tree_.faults_.push_back({.kind = FaultKind::limit,
+                             .range = range,
+                             .message = std::to_string(unlisted_) + " more faults are not listed"});
+}
+
+// The order is of the faults alone, whatever order they were found in.
+void placeFaults(std::vector<Fault>& faults, std::string_view text) {
+    const auto key = [](const Fault& fault) {
+        return std::tie(fault.range.from, fault.range.to, fault.kind, fault.message);
+    };
+    std::sort(faults.begin(), faults.end(),
+              [&](const Fault& a, const Fault& b) { return key(a) < key(b); });
     if (faults.empty())
         return;
-    const text::Places places(text_);
+    const text::Places places(text);
     for (Fault& fault : faults)
         fault.position = places.at(fault.range.from);
 }

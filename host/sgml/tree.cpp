@@ -10,7 +10,8 @@ namespace sgml {
 Tree Tree::parse(std::string bytes, const Limits& limits) {
     Tree tree;
     tree.bytes_ = std::move(bytes);
-    Parser(tree, limits).parse();
+    tree.limits_ = limits;
+    Parser(tree).parse();
     return tree;
 }
 
@@ -92,6 +93,16 @@ NodeId Tree::followingSkippingChildren(NodeId id, NodeId top) const {
     return id == top ? noNode : nodes_[id].next;
 }
 
+// Places decide, except where a parent and its first child begin with the same byte.
+bool Tree::isBefore(NodeId a, NodeId b) const {
+    if (nodes_[a].range.from != nodes_[b].range.from)
+        return nodes_[a].range.from < nodes_[b].range.from;
+    for (NodeId above = nodes_[b].parent; above != noNode; above = nodes_[above].parent)
+        if (above == a)
+            return true;
+    return false;
+}
+
 NodeId Tree::innermostAt(std::size_t offset) const {
     NodeId innermost = root();
     for (NodeId id = nodes_[innermost].firstChild; id != noNode;) {
@@ -150,6 +161,50 @@ std::string Tree::printed() const {
     return lines;
 }
 
-bool Tree::operator==(const Tree&) const = default;
+bool Tree::isSame(NodeId id, const Tree& other, NodeId otherId) const {
+    const Node &a = nodes_[id], &b = other.nodes_[otherId];
+    return a.kind == b.kind && a.range == b.range && a.name == b.name && a.startTag == b.startTag &&
+           a.endTag == b.endTag && attributes(id) == other.attributes(otherId);
+}
+
+bool Tree::operator==(const Tree& other) const {
+    if (bytes_ != other.bytes_ || faults_ != other.faults_)
+        return false;
+    NodeId id = root(), there = root();
+    while (isSame(id, other, there)) {
+        const bool deeper = nodes_[id].firstChild != noNode;
+        if (deeper != (other.nodes_[there].firstChild != noNode))
+            return false;
+        if (deeper) {
+            id = nodes_[id].firstChild;
+            there = other.nodes_[there].firstChild;
+            continue;
+        }
+        // Up in both as long as neither has a next one.
+        while (id != root() && there != root() && nodes_[id].next == noNode &&
+               other.nodes_[there].next == noNode) {
+            id = nodes_[id].parent;
+            there = other.nodes_[there].parent;
+        }
+        if (id == root() || there == root())
+            return id == there;
+        id = nodes_[id].next;
+        there = other.nodes_[there].next;
+        if (id == noNode || there == noNode)
+            return false;
+    }
+    return false;
+}
+
+NodeId Tree::newNode() {
+    if (free_.empty()) {
+        nodes_.emplace_back();
+        return static_cast<NodeId>(nodes_.size() - 1);
+    }
+    const NodeId id = free_.back();
+    free_.pop_back();
+    nodes_[id] = {};
+    return id;
+}
 
 } // namespace sgml

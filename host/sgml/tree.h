@@ -2,7 +2,9 @@
 //
 // Every byte of the file belongs to bytes(), whether it was understood or not; writing a tree is
 // writing bytes(). Nodes live in one array and refer to each other by number, so that no walk and
-// no destruction recurses: a document may be nested 20,000 elements deep.
+// no destruction recurses: a document may be nested 20,000 elements deep. A node keeps its number
+// through every edit that it outlives (change.h), so numbers say nothing of the document's order:
+// following() and isBefore() do.
 //
 //   document   `DOCUMENT CLASS` and the class element. Node 0 is the file's own; a nested one
 //              is the child of its <DOCUMENT> element.
@@ -49,7 +51,6 @@ struct Node {
     text::Range endTag{};   // element only; empty when it is missing
     std::uint32_t firstAttribute = 0;
     std::uint32_t attributeCount = 0;
-    bool operator==(const Node&) const = default;
 };
 
 // LIMIT: what is read of one file. Beyond it the bytes are kept, and a fault says where reading
@@ -71,7 +72,11 @@ public:
     [[nodiscard]] const std::vector<Fault>& faults() const { return faults_; } // in order of place
     [[nodiscard]] bool isBroken() const; // an error among the faults
 
+    // Every number of a node is less. Numbers of nodes that are gone are among them.
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+    [[nodiscard]] bool holds(NodeId id) const {
+        return id == root() || (id < nodes_.size() && nodes_[id].parent != noNode);
+    }
     [[nodiscard]] const Node& node(NodeId id) const { return nodes_[id]; }
     [[nodiscard]] NodeId root() const { return 0; } // the file's document node
     [[nodiscard]] bool isElement(NodeId id) const { return nodes_[id].kind == NodeKind::element; }
@@ -99,6 +104,8 @@ public:
     [[nodiscard]] NodeId following(NodeId id, NodeId top = 0) const;
     // The same without going into `id`.
     [[nodiscard]] NodeId followingSkippingChildren(NodeId id, NodeId top = 0) const;
+    // Does `a` come before `b` in document order? A parent comes before its children.
+    [[nodiscard]] bool isBefore(NodeId a, NodeId b) const;
     // The innermost node that holds the byte at `offset`.
     [[nodiscard]] NodeId innermostAt(std::size_t offset) const;
 
@@ -109,15 +116,22 @@ public:
     // One line per node: indented kind, name, byte range, attributes, content (for tests and logs).
     [[nodiscard]] std::string printed() const;
 
-    bool operator==(const Tree&) const;
+    // The same bytes, read as the same nodes with the same places and faults; numbers may differ.
+    bool operator==(const Tree& other) const;
 
 private:
     friend class Parser;
-    friend class Splice;
+    friend class Reparser;
+    NodeId newNode();
+    [[nodiscard]] bool isSame(NodeId id, const Tree& other, NodeId otherId) const;
+
     std::string bytes_;
     std::vector<Node> nodes_;
+    std::vector<NodeId> free_; // numbers of nodes that are gone
     std::vector<Attribute> attributes_;
+    std::size_t unusedAttributes_ = 0; // of nodes that are gone
     std::vector<Fault> faults_;
+    Limits limits_;
 };
 
 } // namespace sgml

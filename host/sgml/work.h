@@ -7,6 +7,8 @@ namespace sgml {
 
 struct Work {
     std::size_t siblingsPassed = 0; // looked at to find an element among them
+    std::size_t bytesRead = 0;      // by the parser
+    std::size_t nodesMade = 0;
 };
 
 inline Work& work() {

@@ -1,0 +1,59 @@
+#include "document/tracker.h"
+#include "sgml/random_document.h"
+
+#include <gtest/gtest.h>
+
+namespace document {
+
+// A place beside a byte that outlives all edits is beside it in the end, and after all is undone.
+TEST(Tracker, PlacesFollowEditsUndoAndRedo) {
+    sgml::RandomDocument random(60);
+    for (int round = 0; round < 50; ++round) {
+        Document document(random.sound() + "|||" + random.sound());
+        const std::size_t mark = document.bytes().find("|||") + 1;
+        Tracker tracker(document);
+        const auto before = tracker.track(mark, text::Gravity::before),
+                   behind = tracker.track(mark, text::Gravity::behind);
+        for (int step = 0; step < 30; ++step) {
+            const std::size_t size = document.bytes().size(), kind = random.below(4);
+            const std::size_t now = document.bytes().find("|||");
+            std::size_t from = random.below(size + 1), to = std::min(from + random.below(9), size);
+            if (from < now + 3 && to > now)
+                to = from = now;
+            if (kind == 0)
+                document.undo();
+            else if (kind == 1)
+                document.redo();
+            else
+                (void)document.edit({{{from, to}, random.text(3)}}, "Edit");
+            ASSERT_EQ(document.bytes().substr(before->offset - 1, 3), "|||");
+            ASSERT_EQ(behind->offset, before->offset);
+        }
+        while (document.canUndo())
+            document.undo();
+        EXPECT_EQ(before->offset, mark);
+    }
+}
+
+TEST(Tracker, AWordKeepsItsEndsWhileItIsWritten) {
+    Document document("DOCUMENT A\n<A>{one two}</A>");
+    Tracker tracker(document);
+    const std::size_t at = document.bytes().find("two");
+    const auto from = tracker.track(at, text::Gravity::before),
+               to = tracker.track(at + 3, text::Gravity::behind);
+    const auto word = [&] {
+        return document.bytes().substr(from->offset, to->offset - from->offset);
+    };
+    (void)document.edit({{{at + 3, at + 3}, "nd"}}, "Type");
+    EXPECT_EQ(word(), "twond");
+    (void)document.edit({{{at, at}, "x"}}, "Type");
+    EXPECT_EQ(word(), "xtwond");
+    document.undo();
+    document.undo();
+    EXPECT_EQ(word(), "two");
+    EXPECT_EQ(tracker.size(), 2u);
+    (void)tracker.track(0, text::Gravity::behind);
+    EXPECT_EQ(tracker.size(), 2u) << "nobody holds the third";
+}
+
+} // namespace document
