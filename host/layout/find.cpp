@@ -37,11 +37,7 @@ private:
         Found& one = found[place->second];
         if (one.page != page)
             return;
-        const Paragraph& of = *piece.paragraph;
-        const double left = of.leftOf(piece.line, from), right = of.leftOf(piece.line, to);
-        const double height = of.lines()[static_cast<std::size_t>(piece.line)].height;
-        one.rects.emplace_back(piece.at.x() + std::min(left, right), piece.at.y(),
-                               std::abs(right - left), height);
+        one.parts.push_back({piece.paragraph, piece.line, from, to, piece.at});
     }
 
     const QString& words_;
@@ -50,6 +46,15 @@ private:
 };
 
 } // namespace
+
+double Found::Part::bottom() const {
+    return at.y() + paragraph->lines()[static_cast<std::size_t>(line)].height;
+}
+
+QRectF Found::Part::rect() const {
+    const double left = paragraph->leftOf(line, from), right = paragraph->leftOf(line, to);
+    return {at.x() + std::min(left, right), at.y(), std::abs(right - left), bottom() - at.y()};
+}
 
 std::vector<Found> findText(const Pages& pages, const QString& words) {
     if (words.isEmpty())

@@ -58,6 +58,7 @@ public:
         items_.erase(item);
     }
     [[nodiscard]] std::size_t letters() const { return letters_; }
+    std::size_t layoutsMade = 0;
 
 private:
     std::list<KeptItem> items_;
@@ -65,6 +66,7 @@ private:
 };
 
 std::size_t Paragraph::lettersKept() { return Kept::all().letters(); }
+std::size_t Paragraph::layoutsMade() { return Kept::all().layoutsMade; }
 
 void Paragraph::forget(int segment) const {
     if (segment == ofLetters) {
@@ -205,6 +207,7 @@ std::unique_ptr<QTextLayout> Paragraph::shaped(int from, int length) const {
     option.setTextDirection(direction_);
     auto layout = std::make_unique<QTextLayout>(letters.text.mid(from, length),
                                                 materials_->looks.font(style));
+    ++Kept::all().layoutsMade;
     layout->setTextOption(option);
     layout->setCacheEnabled(true);
     layout->setFormats(formatsOf(letters, from, from + length));

@@ -85,6 +85,7 @@ public:
     // The one that is asked for is kept, however long it is.
     static constexpr std::size_t mostKept = 200'000;
     [[nodiscard]] static std::size_t lettersKept();
+    [[nodiscard]] static std::size_t layoutsMade(); // so far, those made again included
 
 private:
     static constexpr int ofLetters = -1; // instead of a segment's index

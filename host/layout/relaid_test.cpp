@@ -1,5 +1,6 @@
 // Pages that follow changes of their model are those of a layout from nothing, and cost what has
 // changed.
+#include "layout/find.h"
 #include "layout/measure.h"
 #include "layout/model_testing.h"
 #include "layout/pages.h"
@@ -333,6 +334,16 @@ TEST_F(LongTest, LettersOfFewPagesAreKept) {
     const std::string once = printed(pages_);
     EXPECT_LE(Paragraph::lettersKept(), Paragraph::mostKept);
     EXPECT_EQ(printed(pages_), once);
+
+    // What is found has a place in its line once that is asked for.
+    const std::size_t layouts = Paragraph::layoutsMade();
+    std::vector<Found> found = findText(pages_, "a");
+    EXPECT_GT(found.size(), 1000u);
+    EXPECT_EQ(Paragraph::layoutsMade(), layouts);
+    EXPECT_GT(found.front().parts.front().rect().width(), 0);
+    EXPECT_EQ(Paragraph::layoutsMade(), layouts + 1);
+
+    found.clear();
     pages_ = {};
     EXPECT_EQ(Paragraph::lettersKept(), 0u);
 }

@@ -371,7 +371,7 @@ void DocumentView::find(const QString& words) {
     found_ = layout::findText(pages(), words);
     viewport()->update();
     const auto isBelow = [this](const layout::Found& one) {
-        return pageTopLeft(one.page).y() + one.rects.front().bottom() * scale() > 0;
+        return pageTopLeft(one.page).y() + one.parts.front().bottom() * scale() > 0;
     };
     const auto first = std::ranges::find_if(found_, isBelow);
     if (!found_.empty())
@@ -384,7 +384,7 @@ void DocumentView::showFound(int which) {
         return;
     shownFound_ = (which % count + count) % count;
     const layout::Found& one = found_[static_cast<std::size_t>(shownFound_)];
-    const double y = pageTopLeft(one.page).y() + one.rects.front().center().y() * scale();
+    const double y = pageTopLeft(one.page).y() + one.parts.front().bottom() * scale();
     constexpr double edge = 40;
     if (y < edge || y > viewport()->height() - edge)
         verticalScrollBar()->setValue(
@@ -396,9 +396,10 @@ void DocumentView::paintFound(QPainter& painter, std::size_t page) const {
     const auto isBefore = [](const layout::Found& one, std::size_t at) { return one.page < at; };
     for (auto one = std::lower_bound(found_.begin(), found_.end(), page, isBefore);
          one != found_.end() && one->page == page; ++one)
-        for (const QRectF& rect : one->rects)
-            painter.fillRect(rect, one - found_.begin() == shownFound_ ? QColor(255, 150, 30, 130)
-                                                                       : QColor(255, 220, 60, 110));
+        for (const layout::Found::Part& part : one->parts)
+            painter.fillRect(part.rect(), one - found_.begin() == shownFound_
+                                              ? QColor(255, 150, 30, 130)
+                                              : QColor(255, 220, 60, 110));
 }
 
 // --- painting ----------------------------------------------------------------------------------
