@@ -71,25 +71,45 @@ QImage Paper::imageOf(const layout::ImagePiece& piece) const {
                                      : document_.images().imageNow(piece.source, size->second);
 }
 
+namespace {
+
+constexpr double boxMarginPoints = 12;
+constexpr int boxFlags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+
+QFont boxFont(bool bold) {
+    document::TextStyle style;
+    style.family = "sans";
+    style.size = 9;
+    style.bold = bold;
+    return layout::fontOf(style);
+}
+
 void paintBox(QPainter& painter, const QRectF& rect, const QString& title, const QString& text) {
     painter.fillRect(rect, QColor(246, 246, 247));
     painter.setPen(QPen(QColor(200, 200, 205), layout::fromPoints(0.75)));
     painter.drawRect(rect);
-    document::TextStyle style;
-    style.family = "sans";
-    style.size = 9;
-    style.bold = true;
-    const double margin = layout::fromPoints(12);
+    const double margin = layout::fromPoints(boxMarginPoints);
     const QRectF inside = rect.adjusted(margin, margin, -margin, -margin);
     painter.setPen(QColor(60, 60, 65));
-    painter.setFont(layout::fontOf(style));
+    painter.setFont(boxFont(true));
     QRectF used;
-    painter.drawText(inside, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, title, &used);
-    style.bold = false;
-    painter.setFont(layout::fontOf(style));
-    painter.drawText(inside.adjusted(0, used.height() + margin / 3, 0, 0),
-                     Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, text);
+    painter.drawText(inside, boxFlags, title, &used);
+    painter.setFont(boxFont(false));
+    painter.drawText(inside.adjusted(0, used.height() + margin / 3, 0, 0), boxFlags, text);
 }
+
+// The lower part of a picture that a sentence about it takes: as high as the sentence is.
+QRectF noteOver(QPainter& painter, const QRectF& picture, const QString& sentence) {
+    const double margin = layout::fromPoints(boxMarginPoints);
+    painter.setFont(boxFont(true));
+    const QRectF inside = picture.adjusted(margin, 0, -margin, 0);
+    const double height = painter.boundingRect(inside, boxFlags, sentence).height() + 2 * margin;
+    QRectF note = picture;
+    note.setTop(std::max(picture.top(), picture.bottom() - height));
+    return note;
+}
+
+} // namespace
 
 void Paper::paintSubdocument(QPainter& painter, const layout::SubdocumentPiece& piece) const {
     const auto found = pictures_.pictures().find(piece.subdocument);
@@ -106,9 +126,7 @@ void Paper::paintSubdocument(QPainter& painter, const layout::SubdocumentPiece& 
     painter.drawImage(piece.rect, picture.image);
     if (picture.error.isEmpty())
         return;
-    QRectF note = piece.rect;
-    note.setTop(std::max(note.top(), note.bottom() - layout::fromPoints(40)));
-    paintBox(painter, note, picture.error, {});
+    paintBox(painter, noteOver(painter, piece.rect, picture.error), picture.error, {});
 }
 
 void Paper::paint(QPainter& painter, int page) const {
