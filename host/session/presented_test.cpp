@@ -91,6 +91,7 @@ TEST_F(PresentedTest, AChangeCostsItsPagesAndTheOthersStay) {
     EXPECT_EQ(layout::findText(presented->pages(), "3000x").size(), 1u);
 
     insert("{paragraph 3000x}</PARAGRAPH>\n", "<PARAGRAPH>{new}</PARAGRAPH>\n");
+    EXPECT_EQ(presented->pages().work.paragraphs, 1u);
     EXPECT_EQ(presented->pages().pages.front(), before.pages.front());
     Presented anew(*document, {});
     complete(anew);
