@@ -22,12 +22,11 @@ void cover(text::Range& all, text::Range part) {
 
 } // namespace
 
-// Bytes of a node that went belong to nodes that came, to texts and tags that changed, or are
-// edited.
+// All that is not as it was lies in the bytes that are edited or were read again.
 ModelBuilder::Region ModelBuilder::regionOf(const sgml::Change& change) const {
-    const sgml::Tree& tree = document_.tree();
+    const std::size_t size = document_.bytes().size();
     std::size_t added = 0, removed = 0; // bytes
-    text::Range all{tree.bytes().size(), 0};
+    text::Range all{size, 0};
     for (const text::Edit& edit : change.edits) {
         const std::size_t from = edit.range.from + added - removed;
         cover(all, {from, from + edit.text.size()});
@@ -36,17 +35,8 @@ ModelBuilder::Region ModelBuilder::regionOf(const sgml::Change& change) const {
     }
     for (const text::Range read : change.read)
         cover(all, read);
-    for (const sgml::NodeId text : change.texts)
-        cover(all, tree.node(text).range);
-    for (const sgml::NodeId tag : change.tags) {
-        const sgml::Node& node = tree.node(tag);
-        cover(all, {node.range.from, std::max(node.startTag.to, node.name.to)});
-    }
-    for (const sgml::Change::Children& children : change.children)
-        for (const sgml::NodeId child : children.added)
-            cover(all, tree.node(child).range);
     if (change.everything)
-        all = {0, tree.bytes().size()};
+        all = {0, size};
     return {.from = all.from, .to = all.to + removed - added, .end = all.to};
 }
 
