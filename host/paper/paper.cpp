@@ -84,6 +84,19 @@ QFont boxFont(bool bold) {
     return layout::fontOf(style);
 }
 
+// The lower part of a picture that a sentence about it takes: as high as the sentence is.
+QRectF noteOver(QPainter& painter, const QRectF& picture, const QString& sentence) {
+    const double margin = layout::fromPoints(boxMarginPoints);
+    painter.setFont(boxFont(true));
+    const QRectF inside = picture.adjusted(margin, 0, -margin, 0);
+    const double height = painter.boundingRect(inside, boxFlags, sentence).height() + 2 * margin;
+    QRectF note = picture;
+    note.setTop(std::max(picture.top(), picture.bottom() - height));
+    return note;
+}
+
+} // namespace
+
 void paintBox(QPainter& painter, const QRectF& rect, const QString& title, const QString& text) {
     painter.fillRect(rect, QColor(246, 246, 247));
     painter.setPen(QPen(QColor(200, 200, 205), layout::fromPoints(0.75)));
@@ -97,19 +110,6 @@ void paintBox(QPainter& painter, const QRectF& rect, const QString& title, const
     painter.setFont(boxFont(false));
     painter.drawText(inside.adjusted(0, used.height() + margin / 3, 0, 0), boxFlags, text);
 }
-
-// The lower part of a picture that a sentence about it takes: as high as the sentence is.
-QRectF noteOver(QPainter& painter, const QRectF& picture, const QString& sentence) {
-    const double margin = layout::fromPoints(boxMarginPoints);
-    painter.setFont(boxFont(true));
-    const QRectF inside = picture.adjusted(margin, 0, -margin, 0);
-    const double height = painter.boundingRect(inside, boxFlags, sentence).height() + 2 * margin;
-    QRectF note = picture;
-    note.setTop(std::max(picture.top(), picture.bottom() - height));
-    return note;
-}
-
-} // namespace
 
 void Paper::paintSubdocument(QPainter& painter, const layout::SubdocumentPiece& piece) const {
     const auto found = pictures_.pictures().find(piece.subdocument);
