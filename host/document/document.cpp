@@ -94,6 +94,22 @@ EditResult Document::edit(const text::Edits& edits, const QString& label, const 
     return perform(std::move(change), label, group);
 }
 
+void Document::follow(const text::Edits& edits, const files::ReadFile& file, const QString& label) {
+    const bool wasModified = isModified();
+    file_.stamp = file.stamp;
+    saved_ = file.bytes;
+    fileIsLost_ = false;
+    if (!edits.empty()) {
+        Change change;
+        change.forward = edits;
+        change.backward = text::inverse(bytes(), edits);
+        play(change, Direction::forward, label);
+        push(std::move(change), label, {});
+    }
+    clean_ = bytes() == file.bytes ? done_ : noStep;
+    announce(wasModified);
+}
+
 EditResult Document::perform(Change change, const QString& label, const QString& group) {
     const bool wasModified = isModified();
     change.backward = text::inverse(bytes(), change.forward);
@@ -201,6 +217,7 @@ Document::Loaded Document::load(const QString& fileName, files::FileSystem* file
                         .arg(QFileInfo(fileName).fileName(), QString::fromStdString(file.reason))};
     Loaded loaded{.document = std::make_unique<Document>(std::move(file.bytes)), .failure = {}};
     loaded.document->fileName_ = fileName;
+    loaded.document->saved_ = loaded.document->bytes();
     loaded.document->file_ = {path, file.stamp};
     loaded.document->files_ = &system;
     return loaded;
@@ -220,6 +237,8 @@ std::unique_ptr<Document> Document::recover(const files::KnownFile& file, std::s
 }
 
 void Document::recoverText(const files::KnownFile& file, const std::string& text) {
+    if (file.stamp.hash != file_.stamp.hash)
+        saved_.reset(); // what the program knew that ended is gone
     file_ = file;
     edit({text::difference(bytes(), text)}, tr("Recover"));
 }
@@ -242,6 +261,8 @@ files::SaveResult Document::saveAs(const QString& fileName, files::SaveOptions o
         return result;
     const bool wasModified = isModified();
     clean_ = done_;
+    saved_ = bytes();
+    fileIsLost_ = false;
     if (fileName != fileName_) {
         fileName_ = fileName;
         emit fileNameChanged();
@@ -249,6 +270,17 @@ files::SaveResult Document::saveAs(const QString& fileName, files::SaveOptions o
     if (wasModified)
         emit modifiedChanged(false);
     return result;
+}
+
+files::ReadFile Document::readFile() const {
+    return files::readFile(*files_, file_.path, sgml::Limits{}.bytes);
+}
+
+void Document::setFileLost(bool lost) {
+    const bool wasModified = isModified();
+    fileIsLost_ = lost;
+    if (isModified() != wasModified)
+        emit modifiedChanged(isModified());
 }
 
 files::FileState Document::fileState() const { return files::compareFile(*files_, file_); }

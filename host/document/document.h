@@ -17,6 +17,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -80,13 +81,22 @@ public:
 
     // --- its file
     [[nodiscard]] const QString& fileName() const { return fileName_; }
-    [[nodiscard]] bool isModified() const { return done_ != clean_; }
+    [[nodiscard]] bool isModified() const { return done_ != clean_ || fileIsLost_; }
     // A broken document, and a file that another program changed, are replaced only when allowed.
     [[nodiscard]] files::SaveResult save(files::SaveOptions options = {});
     [[nodiscard]] files::SaveResult saveAs(const QString& fileName,
                                            files::SaveOptions options = {});
     // Was the file changed by another program since it was read or saved?
     [[nodiscard]] files::FileState fileState() const;
+    [[nodiscard]] files::ReadFile readFile() const;
+    // Another program wrote `file`, which is the file as it is known from now on. The edits that
+    // bring its text here, or the part of it that is wanted, are one step of undo: undone, they
+    // leave the text from before, which is not saved then.
+    void follow(const text::Edits& edits, const files::ReadFile& file, const QString& label);
+    // There is no file any more, or none that can be read: then the text is not saved.
+    void setFileLost(bool lost);
+    // The file's text as it was read or saved last; nothing: it is not known.
+    [[nodiscard]] const std::optional<std::string>& savedText() const { return saved_; }
     // The file as it was read or saved last.
     [[nodiscard]] const files::KnownFile& knownFile() const { return file_; }
 
@@ -166,6 +176,8 @@ private:
     QString group_;
     QString fileName_;
     files::KnownFile file_;
+    std::optional<std::string> saved_; // what is in it
+    bool fileIsLost_ = false;
     files::FileSystem* files_ = &files::FileSystem::real();
 };
 

@@ -60,6 +60,14 @@ OpenDocument::OpenDocument(std::unique_ptr<document::Document> document,
 
 OpenDocument::~OpenDocument() = default;
 
+FileFollower& OpenDocument::followFile() {
+    if (!file_) {
+        file_ = std::make_unique<FileFollower>(*document_);
+        connect(file_.get(), &FileFollower::told, this, &OpenDocument::message);
+    }
+    return *file_;
+}
+
 Unsaved& OpenDocument::keepUnsavedIn(const std::string& folder) {
     unsaved_ = std::make_unique<Unsaved>(*this, folder);
     return *unsaved_;

@@ -7,6 +7,7 @@
 
 #include "document/document.h"
 #include "media/live_media.h"
+#include "session/file_follower.h"
 #include "session/images.h"
 #include "session/unsaved.h"
 #include "text/edit.h"
@@ -74,6 +75,8 @@ public:
 
     // What is not saved is kept in that folder's journal from now on.
     Unsaved& keepUnsavedIn(const std::string& folder);
+    // What other programs write into its file is followed from now on, where it is not yet.
+    FileFollower& followFile();
     [[nodiscard]] Unsaved* unsaved() const { return unsaved_.get(); } // null: it is not kept
 
 Q_SIGNALS:
@@ -107,6 +110,7 @@ private:
     bool onlyText_ = false; // the change that is being announced
     std::unique_ptr<Unsaved> unsaved_;
     std::map<QString, std::weak_ptr<Presented>> presented_;
+    std::unique_ptr<FileFollower> file_;
 };
 
 } // namespace session

@@ -1,4 +1,5 @@
 #include "window/document_window.h"
+#include "window/file_bar.h"
 
 #include "paper/paper.h"
 #include "plain/plain.h"
@@ -77,6 +78,7 @@ DocumentWindow::DocumentWindow(Application& application,
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(banner_);
+    column->addWidget(new FileBar(document_->followFile(), this));
     column->addWidget(view_, 1);
     column->addWidget(find_);
     setCentralWidget(middle);
@@ -464,6 +466,13 @@ void DocumentWindow::updateDrafts(std::function<void()> then) {
     });
     waiting->start(longestMs);
     document_->takeDrafts();
+}
+
+// What a watched folder does not tell, as on a network, is seen when the reader comes back.
+void DocumentWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::ActivationChange && isActiveWindow())
+        document_->followFile().look();
 }
 
 void DocumentWindow::closeEvent(QCloseEvent* event) {

@@ -1,0 +1,28 @@
+// A bar in a document's window: what another program did to the file, and the answers.
+#pragma once
+
+#include "session/file_follower.h"
+
+#include <QFrame>
+
+class QLabel;
+class QPushButton;
+
+namespace window {
+
+class FileBar : public QFrame {
+    Q_OBJECT
+
+public:
+    FileBar(session::FileFollower& file, QWidget* parent);
+
+private:
+    void update();
+
+    session::FileFollower& file_;
+    QLabel* sentence_;
+    QPushButton* keep_;
+    QPushButton* take_;
+};
+
+} // namespace window
