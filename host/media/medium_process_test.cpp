@@ -298,7 +298,7 @@ TEST_F(MediumProcessTest, TheLongestTextsAreTold) {
     // More changes than a message holds are told as a new text.
     it->setText(QByteArray(20'000, '\n'));
     text::Edits edits;
-    for (ipc::Integer i = 0; i < 20'000; ++i)
+    for (std::size_t i = 0; i < 20'000; ++i)
         edits.push_back({i, i, i == 0 ? "fault 1 1 there" : "\n"});
     it->edit(edits, {});
     ASSERT_TRUE(waitFor([&] { return !it->diagnostics().items.empty(); }));
@@ -396,7 +396,7 @@ TEST_F(MediumProcessTest, WhatLeftTheSessionOfAMediumEndsWithIt) {
         it->start();
         ASSERT_TRUE(waitFor([&] { return it->hasLoaded() && sleeping(seconds) == 1; })) << end;
         if (*end)
-            it->edit({{0, it->text().size(), end}}, {});
+            it->edit({{0, static_cast<std::size_t>(it->text().size()), end}}, {});
         else
             it->makeStill();
         EXPECT_TRUE(waitFor([&] { return pipes_.alive() == 0; })) << end;
