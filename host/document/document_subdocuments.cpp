@@ -74,6 +74,7 @@ std::vector<std::size_t> Document::fileOffsets(SubdocumentId id,
     const sgml::Unescaped unescaped = tree_.unescaped(found->content);
     const text::Places places(unescaped.text());
     std::vector<std::size_t> result;
+    result.reserve(inText.size());
     for (const text::Position& position : inText)
         result.push_back(unescaped.fileOffset(places.offset(position)));
     return result;
