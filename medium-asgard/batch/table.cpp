@@ -44,7 +44,7 @@ void addBody(std::string& line, const simulation::Motion& motion, std::size_t bo
 } // namespace
 
 std::string cell(const std::string& name) {
-    const std::string text = text::printable(name);
+    std::string text = text::printable(name);
     if (text.find_first_of(",\"\r\n") == std::string::npos)
         return text;
     std::string quoted = "\"";

@@ -175,7 +175,7 @@ bool SceneMaker::refers(Arguments& arguments, std::string_view option, const std
 
 std::optional<std::string> SceneMaker::reference(Arguments& arguments, std::string_view option,
                                                  Kind kind) {
-    const auto name = arguments.name(option, "a " + std::string(nameOf(kind)));
+    auto name = arguments.name(option, "a " + std::string(nameOf(kind)));
     if (name)
         refers(arguments, option, *name, kind);
     return name;
