@@ -56,7 +56,7 @@ QString writePng(const paper::Paper& paper, const QString& name) {
             pageName = info.dir().filePath(
                 QStringLiteral("%1-%2.png").arg(info.completeBaseName()).arg(page + 1));
         }
-        const QString failed = writeBytes(pageName, bytes);
+        QString failed = writeBytes(pageName, bytes);
         if (!failed.isEmpty())
             return failed;
     }
