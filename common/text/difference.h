@@ -1,4 +1,4 @@
-// What makes one text of another: as one edit, or stretch by stretch.
+// The edits that make one text of another: as one edit, or stretch by stretch.
 //
 // Stretches are of words, blanks and signs, found as the shortest script of insertions and
 // deletions (Myers 1986). Texts that differ in more than `mostDifferences` of these are compared by

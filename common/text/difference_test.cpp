@@ -64,7 +64,7 @@ TEST(Differences, MakeOneTextOfTheOther) {
     EXPECT_EQ(differences(a, b).size(), 1U);
 }
 
-// Where too many words differ, the lines that are equal stay apart from those that are not.
+// Equal lines stay apart from others even if too many words differ.
 TEST(Differences, OfManyWordsGoLineByLine) {
     std::string a, b;
     for (int i = 0; i < 100; ++i) {

@@ -48,17 +48,17 @@ void putInOrder(Edits& edits);
 // Takes the edit into the list, once. False: another of the list changes the same bytes otherwise.
 [[nodiscard]] bool join(Edits& edits, const Edit& edit);
 
-// Where a place between two bytes goes when text comes in exactly there.
+// The side to which a place between two bytes goes when text comes in exactly there.
 enum class Gravity {
     before, // it stays before the new text, as the end of a selection does
     behind, // it goes behind the new text, as a caret does
 };
 
-// Where a place between two bytes is afterwards. A replaced range keeps its ends: a place at one
+// The new offset of a place between two bytes. A replaced range keeps its ends: a place at one
 // of them stays at that end of the new text. A place inside goes to the end that `gravity` names.
 [[nodiscard]] std::size_t moved(std::size_t place, const Edits& edits, Gravity gravity);
 
-// Where the byte at `offset` is afterwards; nothing when it was replaced.
+// The new offset of the byte at `offset`; nothing when it was replaced.
 [[nodiscard]] std::optional<std::size_t> movedByte(std::size_t offset, const Edits& edits);
 
 } // namespace text

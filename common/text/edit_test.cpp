@@ -63,7 +63,7 @@ TEST(Edits, MoveAPlaceByItsGravity) {
     EXPECT_EQ(before(12), 11u);
 }
 
-// What stands before a place still stands before it, and what stands behind it, behind it.
+// Bytes that stood before a place still stand before it, and those behind it, behind it.
 TEST(Edits, MovedPlacesKeepTheirOrderAndTheirNeighbours) {
     std::mt19937 random(3);
     for (int round = 0; round < 2000; ++round) {

@@ -103,7 +103,7 @@ TEST(Document, EditsOfATextAreAnnouncedCheckedAndUndone) {
     EXPECT_EQ(document.redoLabel(), "Move");
 }
 
-// Whoever keeps something of the bytes follows by the announced edits alone.
+// A copy of the bytes follows by the announced edits alone.
 TEST(Document, EachChangeOfTheBytesIsAnnounced) {
     Document document(twoScenes);
     std::string bytes = document.bytes();

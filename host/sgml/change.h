@@ -1,5 +1,5 @@
-// What an edit of a document's bytes did to its tree. Whoever keeps something of each node (a
-// model, faults, subdocuments) follows a change by it instead of reading the whole tree again.
+// What an edit of a document's bytes did to its tree. A model, faults or subdocuments,
+// which keep something of each node, follow a change by it instead of reading the whole tree again.
 //
 // A node that stays keeps its NodeId, however far its bytes moved. The number of a node that is
 // gone is not given to another node in the same change; a later change may do so.
