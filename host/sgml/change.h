@@ -1,4 +1,4 @@
-// What an edit of a document's bytes did to its tree. A model, faults or subdocuments,
+// The effect of an edit of a document's bytes on its tree. A model, faults or subdocuments,
 // which keep something of each node, follow a change by it instead of reading the whole tree again.
 //
 // A node that stays keeps its NodeId, however far its bytes moved. The number of a node that is
