@@ -10,7 +10,7 @@ namespace console {
 void complain(const QString& text) { terminal::complain(text.toStdString()); }
 
 BatchDocument::BatchDocument(const QString& input)
-    : schemas_(document::Schemas::load(document::Schemas::standardFolders())),
+    : schemas_(schemas::Schemas::load(schemas::Schemas::standardFolders())),
       media_(media::Registry::read(media::registryFolders(QCoreApplication::applicationDirPath())),
              QCoreApplication::applicationDirPath(), pipes_) {
     for (const QString& fault : media_.registry().faults())

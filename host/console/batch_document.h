@@ -16,10 +16,10 @@ public:
     [[nodiscard]] const QString& failure() const { return failure_; }
     [[nodiscard]] session::OpenDocument& document() { return *document_; }
     [[nodiscard]] media::LiveMedia& media() { return media_; }
-    [[nodiscard]] const document::Schemas& schemas() const { return schemas_; }
+    [[nodiscard]] const schemas::Schemas& schemas() const { return schemas_; }
 
 private:
-    document::Schemas schemas_;
+    schemas::Schemas schemas_;
     media::PipeThread pipes_;
     media::LiveMedia media_;
     QString failure_;

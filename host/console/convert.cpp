@@ -1,7 +1,7 @@
 #include "console/convert.h"
 
 #include "console/batch_document.h"
-#include "document/text_export.h"
+#include "model/text_export.h"
 #include "paper/paper.h"
 #include "terminal/terminal.h"
 #include "text/printable.h"
@@ -65,11 +65,10 @@ QString writePng(const paper::Paper& paper, const QString& name) {
 
 QString writeText(BatchDocument& batch, const QString& name) {
     const document::Document& of = batch.document().document();
-    const document::Model model =
-        document::buildModel(of, batch.schemas().presentation(of.className()), batch.schemas());
+    const model::Model model =
+        model::buildModel(of, batch.schemas().presentation(of.className()), batch.schemas());
     // Each line is the document's own, so that what orders its letters from right to left stays.
-    const std::string shown =
-        text::printable(document::exportText(of, model), text::Direction::kept);
+    const std::string shown = text::printable(model::exportText(of, model), text::Direction::kept);
     if (name == "-")
         return terminal::pass(shown) ? QString() : "cannot be written";
     return writeBytes(name, QByteArray::fromStdString(shown));

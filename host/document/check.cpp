@@ -8,7 +8,7 @@ namespace document {
 using sgml::NodeId;
 using sgml::noNode;
 
-std::vector<sgml::Fault> documentFaults(const Document& document, const Schemas& schemas,
+std::vector<sgml::Fault> documentFaults(const Document& document, const schemas::Schemas& schemas,
                                         const QStringList& media) {
     std::vector<sgml::Fault> faults = document.faults();
     const std::vector<sgml::Fault> structure = structureFaults(document, schemas, media);
@@ -22,7 +22,7 @@ std::vector<sgml::Fault> documentFaults(const Document& document, const Schemas&
 namespace {
 
 // Of elements in texts that their class's presentation shows as `display`.
-void eachShownAs(std::string_view display, const sgml::Tree& tree, const Schemas& schemas,
+void eachShownAs(std::string_view display, const sgml::Tree& tree, const schemas::Schemas& schemas,
                  const std::function<void(NodeId)>& tell) {
     std::set<std::string, std::less<>> names;
     std::set<std::string_view> classes;
@@ -38,7 +38,7 @@ void eachShownAs(std::string_view display, const sgml::Tree& tree, const Schemas
 
 } // namespace
 
-std::vector<ImageUse> imageUses(const Document& document, const Schemas& schemas) {
+std::vector<ImageUse> imageUses(const Document& document, const schemas::Schemas& schemas) {
     std::vector<ImageUse> uses;
     const sgml::Tree& tree = document.tree();
     eachShownAs("image", tree, schemas, [&](NodeId id) {
@@ -48,7 +48,7 @@ std::vector<ImageUse> imageUses(const Document& document, const Schemas& schemas
     return uses;
 }
 
-std::vector<SliderUse> sliderUses(const Document& document, const Schemas& schemas) {
+std::vector<SliderUse> sliderUses(const Document& document, const schemas::Schemas& schemas) {
     std::vector<SliderUse> uses;
     const sgml::Tree& tree = document.tree();
     std::map<std::string, SubdocumentId> named;

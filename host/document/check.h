@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/document.h"
-#include "document/schemas.h"
+#include "schemas/schemas.h"
 
 #include <string>
 #include <vector>
@@ -13,7 +13,13 @@ namespace document {
 // Faults of the format, what its schemas do not allow, references to nothing. `media`: classes that
 // some installed medium serves; what is wrong inside their texts, only the media know.
 [[nodiscard]] std::vector<sgml::Fault>
-documentFaults(const Document& document, const Schemas& schemas, const QStringList& media);
+documentFaults(const Document& document, const schemas::Schemas& schemas, const QStringList& media);
+
+// What the schemas do not allow in a document and in its nested documents, as warnings in order of
+// place. A class without a schema is a warning unless it is among `media`.
+[[nodiscard]] std::vector<sgml::Fault> structureFaults(const Document& document,
+                                                       const schemas::Schemas& schemas,
+                                                       const QStringList& media);
 
 // An element that shows the picture of a file, or drives a parameter of a subdocument: these are
 // sound only if the file and the parameter are there.
@@ -26,8 +32,10 @@ struct SliderUse {
     SubdocumentId subdocument = noSubdocument;
     std::string parameter;
 };
-[[nodiscard]] std::vector<ImageUse> imageUses(const Document& document, const Schemas& schemas);
-[[nodiscard]] std::vector<SliderUse> sliderUses(const Document& document, const Schemas& schemas);
+[[nodiscard]] std::vector<ImageUse> imageUses(const Document& document,
+                                              const schemas::Schemas& schemas);
+[[nodiscard]] std::vector<SliderUse> sliderUses(const Document& document,
+                                                const schemas::Schemas& schemas);
 
 // In order of place; each with the line and column of its range. Reads the text once.
 void placeFaults(std::vector<sgml::Fault>& faults, std::string_view bytes);

@@ -5,7 +5,6 @@
 // yields a document with faults. No widgets, no processes, nothing that waits.
 #pragma once
 
-#include "document/schemas.h"
 #include "document/subdocument.h"
 #include "files/save.h"
 #include "sgml/change.h"

@@ -1,7 +1,7 @@
 // What schemas do not allow in a document and in its nested ones, and what its attributes mean.
 #include "document/check.h"
 #include "document/document.h"
-#include "document/schemas.h"
+#include "schemas/schemas.h"
 
 #include <algorithm>
 #include <set>
@@ -15,7 +15,7 @@ namespace {
 
 class Checker {
 public:
-    Checker(const Document& document, const Schemas& schemas, const QStringList& media)
+    Checker(const Document& document, const schemas::Schemas& schemas, const QStringList& media)
         : tree_(document.tree()), schemas_(schemas), media_(media) {
         for (const SubdocumentId id : document.subdocuments())
             if (const Subdocument* known = document.subdocument(id); !known->name.empty())
@@ -44,7 +44,7 @@ private:
         const NodeId element = tree_.classElement(id);
         if (element == noNode)
             return; // a fault of the format
-        const StructureSchema* schema = schemas_.structure(name);
+        const schemas::StructureSchema* schema = schemas_.structure(name);
         if (schema != nullptr) {
             const std::vector<sgml::Fault> faults = schema->check(tree_, id);
             faults_.insert(faults_.end(), faults.begin(), faults.end());
@@ -114,7 +114,7 @@ private:
     }
 
     const sgml::Tree& tree_;
-    const Schemas& schemas_;
+    const schemas::Schemas& schemas_;
     const QStringList& media_;
     std::set<std::string, std::less<>> subdocuments_; // their IDs
     std::set<std::string> classes_;
@@ -126,7 +126,7 @@ private:
 
 } // namespace
 
-std::vector<sgml::Fault> structureFaults(const Document& document, const Schemas& schemas,
+std::vector<sgml::Fault> structureFaults(const Document& document, const schemas::Schemas& schemas,
                                          const QStringList& media) {
     return Checker(document, schemas, media).check();
 }

@@ -1,7 +1,6 @@
 // A document inside the document, of a medium or of text: what the host must know of it.
 #pragma once
 
-#include "document/style.h"
 #include "sgml/tree.h"
 
 #include <cstdint>

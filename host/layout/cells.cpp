@@ -6,7 +6,7 @@
 
 namespace layout {
 
-Cells::Cells(const Surroundings& in, const document::Row& row, const std::vector<double>& columns,
+Cells::Cells(const Surroundings& in, const model::Row& row, const std::vector<double>& columns,
              double left)
     : pageHeight_(in.pageHeight) {
     cells_.reserve(row.size());

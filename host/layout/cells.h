@@ -14,7 +14,7 @@ namespace layout {
 class Cells {
 public:
     // `columns`: the width of each; `left`: of the first.
-    Cells(const Surroundings& in, const document::Row& row, const std::vector<double>& columns,
+    Cells(const Surroundings& in, const model::Row& row, const std::vector<double>& columns,
           double left);
 
     // Makes one more cell as far as a page is high; true: all are.
@@ -30,7 +30,7 @@ public:
 private:
     struct Cell {
         double x = 0, width = 0, padding = 0;
-        const document::BlockStyle* style = nullptr;
+        const schemas::BlockStyle* style = nullptr;
         Flow flow;
         std::deque<Strip> ready; // made and not taken
         double height = 0;       // of these

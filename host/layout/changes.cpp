@@ -25,10 +25,10 @@ public:
 
 } // namespace
 
-std::vector<Hunk> differences(const document::Model& before, const Frames& framesBefore,
-                              const document::Model& now, const Frames& framesNow,
-                              const std::unordered_set<const document::Block*>& changed) {
-    const document::Blocks &a = before.blocks, &b = now.blocks;
+std::vector<Hunk> differences(const model::Model& before, const Frames& framesBefore,
+                              const model::Model& now, const Frames& framesNow,
+                              const std::unordered_set<const model::Block*>& changed) {
+    const model::Blocks &a = before.blocks, &b = now.blocks;
     Frames::Comparison frames(framesBefore, framesNow);
     Hunks hunks;
     std::size_t i = 0, j = 0; // blocks before these are compared
@@ -45,7 +45,7 @@ std::vector<Hunk> differences(const document::Model& before, const Frames& frame
         --aEnd;
         --bEnd;
     }
-    std::unordered_map<const document::Block*, std::size_t> places;
+    std::unordered_map<const model::Block*, std::size_t> places;
     for (std::size_t k = i; k < aEnd; ++k)
         places.emplace(a[k].get(), k);
     std::size_t newFrom = j;

@@ -16,8 +16,8 @@ struct Hunk {
 
 // In order of place. `changed`: blocks that count as changed though they are the same.
 // LIMIT: of blocks that were moved past others either these or those count as changed.
-[[nodiscard]] std::vector<Hunk>
-differences(const document::Model& before, const Frames& framesBefore, const document::Model& now,
-            const Frames& framesNow, const std::unordered_set<const document::Block*>& changed);
+[[nodiscard]] std::vector<Hunk> differences(const model::Model& before, const Frames& framesBefore,
+                                            const model::Model& now, const Frames& framesNow,
+                                            const std::unordered_set<const model::Block*>& changed);
 
 } // namespace layout

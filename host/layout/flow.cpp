@@ -26,7 +26,7 @@ Piece moved(Piece piece, QPointF by) {
     return piece;
 }
 
-Flow::Flow(const Surroundings& in, const document::Blocks& blocks) : in_(in), blocks_(blocks) {}
+Flow::Flow(const Surroundings& in, const model::Blocks& blocks) : in_(in), blocks_(blocks) {}
 
 Flow::~Flow() = default;
 Flow::Flow(Flow&&) noexcept = default;
@@ -49,9 +49,9 @@ double Flow::room(const BlockPointer& block) const {
 double Flow::aligned(const BlockPointer& block, double itsWidth) const {
     const double spare = std::max(0.0, room(block) - itsWidth);
     switch (block->style.align) {
-    case document::Align::center:
+    case schemas::Align::center:
         return left(block) + spare / 2;
-    case document::Align::right:
+    case schemas::Align::right:
         return left(block) + spare;
     default:
         return left(block);
@@ -68,7 +68,7 @@ Made Flow::next(Strip& strip) {
         if (made != Made::end && (made == Made::pause || !last))
             return made;
         breakNext_ =
-            made == Made::end && (breakNext_ || block->kind == document::BlockKind::pageBreak);
+            made == Made::end && (breakNext_ || block->kind == model::BlockKind::pageBreak);
         leaveBlock();
         if (made == Made::strip)
             return made;
@@ -86,7 +86,7 @@ void Flow::leaveBlock() {
 
 // The next strip of a block, `last` when there is none behind it; Made::end: the block has none.
 Made Flow::inBlock(const BlockPointer& block, Strip& strip, bool& last) {
-    using document::BlockKind;
+    using model::BlockKind;
     switch (block->kind) {
     case BlockKind::text:
     case BlockKind::verbatim:
@@ -162,7 +162,7 @@ Made Flow::text(const BlockPointer& block, Strip& strip, bool& last) {
             SubdocumentPiece{block->runs[object.run].subdocument,
                              paragraph_->objectRect(index, object).translated(left(block), 0)});
     // Neither the first nor the last line of a paragraph stands alone.
-    const bool ragged = block->kind == document::BlockKind::verbatim;
+    const bool ragged = block->kind == model::BlockKind::verbatim;
     strip.keepWithNext = !ragged && !last && (i == 0 || !paragraph_->makeLine(i + 2));
     if (i == 0 && !block->marker.empty() && block->style.markerWidth > 0)
         addMarker(block, strip, paragraph_->lines()[i].baseline);
@@ -175,13 +175,13 @@ void Flow::addMarker(const BlockPointer& block, Strip& strip, double lineBaselin
         // It keeps the block, by which it is known, alive.
         struct Marker {
             BlockPointer of;
-            document::Block block;
+            model::Block block;
         };
         const auto marker = std::make_shared<Marker>();
         marker->of = block;
         marker->block.style.align = block->style.markerAlign;
         marker->block.style.lineHeight = block->style.lineHeight;
-        document::Run run;
+        model::Run run;
         run.text = block->marker;
         run.style = block->markerStyle;
         marker->block.runs.push_back(run);
@@ -225,7 +225,7 @@ void Flow::image(const BlockPointer& block, Strip& strip) const {
 
 void Flow::rule(const BlockPointer& block, Strip& strip) const {
     const double thickness = fromPoints(std::max(block->style.border.width, 0.25));
-    document::Border none;
+    schemas::Border none;
     strip.height = thickness;
     strip.pieces.emplace_back(
         FramePiece{{left(block), 0, room(block), thickness}, block->style.border.color, none});
@@ -236,19 +236,19 @@ void Flow::rule(const BlockPointer& block, Strip& strip) const {
 namespace {
 
 // What a block in a cell would like, and cannot do without, of at most so many letters.
-Widths widthsIn(Stock& stock, Columns& columns, const document::Block& block, double available,
+Widths widthsIn(Stock& stock, Columns& columns, const model::Block& block, double available,
                 std::size_t& letters) {
     const auto sizeOf = [&](document::SubdocumentId id) {
         columns.sizes.emplace_back(id, stock.sizes().subdocument(id));
         return columns.sizes.back().second;
     };
     Widths widths = widthsOf(stock.materials(), block, letters);
-    for (const document::Run& run : block.runs)
-        if (run.kind == document::RunKind::subdocument)
+    for (const model::Run& run : block.runs)
+        if (run.kind == model::RunKind::subdocument)
             sizeOf(run.subdocument);
-    if (block.kind == document::BlockKind::subdocument)
+    if (block.kind == model::BlockKind::subdocument)
         widths.natural = widths.least = sizeOf(block.subdocument).width();
-    else if (block.kind != document::BlockKind::text)
+    else if (block.kind != model::BlockKind::text)
         widths.natural = std::max(widths.natural, available / 3);
     return widths;
 }
@@ -257,7 +257,7 @@ Widths widthsIn(Stock& stock, Columns& columns, const document::Block& block, do
 std::vector<Widths> wantedBy(Stock& stock, Columns& columns, double available) {
     std::vector<Widths> wanted;
     std::size_t letters = Flow::lettersForColumns;
-    for (const document::Row& row : columns.block->rows) {
+    for (const model::Row& row : columns.block->rows) {
         wanted.resize(std::max(wanted.size(), row.size()));
         for (std::size_t c = 0; c < row.size(); ++c) {
             if (letters == 0 && wanted[c].natural > 0)
@@ -265,7 +265,7 @@ std::vector<Widths> wantedBy(Stock& stock, Columns& columns, double available) {
             const double padding = fromPoints(row[c].style.padding);
             std::size_t ofCell = Paragraph::segmentLength;
             for (const auto& pointer : row[c].blocks) {
-                const document::Block& inside = *pointer;
+                const model::Block& inside = *pointer;
                 const std::size_t before = ofCell;
                 if (before == 0)
                     break;

@@ -24,7 +24,7 @@ enum class Made {
 class Flow {
 public:
     // The list and what `in` refers to are read until the end.
-    Flow(const Surroundings& in, const document::Blocks& blocks);
+    Flow(const Surroundings& in, const model::Blocks& blocks);
     ~Flow();
     Flow(Flow&&) noexcept;
     Flow& operator=(Flow&&) = delete;
@@ -67,7 +67,7 @@ private:
     [[nodiscard]] double aligned(const BlockPointer& block, double itsWidth) const;
 
     Surroundings in_;
-    const document::Blocks& blocks_;
+    const model::Blocks& blocks_;
     std::size_t block_ = 0;
     std::size_t made_ = 0; // strips of this block: lines or rows
     bool breakNext_ = false;

@@ -10,7 +10,7 @@ namespace layout {
 
 // Boxes come from outside to inside, in order of their first blocks, and lie in each other or
 // beside each other.
-Frames::Frames(const document::Model& model)
+Frames::Frames(const model::Model& model)
     : boxes_(model.boxes), nested_(boxes_.size()), innermost_(model.blocks.size(), none),
       above_(model.blocks.size(), 0), edges_(model.blocks.size(), 0) {
     std::vector<std::size_t> open;
@@ -33,7 +33,7 @@ Frames::Frames(const document::Model& model)
     }
     goTo(innermost_.size());
     for (std::size_t b = boxes_.size(); b-- > 0;) {
-        const document::Box& box = boxes_[b];
+        const model::Box& box = boxes_[b];
         const double padding = fromPoints(box.padding);
         nested_[b].before += padding;
         nested_[b].after += padding;
@@ -65,7 +65,7 @@ bool Frames::Comparison::sameBox(std::size_t ofA, std::size_t ofB) {
         return ofA == ofB;
     if (matched_[ofB] != none)
         return matched_[ofB] == ofA;
-    const document::Box &a = a_.boxes_[ofA], &b = b_.boxes_[ofB];
+    const model::Box &a = a_.boxes_[ofA], &b = b_.boxes_[ofB];
     const Nested &inA = a_.nested_[ofA], &inB = b_.nested_[ofB];
     const bool looksSame = a.indentLeft == b.indentLeft && a.indentRight == b.indentRight &&
                            a.padding == b.padding && a.background == b.background &&
@@ -110,7 +110,7 @@ std::vector<FramePiece> Frames::on(const std::vector<Placed>& page, double left,
     }
     std::vector<FramePiece> frames;
     for (const auto& [index, extent] : extents) {
-        const document::Box& box = boxes_[index];
+        const model::Box& box = boxes_[index];
         FramePiece frame;
         frame.background = box.background;
         frame.border = box.border;

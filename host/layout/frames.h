@@ -17,7 +17,7 @@ public:
     // LIMIT: a frame inside so many others is not drawn; its paddings are there.
     static constexpr int deepest = 64;
 
-    explicit Frames(const document::Model& model);
+    explicit Frames(const model::Model& model);
 
     // The paddings that boxes put above the block's top and below its bottom.
     [[nodiscard]] double above(std::size_t block) const { return above_[block]; }
@@ -37,7 +37,7 @@ private:
         // Its padding and those of the boxes in it that begin, end with it.
         double before = 0, after = 0;
     };
-    const std::vector<document::Box>& boxes_;
+    const std::vector<model::Box>& boxes_;
     std::vector<Nested> nested_;         // of each box
     std::vector<std::size_t> innermost_; // of each block, its box or none
     std::vector<double> above_;

@@ -21,7 +21,7 @@ struct Group {
 
 class Groups {
 public:
-    Groups(const Surroundings& in, const document::Blocks& blocks)
+    Groups(const Surroundings& in, const model::Blocks& blocks)
         : pageHeight_(in.pageHeight), flow_(in, blocks) {}
 
     // No more is read of a group than a page takes: what is taller cannot be kept together.

@@ -1,8 +1,8 @@
 // Documents that were quadratic, or could be: twice as much of them is twice the work, counted.
 #include "document/check.h"
-#include "document/model.h"
 #include "layout/find.h"
 #include "layout/pages.h"
+#include "model/model.h"
 #include "sgml/work.h"
 
 #include <gmock/gmock.h>
@@ -95,10 +95,10 @@ Effort effortOf(const std::string& text) {
     const sgml::Work before = sgml::work();
     const std::size_t placed = text::bytesPlaced();
     const document::Document document(text);
-    const document::Schemas schemas = document::Schemas::builtIn();
+    const schemas::Schemas schemas = schemas::Schemas::builtIn();
     (void)document::documentFaults(document, schemas, {});
-    const auto model = std::make_shared<document::Model>(
-        document::buildModel(document, schemas.presentation("REPORT"), schemas));
+    const auto model = std::make_shared<model::Model>(
+        model::buildModel(document, schemas.presentation("REPORT"), schemas));
     Objects objects;
     objects.subdocumentSize = [](document::SubdocumentId) { return QSizeF(2000, 2000); };
     objects.imageSize = [](const std::string&) { return QSize(300, 300); };

@@ -10,7 +10,7 @@ namespace {
 constexpr double leastPoints = 50; // of a text area, whatever the margins are
 }
 
-TextArea textAreaOf(const document::PageStyle& style) {
+TextArea textAreaOf(const schemas::PageStyle& style) {
     TextArea area;
     area.left = fromPoints(style.marginLeft);
     area.top = fromPoints(style.marginTop);
@@ -21,15 +21,15 @@ TextArea textAreaOf(const document::PageStyle& style) {
     return area;
 }
 
-Headers::Headers(const document::PageStyle& style, std::string title)
+Headers::Headers(const schemas::PageStyle& style, std::string title)
     : style_(style), title_(std::move(title)), area_(textAreaOf(style)) {
-    const auto styles = std::make_shared<document::TextStyles>();
+    const auto styles = std::make_shared<schemas::TextStyles>();
     (void)styles->numberOf(style.headerStyle);
     materials_ = std::make_shared<Materials>(styles);
 }
 
 std::vector<TextPiece> Headers::on(std::size_t page, std::size_t pages) const {
-    using document::Align;
+    using schemas::Align;
     std::vector<TextPiece> result;
     const auto add = [&](const std::string& pattern, Align align, double y) {
         if (pattern.empty())
@@ -56,12 +56,12 @@ std::vector<TextPiece> Headers::on(std::size_t page, std::size_t pages) const {
 }
 
 std::shared_ptr<const Paragraph> Headers::line(const std::string& text,
-                                               document::Align align) const {
+                                               schemas::Align align) const {
     const auto known = std::ranges::find_if(
         lines_, [&](const Line& line) { return line.align == align && line.text == text; });
     if (known != lines_.end())
         return known->paragraph;
-    auto block = std::make_shared<document::Block>();
+    auto block = std::make_shared<model::Block>();
     block->style.align = align;
     block->runs.emplace_back().text = text;
     auto paragraph = std::make_shared<Paragraph>(materials_, block, area_.width);

@@ -13,28 +13,28 @@ struct TextArea {
     [[nodiscard]] double height() const { return bottom - top; }
     bool operator==(const TextArea&) const = default;
 };
-[[nodiscard]] TextArea textAreaOf(const document::PageStyle& style);
+[[nodiscard]] TextArea textAreaOf(const schemas::PageStyle& style);
 
 class Headers {
 public:
-    Headers(const document::PageStyle& style, std::string title);
+    Headers(const schemas::PageStyle& style, std::string title);
 
     [[nodiscard]] std::vector<TextPiece> on(std::size_t page, std::size_t pages) const;
-    [[nodiscard]] bool isOf(const document::PageStyle& style, const std::string& title) const {
+    [[nodiscard]] bool isOf(const schemas::PageStyle& style, const std::string& title) const {
         return style == style_ && title == title_;
     }
 
 private:
     struct Line {
         std::string text;
-        document::Align align = document::Align::left;
+        schemas::Align align = schemas::Align::left;
         std::shared_ptr<const Paragraph> paragraph;
     };
     static constexpr std::size_t mostLines = 32; // those of some pages are kept
     [[nodiscard]] std::shared_ptr<const Paragraph> line(const std::string& text,
-                                                        document::Align align) const;
+                                                        schemas::Align align) const;
 
-    document::PageStyle style_;
+    schemas::PageStyle style_;
     std::string title_;
     TextArea area_;
     std::shared_ptr<Materials> materials_;

@@ -6,8 +6,8 @@
 
 namespace layout {
 
-const document::TextStyle& Looks::style(std::uint32_t index) const {
-    static const document::TextStyle plain;
+const schemas::TextStyle& Looks::style(std::uint32_t index) const {
+    static const schemas::TextStyle plain;
     return styles_ && index < styles_->size() ? (*styles_)[index] : plain;
 }
 

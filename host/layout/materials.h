@@ -2,7 +2,7 @@
 // letters. Each is asked for once, and kept from one layout to the next.
 #pragma once
 
-#include "document/model.h"
+#include "model/model.h"
 
 #include <QFont>
 #include <QSize>
@@ -27,10 +27,10 @@ struct Objects {
 
 class Looks {
 public:
-    using Styles = std::shared_ptr<const document::TextStyles>;
+    using Styles = std::shared_ptr<const schemas::TextStyles>;
     explicit Looks(Styles styles) : styles_(std::move(styles)) {}
     [[nodiscard]] const Styles& styles() const { return styles_; } // may grow
-    [[nodiscard]] const document::TextStyle& style(std::uint32_t index) const;
+    [[nodiscard]] const schemas::TextStyle& style(std::uint32_t index) const;
     [[nodiscard]] const QFont& font(std::uint32_t index);
     [[nodiscard]] const QTextCharFormat& format(std::uint32_t index);
 

@@ -1,17 +1,17 @@
 // Blocks of models for tests of the layout, without a document.
 #pragma once
 
-#include "document/model.h"
+#include "model/model.h"
 
 #include <memory>
 #include <string>
 
 namespace layout {
 
-using NewBlock = std::shared_ptr<document::Block>;
+using NewBlock = std::shared_ptr<model::Block>;
 
 inline NewBlock paragraph(const std::string& text) {
-    auto block = std::make_shared<document::Block>();
+    auto block = std::make_shared<model::Block>();
     block->runs.emplace_back().text = text;
     return block;
 }
@@ -19,26 +19,26 @@ inline NewBlock paragraph(const std::string& text) {
 // With the mark of a footnote behind the text.
 inline NewBlock noted(const std::string& text, const std::string& mark, const std::string& note) {
     NewBlock block = paragraph(text);
-    auto footnote = std::make_shared<document::Footnote>();
+    auto footnote = std::make_shared<model::Footnote>();
     footnote->blocks.push_back(paragraph(note));
-    document::Run& run = block->runs.emplace_back();
-    run.kind = document::RunKind::footnote;
+    model::Run& run = block->runs.emplace_back();
+    run.kind = model::RunKind::footnote;
     run.text = mark;
     run.footnote = footnote;
     return block;
 }
 
 inline NewBlock picture(document::SubdocumentId id) {
-    auto block = std::make_shared<document::Block>();
-    block->kind = document::BlockKind::subdocument;
+    auto block = std::make_shared<model::Block>();
+    block->kind = model::BlockKind::subdocument;
     block->subdocument = id;
     block->style.keepWithNext = true;
     return block;
 }
 
-inline NewBlock tableOf(std::vector<document::Row> rows) {
-    auto block = std::make_shared<document::Block>();
-    block->kind = document::BlockKind::table;
+inline NewBlock tableOf(std::vector<model::Row> rows) {
+    auto block = std::make_shared<model::Block>();
+    block->kind = model::BlockKind::table;
     block->rows = std::move(rows);
     return block;
 }

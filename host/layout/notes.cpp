@@ -45,13 +45,13 @@ Notes::Wanted Notes::wanted(const std::vector<Pointer>& notes, double most) {
     return result;
 }
 
-void Notes::mark(const Pointer& note, const document::Block* block) {
+void Notes::mark(const Pointer& note, const model::Block* block) {
     waiting_.emplace_back(note, block);
 }
 
 void Notes::fill(double room, bool forced) {
     while (!waiting_.empty()) {
-        const document::Block* block = waiting_.front().second;
+        const model::Block* block = waiting_.front().second;
         Note& note = opened(waiting_.front().first);
         while (makeReady(note, 0)) {
             Strip& next = note.ready.front();

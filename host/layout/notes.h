@@ -13,7 +13,7 @@ namespace layout {
 
 class Notes {
 public:
-    using Pointer = std::shared_ptr<const document::Footnote>;
+    using Pointer = std::shared_ptr<const model::Footnote>;
     explicit Notes(const Surroundings& in) : in_(in) {}
 
     // How high these notes are together; more than `most` is not measured further. `least`: what of
@@ -24,7 +24,7 @@ public:
     [[nodiscard]] Wanted wanted(const std::vector<Pointer>& notes, double most);
 
     // A mark was put on the page, in that block of the model.
-    void mark(const Pointer& note, const document::Block* block);
+    void mark(const Pointer& note, const model::Block* block);
     // Puts as much of the notes as `room` takes, one strip at least when `forced`. The room is that
     // of all notes of the page.
     void fill(double room, bool forced);
@@ -34,15 +34,15 @@ public:
     // Their pieces, the top left of the page's notes at the origin; the next page begins.
     struct Taken {
         Piece piece;
-        const document::Block* block = nullptr; // of its mark
+        const model::Block* block = nullptr; // of its mark
     };
     [[nodiscard]] std::vector<Taken> take();
 
     // What goes on to the next page, between two pages.
     struct Waiting {
         Pointer note;
-        Flow::Place at;                         // what of it comes next
-        const document::Block* block = nullptr; // of its mark
+        Flow::Place at;                      // what of it comes next
+        const model::Block* block = nullptr; // of its mark
         bool operator==(const Waiting&) const = default;
     };
     // Nothing: a row of a table in a note is divided.
@@ -63,7 +63,7 @@ private:
 
     Surroundings in_;
     std::map<Pointer, Note> open_;
-    std::deque<std::pair<Pointer, const document::Block*>> waiting_; // and the block of its mark
+    std::deque<std::pair<Pointer, const model::Block*>> waiting_; // and the block of its mark
     std::vector<Taken> pieces_;
     double height_ = 0;
 };

@@ -14,9 +14,9 @@ void PageStart::shift(std::size_t by) {
 
 namespace {
 
-std::unordered_set<const document::Block*> blocksWith(const Sizes::Changed& resized,
-                                                      const Pages& pages) {
-    std::unordered_set<const document::Block*> result;
+std::unordered_set<const model::Block*> blocksWith(const Sizes::Changed& resized,
+                                                   const Pages& pages) {
+    std::unordered_set<const model::Block*> result;
     if (resized.empty())
         return result;
     for (const auto& page : pages.pages)

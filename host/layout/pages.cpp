@@ -58,7 +58,7 @@ Pages relaid(const Pages& old, const ModelPointer& model, const Objects& objects
     return pagination.take();
 }
 
-const document::Run* runAt(const Page& page, QPointF point) {
+const model::Run* runAt(const Page& page, QPointF point) {
     for (const Piece& piece : page.pieces) {
         const auto* text = std::get_if<TextPiece>(&piece);
         if (!text)

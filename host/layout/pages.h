@@ -30,7 +30,7 @@ struct PlacedObject {
     document::SubdocumentId subdocument = document::noSubdocument;
     std::string image{}; // its source
     QRectF rect;
-    const document::Block* block = nullptr; // of the model, that it or its mark is in; to compare
+    const model::Block* block = nullptr; // of the model, that it or its mark is in; to compare
 };
 
 // Knows nothing of other pages, nor how many there are before it.
@@ -72,7 +72,7 @@ struct Pages {
     anchor(const std::string& name) const; // page and height on it
 };
 
-using ModelPointer = std::shared_ptr<const document::Model>;
+using ModelPointer = std::shared_ptr<const model::Model>;
 
 [[nodiscard]] Pages layOut(const ModelPointer& model, const Objects& objects);
 
@@ -99,7 +99,7 @@ private:
 };
 
 // The run under a point of a page, or nullptr.
-[[nodiscard]] const document::Run* runAt(const Page& page, QPointF point);
+[[nodiscard]] const model::Run* runAt(const Page& page, QPointF point);
 
 // One line per piece (for tests).
 [[nodiscard]] std::string printed(const Pages& pages);

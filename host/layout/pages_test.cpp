@@ -22,10 +22,10 @@ protected:
         setStyle({});
         objects_.subdocumentSize = [this](document::SubdocumentId) { return size_; };
     }
-    ModelPointer model() const { return std::make_shared<document::Model>(model_); }
+    ModelPointer model() const { return std::make_shared<model::Model>(model_); }
     Pages pages() const { return layOut(model(), objects_); }
-    void setStyle(const document::TextStyle& style) {
-        const auto styles = std::make_shared<document::TextStyles>();
+    void setStyle(const schemas::TextStyle& style) {
+        const auto styles = std::make_shared<schemas::TextStyles>();
         styles->numberOf(style);
         model_.textStyles = styles;
     }
@@ -39,7 +39,7 @@ protected:
         return {};
     }
 
-    document::Model model_;
+    model::Model model_;
     Objects objects_;
     QSizeF size_ = fromPixels({320, 240});
 };
@@ -127,11 +127,11 @@ TEST_F(PagesTest, AFootnoteStandsOnThePageOfItsMark) {
 TEST_F(PagesTest, InlineSubdocumentsStandInTheirLine) {
     size_ = fromPixels({40, 60});
     const auto block = paragraph("before ");
-    document::Run object;
-    object.kind = document::RunKind::subdocument;
+    model::Run object;
+    object.kind = model::RunKind::subdocument;
     object.subdocument = 3;
     block->runs.push_back(object);
-    document::Run after;
+    model::Run after;
     after.text = " after";
     block->runs.push_back(after);
     model_.blocks.push_back(block);
@@ -143,9 +143,9 @@ TEST_F(PagesTest, InlineSubdocumentsStandInTheirLine) {
 }
 
 TEST_F(PagesTest, TablesFitTheirWidth) {
-    std::vector<document::Row> rows(3, document::Row(4));
-    for (document::Row& row : rows)
-        for (document::Cell& cell : row)
+    std::vector<model::Row> rows(3, model::Row(4));
+    for (model::Row& row : rows)
+        for (model::Cell& cell : row)
             cell.blocks.push_back(paragraph("several words that want much room in a cell"));
     model_.blocks.push_back(tableOf(rows));
     const Pages laid = pages();
@@ -184,10 +184,10 @@ std::multiset<std::string> split(const std::string& text) {
 }
 
 TEST_F(PagesTest, ARowTallerThanAPageGoesOnOnTheNextPages) {
-    std::vector<document::Row> rows;
+    std::vector<model::Row> rows;
     std::multiset<std::string> all;
     for (const int count : {5, 3000, 8, 2000}) {
-        document::Row row(2);
+        model::Row row(2);
         const std::string left = words(count, "left" + std::to_string(count) + "-"),
                           right = words(count / 2, "right" + std::to_string(count) + "-");
         row[0].blocks.push_back(paragraph(left));
@@ -215,7 +215,7 @@ TEST_F(PagesTest, ARowTallerThanAPageGoesOnOnTheNextPages) {
 
 TEST_F(PagesTest, ARowInARowIsDividedToo) {
     const std::string text = words(3000, "w");
-    const auto inner = tableOf({document::Row(1)}), outer = tableOf({document::Row(1)});
+    const auto inner = tableOf({model::Row(1)}), outer = tableOf({model::Row(1)});
     inner->rows[0][0].blocks.push_back(paragraph(text));
     outer->rows[0][0].blocks = {paragraph("above"), inner, paragraph("below")};
     model_.blocks.push_back(outer);
@@ -248,7 +248,7 @@ TEST_F(PagesTest, ALongFootnoteGoesOnAtTheFootOfTheNextPages) {
 TEST_F(PagesTest, APageWithoutRoomForTextHasSomeAllTheSame) {
     model_.page.marginTop = 500;
     model_.page.marginBottom = 500;
-    const auto table = tableOf({document::Row(1)});
+    const auto table = tableOf({model::Row(1)});
     table->rows[0][0].blocks.push_back(paragraph(words(100, "w")));
     model_.blocks = {paragraph(words(100, "v")), table};
     EXPECT_EQ(wordsOn(pages(), 1e9).size(), 200u);
@@ -259,9 +259,9 @@ TEST_F(PagesTest, APageWithoutRoomForTextHasSomeAllTheSame) {
 TEST_F(PagesTest, FramesLieInEachOther) {
     for (int i = 0; i < 120; ++i)
         model_.blocks.push_back(paragraph("line"));
-    document::Box box;
+    model::Box box;
     box.padding = 5;
-    box.background = document::Color{1, 1, 1};
+    box.background = schemas::Color{1, 1, 1};
     box.border.width = 1;
     model_.boxes = {box, box, box};
     model_.boxes[0].first = model_.boxes[1].first = 2;
@@ -299,7 +299,7 @@ TEST_F(PagesTest, WordsAreFoundInLongTextsToo) {
 TEST_F(PagesTest, SegmentsLeaveNoTrace) {
     const std::string text = words(5000, "some");
     const auto block = paragraph(text);
-    block->style.align = document::Align::justify;
+    block->style.align = schemas::Align::justify;
     Paragraph whole(std::make_shared<Materials>(model_.textStyles), block, 8000);
     std::string together;
     for (std::size_t i = 0; whole.makeLine(i); ++i) {
@@ -325,7 +325,7 @@ TEST_F(PagesTest, PagesComeOneAfterTheOther) {
 }
 
 TEST_F(PagesTest, LettersArePaintedInTheirColour) {
-    document::TextStyle red200;
+    schemas::TextStyle red200;
     red200.color = {200, 0, 0};
     setStyle(red200);
     model_.blocks.push_back(paragraph("MMMM"));

@@ -291,7 +291,7 @@ void Paginator::placeCells(const Strip& strip) {
 void Paginator::put(const Strip& strip, bool first, bool last) {
     if (first)
         remember(strip);
-    const document::Block* block = basis_->model->blocks[strip.block].get();
+    const model::Block* block = basis_->model->blocks[strip.block].get();
     for (const Piece& piece : strip.pieces)
         put(moved(piece, {area_.left, filling_.y}), block);
     auto& columns = filling_.page->columns;
@@ -307,14 +307,14 @@ void Paginator::put(const Strip& strip, bool first, bool last) {
 
 // What refers to places: the outline and the anchors.
 void Paginator::remember(const Strip& strip) {
-    const document::Block& block = *basis_->model->blocks[strip.block];
+    const model::Block& block = *basis_->model->blocks[strip.block];
     for (const std::string& anchor : block.anchors)
         filling_.page->anchors.emplace_back(anchor, filling_.y);
     if (block.headingLevel <= 0)
         return;
     QString text = QString::fromStdString(block.marker);
-    for (const document::Run& run : block.runs)
-        if (run.kind == document::RunKind::text)
+    for (const model::Run& run : block.runs)
+        if (run.kind == model::RunKind::text)
             text += (text.isEmpty() || text.endsWith(' ') || &run != &block.runs.front()
                          ? QString()
                          : QStringLiteral(" ")) +
@@ -322,7 +322,7 @@ void Paginator::remember(const Strip& strip) {
     filling_.page->headings.push_back({text, block.headingLevel, filling_.y});
 }
 
-void Paginator::put(const Piece& piece, const document::Block* block) {
+void Paginator::put(const Piece& piece, const model::Block* block) {
     if (const auto* placed = std::get_if<SubdocumentPiece>(&piece))
         filling_.page->objects.push_back({placed->subdocument, {}, placed->rect, block});
     else if (const auto* image = std::get_if<ImagePiece>(&piece))
@@ -381,7 +381,7 @@ void Paginator::addNotes() {
     const double y = area_.bottom - notes_.height();
     const double ruleTop = y - fromPoints(noteGapPoints / 2);
     put(FramePiece{{area_.left, ruleTop, area_.width / 4, fromPoints(rulePoints)},
-                   document::Color{150, 150, 150},
+                   schemas::Color{150, 150, 150},
                    {}},
         nullptr);
     for (const Notes::Taken& taken : notes_.take())

@@ -47,7 +47,7 @@ private:
     void placeCells(const Strip& strip);
     void remember(const Strip& strip);
     void put(const Strip& strip, bool first, bool last);
-    void put(const Piece& piece, const document::Block* block);
+    void put(const Piece& piece, const model::Block* block);
     void fillNotes(bool forced);
     void newPage(PageStart::Next next);
     void beginPage(const PageStart& start);

@@ -12,7 +12,7 @@ namespace {
 void paintFrame(QPainter& painter, const FramePiece& frame) {
     if (frame.background)
         painter.fillRect(frame.rect, colorOf(*frame.background));
-    const document::Border& border = frame.border;
+    const schemas::Border& border = frame.border;
     if (border.width <= 0)
         return;
     const double w = fromPoints(border.width);
@@ -35,7 +35,7 @@ void paintImage(QPainter& painter, const ImagePiece& piece, const QImage& image)
         return;
     }
     painter.fillRect(piece.rect, QColor(245, 245, 245));
-    document::TextStyle style;
+    schemas::TextStyle style;
     style.family = "sans";
     style.size = 9;
     painter.setFont(fontOf(style));

@@ -13,15 +13,15 @@ namespace {
 constexpr double unbroken = 4e6; // twips; a width that nothing reaches
 constexpr QChar blank(0x00A0);
 
-Qt::Alignment alignmentOf(document::Align align) {
+Qt::Alignment alignmentOf(schemas::Align align) {
     switch (align) {
-    case document::Align::center:
+    case schemas::Align::center:
         return Qt::AlignHCenter;
-    case document::Align::right:
+    case schemas::Align::right:
         return Qt::AlignRight;
-    case document::Align::justify:
+    case schemas::Align::justify:
         return Qt::AlignJustify;
-    case document::Align::left:
+    case schemas::Align::left:
         break;
     }
     return Qt::AlignLeft;
@@ -128,25 +128,25 @@ QSizeF Paragraph::sizeOfObject(std::size_t run, int position) const {
 }
 
 void Paragraph::append(std::size_t index) const {
-    const document::Run& run = block_->runs[index];
+    const model::Run& run = block_->runs[index];
     QString& text = letters_->text;
     const int start = static_cast<int>(text.size());
     letters_->runStarts.push_back(start);
     QTextCharFormat own = materials_->looks.format(run.style);
-    const bool isObject = run.kind == document::RunKind::subdocument;
+    const bool isObject = run.kind == model::RunKind::subdocument;
     if (isObject) {
         text += blank;
         QFont font = own.font();
         font.setPixelSize(1);
         font.setLetterSpacing(QFont::AbsoluteSpacing, sizeOfObject(index, start).width());
         own.setFont(font);
-    } else if (run.kind == document::RunKind::lineBreak) {
+    } else if (run.kind == model::RunKind::lineBreak) {
         text += QChar(QChar::LineSeparator);
     } else {
         text += QString::fromStdString(run.text).replace(QLatin1Char('\n'),
                                                          QChar(QChar::LineSeparator));
     }
-    if (run.kind == document::RunKind::footnote && index >= runsRead_ && run.footnote)
+    if (run.kind == model::RunKind::footnote && index >= runsRead_ && run.footnote)
         marks_.push_back({start, run.footnote});
     runsRead_ = std::max(runsRead_, index + 1);
     const int length = static_cast<int>(text.size()) - start;
@@ -192,7 +192,7 @@ int Paragraph::lengthOfSegment(const Letters& letters) const {
 }
 
 double Paragraph::indentOf(int from) const {
-    const bool isFirst = from == 0 && block_->kind != document::BlockKind::verbatim;
+    const bool isFirst = from == 0 && block_->kind != model::BlockKind::verbatim;
     return isFirst ? fromPoints(block_->style.firstLine) : 0;
 }
 
@@ -335,7 +335,7 @@ QRectF Paragraph::objectRect(int line, const InlineObject& object) const {
     return {QPointF(object.left, baseline - object.size.height()), object.size};
 }
 
-const document::Run* Paragraph::runAt(int line, double x) const {
+const model::Run* Paragraph::runAt(int line, double x) const {
     const QTextLine found = drawn(line);
     if (x < found.naturalTextRect().left() || x > found.naturalTextRect().right())
         return nullptr;
@@ -366,12 +366,12 @@ double Paragraph::leftOf(int line, int position) const {
     return drawn(line).cursorToX(position - segments_[static_cast<std::size_t>(of.segment)].from);
 }
 
-Widths widthsOf(const std::shared_ptr<Materials>& materials, const document::Block& block,
+Widths widthsOf(const std::shared_ptr<Materials>& materials, const model::Block& block,
                 std::size_t& letters) {
-    auto left = std::make_shared<document::Block>();
+    auto left = std::make_shared<model::Block>();
     left->kind = block.kind;
     left->style = block.style;
-    left->style.align = document::Align::left;
+    left->style.align = schemas::Align::left;
     left->textStyle = block.textStyle;
     left->runs = block.runs;
     Paragraph whole(materials, left, unbroken);

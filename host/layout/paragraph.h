@@ -21,7 +21,7 @@
 
 namespace layout {
 
-using BlockPointer = std::shared_ptr<const document::Block>;
+using BlockPointer = std::shared_ptr<const model::Block>;
 
 struct InlineObject {
     std::size_t run = 0;
@@ -32,7 +32,7 @@ struct InlineObject {
 
 struct NoteMark {
     int position = 0;
-    std::shared_ptr<const document::Footnote> note;
+    std::shared_ptr<const model::Footnote> note;
 };
 
 class Paragraph {
@@ -69,7 +69,7 @@ public:
 
     [[nodiscard]] const BlockPointer& block() const { return block_; }
     // The run that the letter at `x` belongs to, or nullptr.
-    [[nodiscard]] const document::Run* runAt(int line, double x) const;
+    [[nodiscard]] const model::Run* runAt(int line, double x) const;
     // So many letters from there on, as far as there are.
     [[nodiscard]] QString text(int from, int count) const;
     [[nodiscard]] QString textOfLine(int line) const;
@@ -146,6 +146,6 @@ struct Widths {
 };
 // Of its first `letters`, from which those that are read are taken off.
 [[nodiscard]] Widths widthsOf(const std::shared_ptr<Materials>& materials,
-                              const document::Block& block, std::size_t& letters);
+                              const model::Block& block, std::size_t& letters);
 
 } // namespace layout

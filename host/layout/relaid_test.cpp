@@ -13,8 +13,8 @@
 namespace layout {
 namespace {
 
-using document::Block;
-using document::Blocks;
+using model::Block;
+using model::Blocks;
 
 // All that views read of pages.
 std::string everything(const Pages& pages) {
@@ -34,7 +34,7 @@ std::string everything(const Pages& pages) {
 class RelaidTest : public ::testing::Test {
 protected:
     RelaidTest() {
-        const auto styles = std::make_shared<document::TextStyles>();
+        const auto styles = std::make_shared<schemas::TextStyles>();
         styles->numberOf({});
         model_.textStyles = styles;
         model_.page.width = 260; // some lines to a page, so that there are many of these
@@ -47,7 +47,7 @@ protected:
             return QSize(200, 20 * static_cast<int>(source.size()));
         };
     }
-    ModelPointer model() const { return std::make_shared<document::Model>(model_); }
+    ModelPointer model() const { return std::make_shared<model::Model>(model_); }
     unsigned below(unsigned n) { return random_() % n; }
 
     std::string words(unsigned most) {
@@ -93,17 +93,17 @@ protected:
     }
 
     void addInline(Block& block) {
-        document::Run& run = block.runs.emplace_back();
-        run.kind = document::RunKind::subdocument;
+        model::Run& run = block.runs.emplace_back();
+        run.kind = model::RunKind::subdocument;
         run.subdocument = 1 + below(20);
         block.runs.emplace_back().text = " " + words(10);
     }
 
     NewBlock someTable() {
-        std::vector<document::Row> rows(1 + below(5), document::Row(1 + below(3)));
+        std::vector<model::Row> rows(1 + below(5), model::Row(1 + below(3)));
         const bool isTall = below(4) == 0;
-        for (document::Row& row : rows)
-            for (document::Cell& cell : row) {
+        for (model::Row& row : rows)
+            for (model::Cell& cell : row) {
                 cell.style.border.width = 1;
                 cell.blocks.push_back(paragraph(words(isTall ? 150 : 6)));
                 if (below(6) == 0)
@@ -125,15 +125,14 @@ protected:
         }
         case 2: {
             auto block = std::make_shared<Block>();
-            block->kind = document::BlockKind::image;
+            block->kind = model::BlockKind::image;
             block->source = std::string(1 + below(9), 'i');
             block->style.keepWithNext = below(2) == 0;
             return block;
         }
         case 3: {
             auto block = std::make_shared<Block>();
-            block->kind =
-                below(2) == 0 ? document::BlockKind::pageBreak : document::BlockKind::rule;
+            block->kind = below(2) == 0 ? model::BlockKind::pageBreak : model::BlockKind::rule;
             return block;
         }
         default:
@@ -143,7 +142,7 @@ protected:
 
     // Boxes follow the blocks in them, as in a model that is made anew.
     void shiftBoxes(std::size_t from, std::size_t removed, std::size_t added) {
-        std::erase_if(model_.boxes, [&](document::Box& box) {
+        std::erase_if(model_.boxes, [&](model::Box& box) {
             const auto moved = [&](std::size_t at, std::size_t inside) {
                 return at < from ? at : at < from + removed ? inside : at - removed + added;
             };
@@ -165,19 +164,19 @@ protected:
 
     // A box over some blocks that cross no other's border.
     void addBox() {
-        document::Box box;
+        model::Box box;
         box.first = below(static_cast<unsigned>(model_.blocks.size()));
         box.last = std::min(box.first + below(30), model_.blocks.size() - 1);
         box.padding = 4;
         box.border.width = 1 + below(2);
-        for (const document::Box& other : model_.boxes) {
+        for (const model::Box& other : model_.boxes) {
             const bool apart = other.last < box.first || other.first > box.last;
             const bool inside = other.first < box.first && other.last > box.last;
             if (!apart && !inside)
                 return;
         }
         model_.boxes.push_back(box);
-        std::ranges::stable_sort(model_.boxes, {}, &document::Box::first);
+        std::ranges::stable_sort(model_.boxes, {}, &model::Box::first);
     }
 
     void changeOne() {
@@ -240,7 +239,7 @@ protected:
             addBox();
     }
 
-    document::Model model_;
+    model::Model model_;
     Objects objects_;
     std::map<document::SubdocumentId, QSizeF> sizes_;
     std::mt19937 random_{1};

@@ -41,8 +41,8 @@ std::optional<Spot> spotAt(const Pages& pages, PlaceOnPage place) {
 
 namespace {
 
-bool sameWords(const document::Block& a, const document::Block& b) {
-    const auto isSame = [](const document::Run& one, const document::Run& other) {
+bool sameWords(const model::Block& a, const model::Block& b) {
+    const auto isSame = [](const model::Run& one, const model::Run& other) {
         return one.text == other.text && one.kind == other.kind;
     };
     return a.kind == b.kind && std::ranges::equal(a.runs, b.runs, isSame);

@@ -41,7 +41,7 @@ public:
 
 private:
     struct Key {
-        const document::Block* block = nullptr; // which its entry keeps alive
+        const model::Block* block = nullptr; // which its entry keeps alive
         double width = 0;
         Part part = Part::text;
         bool operator==(const Key&) const = default;

@@ -27,8 +27,8 @@ struct ImagePiece {
 // Filled, and with those of its sides stroked that the border has.
 struct FramePiece {
     QRectF rect;
-    std::optional<document::Color> background;
-    document::Border border;
+    std::optional<schemas::Color> background;
+    schemas::Border border;
 };
 using Piece = std::variant<FramePiece, TextPiece, SubdocumentPiece, ImagePiece>;
 
@@ -46,7 +46,7 @@ struct Strip {
     bool firstOfBlock = false, lastOfBlock = false;
     std::size_t block = 0; // index into the model's blocks; of a table's rows all the same
     std::vector<Piece> pieces;
-    std::vector<std::shared_ptr<const document::Footnote>> footnotes;
+    std::vector<std::shared_ptr<const model::Footnote>> footnotes;
     std::shared_ptr<Cells> cells; // instead of pieces: too tall for a page; taken in parts
     std::shared_ptr<const Columns> columns; // of a table's row
 };

@@ -17,7 +17,7 @@ QStringList familiesOf(const std::string& family) {
     return {QString::fromStdString(family), "Linux Libertine O", "DejaVu Serif"};
 }
 
-QFont fontOf(const document::TextStyle& style) {
+QFont fontOf(const schemas::TextStyle& style) {
     // The monospaced and the sans serif faces are larger on their body than the serif one.
     const double optical = style.family == "mono" ? 0.84 : style.family == "sans" ? 0.92 : 1.0;
     QFont font;
@@ -35,7 +35,7 @@ QFont fontOf(const document::TextStyle& style) {
     return font;
 }
 
-QTextCharFormat formatOf(const document::TextStyle& style) {
+QTextCharFormat formatOf(const schemas::TextStyle& style) {
     QTextCharFormat format;
     format.setFont(fontOf(style));
     format.setForeground(colorOf(style.color));
@@ -46,6 +46,6 @@ QTextCharFormat formatOf(const document::TextStyle& style) {
     return format;
 }
 
-QColor colorOf(const document::Color& color) { return {color.red, color.green, color.blue}; }
+QColor colorOf(const schemas::Color& color) { return {color.red, color.green, color.blue}; }
 
 } // namespace layout

@@ -1,7 +1,7 @@
 // Which font does a text style of a document mean?
 #pragma once
 
-#include "document/style.h"
+#include "schemas/style.h"
 
 #include <QColor>
 #include <QFont>
@@ -9,9 +9,9 @@
 
 namespace layout {
 
-[[nodiscard]] QFont fontOf(const document::TextStyle& style); // its pixel size is in twips
-[[nodiscard]] QTextCharFormat formatOf(const document::TextStyle& style);
-[[nodiscard]] QColor colorOf(const document::Color& color);
+[[nodiscard]] QFont fontOf(const schemas::TextStyle& style); // its pixel size is in twips
+[[nodiscard]] QTextCharFormat formatOf(const schemas::TextStyle& style);
+[[nodiscard]] QColor colorOf(const schemas::Color& color);
 
 // The families that a generic one stands for, best first: what the program's package asks for, then
 // what any desktop has.

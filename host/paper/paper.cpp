@@ -77,7 +77,7 @@ constexpr double boxMarginPoints = 12;
 constexpr int boxFlags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
 
 QFont boxFont(bool bold) {
-    document::TextStyle style;
+    schemas::TextStyle style;
     style.family = "sans";
     style.size = 9;
     style.bold = bold;

@@ -35,7 +35,7 @@ QString failureOf(const media::LiveSubdocument& live) {
 } // namespace
 
 OpenDocument::OpenDocument(std::unique_ptr<document::Document> document,
-                           const document::Schemas& schemas, media::LiveMedia& media)
+                           const schemas::Schemas& schemas, media::LiveMedia& media)
     : document_(std::move(document)), schemas_(schemas), media_(media) {
     readSubdocuments();
     images_.setDocument(document_->fileName());
@@ -331,7 +331,7 @@ std::vector<ListedFault> OpenDocument::ofSchemas() const {
     for (const document::SubdocumentId id : document_->subdocuments())
         classes << QString::fromStdString(document_->subdocument(id)->className);
     std::vector<ListedFault> result;
-    for (const document::Schemas::FileFault& fault : schemas_.faults())
+    for (const schemas::Schemas::FileFault& fault : schemas_.faults())
         if (classes.contains(QFileInfo(fault.file).fileName().section(QLatin1Char('.'), 0, 0))) {
             result.push_back(listed(fault.fault));
             result.back().file = fault.file;

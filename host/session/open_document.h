@@ -7,6 +7,7 @@
 
 #include "document/document.h"
 #include "media/live_media.h"
+#include "schemas/schemas.h"
 #include "session/file_follower.h"
 #include "session/images.h"
 #include "session/unsaved.h"
@@ -36,13 +37,13 @@ class OpenDocument : public QObject {
     Q_OBJECT
 
 public:
-    OpenDocument(std::unique_ptr<document::Document> document, const document::Schemas& schemas,
+    OpenDocument(std::unique_ptr<document::Document> document, const schemas::Schemas& schemas,
                  media::LiveMedia& media);
     ~OpenDocument() override;
 
     [[nodiscard]] document::Document& document() { return *document_; }
     [[nodiscard]] const document::Document& document() const { return *document_; }
-    [[nodiscard]] const document::Schemas& schemas() const { return schemas_; }
+    [[nodiscard]] const schemas::Schemas& schemas() const { return schemas_; }
     [[nodiscard]] media::LiveMedia& media() { return media_; }
     [[nodiscard]] Images& images() { return images_; }
 
@@ -101,7 +102,7 @@ private:
                                                      const ipc::SubdocumentChanged& change);
 
     std::unique_ptr<document::Document> document_;
-    const document::Schemas& schemas_;
+    const schemas::Schemas& schemas_;
     media::LiveMedia& media_;
     Images images_;
     std::map<document::SubdocumentId, std::unique_ptr<media::LiveSubdocument>> live_;

@@ -34,7 +34,7 @@ void Presented::begin() {
     className_ = document_.document().className();
     by_ = &document_.schemas().presentation(className_, presentation_);
     builder_ =
-        std::make_unique<document::ModelBuilder>(document_.document(), *by_, document_.schemas());
+        std::make_unique<model::ModelBuilder>(document_.document(), *by_, document_.schemas());
     base_ = {};
     pages_ = {};
     pages_.size = {layout::fromPoints(page().width), layout::fromPoints(page().height)};

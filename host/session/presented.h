@@ -7,8 +7,8 @@
 // those behind them, which are the old ones until then.
 #pragma once
 
-#include "document/model_builder.h"
 #include "layout/pages.h"
+#include "model/model_builder.h"
 #include "session/open_document.h"
 
 #include <QElapsedTimer>
@@ -26,7 +26,7 @@ public:
     [[nodiscard]] bool isComplete() const { return !timer_.isActive(); }
     // So far. Those who show them keep what they show until they are told.
     [[nodiscard]] const layout::Pages& pages() const { return pages_; }
-    [[nodiscard]] const document::PageStyle& page() const { return by_->page(); }
+    [[nodiscard]] const schemas::PageStyle& page() const { return by_->page(); }
     [[nodiscard]] const QString& title() const { return title_; } // when it is complete
 
     // Steps that are taken before the document is shown: what some 50 pages need.
@@ -51,8 +51,8 @@ private:
     OpenDocument& document_;
     QString presentation_;
     std::string className_;
-    const document::Presentation* by_ = nullptr; // of that class
-    std::unique_ptr<document::ModelBuilder> builder_;
+    const schemas::Presentation* by_ = nullptr; // of that class
+    std::unique_ptr<model::ModelBuilder> builder_;
     std::unique_ptr<layout::Pagination> pagination_;
     Due due_ = Due::nothing;
     std::size_t told_ = 0; // pages

@@ -36,7 +36,7 @@ protected:
             QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     }
 
-    document::Schemas schemas_ = document::Schemas::builtIn();
+    schemas::Schemas schemas_ = schemas::Schemas::builtIn();
     media::PipeThread pipes_;
     media::LiveMedia media_{media::Registry::read({}), QString(), pipes_};
 };
@@ -163,7 +163,7 @@ TEST_F(PresentedTest, EveryFaultIsInTheOneList) {
                         "<NOSUCH>{x}</NOSUCH></X>\n"
                         "<PARAGRAPH><LINK TO=\"#nowhere\">{l}</LINK></PARAGRAPH>\n"
                         "<PARAGRAPH><SLIDER OF=\"s\" NAME=\"g\"></SLIDER></PARAGRAPH>\n"));
-    schemas_ = document::Schemas::load({folder.path()});
+    schemas_ = schemas::Schemas::load({folder.path()});
     document::Document::Loaded loaded = document::Document::load(folder.filePath("a.ens"));
     ASSERT_TRUE(loaded.document);
     OpenDocument document(std::move(loaded.document), schemas_, media_);

@@ -57,7 +57,7 @@ void dress() {
 
 Application::Application(media::TimeLimits limits, std::string journal)
     : journal_(std::move(journal)),
-      schemas_(document::Schemas::load(document::Schemas::standardFolders())),
+      schemas_(schemas::Schemas::load(schemas::Schemas::standardFolders())),
       media_(media::Registry::read(media::registryFolders(QCoreApplication::applicationDirPath())),
              QCoreApplication::applicationDirPath(), pipes_, limits) {
     media_.setMostLive(QSettings().value("media/mostLive", media_.mostLive()).toInt());

@@ -43,7 +43,7 @@ private:
     void closeUntouched();
 
     std::string journal_;
-    document::Schemas schemas_;
+    schemas::Schemas schemas_;
     media::PipeThread pipes_;
     media::LiveMedia media_;
     std::vector<QPointer<DocumentWindow>> windows_;

@@ -92,7 +92,7 @@ private:
     [[nodiscard]] QPointF pageTopLeft(std::size_t page) const;
     [[nodiscard]] QRectF placeOf(const Shown& shown) const;
     [[nodiscard]] Shown* shownAt(QPointF point);
-    [[nodiscard]] const document::Run* linkAt(QPointF point) const;
+    [[nodiscard]] const model::Run* linkAt(QPointF point) const;
     [[nodiscard]] QPointF pixelsIn(const Shown& shown, QPointF point) const;
 
     void present();

@@ -107,7 +107,7 @@ void DocumentView::mouseReleaseEvent(QMouseEvent* event) {
             !(event->modifiers() & Qt::ShiftModifier))
             Q_EMIT contextMenuWanted(grabbed_, event->globalPosition().toPoint());
     } else if (event->button() == Qt::LeftButton && !wasDragged_) {
-        if (const document::Run* link = linkAt(event->position()))
+        if (const model::Run* link = linkAt(event->position()))
             follow(QString::fromStdString(link->target));
     }
     if (!event->buttons())
@@ -209,12 +209,12 @@ bool DocumentView::focusNextPrevChild(bool next) {
 
 // --- links, bar, cursor ------------------------------------------------------------------------
 
-const document::Run* DocumentView::linkAt(QPointF point) const {
+const model::Run* DocumentView::linkAt(QPointF point) const {
     for (std::size_t i = 0; i < pages().pages.size(); ++i) {
         const QRectF page(pageTopLeft(i), pageSize());
         if (!page.contains(point))
             continue;
-        const document::Run* run =
+        const model::Run* run =
             layout::runAt(*pages().pages[i], (point - page.topLeft()) / scale());
         return run && !run->target.empty() ? run : nullptr;
     }

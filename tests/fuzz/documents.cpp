@@ -3,9 +3,9 @@
 
 #include "document/check.h"
 #include "document/document.h"
-#include "document/model.h"
-#include "document/schemas.h"
-#include "document/text_export.h"
+#include "model/model.h"
+#include "model/text_export.h"
+#include "schemas/schemas.h"
 
 #include <cstdint>
 
@@ -34,7 +34,7 @@ void checkTree(const sgml::Tree& tree) {
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static const document::Schemas schemas = document::Schemas::builtIn();
+    static const schemas::Schemas schemas = schemas::Schemas::builtIn();
     const std::string bytes(reinterpret_cast<const char*>(data), size);
     const document::Document document(bytes);
     FUZZ_REQUIRE(document.bytes() == bytes);
@@ -42,8 +42,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const sgml::Fault& fault :
          document::documentFaults(document, schemas, {QStringLiteral("ANIMATION")}))
         FUZZ_REQUIRE(fault.range.to <= size && !fault.message.empty());
-    const document::Model model =
-        document::buildModel(document, schemas.presentation(document.className()), schemas);
-    (void)document::exportText(document, model);
+    const model::Model model =
+        model::buildModel(document, schemas.presentation(document.className()), schemas);
+    (void)model::exportText(document, model);
     return 0;
 }

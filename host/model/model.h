@@ -1,0 +1,152 @@
+// The content of a document as shown, in order: blocks of text with resolved styles, numbers and
+// references, and the places of subdocuments; neither lines nor pages yet. The host's layout and
+// the export as text both read it.
+//
+// Method: one walk over the tree with an explicit stack. A presentation says for each element what
+// it is (its `display` and its `role`) and how it looks; what holds blocks is a range of them. An
+// element that the presentation does not know is shown with `<TAG>` before its content. So the
+// whole document is visible unless the presentation says `show: no`.
+#pragma once
+
+#include "document/subdocument.h"
+#include "schemas/style.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace document {
+class Document;
+}
+namespace schemas {
+class Presentation;
+class Schemas;
+} // namespace schemas
+
+namespace model {
+
+enum class RunKind {
+    text,
+    subdocument, // inline, with ALIGN="inline"
+    image,       // inline
+    footnote,    // the mark; `text` is its number
+    slider,      // living: `text` is what stands for it until it lives
+    value,
+    lineBreak,
+};
+
+struct Footnote;
+
+// A piece of a line. Its letters are the bytes of `content` from `offset` on, unless content is
+// noNode: then they are generated (a number, a reference, a mark) and cannot be edited.
+// A line end in flowing text becomes one blank; what is left out there begins a new run.
+struct Run {
+    RunKind kind = RunKind::text;
+    std::string text{};                  // UTF-8
+    std::uint32_t style = 0;             // in Model::textStyles
+    sgml::NodeId element = sgml::noNode; // the innermost element
+    sgml::NodeId content = sgml::noNode;
+    std::size_t offset = 0; // unescaped, of the text's first byte
+    std::string target{};   // LINK: its address; REF: "#" and the ID
+    bool refers = false;    // the text is the number or the name of what has that ID
+    document::SubdocumentId subdocument = document::noSubdocument;
+    std::shared_ptr<const Footnote> footnote{}; // never null in a mark
+};
+
+enum class BlockKind {
+    text,
+    verbatim,    // lines as they are, in runs; blanks and line ends (LF in Run::text) count
+    subdocument, // a rendition's place
+    image,
+    chart, // living: runs hold what stands for it
+    table,
+    rule, // a horizontal line: the style's border
+    pageBreak,
+};
+
+struct Cell;
+using Row = std::vector<Cell>;
+
+// The blocks first..last of those beside it, which one element holds. Containers come in order of
+// their first blocks, outer ones before those inside. Rows and cells of a table are in its block.
+struct Container {
+    schemas::ContainerRole role = schemas::ContainerRole::none;
+    int level = 1; // 2: a section in a section, a list in a list
+    sgml::NodeId element = sgml::noNode;
+    std::size_t first = 0, last = 0; // inclusive
+    bool operator==(const Container&) const = default;
+};
+using Containers = std::vector<Container>;
+
+// A block that a model holds never changes. A model made after an edit holds the same block again
+// where nothing has changed: equal pointers are equal blocks.
+struct Block;
+using Blocks = std::vector<std::shared_ptr<const Block>>;
+
+struct Block {
+    BlockKind kind = BlockKind::text;
+    sgml::NodeId element = sgml::noNode;
+    schemas::BlockStyle style;
+    std::string marker; // number, bullet or label; "" without one
+    std::uint32_t markerStyle = 0;
+    std::vector<Run> runs;
+    std::uint32_t textStyle = 0;      // of an empty block, and of what has no run
+    int headingLevel = 0;             // 1..: an entry of the outline; 0: none
+    std::vector<std::string> anchors; // IDs that references lead to, "#" not included
+    document::SubdocumentId subdocument = document::noSubdocument;
+    std::string source;                  // image: its file, as written
+    std::optional<double> width, height; // image, chart: 1/96 inch
+    std::string alternative;             // image: ALT
+    std::vector<Row> rows;               // table
+};
+
+struct Cell {
+    sgml::NodeId element = sgml::noNode;
+    schemas::BlockStyle style; // border, background, padding, align
+    Blocks blocks;
+    Containers containers{};
+};
+
+struct Footnote {
+    std::string number;
+    sgml::NodeId element = sgml::noNode;
+    Blocks blocks; // the first one has the number as its marker
+    Containers containers;
+};
+
+// A frame or a background around the blocks first..last of Model::blocks, from the outermost to the
+// innermost. Blocks draw none of their own: style.border, background and padding of a Block are
+// those of a rule only, and of a Cell those of the cell.
+struct Box {
+    std::size_t first = 0, last = 0; // inclusive; the padding above and below is in the spaceBefore
+                                     // of the first block and of the one after the last
+    double indentLeft = 0, indentRight = 0;
+    double padding = 0;
+    std::optional<schemas::Color> background{};
+    schemas::Border border{};
+};
+
+// LIMIT: tables nested deeper are shown as the text of their cells.
+inline constexpr int deepestTable = 8;
+// LIMIT: footnotes nested deeper stand in the text of the footnote around them.
+inline constexpr int deepestFootnote = 8;
+
+struct Model {
+    schemas::PageStyle page;
+    // Shared by the models of one document by one presentation.
+    std::shared_ptr<const schemas::TextStyles> textStyles;
+    Blocks blocks;
+    Containers containers;
+    std::vector<Box> boxes;
+    std::vector<std::shared_ptr<const Footnote>> footnotes; // in order of their marks
+    std::string title;                                      // of the window and of the PDF
+};
+
+[[nodiscard]] Model buildModel(const document::Document& document,
+                               const schemas::Presentation& presentation,
+                               const schemas::Schemas& schemas);
+
+// One line per block, indented by nesting, with styles that differ from the default (for tests).
+[[nodiscard]] std::string printed(const Model& model);
+
+} // namespace model

@@ -1,0 +1,328 @@
+// A model that followed edits is the model that is made anew, and following costs what the edit
+// reaches.
+#include "model/model_builder.h"
+#include "model/same_blocks.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+namespace model {
+
+namespace {
+
+// A document, and a model of it that follows.
+class Followed {
+public:
+    Followed(const std::string& bytes, const QString& presentation, int spacing)
+        : document(bytes), by_(schemas().presentation(document.className(), presentation)),
+          styles_(std::make_shared<schemas::TextStyles>()),
+          builder(document, by_, schemas(), styles_, spacing) {
+        QObject::connect(&document, &document::Document::edited, &document,
+                         [this](const sgml::Change& change) { builder.follow(change); });
+        complete();
+    }
+    void complete() {
+        while (builder.step(50))
+            continue;
+    }
+    // What follows differently; "" when nothing does.
+    std::string difference() {
+        complete();
+        ModelBuilder anew(document, by_, schemas(), styles_);
+        while (anew.step(1000))
+            continue;
+        const Model& one = *builder.model();
+        const Model& other = *anew.model();
+        if (printed(one) != printed(other))
+            return printed(one) + "\n--- but anew:\n" + printed(other);
+        for (std::size_t i = 0; i < other.blocks.size(); ++i)
+            if (!isEqual(*one.blocks[i], *other.blocks[i]))
+                return "block " + std::to_string(i);
+        for (std::size_t i = 0; i < other.boxes.size(); ++i)
+            if (one.boxes[i].indentLeft != other.boxes[i].indentLeft ||
+                one.boxes[i].padding != other.boxes[i].padding ||
+                one.boxes[i].border != other.boxes[i].border)
+                return "box " + std::to_string(i);
+        std::size_t note = 0;
+        for (const auto& block : one.blocks)
+            for (const Run& run : block->runs)
+                if (run.footnote) {
+                    while (note < one.footnotes.size() && one.footnotes[note] != run.footnote)
+                        ++note;
+                    if (note == one.footnotes.size())
+                        return "a footnote that is not in the list";
+                }
+        return {};
+    }
+
+    static const schemas::Schemas& schemas() {
+        static const schemas::Schemas all = schemas::Schemas::builtIn();
+        return all;
+    }
+
+    document::Document document;
+
+private:
+    const schemas::Presentation& by_;
+    std::shared_ptr<schemas::TextStyles> styles_;
+
+public:
+    ModelBuilder builder;
+};
+
+class Author {
+public:
+    explicit Author(std::uint64_t seed) : random_(seed) {}
+
+    std::size_t below(std::size_t bound) { return static_cast<std::size_t>(random_() % bound); }
+
+    std::string report(int parts) {
+        std::string text = "DOCUMENT REPORT\n<REPORT>\n";
+        text += chance(80) ? "<TITLE>{" + words() + "}</TITLE>\n" : "";
+        text += chance(30) ? "<ABSTRACT>" + parts_(2, 1) + "</ABSTRACT>\n" : "";
+        return text + parts_(parts, 0) + "</REPORT>";
+    }
+    std::string memo(int parts) {
+        return "DOCUMENT CMEMO\n<CMEMO><TO>{a}</TO><SUBJECT>{b}</SUBJECT><BODY>" +
+               parts_(parts, 1) + "</BODY></CMEMO>";
+    }
+    std::string part(int depth) {
+        if (depth > 4)
+            return paragraph();
+        switch (below(18)) {
+        case 0:
+        case 1:
+            return "<SECTION" + id() + "><HEADING>{" + words() + "}</HEADING>\n" +
+                   parts_(4, depth + 1) + "</SECTION>\n";
+        case 2:
+            return "<LIST" + std::string(chance(50) ? " KIND=\"number\"" : "") + "><ITEM" + id() +
+                   ">" + (chance(30) ? part(depth + 1) : content()) + "</ITEM><ITEM>" +
+                   parts_(2, depth + 2) + "</ITEM></LIST>\n";
+        case 3:
+            return "<TABLE" + id() + "><CAPTION>{" + words() + "}</CAPTION><ROW><CELL>" +
+                   inlines() + "</CELL><CELL>" + part(depth + 3) + "</CELL></ROW></TABLE>\n";
+        case 4:
+            return "<FIGURE" + id() + "><IMAGE FILE=\"a.png\"></IMAGE><CAPTION>" + inlines() +
+                   "</CAPTION></FIGURE>\n";
+        case 5:
+            return "<NEW" + id() + ">" + (chance(50) ? content() : part(depth + 1)) + "</NEW>\n";
+        case 6:
+            return "<DOCUMENT>DOCUMENT " +
+                   std::string(chance(70) ? "REPORT\n<REPORT>" + parts_(3, depth + 2) + "</REPORT>"
+                                          : "MOVIE\n<MOVIE" + id() + "></MOVIE>") +
+                   "</DOCUMENT>\n";
+        case 7:
+            return "<VERBATIM>{\n a\n  b\n}</VERBATIM>\n";
+        case 8:
+            return chance(50) ? "<PAGEBREAK></PAGEBREAK>" : "<RULE></RULE>";
+        case 9:
+            return "stray ";
+        default:
+            return paragraph();
+        }
+    }
+    std::string inlines() {
+        std::string text;
+        for (std::size_t count = below(4); count > 0; --count)
+            switch (below(7)) {
+            case 0:
+                text += "<EMPH>{" + words() + "}</EMPH>";
+                break;
+            case 1:
+            case 2:
+                text += "<REF TO=\"n" + std::to_string(below(names)) + "\"></REF>";
+                break;
+            case 3:
+                text += "<FOOTNOTE" + id() + "><TEXT>{" + words() + "}</TEXT><REF TO=\"n" +
+                        std::to_string(below(names)) + "\"></REF></FOOTNOTE>";
+                break;
+            case 4:
+                text += "<LINK TO=\"http://x\">{" + words() + "}</LINK>";
+                break;
+            default:
+                text += "<TEXT>{" + words() + "}</TEXT>";
+            }
+        return text;
+    }
+    std::string words() {
+        std::string text;
+        for (std::size_t count = below(5); count > 0; --count)
+            text += "word" + std::to_string(below(100)) + (chance(20) ? "\n " : " ");
+        return text;
+    }
+    std::string id() { return chance(50) ? " ID=\"n" + std::to_string(below(names)) + "\"" : ""; }
+
+    // Some edit of the bytes, sound or not.
+    text::Edits edit(const sgml::Tree& tree) {
+        const std::string& bytes = tree.bytes();
+        const sgml::NodeId node = anyNode(tree);
+        const text::Range range = tree.node(node).range;
+        const bool isContent = tree.node(node).kind == sgml::NodeKind::content;
+        switch (below(12)) {
+        case 0: // another part before, behind or in it
+            return {{{range.from, range.from}, part(2)}};
+        case 1:
+            return {{{range.to, range.to}, part(2)}};
+        case 2:
+            return isContent ? text::Edits{} : text::Edits{{range, ""}};
+        case 3: { // moved
+            const std::size_t to = tree.node(anyNode(tree)).range.from;
+            if (to <= range.from)
+                return {{{to, to}, std::string(tree.text(range))}, {range, ""}};
+            if (to >= range.to)
+                return {{range, ""}, {{to, to}, std::string(tree.text(range))}};
+            return {};
+        }
+        case 4: // split, as Enter does it
+            if (isContent && tree.node(tree.node(node).parent).kind == sgml::NodeKind::element) {
+                const std::string name(tree.name(tree.node(node).parent));
+                return {{{range.from + 1, range.from + 1}, "}</" + name + "><" + name + ">{"}};
+            }
+            return {};
+        case 5: // an attribute
+            if (tree.isElement(node) && tree.node(node).name.to < bytes.size())
+                return {{{tree.node(node).name.to, tree.node(node).name.to},
+                         chance(70) ? " ID=\"n" + std::to_string(below(names)) + "\""
+                                    : " KIND=\"number\""}};
+            return {};
+        case 6: { // broken bytes
+            constexpr const char* pieces[] = {"<", ">", "{", "}", "\"", "</SECTION>", "<BODY>"};
+            const std::size_t at = below(bytes.size() + 1);
+            const std::size_t to = std::min(bytes.size(), at + below(4));
+            return {{{at, to}, pieces[below(std::size(pieces))]}};
+        }
+        default: // letters
+            if (!isContent || range.to - range.from < 2)
+                return {};
+            const std::size_t at = range.from + 1 + below(range.to - range.from - 1);
+            return {{{at, std::min(at + below(3), range.to - 1)}, chance(70) ? "x" : ""}};
+        }
+    }
+
+private:
+    static constexpr std::size_t names = 25;
+    bool chance(std::size_t percent) { return below(100) < percent; }
+    std::string content() { return "{" + words() + "}"; }
+    std::string paragraph() {
+        return chance(50) ? "<PARAGRAPH" + id() + ">" + inlines() + "</PARAGRAPH>\n"
+                          : "<PARAGRAPH>" + content() + "</PARAGRAPH>\n";
+    }
+    std::string parts_(int most, int depth) {
+        std::string text;
+        for (std::size_t count = below(static_cast<std::size_t>(most) + 1); count > 0; --count)
+            text += part(depth);
+        return text;
+    }
+    sgml::NodeId anyNode(const sgml::Tree& tree) {
+        std::vector<sgml::NodeId> all;
+        for (sgml::NodeId id = tree.root(); id != sgml::noNode; id = tree.following(id))
+            all.push_back(id);
+        return all[below(all.size())];
+    }
+
+    std::mt19937_64 random_;
+};
+
+} // namespace
+
+TEST(ModelFollow, AfterEveryEditTheModelIsThatOfANewWalk) {
+    std::size_t edits = 0, walked = 0, all = 0;
+    for (std::uint64_t seed = 0; seed < 45; ++seed) {
+        Author author(seed);
+        const bool memo = seed % 3 == 0;
+        const std::string text = memo ? author.memo(120) : author.report(120);
+        const char* const presentations[] = {"", memo ? "slides" : "outline"};
+        Followed followed(text, presentations[seed / 3 % 2], 1 + static_cast<int>(seed % 7));
+        const std::size_t nodes = followed.builder.work().nodes;
+        for (int i = 0; i < 60; ++i) {
+            const std::size_t before = followed.builder.work().nodes;
+            const std::size_t what = author.below(10);
+            if (what < 7)
+                (void)followed.document.edit(author.edit(followed.document.tree()), "Edit");
+            else if (what < 9)
+                followed.document.undo();
+            else
+                followed.document.redo();
+            if (author.below(5) == 0)
+                continue; // two changes at once
+            if (author.below(5) == 0 && followed.builder.step(20))
+                continue; // a change while it is being followed
+            ASSERT_EQ(followed.difference(), "") << "seed " << seed << " edit " << i << "\n"
+                                                 << followed.document.bytes();
+            walked += followed.builder.work().nodes - before;
+            all += nodes;
+            ++edits;
+        }
+    }
+    EXPECT_GT(edits, 1500u);
+    EXPECT_LT(walked, all / 2);
+}
+
+namespace {
+
+std::string longReport(int sections) {
+    std::string text = "DOCUMENT REPORT\n<REPORT>\n<TITLE>{A long one}</TITLE>\n";
+    for (int i = 0; i < sections; ++i) {
+        const std::string number = std::to_string(i);
+        text += "<SECTION ID=\"s" + number + "\"><HEADING>{Section " + number + "}</HEADING>\n";
+        for (int k = 0; k < 10; ++k)
+            text += "<PARAGRAPH><TEXT>{" + std::string(500, 'w') + number + "}</TEXT><REF TO=\"s" +
+                    std::to_string((i * 7 + k) % sections) + "\"></REF></PARAGRAPH>\n";
+        text += "<SECTION><HEADING>{Inner}</HEADING><LIST><ITEM>{a}</ITEM><ITEM>{b}</ITEM></LIST>"
+                "</SECTION></SECTION>\n";
+    }
+    return text + "</REPORT>";
+}
+
+// An edit in the middle of a document of so many sections: the nodes that following it walks over,
+// and the blocks that are new.
+ModelBuilder::Work workOf(int sections, const std::string& before, const std::string& inserted) {
+    Followed followed(longReport(sections), "", 100);
+    const std::shared_ptr<const Model> old = followed.builder.model();
+    const ModelBuilder::Work work = followed.builder.work();
+    const std::string& bytes = followed.document.bytes();
+    const std::size_t at = bytes.find(before, bytes.size() / 2);
+    (void)followed.document.edit({{{at, at}, inserted}}, "Edit");
+    followed.complete();
+    const std::set<std::shared_ptr<const Block>> known(old->blocks.begin(), old->blocks.end());
+    std::size_t others = 0;
+    for (const auto& block : followed.builder.model()->blocks)
+        others += known.contains(block) ? 0 : 1;
+    const ModelBuilder::Work now = followed.builder.work();
+    EXPECT_EQ(now.blocks - work.blocks, others);
+    EXPECT_EQ(followed.difference(), "");
+    return {.nodes = now.nodes - work.nodes, .blocks = others};
+}
+
+} // namespace
+
+TEST(ModelFollow, WhatAnEditCostsDoesNotGrowWithTheDocument) {
+    for (const int sections : {20, 200}) {
+        const ModelBuilder::Work letter = workOf(sections, "wwww", "x");
+        EXPECT_LE(letter.nodes, 200u) << sections;
+        EXPECT_EQ(letter.blocks, 1u) << sections;
+        const ModelBuilder::Work enter =
+            workOf(sections, "wwww", "}</TEXT></PARAGRAPH>\n<PARAGRAPH><TEXT>{");
+        EXPECT_LE(enter.nodes, 210u) << sections;
+        EXPECT_LE(enter.blocks, 2u) << sections;
+        // The number of the inner section behind it changes, and no other.
+        const ModelBuilder::Work inner = workOf(sections, "<SECTION><HEADING>{Inner}",
+                                                "<SECTION><HEADING>{New}</HEADING></SECTION>");
+        EXPECT_LE(inner.nodes, 210u) << sections;
+        EXPECT_EQ(inner.blocks, 2u) << sections;
+    }
+}
+
+// The numbers of all sections behind it change, and what refers to these wherever it stands.
+TEST(ModelFollow, AHeadingNumbersWhatFollowsAndNothingElse) {
+    const ModelBuilder::Work work =
+        workOf(200, "<SECTION ID", "<SECTION><HEADING>{New}</HEADING></SECTION>");
+    EXPECT_LE(work.nodes, 6000u); // of 10,203
+    const std::size_t headings = 1 + 2 * 100, references = 200 * 10 / 2;
+    EXPECT_LE(work.blocks, headings + references + 20);
+    EXPECT_GE(work.blocks, headings + references - 20);
+}
+
+} // namespace model

@@ -1,0 +1,87 @@
+// Elements that become one run or one block, and have nothing inside that is walked.
+#include "model/model_walk.h"
+
+namespace model {
+
+using sgml::NodeId;
+
+// Shown as text of its own until something gives it life.
+bool ModelWalk::addLiving(const Frame& frame) {
+    const bool slider = frame.style.display == schemas::Display::slider;
+    Run run{.kind = slider ? RunKind::slider : RunKind::value, .element = frame.node};
+    run.style = textStyle(frame.style.text);
+    run.text = slider ? attribute(frame.node, "NAME") + " = " + attribute(frame.node, "VALUE")
+                      : "[" + attribute(frame.node, "EXPRESSION") + "]";
+    addRun(std::move(run));
+    return false;
+}
+
+bool ModelWalk::addChart(const Frame& frame) {
+    const std::string values = attribute(frame.node, "VALUES"); // before frames move
+    Frame& own = state_.frames.back();
+    beginBlock(own);
+    Block& block = addBlock(BlockKind::chart);
+    block.width = lengthAttribute(block.element, "WIDTH");
+    block.height = lengthAttribute(block.element, "HEIGHT");
+    block.alternative = attribute(block.element, "ALT");
+    block.runs.push_back(
+        {.text = "Chart of " + values, .style = textStyle(own.style.text), .element = own.node});
+    return false;
+}
+
+bool ModelWalk::addImage(const Frame& frame) {
+    std::string file = attribute(frame.node, "FILE");
+    if (file.empty())
+        file = tree_.contentText(frame.node);
+    beginBlock(state_.frames.back());
+    Block& block = addBlock(BlockKind::image);
+    block.source = file;
+    block.width = lengthAttribute(block.element, "WIDTH");
+    block.height = lengthAttribute(block.element, "HEIGHT");
+    block.alternative = attribute(block.element, "ALT");
+    return false;
+}
+
+bool ModelWalk::addLeaf(BlockKind kind) {
+    beginBlock(state_.frames.back());
+    addBlock(kind);
+    return false;
+}
+
+bool ModelWalk::addSubdocument(NodeId node) {
+    const document::SubdocumentId id = document_.subdocumentOf(node);
+    const document::Subdocument* subdocument = document_.subdocument(id);
+    Frame frame = frameInside(node);
+    frame.style = frame.presentation->style({"DOCUMENT", isFirst(node), &tree_, node},
+                                            state_.frames.back().style, frame.progress);
+    if (subdocument != nullptr && !subdocument->name.empty())
+        trail_.back().names.push_back({subdocument->name, frame.reference});
+    if (!frame.style.show)
+        return false;
+    if (subdocument != nullptr && !subdocument->name.empty())
+        state_.anchors.push_back(subdocument->name);
+    if (subdocument != nullptr && subdocument->placement == document::Placement::inlined) {
+        addRun({.kind = RunKind::subdocument,
+                .style = textStyle(frame.style.text),
+                .element = node,
+                .subdocument = id});
+        return false;
+    }
+    push(std::move(frame));
+    Frame& own = state_.frames.back();
+    beginBlock(own);
+    Block& block = addBlock(BlockKind::subdocument);
+    block.subdocument = id;
+    const document::Placement placement =
+        subdocument == nullptr ? document::Placement::unspecified : subdocument->placement;
+    if (placement == document::Placement::left || block.style.align == schemas::Align::justify)
+        block.style.align = schemas::Align::left;
+    if (placement == document::Placement::center || placement == document::Placement::right)
+        block.style.align = placement == document::Placement::center ? schemas::Align::center
+                                                                     : schemas::Align::right;
+    endBlock(own);
+    pop();
+    return false;
+}
+
+} // namespace model

@@ -1,0 +1,88 @@
+#include "model/same_blocks.h"
+
+#include <algorithm>
+#include <tuple>
+#include <unordered_map>
+
+namespace model {
+
+// A structured binding names each member of a struct, so that one that is added must be added here.
+
+namespace {
+
+template <class T> bool areEqual(const std::vector<T>& a, const std::vector<T>& b);
+
+bool isEqual(const std::shared_ptr<const Block>& a, const std::shared_ptr<const Block>& b) {
+    return a == b || model::isEqual(*a, *b);
+}
+
+bool isEqual(const Cell& a, const Cell& b) {
+    const auto& [element, style, blocks, containers] = a;
+    return element == b.element && style == b.style && containers == b.containers &&
+           areEqual(blocks, b.blocks);
+}
+
+bool isEqual(const Row& a, const Row& b) { return areEqual(a, b); }
+
+bool isEqual(const std::shared_ptr<const Footnote>& a, const std::shared_ptr<const Footnote>& b) {
+    if (a == b || !a || !b)
+        return a == b;
+    const auto& [number, element, blocks, containers] = *a;
+    return number == b->number && element == b->element && containers == b->containers &&
+           areEqual(blocks, b->blocks);
+}
+
+bool isEqual(const Run& a, const Run& b) {
+    const auto& [kind, text, style, element, content, offset, target, refers, subdocument,
+                 footnote] = a;
+    return std::tie(kind, style, element, content, offset, refers, subdocument, text, target) ==
+               std::tie(b.kind, b.style, b.element, b.content, b.offset, b.refers, b.subdocument,
+                        b.text, b.target) &&
+           isEqual(footnote, b.footnote);
+}
+
+template <class T> bool areEqual(const std::vector<T>& a, const std::vector<T>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const T& one, const T& other) { return isEqual(one, other); });
+}
+
+} // namespace
+
+bool isEqual(const Block& a, const Block& b) {
+    const auto& [kind, element, style, marker, markerStyle, runs, textStyle, headingLevel, anchors,
+                 subdocument, source, width, height, alternative, rows] = a;
+    return std::tie(kind, element, style, marker, markerStyle, textStyle, headingLevel, anchors,
+                    subdocument, source, width, height,
+                    alternative) == std::tie(b.kind, b.element, b.style, b.marker, b.markerStyle,
+                                             b.textStyle, b.headingLevel, b.anchors, b.subdocument,
+                                             b.source, b.width, b.height, b.alternative) &&
+           areEqual(runs, b.runs) && areEqual(rows, b.rows);
+}
+
+// Most edits leave what is before and behind one place; the rest is found by its elements.
+std::size_t keepOld(const Replaced& in) {
+    std::size_t from = in.from, to = in.to, first = in.first, end = in.end;
+    const auto keeps = [&](std::size_t old, std::size_t now) {
+        if (!isEqual(in.old[old], in.now[now]))
+            return false;
+        in.now[now] = in.old[old];
+        return true;
+    };
+    while (from < to && first < end && keeps(from, first))
+        ++from, ++first;
+    while (from < to && first < end && keeps(to - 1, end - 1))
+        --to, --end;
+    std::unordered_multimap<sgml::NodeId, std::size_t> byElement;
+    for (std::size_t old = from; old < to; ++old)
+        byElement.emplace(in.old[old]->element, old);
+    std::size_t made = 0;
+    for (; first < end; ++first) {
+        const auto [known, last] = byElement.equal_range(in.now[first]->element);
+        made += std::any_of(known, last, [&](const auto& old) { return keeps(old.second, first); })
+                    ? 0
+                    : 1;
+    }
+    return made;
+}
+
+} // namespace model

@@ -1,0 +1,56 @@
+#include "schemas/presentation.h"
+
+#include <algorithm>
+
+namespace schemas {
+
+namespace {
+
+bool matches(const Presentation::Selector::Name& pattern, const Presentation::Subject& subject) {
+    if (pattern.name != "*" && pattern.name != subject.name)
+        return false;
+    if (pattern.first && !subject.first)
+        return false;
+    return pattern.attribute.empty() ||
+           (subject.tree != nullptr &&
+            subject.tree->attribute(subject.element, pattern.attribute) == pattern.value);
+}
+
+} // namespace
+
+std::set<std::string, std::less<>> Presentation::namesShownAs(std::string_view display) const {
+    std::set<std::string, std::less<>> names;
+    for (const Selector& selector : selectors_)
+        for (const Property& property : blocks_[selector.block])
+            if (property.name == "display" && !property.words.empty() &&
+                property.words.front().text == display)
+                names.insert(selector.names.back().name);
+    return names;
+}
+
+ElementStyle Presentation::rootStyle() const {
+    ElementStyle root;
+    root.display = Display::block;
+    return root;
+}
+
+ElementStyle Presentation::style(const Subject& subject, const ElementStyle& outer,
+                                 Progress& progress) const {
+    ElementStyle style;
+    style.text = outer.text;
+    style.block.align = outer.block.align;
+    style.block.lineHeight = outer.block.lineHeight;
+    for (std::size_t i = 0; i < selectors_.size(); ++i) {
+        const std::vector<Selector::Name>& names = selectors_[i].names;
+        const std::size_t last = names.size() - 1;
+        if (progress[i] == last && matches(names[last], subject))
+            for (const Property& property : blocks_[selectors_[i].block])
+                (void)applyProperty(style, property,
+                                    outer); // its faults were found when it was read
+        if (progress[i] < last && matches(names[progress[i]], subject))
+            ++progress[i];
+    }
+    return style;
+}
+
+} // namespace schemas

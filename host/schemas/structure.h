@@ -1,0 +1,80 @@
+// The allowed content of elements of one class: `CLASS.structure`, one rule per line.
+//
+//     # a comment
+//     $text = (TEXT | EMPH | LINK)*            a name for part of a rule, defined before its use
+//     SECTION = HEADING (PARAGRAPH | SECTION)*
+//     LINK [TO] = TEXT                         with the attributes that it may have besides ID
+//
+// TEXT is content in braces, or an element named TEXT; ANY is anything; an element without a rule
+// may hold anything, but is a warning where no rule names it. Checking never refuses anything.
+//
+// Method: each rule becomes the automaton of its positions (Glushkov 1961); a set of positions
+// walks over the children, so that no rule and no document makes it exponential.
+#pragma once
+
+#include "sgml/tree.h"
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace schemas {
+
+// The automaton of one rule.
+class ContentModel {
+public:
+    struct Symbol {
+        std::string name;                // an element's; "TEXT"; "ANY"
+        std::vector<std::uint16_t> next; // positions that may follow
+    };
+    // LIMIT: symbols of one rule, after its `$names` are put in.
+    static constexpr std::size_t longest = 500;
+    // LIMIT: nested parentheses.
+    static constexpr int deepest = 50;
+
+    [[nodiscard]] static ContentModel parse(std::string_view rule, std::string& fault);
+
+    struct Verdict {
+        std::size_t wrong; // index of the first child that does not belong; children.size(): none
+        bool incomplete;   // all belong, but something more must follow
+        std::string expected; // "HEADING, PARAGRAPH or the end"
+    };
+    // Children are names of elements; "" stands for content in braces.
+    [[nodiscard]] Verdict check(const std::vector<std::string_view>& children) const;
+    [[nodiscard]] const std::vector<Symbol>& symbols() const { return symbols_; }
+
+private:
+    friend class ContentModelParser;
+    [[nodiscard]] std::string expectedAfter(const std::vector<std::uint16_t>& positions,
+                                            bool mayEnd) const;
+    std::vector<Symbol> symbols_; // 0 is the start
+    std::vector<bool> final_;
+};
+
+class StructureSchema {
+public:
+    // Rules with faults are left out; each fault has the line of the file.
+    [[nodiscard]] static StructureSchema parse(std::string_view text,
+                                               std::vector<sgml::Fault>& faults);
+    [[nodiscard]] bool saysSomething() const { return !rules_.empty(); }
+
+    // What the nested or whole document at `documentNode` holds against the schema, as warnings in
+    // order of place. Nested documents of its own are left to their own class's schema.
+    [[nodiscard]] std::vector<sgml::Fault> check(const sgml::Tree& tree,
+                                                 sgml::NodeId documentNode) const;
+
+private:
+    struct Rule {
+        ContentModel model;
+        std::vector<std::string> attributes;
+    };
+    friend class StructureParser;
+    void checkElement(const sgml::Tree& tree, sgml::NodeId element,
+                      std::vector<sgml::Fault>& warnings) const;
+    void checkAttributes(const sgml::Tree& tree, sgml::NodeId element, const Rule& rule,
+                         std::vector<sgml::Fault>& warnings) const;
+    std::map<std::string, Rule, std::less<>> rules_;
+};
+
+} // namespace schemas
