@@ -27,10 +27,10 @@ TEST_F(ChangedFileTest, PagesFollowAndMediaGoOn) {
     DocumentWindow* window = open(memo(body));
     ASSERT_TRUE(waitFor([&] { return hasPicture(*window, 0); }));
     const std::vector<pid_t> media = children();
-    DocumentView& view = window->view();
+    view::DocumentView& view = window->view();
     view.verticalScrollBar()->setValue(view.verticalScrollBar()->maximum() / 2);
     const int value = view.verticalScrollBar()->value();
-    QSignalSpy laidOut(&view, &DocumentView::laidOut);
+    QSignalSpy laidOut(&view, &view::DocumentView::laidOut);
     const QByteArray changed = memo(scripted("figure") + paragraphs(900, 905) + paragraphs(0, 200));
     write(*window, changed);
     ASSERT_TRUE(waitFor([&] {

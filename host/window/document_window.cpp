@@ -4,10 +4,10 @@
 #include "paper/paper.h"
 #include "plain/plain.h"
 #include "text/characters.h"
+#include "view/icons.h"
 #include "window/application.h"
 #include "window/faults_pane.h"
 #include "window/find_bar.h"
-#include "window/icons.h"
 #include "window/link.h"
 #include "window/manual.h"
 #include "window/medium_commands.h"
@@ -63,7 +63,7 @@ QLabel* makeBanner(QWidget* parent) {
 DocumentWindow::DocumentWindow(Application& application,
                                std::shared_ptr<session::OpenDocument> document)
     : application_(application), document_(std::move(document)), banner_(makeBanner(this)),
-      view_(new DocumentView(*document_)), find_(new FindBar(*view_, this)),
+      view_(new view::DocumentView(*document_)), find_(new FindBar(*view_, this)),
       faults_(new FaultsPane(*document_, this)), tools_(new QToolBar(tr("Tools"), this)),
       pageLabel_(plain::label({}, this)), zoomLabel_(plain::label({}, this)) {
     setAttribute(Qt::WA_DeleteOnClose);
@@ -101,20 +101,20 @@ DocumentWindow::DocumentWindow(Application& application,
     document::Document* of = &document_->document();
     connect(of, &document::Document::modifiedChanged, this, &DocumentWindow::updateTitle);
     connect(of, &document::Document::fileNameChanged, this, &DocumentWindow::updateTitle);
-    connect(view_, &DocumentView::laidOut, this, &DocumentWindow::updateTitle);
+    connect(view_, &view::DocumentView::laidOut, this, &DocumentWindow::updateTitle);
     connect(of, &document::Document::undoChanged, this, &DocumentWindow::updateUndo);
     connect(document_.get(), &session::OpenDocument::message, this,
             [this](const QString& text) { statusBar()->showMessage(text, 8000); });
     connect(faults_, &FaultsPane::countChanged, this, &DocumentWindow::updateFaults);
-    connect(faults_, &FaultsPane::activated, view_, &DocumentView::scrollTo);
-    connect(view_, &DocumentView::linkActivated, this, &DocumentWindow::openLink);
-    connect(view_, &DocumentView::contextMenuWanted, this,
+    connect(faults_, &FaultsPane::activated, view_, &view::DocumentView::scrollTo);
+    connect(view_, &view::DocumentView::linkActivated, this, &DocumentWindow::openLink);
+    connect(view_, &view::DocumentView::contextMenuWanted, this,
             [this](document::SubdocumentId id, const QPoint& at) {
                 commands_->refresh();
                 if (QMenu* menu = commands_->menuOf(id))
                     menu->popup(at);
             });
-    connect(view_, &DocumentView::unhandledKey, this, &DocumentWindow::useShortcut);
+    connect(view_, &view::DocumentView::unhandledKey, this, &DocumentWindow::useShortcut);
     const auto showPlace = [this] {
         zoomLabel_->setText(tr("%1 %").arg(qRound(view_->zoom() * 100)));
         const auto pages = static_cast<int>(view_->pages().pages.size());
@@ -122,8 +122,8 @@ DocumentWindow::DocumentWindow(Application& application,
         const double part = bar->maximum() > 0 ? double(bar->value()) / bar->maximum() : 0;
         pageLabel_->setText(tr("Page %1 of %2").arg(qRound(part * (pages - 1)) + 1).arg(pages));
     };
-    connect(view_, &DocumentView::zoomChanged, this, showPlace);
-    connect(view_, &DocumentView::laidOut, this, showPlace);
+    connect(view_, &view::DocumentView::zoomChanged, this, showPlace);
+    connect(view_, &view::DocumentView::laidOut, this, showPlace);
     connect(view_->verticalScrollBar(), &QScrollBar::valueChanged, this, showPlace);
     showPlace();
     updateTitle();
@@ -159,7 +159,7 @@ QAction* DocumentWindow::add(QMenu* menu, const QString& text, const QKeySequenc
     QAction* action = menu->addAction(plain::ours(text), this, done);
     action->setShortcut(keys);
     if (!icon.isEmpty())
-        action->setIcon(iconNamed(icon));
+        action->setIcon(view::iconNamed(icon));
     action->setIconVisibleInMenu(false);
     return action;
 }

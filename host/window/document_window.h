@@ -1,7 +1,7 @@
 // One top-level window on a document: its view, menus, tool area, list of faults.
 #pragma once
 
-#include "window/document_view.h"
+#include "view/document_view.h"
 
 #include <QMainWindow>
 
@@ -23,7 +23,7 @@ public:
 
     [[nodiscard]] session::OpenDocument& document() const { return *document_; }
     [[nodiscard]] const std::shared_ptr<session::OpenDocument>& shared() const { return document_; }
-    [[nodiscard]] DocumentView& view() const { return *view_; }
+    [[nodiscard]] view::DocumentView& view() const { return *view_; }
     [[nodiscard]] MediumCommands& commands() const { return *commands_; }
 
     bool save(); // false: not, or not yet: what was typed elsewhere is being taken in
@@ -67,7 +67,7 @@ private:
     Application& application_;
     std::shared_ptr<session::OpenDocument> document_;
     QLabel* banner_;
-    DocumentView* view_;
+    view::DocumentView* view_;
     FindBar* find_;
     FaultsPane* faults_;
     QToolBar* tools_;

@@ -144,16 +144,16 @@ TEST_F(WindowTest, WindowsOfADeadMediumAreOpenAgainAndThePictureSaysWhy) {
     EXPECT_EQ(window->document().drafts(), QStringList("Scripted")); // closing asks about them
     click(*window, 0);
     ASSERT_TRUE(waitFor([&] { return it.takesDrafts(); }));
-    Shown shown;
+    view::Shown shown;
     shown.id = nth(*window, 0);
     shown.rendition = it.createRendition();
     shown.rendition->setShown(true);
     ASSERT_TRUE(waitFor([&] { return !shown.rendition->picture().isNull(); }));
-    EXPECT_EQ(noticeOf(window->document(), shown).title,
+    EXPECT_EQ(view::noticeOf(window->document(), shown).title,
               "Scripted was ended by signal 11 (Segmentation fault). Its windows are open again "
               "with what was typed.");
     click(*window, 0);
-    EXPECT_EQ(noticeOf(window->document(), shown).kind, Notice::Kind::none);
+    EXPECT_EQ(view::noticeOf(window->document(), shown).kind, view::Notice::Kind::none);
     it.takeDrafts();
     EXPECT_TRUE(waitFor([&] {
         return window->document().document().bytes().find("NEWSNEWS") != std::string::npos;

@@ -1,7 +1,7 @@
 #include "window/faults_pane.h"
 
 #include "plain/plain.h"
-#include "window/icons.h"
+#include "view/icons.h"
 
 #include <QFileInfo>
 #include <QHeaderView>
@@ -51,7 +51,7 @@ void FaultsPane::refresh() {
         if (!fault.file.isEmpty())
             place.prepend(QFileInfo(fault.file).fileName() + QLatin1Char(':'));
         auto* item = new QTreeWidgetItem({place, fault.message});
-        item->setIcon(0, iconNamed(fault.isError ? "dialog-error" : "dialog-warning"));
+        item->setIcon(0, view::iconNamed(fault.isError ? "dialog-error" : "dialog-warning"));
         item->setToolTip(1, plain::tip(fault.message));
         items << item;
         errors += fault.isError;

@@ -8,7 +8,7 @@
 
 namespace window {
 
-FindBar::FindBar(DocumentView& view, QWidget* parent)
+FindBar::FindBar(view::DocumentView& view, QWidget* parent)
     : QWidget(parent), view_(view), field_(new QLineEdit(this)), count_(plain::label({}, this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(10, 4, 10, 4);
@@ -23,7 +23,7 @@ FindBar::FindBar(DocumentView& view, QWidget* parent)
     row->addWidget(field_);
     row->addWidget(count_, 1);
     connect(field_, &QLineEdit::textChanged, this, &FindBar::look);
-    connect(&view_, &DocumentView::laidOut, this, [this] {
+    connect(&view_, &view::DocumentView::laidOut, this, [this] {
         if (isVisible())
             look();
     });

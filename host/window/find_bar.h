@@ -1,7 +1,7 @@
 // Finds words in a document: a field below the pages, with how many there are.
 #pragma once
 
-#include "window/document_view.h"
+#include "view/document_view.h"
 
 class QLabel;
 class QLineEdit;
@@ -12,7 +12,7 @@ class FindBar : public QWidget {
     Q_OBJECT
 
 public:
-    FindBar(DocumentView& view, QWidget* parent);
+    FindBar(view::DocumentView& view, QWidget* parent);
 
     void open(); // and the keyboard is in it
     void next(int step);
@@ -26,7 +26,7 @@ private:
     void look();
     void tell();
 
-    DocumentView& view_;
+    view::DocumentView& view_;
     QLineEdit* field_;
     QLabel* count_;
 };

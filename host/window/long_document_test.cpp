@@ -15,7 +15,7 @@ QByteArray paragraphs(int count) {
 
 TEST_F(WindowTest, ALongDocumentIsShownWhileItIsLaidOut) {
     DocumentWindow* window = open(memo(paragraphs(session::Presented::firstSteps * 3 / 2)));
-    DocumentView& view = window->view();
+    view::DocumentView& view = window->view();
     EXPECT_FALSE(view.isLaidOut());
     const std::size_t first = view.pages().pages.size();
     EXPECT_GE(first, 10u);
@@ -29,7 +29,7 @@ TEST_F(WindowTest, ALongDocumentIsShownWhileItIsLaidOut) {
 // Pages that come before what one reads move it, and the view moves with it.
 TEST_F(WindowTest, TheWordsThatOneReadsStayWhenPagesBeforeThemChange) {
     DocumentWindow* window = open(memo(paragraphs(1500)));
-    DocumentView& view = window->view();
+    view::DocumentView& view = window->view();
     ASSERT_TRUE(waitFor([&] { return view.isLaidOut(); }));
     QScrollBar* bar = view.verticalScrollBar();
     view.find("line 1000");

@@ -1,8 +1,8 @@
 #include "window/medium_commands.h"
 
 #include "plain/plain.h"
-#include "window/icons.h"
-#include "window/play_bar.h"
+#include "view/icons.h"
+#include "view/play_bar.h"
 
 #include <algorithm>
 #include <set>
@@ -37,14 +37,14 @@ bool isPlaying(const std::string& icon) {
 
 } // namespace
 
-MediumCommands::MediumCommands(session::OpenDocument& document, DocumentView& view, QMenuBar& bar,
-                               QAction* before, QToolBar& toolArea)
+MediumCommands::MediumCommands(session::OpenDocument& document, view::DocumentView& view,
+                               QMenuBar& bar, QAction* before, QToolBar& toolArea)
     : document_(document), view_(view), bar_(bar), before_(before), tools_(toolArea),
-      owner_(plain::label({}, &toolArea)), time_(new PlayBar(false, &toolArea)) {
+      owner_(plain::label({}, &toolArea)), time_(new view::PlayBar(false, &toolArea)) {
     timer_.setSingleShot(true);
     connect(&timer_, &QTimer::timeout, this, &MediumCommands::refresh);
-    connect(&view_, &DocumentView::chosenChanged, this, &MediumCommands::schedule);
-    connect(&view_, &DocumentView::visibleChanged, this, &MediumCommands::schedule);
+    connect(&view_, &view::DocumentView::chosenChanged, this, &MediumCommands::schedule);
+    connect(&view_, &view::DocumentView::visibleChanged, this, &MediumCommands::schedule);
     connect(&document_, &session::OpenDocument::structureChanged, this, [this] {
         watch();
         schedule();
@@ -57,9 +57,10 @@ MediumCommands::MediumCommands(session::OpenDocument& document, DocumentView& vi
         for (media::LiveSubdocument* live : timed())
             action(*live);
     };
-    connect(time_, &PlayBar::playWanted, this, [=] { forTimed([](auto& l) { l.play(); }); });
-    connect(time_, &PlayBar::pauseWanted, this, [=] { forTimed([](auto& l) { l.pause(); }); });
-    connect(time_, &PlayBar::seekWanted, this,
+    connect(time_, &view::PlayBar::playWanted, this, [=] { forTimed([](auto& l) { l.play(); }); });
+    connect(time_, &view::PlayBar::pauseWanted, this,
+            [=] { forTimed([](auto& l) { l.pause(); }); });
+    connect(time_, &view::PlayBar::seekWanted, this,
             [=](double t) { forTimed([t](auto& l) { l.seek(t); }); });
     watch();
     refresh();
@@ -223,7 +224,7 @@ void MediumCommands::build(const QString& documentClass, Medium& medium,
         action->setToolTip(plain::tip(label));
         action->setCheckable(entry.checkable);
         if (!entry.icon.empty() && icons++ < mostTools) {
-            action->setIcon(iconNamed(QString::fromStdString(entry.icon)));
+            action->setIcon(view::iconNamed(QString::fromStdString(entry.icon)));
             if (!action->icon().isNull() && !isPlaying(entry.icon))
                 medium.tools.push_back(action);
         }

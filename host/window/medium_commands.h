@@ -7,7 +7,7 @@
 // rendition, else all visible ones that have time, of every medium.
 #pragma once
 
-#include "window/document_view.h"
+#include "view/document_view.h"
 
 #include <QActionGroup>
 #include <QMenuBar>
@@ -25,7 +25,7 @@ public:
     static constexpr int mostTools = 40, mostGroups = 100;
 
     // Menus are put before `before`.
-    MediumCommands(session::OpenDocument& document, DocumentView& view, QMenuBar& bar,
+    MediumCommands(session::OpenDocument& document, view::DocumentView& view, QMenuBar& bar,
                    QAction* before, QToolBar& toolArea);
     ~MediumCommands() override;
 
@@ -59,12 +59,12 @@ private:
     [[nodiscard]] std::vector<media::LiveSubdocument*> timed() const;
 
     session::OpenDocument& document_;
-    DocumentView& view_;
+    view::DocumentView& view_;
     QMenuBar& bar_;
     QAction* before_;
     QToolBar& tools_;
     QLabel* owner_;
-    PlayBar* time_;
+    view::PlayBar* time_;
     QAction* timeAction_;
     std::map<QString, Medium> media_;
     QTimer timer_;

@@ -4,8 +4,8 @@
 
 #include "plain/plain.h"
 #include "plain/test_contrast.h"
+#include "view/shown.h"
 #include "window/manual.h"
-#include "window/shown.h"
 
 #include <QAccessible>
 #include <QSlider>
@@ -63,8 +63,9 @@ TEST_P(ReadableTest, EveryTextOfAWindow) {
     window->findChild<FindBar*>()->open();
     window->findChild<FindBar*>()->findChild<QLineEdit*>()->setText("Test");
     window->statusBar()->showMessage("Saved");
-    ASSERT_TRUE(waitFor(
-        [&] { return window->findChild<QToolBar*>("tools")->findChild<PlayBar*>()->isVisible(); }));
+    ASSERT_TRUE(waitFor([&] {
+        return window->findChild<QToolBar*>("tools")->findChild<view::PlayBar*>()->isVisible();
+    }));
     expectReadable(*window, "window", 12);
     for (QMenu* menu : window->findChildren<QMenu*>()) {
         Q_EMIT menu->aboutToShow();
@@ -93,7 +94,7 @@ TEST_P(ReadableTest, TheManual) {
 }
 
 TEST_P(ReadableTest, WhatIsPaintedOverFigures) {
-    using Kind = Notice::Kind;
+    using Kind = view::Notice::Kind;
     for (const QColor& picture : {QColor(Qt::white), QColor(128, 128, 128), QColor(Qt::black)})
         for (const Kind kind : {Kind::waiting, Kind::note, Kind::box, Kind::stopped})
             for (const bool isTitle : {true, false}) {
@@ -104,9 +105,9 @@ TEST_P(ReadableTest, WhatIsPaintedOverFigures) {
                 image.setDevicePixelRatio(factor);
                 image.fill(picture);
                 QPainter painter(&image);
-                Notice notice{kind, isTitle ? "Asgard was ended" : "",
-                              isTitle ? "" : "It was ended"};
-                paintShown(painter, QRectF(0, 0, 400, 200), Shown{}, notice, false);
+                view::Notice notice{kind, isTitle ? "Asgard was ended" : "",
+                                    isTitle ? "" : "It was ended"};
+                view::paintShown(painter, QRectF(0, 0, 400, 200), view::Shown{}, notice, false);
                 painter.end();
                 // Where the letters are: the whole of a panel, else a pill or a strip.
                 const QRect place = kind == Kind::note      ? QRect(60, 60, 300, 60)
@@ -125,8 +126,8 @@ TEST_P(ReadableTest, ThePlayBarOverAnyPicture) {
         colours.setColor(QPalette::Window, picture);
         under.setPalette(colours);
         under.resize(400, 60);
-        PlayBar bar(true, &under);
-        bar.setGeometry(0, 0, 400, PlayBar::barHeight);
+        view::PlayBar bar(true, &under);
+        bar.setGeometry(0, 0, 400, view::PlayBar::barHeight);
         ipc::TimeChanged time;
         time.finish = 3;
         bar.setTime(time);
@@ -154,7 +155,7 @@ TEST_F(WindowTest, AScreenReaderGetsEveryNameAndEveryValue) {
     ASSERT_TRUE(waitFor([&] { return hasPicture(*window, 0) && live(*window, 0).time(); }));
     window->findChild<FaultsPane*>()->show();
     window->findChild<FindBar*>()->open();
-    auto* bar = window->findChild<QToolBar*>("tools")->findChild<PlayBar*>();
+    auto* bar = window->findChild<QToolBar*>("tools")->findChild<view::PlayBar*>();
     ASSERT_TRUE(waitFor([&] { return bar->isVisible(); }));
     for (QWidget* widget : window->findChildren<QWidget*>()) {
         if (!widget->isVisible())

@@ -107,7 +107,7 @@ TEST_F(WindowTest, TheToolAreaBelongsToTheMediumInUse) {
 TEST_F(WindowTest, ThePlayBarIsOnlyUnderThePointer) {
     DocumentWindow* window = open(memo(scripted("duration 50") + scripted("colour 123456")));
     ASSERT_TRUE(waitFor([&] { return live(*window, 0).time() && hasPicture(*window, 1); }));
-    auto* bar = window->view().viewport()->findChild<PlayBar*>();
+    auto* bar = window->view().viewport()->findChild<view::PlayBar*>();
     EXPECT_FALSE(bar->isVisible());
     const auto over = [&](std::size_t n) {
         QTest::mouseMove(window->view().viewport(),
@@ -224,9 +224,9 @@ TEST_F(WindowTest, ACrashedMediumKeepsItsPictureAndStartsOnAClick) {
     live(*window, 0).invoke("crash", nullptr);
     ASSERT_TRUE(waitFor([&] { return live(*window, 0).condition() == media::Condition::failed; }));
     EXPECT_TRUE(hasPicture(*window, 0));
-    Shown shown;
+    view::Shown shown;
     shown.id = nth(*window, 0);
-    EXPECT_THAT(noticeOf(window->document(), shown).title.toStdString(),
+    EXPECT_THAT(view::noticeOf(window->document(), shown).title.toStdString(),
                 HasSubstr("was ended by signal 11"));
     EXPECT_EQ(live(*window, 1).condition(), media::Condition::live);
     EXPECT_EQ(window->document().document().bytes(), before);
@@ -268,9 +268,9 @@ TEST_F(WindowTest, AnUnknownMediumIsABoxWithItsText) {
     DocumentWindow* window = open(
         memo("<PARAGRAPH><DOCUMENT>\nDOCUMENT FILM\n<FILM ALT=\"The sea\"><REEL>{x}</REEL></FILM>\n"
              "</DOCUMENT></PARAGRAPH>\n"));
-    Shown shown;
+    view::Shown shown;
     shown.id = nth(*window, 0);
-    const Notice notice = noticeOf(window->document(), shown);
+    const view::Notice notice = view::noticeOf(window->document(), shown);
     EXPECT_EQ(notice.title, "No medium for FILM is installed.");
     EXPECT_EQ(notice.text, "The sea");
 }

@@ -1,13 +1,13 @@
 // A window with documents of a scripted medium, and what tests ask of it.
 #pragma once
 
+#include "view/icons.h"
+#include "view/play_bar.h"
 #include "window/application.h"
 #include "window/document_window.h"
 #include "window/faults_pane.h"
 #include "window/find_bar.h"
-#include "window/icons.h"
 #include "window/medium_commands.h"
-#include "window/play_bar.h"
 
 #include <gmock/gmock.h>
 

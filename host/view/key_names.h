@@ -7,7 +7,7 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
-namespace window {
+namespace view {
 
 // As the W3C's UI Events name them: "a", "A", " ", "ArrowLeft", "F5".
 [[nodiscard]] std::string keyName(const QKeyEvent& event);
@@ -20,4 +20,4 @@ namespace window {
 [[nodiscard]] ipc::Input inputOf(const QWheelEvent& event, QPointF pixels);
 [[nodiscard]] Qt::CursorShape cursorOf(ipc::CursorShape shape);
 
-} // namespace window
+} // namespace view

@@ -1,9 +1,9 @@
-#include "window/shown.h"
+#include "view/shown.h"
 
 #include <QApplication>
 #include <QPainterPath>
 
-namespace window {
+namespace view {
 
 namespace {
 
@@ -175,4 +175,4 @@ void paintShown(QPainter& painter, const QRectF& rect, const Shown& shown, const
     painter.restore();
 }
 
-} // namespace window
+} // namespace view

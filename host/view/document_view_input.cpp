@@ -1,14 +1,14 @@
 // What the user does in a DocumentView: pointer, wheel, keys, links, the play bar.
-#include "window/document_view.h"
+#include "view/document_view.h"
 
-#include "window/key_names.h"
-#include "window/play_bar.h"
+#include "view/key_names.h"
+#include "view/play_bar.h"
 
 #include <QApplication>
 #include <QScrollBar>
 #include <algorithm>
 
-namespace window {
+namespace view {
 
 // --- events ------------------------------------------------------------------------------------
 
@@ -262,4 +262,4 @@ void DocumentView::updateCursor(QPointF point) {
         viewport()->setCursor(Qt::ArrowCursor);
 }
 
-} // namespace window
+} // namespace view

@@ -1,8 +1,8 @@
-#include "window/document_view.h"
+#include "view/document_view.h"
 
 #include "layout/measure.h"
-#include "window/key_names.h"
-#include "window/play_bar.h"
+#include "view/key_names.h"
+#include "view/play_bar.h"
 
 #include <QApplication>
 #include <QPaintEvent>
@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace window {
+namespace view {
 
 namespace {
 
@@ -452,4 +452,4 @@ void DocumentView::paintPages(QPainter& painter, const QRect& area) {
     }
 }
 
-} // namespace window
+} // namespace view

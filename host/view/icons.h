@@ -5,9 +5,9 @@
 #include <QIcon>
 #include <QString>
 
-namespace window {
+namespace view {
 
 // `name`: as the freedesktop icon names. A null icon when neither the program nor the theme has it.
 [[nodiscard]] QIcon iconNamed(const QString& name);
 
-} // namespace window
+} // namespace view

@@ -11,12 +11,12 @@
 #include "layout/paint.h"
 #include "layout/spot.h"
 #include "session/presented.h"
-#include "window/shown.h"
+#include "view/shown.h"
 
 #include <QAbstractScrollArea>
 #include <QTimer>
 
-namespace window {
+namespace view {
 
 class PlayBar;
 
@@ -133,4 +133,4 @@ private:
     std::vector<document::SubdocumentId> visible_;
 };
 
-} // namespace window
+} // namespace view

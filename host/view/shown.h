@@ -11,7 +11,7 @@
 
 #include <QPainter>
 
-namespace window {
+namespace view {
 
 struct Shown {
     document::SubdocumentId id = document::noSubdocument;
@@ -33,4 +33,4 @@ struct Notice {
 void paintShown(QPainter& painter, const QRectF& rect, const Shown& shown, const Notice& notice,
                 bool chosen);
 
-} // namespace window
+} // namespace view

@@ -10,7 +10,7 @@ class QLabel;
 class QSlider;
 class QToolButton;
 
-namespace window {
+namespace view {
 
 // "1.25 / 3.00 s"
 [[nodiscard]] QString timeText(const ipc::TimeChanged& time);
@@ -43,4 +43,4 @@ private:
     ipc::TimeChanged time_;
 };
 
-} // namespace window
+} // namespace view

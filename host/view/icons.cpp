@@ -1,4 +1,4 @@
-#include "window/icons.h"
+#include "view/icons.h"
 
 #include <QGuiApplication>
 #include <QIconEngine>
@@ -7,7 +7,7 @@
 #include <QPalette>
 #include <functional>
 
-namespace window {
+namespace view {
 
 namespace {
 
@@ -179,4 +179,4 @@ QIcon iconNamed(const QString& name) {
     return found == drawings().end() ? QIcon::fromTheme(name) : QIcon(new LineIcon(*found));
 }
 
-} // namespace window
+} // namespace view

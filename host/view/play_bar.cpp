@@ -1,7 +1,7 @@
-#include "window/play_bar.h"
+#include "view/play_bar.h"
 
 #include "plain/plain.h"
-#include "window/icons.h"
+#include "view/icons.h"
 
 #include <QHBoxLayout>
 #include <QPainter>
@@ -9,7 +9,7 @@
 #include <QToolButton>
 #include <cmath>
 
-namespace window {
+namespace view {
 
 namespace {
 
@@ -115,4 +115,4 @@ void PlayBar::paintEvent(QPaintEvent*) {
     painter.drawRoundedRect(rect(), 6, 6);
 }
 
-} // namespace window
+} // namespace view

@@ -1,8 +1,8 @@
-#include "window/key_names.h"
+#include "view/key_names.h"
 
 #include <array>
 
-namespace window {
+namespace view {
 
 namespace {
 
@@ -145,4 +145,4 @@ Qt::CursorShape cursorOf(ipc::CursorShape shape) {
     return Qt::ArrowCursor;
 }
 
-} // namespace window
+} // namespace view
