@@ -81,17 +81,17 @@ EditResult Document::editText(SubdocumentId id, int base, const text::Edits& edi
         change.textForward = edits;
         change.textBackward = text::inverse(before, edits);
     }
-    return perform(std::move(change), label, group);
+    return perform(std::move(change), {.label = label, .group = group});
 }
 
-EditResult Document::edit(const text::Edits& edits, const QString& label, const QString& group) {
+EditResult Document::edit(const text::Edits& edits, const EditNote& note) {
     if (!text::areOrdered(edits, bytes().size()))
         return EditResult::invalid;
     if (changesNothing(edits, bytes()))
         return EditResult::nothing;
     Change change;
     change.forward = edits;
-    return perform(std::move(change), label, group);
+    return perform(std::move(change), note);
 }
 
 void Document::follow(const text::Edits& edits, const files::ReadFile& file, const QString& label) {
@@ -102,35 +102,48 @@ void Document::follow(const text::Edits& edits, const files::ReadFile& file, con
     if (!edits.empty()) {
         Change change;
         change.forward = edits;
+        change.number = ++changes_;
         change.backward = text::inverse(bytes(), edits);
         play(change, Direction::forward, label);
-        push(std::move(change), label, {});
+        push(std::move(change), {.label = label});
     }
     clean_ = bytes() == file.bytes ? done_ : noStep;
     announce(wasModified);
 }
 
-EditResult Document::perform(Change change, const QString& label, const QString& group) {
+EditResult Document::perform(Change change, const EditNote& note) {
     const bool wasModified = isModified();
+    change.number = ++changes_;
     change.backward = text::inverse(bytes(), change.forward);
-    play(change, Direction::forward, label);
-    push(std::move(change), label, group);
+    play(change, Direction::forward, note.label);
+    push(std::move(change), note);
     announce(wasModified);
     return EditResult::applied;
 }
 
-void Document::push(Change change, const QString& label, const QString& group) {
+bool Document::joinsLast(const EditNote& note) const {
+    if (!isOpen_ || done_ != steps_.size() || done_ == 0 || clean_ == done_)
+        return false;
+    const EditNote& last = steps_.back().note;
+    if (!note.group.isEmpty())
+        return note.group == last.group;
+    return note.typed && last.typed && note.label == last.label && note.before == last.after &&
+           *note.typed - *last.typed < typingPause;
+}
+
+void Document::push(Change change, const EditNote& note) {
     if (clean_ != noStep && clean_ > done_)
         clean_ = noStep;
-    const bool joins = !group.isEmpty() && group == group_ && done_ == steps_.size() && done_ > 0 &&
-                       clean_ != done_;
-    if (!joins) {
+    if (joinsLast(note)) {
+        steps_.back().note.after = note.after;
+        steps_.back().note.typed = note.typed;
+    } else {
         steps_.resize(done_);
-        steps_.push_back({.label = label, .changes = {}});
+        steps_.push_back({.note = note, .changes = {}});
         ++done_;
     }
     steps_.back().changes.push_back(std::move(change));
-    group_ = group;
+    isOpen_ = true;
 }
 
 // Everything that is known of the text before is taken down, then the tree follows, then the
@@ -159,13 +172,13 @@ void Document::play(Change& change, Direction direction, const QString& label) {
     }
     if (structure || (anyText && told.texts.size() > touched.size()))
         emit subdocumentsChanged();
-    emit edited(told);
+    emit edited(told, forward ? change.backward : change.forward, change.number);
 }
 
 // --- undo -----------------------------------------------------------------------------------
 
-QString Document::undoLabel() const { return canUndo() ? steps_[done_ - 1].label : QString(); }
-QString Document::redoLabel() const { return canRedo() ? steps_[done_].label : QString(); }
+QString Document::undoLabel() const { return canUndo() ? steps_[done_ - 1].note.label : QString(); }
+QString Document::redoLabel() const { return canRedo() ? steps_[done_].note.label : QString(); }
 
 void Document::undo() {
     if (!canUndo())
@@ -173,9 +186,9 @@ void Document::undo() {
     const bool wasModified = isModified();
     Step& step = steps_[--done_];
     for (auto change = step.changes.rbegin(); change != step.changes.rend(); ++change)
-        play(*change, Direction::backward, step.label);
-    group_.clear();
-    announce(wasModified);
+        play(*change, Direction::backward, step.note.label);
+    isOpen_ = false;
+    announce(wasModified, step.note.before);
 }
 
 void Document::redo() {
@@ -184,16 +197,19 @@ void Document::redo() {
     const bool wasModified = isModified();
     Step& step = steps_[done_++];
     for (Change& change : step.changes)
-        play(change, Direction::forward, step.label);
-    group_.clear();
-    announce(wasModified);
+        play(change, Direction::forward, step.note.label);
+    isOpen_ = false;
+    announce(wasModified, step.note.after);
 }
 
-void Document::announce(bool wasModified) {
+// A receiver may edit: the selection comes as a value.
+void Document::announce(bool wasModified, std::optional<Selection> selection) {
     emit changed();
     emit undoChanged();
     if (isModified() != wasModified)
         emit modifiedChanged(isModified());
+    if (selection)
+        emit selectionRestored(*selection);
 }
 
 // --- its file -------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 // yields a document with faults. No widgets, no processes, nothing that waits.
 #pragma once
 
+#include "document/selection.h"
 #include "document/subdocument.h"
 #include "files/save.h"
 #include "sgml/change.h"
@@ -64,15 +65,19 @@ public:
     // --- edits
     [[nodiscard]] int revision() const { return revision_; } // of the whole; grows with each change
     // Ranges are bytes of the unescaped text. `base` is the subdocument's revision that they were
-    // made for. Edits with the same `group` that follow each other are one step of undo.
+    // made for. `group`: EditNote::group.
     EditResult editText(SubdocumentId id, int base, const text::Edits& edits, const QString& label,
                         const QString& group = {});
     // Ranges are bytes of the file.
-    EditResult edit(const text::Edits& edits, const QString& label, const QString& group = {});
+    EditResult edit(const text::Edits& edits, const EditNote& note);
+    EditResult edit(const text::Edits& edits, const QString& label, const QString& group = {}) {
+        return edit(edits, EditNote{.label = label, .group = group});
+    }
 
     // --- undo: to the start gives the first bytes, redo to the end the last
     [[nodiscard]] bool canUndo() const { return done_ > 0; }
     [[nodiscard]] bool canRedo() const { return done_ < steps_.size(); }
+    [[nodiscard]] std::size_t steps() const { return done_; } // that can be undone
     [[nodiscard]] QString undoLabel() const;
     [[nodiscard]] QString redoLabel() const;
     void undo();
@@ -112,32 +117,38 @@ public:
 Q_SIGNALS:
     void changed(); // after an edit, an undo or a redo, however many changes that is
     // After each single change of the bytes, before changed(): tree and subdocuments have followed.
-    void edited(const sgml::Change& change);
+    // `back` undoes its edits. `number` names the change: an undo and a redo have the number of
+    // the edit.
+    void edited(const sgml::Change& change, const text::Edits& back, std::uint64_t number);
     void textChanged(document::SubdocumentId id, const text::Edits& edits, int revision,
                      const QString& label); // unescaped edits; undo and redo too
     void subdocumentsChanged(); // some came or went, or elements or attributes changed somewhere
     void undoChanged();         // labels, canUndo, canRedo
+    // After an undo or a redo of a step that has a selection, when all else is told.
+    void selectionRestored(const document::Selection& selection);
     void modifiedChanged(bool modified);
     void fileNameChanged();
 
 private:
     // One change of the bytes, and what it did to the subdocuments.
     struct Change {
+        std::uint64_t number = 0;
         text::Edits forward, backward;
         SubdocumentId id = noSubdocument; // whose text it changes and nothing else
         text::Edits textForward, textBackward;
         std::map<std::size_t, SubdocumentId> lost, found; // by offset before and after
     };
     struct Step {
-        QString label;
+        EditNote note;
         std::vector<Change> changes;
     };
     enum class Direction { forward, backward };
 
-    EditResult perform(Change change, const QString& label, const QString& group);
+    EditResult perform(Change change, const EditNote& note);
     void play(Change& change, Direction direction, const QString& label);
-    void push(Change change, const QString& label, const QString& group);
-    void announce(bool wasModified);
+    void push(Change change, const EditNote& note);
+    [[nodiscard]] bool joinsLast(const EditNote& note) const;
+    void announce(bool wasModified, std::optional<Selection> selection = {});
     // A subdocument before a change.
     struct Remembered {
         SubdocumentId id = noSubdocument;
@@ -172,7 +183,8 @@ private:
     std::vector<Step> steps_;
     std::size_t done_ = 0;  // steps that are in force
     std::size_t clean_ = 0; // steps that were in force when saved; noStep: that state is gone
-    QString group_;
+    bool isOpen_ = false;   // the last step may take more edits: no undo came after it
+    std::uint64_t changes_ = 0;
     QString fileName_;
     files::KnownFile file_;
     std::optional<std::string> saved_; // what is in it

@@ -51,6 +51,19 @@ struct Mirror {
     }
 };
 
+// A letter at the caret, as a view types it.
+void typeLetter(Document& document, Selection& selection, char letter, int milliseconds,
+                const QString& label = "Typing") {
+    const Selection after{selection.caret + 1, selection.caret + 1};
+    EXPECT_EQ(document.edit({{{selection.caret, selection.caret}, std::string(1, letter)}},
+                            EditNote{.label = label,
+                                     .before = selection,
+                                     .after = after,
+                                     .typed = std::chrono::milliseconds(milliseconds)}),
+              EditResult::applied);
+    selection = after;
+}
+
 } // namespace
 
 TEST(Document, DescribesItsSubdocuments) {
@@ -148,6 +161,47 @@ TEST(Document, EditsOfOneGroupAreOneStep) {
     EXPECT_EQ(document.bytes(), twoScenes);
     EXPECT_EQ(mirror.text, document.text(one));
     EXPECT_FALSE(document.canUndo());
+}
+
+TEST(Document, TypingIsGroupedByPauseAndPlaceAndUndoRestoresTheSelection) {
+    const std::string first = "DOCUMENT A\n<A>{one two}</A>";
+    Document document(first);
+    std::vector<Selection> restored;
+    QObject::connect(&document, &Document::selectionRestored, &document,
+                     [&](const Selection& selection) { restored.push_back(selection); });
+    const std::size_t at = first.find("one");
+    Selection caret{at, at};
+    for (int i = 0; i < 5; ++i)
+        typeLetter(document, caret, static_cast<char>('a' + i), 900 * i);
+    EXPECT_EQ(document.steps(), 1u);
+    typeLetter(document, caret, 'x', 10'000); // a pause
+    EXPECT_EQ(document.steps(), 2u);
+    caret = {at, at}; // another place
+    typeLetter(document, caret, 'y', 10'010);
+    EXPECT_EQ(document.steps(), 3u);
+    typeLetter(document, caret, 'z', 10'020, "Paste"); // another kind
+    EXPECT_EQ(document.steps(), 4u);
+    EXPECT_EQ(document.bytes(), "DOCUMENT A\n<A>{yzabcdexone two}</A>");
+
+    document.undo();
+    document.undo();
+    document.undo();
+    const Selection end{at + 5, at + 5};
+    EXPECT_EQ(restored, (std::vector<Selection>{{at + 1, at + 1}, {at, at}, end}));
+    caret = end; // what is typed behind an undo is a step of its own
+    typeLetter(document, caret, 'f', 4'000);
+    EXPECT_EQ(document.steps(), 2u);
+    document.undo();
+    document.undo();
+    EXPECT_EQ(restored.back(), (Selection{at, at}));
+    EXPECT_EQ(document.bytes(), first);
+    document.redo();
+    EXPECT_EQ(restored.back(), end);
+
+    restored.clear();
+    EXPECT_EQ(document.edit({{{at, at + 5}, ""}}, "Other"), EditResult::applied);
+    document.undo();
+    EXPECT_TRUE(restored.empty()) << "a step without a selection";
 }
 
 TEST(Document, SubdocumentsKeepTheirNumberThroughEditsAndComeBackWithIt) {

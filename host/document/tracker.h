@@ -2,10 +2,14 @@
 // selection, hits of a search, the place where somebody reads.
 //
 // A place stands between two bytes; text::Gravity says on which side of new text it comes to stand.
+// A place in bytes that an edit took away is back among them when they are back by undo, and one in
+// text that undo took away is back by redo.
 #pragma once
 
 #include "document/document.h"
 
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -30,9 +34,15 @@ public:
     [[nodiscard]] std::size_t size() const;
 
 private:
-    void follow(const text::Edits& edits);
+    // A place, and where it stood before changes, by their numbers, which only the change itself
+    // knows to bring back.
+    struct Tracked {
+        Place place;
+        std::map<std::uint64_t, std::size_t> lost{};
+    };
+    void follow(const text::Edits& edits, const text::Edits& back, std::uint64_t number);
 
-    std::vector<std::weak_ptr<Place>> places_;
+    std::vector<std::weak_ptr<Tracked>> places_;
 };
 
 } // namespace document

@@ -35,6 +35,44 @@ TEST(Tracker, PlacesFollowEditsUndoAndRedo) {
     }
 }
 
+// Undone, a deletion brings places back among its bytes; redone, what was typed does.
+TEST(Tracker, PlacesInWhatWasDeletedComeBackWithIt) {
+    sgml::RandomDocument random(61);
+    for (int round = 0; round < 30; ++round) {
+        Document document(random.sound() + random.sound());
+        Tracker tracker(document);
+        std::vector<std::shared_ptr<const Tracker::Place>> places;
+        const auto offsets = [&] {
+            std::vector<std::size_t> all;
+            for (const auto& place : places)
+                all.push_back(place->offset);
+            return all;
+        };
+        std::vector<std::vector<std::size_t>> states; // before each step
+        for (int step = 0; step < 20; ++step) {
+            const std::size_t size = document.bytes().size(), from = random.below(size + 1),
+                              to = std::min(from + random.below(40), size);
+            for (const text::Gravity gravity : {text::Gravity::before, text::Gravity::behind})
+                places.push_back(tracker.track(random.below(size + 1), gravity));
+            states.push_back(offsets());
+            if (document.edit({{{from, to}, random.text(5)}}, "Edit") != EditResult::applied) {
+                states.pop_back();
+                places.resize(places.size() - 2);
+            }
+        }
+        const std::vector<std::size_t> last = offsets();
+        for (std::size_t step = states.size(); step-- > 0;) {
+            document.undo();
+            std::vector<std::size_t> now = offsets();
+            now.resize(states[step].size());
+            ASSERT_EQ(now, states[step]);
+        }
+        while (document.canRedo())
+            document.redo();
+        EXPECT_EQ(offsets(), last);
+    }
+}
+
 TEST(Tracker, AWordKeepsItsEndsWhileItIsWritten) {
     Document document("DOCUMENT A\n<A>{one two}</A>");
     Tracker tracker(document);
