@@ -97,7 +97,8 @@ Paragraph::~Paragraph() {
 
 // --- letters -----------------------------------------------------------------------------------
 
-const Paragraph::Letters& Paragraph::read(int to) const {
+// As far as that letter, and so many runs.
+const Paragraph::Letters& Paragraph::read(int to, std::size_t runs) const {
     if (!letters_) {
         letters_ = std::make_unique<Letters>();
         if (markerInFront_) {
@@ -106,7 +107,9 @@ const Paragraph::Letters& Paragraph::read(int to) const {
                                       materials_->looks.format(block_->markerStyle)});
         }
     }
-    while (letters_->text.size() < to && letters_->runStarts.size() < block_->runs.size())
+    runs = std::min(runs, block_->runs.size());
+    while (letters_->runStarts.size() < runs ||
+           (letters_->text.size() < to && letters_->runStarts.size() < block_->runs.size()))
         append(letters_->runStarts.size());
     const auto length = static_cast<int>(letters_->text.size());
     if (letters_->kept)

@@ -77,6 +77,28 @@ public:
     [[nodiscard]] std::pair<int, int> rangeOfLine(int line) const;
     [[nodiscard]] double leftOf(int line, int position) const;
 
+    // --- places between letters, for a caret
+    [[nodiscard]] double width() const { return width_; } // that lines are broken to
+    [[nodiscard]] bool isRightToLeft() const;
+    [[nodiscard]] int startOfRun(std::size_t run) const; // in letters
+    // Between the letters of a run and the bytes of its text.
+    [[nodiscard]] int letterAt(std::size_t run, std::size_t byte) const;
+    [[nodiscard]] std::size_t byteAt(std::size_t run, int letter) const;
+    // The line that the place before the letter is on: of two, the later one.
+    [[nodiscard]] int lineOf(int letter) const;
+    // The place nearest to `x`, and the one that the caret at a line's end has.
+    [[nodiscard]] int placeAt(int line, double x) const;
+    [[nodiscard]] int endOfLine(int line) const;
+    enum class Side { left, right };
+    // The next place to that side as the line looks, where a letter with its accents is one; the
+    // same place at the paragraph's end.
+    [[nodiscard]] int placeBeside(int letter, Side side) const;
+    // Where the next word begins, or the one before it; the same place at the paragraph's end.
+    [[nodiscard]] int nextWord(int letter) const;
+    [[nodiscard]] int previousWord(int letter) const;
+    // The edges of a letter in its line, from left to right.
+    [[nodiscard]] std::pair<double, double> edgesOf(int line, int letter) const;
+
     static constexpr int segmentLength = 8192; // letters
     // Pieces of different looks, since the text layout's effort grows with their square.
     static constexpr int segmentFormats = 2048;
@@ -109,7 +131,12 @@ private:
         KeptPlace kept{};                      // of the layout
     };
 
-    const Letters& read(int to) const;
+    const Letters& read(int to, std::size_t runs = 0) const;
+    struct InSegment { // a place in a text layout
+        const QTextLayout& layout;
+        int from = 0; // the letter that it begins with
+    };
+    [[nodiscard]] InSegment segmentAt(int letter) const;
     void append(std::size_t index) const;
     [[nodiscard]] QSizeF sizeOfObject(std::size_t run, int position) const;
     void breakSegment();
