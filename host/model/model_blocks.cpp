@@ -69,8 +69,7 @@ void ModelWalk::open(std::size_t of) {
     const schemas::BlockStyle& style = frame.style.block;
     const std::size_t block = flow_.out->size() - 1;
     const schemas::ContainerRole role = frame.style.role;
-    if (role != schemas::ContainerRole::none &&
-        (frame.role == Role::block || frame.role == Role::table)) {
+    if (isContainer(role) && (frame.role == Role::block || frame.role == Role::table)) {
         opened_[of].container = flow_.containers->size();
         flow_.containers->push_back({.role = role,
                                      .level = frame.levels[static_cast<std::size_t>(role)],

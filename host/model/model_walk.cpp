@@ -301,7 +301,8 @@ bool ModelWalk::beginBlock(Frame& frame) {
     }
     const schemas::BlockStyle& style = frame.style.block;
     frame.role = Role::block;
-    ++frame.levels[static_cast<std::size_t>(frame.style.role)];
+    if (isContainer(frame.style.role))
+        ++frame.levels[static_cast<std::size_t>(frame.style.role)];
     closeText();
     flow_.gap.space = std::max(flow_.gap.space, style.spaceBefore);
     flow_.gap.pageBreak = flow_.gap.pageBreak || style.pageBreakBefore;

@@ -189,6 +189,54 @@ ContentModel::Verdict ContentModel::check(const std::vector<std::string_view>& c
             .expected = expectedAfter(here, complete)};
 }
 
+std::vector<std::uint16_t> ContentModel::reached(const std::vector<std::string_view>& children,
+                                                 std::size_t count) const {
+    std::vector<std::uint16_t> here{0}, next;
+    std::vector<bool> seen;
+    for (std::size_t i = 0; i < count; ++i) {
+        next.clear();
+        seen.assign(symbols_.size(), false);
+        for (const std::uint16_t position : here)
+            for (const std::uint16_t candidate : symbols_[position].next)
+                if (!seen[candidate] && matches(symbols_[candidate], children[i])) {
+                    seen[candidate] = true;
+                    next.push_back(candidate);
+                }
+        here.swap(next);
+    }
+    return here;
+}
+
+std::vector<bool> ContentModel::goesOn(const std::vector<std::string_view>& children,
+                                       std::size_t index) const {
+    std::vector<bool> after = final_, before(symbols_.size());
+    for (std::size_t i = children.size(); i-- > index;) {
+        for (std::size_t position = 0; position < symbols_.size(); ++position)
+            before[position] =
+                std::any_of(symbols_[position].next.begin(), symbols_[position].next.end(),
+                            [&](std::uint16_t next) {
+                                return after[next] && matches(symbols_[next], children[i]);
+                            });
+        after.swap(before);
+    }
+    return after;
+}
+
+std::vector<std::string> ContentModel::allowedAt(const std::vector<std::string_view>& children,
+                                                 std::size_t index) const {
+    const std::vector<bool> after = goesOn(children, index);
+    std::vector<bool> allowed(symbols_.size());
+    for (const std::uint16_t position : reached(children, index))
+        for (const std::uint16_t next : symbols_[position].next)
+            allowed[next] = after[next];
+    std::vector<std::string> names;
+    for (std::size_t next = 1; next < symbols_.size(); ++next)
+        if (allowed[next] &&
+            std::find(names.begin(), names.end(), symbols_[next].name) == names.end())
+            names.push_back(symbols_[next].name);
+    return names;
+}
+
 // LIMIT: the first eight names; a longer list helps nobody.
 std::string ContentModel::expectedAfter(const std::vector<std::uint16_t>& positions,
                                         bool mayEnd) const {

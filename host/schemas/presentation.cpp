@@ -28,6 +28,27 @@ std::set<std::string, std::less<>> Presentation::namesShownAs(std::string_view d
     return names;
 }
 
+ElementStyle Presentation::styleNamed(std::string_view name) const {
+    const ElementStyle root = rootStyle();
+    ElementStyle style;
+    const auto apply = [&](const Selector& selector) {
+        if (selector.names.back().name == name || selector.names.back().name == "*")
+            for (const Property& property : blocks_[selector.block])
+                (void)applyProperty(style, property, root);
+    };
+    const auto isPlain = [](const Selector& selector) {
+        return selector.names.size() == 1 && selector.names[0].attribute.empty() &&
+               !selector.names[0].first;
+    };
+    for (const Selector& selector : selectors_)
+        if (!isPlain(selector))
+            apply(selector);
+    for (const Selector& selector : selectors_)
+        if (isPlain(selector))
+            apply(selector);
+    return style;
+}
+
 ElementStyle Presentation::rootStyle() const {
     ElementStyle root;
     root.display = Display::block;

@@ -81,6 +81,9 @@ public:
     [[nodiscard]] const PageStyle& page() const { return page_; }
     // Something could be read that is not its base's.
     [[nodiscard]] bool saysSomething() const { return saysSomething_; }
+    // How an element of that name looks wherever it stands. A block that names outer elements or
+    // attributes counts less than one that does not: what the element is stands in the latter.
+    [[nodiscard]] ElementStyle styleNamed(std::string_view name) const;
     // The elements that some block shows as this: "image", "reference".
     [[nodiscard]] std::set<std::string, std::less<>> namesShownAs(std::string_view display) const;
 

@@ -223,16 +223,27 @@ std::string setDisplay(Display& target, const Words& words) {
 
 std::string setRole(ContainerRole& target, const Words& words) {
     constexpr std::pair<std::string_view, ContainerRole> names[] = {
-        {"none", ContainerRole::none},     {"section", ContainerRole::section},
-        {"list", ContainerRole::list},     {"item", ContainerRole::item},
-        {"figure", ContainerRole::figure}, {"table", ContainerRole::table},
-        {"quote", ContainerRole::quote},   {"caption", ContainerRole::caption}};
+        {"none", ContainerRole::none},
+        {"section", ContainerRole::section},
+        {"list", ContainerRole::list},
+        {"item", ContainerRole::item},
+        {"figure", ContainerRole::figure},
+        {"table", ContainerRole::table},
+        {"quote", ContainerRole::quote},
+        {"caption", ContainerRole::caption},
+        {"paragraph", ContainerRole::paragraph},
+        {"heading", ContainerRole::heading},
+        {"emphasis", ContainerRole::emphasis},
+        {"strong", ContainerRole::strong},
+        {"code", ContainerRole::code}};
     for (const auto& [name, value] : names)
         if (words.size() == 1 && words[0].text == name) {
             target = value;
             return "";
         }
-    return "wants section, list, item, figure, table, caption, quote or none";
+    return "wants section, list, item, figure, table, caption, quote, paragraph, heading, "
+           "emphasis, "
+           "strong, code or none";
 }
 
 std::string setLineHeight(double& target, const Words& words) {

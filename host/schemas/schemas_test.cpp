@@ -80,6 +80,30 @@ TEST(Structure, FaultsOfAFileAreGivenByLine) {
               "1: parentheses are nested deeper than 50\n");
 }
 
+TEST(Structure, SaysWhatMayComeInBetween) {
+    std::string fault;
+    const ContentModel model = ContentModel::parse("A B? (C | TEXT)* D", fault);
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(model.allowedAt({"A", "D"}, 1), (Names{"B", "C", "TEXT"}));
+    EXPECT_EQ(model.allowedAt({"A", "C", "", "D"}, 2), (Names{"C", "TEXT"}));
+    EXPECT_EQ(model.allowedAt({"A", "C", "D"}, 1), (Names{"B", "C", "TEXT"}));
+    EXPECT_EQ(model.allowedAt({"A", "D"}, 2), Names{});
+    EXPECT_EQ(model.allowedAt({"D"}, 0), Names{"A"});
+    EXPECT_EQ(model.allowedAt({"B", "D"}, 2), Names{}); // what is before does not belong
+}
+
+TEST(Presentation, SaysWhatAnElementIsWhereverItStands) {
+    std::vector<sgml::Fault> faults;
+    const Presentation presentation = Presentation::parse(
+        "B C { role: figure; display: verbatim }\nC { display: block; role: paragraph }\n"
+        "A D { display: cell }\n",
+        faults);
+    EXPECT_EQ(presentation.styleNamed("C").display, Display::block);
+    EXPECT_EQ(presentation.styleNamed("C").role, ContainerRole::paragraph);
+    EXPECT_EQ(presentation.styleNamed("D").display, Display::cell);
+    EXPECT_EQ(presentation.styleNamed("E").display, Display::unknown);
+}
+
 // A backtracking matcher would need 2^n steps for (B? B?)... ; a set of positions does not.
 TEST(Structure, NoRuleIsExponential) {
     std::string rule = "A =", body = "<A>";

@@ -151,6 +151,26 @@ StructureSchema StructureSchema::parse(std::string_view text, std::vector<sgml::
     return schema;
 }
 
+std::vector<std::string> StructureSchema::names() const {
+    std::vector<std::string> names;
+    names.reserve(rules_.size());
+    for (const auto& [name, rule] : rules_)
+        names.push_back(name);
+    return names;
+}
+
+const ContentModel* StructureSchema::model(std::string_view element) const {
+    const auto rule = rules_.find(element);
+    return rule == rules_.end() ? nullptr : &rule->second.model;
+}
+
+bool StructureSchema::hasAttribute(std::string_view element, std::string_view attribute) const {
+    const auto rule = rules_.find(element);
+    return rule != rules_.end() &&
+           std::find(rule->second.attributes.begin(), rule->second.attributes.end(), attribute) !=
+               rule->second.attributes.end();
+}
+
 // --- checking a document --------------------------------------------------------------------
 
 namespace {

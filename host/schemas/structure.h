@@ -42,10 +42,20 @@ public:
     };
     // Children are names of elements; "" stands for content in braces.
     [[nodiscard]] Verdict check(const std::vector<std::string_view>& children) const;
+    // The names that may come in before the child at `index`, so that all of them belong; in the
+    // rule's order, each once. Nothing where the children before it do not belong.
+    [[nodiscard]] std::vector<std::string> allowedAt(const std::vector<std::string_view>& children,
+                                                     std::size_t index) const;
     [[nodiscard]] const std::vector<Symbol>& symbols() const { return symbols_; }
 
 private:
     friend class ContentModelParser;
+    // The positions after the first `count` children.
+    [[nodiscard]] std::vector<std::uint16_t> reached(const std::vector<std::string_view>& children,
+                                                     std::size_t count) const;
+    // For each position: do the children from `index` on belong behind it, up to an end?
+    [[nodiscard]] std::vector<bool> goesOn(const std::vector<std::string_view>& children,
+                                           std::size_t index) const;
     [[nodiscard]] std::string expectedAfter(const std::vector<std::uint16_t>& positions,
                                             bool mayEnd) const;
     std::vector<Symbol> symbols_; // 0 is the start
@@ -58,6 +68,12 @@ public:
     [[nodiscard]] static StructureSchema parse(std::string_view text,
                                                std::vector<sgml::Fault>& faults);
     [[nodiscard]] bool saysSomething() const { return !rules_.empty(); }
+    // The elements that have a rule, in the order of their names.
+    [[nodiscard]] std::vector<std::string> names() const;
+    // What an element may hold; null without a rule.
+    [[nodiscard]] const ContentModel* model(std::string_view element) const;
+    // Does the element's rule list the attribute? ID is not listed.
+    [[nodiscard]] bool hasAttribute(std::string_view element, std::string_view attribute) const;
 
     // What the nested or whole document at `documentNode` holds against the schema, as warnings in
     // order of place. Nested documents of its own are left to their own class's schema.

@@ -75,8 +75,27 @@ struct BlockStyle {
     bool operator==(const BlockStyle&) const = default;
 };
 
-// What an element is for its reader, however it looks. Some stand for several elements.
-enum class ContainerRole { none, section, list, item, figure, table, caption, quote };
+// What an element is for its reader, however it looks. Some stand for several elements. Those up
+// to `quote` hold blocks; the others are what commands of writing look for.
+enum class ContainerRole {
+    none,
+    section,
+    list,
+    item,
+    figure,
+    table,
+    caption,
+    quote,
+    paragraph,
+    heading,
+    emphasis,
+    strong,
+    code,
+};
+
+[[nodiscard]] inline bool isContainer(ContainerRole role) {
+    return role != ContainerRole::none && role <= ContainerRole::quote;
+}
 
 // The paper. In headers and footers {page}, {pages} and {title} stand for what they say.
 struct PageStyle {

@@ -1,0 +1,83 @@
+// Commands of writing: what a command would change in a document, or why it may not.
+//
+// Each command takes a document and a selection and gives a Step: edits of the document's bytes and
+// the selection after them. Nothing is changed here; Document::edit() does that, as one step of
+// undo. The structure after a step is as valid as before by the class's schema. A command that
+// would not leave it so is refused with a sentence. A step changes no byte of what it does not
+// edit: the rest keeps its spelling, and the inverse of the edits gives the bytes back.
+#pragma once
+
+#include "authoring/grammar.h"
+#include "document/document.h"
+#include "text/edit.h"
+
+#include <QString>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace authoring {
+
+// Bytes of the document, each a place where a caret may stand (place()): in the character data of
+// a content, in an element that is empty, or beside an element that is one unit.
+using document::Selection;
+
+struct Step {
+    text::Edits edits{};   // ordered; may be empty: then only the selection moves
+    Selection after{};     // in offsets of the bytes after the edits
+    QString label{};       // of the step of undo: "Typing", "Emphasis"
+    bool isTyping = false; // may join the step of typing before it
+};
+
+struct Refusal {
+    QString why; // a sentence
+};
+
+using Result = std::variant<Step, Refusal>;
+
+// What is written, and what its classes allow. Both outlive it.
+struct Manuscript {
+    const document::Document& document;
+    const Grammars& grammars;
+};
+
+enum class Direction { backward, forward };
+enum class Unit { character, word }; // a character is a grapheme cluster (Unicode, annex 29)
+
+// --- places
+
+// The nearest place at or beyond the offset; nothing when there is none on that side.
+[[nodiscard]] std::optional<std::size_t> place(const Manuscript& manuscript, std::size_t offset,
+                                               Direction direction);
+// The place that an arrow key leads to in the order of the text, which is not the visual order of
+// text from right to left; nothing at the ends of a document, of a footnote and of a nested
+// document. `from` is a place.
+[[nodiscard]] std::optional<std::size_t> placeBeside(const Manuscript& manuscript, std::size_t from,
+                                                     Direction direction, Unit unit);
+// The line of text around a place: first and last place of the paragraph, heading or item.
+[[nodiscard]] Selection lineAround(const Manuscript& manuscript, std::size_t place);
+// All of the flow around a place: of the document, of a footnote, of a nested document.
+[[nodiscard]] Selection everything(const Manuscript& manuscript, std::size_t place);
+
+// A selection that does not end inside of a unit: where one end is in a footnote or in a nested
+// document and the other is not, all of the unit is selected. Commands take it so.
+[[nodiscard]] Selection widened(const Manuscript& manuscript, Selection selection);
+
+// --- writing
+
+// In the place of the selection. The text is plain; what the format needs is escaped here. Line
+// ends are kept in preformatted text and become blanks elsewhere.
+[[nodiscard]] Result type(const Manuscript& manuscript, Selection selection, std::string_view text);
+// The selection; without one, the unit beside the caret. At the end of a paragraph the next one
+// joins it.
+[[nodiscard]] Result erase(const Manuscript& manuscript, Selection selection, Direction direction,
+                           Unit unit = Unit::character);
+// Enter: a new paragraph or item begins; a paragraph follows a heading; an empty item leaves its
+// list; preformatted text gets a line end.
+[[nodiscard]] Result breakParagraph(const Manuscript& manuscript, Selection selection);
+
+} // namespace authoring

@@ -1,0 +1,221 @@
+#include "authoring/authoring.h"
+#include "authoring/authoring_testing.h"
+#include "document/check.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace authoring {
+
+namespace {
+
+using Command = std::function<Result(const Manuscript&, Selection)>;
+
+std::string inside(const std::string& body, const std::string& before, const std::string& after) {
+    return body.substr(before.size(), body.size() - before.size() - after.size());
+}
+
+// The document after the command, with its marks; "refused: " and the sentence. The step's inverse
+// gives the bytes back, and the structure has no fault that it had not before.
+std::string after(const std::string& before, const Command& command) {
+    const Marked marked = readMarks(renamed(before, false));
+    document::Document document(marked.bytes);
+    EXPECT_FALSE(document.isBroken()) << before;
+    const auto faults = [&] {
+        std::string all;
+        for (const sgml::Fault& fault :
+             document::structureFaults(document, testSchemas(), {"ANIMATION"}))
+            all += fault.message + "\n";
+        return all;
+    };
+    const std::string first = faults();
+    const Result result = command({document, testGrammars()}, marked.selection);
+    if (const auto* refusal = std::get_if<Refusal>(&result))
+        return "refused: " + refusal->why.toStdString();
+    const Step& step = std::get<Step>(result);
+    EXPECT_FALSE(step.label.isEmpty());
+    const text::Edits back = text::inverse(document.bytes(), step.edits);
+    if (!step.edits.empty()) {
+        EXPECT_EQ(document.edit(step.edits, step.label), document::EditResult::applied);
+    }
+    EXPECT_EQ(text::applied(document.bytes(), back), marked.bytes);
+    EXPECT_EQ(faults(), first) << document.bytes();
+    return renamed(withMarks(document.bytes(), step.after), true);
+}
+
+const std::string memoHead = "DOCUMENT CMEMO\n<CMEMO>\n<SUBJECT>{S}</SUBJECT>\n<BODY>\n";
+const std::string memoTail = "\n</BODY>\n</CMEMO>\n";
+const std::string reportHead = "DOCUMENT REPORT\n<REPORT>\n<TITLE>{T}</TITLE>\n";
+const std::string reportTail = "\n</REPORT>\n";
+
+std::string cut(const std::string& whole, const std::string& head, const std::string& tail) {
+    return whole.starts_with("refused") ? whole : inside(whole, head, tail);
+}
+
+// In the body of a memo.
+std::string memo(const std::string& body, const Command& command) {
+    return cut(after(memoHead + body + memoTail, command), memoHead, memoTail);
+}
+
+// In a report.
+std::string report(const std::string& body, const Command& command) {
+    return cut(after(reportHead + body + reportTail, command), reportHead, reportTail);
+}
+
+Command typed(const std::string& text) {
+    return [text](const Manuscript& manuscript, Selection selection) {
+        return type(manuscript, selection, text);
+    };
+}
+
+Result enter(const Manuscript& manuscript, Selection selection) {
+    return breakParagraph(manuscript, selection);
+}
+
+Command erased(Direction direction, Unit unit = Unit::character) {
+    return [=](const Manuscript& manuscript, Selection selection) {
+        return erase(manuscript, selection, direction, unit);
+    };
+}
+
+const Command backspace = erased(Direction::backward);
+const Command del = erased(Direction::forward);
+
+} // namespace
+
+TEST(Authoring, Types) {
+    EXPECT_EQ(memo("<P>{One| two}</P>", typed("x")), "<P>{Onex| two}</P>");
+    EXPECT_EQ(memo("<P>{One| two}</P>", typed("{&<\\")), "<P>{One\\{&<\\\\| two}</P>");
+    EXPECT_EQ(memo("<P>{One[ two|}</P>", typed("!")), "<P>{One!|}</P>");
+    EXPECT_EQ(memo("<P>{One| two[}</P>", typed("!")), "<P>{One!|}</P>");
+    EXPECT_EQ(memo("<P>|</P>", typed("a")), "<P>{a|}</P>");
+    EXPECT_EQ(after("DOCUMENT CMEMO\n<CMEMO><BODY>|</BODY></CMEMO>", typed("a")),
+              "DOCUMENT CMEMO\n<CMEMO><BODY><P>{a|}</P></BODY></CMEMO>");
+    EXPECT_EQ(memo("<P>{a|b}</P>", typed("1\n2")), "<P>{a1 2|b}</P>");
+    EXPECT_EQ(memo("<V>{a|b}</V>", typed("1\n2")), "<V>{a1\n2|b}</V>");
+    EXPECT_EQ(memo("<P><T>{a }</T><E>{[b|}</E></P>", typed("c")), "<P><T>{a }</T><E>{c|}</E></P>");
+    EXPECT_EQ(memo("<L>|</L>", typed("c")), "<L><I>{c|}</I></L>");
+    EXPECT_EQ(memo("<RULE></RULE>|", typed("c")), "<RULE></RULE>\n<P>{c|}</P>");
+    EXPECT_EQ(memo("<P><T>{a}</T><IMAGE></IMAGE>|</P>", typed("c")),
+              "<P><T>{a}</T><IMAGE></IMAGE><T>{c|}</T></P>");
+}
+
+TEST(Authoring, ErasesACharacterOrAWord) {
+    EXPECT_EQ(memo("<P>{One|}</P>", backspace), "<P>{On|}</P>");
+    EXPECT_EQ(memo("<P>{|One}</P>", del), "<P>{|ne}</P>");
+    // An "e" with two marks above it is one character.
+    EXPECT_EQ(memo("<P>{xe\u0301\u0302|}</P>", backspace), "<P>{x|}</P>");
+    EXPECT_EQ(memo("<P>{a\\{|b}</P>", backspace), "<P>{a|b}</P>");
+    EXPECT_EQ(memo("<P>{a \n  |b}</P>", backspace), "<P>{a|b}</P>");
+    EXPECT_EQ(memo("<P>{one two|}</P>", erased(Direction::backward, Unit::word)), "<P>{one |}</P>");
+    EXPECT_EQ(memo("<P>{one| two three}</P>", erased(Direction::forward, Unit::word)),
+              "<P>{one| three}</P>");
+    EXPECT_EQ(memo("<P>{a|}</P>", backspace), "<P>{|}</P>");
+    EXPECT_EQ(memo("<P><T>{a }</T><E>{b}</E><T>{|c}</T></P>", backspace), "<P><T>{a |c}</T></P>");
+    EXPECT_EQ(memo("<P><T>{a}</T><F>{note}</F><T>{|c}</T></P>", backspace), "<P><T>{a|c}</T></P>");
+}
+
+TEST(Authoring, ErasesASelection) {
+    EXPECT_EQ(memo("<P>{O[ne tw|o}</P>", backspace), "<P>{O|o}</P>");
+    EXPECT_EQ(memo("<P>{One[}</P>\n<P>{two|}</P>\n<P>{three}</P>", backspace),
+              "<P>{One|}</P>\n<P>{three}</P>");
+    EXPECT_EQ(memo("<P>{O[ne}</P>\n<P>{two}</P>\n<P><T>{th|}</T><E>{ree}</E></P>", del),
+              "<P><T>{O|}</T><E>{ree}</E></P>");
+    EXPECT_EQ(memo("<P><T>{a[b}</T><E>{cd}</E><T>{e|f}</T></P>", del), "<P><T>{a|f}</T></P>");
+    EXPECT_EQ(memo("<P><T>{ab}</T><E>{[cd|}</E><T>{ef}</T></P>", del), "<P><T>{ab|ef}</T></P>");
+    // A bare brace that loses its partner is escaped.
+    EXPECT_EQ(memo("<P>{a {b[ c} d}</P>\n<P>{e|f}</P>", del), "<P>{a \\{b|f}</P>");
+}
+
+TEST(Authoring, JoinsParagraphs) {
+    EXPECT_EQ(memo("<P>{One}</P>\n<P>{|two}</P>", backspace), "<P>{One|two}</P>");
+    EXPECT_EQ(memo("<P>{One|}</P>\n<P ID=\"a\">{two}</P>", del), "<P>{One|two}</P>");
+    EXPECT_EQ(memo("<P>{One}</P>\n<P><T>{|two}</T><E>{!}</E></P>", backspace),
+              "<P><T>{One|two}</T><E>{!}</E></P>");
+    EXPECT_EQ(memo("<P><T>{One}</T></P>\n<P><T>{|two}</T></P>", backspace),
+              "<P><T>{One|two}</T></P>");
+    EXPECT_EQ(memo("<P>{a}</P>\n<L>\n<I>{|b}</I>\n<I>{c}</I>\n</L>", backspace),
+              "<P>{a|b}</P>\n<L>\n<I>{c}</I>\n</L>");
+    EXPECT_EQ(memo("<P>{a}</P>\n<L>\n<I>{|b}</I>\n</L>", backspace), "<P>{a|b}</P>");
+    EXPECT_EQ(memo("<L>\n<I>{a}</I>\n<I><T>{|b}</T><L><I>{c}</I></L></I>\n</L>", backspace),
+              "<L>\n<I><T>{a|b}</T><L><I>{c}</I></L></I>\n</L>");
+    EXPECT_EQ(report("<S><H>{A}</H>\n<P>{a}</P></S>\n<S><H>{|B}</H>\n<P>{b}</P></S>", backspace),
+              "<S><H>{A}</H>\n<P>{a|B}</P>\n<P>{b}</P></S>");
+    EXPECT_EQ(
+        report("<S><H>{A[}</H>\n<P>{a}</P></S>\n<S><H>{B}</H>\n<P>{b|c}</P>\n<P>{d}</P></S>", del),
+        "<S><H>{A|c}</H>\n<P>{d}</P></S>");
+}
+
+TEST(Authoring, DoesNotJoinWhatIsApart) {
+    EXPECT_EQ(memo("<P>{|a}</P>", backspace),
+              "refused: What stands on both sides of the caret cannot become one paragraph.");
+    EXPECT_EQ(memo("<TABLE><R><C>{a}</C><C>{|b}</C></R></TABLE>", backspace),
+              "refused: What stands on both sides of the caret cannot become one paragraph.");
+    EXPECT_EQ(
+        memo("<P>{x}</P><TABLE><R><C>{a[b}</C><C>{cd}</C></R><R><C>{e|f}</C></R></TABLE>", del),
+        "<P>{x}</P><TABLE><R><C>{a|}</C><C></C></R><R><C>{f}</C></R></TABLE>");
+    EXPECT_EQ(memo("<P>{a}</P><RULE></RULE><P>{|b}</P>", backspace), "<P>{a}</P><P>{|b}</P>");
+    EXPECT_EQ(memo("<P>{a|}</P><FIGURE><IMAGE></IMAGE><CAPTION>{c}</CAPTION></FIGURE>", del),
+              "<P>{a|}</P>");
+}
+
+TEST(Authoring, BreaksParagraphs) {
+    EXPECT_EQ(memo("<P>{One| two}</P>", enter), "<P>{One}</P>\n<P>{| two}</P>");
+    EXPECT_EQ(memo("  <P ID=\"p\">{One|}</P>", enter), "  <P ID=\"p\">{One}</P>\n  <P>{|}</P>");
+    EXPECT_EQ(memo("<P>{|One}</P>", enter), "<P>{}</P>\n<P>{|One}</P>");
+    EXPECT_EQ(memo("<P><T>{a}</T><E>{b|c}</E><T>{d}</T></P>", enter),
+              "<P><T>{a}</T><E>{b}</E></P>\n<P><E>{|c}</E><T>{d}</T></P>");
+    EXPECT_EQ(memo("<P>{a[b}</P>\n<P>{c|d}</P>", enter), "<P>{a}</P>\n<P>{|d}</P>");
+    EXPECT_EQ(memo("<V>{a|b}</V>", enter), "<V>{a\n|b}</V>");
+    EXPECT_EQ(memo("<L>\n<I>{a|b}</I>\n</L>", enter), "<L>\n<I>{a}</I>\n<I>{|b}</I>\n</L>");
+    EXPECT_EQ(memo("<L>\n<I><P>{a|b}</P></I>\n</L>", enter),
+              "<L>\n<I><P>{a}</P></I>\n<I><P>{|b}</P></I>\n</L>");
+    EXPECT_EQ(memo("<L>\n<I>{a}</I>\n<I>{|}</I>\n</L>", enter),
+              "<L>\n<I>{a}</I>\n</L>\n<P>{|}</P>");
+    EXPECT_EQ(memo("<L>\n<I>{a}</I>\n<I>{|}</I>\n<I>{b}</I>\n</L>", enter),
+              "<L>\n<I>{a}</I>\n</L>\n<P>{|}</P>\n<L>\n<I>{b}</I>\n</L>");
+    EXPECT_EQ(memo("<L>\n<I><T>{a}</T><L><I>{b}</I><I>{|}</I></L></I>\n</L>", enter),
+              "<L>\n<I><T>{a}</T><L><I>{b}</I></L></I>\n<I>{|}</I>\n</L>");
+    EXPECT_EQ(memo("<TABLE><R><C>{a|b}</C></R></TABLE>", enter),
+              "<TABLE><R><C><P>{a}</P>\n<P>{|b}</P></C></R></TABLE>");
+}
+
+TEST(Authoring, AParagraphFollowsAHeading) {
+    EXPECT_EQ(report("<S>\n<H>{A|}</H>\n<P>{b}</P>\n</S>", enter),
+              "<S>\n<H>{A}</H>\n<P>{|}</P>\n<P>{b}</P>\n</S>");
+    EXPECT_EQ(report("<S>\n<H ID=\"h\">{A|B}</H>\n</S>", enter),
+              "<S>\n<H ID=\"h\">{A}</H>\n<P>{|B}</P>\n</S>");
+    EXPECT_EQ(memo("<FIGURE><IMAGE></IMAGE><CAPTION>{a|}</CAPTION></FIGURE>", enter),
+              "<FIGURE><IMAGE></IMAGE><CAPTION>{a}</CAPTION></FIGURE>\n<P>{|}</P>");
+    EXPECT_EQ(memo("<FIGURE><IMAGE></IMAGE><CAPTION>{a|b}</CAPTION></FIGURE>", enter),
+              "refused: This is one paragraph only.");
+}
+
+TEST(Authoring, KnowsThePlacesOfACaret) {
+    const std::string bytes = renamed(
+        "DOCUMENT CMEMO\n<CMEMO><BODY><P>{a\\{b}</P><P><T>{c}</T><E>{d}</E></P></BODY></CMEMO>",
+        false);
+    const document::Document document(bytes);
+    const Manuscript manuscript{document, testGrammars()};
+    const std::size_t a = bytes.find("{a") + 1, c = bytes.find("{c") + 1, d = bytes.find("{d") + 1;
+    EXPECT_EQ(place(manuscript, 0, Direction::forward), a);
+    EXPECT_EQ(place(manuscript, 0, Direction::backward), std::nullopt);
+    EXPECT_EQ(place(manuscript, bytes.size(), Direction::backward), d + 1);
+    EXPECT_EQ(place(manuscript, a + 2, Direction::forward), a + 3); // behind the backslash
+    EXPECT_EQ(place(manuscript, a + 2, Direction::backward), a + 1);
+    std::vector<std::size_t> walked;
+    for (std::optional<std::size_t> at = a; at;
+         at = placeBeside(manuscript, *at, Direction::forward, Unit::character))
+        walked.push_back(*at);
+    EXPECT_EQ(walked, (std::vector<std::size_t>{a, a + 1, a + 3, a + 4, c, c + 1, d + 1}));
+    walked.clear();
+    for (std::optional<std::size_t> at = d + 1; at;
+         at = placeBeside(manuscript, *at, Direction::backward, Unit::character))
+        walked.push_back(*at);
+    EXPECT_EQ(walked, (std::vector<std::size_t>{d + 1, d, c, a + 4, a + 3, a + 1, a}));
+    EXPECT_EQ(lineAround(manuscript, c + 1), (Selection{c, d + 1}));
+    EXPECT_EQ(everything(manuscript, c), (Selection{a, d + 1}));
+}
+
+} // namespace authoring

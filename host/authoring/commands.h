@@ -1,0 +1,25 @@
+// What commands have in common: erasing between the marks of a draft, and lines to write in.
+#pragma once
+
+#include "authoring/draft.h"
+
+namespace authoring {
+
+// Removes what stands between the marks, and joins what remains of two lines. The marks stand at
+// the place then, side by side or, where lines are not joined, each at its end.
+void eraseBetween(Draft& draft);
+// May the lines of both marks become one?
+[[nodiscard]] bool mayJoin(Draft& draft);
+// Where text can come in at the mark: there, or in a new paragraph beside what it stands at.
+// False: there is no such place.
+[[nodiscard]] bool makeLine(Draft& draft, Piece& mark);
+
+[[nodiscard]] std::vector<std::string> allowedAt(Draft& draft, Piece& parent, std::size_t index);
+[[nodiscard]] bool allows(Draft& draft, Piece& parent, std::size_t index, std::string_view name);
+
+// The innermost element around a piece with that role, or null.
+[[nodiscard]] Piece* around(Draft& draft, Piece& piece, schemas::ContainerRole role);
+
+[[nodiscard]] inline Refusal refused(const QString& why) { return Refusal{why}; }
+
+} // namespace authoring

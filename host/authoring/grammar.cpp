@@ -1,0 +1,168 @@
+#include "authoring/grammar.h"
+
+#include <algorithm>
+
+namespace authoring {
+
+using schemas::ContainerRole;
+using schemas::Display;
+
+namespace {
+
+Kind kindOf(const Element& element) {
+    switch (element.display) {
+    case Display::unknown:
+        return Kind::unknown;
+    case Display::inlined:
+    case Display::link:
+        return Kind::inlined;
+    case Display::block:
+    case Display::verbatim:
+    case Display::table:
+    case Display::row:
+    case Display::cell:
+        return Kind::block;
+    case Display::pageBreak:
+    case Display::rule:
+        return Kind::blockUnit;
+    case Display::image:
+    case Display::footnote:
+    case Display::reference:
+    case Display::slider:
+    case Display::value:
+    case Display::chart:
+        return Kind::unit;
+    }
+    return Kind::unknown;
+}
+
+} // namespace
+
+Grammar::Grammar(const schemas::StructureSchema* structure,
+                 const schemas::Presentation& presentation)
+    : structure_(structure) {
+    const Element document{.kind = Kind::unit,
+                           .display = Display::block,
+                           .role = ContainerRole::none,
+                           .holdsText = false};
+    elements_.emplace("DOCUMENT", document);
+    if (structure == nullptr)
+        return;
+    for (const std::string& name : structure->names()) {
+        const schemas::ElementStyle style = presentation.styleNamed(name);
+        Element element{
+            .display = style.display, .role = style.role, .holdsText = allowsText(name)};
+        element.kind = kindOf(element);
+        elements_.emplace(name, element);
+    }
+}
+
+const Element& Grammar::of(std::string_view name) const {
+    static const Element unknown{};
+    const auto found = elements_.find(name);
+    return found == elements_.end() ? unknown : found->second;
+}
+
+bool Grammar::allowsText(std::string_view name) const {
+    const std::vector<std::string> first = allowedAt(name, {}, 0);
+    return std::find(first.begin(), first.end(), "TEXT") != first.end();
+}
+
+std::string_view Grammar::named(ContainerRole role) const {
+    for (const auto& [name, element] : elements_)
+        if (element.role == role)
+            return name;
+    return {};
+}
+
+std::string_view Grammar::named(Display display) const {
+    for (const auto& [name, element] : elements_)
+        if (element.display == display && name != "DOCUMENT")
+            return name;
+    return {};
+}
+
+std::string Grammar::whyNot(std::string_view element, const Children& children) const {
+    const schemas::ContentModel* model =
+        structure_ == nullptr ? nullptr : structure_->model(element);
+    if (model == nullptr)
+        return {};
+    const schemas::ContentModel::Verdict verdict = model->check(children);
+    const std::string tag = "<" + std::string(element) + ">";
+    if (verdict.wrong < children.size()) {
+        const std::string_view wrong = children[verdict.wrong];
+        return (wrong.empty() ? "Text" : "<" + std::string(wrong) + ">") +
+               " may not stand here in " + tag + "; expected is " +
+               (verdict.expected.empty() ? "nothing" : verdict.expected) + ".";
+    }
+    return verdict.incomplete ? tag + " would end too early; expected is " + verdict.expected + "."
+                              : std::string{};
+}
+
+std::vector<std::string> Grammar::allowedAt(std::string_view element, const Children& children,
+                                            std::size_t index) const {
+    const schemas::ContentModel* model =
+        structure_ == nullptr ? nullptr : structure_->model(element);
+    if (model == nullptr)
+        return {};
+    std::vector<std::string> allowed = model->allowedAt(children, index);
+    if (std::find(allowed.begin(), allowed.end(), "ANY") == allowed.end())
+        return allowed;
+    allowed = {"TEXT"};
+    for (const auto& [name, known] : elements_)
+        if (name != "TEXT")
+            allowed.push_back(name);
+    return allowed;
+}
+
+bool Grammar::hasAttribute(std::string_view element, std::string_view attribute) const {
+    return attribute == "ID" || structure_ == nullptr ||
+           structure_->hasAttribute(element, attribute);
+}
+
+const Grammar* Grammars::of(std::string_view className) const {
+    if (!schemas_.isText(className))
+        return nullptr;
+    auto found = grammars_.find(className);
+    if (found == grammars_.end())
+        found = grammars_
+                    .emplace(className, Grammar(schemas_.structure(className),
+                                                schemas_.presentation(className)))
+                    .first;
+    return &found->second;
+}
+
+QString called(const Grammar& grammar, std::string_view name) {
+    static const std::map<ContainerRole, QString> byRole = {
+        {ContainerRole::section, QStringLiteral("a section")},
+        {ContainerRole::list, QStringLiteral("a list")},
+        {ContainerRole::item, QStringLiteral("an item of a list")},
+        {ContainerRole::figure, QStringLiteral("a figure")},
+        {ContainerRole::table, QStringLiteral("a table")},
+        {ContainerRole::caption, QStringLiteral("a caption")},
+        {ContainerRole::quote, QStringLiteral("a quotation")},
+        {ContainerRole::paragraph, QStringLiteral("a paragraph")},
+        {ContainerRole::heading, QStringLiteral("a heading")}};
+    static const std::map<Display, QString> byDisplay = {
+        {Display::verbatim, QStringLiteral("preformatted text")},
+        {Display::cell, QStringLiteral("a cell")},
+        {Display::footnote, QStringLiteral("a footnote")},
+        {Display::link, QStringLiteral("a link")},
+        {Display::reference, QStringLiteral("a reference")},
+        {Display::image, QStringLiteral("an image")},
+        {Display::pageBreak, QStringLiteral("a page break")},
+        {Display::rule, QStringLiteral("a rule")}};
+    if (name.empty() || name == "TEXT")
+        return QStringLiteral("text");
+    if (name == "DOCUMENT")
+        return QStringLiteral("an embedded document");
+    const Element& element = grammar.of(name);
+    if (const auto role = byRole.find(element.role); role != byRole.end())
+        return role->second;
+    if (const auto display = byDisplay.find(element.display); display != byDisplay.end())
+        return display->second;
+    return QStringLiteral("a ") +
+           QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+}
+
+} // namespace authoring

@@ -1,0 +1,271 @@
+#include "authoring/random_author.h"
+
+#include "authoring/authoring_testing.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace authoring {
+
+using sgml::NodeId;
+using sgml::noNode;
+
+// --- documents ------------------------------------------------------------------------------
+
+std::string RandomAuthor::gap() {
+    constexpr std::array<std::string_view, 5> kinds = {"\n", "\n", "", "\n  ", " "};
+    return std::string(kinds[below(kinds.size())]);
+}
+
+std::string RandomAuthor::element(const std::string& name, const std::string& inside) {
+    const std::string id = below(8) == 0 ? " ID=\"i" + std::to_string(++ids_) + "\"" : "";
+    return "<" + name + id + ">" + inside + "</" + name + ">";
+}
+
+std::string RandomAuthor::text() {
+    if (below(3) == 0)
+        return "{" + random_.spelling(2) + "}";
+    std::string words = "{";
+    for (std::size_t count = below(5); count > 0; --count)
+        words += (words.size() > 1 ? " " : "") + std::string(1 + below(6), char('a' + below(26)));
+    return words + "}";
+}
+
+std::string RandomAuthor::inlined(int depth) {
+    switch (below(10)) {
+    case 0:
+        return element("EMPH", line(depth - 1));
+    case 1:
+        return element("STRONG", line(depth - 1));
+    case 2:
+        return "<LINK TO=\"http://x\">" + line(depth - 1) + "</LINK>";
+    case 3:
+        return "<REF TO=\"i1\"></REF>";
+    case 4:
+        return element("FOOTNOTE", below(2) == 0 ? text() : element("PARAGRAPH", line(depth - 1)));
+    case 5:
+        return "<IMAGE FILE=\"a.png\"></IMAGE>";
+    default:
+        return element("TEXT", below(9) == 0 ? "" : text());
+    }
+}
+
+std::string RandomAuthor::line(int depth) {
+    if (depth <= 0 || below(2) == 0)
+        return below(9) == 0 ? "" : text();
+    std::string all;
+    for (std::size_t count = below(5); count > 0; --count)
+        all += inlined(depth);
+    return all;
+}
+
+std::string RandomAuthor::animation() {
+    return "<DOCUMENT>\nDOCUMENT ANIMATION\n<ANIMATION ALT=\"a\"><ASGARD>{x \\{1\\}}</ASGARD>\n"
+           "</ANIMATION>\n</DOCUMENT>";
+}
+
+std::string RandomAuthor::list(int depth) {
+    std::string items;
+    for (std::size_t count = below(4); count > 0; --count) {
+        const std::string first = below(2) == 0 ? text() : element("TEXT", text());
+        const bool nests = depth > 0 && below(3) == 0;
+        items += gap() + element("ITEM", nests           ? element("TEXT", text()) + list(depth - 1)
+                                         : below(3) == 0 ? element("PARAGRAPH", line(depth))
+                                                         : first);
+    }
+    return (below(2) == 0 ? "<LIST KIND=\"number\">" : "<LIST>") + items + gap() + "</LIST>";
+}
+
+std::string RandomAuthor::table(int depth) {
+    std::string rows = below(3) == 0 ? element("CAPTION", line(1)) : "";
+    for (std::size_t count = 1 + below(3); count > 0; --count)
+        rows += gap() + "<ROW>" + element("CELL", line(1)) +
+                element("CELL", below(3) == 0 ? blocks(depth - 2) : text()) + "</ROW>";
+    return element("TABLE", rows);
+}
+
+std::string RandomAuthor::block(int depth) {
+    switch (below(13)) {
+    case 0:
+    case 1:
+        return list(depth - 1);
+    case 2:
+        return depth > 1 ? table(depth) : element("PARAGRAPH", "");
+    case 3:
+        return element("FIGURE", animation() + (below(2) == 0 ? element("CAPTION", line(1)) : ""));
+    case 4:
+        return element("VERBATIM", below(5) == 0 ? "" : text());
+    case 5:
+        return below(2) == 0 ? "<RULE></RULE>" : "<PAGEBREAK></PAGEBREAK>";
+    case 6:
+        return animation();
+    case 7:
+        return element("PARAGRAPH", animation());
+    default:
+        return element("PARAGRAPH", line(depth));
+    }
+}
+
+std::string RandomAuthor::blocks(int depth) {
+    std::string all;
+    for (std::size_t count = below(6); count > 0 && depth >= 0; --count)
+        all += gap() + block(depth);
+    return all + gap();
+}
+
+std::string RandomAuthor::section(int depth) {
+    std::string all = element("HEADING", line(1)) + blocks(depth);
+    for (std::size_t count = depth > 0 ? below(3) : 0; count > 0; --count)
+        all += gap() + section(depth - 1);
+    return element("SECTION", gap() + all + gap());
+}
+
+std::string RandomAuthor::document() {
+    if (below(2) == 0)
+        return "DOCUMENT CMEMO\n<CMEMO>" + element("TO", line(1)) + gap() +
+               element("SUBJECT", line(1)) + gap() + element("BODY", blocks(3)) + "</CMEMO>\n";
+    std::string sections;
+    for (std::size_t count = below(4); count > 0; --count)
+        sections += gap() + section(2);
+    return "DOCUMENT REPORT\n<REPORT>" + element("TITLE", line(1)) +
+           (below(2) == 0 ? element("ABSTRACT", below(2) == 0 ? text() : blocks(1)) : "") +
+           blocks(2) + sections + "</REPORT>";
+}
+
+// --- writing --------------------------------------------------------------------------------
+
+namespace {
+
+// The letters of all contents in [from, to), and how many elements are figures.
+std::string lettersOf(const sgml::Tree& tree, std::size_t from, std::size_t to) {
+    std::string letters;
+    for (NodeId id = tree.root(); id != noNode; id = tree.following(id)) {
+        if (tree.node(id).kind != sgml::NodeKind::content)
+            continue;
+        const text::Range range = tree.contentRange(id);
+        for (std::size_t at = std::max(range.from, from); at < std::min(range.to, to); ++at)
+            if (std::isalpha(static_cast<unsigned char>(tree.bytes()[at])) != 0)
+                letters += tree.bytes()[at];
+    }
+    return letters;
+}
+
+// Do the letters come in that order, perhaps with others between them?
+bool isPartOf(std::string_view letters, std::string_view all) {
+    std::size_t found = 0;
+    for (const char letter : all)
+        found += found < letters.size() && letters[found] == letter ? 1 : 0;
+    return found == letters.size();
+}
+
+std::size_t figuresOf(const sgml::Tree& tree) {
+    std::size_t count = 0;
+    for (NodeId id = tree.root(); id != noNode; id = tree.following(id))
+        count += tree.isElement(id) && tree.name(id) == "FIGURE" ? 1 : 0;
+    return count;
+}
+
+std::string faultsOf(const document::Document& document) {
+    std::string all;
+    for (const sgml::Fault& fault : document.faults())
+        all += fault.message + "; ";
+    const schemas::StructureSchema* schema = testSchemas().structure(document.className());
+    for (const sgml::Fault& fault : schema->check(document.tree(), document.tree().root()))
+        all += fault.message + "; ";
+    return all;
+}
+
+} // namespace
+
+Selection RandomAuthor::randomSelection(const Manuscript& manuscript, Selection last) {
+    if (below(3) != 0 && last.caret <= manuscript.document.bytes().size())
+        return {last.caret, last.caret};
+    const auto anywhere = [&] {
+        const std::size_t size = manuscript.document.bytes().size();
+        const std::optional<std::size_t> found =
+            place(manuscript, below(size + 1), Direction::forward);
+        return found.value_or(place(manuscript, size, Direction::backward).value_or(0));
+    };
+    const std::size_t caret = anywhere();
+    if (below(2) == 0)
+        return {caret, caret};
+    if (below(2) == 0)
+        return {anywhere(), caret};
+    std::size_t anchor = caret; // near it
+    for (std::size_t count = 1 + below(12); count > 0; --count)
+        anchor =
+            placeBeside(manuscript, anchor, Direction::forward, Unit::character).value_or(anchor);
+    return below(2) == 0 ? Selection{anchor, caret} : Selection{caret, anchor};
+}
+
+RandomAuthor::Try RandomAuthor::tryCommand(const Manuscript& manuscript, Selection selection) {
+    const bool isRange = !selection.isEmpty();
+    switch (below(4)) {
+    case 0: {
+        const Direction direction = below(2) == 0 ? Direction::forward : Direction::backward;
+        const Unit unit = below(3) == 0 ? Unit::word : Unit::character;
+        return {"erase", erase(manuscript, selection, direction, unit), isRange};
+    }
+    case 1:
+        return {"Enter", breakParagraph(manuscript, selection)};
+    default:
+        return {"type", type(manuscript, selection, random_.text(3))};
+    }
+}
+
+std::string RandomAuthor::write(std::size_t count) {
+    const std::string first = document();
+    document::Document document(first);
+    const Manuscript manuscript{document, testGrammars()};
+    if (const std::string faults = faultsOf(document); !faults.empty())
+        return "the document: " + faults + "\n" + first;
+    Selection last;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Selection selection = widened(manuscript, randomSelection(manuscript, last));
+        const std::size_t from = std::min(selection.anchor, selection.caret),
+                          to = std::max(selection.anchor, selection.caret);
+        const std::string before = document.bytes();
+        const Try tried = tryCommand(manuscript, selection);
+        const auto* step = std::get_if<Step>(&tried.result);
+        if (step == nullptr) {
+            ++tally_.refusals;
+            continue;
+        }
+        ++tally_.steps;
+        const auto wrong = [&](const std::string& what) {
+            return tried.what + " " + std::to_string(selection.anchor) + ".." +
+                   std::to_string(selection.caret) + ": " + what +
+                   "\nbefore: " + withMarks(before, selection) + "\nafter: " + document.bytes();
+        };
+        const std::string letters = lettersOf(document.tree(), 0, from) +
+                                    lettersOf(document.tree(), to, document.bytes().size());
+        const std::size_t figures = figuresOf(document.tree());
+        if (!step->edits.empty() &&
+            document.edit(step->edits, step->label) == document::EditResult::invalid)
+            return wrong("the edits are not in order");
+        for (const text::Edit& edit : step->edits)
+            tally_.replaced += edit.range.size();
+        if (const std::string faults = faultsOf(document); !faults.empty())
+            return wrong(faults);
+        for (const std::size_t at : {step->after.anchor, step->after.caret})
+            if (place(manuscript, at, Direction::forward) != at)
+                return wrong("no place: " + std::to_string(at));
+        last = step->after;
+        if (!tried.keepsLetters || figuresOf(document.tree()) < figures)
+            continue;
+        const std::string now = lettersOf(document.tree(), 0, document.bytes().size());
+        if (!isPartOf(letters, now))
+            return wrong("letters are lost");
+    }
+    const std::string written = document.bytes();
+    while (document.canUndo())
+        document.undo();
+    if (document.bytes() != first)
+        return "undo gives\n" + document.bytes() + "\nnot\n" + first;
+    while (document.canRedo())
+        document.redo();
+    return document.bytes() == written ? "" : "redo gives\n" + document.bytes();
+}
+
+} // namespace authoring
