@@ -20,7 +20,8 @@ public:
     explicit RunPlaces(const sgml::Tree& tree) : tree_(tree) {}
 
     [[nodiscard]] bool isText(const Run& run) const {
-        return run.content != sgml::noNode && tree_.holds(run.content);
+        return run.content != sgml::noNode && tree_.holds(run.content) &&
+               tree_.node(run.content).kind == sgml::NodeKind::content;
     }
     // Of a run that is text: the place before a byte of its text, and the byte behind a place that
     // lies in it; places outside are those of its ends.

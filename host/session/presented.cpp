@@ -94,6 +94,13 @@ void Presented::slice() {
     timer_.start(0);
 }
 
+void Presented::settle() {
+    if (document_.document().className() != className_)
+        begin();
+    while (timer_.isActive() && step()) {
+    }
+}
+
 // Seldom enough that whoever looks at all pages each time does not look at too many.
 void Presented::tell() {
     if (!pagination_ || pagination_->count() < told_ + told_ / 4 + 1)

@@ -29,6 +29,13 @@ public:
     [[nodiscard]] const schemas::PageStyle& page() const { return by_->page(); }
     [[nodiscard]] const QString& title() const { return title_; } // when it is complete
 
+    // The last that was complete; null before the first.
+    [[nodiscard]] const std::shared_ptr<const model::Model>& model() const {
+        return builder_->model();
+    }
+    // Goes on until all is there, and tells so.
+    void settle();
+
     // Steps that are taken before the document is shown: what some 50 pages need.
     static constexpr int firstSteps = 4000;
 

@@ -3,6 +3,7 @@
 #include "layout/measure.h"
 #include "view/key_names.h"
 #include "view/play_bar.h"
+#include "view/text_hand.h"
 
 #include <QApplication>
 #include <QPaintEvent>
@@ -35,7 +36,8 @@ void paintShadow(QPainter& painter, const QRectF& page) {
 } // namespace
 
 DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
-    : QAbstractScrollArea(parent), document_(document), playBar_(new PlayBar(true, viewport())) {
+    : QAbstractScrollArea(parent), document_(document), playBar_(new PlayBar(true, viewport())),
+      text_(std::make_unique<TextHand>(*this)) {
     setFrameShape(QFrame::NoFrame);
     setAccessibleName(tr("Document"));
     setFocusPolicy(Qt::StrongFocus);
@@ -63,6 +65,9 @@ DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
         if (media::LiveSubdocument* live = document_.live(hovered_))
             live->seek(time);
     });
+    connect(&document_.document(), &document::Document::edited, this, [this] { isBehind_ = true; });
+    connect(&text_->cursor(), &TextCursor::changed, this, &DocumentView::selectionChanged);
+    connect(this, &DocumentView::chosenChanged, this, &DocumentView::selectionChanged);
     present();
 }
 
@@ -97,12 +102,14 @@ void DocumentView::showPages() {
     const auto was = spot ? layout::placeOf(pages_, *spot, top) : std::nullopt;
     const double stood = was ? heightOf(*was) : 0;
     const layout::Pages before = std::exchange(pages_, presented_->pages());
+    isBehind_ = isBehind_ && !isLaidOut();
     placeSubdocuments();
     setScrollBars();
     if (const auto place = was ? layout::placeOf(pages_, *spot, top) : std::nullopt)
         bar->setValue(bar->value() + static_cast<int>(std::lround(heightOf(*place) - stood)));
     updateNearness();
     showChanged(before);
+    text_->refresh();
     Q_EMIT laidOut();
 }
 
@@ -158,6 +165,23 @@ QPointF DocumentView::pageTopLeft(std::size_t page) const {
     const double top = margin + std::floor(static_cast<double>(page) * (size.height() + gap)) -
                        verticalScrollBar()->value();
     return {left, top};
+}
+
+std::pair<std::size_t, QPointF> DocumentView::pagePointAt(QPointF point) const {
+    const double step = pageSize().height() + gap;
+    const double from = point.y() + verticalScrollBar()->value() - margin + gap / 2;
+    const auto last = static_cast<double>(pages().pages.size() - 1);
+    const auto page = static_cast<std::size_t>(std::clamp(std::floor(from / step), 0.0, last));
+    return {page, (point - pageTopLeft(page)) / scale()};
+}
+
+QRectF DocumentView::inViewport(std::size_t page, const QRectF& twips) const {
+    return {pageTopLeft(page) + twips.topLeft() * scale(), twips.size() * scale()};
+}
+
+void DocumentView::settle() {
+    if (isBehind_)
+        presented_->settle();
 }
 
 // On whole device pixels, so that a picture of that many pixels is copied and not resampled.
@@ -413,6 +437,7 @@ void DocumentView::paintEvent(QPaintEvent* event) {
         if (!place.adjusted(-4, -4, 4, 4).intersects(QRectF(event->rect())))
             continue;
         paintShown(painter, place, shown, noticeOf(document_, shown), id == chosen_);
+        text_->paintSelection(painter, id, place);
         if (shown.rendition)
             shown.rendition->painted();
     }
@@ -448,6 +473,7 @@ void DocumentView::paintPages(QPainter& painter, const QRect& area) {
         layout::paintPage(painter, pages(), i, clip,
                           {{}, [this](const layout::ImagePiece& piece) { return imageOf(piece); }});
         paintFound(painter, i);
+        text_->paintSelection(painter, i);
         painter.restore();
     }
 }

@@ -19,6 +19,7 @@
 namespace view {
 
 class PlayBar;
+class TextHand;
 
 class DocumentView : public QAbstractScrollArea {
     Q_OBJECT
@@ -41,6 +42,22 @@ public:
     [[nodiscard]] media::Rendition* rendition(document::SubdocumentId id) const;
     [[nodiscard]] QRectF placeOf(document::SubdocumentId id) const; // in the viewport
     void scrollTo(document::SubdocumentId id);
+
+    [[nodiscard]] session::OpenDocument& document() const { return document_; }
+    // The page at or nearest to a height of the viewport, and that point on it in twips; there is
+    // a page. And back.
+    [[nodiscard]] std::pair<std::size_t, QPointF> pagePointAt(QPointF point) const;
+    [[nodiscard]] QRectF inViewport(std::size_t page, const QRectF& twips) const;
+    // Shows the document as it is now, where edits came that are not laid out yet.
+    void settle();
+    // As it was when the pages were made; null: they are being made.
+    [[nodiscard]] std::shared_ptr<const model::Model> model() const { return presented_->model(); }
+
+    // --- the text that is selected
+    [[nodiscard]] TextHand& text() const { return *text_; }
+    [[nodiscard]] bool canCopy() const; // false while a figure has the keys
+    void copy();
+    void selectAll();
 
     // Marks the words wherever they stand, and shows the first of them at or below what is seen;
     // "": none any more.
@@ -65,6 +82,8 @@ Q_SIGNALS:
     void zoomChanged();
     void laidOut();
     void contextMenuWanted(document::SubdocumentId id, const QPoint& global);
+    void textMenuWanted(const QPoint& global);
+    void selectionChanged(); // or what may be done with it
     void linkActivated(const QString& target);
     void unhandledKey(int key, Qt::KeyboardModifiers modifiers);
 
@@ -81,6 +100,8 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     bool focusNextPrevChild(bool next) override;
     void showEvent(QShowEvent* event) override;
@@ -129,6 +150,8 @@ private:
     bool wasDragged_ = false;
     bool wasShown_ = false;
     PlayBar* playBar_;
+    std::unique_ptr<TextHand> text_;
+    bool isBehind_ = false; // edits came that are not laid out
     QTimer geometryTimer_;
     std::vector<document::SubdocumentId> visible_;
 };

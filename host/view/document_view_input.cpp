@@ -3,6 +3,7 @@
 
 #include "view/key_names.h"
 #include "view/play_bar.h"
+#include "view/text_hand.h"
 
 #include <QApplication>
 #include <QScrollBar>
@@ -21,6 +22,7 @@ void DocumentView::resizeEvent(QResizeEvent*) {
 void DocumentView::scrollContentsBy(int, int) {
     updateNearness();
     updatePlayBar();
+    text_->refresh();
     viewport()->update();
 }
 
@@ -66,8 +68,11 @@ void DocumentView::mousePressEvent(QMouseEvent* event) {
     wasDragged_ = false;
     Shown* shown = shownAt(event->position());
     choose(shown ? shown->id : document::noSubdocument);
-    if (!shown)
+    if (!shown) {
+        if (event->button() == Qt::LeftButton)
+            text_->press(*event);
         return;
+    }
     media::LiveSubdocument* live = document_.live(shown->id);
     if (!live || !shown->rendition)
         return;
@@ -80,11 +85,21 @@ void DocumentView::mousePressEvent(QMouseEvent* event) {
     shown->rendition->input(inputOf(*event, pixelsIn(*shown, event->position())));
 }
 
-void DocumentView::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(event); }
+void DocumentView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton || shownAt(event->position()))
+        return mousePressEvent(event);
+    wasDragged_ = true; // no click on a link
+    text_->pressTwice(*event);
+}
 
 void DocumentView::mouseMoveEvent(QMouseEvent* event) {
     constexpr double dragLength = 4;
     wasDragged_ |= (event->position() - pressedAt_).manhattanLength() > dragLength;
+    if (text_->isDragging()) {
+        if (wasDragged_)
+            text_->drag(event->position());
+        return;
+    }
     Shown* shown = shownAt(event->position());
     const document::SubdocumentId hovered =
         shown && document_.live(shown->id) ? shown->id : document::noSubdocument;
@@ -106,19 +121,28 @@ void DocumentView::mouseReleaseEvent(QMouseEvent* event) {
         if (event->button() == Qt::RightButton && !wasDragged_ &&
             !(event->modifiers() & Qt::ShiftModifier))
             Q_EMIT contextMenuWanted(grabbed_, event->globalPosition().toPoint());
-    } else if (event->button() == Qt::LeftButton && !wasDragged_) {
+    } else if (event->button() == Qt::RightButton && !wasDragged_) {
+        Q_EMIT textMenuWanted(event->globalPosition().toPoint());
+    } else if (event->button() == Qt::LeftButton && !wasDragged_ && !text_->cursor().selects()) {
         if (const model::Run* link = linkAt(event->position()))
             follow(QString::fromStdString(link->target));
     }
+    if (event->button() == Qt::LeftButton)
+        text_->release();
     if (!event->buttons())
         grabbed_ = document::noSubdocument;
 }
 
 // By key only: by mouse it comes with the release, since the right button drags in some media.
 void DocumentView::contextMenuEvent(QContextMenuEvent* event) {
-    if (event->reason() == QContextMenuEvent::Keyboard && chosen_)
+    if (event->reason() != QContextMenuEvent::Keyboard)
+        return;
+    const QRectF caret = text_->caretRect().value_or(QRectF(viewport()->rect().center(), QSizeF()));
+    if (chosen_)
         Q_EMIT contextMenuWanted(chosen_,
                                  viewport()->mapToGlobal(placeOf(chosen_).center().toPoint()));
+    else
+        Q_EMIT textMenuWanted(viewport()->mapToGlobal(caret.bottomLeft().toPoint()));
 }
 
 void DocumentView::wheelEvent(QWheelEvent* event) {
@@ -153,6 +177,8 @@ void DocumentView::keyReleaseEvent(QKeyEvent* event) {
 
 // A key that is the host's: because nothing is chosen, or because the medium did not use it.
 void DocumentView::useKey(int key, Qt::KeyboardModifiers modifiers) {
+    if (!chosen_ && text_->useKey(key, modifiers, false))
+        return;
     QScrollBar* bar = verticalScrollBar();
     switch (key) {
     case Qt::Key_Up:
@@ -187,6 +213,31 @@ void DocumentView::useKey(int key, Qt::KeyboardModifiers modifiers) {
     default:
         Q_EMIT unhandledKey(key, modifiers);
     }
+}
+
+// --- the text that is selected -----------------------------------------------------------------
+
+bool DocumentView::canCopy() const { return !chosen_ && text_->cursor().selects(); }
+
+void DocumentView::copy() {
+    if (canCopy())
+        text_->copy();
+}
+
+void DocumentView::selectAll() {
+    choose(document::noSubdocument);
+    text_->selectAll();
+}
+
+// What is selected looks otherwise where the keys go elsewhere.
+void DocumentView::focusInEvent(QFocusEvent* event) {
+    QAbstractScrollArea::focusInEvent(event);
+    text_->refresh();
+}
+
+void DocumentView::focusOutEvent(QFocusEvent* event) {
+    QAbstractScrollArea::focusOutEvent(event);
+    text_->refresh();
 }
 
 // Tab goes from rendition to rendition, then on to the other widgets.
@@ -258,6 +309,8 @@ void DocumentView::updateCursor(QPointF point) {
         viewport()->setCursor(cursorOf(shown->rendition->cursor()));
     else if (!shown && linkAt(point))
         viewport()->setCursor(Qt::PointingHandCursor);
+    else if (!shown && text_->isOverText(point))
+        viewport()->setCursor(Qt::IBeamCursor);
     else
         viewport()->setCursor(Qt::ArrowCursor);
 }

@@ -114,6 +114,8 @@ DocumentWindow::DocumentWindow(Application& application,
                 if (QMenu* menu = commands_->menuOf(id))
                     menu->popup(at);
             });
+    connect(view_, &view::DocumentView::textMenuWanted, this, &DocumentWindow::showTextMenu);
+    connect(view_, &view::DocumentView::selectionChanged, this, &DocumentWindow::updateSelection);
     connect(view_, &view::DocumentView::unhandledKey, this, &DocumentWindow::useShortcut);
     const auto showPlace = [this] {
         zoomLabel_->setText(tr("%1 %").arg(qRound(view_->zoom() * 100)));
@@ -128,6 +130,7 @@ DocumentWindow::DocumentWindow(Application& application,
     showPlace();
     updateTitle();
     updateUndo();
+    updateSelection();
     view_->setFocus();
     const QSize screen = this->screen()->availableSize();
     resize(std::min(960, screen.width() - 20), std::min(1000, screen.height() - 40));
@@ -200,6 +203,12 @@ void DocumentWindow::buildEditMenu() {
     undo_ = add(menu, tr("&Undo"), QKeySequence::Undo, [this] { document_->document().undo(); });
     redo_ = add(menu, tr("&Redo"), QKeySequence("Ctrl+Shift+Z"),
                 [this] { document_->document().redo(); });
+    menu->addSeparator();
+    copy_ = add(menu, tr("&Copy"), QKeySequence::Copy, [this] { view_->copy(); });
+    copy_->setObjectName("copy");
+    selectAll_ =
+        add(menu, tr("Select &All"), QKeySequence::SelectAll, [this] { view_->selectAll(); });
+    selectAll_->setObjectName("selectAll");
     menu->addSeparator();
     add(menu, tr("&Find..."), QKeySequence::Find, [this] { find_->open(); });
     add(menu, tr("Find &Next"), QKeySequence(Qt::Key_F3), [this] { find_->next(1); });
@@ -308,6 +317,20 @@ void DocumentWindow::updateUndo() {
     redo_->setEnabled(of.canRedo());
     undo_->setText(of.canUndo() ? tr("&Undo %1").arg(plain::caption(of.undoLabel())) : tr("&Undo"));
     redo_->setText(of.canRedo() ? tr("&Redo %1").arg(plain::caption(of.redoLabel())) : tr("&Redo"));
+}
+
+// While a figure has the keys, these are its own.
+void DocumentWindow::updateSelection() {
+    copy_->setEnabled(view_->canCopy());
+    selectAll_->setEnabled(!view_->chosen());
+}
+
+void DocumentWindow::showTextMenu(const QPoint& at) {
+    auto* menu = new QMenu(this);
+    menu->setObjectName("textMenu");
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addActions({copy_, selectAll_});
+    menu->popup(at);
 }
 
 namespace {

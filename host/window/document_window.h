@@ -60,6 +60,8 @@ private:
                                         const QString& leave);
     void updateDrafts(std::function<void()> then);
     bool saveNow();
+    void updateSelection();
+    void showTextMenu(const QPoint& at);
     void useShortcut(int key, Qt::KeyboardModifiers modifiers);
     QAction* add(QMenu* menu, const QString& text, const QKeySequence& keys,
                  const std::function<void()>& done, const QString& icon = {});
@@ -77,6 +79,8 @@ private:
     QAction* save_ = nullptr;
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
+    QAction* copy_ = nullptr;
+    QAction* selectAll_ = nullptr;
     QLabel* pageLabel_;
     QLabel* zoomLabel_;
 };

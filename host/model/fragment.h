@@ -1,0 +1,12 @@
+// A part of a document's bytes as a whole of its own, for the clipboard of documents.
+#pragma once
+
+#include "sgml/tree.h"
+
+namespace model {
+
+// The innermost element around both ends, cut where the interval ends: its tags and those of the
+// elements inside that are cut are there. "" where an end is in no content.
+[[nodiscard]] std::string fragment(const sgml::Tree& tree, text::Range interval);
+
+} // namespace model

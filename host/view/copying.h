@@ -1,0 +1,18 @@
+// A part of a document on the clipboard: as plain text, as HTML, and as bytes of our own format.
+#pragma once
+
+#include "document/document.h"
+#include "model/model.h"
+
+#include <QMimeData>
+#include <memory>
+
+namespace view {
+
+// model::fragment()
+inline constexpr auto fragmentFormat = "application/x-ensemble-fragment";
+
+[[nodiscard]] std::unique_ptr<QMimeData> copied(const document::Document& document,
+                                                const model::Model& model, text::Range interval);
+
+} // namespace view

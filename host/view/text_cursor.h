@@ -1,0 +1,53 @@
+// The caret of a view and the other end of what is selected: two places of the document, which
+// follow its edits, and how keys and pointer move them over the pages.
+#pragma once
+
+#include "document/selection.h"
+#include "document/tracker.h"
+#include "layout/carets.h"
+
+#include <QObject>
+
+namespace view {
+
+class TextCursor : public QObject {
+    Q_OBJECT
+
+public:
+    // The document outlives it.
+    explicit TextCursor(const document::Document& document);
+
+    // Nothing: nobody has clicked in the text yet.
+    [[nodiscard]] std::optional<document::Selection> selection() const;
+    [[nodiscard]] text::Range interval() const; // what is selected; empty without a selection
+    [[nodiscard]] bool selects() const { return !interval().empty(); }
+    void set(document::Selection selection);
+    void clear();
+
+    // The caret on pages of the document.
+    [[nodiscard]] std::optional<layout::Caret> caret(const layout::Carets& carets) const;
+    void move(const layout::Carets& carets, layout::Move move, bool extend);
+    void moveTo(const layout::Carets& carets, const layout::Caret& caret, bool extend);
+    void selectAll(const layout::Carets& carets);
+
+    // By how much a pointer selects at a time.
+    enum class Unit { letter, word, paragraph };
+    void press(const layout::Carets& carets, const layout::Caret& at, Unit unit, bool extend);
+    void drag(const layout::Carets& carets, const layout::Caret& at);
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    [[nodiscard]] document::Selection around(const layout::Carets& carets, const layout::Caret& at,
+                                             Unit unit) const;
+
+    document::Tracker tracker_;
+    std::shared_ptr<const document::Tracker::Place> anchor_, caret_; // both or none
+    std::size_t page_ = 0;                                           // where the caret was last
+    std::optional<double> wish_;        // where it would like to be, going up and down
+    Unit unit_ = Unit::letter;          // of the pointer's selection
+    document::Selection pressed_{0, 0}; // what it began with
+};
+
+} // namespace view

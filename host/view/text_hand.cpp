@@ -1,0 +1,294 @@
+#include "view/text_hand.h"
+
+#include "view/copying.h"
+#include "view/document_view.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QPointer>
+#include <QScrollBar>
+
+namespace view {
+
+namespace {
+
+constexpr int scrollMs = 30;
+
+// What is selected when somebody asks for it.
+class LiveCopy : public QMimeData {
+public:
+    explicit LiveCopy(const TextHand& hand) : hand_(&hand) {}
+    [[nodiscard]] QStringList formats() const override {
+        return {QStringLiteral("text/plain"), QStringLiteral("text/html"), fragmentFormat};
+    }
+    [[nodiscard]] bool hasFormat(const QString& format) const override {
+        return formats().contains(format);
+    }
+
+protected:
+    [[nodiscard]] QVariant retrieveData(const QString& format, QMetaType) const override {
+        const std::unique_ptr<QMimeData> copy = hand_ ? hand_->copied() : nullptr;
+        if (!copy)
+            return {};
+        return format == QLatin1String("text/plain") ? QVariant(copy->text())
+                                                     : QVariant(copy->data(format));
+    }
+
+private:
+    QPointer<const TextHand> hand_;
+};
+
+} // namespace
+
+TextHand::TextHand(DocumentView& view) : view_(view), cursor_(view.document().document()) {
+    connect(&cursor_, &TextCursor::changed, this, &TextHand::refresh);
+    scrolling_.setInterval(scrollMs);
+    connect(&scrolling_, &QTimer::timeout, this, &TextHand::scrollOn);
+}
+
+layout::Carets TextHand::carets() const {
+    return {view_.pages(), view_.document().document().tree()};
+}
+
+std::optional<layout::Caret> TextHand::caretAt(QPointF point) const {
+    if (view_.pages().pages.empty())
+        return std::nullopt;
+    const auto [page, on] = view_.pagePointAt(point);
+    return carets().at(page, on);
+}
+
+// --- the pointer -------------------------------------------------------------------------------
+
+void TextHand::begin(QPointF point, TextCursor::Unit unit, bool extend) {
+    view_.settle();
+    dragging_ = true;
+    at_ = point;
+    if (const std::optional<layout::Caret> caret = caretAt(point))
+        cursor_.press(carets(), *caret, unit, extend);
+}
+
+void TextHand::press(const QMouseEvent& event) {
+    const bool third =
+        twice_.isValid() && twice_.elapsed() < QApplication::doubleClickInterval() &&
+        (event.position() - twiceAt_).manhattanLength() < QApplication::startDragDistance();
+    twice_.invalidate();
+    begin(event.position(), third ? TextCursor::Unit::paragraph : TextCursor::Unit::letter,
+          event.modifiers() & Qt::ShiftModifier);
+}
+
+void TextHand::pressTwice(const QMouseEvent& event) {
+    twice_.start();
+    twiceAt_ = event.position();
+    begin(event.position(), TextCursor::Unit::word, false);
+}
+
+void TextHand::drag(QPointF point) {
+    if (!dragging_)
+        return;
+    at_ = point;
+    const QRectF inside = view_.viewport()->rect();
+    if (point.y() < inside.top() || point.y() >= inside.bottom())
+        scrolling_.start();
+    else
+        scrolling_.stop();
+    if (const std::optional<layout::Caret> caret = caretAt(point))
+        cursor_.drag(carets(), *caret);
+}
+
+// The further away, the faster.
+void TextHand::scrollOn() {
+    const double above = std::min(0.0, at_.y());
+    const double below = std::max(0.0, at_.y() - view_.viewport()->height());
+    constexpr double least = 4, most = 80;
+    const double by = std::clamp(std::abs(above + below) / 2, least, most);
+    QScrollBar* bar = view_.verticalScrollBar();
+    bar->setValue(bar->value() + static_cast<int>(above < 0 ? -by : by));
+    drag(at_);
+}
+
+void TextHand::release() {
+    scrolling_.stop();
+    if (std::exchange(dragging_, false))
+        publish();
+}
+
+bool TextHand::isOverText(QPointF point) const {
+    if (view_.pages().pages.empty())
+        return false;
+    const auto [page, on] = view_.pagePointAt(point);
+    for (const layout::Piece& piece : view_.pages().pages[page]->pieces)
+        if (const auto* text = std::get_if<layout::TextPiece>(&piece)) {
+            const double height =
+                text->paragraph->lines()[static_cast<std::size_t>(text->line)].height;
+            if (QRectF(text->at, QSizeF(text->paragraph->width(), height)).contains(on))
+                return true;
+        }
+    return false;
+}
+
+// --- keys --------------------------------------------------------------------------------------
+
+bool TextHand::useKey(int key, Qt::KeyboardModifiers modifiers, bool moves) {
+    using layout::Move;
+    const bool extend = modifiers & Qt::ShiftModifier, far = modifiers & Qt::ControlModifier;
+    if (!cursor_.selection() || (!extend && !moves) ||
+        (modifiers & (Qt::AltModifier | Qt::MetaModifier)))
+        return false;
+    const auto move = [&](Move by) {
+        view_.settle();
+        cursor_.move(carets(), by, extend);
+        showCaret();
+        if (extend)
+            publish();
+        return true;
+    };
+    switch (key) {
+    case Qt::Key_Left:
+        return move(far ? Move::wordLeft : Move::left);
+    case Qt::Key_Right:
+        return move(far ? Move::wordRight : Move::right);
+    case Qt::Key_Up:
+        return move(Move::up);
+    case Qt::Key_Down:
+        return move(Move::down);
+    case Qt::Key_Home:
+        return move(far ? Move::documentStart : Move::lineStart);
+    case Qt::Key_End:
+        return move(far ? Move::documentEnd : Move::lineEnd);
+    case Qt::Key_PageUp:
+    case Qt::Key_PageDown:
+        movePage(key == Qt::Key_PageUp ? -1 : 1, extend);
+        return true;
+    default:
+        return false;
+    }
+}
+
+// A height of the view, less the line that one reads on from.
+void TextHand::movePage(int by, bool extend) {
+    view_.settle();
+    const std::optional<QRectF> from = caretRect();
+    if (!from)
+        return;
+    const double height = view_.viewport()->height() - from->height();
+    const auto caret = caretAt(from->center() + QPointF(0, by * height));
+    view_.verticalScrollBar()->setValue(view_.verticalScrollBar()->value() +
+                                        static_cast<int>(by * height));
+    if (caret)
+        cursor_.moveTo(carets(), *caret, extend);
+    showCaret();
+    if (extend)
+        publish();
+}
+
+void TextHand::selectAll() {
+    view_.settle();
+    cursor_.selectAll(carets());
+    publish();
+}
+
+// --- the clipboard -----------------------------------------------------------------------------
+
+std::unique_ptr<QMimeData> TextHand::copied() const {
+    const std::shared_ptr<const model::Model> model = view_.model();
+    if (!cursor_.selects() || !model)
+        return nullptr;
+    return view::copied(view_.document().document(), *model, cursor_.interval());
+}
+
+void TextHand::copy() const {
+    view_.settle();
+    if (std::unique_ptr<QMimeData> copy = copied())
+        QApplication::clipboard()->setMimeData(copy.release());
+}
+
+void TextHand::publish() {
+    QClipboard* clipboard = QApplication::clipboard();
+    if (clipboard->supportsSelection() && cursor_.selects())
+        clipboard->setMimeData(new LiveCopy(*this), QClipboard::Selection);
+}
+
+// --- how it looks ------------------------------------------------------------------------------
+
+// Over the text, which stays readable on any paper.
+QColor TextHand::tint() const {
+    const bool isActive = view_.hasFocus() && view_.isActiveWindow();
+    QColor color = view_.palette().color(isActive ? QPalette::Active : QPalette::Inactive,
+                                         QPalette::Highlight);
+    constexpr double strong = 0.36, faint = 0.22;
+    color.setAlphaF(isActive ? strong : faint);
+    return color;
+}
+
+void TextHand::paintSelection(QPainter& painter, std::size_t page) const {
+    if (!cursor_.selects())
+        return;
+    const QColor color = tint();
+    for (const QRectF& rect : carets().selected(page, cursor_.interval()))
+        painter.fillRect(rect, color);
+}
+
+void TextHand::paintSelection(QPainter& painter, document::SubdocumentId id,
+                              const QRectF& place) const {
+    const document::Document& document = view_.document().document();
+    const document::Subdocument* subdocument = document.subdocument(id);
+    if (!cursor_.selects() || !subdocument)
+        return;
+    const text::Range own = document.tree().node(subdocument->element).range;
+    const text::Range all = cursor_.interval();
+    if (all.from <= own.from && own.to <= all.to)
+        painter.fillRect(place, tint());
+}
+
+std::optional<QRectF> TextHand::caretRect() const {
+    const layout::Carets all = carets();
+    const std::optional<layout::Caret> caret = cursor_.caret(all);
+    if (!caret)
+        return std::nullopt;
+    return view_.inViewport(caret->page, all.rectOf(*caret));
+}
+
+void TextHand::showCaret() {
+    const std::optional<QRectF> rect = caretRect();
+    if (!rect)
+        return;
+    constexpr double edge = 30;
+    const auto show = [](QScrollBar* bar, double from, double to, double length) {
+        if (from < edge)
+            bar->setValue(bar->value() + static_cast<int>(std::floor(from - edge)));
+        else if (to > length - edge)
+            bar->setValue(bar->value() + static_cast<int>(std::ceil(to - length + edge)));
+    };
+    show(view_.verticalScrollBar(), rect->top(), rect->bottom(), view_.viewport()->height());
+    show(view_.horizontalScrollBar(), rect->left(), rect->right(), view_.viewport()->width());
+}
+
+QRegion TextHand::region() const {
+    QRegion result;
+    const auto add = [&](const QRectF& rect) {
+        result += rect.toAlignedRect().adjusted(-2, -2, 2, 2);
+    };
+    if (const std::optional<QRectF> caret = caretRect())
+        add(*caret);
+    if (!cursor_.selects())
+        return result;
+    const layout::Carets all = carets();
+    const QRectF seen = view_.viewport()->rect();
+    for (std::size_t page = view_.pagePointAt(seen.topLeft()).first;
+         page < view_.pages().pages.size() &&
+         view_.inViewport(page, {QPointF(), view_.pages().size}).top() < seen.bottom();
+         ++page)
+        for (const QRectF& rect : all.selected(page, cursor_.interval()))
+            add(view_.inViewport(page, rect));
+    for (const document::SubdocumentId id : view_.visibleSubdocuments())
+        add(view_.placeOf(id));
+    return result;
+}
+
+void TextHand::refresh() {
+    const QRegion now = region();
+    view_.viewport()->update(shown_ + now);
+    shown_ = now;
+}
+
+} // namespace view

@@ -1,0 +1,73 @@
+// What pointer and keys do in the text of a view: they select it; and how the selection looks.
+//
+// A press begins a selection, a double one of whole words, a triple one of whole paragraphs; with
+// Shift the last one goes on. A pointer that is dragged over the view's edge scrolls it. What is
+// selected is the primary selection of the desktop, where there is one.
+#pragma once
+
+#include "view/text_cursor.h"
+
+#include <QElapsedTimer>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QRegion>
+#include <QTimer>
+
+namespace view {
+
+class DocumentView;
+
+class TextHand : public QObject {
+    Q_OBJECT
+
+public:
+    // The view outlives it.
+    explicit TextHand(DocumentView& view);
+
+    [[nodiscard]] TextCursor& cursor() { return cursor_; }
+    [[nodiscard]] const TextCursor& cursor() const { return cursor_; }
+
+    // Of the left button, where no figure is; places in the viewport.
+    void press(const QMouseEvent& event);
+    void pressTwice(const QMouseEvent& event);
+    void drag(QPointF point);
+    void release();
+    [[nodiscard]] bool isDragging() const { return dragging_; }
+    [[nodiscard]] bool isOverText(QPointF point) const;
+
+    // False: the key is not for the text. `moves`: arrows move the caret, with Shift or without;
+    // else they select with Shift alone.
+    bool useKey(int key, Qt::KeyboardModifiers modifiers, bool moves);
+    void selectAll();
+    void copy() const;
+    [[nodiscard]] std::unique_ptr<QMimeData> copied() const; // null: nothing is selected
+
+    // Over a page, in twips, or over a figure that is selected.
+    void paintSelection(QPainter& painter, std::size_t page) const;
+    void paintSelection(QPainter& painter, document::SubdocumentId id, const QRectF& place) const;
+    // Where the caret stands in the viewport; nothing: it has no place.
+    [[nodiscard]] std::optional<QRectF> caretRect() const;
+    void showCaret(); // scrolls
+    void refresh();   // paints what of it has changed
+
+private:
+    [[nodiscard]] layout::Carets carets() const;
+    [[nodiscard]] std::optional<layout::Caret> caretAt(QPointF point) const;
+    void begin(QPointF point, TextCursor::Unit unit, bool extend);
+    void scrollOn();
+    void movePage(int by, bool extend);
+    void publish();
+    [[nodiscard]] QColor tint() const;
+    [[nodiscard]] QRegion region() const;
+
+    DocumentView& view_;
+    TextCursor cursor_;
+    bool dragging_ = false;
+    QPointF at_;          // the pointer, while it drags
+    QElapsedTimer twice_; // since a double press
+    QPointF twiceAt_;
+    QTimer scrolling_;
+    QRegion shown_; // of the viewport, what shows the selection
+};
+
+} // namespace view
