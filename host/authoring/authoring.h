@@ -80,4 +80,19 @@ enum class Unit { character, word }; // a character is a grapheme cluster (Unico
 // list; preformatted text gets a line end.
 [[nodiscard]] Result breakParagraph(const Manuscript& manuscript, Selection selection);
 
+// --- in a line
+
+// Puts the selected text, or the word around the caret, into the element with that role: emphasis,
+// strong, code. Takes it out when all of it is in one.
+[[nodiscard]] Result toggle(const Manuscript& manuscript, Selection selection,
+                            schemas::ContainerRole role);
+// Is all of the selected text in one, or the caret?
+[[nodiscard]] bool isMarked(const Manuscript& manuscript, Selection selection,
+                            schemas::ContainerRole role);
+// The selected text, or the word around the caret, becomes a link, or none: "".
+[[nodiscard]] Result link(const Manuscript& manuscript, Selection selection,
+                          std::string_view target);
+// A footnote behind the selection; the caret goes into it.
+[[nodiscard]] Result insertFootnote(const Manuscript& manuscript, Selection selection);
+
 } // namespace authoring

@@ -192,6 +192,42 @@ TEST(Authoring, AParagraphFollowsAHeading) {
               "refused: This is one paragraph only.");
 }
 
+TEST(Authoring, TogglesEmphasis) {
+    const auto emphasis = [](const Manuscript& manuscript, Selection selection) {
+        return toggle(manuscript, selection, schemas::ContainerRole::emphasis);
+    };
+    EXPECT_EQ(memo("<P>{a[b|c}</P>", emphasis), "<P><T>{a[}</T><E>{b}</E><T>{|c}</T></P>");
+    EXPECT_EQ(memo("<P><T>{a[}</T><E>{b}</E><T>{|c}</T></P>", emphasis), "<P>{a[b|c}</P>");
+    EXPECT_EQ(memo("<P>{[ab|}</P>", emphasis), "<P><E>{[ab|}</E></P>");
+    EXPECT_EQ(memo("<P><T>{one tw|o}</T></P>", emphasis), "<P><T>{one [}</T><E>{two|}</E></P>");
+    EXPECT_EQ(memo("<P><T>{a[b}</T><B>{c}</B><T>{d|e}</T></P>", emphasis),
+              "<P><T>{a[}</T><E>{b}</E><B><E>{c}</E></B><E>{d|}</E><T>{e}</T></P>");
+    EXPECT_EQ(memo("<P>{a[b}</P>\n<P>{c|d}</P>", emphasis),
+              "<P><T>{a[}</T><E>{b}</E></P>\n<P><E>{c}</E><T>{|d}</T></P>");
+    EXPECT_EQ(memo("<P><E>{a[b|c}</E></P>", emphasis), "<P><E>{a[}</E><T>{b|}</T><E>{c}</E></P>");
+    EXPECT_EQ(memo("<P><T>{a[b}</T><E>{c|}</E></P>", emphasis), "<P><T>{a[}</T><E>{bc|}</E></P>");
+    EXPECT_EQ(memo("<V>{[ab|}</V>", emphasis), "refused: Select the text first.");
+}
+
+TEST(Authoring, Links) {
+    const auto to = [](const std::string& target) {
+        return [target](const Manuscript& manuscript, Selection selection) {
+            return link(manuscript, selection, target);
+        };
+    };
+    EXPECT_EQ(memo("<P>{a[b|c}</P>", to("x")),
+              "<P><T>{a[}</T><LINK TO=\"x\">{b}</LINK><T>{|c}</T></P>");
+    EXPECT_EQ(memo("<P><LINK TO=\"y\">{[bc|}</LINK></P>", to("x")),
+              "<P><LINK TO=\"x\">{[bc|}</LINK></P>");
+    EXPECT_EQ(memo("<P><LINK TO=\"y\">{[bc|}</LINK></P>", to("")), "<P>{[bc|}</P>");
+}
+
+TEST(Authoring, InsertsFootnotes) {
+    EXPECT_EQ(memo("<P>{a|b}</P>", insertFootnote), "<P><T>{a}</T><F>{|}</F><T>{b}</T></P>");
+    EXPECT_EQ(memo("<P><E>{a|}</E></P>", insertFootnote), "<P><E><T>{a}</T><F>{|}</F></E></P>");
+    EXPECT_EQ(memo("<V>{a|b}</V>", insertFootnote), "refused: A footnote may not stand here.");
+}
+
 TEST(Authoring, KnowsThePlacesOfACaret) {
     const std::string bytes = renamed(
         "DOCUMENT CMEMO\n<CMEMO><BODY><P>{a\\{b}</P><P><T>{c}</T><E>{d}</E></P></BODY></CMEMO>",

@@ -14,11 +14,22 @@ void eraseBetween(Draft& draft);
 // False: there is no such place.
 [[nodiscard]] bool makeLine(Draft& draft, Piece& mark);
 
+// Enter at the first mark; "" when it is done, else the reason why not.
+[[nodiscard]] QString breakLine(Draft& draft);
+// Line ends as one LF each in preformatted text, as blanks elsewhere.
+[[nodiscard]] std::string withLineEnds(std::string_view text, bool isVerbatim);
+
 [[nodiscard]] std::vector<std::string> allowedAt(Draft& draft, Piece& parent, std::size_t index);
 [[nodiscard]] bool allows(Draft& draft, Piece& parent, std::size_t index, std::string_view name);
 
 // The innermost element around a piece with that role, or null.
 [[nodiscard]] Piece* around(Draft& draft, Piece& piece, schemas::ContainerRole role);
+
+// ` NAME="value"`. LIMIT: a value holds no `"`: each becomes `'`.
+[[nodiscard]] std::string spelledAttribute(std::string_view name, std::string_view value);
+// Puts an element in before the mark, out of the inlined elements that may not hold it. Null:
+// nothing around the mark may.
+Piece* putInLine(Draft& draft, Piece& mark, std::unique_ptr<Piece> piece);
 
 [[nodiscard]] inline Refusal refused(const QString& why) { return Refusal{why}; }
 

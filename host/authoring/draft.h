@@ -111,6 +111,11 @@ public:
     // Splits all elements between the piece and `stop`, so that the piece is the first in the new
     // one, a child of `stop` which has no ID. Returns that one, or the piece itself.
     Piece& split(Piece& before, Piece& stop);
+    // Is it an element TEXT without attributes, which is no more than content in braces?
+    [[nodiscard]] bool isPlainText(const Piece& piece) const;
+    // The first with the children of the second, where both are alike and only marks are between;
+    // else the second.
+    Piece* joinedWith(Piece& one, Piece& other);
     // Puts the children of an element in its place.
     static void dissolve(Piece& element);
     // Removes inlined elements at a mark that have become empty, up to the block, which keeps an
@@ -125,12 +130,12 @@ public:
 
     // --- the result
     // The first reason against the draft, "" when it is as valid as the document was.
-    [[nodiscard]] std::string fault() const;
+    [[nodiscard]] QString fault() const;
     // The same of one element and its children.
-    [[nodiscard]] std::string faultOf(const Piece& element) const;
+    [[nodiscard]] QString faultOf(const Piece& element) const;
     // Has it a fault that it had not in the document?
     [[nodiscard]] bool isBroken(const Piece& element) const {
-        return !isUnchanged(element) && !wasFaulty(element) && !faultOf(element).empty();
+        return !isUnchanged(element) && !wasFaulty(element) && !faultOf(element).isEmpty();
     }
     [[nodiscard]] Grammar::Children childrenOf(const Piece& element) const;
     // The step, or the reason against it.

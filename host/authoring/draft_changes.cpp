@@ -110,6 +110,22 @@ std::string Draft::attributesOf(const Piece& element) const {
     return attributesWithoutId(element) + (hasId ? " ID" : "");
 }
 
+bool Draft::isPlainText(const Piece& piece) const {
+    return piece.isElement() && piece.name == "TEXT" && attributesOf(piece).empty();
+}
+
+Piece* Draft::joinedWith(Piece& one, Piece& other) {
+    Piece* between = one.next();
+    while (between != nullptr && between != &other && (between->isMark() || between->isEmptyText()))
+        between = between->next();
+    const bool same = one.name == other.name && attributesOf(one) == attributesOf(other);
+    if (one.parent != other.parent || between != &other || !same)
+        return &other;
+    dropEmptyTexts(*one.parent);
+    merge(one, other);
+    return &one;
+}
+
 // What stands between the two, which are marks, comes to stand between their children.
 void Draft::merge(Piece& left, Piece& right) {
     while (left.next() != &right)
@@ -134,15 +150,12 @@ bool Draft::mergeAround(Piece& at) {
         right = right->next();
     if (left == nullptr || right == nullptr || left == right)
         return false;
-    const auto isPlain = [this](const Piece& piece) {
-        return piece.isElement() && piece.name == "TEXT" && attributesOf(piece).empty();
-    };
     if (isAlike(*left, *right)) {
         dropEmptyTexts(*left->parent);
         merge(*left, *right);
-    } else if (left->isText() && isPlain(*right)) {
+    } else if (left->isText() && isPlainText(*right)) {
         dissolve(*right);
-    } else if (right->isText() && isPlain(*left)) {
+    } else if (right->isText() && isPlainText(*left)) {
         dissolve(*left);
     } else {
         return false;
@@ -234,7 +247,7 @@ void Draft::settle(Piece& mark) {
         };
         if ((before != nullptr && before->isText()) || (behind != nullptr && behind->isText()))
             return;
-        const bool inBlocks = !holdsText(*mark.parent) && !isInlined(*mark.parent);
+        const bool inBlocks = !isInlined(*mark.parent) && isLineEmpty(mark);
         if (isUseful(before) && (isInlined(*before) || (inBlocks && !isUseful(behind))))
             moveTo(mark, *before, before->children.size());
         else if (isUseful(behind) && (isInlined(*behind) || inBlocks))
@@ -247,8 +260,13 @@ void Draft::settle(Piece& mark) {
 // Beside a unit: the mark stands behind it, or before it and behind the blanks before it.
 void Draft::standBefore(Piece& mark, const Piece* before, Piece* behind) const {
     const bool isBehindUnit = before != nullptr && before->isElement() && isUnit(*before);
-    if (!isBehindUnit && behind != nullptr)
-        std::swap(mark.gap, behind->gap);
+    if (isBehindUnit || behind == nullptr)
+        return;
+    Piece* first = &mark;
+    while (first->previous() != nullptr && first->previous()->isMark())
+        first = first->previous();
+    if (first->gap.kept.empty() && first->gap.fresh.empty())
+        std::swap(first->gap, behind->gap);
 }
 
 } // namespace authoring

@@ -259,7 +259,7 @@ Grammar::Children Draft::childrenOf(const Piece& element) const {
     return names;
 }
 
-std::string Draft::faultOf(const Piece& element) const {
+QString Draft::faultOf(const Piece& element) const {
     return grammar_->whyNot(element.name, childrenOf(element));
 }
 
@@ -278,7 +278,7 @@ bool Draft::isUnchanged(const Piece& element) const {
     return expected == noNode;
 }
 
-std::string Draft::fault() const {
+QString Draft::fault() const {
     std::vector<const Piece*> waiting{root_.get()};
     while (!waiting.empty()) {
         const Piece& element = *waiting.back();
@@ -298,7 +298,7 @@ bool Draft::wasFaulty(const Piece& element) const {
     Grammar::Children names;
     for (NodeId id = tree_.node(element.start).firstChild; id != noNode; id = tree_.node(id).next)
         addName(tree_, *grammar_, id, names);
-    return !grammar_->whyNot(tree_.name(element.start), names).empty();
+    return !grammar_->whyNot(tree_.name(element.start), names).isEmpty();
 }
 
 Result Draft::result(QString label, bool isTyping) {
@@ -306,8 +306,8 @@ Result Draft::result(QString label, bool isTyping) {
         tidy(*mark);
     for (Piece* mark : marks_)
         settle(*mark);
-    if (const std::string why = fault(); !why.empty())
-        return Refusal{QString::fromStdString(why)};
+    if (const QString why = fault(); !why.isEmpty())
+        return Refusal{why};
     DraftWriter writer(*this, tree_);
     writer.write(*root_);
     return Step{.edits = writer.edits(),

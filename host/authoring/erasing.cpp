@@ -110,7 +110,7 @@ private:
             const bool isLine = at == &line;
             if (at->children.empty())
                 Draft::take(*at);
-            else if (isLine || !draft_.faultOf(*at).empty())
+            else if (isLine || !draft_.faultOf(*at).isEmpty())
                 follow(*at);
             at = &parent;
         }
@@ -132,7 +132,7 @@ private:
             const std::size_t index = beside->index() + 1, count = children.size();
             for (std::size_t i = 0; i < count; ++i)
                 Draft::put(*level, index + i, std::move(children[i]));
-            if (draft_.faultOf(*level).empty() || level->parent == nullptr)
+            if (draft_.faultOf(*level).isEmpty() || level->parent == nullptr)
                 return;
             for (std::size_t i = 0; i < count; ++i)
                 children[i] = Draft::take(*level->children[index]);

@@ -82,21 +82,23 @@ std::string_view Grammar::named(Display display) const {
     return {};
 }
 
-std::string Grammar::whyNot(std::string_view element, const Children& children) const {
+QString Grammar::whyNot(std::string_view element, const Children& children) const {
     const schemas::ContentModel* model =
         structure_ == nullptr ? nullptr : structure_->model(element);
     if (model == nullptr)
         return {};
     const schemas::ContentModel::Verdict verdict = model->check(children);
-    const std::string tag = "<" + std::string(element) + ">";
-    if (verdict.wrong < children.size()) {
-        const std::string_view wrong = children[verdict.wrong];
-        return (wrong.empty() ? "Text" : "<" + std::string(wrong) + ">") +
-               " may not stand here in " + tag + "; expected is " +
-               (verdict.expected.empty() ? "nothing" : verdict.expected) + ".";
-    }
-    return verdict.incomplete ? tag + " would end too early; expected is " + verdict.expected + "."
-                              : std::string{};
+    const auto sentence = [](QString text) {
+        text[0] = text[0].toUpper();
+        return text;
+    };
+    if (verdict.wrong < children.size())
+        return sentence(QStringLiteral("%1 may not stand here in %2.")
+                            .arg(called(*this, children[verdict.wrong]), called(*this, element)));
+    return verdict.incomplete ? sentence(QStringLiteral("%1 would lack what it must have: %2.")
+                                             .arg(called(*this, element),
+                                                  QString::fromStdString(verdict.expected)))
+                              : QString{};
 }
 
 std::vector<std::string> Grammar::allowedAt(std::string_view element, const Children& children,
@@ -142,7 +144,10 @@ QString called(const Grammar& grammar, std::string_view name) {
         {ContainerRole::caption, QStringLiteral("a caption")},
         {ContainerRole::quote, QStringLiteral("a quotation")},
         {ContainerRole::paragraph, QStringLiteral("a paragraph")},
-        {ContainerRole::heading, QStringLiteral("a heading")}};
+        {ContainerRole::heading, QStringLiteral("a heading")},
+        {ContainerRole::emphasis, QStringLiteral("emphasis")},
+        {ContainerRole::strong, QStringLiteral("strong emphasis")},
+        {ContainerRole::code, QStringLiteral("code")}};
     static const std::map<Display, QString> byDisplay = {
         {Display::verbatim, QStringLiteral("preformatted text")},
         {Display::cell, QStringLiteral("a cell")},

@@ -50,7 +50,7 @@ public:
     // Children are names of elements; "" stands for content in braces.
     using Children = std::vector<std::string_view>;
     // Why an element may not hold these; "" when it may, and when the class says nothing of it.
-    [[nodiscard]] std::string whyNot(std::string_view element, const Children& children) const;
+    [[nodiscard]] QString whyNot(std::string_view element, const Children& children) const;
     // The elements that may come in before the child at `index`, in the structure's order; "TEXT"
     // stands for text. ANY stands for every element of the class.
     [[nodiscard]] std::vector<std::string>

@@ -44,6 +44,7 @@ private:
         std::string what;
         Result result;
         bool keepsLetters = true; // outside of the selection
+        bool keepsAll = false;    // those of the whole document
     };
     Try tryCommand(const Manuscript& manuscript, Selection selection);
     Selection randomSelection(const Manuscript& manuscript, Selection last);

@@ -102,9 +102,6 @@ bool makeLine(Draft& draft, Piece& mark) {
 
 // --- typing ---------------------------------------------------------------------------------
 
-namespace {
-
-// Line ends as one LF each in preformatted text, as blanks elsewhere.
 std::string withLineEnds(std::string_view text, bool isVerbatim) {
     std::string line(text);
     for (std::size_t at = 0; (at = line.find("\r\n", at)) != std::string::npos;)
@@ -114,6 +111,8 @@ std::string withLineEnds(std::string_view text, bool isVerbatim) {
         std::replace(line.begin(), line.end(), '\n', ' ');
     return line;
 }
+
+namespace {
 
 // A caret in a content: the text comes in there.
 std::optional<Step> typeInContent(const Manuscript& manuscript, std::size_t caret,
@@ -245,8 +244,7 @@ private:
         Draft::take(item);
         removeEmpty(parent, stop);
         removeEmpty(list, stop);
-        const std::string why = draft_.faultOf(stop);
-        return QString::fromStdString(why);
+        return draft_.faultOf(stop);
     }
 
     static void removeEmpty(Piece& piece, Piece& stop) {
@@ -282,7 +280,7 @@ private:
     }
 
     [[nodiscard]] bool allowsOnly(const Piece& block) const {
-        return grammar_.whyNot(block.name, {paragraph(), paragraph()}).empty();
+        return grammar_.whyNot(block.name, {paragraph(), paragraph()}).isEmpty();
     }
 
     Piece& firstOfLine(Piece& piece) {
@@ -299,6 +297,8 @@ private:
 
 } // namespace
 
+QString breakLine(Draft& draft) { return Breaker(draft).breakLine(); }
+
 Result breakParagraph(const Manuscript& manuscript, Selection selection) {
     Draft draft(manuscript, selection);
     if (const QString why = draft.obstacle(); !why.isEmpty())
@@ -308,7 +308,7 @@ Result breakParagraph(const Manuscript& manuscript, Selection selection) {
     draft.collapse();
     if (!makeLine(draft, draft.caret()))
         return refused(QStringLiteral("A paragraph may not stand here."));
-    if (const QString why = Breaker(draft).breakLine(); !why.isEmpty())
+    if (const QString why = breakLine(draft); !why.isEmpty())
         return refused(why);
     draft.collapse();
     return draft.result(QStringLiteral("New Paragraph"));

@@ -1,0 +1,226 @@
+// Elements in a line: emphasis, links, and what stands between letters.
+#include "authoring/commands.h"
+#include "authoring/leaves.h"
+
+#include "sgml/edit.h"
+
+#include <algorithm>
+
+namespace authoring {
+
+using schemas::ContainerRole;
+using schemas::Display;
+
+namespace {
+
+using Wanted = std::function<bool(const Element&)>;
+
+// Puts text between the marks into an element of one kind, or takes it out.
+class Wrapper {
+public:
+    Wrapper(Draft& draft, Wanted wanted) : draft_(draft), wanted_(std::move(wanted)) {
+        collect(draft.root());
+    }
+
+    [[nodiscard]] bool hasText() const { return !texts_.empty(); }
+    [[nodiscard]] bool isAllInside() const {
+        return std::all_of(texts_.begin(), texts_.end(),
+                           [this](const Piece* text) { return wrapperOf(*text) != nullptr; });
+    }
+
+    void unwrap() {
+        for (Piece* text : texts_)
+            while (Piece* wrapper = wrapperOf(*text)) {
+                Piece& alone = isolate(*text, *wrapper->parent);
+                draft_.dissolve(alone);
+            }
+    }
+
+    void wrap(const std::string& name, const std::string& attributes) {
+        for (Piece* text : texts_)
+            if (wrapperOf(*text) == nullptr)
+                wrap(*text, name, attributes);
+        for (std::size_t i = 1; i < made_.size(); ++i)
+            made_[i] = draft_.joinedWith(*made_[i - 1], *made_[i]);
+    }
+
+private:
+    // The texts between the marks, in order.
+    void collect(Piece& piece) {
+        if (piece.isMark())
+            ++marks_;
+        if (piece.isText() && marks_ == 1 && !piece.isEmptyText() && isInProse(piece))
+            texts_.push_back(&piece);
+        if (marks_ == 1 && piece.isElement())
+            draft_.openChildren(piece);
+        if (draft_.isUnit(piece) && marks_ != 0 && !holdsMark(piece))
+            return;
+        for (std::size_t i = 0; i < piece.children.size() && marks_ < 2; ++i) {
+            Piece& child = *piece.children[i];
+            if (marks_ == 1 && child.kind == Piece::Kind::rest) {
+                draft_.openChildren(piece);
+                collect(*piece.children[i]);
+            } else {
+                collect(child);
+            }
+        }
+    }
+    static bool holdsMark(const Piece& piece) {
+        return piece.isMark() || std::any_of(piece.children.begin(), piece.children.end(),
+                                             [](const auto& child) { return holdsMark(*child); });
+    }
+    bool isInProse(Piece& text) const {
+        return draft_.of(draft_.blockOf(text)).display != Display::verbatim;
+    }
+
+    [[nodiscard]] Piece* wrapperOf(const Piece& text) const {
+        for (Piece* at = text.parent; at != nullptr && draft_.isInlined(*at); at = at->parent)
+            if (wanted_(draft_.of(*at)))
+                return at;
+        return nullptr;
+    }
+
+    void wrap(Piece& text, const std::string& name, const std::string& attributes) {
+        Piece* inner = &text;
+        // An element TEXT is content in braces: what it had, the new element has.
+        if (text.parent->name == "TEXT") {
+            inner = &isolate(text, *text.parent->parent);
+            if (draft_.isPlainText(*inner)) {
+                Draft::dissolve(*inner);
+                inner = &text;
+            }
+        }
+        Piece& made = Draft::put(*inner->parent, inner->index(), Draft::made(name, attributes));
+        Draft::moveTo(*inner, made, 0);
+        made_.push_back(&made);
+    }
+
+    // Splits what is around the piece, up to `stop`, so that it is alone in it.
+    Piece& isolate(Piece& piece, Piece& stop) {
+        Piece* at = &piece;
+        while (at->parent != &stop) {
+            separate(*at, Direction::backward);
+            separate(*at, Direction::forward);
+            at = at->parent;
+        }
+        return *at;
+    }
+    void separate(Piece& at, Direction direction) {
+        const bool forward = direction == Direction::forward;
+        Piece* beside = forward ? at.next() : at.previous();
+        while (beside != nullptr && (beside->isMark() || beside->isEmptyText()))
+            beside = forward ? beside->next() : beside->previous();
+        if (beside != nullptr)
+            draft_.split(forward ? *beside : at, *at.parent->parent);
+    }
+
+    Draft& draft_;
+    Wanted wanted_;
+    std::size_t marks_ = 0; // passed
+    std::vector<Piece*> texts_, made_;
+};
+
+// The word around a caret; the caret itself where it stands in none.
+Selection withWord(const Manuscript& manuscript, Selection selection) {
+    if (!selection.isEmpty())
+        return selection;
+    const std::size_t caret = selection.caret;
+    const std::size_t end =
+        placeBeside(manuscript, caret, Direction::forward, Unit::word).value_or(caret);
+    const std::size_t start =
+        placeBeside(manuscript, end, Direction::backward, Unit::word).value_or(caret);
+    return start <= caret && caret <= end ? Selection{start, end} : selection;
+}
+
+} // namespace
+
+bool isMarked(const Manuscript& manuscript, Selection selection, ContainerRole role) {
+    Draft draft(manuscript, selection);
+    if (!draft.obstacle().isEmpty())
+        return false;
+    const Wanted wanted = [role](const Element& element) { return element.role == role; };
+    if (!selection.isEmpty()) {
+        const Wrapper wrapper(draft, wanted);
+        return wrapper.hasText() && wrapper.isAllInside();
+    }
+    for (Piece* at = draft.caret().parent; at != nullptr && draft.isInlined(*at); at = at->parent)
+        if (wanted(draft.of(*at)))
+            return true;
+    return false;
+}
+
+Result toggle(const Manuscript& manuscript, Selection selection, ContainerRole role) {
+    Draft draft(manuscript, withWord(manuscript, selection));
+    if (const QString why = draft.obstacle(); !why.isEmpty())
+        return refused(why);
+    const std::string name(draft.grammar().named(role));
+    if (name.empty())
+        return refused(QStringLiteral("This class of documents has no such element."));
+    Wrapper wrapper(draft, [role](const Element& element) { return element.role == role; });
+    if (!wrapper.hasText())
+        return refused(QStringLiteral("Select the text first."));
+    if (wrapper.isAllInside())
+        wrapper.unwrap();
+    else
+        wrapper.wrap(name, {});
+    const QString label = role == ContainerRole::emphasis ? QStringLiteral("Emphasis")
+                          : role == ContainerRole::strong ? QStringLiteral("Strong Emphasis")
+                                                          : QStringLiteral("Code");
+    return draft.result(label);
+}
+
+Result link(const Manuscript& manuscript, Selection selection, std::string_view target) {
+    Draft draft(manuscript, withWord(manuscript, selection));
+    if (const QString why = draft.obstacle(); !why.isEmpty())
+        return refused(why);
+    const std::string name(draft.grammar().named(Display::link));
+    if (name.empty())
+        return refused(QStringLiteral("This class of documents has no links."));
+    Wrapper wrapper(draft, [](const Element& element) { return element.display == Display::link; });
+    if (!wrapper.hasText())
+        return refused(QStringLiteral("Select the text of the link first."));
+    wrapper.unwrap();
+    if (!target.empty())
+        wrapper.wrap(name, spelledAttribute("TO", target));
+    return draft.result(QStringLiteral("Link"));
+}
+
+std::string spelledAttribute(std::string_view name, std::string_view value) {
+    std::string spelled(value);
+    std::replace(spelled.begin(), spelled.end(), '"', '\'');
+    return " " + std::string(name) + "=\"" + spelled + "\"";
+}
+
+Piece* putInLine(Draft& draft, Piece& mark, std::unique_ptr<Piece> piece) {
+    if (!makeLine(draft, mark))
+        return nullptr;
+    draft.settle(mark);
+    while (!allows(draft, *mark.parent, mark.index(), piece->name)) {
+        if (!draft.isInlined(*mark.parent))
+            return nullptr;
+        draft.split(mark, *mark.parent->parent);
+        Draft::moveTo(mark, *mark.parent->parent, mark.parent->index());
+    }
+    return &Draft::put(*mark.parent, mark.index(), std::move(piece));
+}
+
+Result insertFootnote(const Manuscript& manuscript, Selection selection) {
+    const std::size_t end = std::max(selection.anchor, selection.caret);
+    Draft draft(manuscript, {end, end});
+    if (const QString why = draft.obstacle(); !why.isEmpty())
+        return refused(why);
+    const std::string name(draft.grammar().named(Display::footnote));
+    if (name.empty())
+        return refused(QStringLiteral("This class of documents has no footnotes."));
+    Piece* note = putInLine(draft, draft.first(), Draft::made(name));
+    if (note == nullptr)
+        return refused(QStringLiteral("A footnote may not stand here."));
+    Draft::moveTo(draft.first(), *note, 0);
+    draft.collapse();
+    if (!makeLine(draft, draft.first()))
+        return refused(QStringLiteral("This class of documents has no text in footnotes."));
+    draft.collapse();
+    return draft.result(QStringLiteral("Footnote"));
+}
+
+} // namespace authoring
