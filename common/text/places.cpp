@@ -6,17 +6,14 @@
 
 namespace text {
 
-namespace {
-
-thread_local std::size_t placed = 0;
-
-} // namespace
-
-std::size_t bytesPlaced() { return placed; }
+std::size_t& bytesPlaced() {
+    static thread_local std::size_t placed = 0;
+    return placed;
+}
 
 Places::Places(std::string_view text)
     : text_(text), lines_{text.starts_with(byteOrderMark) ? byteOrderMark.size() : 0} {
-    placed += text.size();
+    bytesPlaced() += text.size();
     std::size_t characters = 0;
     for (std::size_t at = 0; at < text.size(); ++at) {
         if (at % blockSize == 0)

@@ -39,6 +39,6 @@ private:
 };
 
 // Bytes that this thread has read for places, for tests.
-[[nodiscard]] std::size_t bytesPlaced();
+[[nodiscard]] std::size_t& bytesPlaced();
 
 } // namespace text

@@ -1,6 +1,6 @@
 #include "authoring/authoring.h"
 #include "authoring/authoring_testing.h"
-#include "document/check.h"
+#include "document/faults.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ std::string after(const std::string& before, const Command& command) {
     const auto faults = [&] {
         std::string all;
         for (const sgml::Fault& fault :
-             document::structureFaults(document, testSchemas(), {"ANIMATION"}))
+             document::documentFaults(document, testSchemas(), {"ANIMATION"}))
             all += fault.message + "\n";
         return all;
     };

@@ -157,6 +157,7 @@ void Document::play(Change& change, Direction direction, const QString& label) {
     const bool structure = told.everything || !told.tags.empty() || !told.children.empty();
     const std::set<SubdocumentId> touched =
         structure ? followStructure(told, before, change, direction) : ownersOf(told.texts);
+    emit edited(told, forward ? change.backward : change.forward, change.number);
     bool anyText = false;
     for (const Remembered& was : before) {
         const Subdocument* now = subdocument(was.id);
@@ -172,7 +173,6 @@ void Document::play(Change& change, Direction direction, const QString& label) {
     }
     if (structure || (anyText && told.texts.size() > touched.size()))
         emit subdocumentsChanged();
-    emit edited(told, forward ? change.backward : change.forward, change.number);
 }
 
 // --- undo -----------------------------------------------------------------------------------

@@ -46,7 +46,7 @@ public:
     [[nodiscard]] const std::string& bytes() const { return tree_.bytes(); }
     [[nodiscard]] std::string className() const;
     [[nodiscard]] bool isBroken() const { return tree_.isBroken(); }
-    // Of the format, in order of place. What a schema does not allow: structureFaults().
+    // Of the format, in order of place. What a schema does not allow: Faults.
     [[nodiscard]] const std::vector<sgml::Fault>& faults() const { return tree_.faults(); }
 
     // --- subdocuments, nested ones included, in document order
@@ -116,7 +116,8 @@ public:
 
 Q_SIGNALS:
     void changed(); // after an edit, an undo or a redo, however many changes that is
-    // After each single change of the bytes, before changed(): tree and subdocuments have followed.
+    // After each single change of the bytes, before all else is told: tree and subdocuments have
+    // followed.
     // `back` undoes its edits. `number` names the change: an undo and a redo have the number of
     // the edit.
     void edited(const sgml::Change& change, const text::Edits& back, std::uint64_t number);

@@ -1,5 +1,5 @@
 // Documents that were quadratic, or could be: twice as much of them is twice the work, counted.
-#include "document/check.h"
+#include "document/faults.h"
 #include "layout/find.h"
 #include "layout/pages.h"
 #include "model/model.h"

@@ -1,5 +1,5 @@
-#include "document/check.h"
 #include "document/document.h"
+#include "document/faults.h"
 #include "model/model.h"
 #include "model/text_export.h"
 #include "sgml/random_document.h"

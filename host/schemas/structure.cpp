@@ -175,17 +175,32 @@ bool StructureSchema::hasAttribute(std::string_view element, std::string_view at
 
 namespace {
 
-void warn(std::vector<sgml::Fault>& warnings, text::Range range, std::string message) {
-    sgml::Fault fault;
-    fault.severity = sgml::Severity::warning;
-    fault.range = range;
-    fault.message = std::move(message);
-    warnings.push_back(std::move(fault));
-}
-
 std::string tag(std::string_view name) { return "<" + std::string(name) + ">"; }
 
 } // namespace
+
+sgml::Fault Finding::fault(const sgml::Tree& tree) const {
+    const sgml::Node& at = tree.node(node);
+    const std::size_t from = at.startTag.from;
+    sgml::Fault fault;
+    fault.severity = sgml::Severity::warning;
+    fault.message = message;
+    fault.range = at.startTag;
+    if (where == Where::attribute)
+        fault.range = {from + attribute.from, from + attribute.to};
+    else if (where == Where::endTag && !at.endTag.empty())
+        fault.range = at.endTag;
+    return fault;
+}
+
+Finding atAttribute(const sgml::Tree& tree, NodeId element, const sgml::Attribute& attribute,
+                    std::string message) {
+    const std::size_t from = tree.node(element).startTag.from;
+    return {.node = element,
+            .where = Finding::Where::attribute,
+            .attribute = {attribute.whole.from - from, attribute.whole.to - from},
+            .message = std::move(message)};
+}
 
 std::vector<sgml::Fault> StructureSchema::check(const sgml::Tree& tree, NodeId documentNode) const {
     std::vector<sgml::Fault> warnings;
@@ -193,22 +208,24 @@ std::vector<sgml::Fault> StructureSchema::check(const sgml::Tree& tree, NodeId d
         const bool isElement = tree.isElement(id);
         const bool nested = isElement && tree.name(id) == "DOCUMENT";
         if (isElement && !nested)
-            checkElement(tree, id, warnings);
+            for (const Finding& finding : judge(tree, id))
+                warnings.push_back(finding.fault(tree));
         id = nested ? tree.followingSkippingChildren(id, documentNode)
                     : tree.following(id, documentNode);
     }
     return warnings;
 }
 
-void StructureSchema::checkElement(const sgml::Tree& tree, NodeId element,
-                                   std::vector<sgml::Fault>& warnings) const {
+std::vector<Finding> StructureSchema::judge(const sgml::Tree& tree, NodeId element) const {
+    std::vector<Finding> findings;
     const auto rule = rules_.find(tree.name(element));
     if (rule == rules_.end()) {
-        warn(warnings, tree.node(element).startTag,
-             tag(tree.name(element)) + " is not known to this class of documents");
-        return;
+        findings.push_back(
+            {.node = element,
+             .message = tag(tree.name(element)) + " is not known to this class of documents"});
+        return findings;
     }
-    checkAttributes(tree, element, rule->second, warnings);
+    judgeAttributes(tree, element, rule->second, findings);
     std::vector<NodeId> nodes;
     std::vector<std::string_view> names;
     for (NodeId child = tree.node(element).firstChild; child != noNode;
@@ -224,23 +241,26 @@ void StructureSchema::checkElement(const sgml::Tree& tree, NodeId element,
     const ContentModel::Verdict verdict = rule->second.model.check(names);
     if (verdict.wrong < nodes.size()) {
         const std::string_view name = names[verdict.wrong];
-        const sgml::Node& node = tree.node(nodes[verdict.wrong]);
-        warn(warnings, node.startTag,
-             (name.empty() ? "text" : tag(name)) + " does not belong here in " +
-                 tag(tree.name(element)) + "; expected " +
-                 (verdict.expected.empty() ? "nothing" : verdict.expected));
+        findings.push_back({.node = nodes[verdict.wrong],
+                            .message = (name.empty() ? "text" : tag(name)) +
+                                       " does not belong here in " + tag(tree.name(element)) +
+                                       "; expected " +
+                                       (verdict.expected.empty() ? "nothing" : verdict.expected)});
     } else if (verdict.incomplete) {
-        warn(warnings,
-             tree.node(element).endTag.empty() ? tree.node(element).startTag
-                                               : tree.node(element).endTag,
-             tag(tree.name(element)) + " ends too early; expected " + verdict.expected);
+        findings.push_back(
+            {.node = element,
+             .where = Finding::Where::endTag,
+             .message = tag(tree.name(element)) + " ends too early; expected " + verdict.expected});
     }
+    return findings;
 }
 
-void StructureSchema::checkAttributes(const sgml::Tree& tree, NodeId element, const Rule& rule,
-                                      std::vector<sgml::Fault>& warnings) const {
+void StructureSchema::judgeAttributes(const sgml::Tree& tree, NodeId element, const Rule& rule,
+                                      std::vector<Finding>& findings) const {
     static const std::set<std::string_view> ofClassElements = {"WIDTH", "HEIGHT", "ALIGN", "POSTER",
                                                                "ALT"};
+    if (tree.node(element).attributeCount == 0)
+        return;
     const bool isClassElement =
         tree.node(tree.node(element).parent).kind == sgml::NodeKind::document;
     for (const sgml::Attribute& attribute : tree.attributes(element)) {
@@ -248,8 +268,9 @@ void StructureSchema::checkAttributes(const sgml::Tree& tree, NodeId element, co
         const bool listed = std::find(rule.attributes.begin(), rule.attributes.end(), name) !=
                             rule.attributes.end();
         if (name != "ID" && !listed && !(isClassElement && ofClassElements.contains(name)))
-            warn(warnings, attribute.whole,
-                 "attribute " + std::string(name) + " is not known for " + tag(tree.name(element)));
+            findings.push_back(atAttribute(tree, element, attribute,
+                                           "attribute " + std::string(name) + " is not known for " +
+                                               tag(tree.name(element))));
     }
 }
 

@@ -62,6 +62,20 @@ private:
     std::vector<bool> final_;
 };
 
+// What is wrong with an element, by a node and a place in it, which moves with the node.
+struct Finding {
+    enum class Where { startTag, endTag, attribute };
+    sgml::NodeId node = sgml::noNode; // the element, or a child of it
+    Where where = Where::startTag;
+    text::Range attribute{}; // counted from the start of the start tag
+    std::string message;
+    // A warning without line and column.
+    [[nodiscard]] sgml::Fault fault(const sgml::Tree& tree) const;
+};
+// Of an attribute as the tree gives it.
+[[nodiscard]] Finding atAttribute(const sgml::Tree& tree, sgml::NodeId element,
+                                  const sgml::Attribute& attribute, std::string message);
+
 class StructureSchema {
 public:
     // Rules with faults are left out; each fault has the line of the file.
@@ -79,6 +93,9 @@ public:
     // order of place. Nested documents of its own are left to their own class's schema.
     [[nodiscard]] std::vector<sgml::Fault> check(const sgml::Tree& tree,
                                                  sgml::NodeId documentNode) const;
+    // Of one element, which is no DOCUMENT. It depends on the names of its children and on its own
+    // start tag and on nothing else.
+    [[nodiscard]] std::vector<Finding> judge(const sgml::Tree& tree, sgml::NodeId element) const;
 
 private:
     struct Rule {
@@ -86,10 +103,8 @@ private:
         std::vector<std::string> attributes;
     };
     friend class StructureParser;
-    void checkElement(const sgml::Tree& tree, sgml::NodeId element,
-                      std::vector<sgml::Fault>& warnings) const;
-    void checkAttributes(const sgml::Tree& tree, sgml::NodeId element, const Rule& rule,
-                         std::vector<sgml::Fault>& warnings) const;
+    void judgeAttributes(const sgml::Tree& tree, sgml::NodeId element, const Rule& rule,
+                         std::vector<Finding>& findings) const;
     std::map<std::string, Rule, std::less<>> rules_;
 };
 

@@ -1,6 +1,5 @@
 #include "session/open_document.h"
 
-#include "document/check.h"
 #include "session/presented.h"
 
 #include <QFileInfo>
@@ -27,6 +26,8 @@ sgml::Fault warningAt(text::Range range, std::string message) {
     return fault;
 }
 
+bool isBefore(const sgml::Fault& a, const sgml::Fault& b) { return a.range.from < b.range.from; }
+
 // A sentence while a medium has failed.
 QString failureOf(const media::LiveSubdocument& live) {
     return live.condition() == media::Condition::failed ? live.reason() : QString();
@@ -36,7 +37,7 @@ QString failureOf(const media::LiveSubdocument& live) {
 
 OpenDocument::OpenDocument(std::unique_ptr<document::Document> document,
                            const schemas::Schemas& schemas, media::LiveMedia& media)
-    : document_(std::move(document)), schemas_(schemas), media_(media) {
+    : document_(std::move(document)), schemas_(schemas), media_(media), uses_(*document_, schemas) {
     readSubdocuments();
     images_.setDocument(document_->fileName());
     connect(&images_, &Images::ready, this, [this] {
@@ -44,6 +45,11 @@ OpenDocument::OpenDocument(std::unique_ptr<document::Document> document,
             Q_EMIT faultsChanged();
     });
     document::Document* watched = document_.get();
+    connect(watched, &document::Document::edited, this, [this](const sgml::Change& change) {
+        uses_.follow(change);
+        if (judged_)
+            judged_->follow(change);
+    });
     connect(watched, &document::Document::textChanged, this,
             [this](document::SubdocumentId id, const text::Edits& edits, int,
                    const QString& label) { textChanged(id, edits, label); });
@@ -101,7 +107,7 @@ void OpenDocument::readSubdocuments() {
         live_[id] = std::move(made);
     }
     driven_.clear();
-    for (const document::SliderUse& use : document::sliderUses(*document_, schemas_))
+    for (const document::SliderUse& use : uses_.sliders())
         driven_.insert(use.subdocument);
     placed_.clear();
     nameSubdocuments();
@@ -280,24 +286,28 @@ const std::vector<ListedFault>& OpenDocument::faultsOf(document::SubdocumentId i
     const auto [known, isNew] = placed_.try_emplace(id);
     if (isNew) {
         std::vector<sgml::Fault> said = saidBy(id);
-        document::placeFaults(said, document_->bytes());
+        std::stable_sort(said.begin(), said.end(), isBefore);
+        sgml::placeFaults(said, document_->tree());
         for (const sgml::Fault& fault : said)
             known->second.push_back(listed(fault, id));
     }
     return known->second;
 }
 
-std::vector<sgml::Fault> OpenDocument::ofDocument() const {
-    QStringList classes;
-    for (const media::Manifest& manifest : media_.registry().media())
-        classes << manifest.documentClass;
-    return document::documentFaults(*document_, schemas_, classes);
+std::vector<sgml::Fault> OpenDocument::ofDocument() {
+    if (!judged_) {
+        QStringList classes;
+        for (const media::Manifest& manifest : media_.registry().media())
+            classes << manifest.documentClass;
+        judged_ = std::make_unique<document::Faults>(*document_, schemas_, classes);
+    }
+    return judged_->list();
 }
 
 std::vector<sgml::Fault> OpenDocument::ofImages() {
     std::map<std::string, std::string> known; // by source
     std::vector<sgml::Fault> result;
-    for (const document::ImageUse& use : document::imageUses(*document_, schemas_)) {
+    for (const document::ImageUse& use : uses_.images()) {
         const auto [fault, isNew] = known.try_emplace(use.source);
         if (isNew)
             fault->second = images_.fault(use.source).toStdString();
@@ -310,7 +320,7 @@ std::vector<sgml::Fault> OpenDocument::ofImages() {
 // LIMIT: a medium is asked only when it runs.
 std::vector<sgml::Fault> OpenDocument::ofSliders() const {
     std::vector<sgml::Fault> result;
-    for (const document::SliderUse& use : document::sliderUses(*document_, schemas_)) {
+    for (const document::SliderUse& use : uses_.sliders()) {
         const media::LiveSubdocument* of = live(use.subdocument);
         if (!of || !of->parameters() || std::ranges::count(*of->parameters(), use.parameter) > 0)
             continue;
@@ -353,14 +363,16 @@ std::vector<ListedFault> OpenDocument::faults() {
         add(saidBy(id), id);
     std::vector<std::size_t> order(all.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return all[a].range.from < all[b].range.from;
-    });
-    const text::Places places(document_->bytes());
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return isBefore(all[a], all[b]); });
+    std::vector<std::size_t> offsets;
+    for (const std::size_t i : order)
+        offsets.push_back(all[i].range.from);
+    const std::vector<text::Position> places = document_->tree().positions(offsets);
     std::vector<ListedFault> result = ofSchemas();
     for (std::size_t i = 0; i < order.size(); ++i) {
         result.push_back(listed(all[order[i]], by[order[i]]));
-        result.back().position = places.at(all[order[i]].range.from);
+        result.back().position = places[i];
     }
     return result;
 }

@@ -6,6 +6,8 @@
 #pragma once
 
 #include "document/document.h"
+#include "document/faults.h"
+#include "document/uses.h"
 #include "media/live_media.h"
 #include "schemas/schemas.h"
 #include "session/file_follower.h"
@@ -90,7 +92,7 @@ Q_SIGNALS:
 private:
     void readSubdocuments();
     void connectLive(document::SubdocumentId id, media::LiveSubdocument& live);
-    [[nodiscard]] std::vector<sgml::Fault> ofDocument() const;
+    [[nodiscard]] std::vector<sgml::Fault> ofDocument();
     [[nodiscard]] std::vector<sgml::Fault> ofImages();
     [[nodiscard]] std::vector<sgml::Fault> ofSliders() const;
     [[nodiscard]] std::vector<sgml::Fault> saidBy(document::SubdocumentId id) const;
@@ -105,6 +107,8 @@ private:
     const schemas::Schemas& schemas_;
     media::LiveMedia& media_;
     Images images_;
+    document::Uses uses_;
+    std::unique_ptr<document::Faults> judged_; // null: nobody asked yet
     std::map<document::SubdocumentId, std::unique_ptr<media::LiveSubdocument>> live_;
     std::set<document::SubdocumentId> driven_;                                   // by sliders
     mutable std::map<document::SubdocumentId, std::vector<ListedFault>> placed_; // what media said

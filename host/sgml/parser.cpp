@@ -45,7 +45,7 @@ void Parser::parse() {
                 checkDocument(id);
     }
     countUnlisted();
-    placeFaults(tree_.faults_, text_);
+    tree_.sortFaults();
 }
 
 void Parser::resume(std::size_t at, std::vector<NodeId> open) {

@@ -96,7 +96,4 @@ private:
     std::size_t unlisted_ = 0;
 };
 
-// Sorts them by place and finds their lines and columns.
-void placeFaults(std::vector<Fault>& faults, std::string_view text);
-
 } // namespace sgml

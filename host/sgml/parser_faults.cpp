@@ -62,17 +62,23 @@ void Parser::countUnlisted() {
 }
 
 // The order is of the faults alone, whatever order they were found in.
-void placeFaults(std::vector<Fault>& faults, std::string_view text) {
+void Tree::sortFaults() {
     const auto key = [](const Fault& fault) {
         return std::tie(fault.range.from, fault.range.to, fault.kind, fault.message);
     };
-    std::sort(faults.begin(), faults.end(),
+    std::sort(faults_.begin(), faults_.end(),
               [&](const Fault& a, const Fault& b) { return key(a) < key(b); });
-    if (faults.empty())
-        return;
-    const text::Places places(text);
-    for (Fault& fault : faults)
-        fault.position = places.at(fault.range.from);
+    placeFaults(faults_, *this);
+}
+
+void placeFaults(std::vector<Fault>& faults, const Tree& tree) {
+    std::vector<std::size_t> offsets;
+    offsets.reserve(faults.size());
+    for (const Fault& fault : faults)
+        offsets.push_back(fault.range.from);
+    const std::vector<text::Position> places = tree.positions(offsets);
+    for (std::size_t i = 0; i < faults.size(); ++i)
+        faults[i].position = places[i];
 }
 
 } // namespace sgml

@@ -57,8 +57,8 @@ Change Reparser::run() {
                         tree_.faults_.size() >= tree_.limits_.faults / 2;
     if (beyond)
         readAll();
-    else if (!tree_.faults_.empty())
-        placeFaults(tree_.faults_, tree_.bytes_);
+    else
+        tree_.sortFaults();
     return std::move(change_);
 }
 

@@ -32,6 +32,7 @@ void Reparser::replaceBytes() {
     else
         for (auto edit = edits_.rbegin(); edit != edits_.rend(); ++edit)
             tree_.bytes_.replace(edit->range.from, edit->range.size(), edit->text);
+    tree_.lines_.follow(edits_, tree_.bytes_);
 }
 
 // The loop is over the array, since all nodes behind the edits move.

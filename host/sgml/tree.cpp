@@ -10,6 +10,7 @@ namespace sgml {
 Tree Tree::parse(std::string bytes, const Limits& limits) {
     Tree tree;
     tree.bytes_ = std::move(bytes);
+    tree.lines_ = text::Lines(tree.bytes_);
     tree.limits_ = limits;
     Parser(tree).parse();
     return tree;

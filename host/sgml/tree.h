@@ -16,6 +16,7 @@
 #include "sgml/escape.h"
 #include "sgml/fault.h"
 #include "text/edit.h"
+#include "text/lines.h"
 #include "text/places.h"
 
 #include <cstdint>
@@ -109,8 +110,13 @@ public:
     // The innermost node that holds the byte at `offset`.
     [[nodiscard]] NodeId innermostAt(std::size_t offset) const;
 
+    // Of a byte: reads its line. Of many, which ascend: reads a line once.
     [[nodiscard]] text::Position position(std::size_t offset) const {
-        return text::Places(bytes_).at(offset);
+        return lines_.at(offset, bytes_);
+    }
+    [[nodiscard]] std::vector<text::Position>
+    positions(const std::vector<std::size_t>& offsets) const {
+        return lines_.at(offsets, bytes_);
     }
 
     // One line per node: indented kind, name, byte range, attributes, content (for tests and logs).
@@ -123,9 +129,11 @@ private:
     friend class Parser;
     friend class Reparser;
     NodeId newNode();
+    void sortFaults();
     [[nodiscard]] bool isSame(NodeId id, const Tree& other, NodeId otherId) const;
 
     std::string bytes_;
+    text::Lines lines_; // of the bytes
     std::vector<Node> nodes_;
     std::vector<NodeId> free_; // numbers of nodes that are gone
     std::vector<Attribute> attributes_;
@@ -133,5 +141,8 @@ private:
     std::vector<Fault> faults_;
     Limits limits_;
 };
+
+// Finds the lines and columns of faults that are in order of place.
+void placeFaults(std::vector<Fault>& faults, const Tree& tree);
 
 } // namespace sgml

@@ -1,8 +1,8 @@
 // Any bytes are a document: read, checked, modelled and exported as text.
 #include "require.h"
 
-#include "document/check.h"
 #include "document/document.h"
+#include "document/faults.h"
 #include "model/model.h"
 #include "model/text_export.h"
 #include "schemas/schemas.h"
