@@ -95,4 +95,20 @@ enum class Unit { character, word }; // a character is a grapheme cluster (Unico
 // A footnote behind the selection; the caret goes into it.
 [[nodiscard]] Result insertFootnote(const Manuscript& manuscript, Selection selection);
 
+// --- blocks
+
+// The paragraphs of the selection become headings of that level (1 is the outermost), each with a
+// section of what follows it; a heading with its section goes to that level.
+[[nodiscard]] Result makeHeading(const Manuscript& manuscript, Selection selection, int level);
+// Headings and preformatted text become paragraphs. What a heading's section had is in the section
+// before it then.
+[[nodiscard]] Result makeParagraph(const Manuscript& manuscript, Selection selection);
+// The paragraphs of the selection become the items of a list, which has the attribute: those that
+// the class's presentation tells apart are in Grammar::variants().
+[[nodiscard]] Result makeList(const Manuscript& manuscript, Selection selection,
+                              std::string_view attribute = {}, std::string_view value = {});
+// The items of the selection go into the item before them, or out of their list.
+[[nodiscard]] Result indentItems(const Manuscript& manuscript, Selection selection);
+[[nodiscard]] Result outdentItems(const Manuscript& manuscript, Selection selection);
+
 } // namespace authoring

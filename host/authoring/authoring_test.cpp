@@ -228,6 +228,51 @@ TEST(Authoring, InsertsFootnotes) {
     EXPECT_EQ(memo("<V>{a|b}</V>", insertFootnote), "refused: A footnote may not stand here.");
 }
 
+TEST(Authoring, HeadingsHaveSections) {
+    const auto to = [](int level) {
+        return [level](const Manuscript& manuscript, Selection selection) {
+            return makeHeading(manuscript, selection, level);
+        };
+    };
+    EXPECT_EQ(report("<P>{a}</P>\n<P>{b|}</P>\n<P>{c}</P>\n<S><H>{d}</H></S>", to(1)),
+              "<P>{a}</P>\n<S>\n<H>{b|}</H>\n<P>{c}</P>\n</S>\n<S><H>{d}</H></S>");
+    EXPECT_EQ(report("<S>\n<H>{a}</H>\n<P ID=\"p\">{b|}</P>\n<P>{c}</P>\n</S>", to(1)),
+              "<S>\n<H>{a}</H>\n</S>\n<S>\n<H ID=\"p\">{b|}</H>\n<P>{c}</P>\n</S>");
+    EXPECT_EQ(report("<S>\n<H>{a}</H>\n<P>{b|}</P>\n<P>{c}</P>\n</S>", to(2)),
+              "<S>\n<H>{a}</H>\n<S>\n<H>{b|}</H>\n<P>{c}</P>\n</S>\n</S>");
+    EXPECT_EQ(report("<P>{b|}</P>", to(2)),
+              "refused: A heading of this level needs one of the level above before it.");
+    EXPECT_EQ(
+        report("<S>\n<H>{a}</H>\n<S>\n<H>{b|}</H>\n<P>{c}</P></S>\n<S><H>{d}</H></S>\n</S>", to(1)),
+        "<S>\n<H>{a}</H>\n</S>\n<S>\n<H>{b|}</H>\n<P>{c}</P>\n<S><H>{d}</H></S></S>");
+    EXPECT_EQ(report("<S>\n<H>{a}</H>\n</S>\n<S>\n<H>{b|}</H>\n</S>", to(2)),
+              "<S>\n<H>{a}</H>\n<S>\n<H>{b|}</H>\n</S>\n</S>");
+    EXPECT_EQ(report("<S>\n<H>{a}</H>\n</S>\n<S>\n<H>{b|}</H>\n<P>{c}</P>\n</S>", makeParagraph),
+              "<S>\n<H>{a}</H>\n<P>{b|}</P>\n<P>{c}</P>\n</S>");
+    EXPECT_EQ(memo("<P>{b|}</P>", to(1)), "refused: This class of documents has no headings.");
+}
+
+TEST(Authoring, Lists) {
+    const auto list = [](const Manuscript& manuscript, Selection selection) {
+        return makeList(manuscript, selection, "KIND", "number");
+    };
+    EXPECT_EQ(memo("<P>{[a}</P>\n<P ID=\"i\">{b|}</P>\n<P>{c}</P>", list),
+              "<L KIND=\"number\">\n<I>{[a}</I>\n<I ID=\"i\">{b|}</I>\n</L>\n<P>{c}</P>");
+    EXPECT_EQ(memo("<L>\n<I>{a}</I>\n<I>{b|}</I>\n<I>{c}</I>\n</L>", indentItems),
+              "<L>\n<I><T>{a}</T><L>\n<I>{b|}</I></L></I>\n<I>{c}</I>\n</L>");
+    EXPECT_EQ(memo("<L>\n<I>{|a}</I>\n</L>", indentItems),
+              "refused: The first item of a list cannot go into the one before it.");
+    EXPECT_EQ(memo("<L>\n<I>{a}</I>\n<I>{b|}</I>\n<I>{c}</I>\n</L>", outdentItems),
+              "<L>\n<I>{a}</I>\n</L>\n<P>{b|}</P>\n<L>\n<I>{c}</I>\n</L>");
+    EXPECT_EQ(memo("<L>\n<I>{[a}</I>\n<I>{b|}</I>\n</L>", outdentItems),
+              "<P>{[a}</P>\n<P>{b|}</P>");
+    EXPECT_EQ(memo("<L>\n<I><T>{a}</T><L><I>{b|}</I><I>{c}</I></L></I>\n</L>", outdentItems),
+              "<L>\n<I><T>{a}</T></I>\n<I><T>{b|}</T><L><I>{c}</I></L></I>\n</L>");
+    EXPECT_EQ(memo("<P>{|a}</P>", outdentItems), "refused: The selection is in no list.");
+    EXPECT_EQ(testGrammars().of("CMEMO")->variants("LIST"),
+              (std::vector<std::pair<std::string, std::string>>{{"KIND", "number"}}));
+}
+
 TEST(Authoring, KnowsThePlacesOfACaret) {
     const std::string bytes = renamed(
         "DOCUMENT CMEMO\n<CMEMO><BODY><P>{a\\{b}</P><P><T>{c}</T><E>{d}</E></P></BODY></CMEMO>",

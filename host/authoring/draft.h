@@ -100,6 +100,9 @@ public:
     void openAll(Piece& piece);
     [[nodiscard]] std::string attribute(const Piece& element, std::string_view name) const;
 
+    // The attributes of an element as another one may have them: an ID names one only.
+    [[nodiscard]] std::string attributesWithoutId(const Piece& element) const;
+
     // --- changing
     static std::unique_ptr<Piece> made(std::string name, std::string attributes = {});
     static std::unique_ptr<Piece> madeText(std::string_view plain);
@@ -152,7 +155,6 @@ private:
     void putMarkBehind(std::unique_ptr<Piece> mark, Piece& parent, sgml::NodeId before);
     void putMarkInText(std::unique_ptr<Piece> mark, Piece& parent, std::size_t offset);
     [[nodiscard]] std::string blanksOf(const Gap& gap) const;
-    [[nodiscard]] std::string attributesWithoutId(const Piece& element) const;
     [[nodiscard]] std::string attributesOf(const Piece& element) const;
     [[nodiscard]] bool isAlike(const Piece& one, const Piece& other) const;
     void merge(Piece& left, Piece& right);

@@ -58,7 +58,6 @@ std::string Draft::blanksOf(const Gap& gap) const {
     return gap.kept.empty() ? gap.fresh : std::string(tree_.text(gap.kept));
 }
 
-// The attributes of an element as another one may have them: an ID names one only.
 std::string Draft::attributesWithoutId(const Piece& element) const {
     if (element.start == noNode)
         return element.attributes;

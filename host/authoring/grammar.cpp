@@ -54,7 +54,15 @@ Grammar::Grammar(const schemas::StructureSchema* structure,
             .display = style.display, .role = style.role, .holdsText = allowsText(name)};
         element.kind = kindOf(element);
         elements_.emplace(name, element);
+        variants_.emplace(name, presentation.variantsOf(name));
     }
+}
+
+const std::vector<std::pair<std::string, std::string>>&
+Grammar::variants(std::string_view element) const {
+    static const std::vector<std::pair<std::string, std::string>> none;
+    const auto found = variants_.find(element);
+    return found == variants_.end() ? none : found->second;
 }
 
 const Element& Grammar::of(std::string_view name) const {

@@ -55,6 +55,9 @@ public:
     // stands for text. ANY stands for every element of the class.
     [[nodiscard]] std::vector<std::string>
     allowedAt(std::string_view element, const Children& children, std::size_t index) const;
+    // The attributes by which the presentation tells kinds of an element apart: KIND and "number".
+    [[nodiscard]] const std::vector<std::pair<std::string, std::string>>&
+    variants(std::string_view element) const;
     [[nodiscard]] bool hasAttribute(std::string_view element, std::string_view attribute) const;
 
 private:
@@ -62,6 +65,7 @@ private:
 
     const schemas::StructureSchema* structure_;
     std::map<std::string, Element, std::less<>> elements_;
+    std::map<std::string, std::vector<std::pair<std::string, std::string>>, std::less<>> variants_;
 };
 
 // Of all classes. LIMIT: as the schemas were when it was made.

@@ -206,7 +206,7 @@ Selection RandomAuthor::randomSelection(const Manuscript& manuscript, Selection 
 
 RandomAuthor::Try RandomAuthor::tryCommand(const Manuscript& manuscript, Selection selection) {
     const bool isRange = !selection.isEmpty();
-    switch (below(7)) {
+    switch (below(9)) {
     case 0: {
         const Direction direction = below(2) == 0 ? Direction::forward : Direction::backward;
         const Unit unit = below(3) == 0 ? Unit::word : Unit::character;
@@ -219,6 +219,19 @@ RandomAuthor::Try RandomAuthor::tryCommand(const Manuscript& manuscript, Selecti
                                       schemas::ContainerRole::strong, schemas::ContainerRole::code};
         return {"toggle", toggle(manuscript, selection, roles[below(3)]), false, true};
     }
+    case 7:
+        return below(2) == 0 ? Try{"heading", makeHeading(manuscript, selection, 1 + int(below(3))),
+                                   false, true}
+                             : Try{"paragraph", makeParagraph(manuscript, selection), false, true};
+    case 8:
+        switch (below(3)) {
+        case 0:
+            return {"list", makeList(manuscript, selection), false, true};
+        case 1:
+            return {"indent", indentItems(manuscript, selection), false, true};
+        default:
+            return {"outdent", outdentItems(manuscript, selection), false, true};
+        }
     case 3:
         return below(2) == 0
                    ? Try{"link", link(manuscript, selection, below(3) == 0 ? "" : "a"), false, true}

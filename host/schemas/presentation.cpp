@@ -49,6 +49,16 @@ ElementStyle Presentation::styleNamed(std::string_view name) const {
     return style;
 }
 
+std::vector<std::pair<std::string, std::string>>
+Presentation::variantsOf(std::string_view name) const {
+    std::set<std::pair<std::string, std::string>> found;
+    for (const Selector& selector : selectors_)
+        for (const Selector::Name& part : selector.names)
+            if (part.name == name && !part.attribute.empty())
+                found.emplace(part.attribute, part.value);
+    return {found.begin(), found.end()};
+}
+
 ElementStyle Presentation::rootStyle() const {
     ElementStyle root;
     root.display = Display::block;

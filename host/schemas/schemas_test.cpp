@@ -96,8 +96,10 @@ TEST(Presentation, SaysWhatAnElementIsWhereverItStands) {
     std::vector<sgml::Fault> faults;
     const Presentation presentation = Presentation::parse(
         "B C { role: figure; display: verbatim }\nC { display: block; role: paragraph }\n"
-        "A D { display: cell }\n",
+        "A D { display: cell }\nL[K=n] D { show: no }\nL[K=a]:first { show: no }\n",
         faults);
+    EXPECT_EQ(presentation.variantsOf("L"),
+              (std::vector<std::pair<std::string, std::string>>{{"K", "n"}}));
     EXPECT_EQ(presentation.styleNamed("C").display, Display::block);
     EXPECT_EQ(presentation.styleNamed("C").role, ContainerRole::paragraph);
     EXPECT_EQ(presentation.styleNamed("D").display, Display::cell);
