@@ -94,10 +94,12 @@ void Presented::slice() {
     timer_.start(0);
 }
 
-void Presented::settle() {
+void Presented::settle(int mostMs) {
     if (document_.document().className() != className_)
         begin();
-    while (timer_.isActive() && step()) {
+    QElapsedTimer time;
+    time.start();
+    while (timer_.isActive() && time.elapsed() < mostMs && step()) {
     }
 }
 

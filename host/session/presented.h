@@ -13,6 +13,7 @@
 
 #include <QElapsedTimer>
 #include <QTimer>
+#include <limits>
 
 namespace session {
 
@@ -33,8 +34,8 @@ public:
     [[nodiscard]] const std::shared_ptr<const model::Model>& model() const {
         return builder_->model();
     }
-    // Goes on until all is there, and tells so.
-    void settle();
+    // Goes on until all is there, and tells so; or so long, where it takes longer.
+    void settle(int mostMs = std::numeric_limits<int>::max());
 
     // Steps that are taken before the document is shown: what some 50 pages need.
     static constexpr int firstSteps = 4000;

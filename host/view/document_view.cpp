@@ -4,6 +4,7 @@
 #include "view/key_names.h"
 #include "view/play_bar.h"
 #include "view/text_hand.h"
+#include "view/writing.h"
 
 #include <QApplication>
 #include <QPaintEvent>
@@ -37,7 +38,7 @@ void paintShadow(QPainter& painter, const QRectF& page) {
 
 DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
     : QAbstractScrollArea(parent), document_(document), playBar_(new PlayBar(true, viewport())),
-      text_(std::make_unique<TextHand>(*this)) {
+      text_(std::make_unique<TextHand>(*this)), writing_(std::make_unique<Writing>(*this, *text_)) {
     setFrameShape(QFrame::NoFrame);
     setAccessibleName(tr("Document"));
     setFocusPolicy(Qt::StrongFocus);
@@ -182,6 +183,12 @@ QRectF DocumentView::inViewport(std::size_t page, const QRectF& twips) const {
 void DocumentView::settle() {
     if (isBehind_)
         presented_->settle();
+}
+
+void DocumentView::settleSoon() {
+    constexpr int mostMs = 12;
+    if (isBehind_)
+        presented_->settle(mostMs);
 }
 
 // On whole device pixels, so that a picture of that many pixels is copied and not resampled.
@@ -474,6 +481,7 @@ void DocumentView::paintPages(QPainter& painter, const QRect& area) {
                           {{}, [this](const layout::ImagePiece& piece) { return imageOf(piece); }});
         paintFound(painter, i);
         text_->paintSelection(painter, i);
+        writing_->paint(painter, i);
         painter.restore();
     }
 }

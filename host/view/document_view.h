@@ -20,6 +20,7 @@ namespace view {
 
 class PlayBar;
 class TextHand;
+class Writing;
 
 class DocumentView : public QAbstractScrollArea {
     Q_OBJECT
@@ -50,6 +51,7 @@ public:
     [[nodiscard]] QRectF inViewport(std::size_t page, const QRectF& twips) const;
     // Shows the document as it is now, where edits came that are not laid out yet.
     void settle();
+    void settleSoon(); // the same, for as long as nobody notices; the rest follows
     // As it was when the pages were made; null: they are being made.
     [[nodiscard]] std::shared_ptr<const model::Model> model() const { return presented_->model(); }
 
@@ -58,6 +60,11 @@ public:
     [[nodiscard]] bool canCopy() const; // false while a figure has the keys
     void copy();
     void selectAll();
+
+    // --- writing: a matter of the view, not of the document
+    [[nodiscard]] bool isWriting() const;
+    void setWriting(bool on);
+    [[nodiscard]] Writing& writing() const { return *writing_; }
 
     // Marks the words wherever they stand, and shows the first of them at or below what is seen;
     // "": none any more.
@@ -83,12 +90,15 @@ Q_SIGNALS:
     void laidOut();
     void contextMenuWanted(document::SubdocumentId id, const QPoint& global);
     void textMenuWanted(const QPoint& global);
+    void writingChanged(bool on);
     void selectionChanged(); // or what may be done with it
     void linkActivated(const QString& target);
     void unhandledKey(int key, Qt::KeyboardModifiers modifiers);
 
 protected:
     bool event(QEvent* event) override;
+    void inputMethodEvent(QInputMethodEvent* event) override;
+    [[nodiscard]] QVariant inputMethodQuery(Qt::InputMethodQuery query) const override;
     bool viewportEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
@@ -131,6 +141,7 @@ private:
     void paintFound(QPainter& painter, std::size_t page) const;
     void useKey(int key, Qt::KeyboardModifiers modifiers);
     void follow(const QString& target);
+    void pasteSelection(const QMouseEvent& event);
     void updatePlayBar();
     void updateCursor(QPointF point);
 
@@ -151,6 +162,7 @@ private:
     bool wasShown_ = false;
     PlayBar* playBar_;
     std::unique_ptr<TextHand> text_;
+    std::unique_ptr<Writing> writing_;
     bool isBehind_ = false; // edits came that are not laid out
     QTimer geometryTimer_;
     std::vector<document::SubdocumentId> visible_;

@@ -4,8 +4,11 @@
 #include "view/key_names.h"
 #include "view/play_bar.h"
 #include "view/text_hand.h"
+#include "view/writing.h"
 
 #include <QApplication>
+#include <QClipboard>
+#include <QMimeData>
 #include <QScrollBar>
 #include <algorithm>
 
@@ -50,6 +53,11 @@ bool DocumentView::event(QEvent* event) {
             return true;
         }
     }
+    if (event->type() == QEvent::ShortcutOverride && !chosen_ && isWriting() &&
+        Writing::isForText(*static_cast<QKeyEvent*>(event))) {
+        event->accept();
+        return true;
+    }
     if (event->type() == QEvent::WindowStateChange)
         updateNearness();
     return QAbstractScrollArea::event(event);
@@ -71,6 +79,8 @@ void DocumentView::mousePressEvent(QMouseEvent* event) {
     if (!shown) {
         if (event->button() == Qt::LeftButton)
             text_->press(*event);
+        else if (event->button() == Qt::MiddleButton)
+            pasteSelection(*event);
         return;
     }
     media::LiveSubdocument* live = document_.live(shown->id);
@@ -123,7 +133,8 @@ void DocumentView::mouseReleaseEvent(QMouseEvent* event) {
             Q_EMIT contextMenuWanted(grabbed_, event->globalPosition().toPoint());
     } else if (event->button() == Qt::RightButton && !wasDragged_) {
         Q_EMIT textMenuWanted(event->globalPosition().toPoint());
-    } else if (event->button() == Qt::LeftButton && !wasDragged_ && !text_->cursor().selects()) {
+    } else if (event->button() == Qt::LeftButton && !wasDragged_ && !text_->cursor().selects() &&
+               (!isWriting() || (event->modifiers() & Qt::ControlModifier))) {
         if (const model::Run* link = linkAt(event->position()))
             follow(QString::fromStdString(link->target));
     }
@@ -166,7 +177,7 @@ void DocumentView::keyPressEvent(QKeyEvent* event) {
         choose(document::noSubdocument);
     else if (media::Rendition* of = rendition(chosen_))
         of->input(inputOf(*event));
-    else
+    else if (chosen_ || !isWriting() || !writing_->useKey(*event))
         useKey(event->key(), event->modifiers());
 }
 
@@ -227,6 +238,43 @@ void DocumentView::copy() {
 void DocumentView::selectAll() {
     choose(document::noSubdocument);
     text_->selectAll();
+}
+
+bool DocumentView::isWriting() const { return writing_->isOn(); }
+
+void DocumentView::setWriting(bool on) {
+    if (on == isWriting())
+        return;
+    setAttribute(Qt::WA_InputMethodEnabled, on);
+    if (on)
+        writing_->begin();
+    else
+        writing_->end();
+    Q_EMIT writingChanged(on);
+}
+
+// What the desktop's other windows have selected, where the pointer is.
+void DocumentView::pasteSelection(const QMouseEvent& event) {
+    const QClipboard* clipboard = QApplication::clipboard();
+    if (!isWriting() || !clipboard->supportsSelection())
+        return;
+    // Its own selection is gone once the caret is elsewhere.
+    QMimeData text;
+    text.setText(clipboard->text(QClipboard::Selection));
+    text_->press(event);
+    text_->release();
+    writing_->paste(text);
+}
+
+void DocumentView::inputMethodEvent(QInputMethodEvent* event) {
+    if (isWriting() && !chosen_)
+        writing_->compose(*event);
+    event->accept();
+}
+
+QVariant DocumentView::inputMethodQuery(Qt::InputMethodQuery query) const {
+    const QVariant answer = isWriting() ? writing_->answer(query) : QVariant();
+    return answer.isValid() ? answer : QAbstractScrollArea::inputMethodQuery(query);
 }
 
 // What is selected looks otherwise where the keys go elsewhere.

@@ -117,6 +117,11 @@ const QHash<QString, Drawing>& drawings() {
              for (int i = 0; i < 4; ++i)
                  p.drawLine(QPointF(2.5, 3 + 3.3 * i), QPointF(i == 3 ? 9 : 13.5, 3 + 3.3 * i));
          }},
+        {"document-edit",
+         [](QPainter& p) {
+             p.drawPolygon(QPolygonF{{2.2, 13.8}, {3, 10.4}, {10.8, 2.6}, {13.4, 5.2}, {5.6, 13}});
+             p.drawLine(QPointF(9, 4.4), QPointF(11.6, 7));
+         }},
         {"zoom-in", [](QPainter& p) { lens(p, true); }},
         {"zoom-out", [](QPainter& p) { lens(p, false); }},
         {"view-visible", eye},

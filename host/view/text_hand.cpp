@@ -263,6 +263,11 @@ void TextHand::showCaret() {
     show(view_.horizontalScrollBar(), rect->left(), rect->right(), view_.viewport()->width());
 }
 
+void TextHand::moveIntoView() {
+    if (const std::optional<layout::Caret> caret = caretAt({0, 0}))
+        cursor_.moveTo(carets(), *caret, false);
+}
+
 QRegion TextHand::region() const {
     QRegion result;
     const auto add = [&](const QRectF& rect) {

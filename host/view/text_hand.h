@@ -47,8 +47,9 @@ public:
     void paintSelection(QPainter& painter, document::SubdocumentId id, const QRectF& place) const;
     // Where the caret stands in the viewport; nothing: it has no place.
     [[nodiscard]] std::optional<QRectF> caretRect() const;
-    void showCaret(); // scrolls
-    void refresh();   // paints what of it has changed
+    void showCaret();    // scrolls
+    void moveIntoView(); // to the first text that is seen
+    void refresh();      // paints what of it has changed
 
 private:
     [[nodiscard]] layout::Carets carets() const;

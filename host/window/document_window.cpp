@@ -5,6 +5,7 @@
 #include "plain/plain.h"
 #include "text/characters.h"
 #include "view/icons.h"
+#include "view/writing.h"
 #include "window/application.h"
 #include "window/faults_pane.h"
 #include "window/find_bar.h"
@@ -13,6 +14,7 @@
 #include "window/medium_commands.h"
 
 #include <QApplication>
+#include <QClipboard>
 #include <QCloseEvent>
 #include <QDesktopServices>
 #include <QFileDialog>
@@ -116,6 +118,9 @@ DocumentWindow::DocumentWindow(Application& application,
             });
     connect(view_, &view::DocumentView::textMenuWanted, this, &DocumentWindow::showTextMenu);
     connect(view_, &view::DocumentView::selectionChanged, this, &DocumentWindow::updateSelection);
+    connect(view_, &view::DocumentView::writingChanged, this, &DocumentWindow::updateSelection);
+    connect(&view_->writing(), &view::Writing::refused, this,
+            [this](const QString& why) { statusBar()->showMessage(why, 8000); });
     connect(view_, &view::DocumentView::unhandledKey, this, &DocumentWindow::useShortcut);
     const auto showPlace = [this] {
         zoomLabel_->setText(tr("%1 %").arg(qRound(view_->zoom() * 100)));
@@ -180,7 +185,7 @@ void DocumentWindow::buildFileMenu() {
     save_ = add(menu, tr("&Save"), QKeySequence::Save, [this] { save(); });
     add(menu, tr("Save &As..."), QKeySequence("Ctrl+Shift+S"), [this] { saveAs(); });
     menu->addSeparator();
-    add(menu, tr("Export P&DF..."), QKeySequence("Ctrl+E"), [this] { exportPdf(); });
+    add(menu, tr("Export P&DF..."), QKeySequence("Ctrl+Shift+E"), [this] { exportPdf(); });
     add(menu, tr("&Print..."), QKeySequence::Print, [this] { print(); });
     menu->addSeparator();
     add(menu, tr("&Close"), QKeySequence::Close, [this] { close(); });
@@ -204,11 +209,23 @@ void DocumentWindow::buildEditMenu() {
     redo_ = add(menu, tr("&Redo"), QKeySequence("Ctrl+Shift+Z"),
                 [this] { document_->document().redo(); });
     menu->addSeparator();
+    cut_ = add(menu, tr("Cu&t"), QKeySequence::Cut, [this] { view_->writing().cut(); });
+    cut_->setObjectName("cut");
     copy_ = add(menu, tr("&Copy"), QKeySequence::Copy, [this] { view_->copy(); });
     copy_->setObjectName("copy");
+    paste_ = add(menu, tr("&Paste"), QKeySequence::Paste,
+                 [this] { view_->writing().paste(*QApplication::clipboard()->mimeData()); });
+    paste_->setObjectName("paste");
     selectAll_ =
         add(menu, tr("Select &All"), QKeySequence::SelectAll, [this] { view_->selectAll(); });
     selectAll_->setObjectName("selectAll");
+    menu->addSeparator();
+    write_ = add(
+        menu, tr("&Write"), QKeySequence("Ctrl+E"),
+        [this] { view_->setWriting(write_->isChecked()); }, "document-edit");
+    write_->setObjectName("write");
+    write_->setCheckable(true);
+    write_->setToolTip(tr("Write in the document (Ctrl+E)"));
     menu->addSeparator();
     add(menu, tr("&Find..."), QKeySequence::Find, [this] { find_->open(); });
     add(menu, tr("Find &Next"), QKeySequence(Qt::Key_F3), [this] { find_->next(1); });
@@ -272,6 +289,8 @@ void DocumentWindow::buildTools() {
     tools_->setObjectName("tools");
     tools_->setMovable(false);
     tools_->setIconSize({18, 18});
+    tools_->addAction(write_);
+    tools_->addSeparator();
     constexpr int leastHeight = 40; // it stays when there is nothing in it
     tools_->setMinimumHeight(leastHeight);
     tools_->toggleViewAction()->setText(tr("&Tool Area"));
@@ -321,6 +340,10 @@ void DocumentWindow::updateUndo() {
 
 // While a figure has the keys, these are its own.
 void DocumentWindow::updateSelection() {
+    const bool writes = view_->isWriting() && !view_->chosen();
+    write_->setChecked(view_->isWriting());
+    cut_->setEnabled(writes && view_->canCopy());
+    paste_->setEnabled(writes);
     copy_->setEnabled(view_->canCopy());
     selectAll_->setEnabled(!view_->chosen());
 }
@@ -329,7 +352,8 @@ void DocumentWindow::showTextMenu(const QPoint& at) {
     auto* menu = new QMenu(this);
     menu->setObjectName("textMenu");
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addActions({copy_, selectAll_});
+    menu->addActions(view_->isWriting() ? QList<QAction*>{cut_, copy_, paste_, selectAll_}
+                                        : QList<QAction*>{copy_, selectAll_});
     menu->popup(at);
 }
 

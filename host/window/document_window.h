@@ -79,8 +79,11 @@ private:
     QAction* save_ = nullptr;
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
+    QAction* cut_ = nullptr;
     QAction* copy_ = nullptr;
+    QAction* paste_ = nullptr;
     QAction* selectAll_ = nullptr;
+    QAction* write_ = nullptr;
     QLabel* pageLabel_;
     QLabel* zoomLabel_;
 };

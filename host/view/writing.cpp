@@ -1,0 +1,254 @@
+#include "view/writing.h"
+
+#include "layout/typeface.h"
+#include "view/document_view.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QMimeData>
+#include <chrono>
+
+namespace view {
+
+namespace {
+
+std::chrono::milliseconds now() {
+    return std::chrono::duration_cast<std::chrono::milliseconds>(
+        std::chrono::steady_clock::now().time_since_epoch());
+}
+
+bool isPrintable(const QKeyEvent& event) {
+    const QString text = event.text();
+    constexpr auto commands = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
+    // AltGr types signs, and is Ctrl and Alt at once on some keyboards.
+    const auto held = event.modifiers() & commands;
+    const bool isCommand =
+        held != Qt::NoModifier && held != (Qt::ControlModifier | Qt::AltModifier);
+    return !isCommand && !text.isEmpty() && (text[0].isPrint() || text[0].isHighSurrogate());
+}
+
+bool isEditing(int key) {
+    return key == Qt::Key_Backspace || key == Qt::Key_Delete || key == Qt::Key_Return ||
+           key == Qt::Key_Enter;
+}
+
+bool isMoving(int key) { return (key >= Qt::Key_Home && key <= Qt::Key_PageDown); }
+
+} // namespace
+
+Writing::Writing(DocumentView& view, TextHand& hand)
+    : view_(view), hand_(hand), grammars_(view.document().schemas()) {
+    connect(&hand_.cursor(), &TextCursor::changed, this, [this] {
+        if (on_)
+            blink();
+    });
+    // In the view that has the keys; other views of the document keep their places.
+    connect(&view_.document().document(), &document::Document::selectionRestored, this,
+            [this](const document::Selection& selection) {
+                if (!on_ || !view_.isActiveWindow())
+                    return;
+                hand_.cursor().set(selection);
+                view_.settle();
+                hand_.showCaret();
+            });
+}
+
+authoring::Manuscript Writing::manuscript() const {
+    return {view_.document().document(), grammars_};
+}
+
+void Writing::begin() {
+    on_ = true;
+    if (!hand_.cursor().selection())
+        hand_.moveIntoView();
+    blink();
+}
+
+void Writing::end() {
+    on_ = false;
+    composed_.clear();
+    blinking_.stop();
+    hand_.refresh();
+}
+
+// --- the caret ---------------------------------------------------------------------------------
+
+// A desktop that wants nothing to blink, as for reduced motion, says a time of 0.
+void Writing::blink() {
+    isShown_ = true;
+    const int period = QApplication::cursorFlashTime();
+    if (period > 0)
+        blinking_.start(period / 2, this);
+    else
+        blinking_.stop();
+    hand_.refresh();
+}
+
+void Writing::timerEvent(QTimerEvent* event) {
+    if (event->timerId() != blinking_.timerId())
+        return QObject::timerEvent(event);
+    isShown_ = !isShown_;
+    if (const std::optional<QRectF> rect = hand_.caretRect())
+        view_.viewport()->update(rect->toAlignedRect().adjusted(-2, -2, 3, 2));
+}
+
+void Writing::paint(QPainter& painter, std::size_t page) const {
+    if (!on_ || view_.chosen() || !view_.hasFocus())
+        return;
+    const layout::Carets carets(view_.pages(), view_.document().document().tree());
+    const std::optional<layout::Caret> caret = hand_.cursor().caret(carets);
+    if (!caret || caret->page != page)
+        return;
+    const QColor paper = view_.pages().paper;
+    const QColor ink = paper.lightness() < 128 ? Qt::white : Qt::black;
+    QRectF rect = carets.rectOf(*caret);
+    if (!composed_.isEmpty()) {
+        // LIMIT: it covers what follows until it is typed.
+        QFont font = QApplication::font();
+        font.setPixelSize(static_cast<int>(rect.height() * 0.7));
+        font.setUnderline(true);
+        painter.setFont(font);
+        rect.setWidth(QFontMetricsF(font).horizontalAdvance(composed_));
+        painter.fillRect(rect, paper);
+        painter.setPen(ink);
+        painter.drawText(rect, Qt::AlignVCenter | Qt::TextDontClip, composed_);
+        rect.setLeft(rect.right());
+    }
+    if (!isShown_)
+        return;
+    const double pixel = 1 / painter.transform().m11();
+    constexpr double width = 1.6;
+    painter.fillRect(
+        QRectF(rect.left() - pixel * width / 2, rect.top(), pixel * width, rect.height()), ink);
+}
+
+// --- commands ----------------------------------------------------------------------------------
+
+bool Writing::perform(const Command& command, const QString& group) {
+    const std::optional<document::Selection> selection = hand_.cursor().selection();
+    if (!selection)
+        return false;
+    authoring::Result result = command(manuscript(), {selection->anchor, selection->caret});
+    if (const auto* refusal = std::get_if<authoring::Refusal>(&result)) {
+        Q_EMIT refused(refusal->why);
+        return false;
+    }
+    const auto& step = std::get<authoring::Step>(result);
+    const document::Selection after{step.after.anchor, step.after.caret};
+    if (!step.edits.empty()) {
+        document::EditNote note{.label = step.label, .group = group};
+        note.before = selection;
+        note.after = after;
+        if (step.isTyping && group.isEmpty())
+            note.typed = now();
+        view_.document().document().edit(step.edits, note);
+    }
+    hand_.cursor().set(after);
+    view_.settleSoon();
+    hand_.showCaret();
+    blink();
+    return true;
+}
+
+void Writing::type(const QString& text) {
+    const std::string bytes = text.toStdString();
+    perform([&](const authoring::Manuscript& in, authoring::Selection at) {
+        return authoring::type(in, at, bytes);
+    });
+}
+
+bool Writing::isForText(const QKeyEvent& event) {
+    return isPrintable(event) || isEditing(event.key()) || isMoving(event.key());
+}
+
+bool Writing::useKey(const QKeyEvent& event) {
+    using authoring::Direction, authoring::Unit;
+    const Unit unit = event.modifiers() & Qt::ControlModifier ? Unit::word : Unit::character;
+    const auto erase = [&](Direction direction) {
+        perform([&](const authoring::Manuscript& in, authoring::Selection at) {
+            return authoring::erase(in, at, direction, unit);
+        });
+    };
+    switch (event.key()) {
+    case Qt::Key_Backspace:
+        erase(Direction::backward);
+        return true;
+    case Qt::Key_Delete:
+        erase(Direction::forward);
+        return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        perform([](const authoring::Manuscript& in, authoring::Selection at) {
+            return authoring::breakParagraph(in, at);
+        });
+        return true;
+    default:
+        break;
+    }
+    if (hand_.useKey(event.key(), event.modifiers(), true))
+        return true;
+    if (!isPrintable(event))
+        return false;
+    type(event.text());
+    return true;
+}
+
+// --- the clipboard -----------------------------------------------------------------------------
+
+void Writing::cut() {
+    hand_.copy();
+    perform([](const authoring::Manuscript& in, authoring::Selection at) {
+        return authoring::erase(in, at, authoring::Direction::forward);
+    });
+}
+
+// A blank line begins a paragraph. All of it is one step of undo.
+void Writing::paste(const QMimeData& data) {
+    QString text = data.text();
+    text.replace(QLatin1String("\r\n"), QLatin1String("\n"));
+    const QString group = QStringLiteral("paste %1").arg(++pastes_);
+    bool isFirst = true;
+    for (const QString& paragraph : text.split(QStringLiteral("\n\n"), Qt::SkipEmptyParts)) {
+        if (!std::exchange(isFirst, false) &&
+            !perform([](const authoring::Manuscript& in,
+                        authoring::Selection at) { return authoring::breakParagraph(in, at); },
+                     group))
+            return;
+        const std::string bytes = paragraph.toStdString();
+        const bool typed =
+            perform([&](const authoring::Manuscript& in,
+                        authoring::Selection at) { return authoring::type(in, at, bytes); },
+                    group);
+        if (!typed)
+            return;
+    }
+}
+
+// --- input methods -----------------------------------------------------------------------------
+
+// LIMIT: what an input method wants to replace beside the caret stays.
+void Writing::compose(const QInputMethodEvent& event) {
+    composed_ = event.preeditString();
+    if (!event.commitString().isEmpty())
+        type(event.commitString());
+    view_.viewport()->update();
+}
+
+QVariant Writing::answer(Qt::InputMethodQuery query) const {
+    switch (query) {
+    case Qt::ImEnabled:
+        return on_ && !view_.chosen();
+    case Qt::ImCursorRectangle:
+        return hand_.caretRect().value_or(QRectF());
+    case Qt::ImHints:
+        return static_cast<int>(Qt::ImhMultiLine);
+    case Qt::ImCurrentSelection: {
+        const std::unique_ptr<QMimeData> copy = hand_.copied();
+        return copy ? copy->text() : QString();
+    }
+    default:
+        return {};
+    }
+}
+
+} // namespace view

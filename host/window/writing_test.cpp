@@ -1,0 +1,181 @@
+// Writing in a document, as with the keyboard.
+#include "layout/carets.h"
+#include "view/text_hand.h"
+#include "view/writing.h"
+#include "window/window_testing.h"
+
+#include <QClipboard>
+#include <QMimeData>
+#include <QStatusBar>
+
+namespace window {
+namespace {
+
+using ::testing::HasSubstr;
+
+QByteArray paragraph(const QByteArray& text) {
+    return "<PARAGRAPH><TEXT>{" + text + "}</TEXT></PARAGRAPH>\n";
+}
+
+class WritingTest : public WindowTest {
+protected:
+    void write(const QByteArray& body) {
+        window_ = open(memo(body));
+        view().setFocus();
+        ASSERT_TRUE(waitFor([&] { return view().isLaidOut(); }));
+        window_->activateWindow();
+        ASSERT_TRUE(waitFor([&] { return view().hasFocus(); }));
+        action("write")->trigger();
+        ASSERT_TRUE(view().isWriting());
+    }
+    view::DocumentView& view() const { return window_->view(); }
+    document::Document& document() const { return window_->document().document(); }
+    const QWidget& asWidget() const { return view(); }
+    QAction* action(const char* name) const { return window_->findChild<QAction*>(name); }
+    void goTo(const std::string& words) const {
+        const std::size_t at = document().bytes().find(words);
+        view().text().cursor().set({at, at});
+    }
+    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) const {
+        QTest::keyClick(&view(), key, modifiers);
+    }
+    void type(const char* letters) const { QTest::keyClicks(&view(), letters); }
+    std::string body() const {
+        const std::string& bytes = document().bytes();
+        const std::size_t from = bytes.find("<BODY>\n") + 7;
+        return bytes.substr(from, bytes.find("</BODY>") - from);
+    }
+    // The text on the pages, line by line.
+    std::string shown() const {
+        std::string lines;
+        for (const auto& page : view().pages().pages)
+            for (const layout::Piece& piece : page->pieces)
+                if (const auto* text = std::get_if<layout::TextPiece>(&piece))
+                    lines += text->paragraph->textOfLine(text->line).toStdString() + "\n";
+        return lines;
+    }
+
+    DocumentWindow* window_ = nullptr;
+};
+
+TEST_F(WritingTest, TypedLettersAreInTheDocumentAndOnThePage) {
+    write(paragraph("One two"));
+    goTo(" two");
+    type("st {");
+    EXPECT_EQ(body(), paragraph("Onest \\{ two").toStdString());
+    EXPECT_TRUE(waitFor([&] { return shown().find("Onest { two") != std::string::npos; }));
+    press(Qt::Key_Backspace);
+    press(Qt::Key_Backspace, Qt::ControlModifier);
+    press(Qt::Key_Delete);
+    EXPECT_EQ(body(), paragraph("two").toStdString());
+}
+
+TEST_F(WritingTest, AParagraphIsWrittenAndTakenBack) {
+    write(paragraph("One"));
+    const std::string before = document().bytes();
+    goTo("}</TEXT></PARAGRAPH>\n</BODY>");
+    press(Qt::Key_Return);
+    type("Two");
+    press(Qt::Key_Left, Qt::ShiftModifier);
+    type("e");
+    EXPECT_THAT(body(), HasSubstr("{One}"));
+    EXPECT_THAT(body(), HasSubstr("{Twe}"));
+    EXPECT_TRUE(waitFor([&] { return shown().find("One\nTwe\n") != std::string::npos; }));
+    const std::string written = document().bytes();
+    while (document().canUndo())
+        document().undo();
+    EXPECT_EQ(document().bytes(), before);
+    const auto selection = view().text().cursor().selection();
+    ASSERT_TRUE(selection);
+    EXPECT_EQ(before.substr(selection->caret, 3), "}</");
+    while (document().canRedo())
+        document().redo();
+    EXPECT_EQ(document().bytes(), written);
+}
+
+TEST_F(WritingTest, WordsTypedWithoutAPauseAreOneStep) {
+    write(paragraph("One"));
+    goTo("One");
+    type("abc");
+    EXPECT_EQ(document().steps(), 1U);
+    document().undo();
+    EXPECT_EQ(body(), paragraph("One").toStdString());
+}
+
+TEST_F(WritingTest, AReadingViewTakesNoLetters) {
+    write(paragraph("One"));
+    action("write")->trigger();
+    EXPECT_FALSE(view().isWriting());
+    EXPECT_FALSE(action("paste")->isEnabled());
+    goTo("One");
+    type("abc");
+    press(Qt::Key_Backspace);
+    EXPECT_EQ(body(), paragraph("One").toStdString());
+    EXPECT_FALSE(document().isModified());
+}
+
+TEST_F(WritingTest, WhatIsCutIsPasted) {
+    write(paragraph("One two") + paragraph("Three"));
+    goTo("One");
+    press(Qt::Key_Right, Qt::ShiftModifier | Qt::ControlModifier);
+    action("cut")->trigger();
+    EXPECT_EQ(body(), (paragraph("two") + paragraph("Three")).toStdString());
+    goTo("Three");
+    action("paste")->trigger();
+    EXPECT_EQ(body(), (paragraph("two") + paragraph("One Three")).toStdString());
+}
+
+TEST_F(WritingTest, PastedParagraphsAreParagraphsAndOneStep) {
+    write(paragraph("One"));
+    QApplication::clipboard()->setText("first\nline\n\nsecond");
+    goTo("}</TEXT></PARAGRAPH>\n</BODY>");
+    action("paste")->trigger();
+    EXPECT_THAT(body(), HasSubstr("second}"));
+    EXPECT_TRUE(waitFor([&] { return shown().find("Onefirst line\nsecond") != std::string::npos; }))
+        << body();
+    EXPECT_EQ(document().steps(), 1U);
+}
+
+TEST_F(WritingTest, AnInputMethodComposesAtTheCaret) {
+    write(paragraph("One"));
+    goTo("One");
+    QInputMethodEvent composing(QStringLiteral("ni"), {});
+    QApplication::sendEvent(&view(), &composing);
+    EXPECT_EQ(body(), paragraph("One").toStdString());
+    QInputMethodEvent typed;
+    typed.setCommitString(QStringLiteral("\u4F60"));
+    QApplication::sendEvent(&view(), &typed);
+    EXPECT_EQ(body(), paragraph("\u4F60One").toStdString());
+    EXPECT_TRUE(asWidget().inputMethodQuery(Qt::ImEnabled).toBool());
+    EXPECT_GT(asWidget().inputMethodQuery(Qt::ImCursorRectangle).toRectF().height(), 5);
+}
+
+TEST_F(WritingTest, ARefusedCommandIsExplainedInTheStatusBar) {
+    write(paragraph("One"));
+    goTo("One");
+    view().writing().perform([](const authoring::Manuscript&, authoring::Selection) {
+        return authoring::Refusal{"Not here, since it is a test."};
+    });
+    EXPECT_EQ(window_->statusBar()->currentMessage(), "Not here, since it is a test.");
+    EXPECT_FALSE(document().isModified());
+}
+
+TEST_F(WritingTest, ArrowsMoveTheCaretAndTheViewFollowsIt) {
+    QByteArray body;
+    for (int i = 0; i < 200; ++i)
+        body += paragraph("Line " + QByteArray::number(i));
+    write(body);
+    goTo("Line 0}");
+    press(Qt::Key_End, Qt::ControlModifier);
+    const auto caret = view().text().caretRect();
+    ASSERT_TRUE(caret);
+    EXPECT_TRUE(QRectF(view().viewport()->rect()).contains(caret->center()));
+    EXPECT_EQ(document().bytes().substr(view().text().cursor().selection()->caret, 2), "}<");
+    type("!");
+    EXPECT_THAT(document().bytes(), HasSubstr("Line 199!}"));
+    press(Qt::Key_PageUp);
+    EXPECT_TRUE(QRectF(view().viewport()->rect()).contains(view().text().caretRect()->center()));
+}
+
+} // namespace
+} // namespace window
