@@ -2,6 +2,7 @@
 #     FILES   sources of the library (headers need no listing)
 #     USES    modules of ours that it may include and link
 #     LINKS   libraries of others
+#     ALONE   those of FILES that tell the compiler another processor: never compiled together with others
 #     TESTS   GoogleTest sources; they may also use TEST_USES
 #     PLACED  those of TESTS that know where the project lies (SOURCE_DIR, a string): they alone are compiled anew
 #             in another clone, where the rest comes from the compiler's cache
@@ -66,7 +67,7 @@ function(asgard_precompile target kind)
 endfunction()
 
 function(asgard_module name)
-    cmake_parse_arguments(PARSE_ARGV 1 M "QT" "PCH;SHARDS" "FILES;USES;LINKS;TESTS;PLACED;TEST_USES;TEST_LINKS")
+    cmake_parse_arguments(PARSE_ARGV 1 M "QT" "PCH;SHARDS" "FILES;USES;LINKS;ALONE;TESTS;PLACED;TEST_USES;TEST_LINKS")
     get_filename_component(parent ${CMAKE_CURRENT_SOURCE_DIR} DIRECTORY)
 
     if(M_FILES)
@@ -76,6 +77,8 @@ function(asgard_module name)
         if(M_QT)
             set_target_properties(${name} PROPERTIES AUTOMOC ON)
         endif()
+        set_target_properties(${name} PROPERTIES UNITY_BUILD ${SOURCES_TOGETHER} UNITY_BUILD_BATCH_SIZE 8)
+        set_source_files_properties(${M_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     else()
         add_library(${name} INTERFACE)
         set(scope INTERFACE)

@@ -16,7 +16,7 @@ namespace session {
 
 namespace {
 
-constexpr int atOnce = 2; // pictures that are decoded
+constexpr int decodedAtOnce = 2; // pictures that are decoded
 constexpr int mostMegabytes = 512;
 
 // Formats that are pixels and nothing else: a drawing, such as SVG, may name other files.
@@ -198,7 +198,7 @@ QImage Images::imageNow(const std::string& source, QSize wanted) {
 }
 
 void Images::startNext() {
-    while (running_ < atOnce && !queue_.empty()) {
+    while (running_ < decodedAtOnce && !queue_.empty()) {
         ++running_;
         ++decodes_;
         const Job job = std::move(queue_.front());

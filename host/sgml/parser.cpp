@@ -10,8 +10,6 @@ namespace sgml {
 
 namespace {
 
-constexpr std::size_t npos = std::string_view::npos;
-
 bool isBlank(char c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v';
 }
@@ -225,7 +223,7 @@ void Parser::readContent() {
     Node& node = tree_.nodes_[addNode(NodeKind::content, {from, from + 1})];
     node.startTag = {from, from + 1};
     const std::size_t closing = closingBraceOf(from);
-    if (closing == npos) {
+    if (closing == std::string_view::npos) {
         at_ = endOfUnclosedContent();
         node.endTag = {at_, at_};
         fault(FaultKind::unterminatedContent, {from, from + 1},
@@ -240,9 +238,9 @@ void Parser::readContent() {
 // All that are never closed are found at once, when the first one is.
 std::size_t Parser::closingBraceOf(std::size_t open) {
     if (unclosedKnown_ && std::binary_search(unclosed_.begin(), unclosed_.end(), open))
-        return npos;
+        return std::string_view::npos;
     const std::size_t closing = closingBrace(text_, open);
-    if (closing == npos && !unclosedKnown_) {
+    if (closing == std::string_view::npos && !unclosedKnown_) {
         unclosed_ = unclosedBraces(text_.substr(open));
         for (std::size_t& brace : unclosed_)
             brace += open;
@@ -253,7 +251,7 @@ std::size_t Parser::closingBraceOf(std::size_t open) {
 
 // Before the next end tag of an element that is open, else the text's end.
 std::size_t Parser::endOfUnclosedContent() const {
-    for (std::size_t at = at_; (at = text_.find("</", at)) != npos; at += 2) {
+    for (std::size_t at = at_; (at = text_.find("</", at)) != std::string_view::npos; at += 2) {
         std::size_t end = at + 2;
         while (end < text_.size() && isNamePart(text_[end]))
             ++end;
@@ -269,7 +267,7 @@ void Parser::readMarkup() {
     const std::string_view end = startsHere("<!--") ? "-->" : ">";
     const std::size_t found = text_.find(end, at_ + 2);
     const std::size_t from = at_;
-    at_ = found == npos ? text_.size() : found + end.size();
+    at_ = found == std::string_view::npos ? text_.size() : found + end.size();
     fault(FaultKind::notOfFormat, {from, at_},
           end.size() > 1 ? "comments do not belong to the format"
                          : "declarations and processing instructions do not belong to the format");
@@ -281,7 +279,7 @@ void Parser::readStray(FaultKind kind, std::string message) {
     const std::size_t from = at_;
     if (here() != '\\')
         ++at_;
-    while ((at_ = text_.find_first_of("<{\\", at_)) != npos && here() == '\\')
+    while ((at_ = text_.find_first_of("<{\\", at_)) != std::string_view::npos && here() == '\\')
         at_ += 2;
     at_ = std::min(at_, text_.size());
     std::size_t to = at_;

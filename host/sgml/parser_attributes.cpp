@@ -5,8 +5,6 @@ namespace sgml {
 
 namespace {
 
-constexpr std::size_t npos = std::string_view::npos;
-
 bool endsTag(char c) { return c == '>' || c == '<'; }
 
 } // namespace
@@ -31,7 +29,7 @@ bool Parser::readAttribute(NodeId element) {
     const text::Range name = readName();
     if (name.empty()) {
         const std::size_t end = text_.find_first_of(" \t\r\n<>", at_ + 1);
-        at_ = end == npos ? text_.size() : end;
+        at_ = end == std::string_view::npos ? text_.size() : end;
         fault(FaultKind::badAttribute, {from, at_}, "an attribute's name begins with a letter");
         return true;
     }
@@ -53,8 +51,8 @@ text::Range Parser::readAttributeValue(text::Range name) {
     if (atEnd() || here() != '"')
         return unquotedValue(name);
     const std::size_t from = at_ + 1;
-    const std::size_t quote = noMoreQuotes_ ? npos : text_.find('"', from);
-    if (quote != npos) {
+    const std::size_t quote = noMoreQuotes_ ? std::string_view::npos : text_.find('"', from);
+    if (quote != std::string_view::npos) {
         at_ = quote + 1;
         return {from, quote};
     }
@@ -63,14 +61,14 @@ text::Range Parser::readAttributeValue(text::Range name) {
     fault(FaultKind::badAttribute, {at_, from},
           "the value of attribute " + std::string(tree_.text(name)) +
               " is not closed with a quote");
-    at_ = end == npos ? text_.size() : end;
+    at_ = end == std::string_view::npos ? text_.size() : end;
     return {from, at_};
 }
 
 text::Range Parser::unquotedValue(text::Range name) {
     const std::size_t from = at_;
     const std::size_t end = text_.find_first_of(" \t\r\n<>\"", at_);
-    at_ = end == npos ? text_.size() : end;
+    at_ = end == std::string_view::npos ? text_.size() : end;
     fault(FaultKind::badAttribute, {from < at_ ? from : name.from, at_},
           "the value of attribute " + std::string(tree_.text(name)) + " is not in double quotes");
     return {from, at_};

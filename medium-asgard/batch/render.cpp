@@ -19,8 +19,8 @@ struct Target {
     bool folder = false; // numbered pictures
 };
 
-int refuse(const std::string& sentence, int exitCode) {
-    return batch::refuse(Refusal{exitCode, sentence});
+int refuseFor(const std::string& sentence, int exitCode) {
+    return refuse(Refusal{exitCode, sentence});
 }
 
 std::variant<Target, Refusal> targetOf(const std::string& output) {
@@ -100,12 +100,12 @@ int drawAll(const SceneText& scene, const simulation::MotionPointer& motion,
             const std::vector<double>& times) {
     auto created = render::Renderer::create();
     if (const auto* sentence = std::get_if<std::string>(&created))
-        return refuse(*sentence, failure);
+        return refuseFor(*sentence, failure);
     render::Renderer& renderer = *std::get<std::unique_ptr<render::Renderer>>(created);
     if (std::max(size.width, size.height) > renderer.maximumSize())
-        return refuse("pictures are at most " + std::to_string(renderer.maximumSize()) +
-                          " pixels wide and high here",
-                      failure);
+        return refuseFor("pictures are at most " + std::to_string(renderer.maximumSize()) +
+                             " pixels wide and high here",
+                         failure);
     const render::SceneView view(scene.reading.scene, motion, arguments.view, size);
     const auto stride = static_cast<std::size_t>(4 * size.width);
     std::vector<std::byte> pixels(stride * static_cast<std::size_t>(size.height));
@@ -119,7 +119,7 @@ int drawAll(const SceneText& scene, const simulation::MotionPointer& motion,
         const std::string file = fileName(arguments.output, target.folder, i);
         std::string why = "the graphics driver lost its state";
         if (!renderer.draw(drawing, image) || !writePicture(file, target.format, image, why))
-            return refuse(file + ": " + why, failure);
+            return refuseFor(file + ": " + why, failure);
     }
     return success;
 }
@@ -129,34 +129,34 @@ int drawAll(const SceneText& scene, const simulation::MotionPointer& motion,
 int renderCommand(script::Reader& reader, const RenderArguments& arguments) {
     const auto target = targetOf(arguments.output);
     if (const auto* refusal = std::get_if<Refusal>(&target))
-        return batch::refuse(*refusal);
+        return refuse(*refusal);
     const auto size = sizeOf(arguments.size);
     if (!size)
-        return refuse("--size wants WIDTHxHEIGHT in pixels, not \"" + arguments.size + "\"",
-                      wrongUsage);
+        return refuseFor("--size wants WIDTHxHEIGHT in pixels, not \"" + arguments.size + "\"",
+                         wrongUsage);
     const auto read = readScene(reader, arguments.scene);
     if (const auto* refusal = std::get_if<Refusal>(&read))
-        return batch::refuse(*refusal);
+        return refuse(*refusal);
     const auto& scene = std::get<SceneText>(read);
     if (const auto refusal = unusable(scene))
-        return batch::refuse(*refusal);
+        return refuse(*refusal);
     if (!arguments.view.empty())
         if (const auto sentence = unknownView(scene.reading.scene, arguments.view))
-            return refuse(*sentence, failure);
+            return refuseFor(*sentence, failure);
     const bool folder = std::get<Target>(target).folder;
     const scene::Simulator& simulator = scene.reading.scene.simulator;
     const auto times = timesOf(arguments, folder, simulator.start, simulator.finish);
     if (const auto* refusal = std::get_if<Refusal>(&times))
-        return batch::refuse(*refusal);
+        return refuse(*refusal);
     const simulation::Result result = simulated(scene.reading.scene);
     if (!result.motion) {
-        return batch::refuse(refusalOf(scene, result.refusal));
+        return refuse(refusalOf(scene, result.refusal));
     }
     (void)tell(scene, *result.motion); // what there is of it is drawn
     std::error_code error;
     if (folder && !std::filesystem::is_directory(arguments.output, error) &&
         !std::filesystem::create_directories(arguments.output, error))
-        return refuse(arguments.output + ": " + error.message(), failure);
+        return refuseFor(arguments.output + ": " + error.message(), failure);
     return drawAll(scene, result.motion, arguments, std::get<Target>(target), *size,
                    std::get<std::vector<double>>(times));
 }

@@ -32,15 +32,15 @@ struct Shape {
     int corners;
     double turn, inner;
 };
-constexpr double right = std::numbers::pi / 2;
+constexpr double quarter = std::numbers::pi / 2;
 constexpr std::array<Shape, shapes> outlines = {{{0, 0, 1},
-                                                 {4, right / 2, 1},
-                                                 {3, -right, 1},
-                                                 {4, -right, 1},
-                                                 {3, right, 1},
-                                                 {5, -right, 0.45},
+                                                 {4, quarter / 2, 1},
+                                                 {3, -quarter, 1},
+                                                 {4, -quarter, 1},
+                                                 {3, quarter, 1},
+                                                 {5, -quarter, 0.45},
                                                  {6, 0, 1},
-                                                 {4, -right, 0.4}}};
+                                                 {4, -quarter, 0.4}}};
 
 } // namespace
 
@@ -52,11 +52,11 @@ void drawMark(Canvas& canvas, double x, double y, std::size_t series, double siz
     const Shape& shape = outlines[(series + series / shapes) % shapes];
     cairo_new_path(c);
     if (shape.corners == 0)
-        cairo_arc(c, x, y, size, 0, 4 * right);
+        cairo_arc(c, x, y, size, 0, 4 * quarter);
     const bool isStar = shape.inner < 1;
     const int points = isStar ? 2 * shape.corners : shape.corners;
     for (int i = 0; i < points; ++i) {
-        const double angle = shape.turn + 4 * right * i / points;
+        const double angle = shape.turn + 4 * quarter * i / points;
         const double radius = size * (isStar && i % 2 == 1 ? 1.6 * shape.inner
                                       : isStar             ? 1.6
                                                            : 1.3);

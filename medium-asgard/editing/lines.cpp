@@ -9,7 +9,7 @@ using script::Structure;
 
 namespace {
 
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+bool isBlankInLine(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 std::size_t lineStart(std::string_view text, std::size_t offset) {
     const std::size_t before = offset == 0 ? std::string_view::npos : text.rfind('\n', offset - 1);
@@ -35,7 +35,7 @@ std::optional<std::size_t> endOfBareLine(std::string_view text, const Structure&
             at = comment->to;
             continue;
         }
-        if (!isBlank(c) && c != ';')
+        if (!isBlankInLine(c) && c != ';')
             return std::nullopt;
         ++at;
     }
@@ -91,19 +91,20 @@ scene::Range wholeOf(std::string_view text, const Structure& structure, const Co
     const std::size_t start = lineStart(text, command.range.from);
     const bool firstOnLine =
         std::all_of(text.begin() + static_cast<std::ptrdiff_t>(start),
-                    text.begin() + static_cast<std::ptrdiff_t>(command.range.from), isBlank) &&
+                    text.begin() + static_cast<std::ptrdiff_t>(command.range.from),
+                    isBlankInLine) &&
         !(start > 0 && isContinued(text, start - 1));
     const auto end = endOfBareLine(text, structure, command.range.to);
     if (firstOnLine && end)
         return {start, *end};
     std::size_t to = command.range.to;
-    while (to < text.size() && isBlank(text[to]))
+    while (to < text.size() && isBlankInLine(text[to]))
         ++to;
     if (to == text.size() || text[to] != ';')
         return command.range;
     do
         ++to;
-    while (to < text.size() && isBlank(text[to]));
+    while (to < text.size() && isBlankInLine(text[to]));
     // A comment needs its semicolon.
     return to < text.size() && text[to] == '#' ? command.range
                                                : scene::Range{command.range.from, to};
@@ -112,7 +113,7 @@ scene::Range wholeOf(std::string_view text, const Structure& structure, const Co
 std::string indentOf(std::string_view text, const Command& command) {
     const std::size_t start = lineStart(text, command.range.from);
     const std::string before(text.substr(start, command.range.from - start));
-    return std::ranges::all_of(before, isBlank) ? before : "";
+    return std::ranges::all_of(before, isBlankInLine) ? before : "";
 }
 
 std::string lineBreakOf(std::string_view text) {

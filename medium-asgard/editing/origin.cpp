@@ -8,7 +8,6 @@
 namespace editing {
 
 using script::Command;
-using script::Element;
 using script::Word;
 
 namespace {
@@ -114,7 +113,7 @@ std::vector<Origin> Origins::inLiteral(scene::Range content,
     if (!list.fault.empty())
         return {};
     std::vector<Origin> origins;
-    for (const Element& element : list.elements) {
+    for (const script::Element& element : list.elements) {
         const scene::Range place = {content.from + element.content.from,
                                     content.from + element.content.to};
         if (element.literal && script::decimalNumber(element.value))
@@ -224,7 +223,7 @@ bool Origins::writes(const Command& command, const std::string& name) const {
             return false;
         const auto list = script::elementsOf(slice(word.content));
         return std::ranges::any_of(list.elements,
-                                   [&](const Element& e) { return e.value == name; });
+                                   [&](const script::Element& e) { return e.value == name; });
     });
 }
 

@@ -8,9 +8,6 @@ namespace editing {
 
 namespace {
 
-using script::Element;
-using script::ElementList;
-
 // A word of a command or an element of a list: the same to whom looks for options.
 struct Piece {
     scene::Range range, content;
@@ -18,10 +15,10 @@ struct Piece {
 };
 
 bool isPoint(const std::string& value) {
-    const ElementList numbers = script::elementsOf(value, 5);
+    const script::ElementList numbers = script::elementsOf(value, 5);
     const std::size_t n = numbers.elements.size();
     return numbers.fault.empty() && (n == 3 || n == 4) &&
-           std::ranges::all_of(numbers.elements, [](const Element& e) {
+           std::ranges::all_of(numbers.elements, [](const script::Element& e) {
                return script::decimalNumber(e.value).has_value();
            });
 }
@@ -79,7 +76,7 @@ private:
     void lookAtVariable(const Piece& value) {
         const auto all = elements(value);
         if (all.size() > 2 &&
-            std::ranges::all_of(all, [](const Element& e) { return isPoint(e.value); }))
+            std::ranges::all_of(all, [](const script::Element& e) { return isPoint(e.value); }))
             add(value.range, Listed::points, all.size());
     }
 
@@ -88,14 +85,14 @@ private:
             found_.push_back({range, what, count});
     }
 
-    [[nodiscard]] std::vector<Element> elements(const Piece& piece) const {
-        ElementList list = script::elementsOf(slice(piece.content));
-        return list.fault.empty() ? std::move(list.elements) : std::vector<Element>();
+    [[nodiscard]] std::vector<script::Element> elements(const Piece& piece) const {
+        script::ElementList list = script::elementsOf(slice(piece.content));
+        return list.fault.empty() ? std::move(list.elements) : std::vector<script::Element>();
     }
     [[nodiscard]] std::vector<Piece> inside(const Piece& piece) const {
         std::vector<Piece> pieces;
         const std::size_t at = piece.content.from;
-        for (const Element& e : elements(piece))
+        for (const script::Element& e : elements(piece))
             pieces.push_back({{at + e.range.from, at + e.range.to},
                               {at + e.content.from, at + e.content.to},
                               e.literal});

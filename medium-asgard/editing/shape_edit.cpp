@@ -14,7 +14,7 @@ using geometry::Vector;
 
 namespace {
 
-std::string vectorText(const Vector& v) {
+std::string listText(const Vector& v) {
     return "{" + numberText(v.x(), 0) + " " + numberText(v.y(), 0) + " " + numberText(v.z(), 0) +
            "}";
 }
@@ -22,7 +22,7 @@ std::string vectorText(const Vector& v) {
 std::string pointsText(const std::vector<Vector>& points) {
     std::string text;
     for (const Vector& p : points)
-        text += (text.empty() ? "" : " ") + vectorText(p);
+        text += (text.empty() ? "" : " ") + listText(p);
     return "{" + text + "}";
 }
 
@@ -31,7 +31,7 @@ std::pair<std::string, std::string> wordsOf(const scene::Part& part) {
     if (const auto* sphere = std::get_if<scene::SphereShape>(&part.shape))
         return {"-sphere", numberText(sphere->radius, 0)};
     if (const auto* box = std::get_if<scene::BoxShape>(&part.shape))
-        return {"-box", vectorText(box->edges)};
+        return {"-box", listText(box->edges)};
     return {"-points", pointsText(std::get<scene::HullShape>(part.shape).points)};
 }
 
@@ -99,7 +99,7 @@ private:
     void putVector(const Item& item, const Vector& value) {
         const auto numbers = itemsOf(text_, item.content);
         if (numbers.size() != 3)
-            return put(item.range, vectorText(value));
+            return put(item.range, listText(value));
         for (int k = 0; k < 3; ++k)
             putNumber(numbers[static_cast<std::size_t>(k)], value[k]);
     }
@@ -141,7 +141,7 @@ void Description::putPoints(const Item& item, const std::vector<Vector>& before,
         ++tail;
     std::string added;
     for (std::size_t i = head; i + tail < after.size(); ++i)
-        added += " " + vectorText(after[i]);
+        added += " " + listText(after[i]);
     const std::size_t from = head > 0 ? items[head - 1].range.to : item.content.from;
     const std::size_t to =
         head + tail < before.size() ? items[before.size() - tail - 1].range.to : from;
@@ -169,7 +169,7 @@ void Description::changeSub(const Item& value, const scene::Part& before,
         if (const Item* item = find(option))
             putVector(*item, now);
         else
-            inserted += std::string(option) + " " + vectorText(now) + " ";
+            inserted += std::string(option) + " " + listText(now) + " ";
     };
     vector("-pos", before.position, after.position);
     vector("-rot", before.rotation, after.rotation);
@@ -309,9 +309,9 @@ std::vector<DraftPart> draftOf(const scene::ShapeSet& set) {
 std::string partText(const scene::Part& part) {
     std::string text = "-sub {";
     if (part.position != Vector::Zero())
-        text += "-pos " + vectorText(part.position) + " ";
+        text += "-pos " + listText(part.position) + " ";
     if (part.rotation != Vector::Zero())
-        text += "-rot " + vectorText(part.rotation) + " ";
+        text += "-rot " + listText(part.rotation) + " ";
     if (part.appearance.color)
         text += "-color " + colourText(*part.appearance.color) + " ";
     if (part.appearance.shininess)

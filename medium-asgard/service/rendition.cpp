@@ -13,23 +13,23 @@ bool same(const render::Camera& a, const render::Camera& b) {
 }
 
 constexpr const char* stateFormat = "asgard-2";
-constexpr bool render::Display::*switches[] = {&render::Display::wireframe,
-                                               &render::Display::axes,
-                                               &render::Display::grid,
-                                               &render::Display::trails,
-                                               &render::Display::positionHandles,
-                                               &render::Display::orientationHandles,
-                                               &render::Display::velocityHandles,
-                                               &render::Display::spinHandles,
-                                               &render::Display::forceHandles,
-                                               &render::Display::torqueHandles,
-                                               &render::Display::linkHandles,
-                                               &render::Display::lightHandles,
-                                               &render::Display::trajectories};
+constexpr bool render::Display::*displaySwitches[] = {&render::Display::wireframe,
+                                                      &render::Display::axes,
+                                                      &render::Display::grid,
+                                                      &render::Display::trails,
+                                                      &render::Display::positionHandles,
+                                                      &render::Display::orientationHandles,
+                                                      &render::Display::velocityHandles,
+                                                      &render::Display::spinHandles,
+                                                      &render::Display::forceHandles,
+                                                      &render::Display::torqueHandles,
+                                                      &render::Display::linkHandles,
+                                                      &render::Display::lightHandles,
+                                                      &render::Display::trajectories};
 
 bool same(const render::Display& a, const render::Display& b) {
     return a.background == b.background &&
-           std::ranges::all_of(switches, [&](auto which) { return a.*which == b.*which; });
+           std::ranges::all_of(displaySwitches, [&](auto which) { return a.*which == b.*which; });
 }
 
 bool sound(const render::Camera& camera) {
@@ -103,7 +103,7 @@ std::string Rendition::state() const {
     std::ostringstream words;
     words.precision(17);
     words << stateFormat;
-    for (const auto which : switches)
+    for (const auto which : displaySwitches)
         words << ' ' << (display.*which ? 1 : 0);
     words << ' ' << (turned_ ? 1 : 0);
     if (turned_) {
@@ -125,7 +125,7 @@ void Rendition::restore(const std::string& state) {
     render::Camera camera;
     bool turned = false;
     words >> format;
-    for (const auto which : switches)
+    for (const auto which : displaySwitches)
         words >> shown.*which;
     words >> turned;
     if (turned) {

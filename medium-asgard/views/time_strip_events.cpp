@@ -16,7 +16,7 @@ namespace views {
 
 namespace {
 
-constexpr double clearly = 3; // pixels after which a press is a drag
+constexpr double dragFrom = 3; // pixels after which a press is a drag
 
 } // namespace
 
@@ -45,7 +45,7 @@ void TimeStrip::mouseMoveEvent(QMouseEvent* event) {
         setCursor(markAt(event->position()) ? Qt::SizeHorCursor : Qt::ArrowCursor);
         return;
     }
-    left_ = left_ || std::abs(x - pressed_.x()) >= clearly;
+    left_ = left_ || std::abs(x - pressed_.x()) >= dragFrom;
     if (!left_)
         return;
     if (grip_ == Grip::mark)

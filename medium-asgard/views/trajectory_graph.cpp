@@ -15,7 +15,7 @@ namespace views {
 namespace {
 
 constexpr double reach = 9;   // pixels within which a point is taken
-constexpr double clearly = 6; // pixels after which a drag changes the time
+constexpr double timeDragFrom = 6; // pixels after which a drag changes the time
 constexpr double leftSpace = 56, topSpace = 10, rightSpace = 14;
 
 // Red, green, blue for x, y, z, as the axes are drawn.
@@ -264,7 +264,7 @@ void TrajectoryGraph::mouseMoveEvent(QMouseEvent* event) {
         Q_EMIT timesWanted(pressedFrom_ + shift, pressedTo_ + shift);
         return;
     }
-    keepsTime_ = keepsTime_ && std::abs(at.x() - pressed_.x()) < clearly;
+    keepsTime_ = keepsTime_ && std::abs(at.x() - pressed_.x()) < timeDragFrom;
     const QPointF there = at + offset_;
     Q_EMIT dragged(keepsTime_ ? pressedTime_ : timeAt(there.x()), valueAt(there.y()),
                    event->modifiers());

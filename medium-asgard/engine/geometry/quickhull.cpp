@@ -9,14 +9,14 @@ namespace geometry {
 
 namespace {
 
-constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t noIndex = std::numeric_limits<std::size_t>::max();
 
 struct Facet {
     Triangle corners{};
-    std::array<std::size_t, 3> across{none, none, none}; // beyond the edge corner i -> i+1
-    std::vector<std::size_t> outside;                    // points that see this facet
+    std::array<std::size_t, 3> across{noIndex, noIndex, noIndex}; // beyond the edge corner i -> i+1
+    std::vector<std::size_t> outside;                             // points that see this facet
     bool alive = true;
-    std::size_t seenFrom = none; // the point that was last found to see it
+    std::size_t seenFrom = noIndex; // the point that was last found to see it
 };
 
 struct HorizonEdge {
@@ -41,7 +41,7 @@ public:
         for (std::size_t f = 0; f < facets_.size(); ++f)
             while (facets_[f].alive && !facets_[f].outside.empty())
                 addPoint(f);
-        std::vector<std::size_t> places(facets_.size(), none);
+        std::vector<std::size_t> places(facets_.size(), noIndex);
         Triangulation result;
         for (std::size_t f = 0; f < facets_.size(); ++f)
             if (facets_[f].alive) {
@@ -74,7 +74,7 @@ private:
             Triangle{v[0], v[1], v[2]}, Triangle{v[1], v[0], v[3]}, Triangle{v[2], v[1], v[3]},
             Triangle{v[0], v[2], v[3]}};
         for (const Triangle& t : corners)
-            facets_.push_back({t, {none, none, none}, {}, true, none});
+            facets_.push_back({t, {noIndex, noIndex, noIndex}, {}, true, noIndex});
         for (std::size_t f = 0; f < 4; ++f)
             for (std::size_t g = 0; g < 4; ++g)
                 if (f != g)
@@ -158,10 +158,10 @@ private:
 
     void makeCone(std::size_t p, const std::vector<HorizonEdge>& horizon) {
         const std::size_t firstNew = facets_.size();
-        startingAt_.resize(points_.size(), none);
+        startingAt_.resize(points_.size(), noIndex);
         for (std::size_t i = 0; i < horizon.size(); ++i) {
             const HorizonEdge& e = horizon[i];
-            facets_.push_back({{e.from, e.to, p}, {e.beyond, none, none}, {}, true, none});
+            facets_.push_back({{e.from, e.to, p}, {e.beyond, noIndex, noIndex}, {}, true, noIndex});
             Facet& beyond = facets_[e.beyond];
             for (std::size_t j = 0; j < 3; ++j)
                 if (beyond.corners[j] == e.to && beyond.corners[(j + 1) % 3] == e.from)

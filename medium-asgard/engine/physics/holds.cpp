@@ -8,8 +8,6 @@
 namespace physics {
 namespace {
 
-using scene::Held;
-
 struct ActiveHold {
     const scene::Constraint* constraint;
     std::vector<HoldInterval> intervals;
@@ -69,31 +67,31 @@ public:
     }
 
 private:
-    void add(HoldSegment& segment, Held held, const NodeVector& value) {
+    void add(HoldSegment& segment, scene::Held held, const NodeVector& value) {
         switch (held) {
-        case Held::position:
-        case Held::velocity:
+        case scene::Held::position:
+        case scene::Held::velocity:
             for (std::size_t i = 0; i < 3; ++i)
-                addLinear(segment, i, held == Held::velocity, value[i]);
+                addLinear(segment, i, held == scene::Held::velocity, value[i]);
             return;
-        case Held::attitude:
-        case Held::angularVelocity:
+        case scene::Held::attitude:
+        case scene::Held::angularVelocity:
             if (segment.angular)
                 return tellTwice(segment.from, "rotation");
-            segment.angular = {held == Held::angularVelocity, value};
+            segment.angular = {held == scene::Held::angularVelocity, value};
             return;
-        case Held::x:
-        case Held::y:
-        case Held::z:
-            return addLinear(segment,
-                             static_cast<std::size_t>(held) - static_cast<std::size_t>(Held::x),
-                             false, value[0]);
-        case Held::dx:
-        case Held::dy:
-        case Held::dz:
-            return addLinear(segment,
-                             static_cast<std::size_t>(held) - static_cast<std::size_t>(Held::dx),
-                             true, value[0]);
+        case scene::Held::x:
+        case scene::Held::y:
+        case scene::Held::z:
+            return addLinear(
+                segment, static_cast<std::size_t>(held) - static_cast<std::size_t>(scene::Held::x),
+                false, value[0]);
+        case scene::Held::dx:
+        case scene::Held::dy:
+        case scene::Held::dz:
+            return addLinear(
+                segment, static_cast<std::size_t>(held) - static_cast<std::size_t>(scene::Held::dx),
+                true, value[0]);
         }
     }
 

@@ -163,7 +163,7 @@ namespace {
 
 constexpr std::array<const char*, 3> axes{"-x", "-y", "-z"};
 
-class Collector {
+class NameCollector {
 public:
     void add(const Force& force) {
         if (const auto* kind = std::get_if<ComponentForce>(&force.kind))
@@ -207,7 +207,7 @@ private:
 } // namespace
 
 std::vector<ExpressionPlace> expressionsOf(const Scene& scene) {
-    Collector collector;
+    NameCollector collector;
     std::ranges::for_each(scene.forces, [&](const Force& f) { collector.add(f); });
     std::ranges::for_each(scene.links, [&](const Link& l) { collector.add(l); });
     std::ranges::for_each(scene.views, [&](const View& v) { collector.add(v); });

@@ -18,8 +18,6 @@
 namespace simulation {
 namespace {
 
-using Kind = KeptRuns::Kind;
-
 void addWork(const Run& run, Solved& solved) {
     std::vector<std::pair<std::size_t, std::size_t>> near;
     std::ranges::set_union(solved.near, run.candidates, std::back_inserter(near));
@@ -81,7 +79,7 @@ void deliver(const Problem& problem, Run run, Solved& solved) {
 Solved solvePlainly(const Problem& problem, const Observer& observer, KeptRuns& runs) {
     const std::vector<double> tolerances(problem.bodies->size(), problem.accuracy());
     Solved solved;
-    Run run = *runs.next(problem, Kind::compared, tolerances, observer);
+    Run run = *runs.next(problem, KeptRuns::Kind::compared, tolerances, observer);
     addWork(run, solved);
     deliver(problem, std::move(run), solved);
     return solved;
@@ -150,7 +148,7 @@ std::vector<std::optional<BodyError>> judgeRounding(const Problem& problem, cons
     if (std::ranges::find(islands.alone, true) == islands.alone.end() &&
         std::ranges::find(islands.beside, true) == islands.beside.end())
         return beside;
-    const auto nudged = runs.next(problem, Kind::nudged, tolerances, silent);
+    const auto nudged = runs.next(problem, KeptRuns::Kind::nudged, tolerances, silent);
     for (std::size_t b = 0; b < solved.errors.size() && !nudged; ++b)
         if (concerns(b))
             runs.mark(b);
@@ -210,7 +208,7 @@ void compareRougher(const Problem& problem, const Run& run, const Observer& sile
                     Solved& solved) {
     const std::vector<double> before = search.loose();
     search.roughen(differences);
-    const auto rough = runs.next(problem, Kind::rougher, search.loose(), silent);
+    const auto rough = runs.next(problem, KeptRuns::Kind::rougher, search.loose(), silent);
     for (std::size_t b = 0; b < before.size() && !rough; ++b)
         if (search.loose()[b] != before[b])
             runs.mark(b);
@@ -230,7 +228,7 @@ bool tighten(const Problem& problem, const Observer& silent, Tightening& search,
         std::optional<KeptRuns::Base> base;
         if (!problem.options.explain) // what is taken brings no equations with it
             base.emplace(KeptRuns::Base{run, search.runsAgain()});
-        auto tight = runs.next(problem, Kind::compared, search.tight(), silent, base);
+        auto tight = runs.next(problem, KeptRuns::Kind::compared, search.tight(), silent, base);
         for (std::size_t b = 0; b < solved.errors.size() && !tight; ++b)
             if (!search.isSettled(b))
                 runs.mark(b);
@@ -267,8 +265,8 @@ bool prove(const Problem& problem, const Run& run, const Observer& silent, Tight
     const std::vector<bool> unproven = search.unproven();
     if (std::ranges::find(unproven, true) == unproven.end())
         return false;
-    const auto proof =
-        runs.next(problem, Kind::proving, search.proof(), silent, KeptRuns::Base{run, unproven});
+    const auto proof = runs.next(problem, KeptRuns::Kind::proving, search.proof(), silent,
+                                 KeptRuns::Base{run, unproven});
     for (std::size_t b = 0; b < unproven.size() && !proof; ++b)
         if (unproven[b])
             runs.mark(b);
@@ -313,7 +311,7 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer, KeptRun
     Tightening search(problem.accuracy(), problem.bodies->size());
     const Observer silent{
         .cancelled = observer.cancelled, .progress = {}, .working = observer.working};
-    Run run = *runs.next(problem, Kind::compared, search.loose(), observer);
+    Run run = *runs.next(problem, KeptRuns::Kind::compared, search.loose(), observer);
     addWork(run, solved);
     if (run.cancelled) {
         deliver(problem, std::move(run), solved);

@@ -1,5 +1,7 @@
 #include "solution/pace.h"
 
+#include "solution/polynomial.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -8,7 +10,6 @@ namespace solution {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double most = 1e9;
 
 // Of quarters that follow each other; 1: they do not grow evenly.
