@@ -94,6 +94,7 @@ function(asgard_module name)
 
     if(M_TESTS)
         add_executable(${name}_test ${M_TESTS})
+        set_target_properties(${name}_test PROPERTIES UNITY_BUILD ${SOURCES_TOGETHER} UNITY_BUILD_BATCH_SIZE 8)
         target_link_libraries(${name}_test PRIVATE ${name} ${M_TEST_USES} ${M_TEST_LINKS} GTest::gtest GTest::gmock GTest::gtest_main)
         if(M_QT)
             set_target_properties(${name}_test PROPERTIES AUTOMOC ON)

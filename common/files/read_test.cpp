@@ -27,7 +27,7 @@ TEST(Read, StopsAtItsLimit) {
 }
 
 // Counts what is read of it.
-class Counting : public FileSystem {
+class CountingReads : public FileSystem {
 public:
     std::size_t bytes = 0;
     ssize_t read(int fd, void* to, std::size_t size) override {
@@ -38,7 +38,7 @@ public:
 };
 
 TEST(Read, AnInputWithoutEndIsReadUpToTheLimit) {
-    Counting files;
+    CountingReads files;
     const ReadFile zeros = readFile(files, "/dev/zero", 8 << 20, Source::stream);
     EXPECT_EQ(zeros.reason, "it is longer than 8 MB, and no more is read");
     EXPECT_EQ(files.bytes, (8u << 20) + 1);

@@ -84,7 +84,7 @@ void expectTold(std::map<NodeId, Known> nodes, const Tree& tree, const Change& c
     }
 }
 
-std::string faultsOf(const Tree& tree) {
+std::string faultLines(const Tree& tree) {
     std::string lines;
     for (const Fault& fault : tree.faults())
         lines += formatted(fault, "") + "\n";
@@ -96,7 +96,7 @@ Change expectFollows(Tree& tree, const text::Edits& edits) {
     const std::string bytes = text::applied(tree.bytes(), edits), was = tree.bytes();
     const Change change = applyEdits(tree, edits);
     const Tree read = Tree::parse(bytes);
-    EXPECT_EQ(faultsOf(tree), faultsOf(read)) << bytes;
+    EXPECT_EQ(faultLines(tree), faultLines(read)) << bytes;
     EXPECT_TRUE(tree == read) << was << "\n--- becomes\n"
                               << bytes << "\n--- as\n"
                               << tree.printed() << "--- instead of\n"

@@ -13,7 +13,7 @@ using ::testing::IsEmpty;
 
 const std::string ball = "shape_set s -desc {-sub {-sphere 1}}\n";
 
-struct Case {
+struct LoopCase {
     const char* name;
     const char* text;
     std::size_t body;
@@ -29,10 +29,10 @@ std::vector<std::string> namesOf(const scene::Scene& scene) {
     return names;
 }
 
-class LoopOffers : public testing::TestWithParam<Case> {};
+class LoopOffers : public testing::TestWithParam<LoopCase> {};
 
 TEST_P(LoopOffers, MakeTheValueWhatItIsToBe) {
-    const Case& one = GetParam();
+    const LoopCase& one = GetParam();
     const std::string text = ball + one.text;
     const auto before = reader().read(text);
     ASSERT_TRUE(before.usable);
@@ -80,68 +80,70 @@ TEST(LoopOffer, IsTheShortestNumberThatMeansTheSame) {
 INSTANTIATE_TEST_SUITE_P(
     All, LoopOffers,
     testing::Values(
-        Case{"Factor",
-             "for {set i 0} {$i < 4} {incr i} {body b$i s -init_pos \"[expr {$i * 2}] 0 0\"}",
-             3,
-             {7.5, 0, 0},
-             "The step: 2 becomes 2.5",
-             "for {set i 0} {$i < 4} {incr i} {body b$i s -init_pos \"[expr {$i * 2.5}] 0 0\"}"},
-        Case{"Divisor",
-             "for {set i 0} {$i < 4} {incr i} {body b$i s -init_pos [list [expr {$i / 2.0}] 0 0]}",
-             2,
-             {2, 0, 0},
-             "The step: 2.0 becomes 1.0",
-             "for {set i 0} {$i < 4} {incr i} {body b$i s -init_pos [list [expr {$i / 1.0}] 0 0]}"},
-        Case{"Offset",
-             "foreach i {1 2 3} {\n  body b$i s -init_pos \"[expr {0.5 + $i}] 0 0\"\n}",
-             1,
-             {3.25, 0, 0},
-             "All 3, by as much",
-             "foreach i {1 2 3} {\n  body b$i s -init_pos \"[expr {1.25 + $i}] 0 0\"\n}"},
-        Case{"Element",
-             "foreach x {-1  2.50 4} {body b[incr n] s -init_pos \"$x 0 0\"} ;# row",
-             1,
-             {3, 0, 0},
-             "Only b2, in the list of line 2",
-             "foreach x {-1  3.00 4} {body b[incr n] s -init_pos \"$x 0 0\"} ;# row"},
-        Case{"Pairs",
-             "foreach {n x} {a 1 b 2} {body $n s -init_pos \"$x [expr {2 * $x}] 0\"}",
-             1,
-             {3, 6, 0},
-             "Only b, in the list of line 2",
-             "foreach {n x} {a 1 b 3} {body $n s -init_pos \"$x [expr {2 * $x}] 0\"}"},
-        Case{"Call",
-             "proc put {n x} {body $n s -init_pos \"$x 0 0\"}\nput a 1\nput b 2 ;# here\n",
-             1,
-             {-3, 0, 0},
-             "Only b, in its call in line 4",
-             "proc put {n x} {body $n s -init_pos \"$x 0 0\"}\nput a 1\nput b -3 ;# here\n"},
-        Case{"StepOfTheLoop",
-             "for {set x 0} {$x < 4} {incr x 2} {body b[incr n] s -init_pos \"$x 0 0\"}",
-             1,
-             {3, 0, 0},
-             "The step of the loop: 2 becomes 3",
-             "for {set x 0} {$x < 4} {incr x 3} {body b[incr n] s -init_pos \"$x 0 0\"}"},
-        Case{"ListOfItsOwn",
-             "set xs {1 2}\nforeach x $xs {body b[incr n] s -init_pos \"$x 0 0\"}",
-             1,
-             {5, 0, 0},
-             "Only b2, in the list of line 2",
-             "set xs {1 5}\nforeach x $xs {body b[incr n] s -init_pos \"$x 0 0\"}"},
-        Case{"NameThatAnotherLoopHasToo",
-             "foreach {n x} {a 1 b 2} {body $n s -init_pos \"$x 0 0\"}\n"
-             "foreach x {8 9} {body c$x s -init_pos \"$x 5 0\"}",
-             1,
-             {5, 0, 0},
-             "Only b, in the list of line 2",
-             "foreach {n x} {a 1 b 5} {body $n s -init_pos \"$x 0 0\"}\n"
-             "foreach x {8 9} {body c$x s -init_pos \"$x 5 0\"}"},
-        Case{"PlainWithItsSign",
-             "foreach x {1 2} {body b$x s -init_pos \"[expr {$x + 1}] -5 0\"}",
-             1,
-             {4, 3, 0},
-             "All 2, by as much",
-             "foreach x {1 2} {body b$x s -init_pos \"[expr {$x + 2}] 3 0\"}"}),
+        LoopCase{
+            "Factor",
+            "for {set i 0} {$i < 4} {incr i} {body b$i s -init_pos \"[expr {$i * 2}] 0 0\"}",
+            3,
+            {7.5, 0, 0},
+            "The step: 2 becomes 2.5",
+            "for {set i 0} {$i < 4} {incr i} {body b$i s -init_pos \"[expr {$i * 2.5}] 0 0\"}"},
+        LoopCase{
+            "Divisor",
+            "for {set i 0} {$i < 4} {incr i} {body b$i s -init_pos [list [expr {$i / 2.0}] 0 0]}",
+            2,
+            {2, 0, 0},
+            "The step: 2.0 becomes 1.0",
+            "for {set i 0} {$i < 4} {incr i} {body b$i s -init_pos [list [expr {$i / 1.0}] 0 0]}"},
+        LoopCase{"Offset",
+                 "foreach i {1 2 3} {\n  body b$i s -init_pos \"[expr {0.5 + $i}] 0 0\"\n}",
+                 1,
+                 {3.25, 0, 0},
+                 "All 3, by as much",
+                 "foreach i {1 2 3} {\n  body b$i s -init_pos \"[expr {1.25 + $i}] 0 0\"\n}"},
+        LoopCase{"Element",
+                 "foreach x {-1  2.50 4} {body b[incr n] s -init_pos \"$x 0 0\"} ;# row",
+                 1,
+                 {3, 0, 0},
+                 "Only b2, in the list of line 2",
+                 "foreach x {-1  3.00 4} {body b[incr n] s -init_pos \"$x 0 0\"} ;# row"},
+        LoopCase{"Pairs",
+                 "foreach {n x} {a 1 b 2} {body $n s -init_pos \"$x [expr {2 * $x}] 0\"}",
+                 1,
+                 {3, 6, 0},
+                 "Only b, in the list of line 2",
+                 "foreach {n x} {a 1 b 3} {body $n s -init_pos \"$x [expr {2 * $x}] 0\"}"},
+        LoopCase{"Call",
+                 "proc put {n x} {body $n s -init_pos \"$x 0 0\"}\nput a 1\nput b 2 ;# here\n",
+                 1,
+                 {-3, 0, 0},
+                 "Only b, in its call in line 4",
+                 "proc put {n x} {body $n s -init_pos \"$x 0 0\"}\nput a 1\nput b -3 ;# here\n"},
+        LoopCase{"StepOfTheLoop",
+                 "for {set x 0} {$x < 4} {incr x 2} {body b[incr n] s -init_pos \"$x 0 0\"}",
+                 1,
+                 {3, 0, 0},
+                 "The step of the loop: 2 becomes 3",
+                 "for {set x 0} {$x < 4} {incr x 3} {body b[incr n] s -init_pos \"$x 0 0\"}"},
+        LoopCase{"ListOfItsOwn",
+                 "set xs {1 2}\nforeach x $xs {body b[incr n] s -init_pos \"$x 0 0\"}",
+                 1,
+                 {5, 0, 0},
+                 "Only b2, in the list of line 2",
+                 "set xs {1 5}\nforeach x $xs {body b[incr n] s -init_pos \"$x 0 0\"}"},
+        LoopCase{"NameThatAnotherLoopHasToo",
+                 "foreach {n x} {a 1 b 2} {body $n s -init_pos \"$x 0 0\"}\n"
+                 "foreach x {8 9} {body c$x s -init_pos \"$x 5 0\"}",
+                 1,
+                 {5, 0, 0},
+                 "Only b, in the list of line 2",
+                 "foreach {n x} {a 1 b 5} {body $n s -init_pos \"$x 0 0\"}\n"
+                 "foreach x {8 9} {body c$x s -init_pos \"$x 5 0\"}"},
+        LoopCase{"PlainWithItsSign",
+                 "foreach x {1 2} {body b$x s -init_pos \"[expr {$x + 1}] -5 0\"}",
+                 1,
+                 {4, 3, 0},
+                 "All 2, by as much",
+                 "foreach x {1 2} {body b$x s -init_pos \"[expr {$x + 2}] 3 0\"}"}),
     [](const auto& one) { return std::string(one.param.name); });
 
 std::vector<std::string> labels(const std::string& text, std::size_t body, std::vector<double> to) {

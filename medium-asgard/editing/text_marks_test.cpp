@@ -21,25 +21,26 @@ std::string editables(const std::string& text) {
     return out;
 }
 
-const std::string ball = "shape_set s -desc {-sub {-sphere 1}}\n";
+const std::string markedBall = "shape_set s -desc {-sub {-sphere 1}}\n";
 
 TEST(Editables, AreWordsThatAreTheValue) {
-    EXPECT_EQ(editables(ball + "body b s -init_pos {1  2 3} -mass 4 -init_dpos \"0 0 1\"\n"),
+    EXPECT_EQ(editables(markedBall + "body b s -init_pos {1  2 3} -mass 4 -init_dpos \"0 0 1\"\n"),
               "-init_pos {1  2 3}\n-init_dpos \"0 0 1\"\n");
     EXPECT_EQ(editables("trajectory path -points {{0 1 2 3} {1 2 3 4}}\n"),
               "-points {{0 1 2 3} {1 2 3 4}}\n");
 }
 
 TEST(Editables, AreTheNumbersThatAValueComesFrom) {
-    EXPECT_EQ(editables(ball + "set h 3\nbody b s -init_pos [list 1 $h 0]\n"),
+    EXPECT_EQ(editables(markedBall + "set h 3\nbody b s -init_pos [list 1 $h 0]\n"),
               "-init_pos 3\n-init_pos 1\n-init_pos 0\n");
-    EXPECT_EQ(editables(ball + "body b s\nforce -body b -x 0 -y {-10 * b.mass} -z {2*t}\n"),
+    EXPECT_EQ(editables(markedBall + "body b s\nforce -body b -x 0 -y {-10 * b.mass} -z {2*t}\n"),
               "-x 0\n-y -10\n");
 }
 
 TEST(Editables, AreNotWhatALoopOrAnExpressionMakes) {
-    EXPECT_EQ(editables(ball + "foreach i {1 2} { body b$i s -init_pos {9 0 0} -ct 1 }\n"), "");
-    EXPECT_EQ(editables(ball + "body b s -init_pos [list [expr {1 + 2}] 0 0]\n"), "");
+    EXPECT_EQ(editables(markedBall + "foreach i {1 2} { body b$i s -init_pos {9 0 0} -ct 1 }\n"),
+              "");
+    EXPECT_EQ(editables(markedBall + "body b s -init_pos [list [expr {1 + 2}] 0 0]\n"), "");
 }
 
 std::string lists(const std::string& text, std::size_t longerThan = 10) {

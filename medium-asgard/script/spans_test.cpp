@@ -34,13 +34,13 @@ std::string bodies(const std::string& text) {
     return out;
 }
 
-struct Case {
+struct SpanCase {
     const char* name;
     const char* text;
     const char* expected;
 };
 
-class Spans : public testing::TestWithParam<Case> {};
+class Spans : public ::testing::TestWithParam<SpanCase> {};
 
 TEST_P(Spans, AreKnown) {
     const std::string shape = "shape_set s -desc {-sub {-sphere 1}}\n";
@@ -49,71 +49,75 @@ TEST_P(Spans, AreKnown) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, Spans,
-    testing::Values(
-        Case{"Literal", "body b1 s -init_pos {-5 0 0} -mass 10",
-             "b1 runs 1 2:1 `body b1 s -init_pos {-5 0 0} -mass 10` =b1 =s -init_pos={-5 0 0} "
-             "-mass=10\n"},
-        Case{"Loop", "foreach i {1 2 3} {\n  body b$i s -mass 1\n}",
-             "b1 runs 3 3:3 `body b$i s -mass 1` =b$i* =s -mass=1\n"
-             "b2 runs 3 3:3 `body b$i s -mass 1` =b$i* =s -mass=1\n"
-             "b3 runs 3 3:3 `body b$i s -mass 1` =b$i* =s -mass=1\n"},
-        Case{"ProcedureCalledTwice", "proc p {n} {body $n s}\np a\np b",
-             "a runs 2 2:13 `body $n s` =$n* =s\nb runs 2 2:13 `body $n s` =$n* =s\n"},
-        Case{"IfTaken", "if {1} {body a s} else {body b s}", "a runs 1 2:9 `body a s` =a =s\n"},
-        Case{"InASubstitution", "set r [body a s]", "a runs 1 2:8 `body a s` =a =s\n"},
-        Case{"InEvalOfBraces", "eval {body a s}", "a runs 1 2:7 `body a s` =a =s\n"},
-        Case{"InACondition", "if {[body a s] ne {}} {}", "a runs 1 2:6 `body a s` =a =s\n"},
-        Case{"WithSubstitutionsInside", "body a s -init_pos [list 1 [expr {1 + 1}] 0]",
-             "a runs 1 2:1 `body a s -init_pos [list 1 [expr {1 + 1}] 0]` =a =s "
-             "-init_pos=[list 1 [expr {1 + 1}] 0]*\n"},
-        Case{"Computed", "set m 5; body a s -mass $m -init_pos \"$m 0 0\" -init_dpos \"1 0 0\"",
-             "a runs 1 2:10 `body a s -mass $m -init_pos \"$m 0 0\" -init_dpos \"1 0 0\"` =a =s "
-             "-mass=$m* -init_pos=\"$m 0 0\"* -init_dpos=\"1 0 0\"\n"},
-        Case{"ExpandedLiteral", "body a s {*}{-mass 6 -color red}",
-             "a runs 1 2:1 `body a s {*}{-mass 6 -color red}` =a =s -mass=6 -color=red\n"},
-        Case{"ExpandedComputed", "set o {-mass 6}; body a s -ct 1 {*}$o -density 2",
-             "a runs 1 2:18 `body a s -ct 1 {*}$o -density 2` =a =s -ct=1 -mass={*}$o* "
-             "-density=2\n"},
-        Case{"ContinuedInBraces", "body a s -init_pos {1 \\\n 2 3}",
-             "a runs 1 2:1 `body a s -init_pos {1 \\\n 2 3}` =a =s -init_pos={1 \\\n 2 3}*\n"},
-        Case{"ContinuedLine", "body a s \\\n  -mass 2",
-             "a runs 1 2:1 `body a s \\\n  -mass 2` =a =s -mass=2\n"},
-        Case{"CarriageReturns", "body a s \\\r\n  -mass 2\r\nbody b s\r\n",
-             "a runs 1 2:1 `body a s \\\r\n  -mass 2` =a =s -mass=2\n"
-             "b runs 1 4:1 `body b s` =b =s\n"},
-        Case{"OtherAlphabets", "set x \"\xc3\xa4\xe2\x82\xac\"; body a s -color red",
-             "a runs 1 2:13 `body a s -color red` =a =s -color=red\n"},
-        Case{"DynamicEval", "eval \"body dyn s -mass 2\"",
-             "dyn runs 0 2:1 `` =eval* =eval* -mass=eval*\n"},
-        Case{"IndirectName", "set c body; $c a s", "a runs 1 2:13 `$c a s` =a =s\n"},
-        Case{"SwitchBody", "switch b {a {body x s} b {body y s}}",
-             "y runs 1 2:27 `body y s` =y =s\n"},
-        Case{"CatchAndTry", "catch {body a s}; try {body b s} finally {body c s}",
-             "a runs 1 2:8 `body a s` =a =s\nb runs 1 2:24 `body b s` =b =s\n"
-             "c runs 1 2:43 `body c s` =c =s\n"},
-        Case{"Namespace", "namespace eval n {body a s}", "a runs 1 2:19 `body a s` =a =s\n"},
-        Case{"InstanceIsBody", "instance a s", "a runs 1 2:1 `instance a s` =a =s\n"},
-        Case{"ShapeByOption", "body a -shape s", "a runs 1 2:1 `body a -shape s` =a -shape=s\n"},
-        Case{"MarksDoNotShowInBodies",
-             "proc p {} {body a s}\nproc q {} [info body p]\nif {[info body p] eq \"body a s\"} "
-             "q",
-             "a runs 0 4:1 `` =if* =if*\n"},
-        Case{"MarksDoNotShowInErrors", "proc p {} {error [info level 0]}\np", "p\n"},
-        Case{"MarksDoNotShowInErrorInfo",
-             "catch {body}; proc p {} {nosuch 1}\ncatch p m o\n"
-             "error x[string map {\"\\n\" |} [dict get $o -errorinfo]]",
-             "body wants a name, and nothing follows it\n"
-             "xinvalid command name \"nosuch\"|    while executing|\"nosuch 1\"|    invoked from "
-             "within|\"nosuch 1\"|    (procedure \"p\" line 1)|    invoked from within|\"p\"\n"},
-        Case{"AtIsAnOrdinaryName", "proc @ {n} {body $n s}; @ a",
-             "a runs 1 2:13 `body $n s` =$n* =s\n"},
-        Case{"UserCommandsKeepControlFlow",
-             "proc p {} {foreach i {1 2 3} {if {$i == 2} {return $i}}}\nbody b[p] s",
-             "b2 runs 1 3:1 `body b[p] s` =b[p]* =s\n"},
-        Case{"UplevelReachesTheCaller",
-             "proc repeat {n script} {for {set i 0} {$i < $n} {incr i} {uplevel 1 $script}}\n"
-             "set k 0\nrepeat 2 {body b[incr k] s}",
-             "b1 runs 0 2:59 `` =uplevel* =uplevel*\nb2 runs 0 2:59 `` =uplevel* =uplevel*\n"}),
+    ::testing::Values(
+        SpanCase{"Literal", "body b1 s -init_pos {-5 0 0} -mass 10",
+                 "b1 runs 1 2:1 `body b1 s -init_pos {-5 0 0} -mass 10` =b1 =s -init_pos={-5 0 0} "
+                 "-mass=10\n"},
+        SpanCase{"Loop", "foreach i {1 2 3} {\n  body b$i s -mass 1\n}",
+                 "b1 runs 3 3:3 `body b$i s -mass 1` =b$i* =s -mass=1\n"
+                 "b2 runs 3 3:3 `body b$i s -mass 1` =b$i* =s -mass=1\n"
+                 "b3 runs 3 3:3 `body b$i s -mass 1` =b$i* =s -mass=1\n"},
+        SpanCase{"ProcedureCalledTwice", "proc p {n} {body $n s}\np a\np b",
+                 "a runs 2 2:13 `body $n s` =$n* =s\nb runs 2 2:13 `body $n s` =$n* =s\n"},
+        SpanCase{"IfTaken", "if {1} {body a s} else {body b s}", "a runs 1 2:9 `body a s` =a =s\n"},
+        SpanCase{"InASubstitution", "set r [body a s]", "a runs 1 2:8 `body a s` =a =s\n"},
+        SpanCase{"InEvalOfBraces", "eval {body a s}", "a runs 1 2:7 `body a s` =a =s\n"},
+        SpanCase{"InACondition", "if {[body a s] ne {}} {}", "a runs 1 2:6 `body a s` =a =s\n"},
+        SpanCase{"WithSubstitutionsInside", "body a s -init_pos [list 1 [expr {1 + 1}] 0]",
+                 "a runs 1 2:1 `body a s -init_pos [list 1 [expr {1 + 1}] 0]` =a =s "
+                 "-init_pos=[list 1 [expr {1 + 1}] 0]*\n"},
+        SpanCase{
+            "Computed", "set m 5; body a s -mass $m -init_pos \"$m 0 0\" -init_dpos \"1 0 0\"",
+            "a runs 1 2:10 `body a s -mass $m -init_pos \"$m 0 0\" -init_dpos \"1 0 0\"` =a =s "
+            "-mass=$m* -init_pos=\"$m 0 0\"* -init_dpos=\"1 0 0\"\n"},
+        SpanCase{"ExpandedLiteral", "body a s {*}{-mass 6 -color red}",
+                 "a runs 1 2:1 `body a s {*}{-mass 6 -color red}` =a =s -mass=6 -color=red\n"},
+        SpanCase{"ExpandedComputed", "set o {-mass 6}; body a s -ct 1 {*}$o -density 2",
+                 "a runs 1 2:18 `body a s -ct 1 {*}$o -density 2` =a =s -ct=1 -mass={*}$o* "
+                 "-density=2\n"},
+        SpanCase{"ContinuedInBraces", "body a s -init_pos {1 \\\n 2 3}",
+                 "a runs 1 2:1 `body a s -init_pos {1 \\\n 2 3}` =a =s -init_pos={1 \\\n 2 3}*\n"},
+        SpanCase{"ContinuedLine", "body a s \\\n  -mass 2",
+                 "a runs 1 2:1 `body a s \\\n  -mass 2` =a =s -mass=2\n"},
+        SpanCase{"CarriageReturns", "body a s \\\r\n  -mass 2\r\nbody b s\r\n",
+                 "a runs 1 2:1 `body a s \\\r\n  -mass 2` =a =s -mass=2\n"
+                 "b runs 1 4:1 `body b s` =b =s\n"},
+        SpanCase{"OtherAlphabets", "set x \"\xc3\xa4\xe2\x82\xac\"; body a s -color red",
+                 "a runs 1 2:13 `body a s -color red` =a =s -color=red\n"},
+        SpanCase{"DynamicEval", "eval \"body dyn s -mass 2\"",
+                 "dyn runs 0 2:1 `` =eval* =eval* -mass=eval*\n"},
+        SpanCase{"IndirectName", "set c body; $c a s", "a runs 1 2:13 `$c a s` =a =s\n"},
+        SpanCase{"SwitchBody", "switch b {a {body x s} b {body y s}}",
+                 "y runs 1 2:27 `body y s` =y =s\n"},
+        SpanCase{"CatchAndTry", "catch {body a s}; try {body b s} finally {body c s}",
+                 "a runs 1 2:8 `body a s` =a =s\nb runs 1 2:24 `body b s` =b =s\n"
+                 "c runs 1 2:43 `body c s` =c =s\n"},
+        SpanCase{"Namespace", "namespace eval n {body a s}", "a runs 1 2:19 `body a s` =a =s\n"},
+        SpanCase{"InstanceIsBody", "instance a s", "a runs 1 2:1 `instance a s` =a =s\n"},
+        SpanCase{"ShapeByOption", "body a -shape s",
+                 "a runs 1 2:1 `body a -shape s` =a -shape=s\n"},
+        SpanCase{
+            "MarksDoNotShowInBodies",
+            "proc p {} {body a s}\nproc q {} [info body p]\nif {[info body p] eq \"body a s\"} "
+            "q",
+            "a runs 0 4:1 `` =if* =if*\n"},
+        SpanCase{"MarksDoNotShowInErrors", "proc p {} {error [info level 0]}\np", "p\n"},
+        SpanCase{
+            "MarksDoNotShowInErrorInfo",
+            "catch {body}; proc p {} {nosuch 1}\ncatch p m o\n"
+            "error x[string map {\"\\n\" |} [dict get $o -errorinfo]]",
+            "body wants a name, and nothing follows it\n"
+            "xinvalid command name \"nosuch\"|    while executing|\"nosuch 1\"|    invoked from "
+            "within|\"nosuch 1\"|    (procedure \"p\" line 1)|    invoked from within|\"p\"\n"},
+        SpanCase{"AtIsAnOrdinaryName", "proc @ {n} {body $n s}; @ a",
+                 "a runs 1 2:13 `body $n s` =$n* =s\n"},
+        SpanCase{"UserCommandsKeepControlFlow",
+                 "proc p {} {foreach i {1 2 3} {if {$i == 2} {return $i}}}\nbody b[p] s",
+                 "b2 runs 1 3:1 `body b[p] s` =b[p]* =s\n"},
+        SpanCase{"UplevelReachesTheCaller",
+                 "proc repeat {n script} {for {set i 0} {$i < $n} {incr i} {uplevel 1 $script}}\n"
+                 "set k 0\nrepeat 2 {body b[incr k] s}",
+                 "b1 runs 0 2:59 `` =uplevel* =uplevel*\nb2 runs 0 2:59 `` =uplevel* =uplevel*\n"}),
     [](const auto& one) { return std::string(one.param.name); });
 
 TEST(Source, OfUnmappedElementsHasTheLineOfTheirCaller) {

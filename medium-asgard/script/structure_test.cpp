@@ -40,14 +40,14 @@ struct Case {
     const char* commands;
 };
 
-class Walk : public testing::TestWithParam<Case> {};
+class Walk : public ::testing::TestWithParam<Case> {};
 
 TEST_P(Walk, FindsCommandsAndWords) { EXPECT_EQ(dump(GetParam().text), GetParam().commands); }
 
 // A star marks a word whose value is computed.
 INSTANTIATE_TEST_SUITE_P(
     All, Walk,
-    testing::Values(
+    ::testing::Values(
         Case{"", ""}, Case{"a b;c", "a|b\nc\n"}, Case{"# x\na # b", "a|#|b\n"},
         Case{"a {b c} \"d e\" $f g[h i]j", "a|{b c}|\"d e\"|$f*|g[h i]j*\n  h|i\n"},
         Case{"a \\\n b", "a|b\n"}, Case{"a {b \\\n c}", "a|{b \\\n c}*\n"},
@@ -92,7 +92,7 @@ TEST(Structure, EndsAtItsDepth) {
     const std::string nested(100'000, '[');
     const Structure structure = structureOf("a " + nested);
     ASSERT_FALSE(structure.faults.empty());
-    EXPECT_THAT(structure.faults[0].message, testing::HasSubstr("nested"));
+    EXPECT_THAT(structure.faults[0].message, ::testing::HasSubstr("nested"));
     EXPECT_LE(structure.commands.size(), 101u);
 }
 
@@ -167,10 +167,10 @@ TEST(Structure, AgreesWithTclOnRandomTexts) {
             continue;
         const Reference theirs = byTcl(withPlainContinuations(text));
         const Reference ours = byUs(text);
-        ASSERT_EQ(theirs.failed, ours.failed) << testing::PrintToString(text);
+        ASSERT_EQ(theirs.failed, ours.failed) << ::testing::PrintToString(text);
         if (theirs.failed) // Tcl refuses a command as a whole; what precedes it must agree
             continue;
-        ASSERT_EQ(theirs.words, ours.words) << testing::PrintToString(text);
+        ASSERT_EQ(theirs.words, ours.words) << ::testing::PrintToString(text);
         ++whole;
     }
     EXPECT_GT(whole, 10'000);
@@ -187,13 +187,13 @@ TEST(List, AgreesWithTclOnRandomTexts) {
         const char** elements = nullptr;
         const bool good = Tcl_SplitList(nullptr, text.c_str(), &count, &elements) == TCL_OK;
         const ElementList ours = elementsOf(text);
-        ASSERT_EQ(good, ours.fault.empty()) << testing::PrintToString(text);
+        ASSERT_EQ(good, ours.fault.empty()) << ::testing::PrintToString(text);
         if (!good)
             continue;
         ASSERT_EQ(static_cast<std::size_t>(count), ours.elements.size());
         for (int k = 0; k < count; ++k) {
             const Element& element = ours.elements[static_cast<std::size_t>(k)];
-            ASSERT_EQ(element.value, elements[k]) << testing::PrintToString(text);
+            ASSERT_EQ(element.value, elements[k]) << ::testing::PrintToString(text);
             if (element.literal) {
                 ASSERT_EQ(slice(text, element.content), element.value);
             }

@@ -16,9 +16,9 @@ struct Along { // what a ball does on a slope of the angle a, in its plane
 
 // A ball of unit size falls from the height h over a slope that leads down along x, with friction
 // F sign(dx) along x: event by event.
-class Fall {
+class FrictionFall {
 public:
-    Fall(double angle, double friction, double restitution)
+    FrictionFall(double angle, double friction, double restitution)
         : t_(std::cos(angle), -std::sin(angle)), n_(std::sin(angle), std::cos(angle)),
           friction_(friction), e_(restitution) {}
 
@@ -114,7 +114,7 @@ TEST_P(Held, WhatFallsOnASlopeStandsStillWhereFrictionHoldsIt) {
         slope.put(0.8);
         slope.rub(20);
         const Result result = slope.run();
-        const Along expected = Fall(angle, 20, restitution).restsAt(0.8);
+        const Along expected = FrictionFall(angle, 20, restitution).restsAt(0.8);
         const Along early = slope.placeIn(result, 2.5), late = slope.placeIn(result, 3);
         EXPECT_NEAR(late.along, expected.along, 2 * accuracy) << angle;
         EXPECT_NEAR(late.up, expected.up, 2 * accuracy) << angle;

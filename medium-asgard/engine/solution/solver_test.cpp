@@ -199,9 +199,9 @@ struct TwoPendulums {
     }
 };
 
-class Kick final : public EventSource {
+class KickAt final : public EventSource {
 public:
-    explicit Kick(std::size_t unknown) : unknown_(unknown) {}
+    explicit KickAt(std::size_t unknown) : unknown_(unknown) {}
     std::optional<Event> next(const Histories&, double known) override {
         if (known < 3 || done_)
             return std::nullopt;
@@ -238,7 +238,7 @@ TEST(TakenMotion, EventsElsewhereLeaveItAndOneOnItDisturbsIt) {
     TwoPendulums pendulums;
     const Solver loose = pendulums.run(1e-6, 1e-6);
     pendulums.takeFirstFrom(loose);
-    Kick onOther(3), onTaken(1);
+    KickAt onOther(3), onTaken(1);
     pendulums.source = &onOther;
     const Solver left = pendulums.run(1e-6, 1e-6);
     EXPECT_FALSE(pendulums.advance.disturbed);

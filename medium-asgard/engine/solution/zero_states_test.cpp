@@ -31,9 +31,10 @@ std::vector<Line> springPendulum(double dz) {
 }
 
 // Once, at its time, it sets dz.
-class Kick final : public EventSource {
+class ZeroKick final : public EventSource {
 public:
-    Kick(double time, double speed, double other = 0) : time_(time), speed_(speed), other_(other) {}
+    ZeroKick(double time, double speed, double other = 0)
+        : time_(time), speed_(speed), other_(other) {}
     std::optional<Event> next(const Histories&, double known) override {
         if (done_ || known < time_)
             return std::nullopt;
@@ -111,7 +112,7 @@ TEST(ZeroStates, AreNotIntegratedAndChangeNothing) {
 }
 
 TEST(ZeroStates, WakeWhenAnEventMovesThem) {
-    Kick kick(1, 0.5);
+    ZeroKick kick(1, 0.5);
     const Solver solver = solved(equationsOf(springPendulum(0)), 3, tolerance(1e-10), &kick);
     EXPECT_THAT(solver.statistics().zeroStates, IsEmpty());
     EXPECT_EQ(solver.statistics().largestComponent, 6u);
@@ -143,7 +144,7 @@ TEST(ZeroStates, WakeWithTheSameBitsForAnyScheduleAndAlone) {
                                                    : "-z2*(1-1/hypot(x2,hypot(y2,z2)))*40";
         lines.push_back(line);
     }
-    std::deque<Kick> kicks; // which outlive the solvers
+    std::deque<ZeroKick> kicks; // which outlive the solvers
     const auto run = [&kicks](const std::vector<Line>& scene, bool eventDriven) {
         Options options = tolerance(1e-8);
         options.eventDriven = eventDriven;
@@ -223,19 +224,19 @@ TEST(ZeroStates, WakeAsIfFoundAgain) {
 }
 
 TEST(ZeroStates, StayWhenAnEventLeavesThemZero) {
-    Kick kick(1, 0);
+    ZeroKick kick(1, 0);
     const Solver solver = solved(equationsOf(springPendulum(0)), 3, tolerance(1e-10), &kick);
     EXPECT_THAT(solver.statistics().zeroStates, ElementsAre(4, 5));
 }
 
 // An impact in the plane is computed in three dimensions, and leaves its rounding in the third.
 TEST(ZeroStates, StayWhenAnEventLeavesNextToNothingBesideLargerJumps) {
-    Kick kick(1, 3e-17, -2);
+    ZeroKick kick(1, 3e-17, -2);
     const Solver solver = solved(equationsOf(springPendulum(0)), 3, tolerance(1e-10), &kick);
     EXPECT_THAT(solver.statistics().zeroStates, ElementsAre(4, 5));
     EXPECT_EQ(solver.histories().value(5, 1), 0);
     EXPECT_EQ(solver.histories().value(1, 1), -2);
-    Kick alone(1, 3e-17);
+    ZeroKick alone(1, 3e-17);
     EXPECT_THAT(
         solved(equationsOf(springPendulum(0)), 3, tolerance(1e-10), &alone).statistics().zeroStates,
         IsEmpty());
