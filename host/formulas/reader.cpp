@@ -10,8 +10,6 @@ namespace {
 
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
-bool endsRow(const Token& token) { return token.text == "\\\\" || token.text == "\\cr"; }
-
 std::string quoted(const Token& token) { return std::string(token.text); }
 
 const char* ordinal(int index) {
@@ -123,7 +121,7 @@ bool Reader::stopped() {
             if (waiting_.braces > 0)
                 return true;
             fault(token, "This } ends nothing.");
-        } else if (text == "&" || endsRow(token)) {
+        } else if (text == "&" || token.endsRow()) {
             if (waiting_.cells > 0)
                 return true;
             fault(token, quoted(token) + " stands only between \\begin and \\end, as in a matrix.");
@@ -297,7 +295,7 @@ NodeId Reader::unknown(const Token& token) {
 NodeId Reader::argument(const Token& command, int index, int count) {
     const Token token = peek();
     const bool missing = token.text.empty() || token.text == "}" || token.text == "&" ||
-                         token.text == "^" || token.text == "_" || endsRow(token) ||
+                         token.text == "^" || token.text == "_" || token.endsRow() ||
                          token.text == "\\right" || token.text == "\\middle" ||
                          token.text == "\\end" || (token.text == "]" && waiting_.bracket);
     if (!missing) {

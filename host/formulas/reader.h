@@ -17,6 +17,7 @@ struct Token {
     [[nodiscard]] std::size_t end() const { return offset + text.size(); }
     [[nodiscard]] bool isCommand() const { return text.size() > 1 && text.front() == '\\'; }
     [[nodiscard]] std::string_view name() const { return text.substr(isCommand() ? 1 : 0); }
+    [[nodiscard]] bool endsRow() const { return text == "\\\\" || text == "\\cr"; }
 };
 
 class Reader {

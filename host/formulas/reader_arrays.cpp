@@ -33,8 +33,6 @@ constexpr Environment environments[] = {
     {"equation*", ArrayForm::gathered},
 };
 
-bool endsRow(const Token& token) { return token.text == "\\\\" || token.text == "\\cr"; }
-
 // How the columns stand that nobody says anything about.
 char usual(ArrayForm form, std::size_t column) {
     if (form == ArrayForm::cases)
@@ -116,7 +114,7 @@ NodeId Reader::array(const Token& token, ArrayForm form, std::string columns) {
             width = mostColumns + 1;
         }
         const Token end = peek();
-        if (end.text != "&" && !endsRow(end))
+        if (end.text != "&" && !end.endsRow())
             break;
         (void)next();
         if (end.text == "&")

@@ -11,12 +11,8 @@ using model::Run;
 
 namespace {
 
-const Paragraph::Line& lineOf(const TextPiece& piece) {
-    return piece.paragraph->lines()[static_cast<std::size_t>(piece.line)];
-}
-
 double topOf(const TextPiece& piece) { return piece.at.y(); }
-double bottomOf(const TextPiece& piece) { return piece.at.y() + lineOf(piece).height; }
+double bottomOf(const TextPiece& piece) { return piece.at.y() + piece.letters().height; }
 
 // How far `x` is beside the column that the line was broken to.
 double besides(const TextPiece& piece, double x) {
@@ -228,7 +224,7 @@ std::optional<Caret> Carets::firstOn(std::size_t page) const {
     if (lines.empty())
         return std::nullopt;
     const Paragraph& paragraph = *lines.front().first->paragraph;
-    const int from = lineOf(*lines.front().first).from;
+    const int from = lines.front().first->letters().from;
     return caretIn(paragraph, placeFrom(paragraph, from, Search::nearest).value_or(from), page);
 }
 
@@ -244,7 +240,7 @@ std::optional<Caret> Carets::lastOn(std::size_t page) const {
 QRectF Carets::rectOf(const Caret& caret) const {
     const TextPiece& piece = pieceOf(caret);
     return {piece.at.x() + piece.paragraph->leftOf(piece.line, caret.letter), topOf(piece), 0,
-            lineOf(piece).height};
+            piece.letters().height};
 }
 
 // --- moves -------------------------------------------------------------------------------------
@@ -268,7 +264,7 @@ std::optional<Caret> Carets::previousParagraph(const Caret& caret) const {
             const auto& [piece, index] = *line;
             if ((page == caret.page && index >= caret.piece) || piece->paragraph.get() == own)
                 continue;
-            const int end = lineOf(*piece).to;
+            const int end = piece->letters().to;
             if (const auto place = placeFrom(*piece->paragraph, end, Search::before))
                 return caretIn(*piece->paragraph, *place, page);
         }
@@ -340,7 +336,7 @@ Caret Carets::moved(const Caret& caret, Move move, double x) const {
     case Move::down:
         return vertically(caret, move, x);
     case Move::lineStart:
-        return within(lineOf(piece).from, Search::behind);
+        return within(piece.letters().from, Search::behind);
     case Move::lineEnd:
         return within(paragraph.endOfLine(piece.line), Search::before);
     case Move::documentStart:
@@ -411,7 +407,7 @@ namespace {
 // Letter by letter where letters go from right to left, as some between others may.
 void addInterval(const TextPiece& piece, int from, int to, std::vector<QRectF>& result) {
     const Paragraph& paragraph = *piece.paragraph;
-    const double top = topOf(piece), height = lineOf(piece).height;
+    const double top = topOf(piece), height = piece.letters().height;
     const auto add = [&](double left, double right) {
         left += piece.at.x();
         right += piece.at.x();
@@ -443,7 +439,7 @@ void addInterval(const TextPiece& piece, int from, int to, std::vector<QRectF>& 
 void Carets::addSelected(const TextPiece& piece, const std::vector<model::SelectedRun>& runs,
                          text::Range interval, std::vector<QRectF>& result) const {
     const Paragraph& paragraph = *piece.paragraph;
-    const Paragraph::Line& line = lineOf(piece);
+    const Paragraph::Line& line = piece.letters();
     const std::vector<Run>& all = paragraph.block()->runs;
     for (std::size_t i = 0; i < all.size() && paragraph.startOfRun(i) < line.to; ++i) {
         if (!runs[i].isIn)

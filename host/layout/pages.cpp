@@ -63,7 +63,7 @@ const model::Run* runAt(const Page& page, QPointF point) {
         const auto* text = std::get_if<TextPiece>(&piece);
         if (!text)
             continue;
-        const double height = text->paragraph->lines()[static_cast<std::size_t>(text->line)].height;
+        const double height = text->letters().height;
         if (point.y() >= text->at.y() && point.y() < text->at.y() + height)
             if (const auto* run = text->paragraph->runAt(text->line, point.x() - text->at.x()))
                 return run;
@@ -84,7 +84,7 @@ std::string printed(const Pages& pages) {
                       .arg(text.trimmed());
     };
     const auto textLine = [&](const TextPiece& text) {
-        const auto& of = text.paragraph->lines()[static_cast<std::size_t>(text.line)];
+        const auto& of = text.letters();
         line("text", {text.at, QSizeF(text.paragraph->naturalWidth(), of.height)},
              text.paragraph->textOfLine(text.line));
     };

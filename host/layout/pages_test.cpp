@@ -168,8 +168,7 @@ std::multiset<std::string> wordsOn(const Pages& laid, double bottom) {
     for (const auto& page : laid.pages)
         for (const Piece& piece : page->pieces)
             if (const auto* text = std::get_if<TextPiece>(&piece)) {
-                const double height =
-                    text->paragraph->lines()[static_cast<std::size_t>(text->line)].height;
+                const double height = text->letters().height;
                 EXPECT_LE(text->at.y() + height, bottom + 1e-6);
                 std::istringstream line(text->paragraph->textOfLine(text->line).toStdString());
                 for (std::string word; line >> word;)

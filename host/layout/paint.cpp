@@ -44,7 +44,7 @@ void paintImage(QPainter& painter, const ImagePiece& piece, const QImage& image)
 }
 
 QRectF boundsOf(const TextPiece& text) {
-    const Paragraph::Line& line = text.paragraph->lines()[static_cast<std::size_t>(text.line)];
+    const Paragraph::Line& line = text.letters();
     // Letters may hang out of their line; the width is that of the page.
     return {-1e7, text.at.y() - line.height, 2e7, 3 * line.height};
 }

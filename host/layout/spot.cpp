@@ -6,10 +6,6 @@ namespace layout {
 
 namespace {
 
-const Paragraph::Line& lineOf(const TextPiece& text) {
-    return text.paragraph->lines()[static_cast<std::size_t>(text.line)];
-}
-
 // Calls `look` for the pages from there on, the nearest first, until it gives a place.
 template <class Look>
 std::optional<PlaceOnPage> nearest(const Pages& pages, std::size_t from, Look look) {
@@ -30,7 +26,7 @@ std::optional<Spot> spotAt(const Pages& pages, PlaceOnPage place) {
     for (std::size_t i = place.page; i < pages.pages.size(); ++i, place.y = 0)
         for (const Piece& piece : pages.pages[i]->pieces)
             if (const auto* text = std::get_if<TextPiece>(&piece)) {
-                const Paragraph::Line& line = lineOf(*text);
+                const Paragraph::Line& line = text->letters();
                 if (text->at.y() + line.height > place.y && i == place.page)
                     return Spot{text->paragraph->block(), line.from, place.y - text->at.y()};
                 if (i > place.page)
@@ -54,7 +50,7 @@ std::optional<PlaceOnPage> find(const Pages& pages, const Spot& spot, std::size_
     return nearest(pages, from, [&](const Page& page) -> std::optional<double> {
         for (const Piece& piece : page.pieces)
             if (const auto* text = std::get_if<TextPiece>(&piece)) {
-                const Paragraph::Line& line = lineOf(*text);
+                const Paragraph::Line& line = text->letters();
                 const bool isLast = text->paragraph->lines().back().to == line.to;
                 if (line.from <= spot.letter && (line.to > spot.letter || isLast) &&
                     is(text->paragraph->block()))

@@ -14,6 +14,9 @@ struct TextPiece {
     std::shared_ptr<const Paragraph> paragraph;
     int line = 0;
     QPointF at; // its top left
+    [[nodiscard]] const Paragraph::Line& letters() const {
+        return paragraph->lines()[static_cast<std::size_t>(line)];
+    }
 };
 struct SubdocumentPiece {
     document::SubdocumentId subdocument = document::noSubdocument;
