@@ -14,7 +14,7 @@ namespace views {
 
 namespace {
 
-constexpr double reach = 9;   // pixels within which a point is taken
+constexpr double reach = 9;        // pixels within which a point is taken
 constexpr double timeDragFrom = 6; // pixels after which a drag changes the time
 constexpr double leftSpace = 56, topSpace = 10, rightSpace = 14;
 
