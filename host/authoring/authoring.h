@@ -111,4 +111,43 @@ enum class Unit { character, word }; // a character is a grapheme cluster (Unico
 [[nodiscard]] Result indentItems(const Manuscript& manuscript, Selection selection);
 [[nodiscard]] Result outdentItems(const Manuscript& manuscript, Selection selection);
 
+// --- insertion
+
+// A block of that name at the caret, between the halves of its paragraph, or beside what is around
+// it where it may stand. The caret goes into it, or stays behind a unit.
+[[nodiscard]] Result insertBlock(const Manuscript& manuscript, Selection selection,
+                                 std::string_view name);
+// A nested document, as its medium's manifest says.
+struct EmbeddedText {
+    std::string className, storage;
+    std::string text{};       // plain
+    std::string attributes{}; // of the class element, as spelled: ` WIDTH="300"`
+};
+// In a figure, where the class has figures.
+[[nodiscard]] Result insertFigure(const Manuscript& manuscript, Selection selection,
+                                  const EmbeddedText& embedded);
+// Into the caption of the figure or table around the caret, which gets one.
+[[nodiscard]] Result insertCaption(const Manuscript& manuscript, Selection selection);
+// A reference to an element, which gets an ID when it has none.
+[[nodiscard]] Result insertReference(const Manuscript& manuscript, Selection selection,
+                                     sgml::NodeId target);
+// The elements that a reference may name, in order: those that are numbered, or have an ID.
+[[nodiscard]] std::vector<sgml::NodeId> targets(const Manuscript& manuscript);
+// The names of elements that may come in behind a place, or behind what is around it.
+[[nodiscard]] std::vector<std::string> allowedAt(const Manuscript& manuscript, std::size_t place);
+
+// --- pasting and moving
+
+// Plain text; blank lines end paragraphs.
+[[nodiscard]] Result pasteText(const Manuscript& manuscript, Selection selection,
+                               std::string_view text);
+// Elements as they are spelled in documents (model::fragment()). A single line goes into the line
+// at the caret. Elements and attributes that the class does not know are left out, their text
+// stays; an ID that the document has is left out.
+[[nodiscard]] Result paste(const Manuscript& manuscript, Selection selection,
+                           std::string_view fragment);
+// An element with all in it, such as a section, goes before or behind another one.
+[[nodiscard]] Result moveElement(const Manuscript& manuscript, sgml::NodeId element,
+                                 sgml::NodeId beside, Direction side);
+
 } // namespace authoring

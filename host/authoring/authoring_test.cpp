@@ -273,6 +273,97 @@ TEST(Authoring, Lists) {
               (std::vector<std::pair<std::string, std::string>>{{"KIND", "number"}}));
 }
 
+TEST(Authoring, InsertsBlocks) {
+    const auto put = [](const std::string& name) {
+        return [name](const Manuscript& manuscript, Selection selection) {
+            return insertBlock(manuscript, selection, name);
+        };
+    };
+    EXPECT_EQ(memo("<P>{a|b}</P>", put("PAGEBREAK")),
+              "<P>{a}</P>\n<PAGEBREAK></PAGEBREAK>\n<P>{|b}</P>");
+    EXPECT_EQ(memo("<P>{a|}</P>", put("RULE")), "<P>{a|}</P>\n<RULE></RULE>");
+    EXPECT_EQ(memo("<P>{|}</P>", put("VERBATIM")), "<V>{|}</V>");
+    EXPECT_EQ(memo("<P>{a|}</P>", put("VERBATIM")), "<P>{a}</P>\n<V>{|}</V>");
+    EXPECT_EQ(report("<S>\n<H>{a|}</H>\n</S>", put("LIST")),
+              "<S>\n<H>{a}</H>\n<L><I>{|}</I></L>\n</S>");
+    EXPECT_EQ(memo("<P>{a|}</P>", put("SECTION")),
+              "refused: This class of documents has no such element.");
+    const auto figure = [](const Manuscript& manuscript, Selection selection) {
+        return insertFigure(manuscript, selection, {"ANIMATION", "ASGARD", "a {"});
+    };
+    EXPECT_EQ(memo("<P>{a|}</P>", figure),
+              "<P>{a}</P>\n<FIGURE><DOCUMENT>\nDOCUMENT ANIMATION\n<ANIMATION>\n<ASGARD>{a "
+              "\\{}</ASGARD>\n</ANIMATION>\n</DOCUMENT>|</FIGURE>");
+    EXPECT_EQ(memo("<FIGURE><IMAGE></IMAGE>|</FIGURE>", insertCaption),
+              "<FIGURE><IMAGE></IMAGE>\n<CAPTION>{|}</CAPTION></FIGURE>");
+    EXPECT_EQ(memo("<P>{|a}</P>", insertCaption), "refused: Nothing here takes a caption.");
+}
+
+TEST(Authoring, ReferencesNameTheirTargets) {
+    const auto refer = [](const Manuscript& manuscript, Selection selection) {
+        return insertReference(manuscript, selection, targets(manuscript).front());
+    };
+    EXPECT_EQ(memo("<P>{a|b}</P><FIGURE><IMAGE></IMAGE></FIGURE>", refer),
+              "<P><T>{a}</T><REF TO=\"figure-1\"></REF><T>{|b}</T></P><FIGURE "
+              "ID=\"figure-1\"><IMAGE></IMAGE></FIGURE>");
+    EXPECT_EQ(memo("<P>{a|}</P><FIGURE ID=\"x\"><IMAGE></IMAGE></FIGURE>", refer),
+              "<P><T>{a}</T><REF TO=\"x\"></REF>|</P><FIGURE ID=\"x\"><IMAGE></IMAGE></FIGURE>");
+}
+
+TEST(Authoring, PastesText) {
+    const auto text = [](const std::string& pasted) {
+        return [pasted](const Manuscript& manuscript, Selection selection) {
+            return pasteText(manuscript, selection, pasted);
+        };
+    };
+    EXPECT_EQ(memo("<P>{a|b}</P>", text("1\n2")), "<P>{a1 2|b}</P>");
+    EXPECT_EQ(memo("<P>{a|b}</P>", text("1\n\n2\n\n\n3")), "<P>{a1}</P>\n<P>{2}</P>\n<P>{3|b}</P>");
+    EXPECT_EQ(memo("<L><I>{a[b|}</I></L>", text("1\n\n2")), "<L><I>{a1}</I>\n<I>{2|}</I></L>");
+    EXPECT_EQ(memo("<V>{a|b}</V>", text("1\n\n2")), "<V>{a1\n\n2|b}</V>");
+    EXPECT_EQ(memo("<FIGURE><IMAGE></IMAGE><CAPTION>{a|b}</CAPTION></FIGURE>", text("1\n\n2")),
+              "<FIGURE><IMAGE></IMAGE><CAPTION>{a1 2|b}</CAPTION></FIGURE>");
+}
+
+TEST(Authoring, PastesStructure) {
+    const auto elements = [](const std::string& pasted) {
+        return [pasted](const Manuscript& manuscript, Selection selection) {
+            return paste(manuscript, selection, renamed(pasted, false));
+        };
+    };
+    EXPECT_EQ(memo("<P>{a|b}</P>", elements("<P>{1}</P>")), "<P>{a1|b}</P>");
+    EXPECT_EQ(memo("<P>{a|b}</P>", elements("<P><T>{1}</T><E>{2}</E></P>")),
+              "<P><T>{a1}</T><E>{2}</E><T>{|b}</T></P>");
+    EXPECT_EQ(memo("<P ID=\"i\">{a|b}</P>", elements("<BODY><P ID=\"i\">{1}</P><P>{2}</P></BODY>")),
+              "<P ID=\"i\">{a}</P>\n<P>{1}</P>\n<P>{2}</P>\n<P>{|b}</P>");
+    EXPECT_EQ(memo("<P>{a|b}</P>", elements("<L><I>{1}</I></L>")),
+              "<P>{a}</P>\n<L><I>{1}</I></L>\n<P>{|b}</P>");
+    EXPECT_EQ(memo("<P>{a|b}</P>", elements("<S><H>{1}</H></S>")), "<P>{a1|b}</P>");
+    EXPECT_EQ(memo("<P>{a|b}</P>", elements("<P>{1}")),
+              "refused: What is on the clipboard cannot be read.");
+}
+
+TEST(Authoring, MovesSections) {
+    const auto up = [](const Manuscript& manuscript, Selection selection) {
+        const std::vector<sgml::NodeId> all = targets(manuscript);
+        (void)selection;
+        return moveElement(manuscript, all[1], all[0], Direction::backward);
+    };
+    EXPECT_EQ(report("<S><H>{A}</H></S>\n<S><H>{B|}</H></S>", up),
+              "<S><H>{|B}</H></S>\n<S><H>{A}</H></S>");
+}
+
+TEST(Authoring, KnowsWhatIsAllowed) {
+    const std::string bytes = renamed("DOCUMENT REPORT\n<REPORT><S><H>{a}</H></S></REPORT>", false);
+    const document::Document document(bytes);
+    const std::vector<std::string> names =
+        allowedAt({document, testGrammars()}, bytes.find("{a") + 1);
+    const auto has = [&](const std::string& name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    EXPECT_TRUE(has("EMPH") && has("TABLE") && has("SECTION"));
+    EXPECT_FALSE(has("HEADING") || has("CAPTION"));
+}
+
 TEST(Authoring, KnowsThePlacesOfACaret) {
     const std::string bytes = renamed(
         "DOCUMENT CMEMO\n<CMEMO><BODY><P>{a\\{b}</P><P><T>{c}</T><E>{d}</E></P></BODY></CMEMO>",

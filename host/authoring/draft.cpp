@@ -130,6 +130,12 @@ Piece& Draft::openRest(Piece& whole, NodeId before, NodeId child) {
     return result;
 }
 
+bool Draft::isInside(NodeId node) const {
+    while (node != noNode && node != root_->start)
+        node = tree_.node(node).parent;
+    return node != noNode;
+}
+
 Piece& Draft::opened(NodeId node) {
     std::vector<NodeId> path;
     for (NodeId id = node; id != root_->start; id = tree_.node(id).parent)

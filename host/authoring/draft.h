@@ -47,6 +47,7 @@ struct Piece {
     sgml::NodeId last = sgml::noNode;  // rest: the last node
     text::Range kept{};                // text: its bytes, as they are spelled
     std::string fresh{};               // text that is new, as it is spelled
+    std::string raw{};                 // element: all of its bytes, when it is written as it is
     std::size_t mark = 0;              // 0: the anchor, 1: the caret
     bool isCopied = false;             // moved: written where it stands now, deleted where it was
 
@@ -94,6 +95,8 @@ public:
     [[nodiscard]] bool isLineBlank(Piece& at, Direction direction);
     // The element piece of a node; opens what holds it.
     Piece& opened(sgml::NodeId element);
+    // Is the node within the draft's class element?
+    [[nodiscard]] bool isInside(sgml::NodeId node) const;
     // Takes every rest among the element's children apart.
     void openChildren(Piece& element);
     // Everything below a piece.

@@ -264,8 +264,10 @@ void Draft::standBefore(Piece& mark, const Piece* before, Piece* behind) const {
     Piece* first = &mark;
     while (first->previous() != nullptr && first->previous()->isMark())
         first = first->previous();
-    if (first->gap.kept.empty() && first->gap.fresh.empty())
-        std::swap(first->gap, behind->gap);
+    // The gap before the unit, or the one that another mark has from it.
+    for (Piece* at = first; at != nullptr; at = at == behind ? nullptr : at->next())
+        if (first->gap.kept.empty() && first->gap.fresh.empty())
+            std::swap(first->gap, at->gap);
 }
 
 } // namespace authoring

@@ -54,6 +54,8 @@ private:
     }
 
     void writeElement(const Piece& piece) {
+        if (!piece.raw.empty())
+            return add(piece.raw);
         if (piece.start != noNode)
             writeStartTag(piece);
         else
@@ -272,6 +274,8 @@ bool Draft::isUnchanged(const Piece& element) const {
         if (piece->isMark())
             continue;
         if (expected == noNode || (piece->isElement() ? piece->start : piece->node) != expected)
+            return false;
+        if (piece->isElement() && piece->name != tree_.name(expected))
             return false;
         expected = tree_.node(piece->kind == Piece::Kind::rest ? piece->last : expected).next;
     }

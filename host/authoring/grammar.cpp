@@ -53,6 +53,7 @@ Grammar::Grammar(const schemas::StructureSchema* structure,
         Element element{
             .display = style.display, .role = style.role, .holdsText = allowsText(name)};
         element.kind = kindOf(element);
+        element.isNumbered = !style.counter.empty() && style.role != ContainerRole::item;
         elements_.emplace(name, element);
         variants_.emplace(name, presentation.variantsOf(name));
     }

@@ -30,6 +30,7 @@ struct Element {
     schemas::Display display = schemas::Display::unknown;
     schemas::ContainerRole role = schemas::ContainerRole::none;
     bool holdsText = false;
+    bool isNumbered = false; // has a counter, or is a heading of the outline
 };
 
 // Of one class of documents.

@@ -206,7 +206,7 @@ Selection RandomAuthor::randomSelection(const Manuscript& manuscript, Selection 
 
 RandomAuthor::Try RandomAuthor::tryCommand(const Manuscript& manuscript, Selection selection) {
     const bool isRange = !selection.isEmpty();
-    switch (below(9)) {
+    switch (below(12)) {
     case 0: {
         const Direction direction = below(2) == 0 ? Direction::forward : Direction::backward;
         const Unit unit = below(3) == 0 ? Unit::word : Unit::character;
@@ -218,6 +218,36 @@ RandomAuthor::Try RandomAuthor::tryCommand(const Manuscript& manuscript, Selecti
         constexpr std::array roles = {schemas::ContainerRole::emphasis,
                                       schemas::ContainerRole::strong, schemas::ContainerRole::code};
         return {"toggle", toggle(manuscript, selection, roles[below(3)]), false, true};
+    }
+    case 9: {
+        const std::vector<std::string> names =
+            allowedAt(manuscript, std::max(selection.anchor, selection.caret));
+        if (names.empty())
+            return {"insert", Refusal{}};
+        return {"insert", insertBlock(manuscript, selection, names[below(names.size())]), false,
+                true};
+    }
+    case 10: {
+        const std::vector<NodeId> all = targets(manuscript);
+        if (all.empty() || below(2) == 0)
+            return {"caption", insertCaption(manuscript, selection), false, true};
+        const NodeId one = all[below(all.size())], other = all[below(all.size())];
+        if (below(2) == 0)
+            return {"refer", insertReference(manuscript, selection, one), false, true};
+        return {"move", moveElement(manuscript, one, other, Direction::forward), false};
+    }
+    case 11: {
+        constexpr std::array<std::string_view, 5> pasted = {
+            "<PARAGRAPH>{a \\{}</PARAGRAPH>", "<LIST><ITEM>{b}</ITEM></LIST>",
+            "<BODY><PARAGRAPH ID=\"i1\">{c}</PARAGRAPH><RULE></RULE></BODY>",
+            "<TEXT>{d}</TEXT><EMPH>{e}</EMPH>",
+            "<DOCUMENT>DOCUMENT X\n<X ID=\"q\"></X></DOCUMENT>"};
+        if (below(2) == 0)
+            return {"paste", paste(manuscript, selection, pasted[below(pasted.size())])};
+        return below(2) == 0
+                   ? Try{"paste text", pasteText(manuscript, selection, "a\n\nb {\nc")}
+                   : Try{"figure",
+                         insertFigure(manuscript, selection, {"ANIMATION", "ASGARD", "}"}), false};
     }
     case 7:
         return below(2) == 0 ? Try{"heading", makeHeading(manuscript, selection, 1 + int(below(3))),
