@@ -1,5 +1,6 @@
 #include "authoring/authoring.h"
 #include "authoring/authoring_testing.h"
+#include "authoring/draft.h"
 #include "document/faults.h"
 
 #include <gtest/gtest.h>
@@ -362,6 +363,44 @@ TEST(Authoring, KnowsWhatIsAllowed) {
     };
     EXPECT_TRUE(has("EMPH") && has("TABLE") && has("SECTION"));
     EXPECT_FALSE(has("HEADING") || has("CAPTION"));
+}
+
+// A command opens what it edits and its neighbours, however long the document is.
+TEST(Authoring, OpensOnlyWhatItEdits) {
+    std::string before, behind;
+    for (int i = 0; i < 3000; ++i)
+        before += "<P>{p}</P>\n";
+    behind = "<P>{[o|ne}</P>\n" + before;
+    before = memoHead + before;
+    const auto opened = [&](const Command& command, const std::string& at) {
+        std::string bytes = before + behind;
+        const Marked marked = readMarks(renamed(bytes, false));
+        const document::Document document(marked.bytes);
+        Selection selection = marked.selection;
+        if (at.empty())
+            selection.anchor = selection.caret = selection.anchor;
+        Piece::made = 0;
+        EXPECT_TRUE(std::holds_alternative<Step>(command({document, testGrammars()}, selection)));
+        return Piece::made;
+    };
+    behind += memoTail;
+    EXPECT_LT(opened(enter, ""), 40u);
+    EXPECT_LT(opened(backspace, ""), 60u);
+    EXPECT_LT(opened(typed("x"), "selected"), 40u);
+    EXPECT_LT(opened(
+                  [](const Manuscript& manuscript, Selection selection) {
+                      return toggle(manuscript, selection, schemas::ContainerRole::emphasis);
+                  },
+                  "selected"),
+              40u);
+    EXPECT_LT(opened([](const Manuscript& manuscript,
+                        Selection selection) { return makeList(manuscript, selection); },
+                     ""),
+              40u);
+    EXPECT_LT(opened([](const Manuscript& manuscript,
+                        Selection selection) { return insertBlock(manuscript, selection, "RULE"); },
+                     ""),
+              40u);
 }
 
 TEST(Authoring, KnowsThePlacesOfACaret) {

@@ -13,6 +13,8 @@ using sgml::noNode;
 
 // --- pieces ---------------------------------------------------------------------------------
 
+thread_local std::size_t Piece::made = 0;
+
 std::size_t Piece::index() const {
     const Pieces& all = parent->children;
     return static_cast<std::size_t>(
@@ -146,32 +148,54 @@ Piece& Draft::opened(NodeId node) {
     return *piece;
 }
 
+// One piece for each node of the rest, in its place.
+void Draft::openRestAll(Piece& whole) {
+    Pieces opened;
+    for (NodeId id = whole.node, before = noNode;; before = id, id = tree_.node(id).next) {
+        opened.push_back(tree_.isElement(id) ? element(id) : rest(id, id));
+        Piece& piece = *opened.back();
+        piece.parent = whole.parent;
+        if (before == noNode)
+            piece.gap = whole.gap;
+        else
+            piece.gap.kept = {tree_.node(before).range.to, tree_.node(id).range.from};
+        if (id == whole.last)
+            break;
+    }
+    Pieces& all = whole.parent->children;
+    const auto at = all.begin() + static_cast<std::ptrdiff_t>(whole.index());
+    all.insert(all.erase(at), std::make_move_iterator(opened.begin()),
+               std::make_move_iterator(opened.end()));
+}
+
 void Draft::openChildren(Piece& parent) {
-    for (std::size_t i = 0; i < parent.children.size(); ++i) {
+    for (std::size_t i = parent.children.size(); i-- > 0;) {
         Piece& whole = *parent.children[i];
         if (whole.kind != Piece::Kind::rest)
             continue;
-        if (tree_.isElement(whole.node))
-            openRest(whole, noNode, whole.node);
-        else if (whole.node != whole.last) // stray bytes stay a rest of their own
-            splitRest(whole);
+        if (whole.node != whole.last || tree_.isElement(whole.node)) // one stray node stays a rest
+            openRestAll(whole);
     }
 }
 
-void Draft::splitRest(Piece& whole) {
-    const NodeId next = tree_.node(whole.node).next;
-    std::unique_ptr<Piece> behind = rest(next, whole.last);
-    behind->gap.kept = {tree_.node(whole.node).range.to, tree_.node(next).range.from};
-    whole.last = whole.node;
-    put(*whole.parent, whole.index() + 1, std::move(behind));
-}
-
-void Draft::openAll(Piece& piece) {
-    if (!piece.isElement() || isUnit(piece))
+void Draft::openBeside(Piece& at) {
+    const auto isOpen = [](const Piece* piece) {
+        return piece != nullptr && (piece->isMark() || piece->isEmptyText());
+    };
+    Piece* behind = at.next();
+    while (isOpen(behind))
+        behind = behind->next();
+    if (behind != nullptr && behind->kind == Piece::Kind::rest && tree_.isElement(behind->node))
+        openRest(*behind, noNode, behind->node);
+    Piece* before = at.previous();
+    while (isOpen(before))
+        before = before->previous();
+    if (before == nullptr || before->kind != Piece::Kind::rest || !tree_.isElement(before->last))
         return;
-    openChildren(piece);
-    for (const auto& child : piece.children)
-        openAll(*child);
+    NodeId ahead = noNode;
+    for (NodeId id = before->node; id != before->last; id = tree_.node(id).next)
+        ahead = id;
+    openRest(*before, ahead, before->last);
 }
 
 // --- marks ----------------------------------------------------------------------------------
@@ -216,13 +240,15 @@ void Draft::putMark(std::size_t number, std::size_t offset, text::Range selectio
 }
 
 void Draft::putMarkBehind(std::unique_ptr<Piece> mark, Piece& parent, NodeId before) {
-    openChildren(parent);
+    if (before != noNode && tree_.isElement(before))
+        openIn(parent, before);
     std::size_t index = 0;
     for (std::size_t i = 0; i < parent.children.size(); ++i) {
         const Piece& child = *parent.children[i];
-        const bool isBefore =
-            before != noNode && (child.isElement() ? child.start == before : child.node == before);
-        if (isBefore || (child.isMark() && i == index))
+        const NodeId last = child.isElement()                 ? child.start
+                            : child.kind == Piece::Kind::rest ? child.last
+                                                              : child.node;
+        if ((before != noNode && last == before) || (child.isMark() && i == index))
             index = i + 1;
     }
     put(parent, index, std::move(mark));

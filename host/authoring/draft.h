@@ -32,6 +32,9 @@ struct Gap {
 };
 
 struct Piece {
+    Piece() { ++made; }
+    static thread_local std::size_t made; // how many this thread has made, for tests
+
     enum class Kind { element, text, mark, rest };
     Kind kind = Kind::element;
     Piece* parent = nullptr;
@@ -99,8 +102,10 @@ public:
     [[nodiscard]] bool isInside(sgml::NodeId node) const;
     // Takes every rest among the element's children apart.
     void openChildren(Piece& element);
-    // Everything below a piece.
-    void openAll(Piece& piece);
+    // One rest: its nodes come to stand beside each other as pieces.
+    void openRestAll(Piece& rest);
+    // Opens the pieces beside one, marks and empty texts not counted.
+    void openBeside(Piece& piece);
     [[nodiscard]] std::string attribute(const Piece& element, std::string_view name) const;
 
     // The attributes of an element as another one may have them: an ID names one only.
@@ -143,7 +148,9 @@ public:
     [[nodiscard]] bool isBroken(const Piece& element) const {
         return !isUnchanged(element) && !wasFaulty(element) && !faultOf(element).isEmpty();
     }
-    [[nodiscard]] Grammar::Children childrenOf(const Piece& element) const;
+    // The names of its first `count` pieces, for the grammar.
+    [[nodiscard]] Grammar::Children
+    childrenOf(const Piece& element, std::size_t count = static_cast<std::size_t>(-1)) const;
     // The step, or the reason against it.
     [[nodiscard]] Result result(QString label, bool isTyping = false);
 
@@ -152,7 +159,6 @@ private:
     [[nodiscard]] std::unique_ptr<Piece> element(sgml::NodeId node) const;
     Piece& openIn(Piece& parent, sgml::NodeId child);
     Piece& openRest(Piece& whole, sgml::NodeId before, sgml::NodeId child);
-    void splitRest(Piece& whole);
     [[nodiscard]] bool isEntered(sgml::NodeId node, text::Range selection) const;
     void putMark(std::size_t number, std::size_t offset, text::Range selection);
     void putMarkBehind(std::unique_ptr<Piece> mark, Piece& parent, sgml::NodeId before);

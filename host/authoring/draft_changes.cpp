@@ -217,7 +217,9 @@ void Draft::tidy(Piece& mark) {
             break; // an element that was empty before
         dissolve(around);
     }
-    openChildren(blockOf(mark));
+    if (Piece& block = blockOf(mark); holdsText(block))
+        openChildren(block);
+    openBeside(mark);
     if (!isInlined(*mark.parent) && holdsText(*mark.parent) && isLineEmpty(mark)) {
         put(*mark.parent, mark.index() + 1, madeText({}));
         return;
@@ -234,7 +236,7 @@ void Draft::collapse() {
 
 void Draft::settle(Piece& mark) {
     for (;;) {
-        openChildren(*mark.parent);
+        openBeside(mark);
         Piece* before = mark.previous();
         while (before != nullptr && before->isMark())
             before = before->previous();

@@ -244,9 +244,10 @@ void addName(const sgml::Tree& tree, const Grammar& grammar, NodeId node,
 
 } // namespace
 
-Grammar::Children Draft::childrenOf(const Piece& element) const {
+Grammar::Children Draft::childrenOf(const Piece& element, std::size_t count) const {
     Grammar::Children names;
-    for (const auto& piece : element.children) {
+    for (std::size_t i = 0; i < std::min(count, element.children.size()); ++i) {
+        const Piece* const piece = element.children[i].get();
         if (piece->isText() && (names.empty() || !names.back().empty()))
             names.emplace_back();
         else if (piece->isElement() && grammar_->knows(piece->name))

@@ -26,11 +26,7 @@ public:
         removeBeside(b, top, Direction::backward);
         Piece& from = Draft::branch(a, top);
         Piece& to = Draft::branch(b, top);
-        draft_.openChildren(top);
-        std::vector<Piece*> between;
-        for (std::size_t i = from.index() + 1; i < to.index(); ++i)
-            between.push_back(top.children[i].get());
-        remove(between, top);
+        removeAll(top, from.index() + 1, to.index());
     }
 
     // The line of the second mark goes on behind the first one.
@@ -57,28 +53,36 @@ private:
     void removeBeside(Piece& mark, Piece& top, Direction direction) {
         for (Piece* level = &mark; level->parent != &top; level = level->parent) {
             Piece& parent = *level->parent;
-            draft_.openChildren(parent);
-            std::vector<Piece*> beside;
-            const std::size_t index = level->index();
-            for (std::size_t i = 0; i < parent.children.size(); ++i)
-                if (direction == Direction::forward ? i > index : i < index)
-                    beside.push_back(parent.children[i].get());
-            remove(beside, parent);
+            if (direction == Direction::forward)
+                removeAll(parent, level->index() + 1, parent.children.size());
+            else
+                removeAll(parent, 0, level->index());
         }
     }
 
-    // Cells and rows stay, and so do the fields of a form: they lose their text.
-    void remove(const std::vector<Piece*>& pieces, const Piece& parent) {
+    // The children [from, to). Cells and rows stay, and so do the fields of a form: they lose their
+    // text.
+    void removeAll(Piece& parent, std::size_t from, std::size_t to) {
+        for (std::size_t i = to; i-- > from;)
+            if (parent.children[i]->kind == Piece::Kind::rest) {
+                const std::size_t before = parent.children.size();
+                draft_.openRestAll(*parent.children[i]);
+                to += parent.children.size() - before;
+            }
         const Display display = draft_.of(parent).display;
         const bool isGrid = display == Display::table || display == Display::row;
-        for (Piece* piece : pieces) {
-            if (piece->isMark())
-                continue;
-            if (isGrid || isField(*piece))
-                clear(*piece);
-            else
-                Draft::take(*piece);
+        for (std::size_t i = from; i < to; ++i) {
+            Piece& piece = *parent.children[i];
+            if (isGrid || isField(piece))
+                clear(piece);
         }
+        const auto goes = [&](const std::unique_ptr<Piece>& piece) {
+            return !piece->isMark() && !isGrid && !isField(*piece);
+        };
+        const auto at = [&](std::size_t i) {
+            return parent.children.begin() + static_cast<std::ptrdiff_t>(i);
+        };
+        parent.children.erase(std::remove_if(at(from), at(to), goes), at(to));
     }
 
     [[nodiscard]] bool isField(const Piece& piece) const {
@@ -118,7 +122,6 @@ private:
 
     // The element's children come to stand behind the joined line, as far inside as they may.
     void follow(Piece& element) {
-        draft_.openChildren(element);
         Pieces children;
         while (!element.children.empty())
             children.push_back(Draft::take(*element.children.front()));
@@ -241,7 +244,7 @@ QString whyNotJoined(const Manuscript& manuscript, Selection selection) {
     if (leaves.blockOf(leaves.at(selection.caret)) == leaves.blockOf(leaves.at(selection.anchor)))
         return {};
     Draft draft(manuscript, selection);
-    if (const QString why = draft.obstacle(); !why.isEmpty())
+    if (QString why = draft.obstacle(); !why.isEmpty())
         return why;
     if (mayJoin(draft))
         return {};

@@ -126,6 +126,15 @@ std::vector<std::string> Grammar::allowedAt(std::string_view element, const Chil
     return allowed;
 }
 
+bool Grammar::mayHold(std::string_view element, std::string_view child) const {
+    const schemas::ContentModel* model =
+        structure_ == nullptr ? nullptr : structure_->model(element);
+    return model != nullptr && std::any_of(model->symbols().begin(), model->symbols().end(),
+                                           [&](const schemas::ContentModel::Symbol& symbol) {
+                                               return symbol.name == child || symbol.name == "ANY";
+                                           });
+}
+
 bool Grammar::hasAttribute(std::string_view element, std::string_view attribute) const {
     return attribute == "ID" || structure_ == nullptr ||
            structure_->hasAttribute(element, attribute);

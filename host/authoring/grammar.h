@@ -59,6 +59,8 @@ public:
     // The attributes by which the presentation tells kinds of an element apart: KIND and "number".
     [[nodiscard]] const std::vector<std::pair<std::string, std::string>>&
     variants(std::string_view element) const;
+    // Is there a place for it in the element, whatever must stand there before it?
+    [[nodiscard]] bool mayHold(std::string_view element, std::string_view child) const;
     [[nodiscard]] bool hasAttribute(std::string_view element, std::string_view attribute) const;
 
 private:

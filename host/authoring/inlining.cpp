@@ -51,14 +51,12 @@ private:
             ++marks_;
         if (piece.isText() && marks_ == 1 && !piece.isEmptyText() && isInProse(piece))
             texts_.push_back(&piece);
-        if (marks_ == 1 && piece.isElement())
-            draft_.openChildren(piece);
         if (draft_.isUnit(piece) && marks_ != 0 && !holdsMark(piece))
             return;
         for (std::size_t i = 0; i < piece.children.size() && marks_ < 2; ++i) {
             Piece& child = *piece.children[i];
             if (marks_ == 1 && child.kind == Piece::Kind::rest) {
-                draft_.openChildren(piece);
+                draft_.openRestAll(child);
                 collect(*piece.children[i]);
             } else {
                 collect(child);

@@ -32,7 +32,7 @@ Piece* putBlock(Draft& draft, Piece& mark, std::unique_ptr<Piece> piece) {
         draft.of(line).role == ContainerRole::paragraph && draft.isBlank(line);
     for (Piece* at = &mark; at->parent != nullptr; at = at->parent) {
         Piece& parent = *at->parent;
-        draft.openChildren(parent);
+        draft.openBeside(*at);
         // In front of a line at whose start the mark stands, else behind it.
         const bool before = atStart && !atEnd;
         if (draft.isInlined(parent) ||
@@ -110,6 +110,8 @@ Result insertCaption(const Manuscript& manuscript, Selection selection) {
         return refused(why);
     const std::string caption(draft.grammar().named(ContainerRole::caption));
     for (Piece* at = draft.first().parent; at != nullptr; at = at->parent) {
+        if (caption.empty() || !draft.grammar().mayHold(at->name, caption))
+            continue;
         draft.openChildren(*at);
         const auto isCaption = [&](const auto& child) {
             return child->isElement() && child->name == caption;
@@ -117,7 +119,7 @@ Result insertCaption(const Manuscript& manuscript, Selection selection) {
         const auto known = std::find_if(at->children.begin(), at->children.end(), isCaption);
         Piece* made = known == at->children.end() ? nullptr : known->get();
         for (std::size_t i = at->children.size() + 1; made == nullptr && i-- > 0;)
-            if (!caption.empty() && allows(draft, *at, i, caption)) {
+            if (allows(draft, *at, i, caption)) {
                 made = &Draft::put(*at, i, Draft::made(caption));
                 if (i > 0)
                     draft.putOnLine(*made, *at);

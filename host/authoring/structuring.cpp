@@ -70,8 +70,7 @@ public:
         Piece* section = line.parent;
         if (section == nullptr || draft_.of(*section).role != ContainerRole::section)
             return {};
-        draft_.openChildren(*section->parent);
-        draft_.openChildren(*section);
+        draft_.openBeside(*section);
         Piece* before = section->previous();
         if (before == nullptr || !before->isElement() ||
             draft_.of(*before).role != ContainerRole::section) {
@@ -113,8 +112,7 @@ public:
             return QStringLiteral("This item is in no list.");
         Piece* outer = draft_.of(*list.parent).role == ContainerRole::item ? list.parent : nullptr;
         Piece& stop = outer == nullptr ? *list.parent : *outer->parent;
-        draft_.openChildren(list);
-        draft_.openChildren(*list.parent);
+        draft_.openBeside(item);
         const bool hadItems = hasElement(list, item);
         Piece& behind = draft_.split(item, stop);
         Draft::moveTo(item, stop, behind.index());
@@ -133,7 +131,7 @@ public:
     // Into a list at the end of the item before it.
     QString nest(Piece& item) {
         Piece& list = *item.parent;
-        draft_.openChildren(list);
+        draft_.openBeside(item);
         Piece* before = item.previous();
         while (before != nullptr && !before->isElement())
             before = before->previous();
@@ -169,7 +167,7 @@ private:
             found.push_back(&piece);
         for (std::size_t i = 0; i < piece.children.size() && marks_ < 2; ++i) {
             if (marks_ == 1 && piece.children[i]->kind == Piece::Kind::rest)
-                draft_.openChildren(piece);
+                draft_.openRestAll(*piece.children[i]);
             collect(*piece.children[i], found);
         }
     }
@@ -192,15 +190,19 @@ private:
         return depth;
     }
 
+    Piece* nextOpened(Piece& piece) {
+        draft_.openBeside(piece);
+        return piece.next();
+    }
+
     // The paragraph and what follows it up to the next section.
     void wrapInSection(Piece& line, const std::string& name) {
         Piece& parent = *line.parent;
-        draft_.openChildren(parent);
         Piece& section = Draft::put(parent, line.index(), Draft::made(name));
         std::swap(section.gap, line.gap);
         line.gap.fresh = "\n";
         section.tail.fresh = "\n";
-        while (Piece* next = section.next()) {
+        while (Piece* next = nextOpened(section)) {
             if (next->isElement() && draft_.of(*next).role == ContainerRole::section)
                 break;
             Draft::moveTo(*next, section, section.children.size());
@@ -218,7 +220,7 @@ private:
             return QStringLiteral("This heading has no section.");
         Piece& section = *heading.parent;
         for (int depth = depthOf(heading); depth != level; depth = depthOf(heading))
-            if (const QString why = depth > level ? raise(section) : lower(section); !why.isEmpty())
+            if (QString why = depth > level ? raise(section) : lower(section); !why.isEmpty())
                 return why;
         return {};
     }
@@ -228,7 +230,6 @@ private:
         Piece& around = *section.parent;
         if (around.parent == nullptr || draft_.of(around).role != ContainerRole::section)
             return QStringLiteral("This heading stands as high as it can.");
-        draft_.openChildren(around);
         Piece& right = draft_.split(section, *around.parent);
         Draft::moveTo(section, *right.parent, right.index());
         std::swap(section.gap, right.gap);
@@ -238,7 +239,7 @@ private:
     }
 
     QString lower(Piece& section) {
-        draft_.openChildren(*section.parent);
+        draft_.openBeside(section);
         Piece* before = section.previous();
         if (before == nullptr || !before->isElement() ||
             draft_.of(*before).role != ContainerRole::section)
@@ -248,7 +249,6 @@ private:
     }
 
     void appendChildren(Piece& from, Piece& to) {
-        draft_.openChildren(from);
         while (!from.children.empty())
             Draft::moveTo(*from.children.front(), to, to.children.size());
     }
@@ -345,7 +345,7 @@ Result makeHeading(const Manuscript& manuscript, Selection selection, int level)
     return changeLines(manuscript, selection, QStringLiteral("Heading"),
                        [level](Restructurer& by, const std::vector<Piece*>& lines) {
                            for (Piece* line : lines)
-                               if (const QString why = by.makeHeading(*line, level); !why.isEmpty())
+                               if (QString why = by.makeHeading(*line, level); !why.isEmpty())
                                    return why;
                            return QString{};
                        });
@@ -355,7 +355,7 @@ Result makeParagraph(const Manuscript& manuscript, Selection selection) {
     return changeLines(manuscript, selection, QStringLiteral("Paragraph"),
                        [](Restructurer& by, const std::vector<Piece*>& lines) {
                            for (Piece* line : lines)
-                               if (const QString why = by.makeParagraph(*line); !why.isEmpty())
+                               if (QString why = by.makeParagraph(*line); !why.isEmpty())
                                    return why;
                            return QString{};
                        });

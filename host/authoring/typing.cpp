@@ -15,17 +15,8 @@ using sgml::noNode;
 // --- what may stand where -------------------------------------------------------------------
 
 std::vector<std::string> allowedAt(Draft& draft, Piece& parent, std::size_t index) {
-    draft.openChildren(parent);
-    std::size_t before = 0;
-    bool isText = false;
-    for (std::size_t i = 0; i < index; ++i) {
-        const Piece& child = *parent.children[i];
-        const bool counts =
-            child.isText() ? !isText : child.isElement() && draft.grammar().knows(child.name);
-        before += counts ? 1 : 0;
-        isText = child.isText() || (isText && child.isMark());
-    }
-    return draft.grammar().allowedAt(parent.name, draft.childrenOf(parent), before);
+    return draft.grammar().allowedAt(parent.name, draft.childrenOf(parent),
+                                     draft.childrenOf(parent, index).size());
 }
 
 bool allows(Draft& draft, Piece& parent, std::size_t index, std::string_view name) {
@@ -79,7 +70,7 @@ bool makeLine(Draft& draft, Piece& mark) {
     Piece* beside = &mark;
     for (; parent != nullptr; beside = parent, parent = parent->parent) {
         const std::size_t index = beside->index() + 1;
-        draft.openChildren(*parent);
+        draft.openBeside(*beside);
         const Piece* like = beside == &mark ? mark.previous() : beside;
         if (like == nullptr)
             like = mark.next();
