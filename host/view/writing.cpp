@@ -150,6 +150,21 @@ bool Writing::perform(const Command& command, const QString& group) {
     return true;
 }
 
+QString Writing::whyNot(const Command& command) const {
+    const std::optional<document::Selection> selection = hand_.cursor().selection();
+    if (!selection)
+        return tr("There is no caret in the text.");
+    const authoring::Result result = command(manuscript(), {selection->anchor, selection->caret});
+    const auto* refusal = std::get_if<authoring::Refusal>(&result);
+    return refusal ? refusal->why : QString();
+}
+
+bool Writing::isMarked(schemas::ContainerRole role) const {
+    const std::optional<document::Selection> selection = hand_.cursor().selection();
+    return selection &&
+           authoring::isMarked(manuscript(), {selection->anchor, selection->caret}, role);
+}
+
 void Writing::type(const QString& text) {
     const std::string bytes = text.toStdString();
     perform([&](const authoring::Manuscript& in, authoring::Selection at) {

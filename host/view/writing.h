@@ -33,6 +33,10 @@ public:
         std::function<authoring::Result(const authoring::Manuscript&, authoring::Selection)>;
     bool perform(const Command& command, const QString& group = {});
 
+    // Why a command may not be where the selection is; "": it may.
+    [[nodiscard]] QString whyNot(const Command& command) const;
+    [[nodiscard]] bool isMarked(schemas::ContainerRole role) const;
+
     void compose(const QInputMethodEvent& event);
     [[nodiscard]] QVariant answer(Qt::InputMethodQuery query) const;
 

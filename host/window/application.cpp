@@ -20,6 +20,9 @@ constexpr int mostRecent = 10;
 constexpr const char* emptyMemo = "DOCUMENT CMEMO\n<CMEMO>\n<TO>{}</TO>\n<FROM>{}</FROM>\n"
                                   "<SUBJECT>{}</SUBJECT>\n<BODY>\n"
                                   "<PARAGRAPH><TEXT>{}</TEXT></PARAGRAPH>\n</BODY>\n</CMEMO>\n";
+constexpr const char* emptyReport =
+    "DOCUMENT REPORT\n<REPORT>\n<TITLE>{}</TITLE>\n<AUTHOR>{}</AUTHOR>\n<SECTION>\n"
+    "<HEADING>{}</HEADING>\n<PARAGRAPH><TEXT>{}</TEXT></PARAGRAPH>\n</SECTION>\n</REPORT>\n";
 
 QPalette lightPalette() {
     QPalette palette(QColor(247, 247, 248));
@@ -94,9 +97,12 @@ DocumentWindow* Application::open(const QString& fileName, QWidget* parent) {
         std::make_shared<session::OpenDocument>(std::move(loaded.document), schemas_, media_));
 }
 
-DocumentWindow* Application::openNew() {
-    return addWindow(std::make_shared<session::OpenDocument>(
-        std::make_unique<document::Document>(emptyMemo), schemas_, media_));
+DocumentWindow* Application::openNew(const QString& className) {
+    const char* bytes = className == QLatin1String("REPORT") ? emptyReport : emptyMemo;
+    DocumentWindow* made = addWindow(std::make_shared<session::OpenDocument>(
+        std::make_unique<document::Document>(bytes), schemas_, media_));
+    made->view().setWriting(true);
+    return made;
 }
 
 DocumentWindow* Application::addWindow(std::shared_ptr<session::OpenDocument> document) {

@@ -24,7 +24,8 @@ public:
     // Opens a file in a window, or raises the one that has it. Null, after a message, when it
     // cannot be read.
     DocumentWindow* open(const QString& fileName, QWidget* parent = nullptr);
-    DocumentWindow* openNew(); // an empty memo
+    // An empty document of a class, by its template, to be written.
+    DocumentWindow* openNew(const QString& className = QStringLiteral("CMEMO"));
     DocumentWindow* addWindow(std::shared_ptr<session::OpenDocument> document);
     // Asks about each text that a program which ended had not saved, and opens what is wanted.
     void offerRecovered();

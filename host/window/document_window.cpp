@@ -9,6 +9,7 @@
 #include "window/application.h"
 #include "window/faults_pane.h"
 #include "window/find_bar.h"
+#include "window/format_menu.h"
 #include "window/link.h"
 #include "window/manual.h"
 #include "window/medium_commands.h"
@@ -91,6 +92,7 @@ DocumentWindow::DocumentWindow(Application& application,
     buildFileMenu();
     buildEditMenu();
     buildViewMenu();
+    menuBar()->addMenu(new FormatMenu(*view_, this));
     buildHelpMenu();
     buildTools();
     commands_ =
@@ -174,6 +176,13 @@ QAction* DocumentWindow::add(QMenu* menu, const QString& text, const QKeySequenc
 
 void DocumentWindow::buildFileMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&File"));
+    QMenu* fresh = menu->addMenu(tr("&New"));
+    add(fresh, tr("&Memo"), QKeySequence::New, [this] {
+        application_.openNew("CMEMO");
+    })->setObjectName("newMemo");
+    add(fresh, tr("&Report"), {}, [this] {
+        application_.openNew("REPORT");
+    })->setObjectName("newReport");
     add(menu, tr("&Open..."), QKeySequence::Open, [this] {
         const QStringList files = QFileDialog::getOpenFileNames(this, tr("Open"), {}, filter());
         for (const QString& file : files)

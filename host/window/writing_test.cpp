@@ -177,5 +177,49 @@ TEST_F(WritingTest, ArrowsMoveTheCaretAndTheViewFollowsIt) {
     EXPECT_TRUE(QRectF(view().viewport()->rect()).contains(view().text().caretRect()->center()));
 }
 
+TEST_F(WritingTest, TheMenuFormatsTheTextAndOffersWhatIsAllowed) {
+    write(paragraph("One two"));
+    QAction* menu = window_->findChild<QMenu*>("format")->menuAction();
+    EXPECT_TRUE(menu->isVisible());
+    goTo("two");
+    press(Qt::Key_End, Qt::ShiftModifier);
+    action("strong")->trigger();
+    EXPECT_EQ(body(), "<PARAGRAPH><TEXT>{One }</TEXT><STRONG>{two}</STRONG></PARAGRAPH>\n");
+    Q_EMIT menu->menu()->aboutToShow();
+    EXPECT_TRUE(action("strong")->isChecked());
+    EXPECT_FALSE(action("emphasis")->isChecked());
+    EXPECT_FALSE(action("outdent")->isEnabled()); // in no list
+    EXPECT_FALSE(action("outdent")->toolTip().isEmpty());
+    Q_EMIT menu->menu()->aboutToHide();
+    EXPECT_TRUE(action("outdent")->isEnabled());
+    action("outdent")->trigger();
+    EXPECT_FALSE(window_->statusBar()->currentMessage().isEmpty());
+    action("numbers")->trigger();
+    EXPECT_THAT(body(), HasSubstr("<LIST KIND=\"number\">"));
+    EXPECT_TRUE(waitFor([&] { return shown().find("1.") != std::string::npos; })) << shown();
+    action("write")->trigger();
+    EXPECT_FALSE(menu->isVisible());
+}
+
+TEST_F(WritingTest, ANewReportIsWrittenFromItsFirstLine) {
+    write(paragraph("One"));
+    action("newReport")->trigger();
+    const auto windows = QApplication::topLevelWidgets();
+    const auto isNew = [](const QWidget* one) {
+        const auto* window = qobject_cast<const DocumentWindow*>(one);
+        return window && window->document().document().className() == "REPORT";
+    };
+    const auto found = std::ranges::find_if(windows, isNew);
+    ASSERT_NE(found, windows.end());
+    window_ = qobject_cast<DocumentWindow*>(*found);
+    EXPECT_TRUE(view().isWriting());
+    type("Findings");
+    press(Qt::Key_Down);
+    type("A. Uthor");
+    EXPECT_THAT(document().bytes(), HasSubstr("<TITLE>{Findings}</TITLE>"));
+    EXPECT_THAT(document().bytes(), HasSubstr("<AUTHOR>{A. Uthor}</AUTHOR>"));
+    window_->document().document().undo();
+}
+
 } // namespace
 } // namespace window
