@@ -92,7 +92,7 @@ DocumentWindow::DocumentWindow(Application& application,
     buildFileMenu();
     buildEditMenu();
     buildViewMenu();
-    menuBar()->addMenu(new FormatMenu(*view_, this));
+    menuBar()->addAction((new FormatMenu(*view_, this))->menuAction());
     buildHelpMenu();
     buildTools();
     commands_ =

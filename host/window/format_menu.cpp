@@ -83,7 +83,7 @@ void FormatMenu::offerAll() {
     menuAction()->setVisible(view_.isWriting());
     for (const Entry& entry : entries_) {
         entry.action->setEnabled(writes);
-        entry.action->setToolTip({});
+        entry.action->setToolTip(plain::tip({}));
     }
     link_->setEnabled(writes);
 }
