@@ -271,8 +271,9 @@ RandomAuthor::Try RandomAuthor::tryCommand(const Manuscript& manuscript, Selecti
     }
 }
 
-std::string RandomAuthor::write(std::size_t count) {
-    const std::string first = document();
+std::string RandomAuthor::write(std::size_t count) { return write(count, document()); }
+
+std::string RandomAuthor::write(std::size_t count, const std::string& first) {
     document::Document document(first);
     const Manuscript manuscript{document, testGrammars()};
     if (const std::string faults = faultsOf(document); !faults.empty())

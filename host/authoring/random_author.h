@@ -20,6 +20,8 @@ public:
     // At the end all of it is undone, which gives the first bytes, and done again. What went wrong,
     // or "".
     [[nodiscard]] std::string write(std::size_t count);
+    // The same on a given document.
+    [[nodiscard]] std::string write(std::size_t count, const std::string& first);
 
     struct Tally {
         std::size_t steps = 0, refusals = 0, replaced = 0; // bytes

@@ -228,7 +228,7 @@ private:
         const std::string name = outer == nullptr ? paragraph() : outer->name;
         Piece& behind = draft_.split(item, stop);
         Piece& made = Draft::put(stop, behind.index(), Draft::made(name));
-        draft_.putOnLine(made, *made.previous());
+        draft_.putOnLine(made, behind);
         Draft::moveTo(draft_.first(), made, 0);
         draft_.collapse();
         Piece& parent = *item.parent;
