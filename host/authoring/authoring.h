@@ -80,6 +80,9 @@ enum class Unit { character, word }; // a character is a grapheme cluster (Unico
 // list; preformatted text gets a line end.
 [[nodiscard]] Result breakParagraph(const Manuscript& manuscript, Selection selection);
 
+// Shift+Enter: a line end in preformatted text; other text has no line breaks of its own.
+[[nodiscard]] Result breakLine(const Manuscript& manuscript, Selection selection);
+
 // --- in a line
 
 // Puts the selected text, or the word around the caret, into the element with that role: emphasis,
@@ -103,6 +106,9 @@ enum class Unit { character, word }; // a character is a grapheme cluster (Unico
 // Headings and preformatted text become paragraphs. What a heading's section had is in the section
 // before it then.
 [[nodiscard]] Result makeParagraph(const Manuscript& manuscript, Selection selection);
+// The paragraphs of the selection become one piece of preformatted text, a line each, without
+// emphasis and links.
+[[nodiscard]] Result makeVerbatim(const Manuscript& manuscript, Selection selection);
 // The paragraphs of the selection become the items of a list, which has the attribute: those that
 // the class's presentation tells apart are in Grammar::variants().
 [[nodiscard]] Result makeList(const Manuscript& manuscript, Selection selection,
@@ -135,6 +141,21 @@ struct EmbeddedText {
 [[nodiscard]] std::vector<sgml::NodeId> targets(const Manuscript& manuscript);
 // The names of elements that may come in behind a place, or behind what is around it.
 [[nodiscard]] std::vector<std::string> allowedAt(const Manuscript& manuscript, std::size_t place);
+
+// --- tables
+
+// With empty cells, the caret in the first one.
+[[nodiscard]] Result insertTable(const Manuscript& manuscript, Selection selection, int rows,
+                                 int columns);
+// Beside the row or the column of the caret.
+[[nodiscard]] Result insertRow(const Manuscript& manuscript, Selection selection, Direction side);
+[[nodiscard]] Result insertColumn(const Manuscript& manuscript, Selection selection,
+                                  Direction side);
+[[nodiscard]] Result removeRow(const Manuscript& manuscript, Selection selection);
+[[nodiscard]] Result removeColumn(const Manuscript& manuscript, Selection selection);
+// Tab and Shift+Tab: to the next cell, which behind the last one is the first of a new row.
+[[nodiscard]] Result goToCell(const Manuscript& manuscript, Selection selection,
+                              Direction direction);
 
 // --- pasting and moving
 

@@ -365,6 +365,50 @@ TEST(Authoring, KnowsWhatIsAllowed) {
     EXPECT_FALSE(has("HEADING") || has("CAPTION"));
 }
 
+TEST(Authoring, PreformattedText) {
+    EXPECT_EQ(memo("<P>{a[b}</P>\n<P><E>{c}</E><T>{|d}</T></P>", makeVerbatim),
+              "<V>{a[b\nc|d}</V>");
+    EXPECT_EQ(memo("<P><T>{a|}</T><IMAGE></IMAGE></P>", makeVerbatim),
+              "refused: Preformatted text holds nothing but text.");
+    EXPECT_EQ(memo("<V>{a|b}</V>", makeParagraph), "<P>{a|b}</P>");
+    const auto shiftEnter = [](const Manuscript& manuscript, Selection selection) {
+        return breakLine(manuscript, selection);
+    };
+    EXPECT_EQ(memo("<V>{a|b}</V>", shiftEnter), "<V>{a\n|b}</V>");
+    EXPECT_EQ(memo("<P>{a|b}</P>", shiftEnter),
+              "refused: There are no line breaks within a paragraph of this class.");
+}
+
+TEST(Authoring, Tables) {
+    const auto table = [](const Manuscript& manuscript, Selection selection) {
+        return insertTable(manuscript, selection, 2, 2);
+    };
+    EXPECT_EQ(memo("<P>{|}</P>", table),
+              "<TABLE>\n<R><C>{|}</C><C>{}</C></R>\n<R><C>{}</C><C>{}</C></R>\n</TABLE>");
+    const auto row = [](const Manuscript& manuscript, Selection selection) {
+        return insertRow(manuscript, selection, Direction::forward);
+    };
+    const auto column = [](const Manuscript& manuscript, Selection selection) {
+        return insertColumn(manuscript, selection, Direction::backward);
+    };
+    const auto tab = [](const Manuscript& manuscript, Selection selection) {
+        return goToCell(manuscript, selection, Direction::forward);
+    };
+    const std::string one =
+        "<TABLE>\n<R><C>{a}</C><C>{b|}</C></R>\n<R><C>{c}</C><C>{d}</C></R></TABLE>";
+    EXPECT_EQ(memo(one, row), "<TABLE>\n<R><C>{a}</C><C>{b}</C></R>\n<R><C>{}</C><C>{|}</C></R>\n"
+                              "<R><C>{c}</C><C>{d}</C></R></TABLE>");
+    EXPECT_EQ(memo(one, column), "<TABLE>\n<R><C>{a}</C><C>{|}</C><C>{b}</C></R>\n"
+                                 "<R><C>{c}</C><C>{}</C><C>{d}</C></R></TABLE>");
+    EXPECT_EQ(memo(one, removeRow), "<TABLE>\n<R><C>{c}</C><C>{|d}</C></R></TABLE>");
+    EXPECT_EQ(memo(one, removeColumn), "<TABLE>\n<R><C>{|a}</C></R>\n<R><C>{c}</C></R></TABLE>");
+    EXPECT_EQ(memo(one, tab),
+              "<TABLE>\n<R><C>{a}</C><C>{b}</C></R>\n<R><C>{|c}</C><C>{d}</C></R></TABLE>");
+    EXPECT_EQ(memo("<TABLE><R><C>{a}</C><C><P>{b|}</P></C></R></TABLE>", tab),
+              "<TABLE><R><C>{a}</C><C><P>{b}</P></C></R>\n<R><C>{|}</C><C>{}</C></R></TABLE>");
+    EXPECT_EQ(memo("<P>{|a}</P>", row), "refused: The caret is in no table.");
+}
+
 // A command opens what it edits and its neighbours, however long the document is.
 TEST(Authoring, OpensOnlyWhatItEdits) {
     std::string before, behind;

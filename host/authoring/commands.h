@@ -31,6 +31,10 @@ void eraseBetween(Draft& draft);
 // nothing around the mark may.
 Piece* putInLine(Draft& draft, Piece& mark, std::unique_ptr<Piece> piece);
 
+// Puts a block in between the two halves of the line at the mark, or beside it, or beside what is
+// around it. It takes the place of an empty paragraph. Null: it may stand nowhere there.
+Piece* putBlock(Draft& draft, Piece& mark, std::unique_ptr<Piece> piece);
+
 [[nodiscard]] inline Refusal refused(const QString& why) { return Refusal{why}; }
 
 } // namespace authoring

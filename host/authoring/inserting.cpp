@@ -22,8 +22,8 @@ QString mayNotStand(const Grammar& grammar, std::string_view name) {
     return QStringLiteral("%1 may not stand here.").arg(what);
 }
 
-// Between the two halves of the line at the mark, or beside it, or beside what is around it. What
-// comes in takes the place of an empty paragraph.
+} // namespace
+
 Piece* putBlock(Draft& draft, Piece& mark, std::unique_ptr<Piece> piece) {
     Piece& line = draft.blockOf(mark);
     const bool atStart = draft.isLineBlank(mark, Direction::backward);
@@ -54,8 +54,6 @@ Piece* putBlock(Draft& draft, Piece& mark, std::unique_ptr<Piece> piece) {
     }
     return nullptr;
 }
-
-} // namespace
 
 Result insertBlock(const Manuscript& manuscript, Selection selection, std::string_view name) {
     const std::size_t end = std::max(selection.anchor, selection.caret);

@@ -206,7 +206,7 @@ Selection RandomAuthor::randomSelection(const Manuscript& manuscript, Selection 
 
 RandomAuthor::Try RandomAuthor::tryCommand(const Manuscript& manuscript, Selection selection) {
     const bool isRange = !selection.isEmpty();
-    switch (below(12)) {
+    switch (below(13)) {
     case 0: {
         const Direction direction = below(2) == 0 ? Direction::forward : Direction::backward;
         const Unit unit = below(3) == 0 ? Unit::word : Unit::character;
@@ -218,6 +218,24 @@ RandomAuthor::Try RandomAuthor::tryCommand(const Manuscript& manuscript, Selecti
         constexpr std::array roles = {schemas::ContainerRole::emphasis,
                                       schemas::ContainerRole::strong, schemas::ContainerRole::code};
         return {"toggle", toggle(manuscript, selection, roles[below(3)]), false, true};
+    }
+    case 12: {
+        const Direction side = below(2) == 0 ? Direction::forward : Direction::backward;
+        switch (below(6)) {
+        case 0:
+            return {"row", insertRow(manuscript, selection, side), false, true};
+        case 1:
+            return {"column", insertColumn(manuscript, selection, side), false, true};
+        case 2:
+            return below(2) == 0 ? Try{"remove row", removeRow(manuscript, selection), false}
+                                 : Try{"remove column", removeColumn(manuscript, selection), false};
+        case 3:
+            return {"cell", goToCell(manuscript, selection, side), false, true};
+        case 4:
+            return {"table", insertTable(manuscript, selection, 2, 2), false, true};
+        default:
+            return {"verbatim", makeVerbatim(manuscript, selection), false, true};
+        }
     }
     case 9: {
         const std::vector<std::string> names =

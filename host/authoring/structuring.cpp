@@ -82,6 +82,36 @@ public:
         return {};
     }
 
+    QString makeVerbatim(const std::vector<Piece*>& lines) {
+        const std::string name(grammar_.named(Display::verbatim));
+        if (name.empty())
+            return QStringLiteral("This class of documents has no preformatted text.");
+        for (Piece* line : lines) {
+            if (draft_.of(*line).role != ContainerRole::paragraph)
+                return QStringLiteral("Only paragraphs become preformatted text.");
+            draft_.openChildren(*line);
+            for (std::size_t i = 0; i < line->children.size();)
+                if (Piece& child = *line->children[i]; child.isElement()) {
+                    if (!draft_.isInlined(child))
+                        return QStringLiteral("Preformatted text holds nothing but text.");
+                    draft_.openChildren(child);
+                    Draft::dissolve(child);
+                } else {
+                    ++i;
+                }
+        }
+        Piece& first = *lines.front();
+        rename(first, name);
+        for (std::size_t i = 1; i < lines.size(); ++i) {
+            if (first.next() != lines[i])
+                return QStringLiteral("These paragraphs do not follow each other.");
+            Draft::put(first, first.children.size(), Draft::madeText("\n"));
+            appendChildren(*lines[i], first);
+            Draft::take(*lines[i]);
+        }
+        return {};
+    }
+
     // --- lists
 
     QString makeItems(const std::vector<Piece*>& lines, const std::string& attributes) {
@@ -359,6 +389,12 @@ Result makeParagraph(const Manuscript& manuscript, Selection selection) {
                                    return why;
                            return QString{};
                        });
+}
+
+Result makeVerbatim(const Manuscript& manuscript, Selection selection) {
+    return changeLines(
+        manuscript, selection, QStringLiteral("Preformatted Text"),
+        [](Restructurer& by, const std::vector<Piece*>& lines) { return by.makeVerbatim(lines); });
 }
 
 Result makeList(const Manuscript& manuscript, Selection selection, std::string_view attribute,

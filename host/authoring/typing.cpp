@@ -290,6 +290,20 @@ private:
 
 QString breakLine(Draft& draft) { return Breaker(draft).breakLine(); }
 
+Result breakLine(const Manuscript& manuscript, Selection selection) {
+    Draft draft(manuscript, selection);
+    if (const QString why = draft.obstacle(); !why.isEmpty())
+        return refused(why);
+    if (!selection.isEmpty())
+        eraseBetween(draft);
+    draft.collapse();
+    if (draft.of(draft.blockOf(draft.first())).display != Display::verbatim)
+        return refused(
+            QStringLiteral("There are no line breaks within a paragraph of this class."));
+    Draft::put(*draft.first().parent, draft.first().index(), Draft::madeText("\n"));
+    return draft.result(QStringLiteral("Typing"), true);
+}
+
 Result breakParagraph(const Manuscript& manuscript, Selection selection) {
     Draft draft(manuscript, selection);
     if (const QString why = draft.obstacle(); !why.isEmpty())
