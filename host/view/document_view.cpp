@@ -1,6 +1,7 @@
 #include "view/document_view.h"
 
 #include "layout/measure.h"
+#include "view/accessible_view.h"
 #include "view/key_names.h"
 #include "view/play_bar.h"
 #include "view/text_hand.h"
@@ -39,6 +40,7 @@ void paintShadow(QPainter& painter, const QRectF& page) {
 DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
     : QAbstractScrollArea(parent), document_(document), playBar_(new PlayBar(true, viewport())),
       text_(std::make_unique<TextHand>(*this)), writing_(std::make_unique<Writing>(*this, *text_)) {
+    AccessibleView::install();
     setFrameShape(QFrame::NoFrame);
     setAccessibleName(tr("Document"));
     setFocusPolicy(Qt::StrongFocus);
@@ -68,6 +70,7 @@ DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
     });
     connect(&document_.document(), &document::Document::edited, this, [this] { isBehind_ = true; });
     connect(&text_->cursor(), &TextCursor::changed, this, &DocumentView::selectionChanged);
+    connect(&text_->cursor(), &TextCursor::changed, this, [this] { AccessibleView::tell(*this); });
     connect(this, &DocumentView::chosenChanged, this, &DocumentView::selectionChanged);
     present();
 }

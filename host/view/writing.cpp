@@ -1,6 +1,6 @@
 #include "view/writing.h"
 
-#include "layout/typeface.h"
+#include "view/copying.h"
 #include "view/document_view.h"
 
 #include <QApplication>
@@ -124,7 +124,7 @@ void Writing::paint(QPainter& painter, std::size_t page) const {
 
 // --- commands ----------------------------------------------------------------------------------
 
-bool Writing::perform(const Command& command, const QString& group) {
+bool Writing::perform(const Command& command) {
     const std::optional<document::Selection> selection = hand_.cursor().selection();
     if (!selection)
         return false;
@@ -136,10 +136,10 @@ bool Writing::perform(const Command& command, const QString& group) {
     const auto& step = std::get<authoring::Step>(result);
     const document::Selection after{step.after.anchor, step.after.caret};
     if (!step.edits.empty()) {
-        document::EditNote note{.label = step.label, .group = group};
+        document::EditNote note{.label = step.label};
         note.before = selection;
         note.after = after;
-        if (step.isTyping && group.isEmpty())
+        if (step.isTyping)
             note.typed = now();
         view_.document().document().edit(step.edits, note);
     }
@@ -217,26 +217,13 @@ void Writing::cut() {
     });
 }
 
-// A blank line begins a paragraph. All of it is one step of undo.
+// Our own bytes first: they keep the structure.
 void Writing::paste(const QMimeData& data) {
-    QString text = data.text();
-    text.replace(QLatin1String("\r\n"), QLatin1String("\n"));
-    const QString group = QStringLiteral("paste %1").arg(++pastes_);
-    bool isFirst = true;
-    for (const QString& paragraph : text.split(QStringLiteral("\n\n"), Qt::SkipEmptyParts)) {
-        if (!std::exchange(isFirst, false) &&
-            !perform([](const authoring::Manuscript& in,
-                        authoring::Selection at) { return authoring::breakParagraph(in, at); },
-                     group))
-            return;
-        const std::string bytes = paragraph.toStdString();
-        const bool typed =
-            perform([&](const authoring::Manuscript& in,
-                        authoring::Selection at) { return authoring::type(in, at, bytes); },
-                    group);
-        if (!typed)
-            return;
-    }
+    const std::string own = data.data(fragmentFormat).toStdString();
+    const std::string text = data.text().toStdString();
+    perform([&](const authoring::Manuscript& in, authoring::Selection at) {
+        return own.empty() ? authoring::pasteText(in, at, text) : authoring::paste(in, at, own);
+    });
 }
 
 // --- input methods -----------------------------------------------------------------------------

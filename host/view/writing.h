@@ -31,7 +31,7 @@ public:
     // A command at what is selected. One that may not be is told by refused().
     using Command =
         std::function<authoring::Result(const authoring::Manuscript&, authoring::Selection)>;
-    bool perform(const Command& command, const QString& group = {});
+    bool perform(const Command& command);
 
     // Why a command may not be where the selection is; "": it may.
     [[nodiscard]] QString whyNot(const Command& command) const;
@@ -61,7 +61,6 @@ private:
     bool isShown_ = true; // the caret
     QBasicTimer blinking_;
     QString composed_; // not typed yet
-    int pastes_ = 0;
 };
 
 } // namespace view

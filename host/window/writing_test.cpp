@@ -4,6 +4,7 @@
 #include "view/writing.h"
 #include "window/window_testing.h"
 
+#include <QAccessible>
 #include <QClipboard>
 #include <QMimeData>
 #include <QStatusBar>
@@ -219,6 +220,41 @@ TEST_F(WritingTest, ANewReportIsWrittenFromItsFirstLine) {
     EXPECT_THAT(document().bytes(), HasSubstr("<TITLE>{Findings}</TITLE>"));
     EXPECT_THAT(document().bytes(), HasSubstr("<AUTHOR>{A. Uthor}</AUTHOR>"));
     window_->document().document().undo();
+}
+
+TEST_F(WritingTest, WhatIsCopiedKeepsItsStructureWhereItIsPasted) {
+    write(paragraph("One two") + "<PARAGRAPH><TEXT>{a }</TEXT><EMPH>{b}</EMPH></PARAGRAPH>\n");
+    goTo("a }");
+    press(Qt::Key_End, Qt::ShiftModifier);
+    action("copy")->trigger();
+    goTo("two");
+    action("paste")->trigger();
+    EXPECT_THAT(body(), HasSubstr("<EMPH>{b}</EMPH><TEXT>{two}"));
+    EXPECT_EQ(document().steps(), 1U);
+    document().undo();
+    EXPECT_THAT(body(), HasSubstr(paragraph("One two").toStdString()));
+}
+
+TEST_F(WritingTest, ScreenReadersGetTheTextTheCaretAndWhatIsSelected) {
+    write(paragraph("One \u00E4 two") +
+          "<LIST KIND=\"number\"><ITEM><TEXT>{item}</TEXT></ITEM></LIST>");
+    QAccessibleInterface* own = QAccessible::queryAccessibleInterface(&view());
+    ASSERT_TRUE(own && own->textInterface());
+    QAccessibleTextInterface& of = *own->textInterface();
+    const QString all = of.text(0, of.characterCount());
+    EXPECT_THAT(all.toStdString(), HasSubstr("One \u00E4 two\n1. item"));
+    EXPECT_FALSE(own->state().readOnly);
+    goTo("two");
+    const auto two = static_cast<int>(all.indexOf("two"));
+    EXPECT_EQ(of.cursorPosition(), two);
+    EXPECT_EQ(of.offsetAtPoint(of.characterRect(two).center()), two);
+    of.setCursorPosition(static_cast<int>(all.indexOf("item")));
+    type("an ");
+    EXPECT_THAT(body(), HasSubstr("{an item}"));
+    of.setSelection(0, two, two + 3);
+    press(Qt::Key_Delete);
+    EXPECT_THAT(body(), HasSubstr("{One \u00E4 }"));
+    EXPECT_THAT(of.text(0, of.characterCount()).toStdString(), HasSubstr("1. an item"));
 }
 
 } // namespace
