@@ -72,12 +72,13 @@ enum class Unit { character, word }; // a character is a grapheme cluster (Unico
 // In the place of the selection. The text is plain; what the format needs is escaped here. Line
 // ends are kept in preformatted text and become blanks elsewhere.
 [[nodiscard]] Result type(const Manuscript& manuscript, Selection selection, std::string_view text);
-// The selection; without one, the unit beside the caret. At the end of a paragraph the next one
-// joins it.
+// The selection; without one, the character or word beside the caret. At the end of a paragraph
+// the next one joins it. Going backward from the start of a list, its first item leaves it.
 [[nodiscard]] Result erase(const Manuscript& manuscript, Selection selection, Direction direction,
                            Unit unit = Unit::character);
 // Enter: a new paragraph or item begins; a paragraph follows a heading; an empty item leaves its
-// list; preformatted text gets a line end.
+// list; preformatted text gets a line end. Behind what is one line only, as a field of a form, the
+// caret goes on to the next line: a step without edits.
 [[nodiscard]] Result breakParagraph(const Manuscript& manuscript, Selection selection);
 
 // Shift+Enter: a line end in preformatted text; other text has no line breaks of its own.
@@ -89,6 +90,10 @@ enum class Unit { character, word }; // a character is a grapheme cluster (Unico
 // strong, code. Takes it out when all of it is in one.
 [[nodiscard]] Result toggle(const Manuscript& manuscript, Selection selection,
                             schemas::ContainerRole role);
+// Text is typed that is in such an element where the caret is in none, and in none where it is in
+// one.
+[[nodiscard]] Result typeToggled(const Manuscript& manuscript, Selection selection,
+                                 std::string_view text, schemas::ContainerRole role);
 // Is all of the selected text in one, or the caret?
 [[nodiscard]] bool isMarked(const Manuscript& manuscript, Selection selection,
                             schemas::ContainerRole role);

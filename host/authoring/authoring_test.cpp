@@ -136,9 +136,13 @@ TEST(Authoring, JoinsParagraphs) {
               "<P><T>{One|two}</T><E>{!}</E></P>");
     EXPECT_EQ(memo("<P><T>{One}</T></P>\n<P><T>{|two}</T></P>", backspace),
               "<P><T>{One|two}</T></P>");
-    EXPECT_EQ(memo("<P>{a}</P>\n<L>\n<I>{|b}</I>\n<I>{c}</I>\n</L>", backspace),
+    EXPECT_EQ(memo("<P>{a|}</P>\n<L>\n<I>{b}</I>\n<I>{c}</I>\n</L>", del),
               "<P>{a|b}</P>\n<L>\n<I>{c}</I>\n</L>");
-    EXPECT_EQ(memo("<P>{a}</P>\n<L>\n<I>{|b}</I>\n</L>", backspace), "<P>{a|b}</P>");
+    EXPECT_EQ(memo("<P>{a|}</P>\n<L>\n<I>{b}</I>\n</L>", del), "<P>{a|b}</P>");
+    // Backward, the first item leaves its list.
+    EXPECT_EQ(memo("<P>{a}</P>\n<L>\n<I>{|b}</I>\n<I>{c}</I>\n</L>", backspace),
+              "<P>{a}</P>\n<P>{|b}</P>\n<L>\n<I>{c}</I>\n</L>");
+    EXPECT_EQ(memo("<L>\n<I>{b}</I>\n<I>{|c}</I>\n</L>", backspace), "<L>\n<I>{b|c}</I>\n</L>");
     EXPECT_EQ(memo("<L>\n<I>{a}</I>\n<I><T>{|b}</T><L><I>{c}</I></L></I>\n</L>", backspace),
               "<L>\n<I><T>{a|b}</T><L><I>{c}</I></L></I>\n</L>");
     EXPECT_EQ(report("<S><H>{A}</H>\n<P>{a}</P></S>\n<S><H>{|B}</H>\n<P>{b}</P></S>", backspace),
@@ -208,6 +212,27 @@ TEST(Authoring, TogglesEmphasis) {
     EXPECT_EQ(memo("<P><E>{a[b|c}</E></P>", emphasis), "<P><E>{a[}</E><T>{b|}</T><E>{c}</E></P>");
     EXPECT_EQ(memo("<P><T>{a[b}</T><E>{c|}</E></P>", emphasis), "<P><T>{a[}</T><E>{bc|}</E></P>");
     EXPECT_EQ(memo("<V>{[ab|}</V>", emphasis), "refused: Select the text first.");
+}
+
+TEST(Authoring, TypesIntoAndOutOfEmphasis) {
+    const auto toggled = [](const Manuscript& manuscript, Selection selection) {
+        return typeToggled(manuscript, selection, "x", schemas::ContainerRole::emphasis);
+    };
+    EXPECT_EQ(memo("<P>{a|b}</P>", toggled), "<P><T>{a}</T><E>{x|}</E><T>{b}</T></P>");
+    EXPECT_EQ(memo("<P>{|}</P>", toggled), "<P><E>{x|}</E></P>");
+    EXPECT_EQ(memo("<P><E>{a|}</E></P>", toggled), "<P><E>{a}</E><T>{x|}</T></P>");
+    EXPECT_EQ(memo("<P><E>{a|b}</E><T>{c}</T></P>", toggled),
+              "<P><E>{a}</E><T>{x|}</T><E>{b}</E><T>{c}</T></P>");
+}
+
+TEST(Authoring, EnterBesideUnitsAndFields) {
+    EXPECT_EQ(memo("<FIGURE><IMAGE></IMAGE>|</FIGURE>", enter),
+              "<FIGURE><IMAGE></IMAGE></FIGURE>\n<P>{|}</P>");
+    EXPECT_EQ(memo("<P>{a}</P>\n<FIGURE>|<IMAGE></IMAGE></FIGURE>", enter),
+              "<P>{a}</P>\n<P>{|}</P>\n<FIGURE><IMAGE></IMAGE></FIGURE>");
+    EXPECT_EQ(
+        after("DOCUMENT CMEMO\n<CMEMO><TO>{a|}</TO><FROM>{b}</FROM><BODY></BODY></CMEMO>", enter),
+        "DOCUMENT CMEMO\n<CMEMO><TO>{a}</TO><FROM>{|b}</FROM><BODY></BODY></CMEMO>");
 }
 
 TEST(Authoring, Links) {

@@ -217,8 +217,10 @@ void Draft::tidy(Piece& mark) {
             break; // an element that was empty before
         dissolve(around);
     }
-    if (Piece& block = blockOf(mark); holdsText(block))
+    if (Piece& block = blockOf(mark); holdsText(block)) {
         openChildren(block);
+        dropNeedlessTexts(block);
+    }
     openBeside(mark);
     if (!isInlined(*mark.parent) && holdsText(*mark.parent) && isLineEmpty(mark)) {
         put(*mark.parent, mark.index() + 1, madeText({}));

@@ -253,8 +253,36 @@ QString whyNotJoined(const Manuscript& manuscript, Selection selection) {
 
 } // namespace
 
+namespace {
+
+// Is the caret at the start of the first item of a list?
+bool beginsList(const Manuscript& manuscript, Selection selection) {
+    if (lineAround(manuscript, selection.caret).anchor != selection.caret)
+        return false;
+    Draft draft(manuscript, selection);
+    if (!draft.obstacle().isEmpty())
+        return false;
+    Piece& line = draft.blockOf(draft.first());
+    Piece* item = draft.of(line).role == ContainerRole::item ? &line : line.parent;
+    if (item == nullptr || item->parent == nullptr || draft.of(*item).role != ContainerRole::item ||
+        draft.of(*item->parent).role != ContainerRole::list)
+        return false;
+    draft.openBeside(*item);
+    const Piece& first = item == &line ? Draft::branch(draft.first(), *item) : line;
+    const auto isNothing = [](const Piece* before) {
+        while (before != nullptr && (before->isMark() || before->isEmptyText()))
+            before = before->previous();
+        return before == nullptr;
+    };
+    return isNothing(item->previous()) && isNothing(first.previous());
+}
+
+} // namespace
+
 Result erase(const Manuscript& manuscript, Selection selection, Direction direction, Unit unit) {
     const bool isTyping = selection.isEmpty();
+    if (isTyping && direction == Direction::backward && beginsList(manuscript, selection))
+        return outdentItems(manuscript, selection);
     if (isTyping) {
         const std::optional<std::size_t> beside =
             placeBeside(manuscript, selection.caret, direction, unit);

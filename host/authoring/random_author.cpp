@@ -217,6 +217,8 @@ RandomAuthor::Try RandomAuthor::tryCommand(const Manuscript& manuscript, Selecti
     case 2: {
         constexpr std::array roles = {schemas::ContainerRole::emphasis,
                                       schemas::ContainerRole::strong, schemas::ContainerRole::code};
+        if (below(3) == 0)
+            return {"type toggled", typeToggled(manuscript, selection, "a b", roles[below(3)])};
         return {"toggle", toggle(manuscript, selection, roles[below(3)]), false, true};
     }
     case 12: {

@@ -62,15 +62,35 @@ void fill(Draft& draft, Piece& mark, const std::vector<std::string>& way, Piece&
 
 } // namespace
 
+namespace {
+
+bool hasBefore(const Piece& piece) {
+    const Piece* before = piece.previous();
+    while (before != nullptr && before->isMark())
+        before = before->previous();
+    return before != nullptr;
+}
+
+bool hasBehind(const Piece& piece) {
+    const Piece* behind = piece.next();
+    while (behind != nullptr && behind->isMark())
+        behind = behind->next();
+    return behind != nullptr;
+}
+
+} // namespace
+
 bool makeLine(Draft& draft, Piece& mark) {
     const std::string paragraph(draft.grammar().named(ContainerRole::paragraph));
     Piece* parent = &draft.blockOf(mark);
     if (draft.holdsText(*parent))
         return true;
     Piece* beside = &mark;
+    bool isBehind = true; // nothing but the mark was before it in what is around it: in front
     for (; parent != nullptr; beside = parent, parent = parent->parent) {
-        const std::size_t index = beside->index() + 1;
+        const std::size_t index = beside->index() + (isBehind ? 1 : 0);
         draft.openBeside(*beside);
+        isBehind = isBehind && (hasBefore(*beside) || !hasBehind(*beside));
         const Piece* like = beside == &mark ? mark.previous() : beside;
         if (like == nullptr)
             like = mark.next();
@@ -222,9 +242,10 @@ private:
     // or a paragraph.
     QString leaveList(Piece& item) {
         Piece& list = *item.parent;
-        Piece* outer =
-            list.parent == nullptr ? nullptr : around(draft_, *list.parent, ContainerRole::item);
-        Piece& stop = outer == nullptr ? *list.parent : *outer->parent;
+        if (list.parent == nullptr)
+            return QStringLiteral("This item is in no list.");
+        Piece* outer = around(draft_, *list.parent, ContainerRole::item);
+        Piece& stop = outer == nullptr || outer->parent == nullptr ? *list.parent : *outer->parent;
         const std::string name = outer == nullptr ? paragraph() : outer->name;
         Piece& behind = draft_.split(item, stop);
         Piece& made = Draft::put(stop, behind.index(), Draft::made(name));
@@ -304,19 +325,82 @@ Result breakLine(const Manuscript& manuscript, Selection selection) {
     return draft.result(QStringLiteral("Typing"), true);
 }
 
+namespace {
+
+// Enter behind what is one line only, as in a form, goes to the line behind it.
+std::optional<Step> goToNextLine(const Manuscript& manuscript, std::size_t caret) {
+    const std::size_t end = lineAround(manuscript, caret).caret;
+    const std::optional<std::size_t> next =
+        placeBeside(manuscript, end, Direction::forward, Unit::character);
+    if (caret != end || !next)
+        return std::nullopt;
+    return Step{.after = {*next, *next}, .label = QStringLiteral("New Paragraph")};
+}
+
+} // namespace
+
 Result breakParagraph(const Manuscript& manuscript, Selection selection) {
+    const QString label = QStringLiteral("New Paragraph");
     Draft draft(manuscript, selection);
     if (const QString why = draft.obstacle(); !why.isEmpty())
         return refused(why);
     if (!selection.isEmpty())
         eraseBetween(draft);
     draft.collapse();
-    if (!makeLine(draft, draft.caret()))
+    const bool isInLine = draft.holdsText(draft.blockOf(draft.first()));
+    if (!makeLine(draft, draft.first()))
         return refused(QStringLiteral("A paragraph may not stand here."));
-    if (const QString why = breakLine(draft); !why.isEmpty())
-        return refused(why);
     draft.collapse();
-    return draft.result(QStringLiteral("New Paragraph"));
+    if (!isInLine)
+        return draft.result(label); // beside a unit: a paragraph is there now
+    if (const QString why = breakLine(draft); !why.isEmpty()) {
+        if (std::optional<Step> step = goToNextLine(manuscript, selection.caret);
+            step && selection.isEmpty())
+            return *std::move(step);
+        return refused(why);
+    }
+    draft.collapse();
+    return draft.result(label);
+}
+
+// --- into and out of an element -------------------------------------------------------------
+
+Result typeToggled(const Manuscript& manuscript, Selection selection, std::string_view text,
+                   ContainerRole role) {
+    Draft draft(manuscript, selection);
+    if (const QString why = draft.obstacle(); !why.isEmpty())
+        return refused(why);
+    const std::string name(draft.grammar().named(role));
+    if (name.empty())
+        return refused(QStringLiteral("This class of documents has no such element."));
+    if (!selection.isEmpty())
+        eraseBetween(draft);
+    draft.collapse();
+    Piece& caret = draft.first();
+    if (!makeLine(draft, caret))
+        return refused(QStringLiteral("Text may not stand here."));
+    draft.settle(caret);
+    Piece* inside = caret.parent;
+    while (draft.isInlined(*inside) && draft.of(*inside).role != role)
+        inside = inside->parent;
+    std::unique_ptr<Piece> piece = Draft::madeText(withLineEnds(text, false));
+    if (draft.isInlined(*inside)) {
+        // Between the halves of the element, which is left.
+        Piece& right = draft.split(caret, *inside->parent);
+        Piece& made = Draft::put(*right.parent, right.index(), Draft::made("TEXT"));
+        Draft::put(made, 0, std::move(piece));
+        Draft::moveTo(caret, made, 1);
+        if (draft.isBlank(right))
+            draft.dissolve(right);
+    } else {
+        Piece* made = putInLine(draft, caret, Draft::made(name));
+        if (made == nullptr)
+            return refused(QStringLiteral("It may not stand here."));
+        Draft::put(*made, 0, std::move(piece));
+        Draft::moveTo(caret, *made, 1);
+    }
+    draft.collapse();
+    return draft.result(QStringLiteral("Typing"), true);
 }
 
 } // namespace authoring
