@@ -107,7 +107,7 @@ int drawAll(const SceneText& scene, const simulation::MotionPointer& motion,
                              " pixels wide and high here",
                          failure);
     const render::SceneView view(scene.reading.scene, motion, arguments.view, size);
-    const auto stride = static_cast<std::size_t>(4 * size.width);
+    const auto stride = 4 * static_cast<std::size_t>(size.width);
     std::vector<std::byte> pixels(stride * static_cast<std::size_t>(size.height));
     const render::Image image{pixels, stride, size};
     render::Drawing drawing{&scene.reading.scene, motion, 0, {}, {}};
