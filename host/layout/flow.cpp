@@ -236,13 +236,25 @@ void Flow::rule(const BlockPointer& block, Strip& strip) const {
 namespace {
 
 // What a block in a cell would like, and cannot do without, of at most so many letters.
-Widths widthsIn(Stock& stock, Columns& columns, const model::Block& block, double available,
-                std::size_t& letters) {
+Widths widthsIn(const Surroundings& in, Columns& columns, const BlockPointer& pointer,
+                double available, std::size_t& letters) {
+    Stock& stock = in.stock;
+    const model::Block& block = *pointer;
     const auto sizeOf = [&](document::SubdocumentId id) {
         columns.sizes.emplace_back(id, stock.sizes().subdocument(id));
         return columns.sizes.back().second;
     };
-    Widths widths = widthsOf(stock.materials(), block, letters);
+    const auto measured = stock.measured(pointer, letters, [&] {
+        auto made = std::make_unique<Measured>(Measured{.block = pointer});
+        std::size_t left = letters;
+        made->widths = widthsOf(stock.materials(), block, left);
+        made->letters = letters - left;
+        in.work.letters += made->letters;
+        return made;
+    });
+    columns.cells.push_back(measured);
+    letters -= measured->letters;
+    Widths widths = measured->widths;
     for (const model::Run& run : block.runs)
         if (run.kind == model::RunKind::subdocument)
             sizeOf(run.subdocument);
@@ -254,7 +266,7 @@ Widths widthsIn(Stock& stock, Columns& columns, const model::Block& block, doubl
 }
 
 // Of each column. Every column is measured by one of its cells at least.
-std::vector<Widths> wantedBy(Stock& stock, Columns& columns, double available) {
+std::vector<Widths> wantedBy(const Surroundings& in, Columns& columns, double available) {
     std::vector<Widths> wanted;
     std::size_t letters = Flow::lettersForColumns;
     for (const model::Row& row : columns.block->rows) {
@@ -269,7 +281,7 @@ std::vector<Widths> wantedBy(Stock& stock, Columns& columns, double available) {
                 const std::size_t before = ofCell;
                 if (before == 0)
                     break;
-                const Widths widths = widthsIn(stock, columns, inside, available, ofCell);
+                const Widths widths = widthsIn(in, columns, pointer, available, ofCell);
                 letters -= std::min(letters, before - ofCell);
                 const double extra =
                     2 * padding + fromPoints(inside.style.indentLeft) + fromPoints(0.5);
@@ -283,10 +295,11 @@ std::vector<Widths> wantedBy(Stock& stock, Columns& columns, double available) {
 
 // Columns as wide as their widest text where there is room; else each gets its longest word, and
 // they share what is left by how much more they would like.
-std::unique_ptr<Columns> columnsOf(Stock& stock, const BlockPointer& block, double available) {
+std::unique_ptr<Columns> columnsOf(const Surroundings& in, const BlockPointer& block,
+                                   double available) {
     auto result = std::make_unique<Columns>();
     result->block = block;
-    const std::vector<Widths> wanted = wantedBy(stock, *result, available);
+    const std::vector<Widths> wanted = wantedBy(in, *result, available);
     double natural = 0, least = 0;
     for (const Widths& column : wanted) {
         natural += column.natural;
@@ -308,8 +321,8 @@ Made Flow::table(const BlockPointer& block, Strip& strip, bool& last) {
     const std::size_t rows = block->rows.size();
     if (!table_) {
         table_ = std::make_unique<Table>();
-        table_->columns = in_.stock.columns(
-            block, room(block), [&] { return columnsOf(in_.stock, block, room(block)); });
+        table_->columns = in_.stock.columns(block, room(block),
+                                            [&] { return columnsOf(in_, block, room(block)); });
         const auto& widths = table_->columns->widths;
         table_->left = aligned(block, std::accumulate(widths.begin(), widths.end(), 0.0));
     }

@@ -268,6 +268,24 @@ TEST_F(RelaidTest, PagesThatFollowRandomChangesAreThoseFromNothing) {
     RecordProperty("all", static_cast<int>(all));
 }
 
+// Cells that are the same blocks as before are neither measured nor broken into lines again.
+TEST_F(RelaidTest, ALetterInALongTableCostsItsCell) {
+    random_.seed(5);
+    std::vector<model::Row> rows(200, model::Row(3));
+    for (model::Row& row : rows)
+        for (model::Cell& cell : row)
+            cell.blocks.push_back(paragraph(words(8)));
+    model_.blocks = {tableOf(rows)};
+    Pages pages = layOut(model(), objects_);
+    EXPECT_GE(pages.work.paragraphs, 600u);
+    rows[100][1].blocks = {paragraph("a a")};
+    model_.blocks = {tableOf(rows)};
+    pages = relaid(pages, model(), objects_);
+    EXPECT_EQ(pages.work.paragraphs, 1u);
+    EXPECT_LE(pages.work.letters, 20u);
+    EXPECT_EQ(everything(pages), everything(layOut(model(), objects_)));
+}
+
 // Some thousand paragraphs on 957 pages, in chapters of ten pages.
 class LongTest : public RelaidTest {
 protected:

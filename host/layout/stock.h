@@ -8,9 +8,18 @@
 
 namespace layout {
 
+// What a block in a cell would like, by so many of its letters, and how many were read for it.
+struct Measured {
+    BlockPointer block;
+    Widths widths{};
+    std::size_t letters = 0;
+    [[nodiscard]] static bool isOf(const Sizes&) { return true; }
+};
+
 // The widths of a table's columns, and what they depend on beside the table.
 struct Columns {
     BlockPointer block;
+    std::vector<std::shared_ptr<const Measured>> cells{}; // for tables to come
     std::vector<double> widths;
     std::vector<std::pair<document::SubdocumentId, QSizeF>> sizes; // that were asked for
 
@@ -34,6 +43,12 @@ public:
     [[nodiscard]] std::shared_ptr<Columns> columns(const BlockPointer& block, double width,
                                                    Make make) {
         return found<Columns>(columns_, {block.get(), width, Part::text}, make);
+    }
+    template <class Make>
+    [[nodiscard]] std::shared_ptr<Measured> measured(const BlockPointer& block, std::size_t letters,
+                                                     Make make) {
+        return found<Measured>(measured_, {block.get(), static_cast<double>(letters), Part::text},
+                               make);
     }
     [[nodiscard]] const std::shared_ptr<Materials>& materials() const { return materials_; }
     [[nodiscard]] Sizes& sizes() { return materials_->sizes; }
@@ -78,6 +93,7 @@ private:
     std::shared_ptr<Materials> materials_;
     std::shared_ptr<Known<Paragraph>> paragraphs_ = std::make_shared<Known<Paragraph>>();
     std::shared_ptr<Known<Columns>> columns_ = std::make_shared<Known<Columns>>();
+    std::shared_ptr<Known<Measured>> measured_ = std::make_shared<Known<Measured>>();
 };
 
 } // namespace layout

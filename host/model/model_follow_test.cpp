@@ -162,6 +162,34 @@ TEST(ModelFollow, WhatAnEditCostsDoesNotGrowWithTheDocument) {
     }
 }
 
+// A block that changed holds the same blocks as before in its other cells and footnotes.
+TEST(ModelFollow, ALetterLeavesOtherCellsAndFootnotesAsTheyAre) {
+    Followed followed(
+        "DOCUMENT REPORT\n<REPORT><TABLE><ROW><CELL>{one}</CELL><CELL>{two}</CELL></ROW>"
+        "<ROW><CELL>{three}</CELL><CELL>{four}</CELL></ROW></TABLE>\n"
+        "<PARAGRAPH><TEXT>{words}</TEXT><FOOTNOTE>{note}</FOOTNOTE></PARAGRAPH>"
+        "</REPORT>",
+        "", 100);
+    const std::shared_ptr<const Model> old = followed.builder.model();
+    for (const std::string word : {"three", "words"}) {
+        const std::size_t at = followed.document.bytes().find(word);
+        (void)followed.document.edit({{{at, at}, "x"}}, "Typing");
+    }
+    EXPECT_EQ(followed.difference(), "");
+    const Model& now = *followed.builder.model();
+    ASSERT_EQ(now.blocks.size(), 2u);
+    const auto cell = [](const Model& model, std::size_t row, std::size_t column) {
+        return model.blocks[0]->rows[row][column].blocks[0];
+    };
+    EXPECT_NE(now.blocks[0], old->blocks[0]);
+    EXPECT_EQ(cell(now, 0, 0), cell(*old, 0, 0));
+    EXPECT_EQ(cell(now, 1, 1), cell(*old, 1, 1));
+    EXPECT_NE(cell(now, 1, 0), cell(*old, 1, 0));
+    EXPECT_NE(now.blocks[1], old->blocks[1]);
+    EXPECT_EQ(now.footnotes.at(0), old->footnotes.at(0));
+    EXPECT_EQ(now.blocks[1]->runs.at(1).footnote, old->footnotes.at(0));
+}
+
 // The numbers of all sections behind it change, and what refers to these wherever it stands.
 TEST(ModelFollow, AHeadingNumbersWhatFollowsAndNothingElse) {
     const ModelBuilder::Work work =

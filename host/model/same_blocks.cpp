@@ -59,6 +59,47 @@ bool isEqual(const Block& a, const Block& b) {
            areEqual(runs, b.runs) && areEqual(rows, b.rows);
 }
 
+namespace {
+
+void keepInside(const Blocks& old, Blocks& now) {
+    (void)keepOld(
+        {.old = old, .from = 0, .to = old.size(), .now = now, .first = 0, .end = now.size()});
+}
+
+// Cells and footnotes that did not change, of a block that did.
+void keepParts(const Block& old, std::shared_ptr<const Block>& now) {
+    std::unordered_map<sgml::NodeId, const Cell*> cells;
+    std::unordered_map<sgml::NodeId, std::shared_ptr<const Footnote>> footnotes;
+    for (const Row& row : old.rows)
+        for (const Cell& cell : row)
+            cells.emplace(cell.element, &cell);
+    for (const Run& run : old.runs)
+        if (run.footnote)
+            footnotes.emplace(run.footnote->element, run.footnote);
+    if (cells.empty() && footnotes.empty())
+        return;
+    auto made = std::make_shared<Block>(*now);
+    for (Row& row : made->rows)
+        for (Cell& cell : row)
+            if (const auto known = cells.find(cell.element); known != cells.end())
+                keepInside(known->second->blocks, cell.blocks);
+    for (Run& run : made->runs) {
+        const auto known = run.footnote ? footnotes.find(run.footnote->element) : footnotes.end();
+        if (known == footnotes.end())
+            continue;
+        if (isEqual(known->second, run.footnote)) {
+            run.footnote = known->second;
+            continue;
+        }
+        auto note = std::make_shared<Footnote>(*run.footnote);
+        keepInside(known->second->blocks, note->blocks);
+        run.footnote = std::move(note);
+    }
+    now = std::move(made);
+}
+
+} // namespace
+
 // Most edits leave what is before and behind one place; the rest is found by its elements.
 std::size_t keepOld(const Replaced& in) {
     std::size_t from = in.from, to = in.to, first = in.first, end = in.end;
@@ -78,9 +119,11 @@ std::size_t keepOld(const Replaced& in) {
     std::size_t made = 0;
     for (; first < end; ++first) {
         const auto [known, last] = byElement.equal_range(in.now[first]->element);
-        made += std::any_of(known, last, [&](const auto& old) { return keeps(old.second, first); })
-                    ? 0
-                    : 1;
+        if (std::any_of(known, last, [&](const auto& old) { return keeps(old.second, first); }))
+            continue;
+        ++made;
+        if (known != last)
+            keepParts(*in.old[known->second], in.now[first]);
     }
     return made;
 }

@@ -15,7 +15,8 @@ struct Replaced {
     Blocks& now;
     std::size_t first = 0, end = 0; // in now
 };
-// Every new block that is equal to an old one becomes that one. Gives how many do not.
+// Every new block that is equal to an old one becomes that one, in the cells and footnotes of a new
+// block, too. Gives how many do not.
 std::size_t keepOld(const Replaced& replaced);
 
 } // namespace model
