@@ -1,8 +1,11 @@
 #include "session/file_follower.h"
 
+#include "text/characters.h"
 #include "text/difference.h"
+#include "text/lines.h"
 
 #include <QFileInfo>
+#include <QRegularExpression>
 
 #include <algorithm>
 
@@ -11,6 +14,79 @@ namespace session {
 namespace {
 
 bool isBroken(const std::string& bytes) { return sgml::Tree::parse(bytes).isBroken(); }
+
+// With the text around it, up to the next tags or line ends, but of a long text only what is near.
+text::Range withWordsAround(std::string_view bytes, text::Range range) {
+    constexpr std::size_t most = 80;
+    const std::size_t first = range.from - std::min(range.from, most);
+    const std::size_t last = std::min(range.to + most, bytes.size());
+    const auto isEdge = [&](std::size_t at) { return bytes[at] == '\n' || bytes[at] == '>'; };
+    const auto isEnd = [&](std::size_t at) { return bytes[at] == '\n' || bytes[at] == '<'; };
+    std::size_t from = range.from, to = range.to;
+    while (from > first && !isEdge(from - 1))
+        --from;
+    while (to < last && !isEnd(to))
+        ++to;
+    if (from > 0 && from == first) // whole words
+        from = std::min(bytes.find(' ', from), range.from);
+    if (to < bytes.size() && to == last)
+        to = std::max(bytes.rfind(' ', to) + 1, range.to);
+    return {text::characterStart(bytes, from), text::characterStart(bytes, to)};
+}
+
+// What is in a range, with dots where a text goes on.
+QString excerpt(std::string_view bytes, text::Range range) {
+    const auto isOneOf = [&](std::size_t at, std::string_view signs) {
+        return signs.find(bytes[at]) != std::string_view::npos;
+    };
+    QString text =
+        QString::fromUtf8(bytes.data() + range.from, static_cast<qsizetype>(range.size()));
+    if (range.from > 0 && !isOneOf(range.from - 1, "\n>"))
+        text.prepend(QChar(0x2026));
+    if (range.to < bytes.size() && !isOneOf(range.to, "\n<"))
+        text.append(QChar(0x2026));
+    return text;
+}
+
+// LIMIT: so many characters of one text are shown.
+QString shortened(const QString& words) {
+    constexpr qsizetype most = 400;
+    return words.size() > most ? words.left(most) + QChar(0x2026) : words;
+}
+
+// Without tags and braces.
+QString words(const QString& source) {
+    static const QRegularExpression tag(QStringLiteral("</?[A-Za-z][^<>]*>|[{}]"));
+    return QString(source).replace(tag, QStringLiteral(" ")).simplified();
+}
+
+std::vector<FileFollower::Choice> choicesBetween(const std::string& mine,
+                                                 const std::string& theirs) {
+    std::vector<text::Range> left, right;
+    for (const text::Hunk& hunk : text::differences(mine, theirs)) {
+        const text::Range a = withWordsAround(mine, hunk.before),
+                          b = withWordsAround(theirs, hunk.after);
+        if (!left.empty() && (a.from <= left.back().to || b.from <= right.back().to)) {
+            left.back().to = std::max(left.back().to, a.to);
+            right.back().to = std::max(right.back().to, b.to);
+        } else if (left.size() < FileFollower::mostChoices) {
+            left.push_back(a);
+            right.push_back(b);
+        } else {
+            break;
+        }
+    }
+    const text::Lines lines(mine);
+    std::vector<FileFollower::Choice> choices;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        const QString a = excerpt(mine, left[i]), b = excerpt(theirs, right[i]);
+        const bool isText = words(a) != words(b); // else the tags are what differs
+        choices.push_back({.line = lines.at(left[i].from, mine).line,
+                           .mine = shortened(isText ? words(a) : a.simplified()),
+                           .theirs = shortened(isText ? words(b) : b.simplified())});
+    }
+    return choices;
+}
 
 } // namespace
 
@@ -68,10 +144,14 @@ void FileFollower::set(State state, const QString& sentence) {
         missed_ = false;
         document_.setFileLost(false);
     }
-    if (state == state_ && sentence == sentence_)
+    const State was = std::exchange(state_, state);
+    std::vector<Choice> choices;
+    if (state == State::disputed || state == State::damaged)
+        choices = choicesBetween(keepingMine(), takingTheirs());
+    if (state == was && sentence == sentence_ && choices == choices_)
         return;
-    state_ = state;
     sentence_ = sentence;
+    choices_ = std::move(choices);
     Q_EMIT stateChanged();
 }
 
@@ -138,12 +218,12 @@ void FileFollower::merge() {
         return;
     }
     if (!document_.savedText())
-        return dispute({});
+        return dispute();
     const text::Merge both = text::merged(*document_.savedText(), document_.bytes(), theirs_.bytes);
     const bool breaks =
         !document_.isBroken() && isBroken(text::applied(document_.bytes(), both.edits));
     if (breaks || !both.conflicts.empty())
-        return dispute(both);
+        return dispute();
     follow(both.edits);
     Q_EMIT told(document_.isModified()
                     ? tr("%1 was changed by another program: its changes are here, too, beside "
@@ -152,21 +232,11 @@ void FileFollower::merge() {
                     : tr("%1 was changed by another program; this is its text now").arg(name()));
 }
 
-void FileFollower::dispute(const text::Merge& merge) {
-    const std::string merged = text::applied(document_.bytes(), merge.edits);
-    const text::Places places(merged);
-    QStringList lines;
-    for (const text::Range& conflict : merge.conflicts)
-        lines << QString::number(places.at(conflict.from).line);
-    lines.removeDuplicates();
-    constexpr qsizetype most = 5;
-    if (lines.size() > most)
-        lines = lines.mid(0, most) << tr("others");
+void FileFollower::dispute() {
+    const bool alsoThere = bool(document_.savedText());
     set(State::disputed,
-        lines.isEmpty()
-            ? tr("%1 was changed by another program, and so was the text here.").arg(name())
-            : tr("%1 was changed by another program, also where you changed it (line %2).")
-                  .arg(name(), lines.join(tr(", "))));
+        alsoThere ? tr("%1 was changed by another program, also where you changed it.").arg(name())
+                  : tr("%1 was changed by another program, and so was the text here.").arg(name()));
 }
 
 void FileFollower::follow(const text::Edits& edits) {
@@ -175,25 +245,25 @@ void FileFollower::follow(const text::Edits& edits) {
     set(State::quiet);
 }
 
-void FileFollower::keepMine() {
+std::string FileFollower::keepingMine() const {
     const auto& base = document_.savedText();
     const std::string& mine = document_.bytes();
-    const bool merges = state_ == State::disputed && base;
-    text::Edits edits = merges ? text::merged(*base, mine, theirs_.bytes).edits : text::Edits{};
-    if (!document_.isBroken() && isBroken(text::applied(mine, edits)))
-        edits.clear();
-    follow(edits);
+    if (state_ != State::disputed || !base)
+        return mine;
+    std::string both = text::applied(mine, text::merged(*base, mine, theirs_.bytes).edits);
+    return !document_.isBroken() && isBroken(both) ? mine : both;
 }
 
-void FileFollower::takeTheirs() {
+std::string FileFollower::takingTheirs() const {
     const auto& base = document_.savedText();
-    const std::string& mine = document_.bytes();
-    std::string wanted = theirs_.bytes;
-    if (state_ == State::disputed && base)
-        wanted = text::applied(wanted, text::merged(*base, wanted, mine).edits);
-    if (isBroken(wanted))
-        wanted = theirs_.bytes;
-    follow(text::editsBetween(mine, wanted));
+    const std::string& theirs = theirs_.bytes;
+    if (state_ != State::disputed || !base)
+        return theirs;
+    std::string both = text::applied(theirs, text::merged(*base, theirs, document_.bytes()).edits);
+    return isBroken(both) ? theirs : both;
 }
+
+void FileFollower::keepMine() { follow(text::editsBetween(document_.bytes(), keepingMine())); }
+void FileFollower::takeTheirs() { follow(text::editsBetween(document_.bytes(), takingTheirs())); }
 
 } // namespace session

@@ -35,6 +35,16 @@ public:
     [[nodiscard]] State state() const { return state_; }
     [[nodiscard]] const QString& sentence() const { return sentence_; } // "" while quiet
 
+    // Where the answers to what is disputed or damaged lead to different texts, in order of place.
+    struct Choice {
+        int line = 0;         // of the text that Keep Mine leads to
+        QString mine, theirs; // with some words around them, as one reads them
+        bool operator==(const Choice&) const = default;
+    };
+    [[nodiscard]] const std::vector<Choice>& choices() const { return choices_; }
+    // LIMIT: so many are listed.
+    static constexpr std::size_t mostChoices = 20;
+
     void look();
     // The answers to what is disputed or damaged. Where only one of both changed something, that
     // change is taken either way. The other's text can be had back by undo.
@@ -54,7 +64,10 @@ private:
     void read();
     [[nodiscard]] bool isHalfWritten();
     void merge();
-    void dispute(const text::Merge& merge);
+    void dispute();
+    // The text that each answer leads to.
+    [[nodiscard]] std::string keepingMine() const;
+    [[nodiscard]] std::string takingTheirs() const;
     void follow(const text::Edits& edits);
     [[nodiscard]] QString name() const;
 
@@ -64,6 +77,7 @@ private:
     QTimer timer_;
     State state_ = State::quiet;
     QString sentence_;
+    std::vector<Choice> choices_;
     files::ReadFile theirs_;            // as it was read last
     std::optional<std::uint64_t> half_; // hash of what seems to be half written
     QElapsedTimer sinceHalf_;

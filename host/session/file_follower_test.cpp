@@ -94,7 +94,12 @@ TEST_F(FileFollowerTest, WhereBothChangedSomethingSomebodyChooses) {
     write(with(with(before, "two", "zwei"), "five", "5"));
     waitFor([&] { return file_->state() == State::disputed; });
     EXPECT_EQ(document_->bytes(), mine);
-    EXPECT_THAT(file_->sentence().toStdString(), HasSubstr("(line 5)"));
+    EXPECT_THAT(file_->sentence().toStdString(), HasSubstr("also where you changed it"));
+    EXPECT_EQ(file_->choices(),
+              (std::vector<FileFollower::Choice>{
+                  {.line = 5, .mine = "one 2 three", .theirs = "one zwei three"}}));
+    write(with(with(before, "two", "drei"), "five", "5")); // and again
+    waitFor([&] { return file_->choices().front().theirs == "one drei three"; });
     EXPECT_EQ(document_->save().refusal, files::Refusal::changed);
     file_->keepMine();
     EXPECT_EQ(document_->bytes(), with(mine, "five", "5"));
@@ -112,6 +117,39 @@ TEST_F(FileFollowerTest, TheirTextIsTakenWhereBothChangedSomething) {
     EXPECT_TRUE(document_->isModified());
     document_->undo();
     EXPECT_EQ(document_->bytes(), with(with(before, "two", "2"), "five", "5"));
+}
+
+// Far apart they are two choices. Where the words are the same, the tags are shown.
+TEST_F(FileFollowerTest, EachPlaceIsAChoiceOfItsOwn) {
+    type("two", "2");
+    type("<PARAGRAPH>{four", "<PARAGRAPH ID=\"a\">{four");
+    write(with(with(before, "two", ""), "<PARAGRAPH>{four", "<PARAGRAPH ID=\"b\">{four"));
+    waitFor([&] { return file_->state() == State::disputed; });
+    ASSERT_EQ(file_->choices().size(), 2u);
+    EXPECT_EQ(file_->choices()[0].mine, "one 2 three");
+    EXPECT_EQ(file_->choices()[0].theirs, "one three");
+    EXPECT_EQ(file_->choices()[1].line, 6);
+    EXPECT_EQ(file_->choices()[1].theirs, "<PARAGRAPH ID=\"b\">{four five six}");
+}
+
+TEST_F(FileFollowerTest, OfALongTextAChoiceShowsTheWordsNearIt) {
+    std::string longer;
+    for (int i = 0; i < 60; ++i)
+        longer += " w" + std::to_string(i);
+    file_.reset();
+    write(with(before, " two ", longer + " two" + longer + " "));
+    document_ = document::Document::load(name_).document;
+    file_ = std::make_unique<FileFollower>(*document_, FileFollower::Waits{.soon = 1});
+    const std::string all = document_->bytes();
+    type("two", "2");
+    write(with(all, "two", "zwei"));
+    waitFor([&] { return file_->state() == State::disputed; });
+    ASSERT_EQ(file_->choices().size(), 1u);
+    const std::string shown = file_->choices()[0].theirs.toStdString();
+    EXPECT_THAT(shown, HasSubstr("w58 w59 zwei w0 w1"));
+    EXPECT_THAT(shown, ::testing::StartsWith("\u2026 w"));
+    EXPECT_THAT(shown, ::testing::EndsWith(" \u2026"));
+    EXPECT_LT(shown.size(), 200u);
 }
 
 TEST_F(FileFollowerTest, AHalfWrittenFileIsWaitedFor) {

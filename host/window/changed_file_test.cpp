@@ -53,6 +53,16 @@ TEST_F(ChangedFileTest, ABarAsksWhereBothChangedTheSame) {
     auto* bar = window->findChild<QWidget*>("fileBar");
     ASSERT_TRUE(waitFor([&] { return bar->isVisible(); }));
     EXPECT_TRUE(window->findChild<QLabel*>("fileSentence")->text().contains("also where you"));
+    const auto shown = [&](const char* name) {
+        QStringList texts;
+        for (const QLabel* label : bar->findChildren<QLabel*>(name))
+            texts << label->text();
+        return texts;
+    };
+    EXPECT_EQ(shown("choiceMine"), QStringList{"paragraph number eins"});
+    EXPECT_EQ(shown("choiceTheirs"), QStringList{"paragraph number un"});
+    EXPECT_EQ(shown("choiceLine"), QStringList{QString::number(of.tree().position(at).line)});
+    EXPECT_TRUE(window->findChild<QWidget*>("fileChoices")->isVisible());
     window->findChild<QPushButton*>("takeTheirs")->click();
     EXPECT_EQ(of.bytes(), theirs.toStdString());
     EXPECT_FALSE(bar->isVisible());

@@ -7,6 +7,7 @@
 
 class QLabel;
 class QPushButton;
+class QScrollArea;
 
 namespace window {
 
@@ -18,11 +19,13 @@ public:
 
 private:
     void update();
+    void showChoices();
 
     session::FileFollower& file_;
     QLabel* sentence_;
     QPushButton* keep_;
     QPushButton* take_;
+    QScrollArea* choices_; // what each button leads to, place by place
 };
 
 } // namespace window
