@@ -24,6 +24,7 @@ Kind kindOf(const Element& element) {
         return Kind::block;
     case Display::pageBreak:
     case Display::rule:
+    case Display::equation:
         return Kind::blockUnit;
     case Display::image:
     case Display::footnote:
@@ -31,6 +32,7 @@ Kind kindOf(const Element& element) {
     case Display::slider:
     case Display::value:
     case Display::chart:
+    case Display::formula:
         return Kind::unit;
     }
     return Kind::unknown;

@@ -21,9 +21,12 @@ const Uses::Shown& Uses::shownIn(NodeId document) {
     if (known != classes_.end())
         return known->second;
     Shown& shown = classes_[std::string(name)];
-    if (schemas_.isText(name))
-        shown = {.images = schemas_.presentation(name).namesShownAs("image"),
-                 .sliders = schemas_.presentation(name).namesShownAs("slider")};
+    if (!schemas_.isText(name))
+        return shown;
+    shown = {.images = schemas_.presentation(name).namesShownAs("image"),
+             .sliders = schemas_.presentation(name).namesShownAs("slider"),
+             .formulas = schemas_.presentation(name).namesShownAs("formula")};
+    shown.formulas.merge(schemas_.presentation(name).namesShownAs("equation"));
     return shown;
 }
 
@@ -33,6 +36,8 @@ void Uses::look(NodeId element, NodeId in) {
         images_.insert(element);
     else if (shown.sliders.contains(tree().name(element)))
         sliders_.insert(element);
+    else if (shown.formulas.contains(tree().name(element)))
+        formulas_.insert(element);
     else
         forget(element);
 }
@@ -40,11 +45,13 @@ void Uses::look(NodeId element, NodeId in) {
 void Uses::forget(NodeId node) {
     images_.erase(node);
     sliders_.erase(node);
+    formulas_.erase(node);
 }
 
 void Uses::forgetAll() {
     images_.clear();
     sliders_.clear();
+    formulas_.clear();
 }
 
 std::vector<NodeId> Uses::inOrder(const std::set<NodeId>& nodes) const {
@@ -78,6 +85,14 @@ std::vector<SliderUse> Uses::sliders() const {
                             std::string(tree().attribute(id, "NAME").value_or(""))});
     }
     return uses;
+}
+
+std::vector<NodeId> Uses::formulas() const {
+    std::vector<NodeId> contents;
+    for (const NodeId id : inOrder(formulas_))
+        if (tree().content(id) != noNode)
+            contents.push_back(tree().content(id));
+    return contents;
 }
 
 } // namespace document

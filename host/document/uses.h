@@ -1,5 +1,6 @@
-// The elements of a document that show the picture of a file, or drive a parameter of a
-// subdocument. They are sound only if the file and the parameter are there.
+// The elements of a document that show the picture of a file, drive a parameter of a subdocument,
+// or hold a formula. They are sound only if file and parameter are there, and the formula can be
+// read.
 #pragma once
 
 #include "document/element_follower.h"
@@ -26,11 +27,12 @@ public:
     // In order of place.
     [[nodiscard]] std::vector<ImageUse> images() const;
     [[nodiscard]] std::vector<SliderUse> sliders() const;
+    [[nodiscard]] std::vector<sgml::NodeId> formulas() const; // their contents
 
 private:
     using Names = std::set<std::string, std::less<>>;
     struct Shown {
-        Names images, sliders;
+        Names images, sliders, formulas;
     };
     void look(sgml::NodeId element, sgml::NodeId in) override;
     void forget(sgml::NodeId node) override;
@@ -40,7 +42,7 @@ private:
 
     const schemas::Schemas& schemas_;
     std::map<std::string, Shown, std::less<>> classes_; // what their presentations show so
-    std::set<sgml::NodeId> images_, sliders_;
+    std::set<sgml::NodeId> images_, sliders_, formulas_;
 };
 
 } // namespace document

@@ -259,10 +259,15 @@ GlyphId Font::widest(GlyphId glyph, double atMost) const {
 }
 
 QPainterPath Font::outline(GlyphId glyph) const {
+    const std::scoped_lock lock(drawing_);
+    const auto [known, isNew] = outlines_.try_emplace(glyph);
+    if (!isNew)
+        return known->second;
     Drawing to;
     to.em = em_;
     to.path.setFillRule(Qt::WindingFill);
     hb_font_get_glyph_shape(font_.get(), glyph, drawFunctions(), &to);
+    known->second = to.path;
     return to.path;
 }
 

@@ -1,12 +1,14 @@
 // An OpenType font for mathematics: its glyphs and its MATH table. Lengths are in em, heights above
-// the base line. Reading never changes it: several threads may share one.
+// the base line. Several threads may share one.
 #pragma once
 
 #include <QPainterPath>
 #include <QString>
 #include <hb-ot.h>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -64,6 +66,8 @@ private:
     [[nodiscard]] Grown assembled(GlyphId glyph, bool vertical, double atLeast) const;
 
     std::unique_ptr<hb_font_t, Free> font_;
+    mutable std::mutex drawing_; // of outlines: those that were asked for
+    mutable std::unordered_map<GlyphId, QPainterPath> outlines_;
     double em_ = 1000;
 };
 

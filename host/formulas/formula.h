@@ -106,5 +106,7 @@ struct Formula {
 
 // In one line of Unicode, as one types it in a mail: "x² + y² = r²".
 [[nodiscard]] std::string plain(const Formula& formula);
+// The same with a line for each row of a formula that is nothing but rows.
+[[nodiscard]] std::vector<std::string> plainLines(const Formula& formula);
 
 } // namespace formulas

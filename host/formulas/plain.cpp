@@ -15,6 +15,18 @@ class Writer {
 public:
     explicit Writer(const Formula& formula) : formula_(formula) {}
 
+    std::vector<std::string> lines() {
+        const Node& array = inner(formula_.root);
+        if (array.kind != Kind::array || !isOfLines(array))
+            return {all()};
+        std::vector<std::string> lines;
+        for (std::size_t i = 0; i < array.children.size(); i += array.text.size()) {
+            row(array, i);
+            lines.push_back(std::exchange(text_, {}));
+        }
+        return lines;
+    }
+
     std::string all() {
         list(formula_.root);
         return std::move(text_);
@@ -40,6 +52,10 @@ private:
             return (letter >= U'0' && letter <= U'9') || letter == U'.';
         });
     }
+    static bool endsFraction(Atom next) {
+        return next == Atom::binary || next == Atom::relation || next == Atom::closing ||
+               next == Atom::punctuation;
+    }
     void blank() {
         if (!text_.empty() && text_.back() != ' ')
             text_ += ' ';
@@ -53,6 +69,10 @@ private:
             text_ += ')';
     }
 
+    static bool isOfLines(const Node& array) {
+        return array.form == ArrayForm::aligned || array.form == ArrayForm::gathered;
+    }
+    void row(const Node& array, std::size_t first);
     void list(NodeId id);
     void node(NodeId id);
     void script(NodeId id, bool above);
@@ -87,7 +107,12 @@ void Writer::list(NodeId id) {
                                atom != Atom::opening && atom != Atom::inner;
         if (wide || name || afterName)
             blank();
+        // What stands right behind a fraction is no part of what is below.
+        const bool goesOn = next + 1 < atoms.size() && !endsFraction(atoms[next + 1]);
+        const bool split = node.kind == Kind::fraction && node.amount > 0 && goesOn;
+        text_ += split ? "(" : "";
         this->node(child);
+        text_ += split ? ")" : "";
         if (wide || (atom == Atom::punctuation && !tight_ && next + 1 < atoms.size()))
             blank();
         ++next;
@@ -151,15 +176,19 @@ void Writer::fenced(const Node& node) {
 }
 
 void Writer::array(const Node& node) {
-    const std::size_t columns = std::max<std::size_t>(1, node.text.size());
-    const bool lines = node.form == ArrayForm::aligned || node.form == ArrayForm::gathered;
-    for (std::size_t i = 0; i < node.children.size(); ++i) {
-        if (i > 0 && i % columns == 0)
+    for (std::size_t i = 0; i < node.children.size(); i += node.text.size()) {
+        if (i > 0)
             text_ += "; ";
-        else if (i > 0)
-            text_ += lines ? " " : ", ";
-        if (node.children[i] != none)
-            list(node.children[i]);
+        row(node, i);
+    }
+}
+
+void Writer::row(const Node& array, std::size_t first) {
+    for (std::size_t i = first; i < first + array.text.size(); ++i) {
+        if (i > first)
+            text_ += isOfLines(array) ? " " : ", ";
+        if (array.children[i] != none)
+            list(array.children[i]);
     }
 }
 
@@ -235,6 +264,8 @@ void Writer::node(NodeId id) {
 }
 
 } // namespace
+
+std::vector<std::string> plainLines(const Formula& formula) { return Writer(formula).lines(); }
 
 std::string plain(const Formula& formula) { return Writer(formula).all(); }
 

@@ -42,6 +42,7 @@ TEST(Reading, PlainTextAndWords) {
          "v equals 3.25 m s to the power minus 2 end power"},
         {R"(a \not= b)", "a ≠ b", "a is not equal to b"},
         {R"(\underbrace{a+b}_{2})", "(a + b)₂", "a plus b with, below, 2"},
+        {R"(\frac{g}{l}x + \frac{1}{2})", "(g/l)x + 1/2", "g over l x plus 1 over 2"},
         {R"(-\sin\varphi)", "−sin φ", "minus sine phi"},
         {R"(\operatorname*{arg\,max}_x f)", "arg max_x f", "arg max as x of f"},
     };

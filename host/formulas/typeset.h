@@ -1,4 +1,4 @@
-// A formula as set: glyphs and rules with places, and the paths that paint them.
+// A formula as set: glyphs and rules with places.
 //
 // Method: The TeXbook, Appendix G, with the numbers that the font's MATH table has for its rules.
 // Lengths are in the unit of `size` (layout: twips); x goes right from the left end, y down from
@@ -35,9 +35,6 @@ struct Box {
 struct Piece {
     Box box;
     double space = 0;
-    QPainterPath ink;    // of the glyphs
-    QPainterPath lines;  // of fractions and roots: painted for themselves, as they touch glyphs
-    QPainterPath faulty; // what could not be read
 };
 
 struct Set {
@@ -45,6 +42,9 @@ struct Set {
     std::vector<Piece> pieces; // a line may end behind each; of a display there is one
     std::vector<Fault> faults; // letters that the font has not
 };
+
+// As one piece, which no line breaks.
+[[nodiscard]] Set whole(const Set& set);
 
 // `size`: of the letters, in any unit. Style::text is for the line, Style::display stands alone.
 [[nodiscard]] Set typeset(const Formula& formula, Style style, double size, const Font& font);

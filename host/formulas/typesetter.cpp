@@ -3,7 +3,6 @@
 #include "formulas/atoms.h"
 #include "formulas/symbols.h"
 
-#include <QTransform>
 #include <algorithm>
 #include <array>
 
@@ -263,6 +262,19 @@ Box Typesetter::phantom(const Node& node, Setting setting) {
     return box;
 }
 
+Set whole(const Set& set) {
+    Set result = set;
+    result.pieces.assign(1, {});
+    Box& box = result.pieces.front().box;
+    double x = 0;
+    for (const Piece& piece : set.pieces) {
+        box.put(piece.box, x, 0);
+        x += piece.box.width + piece.space;
+    }
+    box.width = x;
+    return result;
+}
+
 Set typeset(const Formula& formula, Style style, double size, const Font& font) {
     Typesetter typesetter(formula, size, font);
     const auto items = typesetter.row(formula.root, {style, false});
@@ -275,25 +287,16 @@ Set typeset(const Formula& formula, Style style, double size, const Font& font) 
         const bool last = i + 1 == items.size();
         const bool breaks = items[i].atom == Atom::binary || items[i].atom == Atom::relation;
         if (last || (style != Style::display && breaks && items[i + 1].atom != Atom::relation)) {
-            set.pieces.push_back(
-                {Typesetter::joined(line), last ? 0 : items[i + 1].before, {}, {}, {}});
+            set.pieces.push_back({Typesetter::joined(line), last ? 0 : items[i + 1].before});
             line.clear();
         }
     }
     if (set.pieces.empty())
         set.pieces.emplace_back();
-    for (Piece& piece : set.pieces) {
-        piece.ink.setFillRule(Qt::WindingFill);
-        piece.faulty.setFillRule(Qt::WindingFill);
+    for (const Piece& piece : set.pieces) {
         set.width += piece.box.width + piece.space;
         set.ascent = std::max(set.ascent, piece.box.ascent);
         set.descent = std::max(set.descent, piece.box.descent);
-        for (const PlacedGlyph& glyph : piece.box.glyphs) {
-            const QTransform place(glyph.size, 0, 0, glyph.size, glyph.x, glyph.y);
-            (glyph.faulty ? piece.faulty : piece.ink).addPath(place.map(font.outline(glyph.glyph)));
-        }
-        for (const QRectF& rule : piece.box.rules)
-            piece.lines.addRect(rule);
     }
     set.faults = typesetter.takeFaults();
     return set;

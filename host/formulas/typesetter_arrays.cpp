@@ -10,6 +10,8 @@ namespace {
 // TeX's: a delimiter covers 901/1000 of what is between, and lacks at most half an em.
 constexpr double covered = 0.901, shortest = 0.5;
 
+constexpr double apart = 0.15; // em: more between rows that are higher than a line
+
 struct ArrayLook {
     Style style = Style::text;
     double above = 0.84, below = 0.36; // em: a row is at least that high, as TeX's strut
@@ -122,7 +124,9 @@ Box Typesetter::array(const Node& node, Setting setting) {
     Box box;
     double y = 0;
     for (std::size_t r = 0; r < rows; ++r) {
-        y += cells.above[r] + (r > 0 ? look.rows * size : 0);
+        const bool high =
+            r > 0 && (cells.above[r] > look.above * size || cells.below[r - 1] > look.below * size);
+        y += cells.above[r] + (r > 0 ? look.rows * size : 0) + (high ? apart * size : 0);
         double x = 0;
         for (std::size_t c = 0; c < columns; ++c) {
             const bool pair = node.form == ArrayForm::aligned && c % 2 == 1;

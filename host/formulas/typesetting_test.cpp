@@ -1,6 +1,8 @@
 // Geometry against the numbers of the font's MATH table.
-#include "formulas/typeset.h"
+#include "formulas/paint.h"
 
+#include <QImage>
+#include <QPainter>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -204,15 +206,36 @@ TEST_F(Typesetting, ALineMayEndBehindRelationsAndOperators) {
     EXPECT_NEAR(line.pieces[1].space, 5.0 / 18 * size, near);
     EXPECT_NEAR(line.width, set("a+b=c").width, near);
     EXPECT_EQ(set("a+b=c").pieces.size(), 1U); // a display stays whole
+    const Set one = whole(line);
+    ASSERT_EQ(one.pieces.size(), 1U);
+    EXPECT_NEAR(one.pieces[0].box.width, line.width, near);
+    EXPECT_EQ(one.pieces[0].box.glyphs.size(), 5U);
     EXPECT_EQ(set("{a+b=c}", Style::text).pieces.size(), 1U);
     EXPECT_EQ(set("(-a)", Style::text).pieces.size(), 1U);
 }
 
-TEST_F(Typesetting, WhatIsWrongIsInAPathOfItsOwn) {
+TEST_F(Typesetting, WhatIsWrongHasAColourOfItsOwn) {
     const Set broken = typeset(read(R"(x+\nosuchthing)"), Style::display, size, font());
-    EXPECT_FALSE(broken.pieces[0].faulty.isEmpty());
-    EXPECT_FALSE(broken.pieces[0].ink.isEmpty());
-    EXPECT_TRUE(set("x").pieces[0].faulty.isEmpty());
+    const auto& glyphs = broken.pieces[0].box.glyphs;
+    ASSERT_GT(glyphs.size(), 2U);
+    EXPECT_FALSE(glyphs.front().faulty);
+    EXPECT_TRUE(glyphs.back().faulty);
+    const auto painted = [&](QRgb color) {
+        QImage image(400, 60, QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter painter(&image);
+        painter.scale(0.1, 0.1);
+        paint(painter, broken.pieces[0].box, {100, 400}, font(), Qt::black, Qt::red);
+        painter.end();
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                if (image.pixel(x, y) == color)
+                    return true;
+        return false;
+    };
+    EXPECT_TRUE(painted(qRgb(255, 0, 0)));
+    EXPECT_TRUE(painted(qRgb(0, 0, 0)));
+    EXPECT_FALSE(painted(qRgb(0, 0, 255)));
     const Set strange = typeset(read("x 中"), Style::display, size, font());
     ASSERT_EQ(strange.faults.size(), 1U);
     EXPECT_EQ(strange.faults[0].offset, 2U);

@@ -445,9 +445,10 @@ void Carets::addSelected(const TextPiece& piece, const std::vector<model::Select
         if (!runs[i].isIn)
             continue;
         const int start = paragraph.startOfRun(i);
-        const bool isObject = all[i].kind == model::RunKind::subdocument; // one blank
+        const bool isObject = all[i].kind == model::RunKind::subdocument ||
+                              all[i].kind == model::RunKind::formula; // blanks
         const int from = isObject ? start : paragraph.letterAt(i, runs[i].bytes.from);
-        const int to = isObject ? start + 1 : paragraph.letterAt(i, runs[i].bytes.to);
+        const int to = isObject ? paragraph.endOfRun(i) : paragraph.letterAt(i, runs[i].bytes.to);
         if (std::max(from, line.from) < std::min(to, line.to))
             addInterval(piece, std::max(from, line.from), std::min(to, line.to), result);
     }

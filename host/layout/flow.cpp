@@ -91,6 +91,7 @@ Made Flow::inBlock(const BlockPointer& block, Strip& strip, bool& last) {
     case BlockKind::text:
     case BlockKind::verbatim:
     case BlockKind::chart:
+    case BlockKind::formula:
         return text(block, strip, last);
     case BlockKind::table:
         return table(block, strip, last);
@@ -128,7 +129,8 @@ void Flow::finish(const BlockPointer& block, Strip& strip, bool last) {
 // --- text --------------------------------------------------------------------------------------
 
 void Flow::beginText(const BlockPointer& block) {
-    const bool markerInFront = !block->marker.empty() && block->style.markerWidth <= 0;
+    const bool markerInFront = !block->marker.empty() && block->style.markerWidth <= 0 &&
+                               block->kind != model::BlockKind::formula;
     const auto part = markerInFront ? Stock::Part::withMarker : Stock::Part::text;
     paragraph_ = in_.stock.paragraph(block, room(block), part, [&] {
         return std::make_unique<Paragraph>(in_.stock.materials(), block, room(block),
@@ -158,19 +160,23 @@ Made Flow::text(const BlockPointer& block, Strip& strip, bool& last) {
         strip.footnotes.push_back(mark.note);
     strip.pieces.emplace_back(TextPiece{paragraph_, index, {left(block), 0}});
     for (const InlineObject& object : paragraph_->objectsOf(index))
-        strip.pieces.emplace_back(
-            SubdocumentPiece{block->runs[object.run].subdocument,
-                             paragraph_->objectRect(index, object).translated(left(block), 0)});
+        if (!object.formula) // the paragraph paints formulas
+            strip.pieces.emplace_back(
+                SubdocumentPiece{block->runs[object.run].subdocument,
+                                 paragraph_->objectRect(index, object).translated(left(block), 0)});
     // Neither the first nor the last line of a paragraph stands alone.
     const bool ragged = block->kind == model::BlockKind::verbatim;
     strip.keepWithNext = !ragged && !last && (i == 0 || !paragraph_->makeLine(i + 2));
-    if (i == 0 && !block->marker.empty() && block->style.markerWidth > 0)
+    const bool isNumbered = block->kind == model::BlockKind::formula;
+    if (i == 0 && !block->marker.empty() && (isNumbered || block->style.markerWidth > 0))
         addMarker(block, strip, paragraph_->lines()[i].baseline);
     return Made::strip;
 }
 
 void Flow::addMarker(const BlockPointer& block, Strip& strip, double lineBaseline) const {
-    const double column = fromPoints(block->style.markerWidth);
+    // A formula's number stands on its right.
+    const bool isNumber = block->kind == model::BlockKind::formula;
+    const double column = isNumber ? room(block) : fromPoints(block->style.markerWidth);
     const auto make = [&] {
         // It keeps the block, by which it is known, alive.
         struct Marker {
@@ -179,7 +185,7 @@ void Flow::addMarker(const BlockPointer& block, Strip& strip, double lineBaselin
         };
         const auto marker = std::make_shared<Marker>();
         marker->of = block;
-        marker->block.style.align = block->style.markerAlign;
+        marker->block.style.align = isNumber ? schemas::Align::right : block->style.markerAlign;
         marker->block.style.lineHeight = block->style.lineHeight;
         model::Run run;
         run.text = block->marker;
@@ -192,7 +198,8 @@ void Flow::addMarker(const BlockPointer& block, Strip& strip, double lineBaselin
     if (!paragraph->makeLine(0))
         return;
     const double down = lineBaseline - paragraph->lines().front().baseline;
-    strip.pieces.emplace_back(TextPiece{paragraph, 0, {left(block) - column, down}});
+    const double x = isNumber ? left(block) : left(block) - column;
+    strip.pieces.emplace_back(TextPiece{paragraph, 0, {x, down}});
 }
 
 // --- pictures and rules ------------------------------------------------------------------------

@@ -132,6 +132,8 @@ QSizeF Paragraph::sizeOfObject(std::size_t run, int position) const {
 
 void Paragraph::append(std::size_t index) const {
     const model::Run& run = block_->runs[index];
+    if (run.formula && formulas::Font::standard())
+        return appendFormula(index);
     QString& text = letters_->text;
     const int start = static_cast<int>(text.size());
     letters_->runStarts.push_back(start);
@@ -162,7 +164,8 @@ void Paragraph::append(std::size_t index) const {
 
 bool Paragraph::isOf(Sizes& sizes) const {
     return std::ranges::all_of(objects_, [&](const InlineObject& object) {
-        return sizes.subdocument(block_->runs[object.run].subdocument) == object.size;
+        return object.formula ||
+               sizes.subdocument(block_->runs[object.run].subdocument) == object.size;
     });
 }
 
@@ -195,7 +198,8 @@ int Paragraph::lengthOfSegment(const Letters& letters) const {
 }
 
 double Paragraph::indentOf(int from) const {
-    const bool isFirst = from == 0 && block_->kind != model::BlockKind::verbatim;
+    const bool isFirst = from == 0 && block_->kind != model::BlockKind::verbatim &&
+                         block_->kind != model::BlockKind::formula;
     return isFirst ? fromPoints(block_->style.firstLine) : 0;
 }
 
@@ -278,6 +282,10 @@ void Paragraph::measure(Line& line, const QTextLine& of) {
     for (auto object = std::lower_bound(objects_.begin(), objects_.end(), line.from, isBefore);
          object != objects_.end() && object->position < line.to; ++object) {
         object->left = of.cursorToX(object->position - line.from + of.textStart());
+        if (object->formula) {
+            makeRoom(line, *object);
+            continue;
+        }
         const double grow = object->size.height() + leading_ - line.height;
         if (grow > 0) {
             line.height += grow;
@@ -331,11 +339,13 @@ void Paragraph::paintLine(QPainter& painter, int line, QPointF topLeft) const {
     const double top = topLeft.y() + lines_[static_cast<std::size_t>(line)].baseline - of.ascent() -
                        of.position().y();
     of.draw(&painter, {topLeft.x(), top});
+    paintFormulas(painter, line, topLeft);
 }
 
 QRectF Paragraph::objectRect(int line, const InlineObject& object) const {
     const double baseline = lines_[static_cast<std::size_t>(line)].baseline;
-    return {QPointF(object.left, baseline - object.size.height()), object.size};
+    const double top = baseline + object.depth - object.size.height();
+    return {QPointF(object.left, top), object.size};
 }
 
 const model::Run* Paragraph::runAt(int line, double x) const {

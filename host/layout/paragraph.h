@@ -12,6 +12,7 @@
 // so a long document keeps what its windows show.
 #pragma once
 
+#include "formulas/typeset.h"
 #include "layout/materials.h"
 
 #include <QTextLayout>
@@ -23,11 +24,15 @@ namespace layout {
 
 using BlockPointer = std::shared_ptr<const model::Block>;
 
+// A subdocument, or a piece of a formula.
 struct InlineObject {
     std::size_t run = 0;
     int position = 0; // of its blank in the paragraph's text
     QSizeF size;
-    double left = 0; // of its blank in its line
+    double left = 0;                                // of its blank in its line
+    double depth = 0;                               // of its size, below the base line
+    std::shared_ptr<const formulas::Set> formula{}; // null: a subdocument
+    std::size_t piece = 0;                          // of the formula
 };
 
 struct NoteMark {
@@ -81,6 +86,7 @@ public:
     [[nodiscard]] double width() const { return width_; } // that lines are broken to
     [[nodiscard]] bool isRightToLeft() const;
     [[nodiscard]] int startOfRun(std::size_t run) const; // in letters
+    [[nodiscard]] int endOfRun(std::size_t run) const;
     // Between the letters of a run and the bytes of its text.
     [[nodiscard]] int letterAt(std::size_t run, std::size_t byte) const;
     [[nodiscard]] std::size_t byteAt(std::size_t run, int letter) const;
@@ -138,6 +144,10 @@ private:
     };
     [[nodiscard]] InSegment segmentAt(int letter) const;
     void append(std::size_t index) const;
+    void appendFormula(std::size_t index) const;
+    void appendBlank(QChar sign, double width, QTextCharFormat format) const;
+    [[nodiscard]] std::shared_ptr<const formulas::Set> formulaOf(std::size_t run,
+                                                                 int position) const;
     [[nodiscard]] QSizeF sizeOfObject(std::size_t run, int position) const;
     void breakSegment();
     [[nodiscard]] int lengthOfSegment(const Letters& letters) const;
@@ -146,6 +156,8 @@ private:
     [[nodiscard]] const QTextLayout& layoutOf(int segment) const;
     static QList<QTextLayout::FormatRange> formatsOf(const Letters& letters, int from, int to);
     void measure(Line& line, const QTextLine& drawn);
+    void makeRoom(Line& line, const InlineObject& formula) const;
+    void paintFormulas(QPainter& painter, int line, QPointF topLeft) const;
     [[nodiscard]] QTextLine drawn(int line) const;
     void forget(int segment) const;
 

@@ -32,6 +32,12 @@ bool Paragraph::isRightToLeft() const {
 
 int Paragraph::startOfRun(std::size_t run) const { return read(0, run + 1).runStarts[run]; }
 
+int Paragraph::endOfRun(std::size_t run) const {
+    if (run + 1 < block_->runs.size())
+        return startOfRun(run + 1);
+    return static_cast<int>(read(0, run + 1).text.size());
+}
+
 int Paragraph::letterAt(std::size_t run, std::size_t byte) const {
     const std::string& text = block_->runs[run].text;
     int letter = startOfRun(run);

@@ -211,6 +211,9 @@ private:
                 text = "<br>";
             if (run.kind == RunKind::subdocument)
                 text = "[" + escapedHtml(alternativeOf(document_, run)) + "]";
+            if (run.formula)
+                text = "<span role=\"math\" aria-label=\"" + escapedHtml(run.formula->spoken) +
+                       "\">" + text + "</span>";
             result += linked(run, styled(run, own, std::move(text)));
         }
         return result;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "document/subdocument.h"
+#include "formulas/formula.h"
 #include "schemas/style.h"
 
 #include <memory>
@@ -33,9 +34,17 @@ enum class RunKind {
     slider,      // living: `text` is what stands for it until it lives
     value,
     lineBreak,
+    formula, // in the line or alone: `text` is it as plain text, and generated
 };
 
 struct Footnote;
+
+struct Formula {
+    std::string source; // TeX's mathematics
+    formulas::Formula read;
+    std::string spoken;   // for who hears it
+    bool isAlone = false; // set as a display
+};
 
 // A piece of a line. Its letters are the bytes of `content` from `offset` on, unless content is
 // noNode: then they are generated (a number, a reference, a mark) and cannot be edited.
@@ -51,6 +60,7 @@ struct Run {
     bool refers = false;    // the text is the number or the name of what has that ID
     document::SubdocumentId subdocument = document::noSubdocument;
     std::shared_ptr<const Footnote> footnote{}; // never null in a mark
+    std::shared_ptr<const Formula> formula{};   // never null in a formula
 };
 
 enum class BlockKind {
@@ -62,6 +72,7 @@ enum class BlockKind {
     table,
     rule, // a horizontal line: the style's border
     pageBreak,
+    formula, // one run; the marker is its number, on its right
 };
 
 struct Cell;

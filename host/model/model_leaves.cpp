@@ -29,6 +29,33 @@ bool ModelWalk::addChart(const Frame& frame) {
     return false;
 }
 
+Run ModelWalk::formulaRun(const Frame& frame, bool isAlone) {
+    auto formula = std::make_shared<Formula>();
+    formula->source = tree_.contentText(frame.node);
+    formula->read = formulas::read(formula->source);
+    formula->spoken = formulas::spoken(formula->read);
+    formula->isAlone = isAlone;
+    Run run{.kind = RunKind::formula, .element = frame.node};
+    run.text = formulas::plain(formula->read);
+    run.style = textStyle(frame.style.text);
+    run.formula = std::move(formula);
+    return run;
+}
+
+bool ModelWalk::addFormula(const Frame& frame) {
+    addRun(formulaRun(frame, false));
+    return false;
+}
+
+bool ModelWalk::addEquation(const Frame& frame) {
+    Run run = formulaRun(frame, true); // before frames move
+    if (flow_.open) // the text of the same paragraph: it is not left alone at a page's end
+        flow_.last->style.keepWithNext = true;
+    beginBlock(state_.frames.back());
+    addBlock(BlockKind::formula).runs.push_back(std::move(run));
+    return false;
+}
+
 bool ModelWalk::addImage(const Frame& frame) {
     std::string file = attribute(frame.node, "FILE");
     if (file.empty())

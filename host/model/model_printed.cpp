@@ -14,8 +14,8 @@ std::string shortNumber(double value) {
 }
 
 std::string runPrinted(const Run& run, const Model& model) {
-    constexpr std::array<const char*, 7> kinds = {"",       "subdocument", "image", "note",
-                                                  "slider", "value",       "break"};
+    constexpr std::array<const char*, 8> kinds = {"",       "subdocument", "image", "note",
+                                                  "slider", "value",       "break", "formula"};
     std::string text = run.kind == RunKind::text
                            ? ""
                            : std::string(kinds[static_cast<std::size_t>(run.kind)]) + ":";
@@ -41,8 +41,9 @@ void print(const Containers& containers, const std::string& indent, std::string&
 }
 
 void print(const Block& block, const Model& model, const std::string& indent, std::string& lines) {
-    constexpr std::array<const char*, 8> kinds = {"text",  "verbatim", "subdocument", "image",
-                                                  "chart", "table",    "rule",        "page-break"};
+    constexpr std::array<const char*, 9> kinds = {"text",  "verbatim",   "subdocument",
+                                                  "image", "chart",      "table",
+                                                  "rule",  "page-break", "formula"};
     constexpr std::array<const char*, 4> aligns = {"left", "center", "right", "justify"};
     const schemas::BlockStyle& style = block.style;
     lines += indent + kinds[static_cast<std::size_t>(block.kind)] + " " +

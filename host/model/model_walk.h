@@ -156,6 +156,9 @@ private:
     bool beginReference(Frame& frame);
     bool addLiving(const Frame& frame);
     bool addChart(const Frame& frame);
+    bool addFormula(const Frame& frame);
+    bool addEquation(const Frame& frame);
+    [[nodiscard]] Run formulaRun(const Frame& frame, bool isAlone);
     bool addImage(const Frame& frame);
     bool addLeaf(BlockKind kind);
     bool addSubdocument(sgml::NodeId node);

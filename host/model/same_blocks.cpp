@@ -32,13 +32,19 @@ bool isEqual(const std::shared_ptr<const Footnote>& a, const std::shared_ptr<con
            areEqual(blocks, b->blocks);
 }
 
+bool isEqual(const std::shared_ptr<const Formula>& a, const std::shared_ptr<const Formula>& b) {
+    if (a == b || !a || !b)
+        return a == b;
+    return a->source == b->source && a->isAlone == b->isAlone; // all else comes of these
+}
+
 bool isEqual(const Run& a, const Run& b) {
-    const auto& [kind, text, style, element, content, offset, target, refers, subdocument,
-                 footnote] = a;
+    const auto& [kind, text, style, element, content, offset, target, refers, subdocument, footnote,
+                 formula] = a;
     return std::tie(kind, style, element, content, offset, refers, subdocument, text, target) ==
                std::tie(b.kind, b.style, b.element, b.content, b.offset, b.refers, b.subdocument,
                         b.text, b.target) &&
-           isEqual(footnote, b.footnote);
+           isEqual(footnote, b.footnote) && isEqual(formula, b.formula);
 }
 
 template <class T> bool areEqual(const std::vector<T>& a, const std::vector<T>& b) {

@@ -73,6 +73,9 @@ private:
         case BlockKind::text:
             writeFlowing(block, block.marker);
             break;
+        case BlockKind::formula:
+            writeFormula(block);
+            break;
         case BlockKind::verbatim:
             writeLines(block);
             break;
@@ -113,6 +116,21 @@ private:
         if (block.headingLevel == 1 || block.headingLevel == 2)
             text_ += std::string(indent, ' ') +
                      std::string(columns(lines.back()), block.headingLevel == 1 ? '=' : '-') + "\n";
+    }
+
+    // In the middle, its number at the right of the last line.
+    void writeFormula(const Block& block) {
+        for (const Run& run : block.runs) {
+            const std::vector<std::string> lines = formulas::plainLines(run.formula->read);
+            for (const std::string& text : lines) {
+                const std::size_t room = width_ - std::min(width_, columns(text));
+                std::string line = std::string(room / 2, ' ') + text;
+                if (!block.marker.empty() && &text == &lines.back())
+                    line = padded(line, width_ - std::min(width_, columns(block.marker) + 1)) +
+                           " " + block.marker;
+                text_ += finished(line) + "\n";
+            }
+        }
     }
 
     static std::string hanging(const std::string& marker, const Block& block, std::size_t indent) {

@@ -39,6 +39,8 @@ enum class Display {
     slider,
     value,
     chart,
+    formula,  // in the line
+    equation, // a formula that stands alone
 };
 
 // Everything that a presentation says about one element, resolved.

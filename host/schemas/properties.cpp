@@ -146,7 +146,8 @@ std::optional<Display> display(std::string_view text) {
         {"rule", Display::rule},         {"footnote", Display::footnote},
         {"link", Display::link},         {"reference", Display::reference},
         {"slider", Display::slider},     {"value", Display::value},
-        {"chart", Display::chart}};
+        {"chart", Display::chart},       {"formula", Display::formula},
+        {"equation", Display::equation}};
     for (const auto& [name, value] : names)
         if (text == name)
             return value;

@@ -335,6 +335,13 @@ std::vector<sgml::Fault> OpenDocument::ofSliders() const {
     return result;
 }
 
+std::vector<sgml::Fault> OpenDocument::ofFormulas() {
+    std::vector<sgml::Fault> result;
+    for (const sgml::NodeId content : uses_.formulas())
+        formulas_.add(document_->tree(), content, result);
+    return result;
+}
+
 // Of the classes that are in the document.
 std::vector<ListedFault> OpenDocument::ofSchemas() const {
     QStringList classes{QStringLiteral("COMMON"), QString::fromStdString(document_->className())};
@@ -359,6 +366,7 @@ std::vector<ListedFault> OpenDocument::faults() {
     };
     add(ofImages(), document::noSubdocument);
     add(ofSliders(), document::noSubdocument);
+    add(ofFormulas(), document::noSubdocument);
     for (const auto& [id, subdocument] : live_)
         add(saidBy(id), id);
     std::vector<std::size_t> order(all.size());

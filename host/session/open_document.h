@@ -11,6 +11,7 @@
 #include "media/live_media.h"
 #include "schemas/schemas.h"
 #include "session/file_follower.h"
+#include "session/formula_faults.h"
 #include "session/images.h"
 #include "session/unsaved.h"
 #include "text/edit.h"
@@ -67,9 +68,9 @@ public:
     void takeDrafts();
 
     // All that is known to be wrong: of the format, of what its schemas do not allow, references to
-    // nothing, pictures that cannot be read, parameters that sliders do not find, of subdocuments
-    // as their media say, and why media failed; in order of place. Before these, what is wrong in
-    // the files of its schemas.
+    // nothing, formulas and pictures that cannot be read, parameters that sliders do not find, of
+    // subdocuments as their media say, and why media failed; in order of place. Before these, what
+    // is wrong in the files of its schemas.
     [[nodiscard]] std::vector<ListedFault> faults();
     // Faults that a subdocument's medium finds, and why it failed, placed in the file.
     [[nodiscard]] const std::vector<ListedFault>& faultsOf(document::SubdocumentId id) const;
@@ -95,6 +96,7 @@ private:
     [[nodiscard]] std::vector<sgml::Fault> ofDocument();
     [[nodiscard]] std::vector<sgml::Fault> ofImages();
     [[nodiscard]] std::vector<sgml::Fault> ofSliders() const;
+    [[nodiscard]] std::vector<sgml::Fault> ofFormulas();
     [[nodiscard]] std::vector<sgml::Fault> saidBy(document::SubdocumentId id) const;
     [[nodiscard]] std::vector<ListedFault> ofSchemas() const;
     void nameSubdocuments(); // for the windows of media
@@ -108,6 +110,7 @@ private:
     media::LiveMedia& media_;
     Images images_;
     document::Uses uses_;
+    FormulaFaults formulas_;
     std::unique_ptr<document::Faults> judged_; // null: nobody asked yet
     std::map<document::SubdocumentId, std::unique_ptr<media::LiveSubdocument>> live_;
     std::set<document::SubdocumentId> driven_;                                   // by sliders

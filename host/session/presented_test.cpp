@@ -162,7 +162,8 @@ TEST_F(PresentedTest, EveryFaultIsInTheOneList) {
                         "<FIGURE><IMAGE FILE=\"missing.png\"></IMAGE></FIGURE>\n"
                         "<NOSUCH>{x}</NOSUCH></X>\n"
                         "<PARAGRAPH><LINK TO=\"#nowhere\">{l}</LINK></PARAGRAPH>\n"
-                        "<PARAGRAPH><SLIDER OF=\"s\" NAME=\"g\"></SLIDER></PARAGRAPH>\n"));
+                        "<PARAGRAPH><SLIDER OF=\"s\" NAME=\"g\"></SLIDER></PARAGRAPH>\n"
+                        "<PARAGRAPH><FORMULA>{a\n \\frac{1}}</FORMULA></PARAGRAPH>\n"));
     schemas_ = schemas::Schemas::load({folder.path()});
     document::Document::Loaded loaded = document::Document::load(folder.filePath("a.ens"));
     ASSERT_TRUE(loaded.document);
@@ -176,7 +177,8 @@ TEST_F(PresentedTest, EveryFaultIsInTheOneList) {
                                     HasSubstr("6: There is no picture missing.png."),
                                     HasSubstr("7: <NOSUCH>"), HasSubstr("7: </X> closes nothing"),
                                     HasSubstr("8: nothing has the ID nowhere"),
-                                    HasSubstr("9: no subdocument has the ID s")));
+                                    HasSubstr("9: no subdocument has the ID s"),
+                                    "11: \\frac needs two parts; the second is missing."));
 }
 
 // A subdocument of a medium that is named by the test alone, and has no program.

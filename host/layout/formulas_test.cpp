@@ -1,0 +1,160 @@
+// Formulas among the words of a line, and alone.
+#include "layout/flow.h"
+#include "layout/measure.h"
+#include "layout/model_testing.h"
+#include "layout/paint.h"
+
+#include <gtest/gtest.h>
+
+#include <QPainter>
+
+namespace layout {
+namespace {
+
+model::Run formulaRun(const std::string& source, bool isAlone = false) {
+    auto formula = std::make_shared<model::Formula>();
+    formula->source = source;
+    formula->read = formulas::read(source);
+    formula->isAlone = isAlone;
+    model::Run run;
+    run.kind = model::RunKind::formula;
+    run.text = formulas::plain(formula->read);
+    run.formula = std::move(formula);
+    return run;
+}
+
+class FormulasInLinesTest : public testing::Test {
+protected:
+    FormulasInLinesTest() {
+        const auto styles = std::make_shared<schemas::TextStyles>();
+        styles->numberOf({});
+        materials_ = std::make_shared<Materials>(styles);
+    }
+    void SetUp() override { ASSERT_NE(formulas::Font::standard(), nullptr); }
+
+    std::unique_ptr<Paragraph> laid(const NewBlock& block, double width = fromPoints(400)) {
+        auto made = std::make_unique<Paragraph>(materials_, block, width);
+        (void)made->makeLine(1000);
+        return made;
+    }
+    static NewBlock around(const std::string& source) {
+        NewBlock block = paragraph("As ");
+        block->runs.push_back(formulaRun(source));
+        block->runs.emplace_back().text = ", so.";
+        return block;
+    }
+    static NewBlock alone(const std::string& source, const std::string& number = {}) {
+        auto block = std::make_shared<model::Block>();
+        block->kind = model::BlockKind::formula;
+        block->style.align = schemas::Align::center;
+        block->marker = number;
+        block->runs.push_back(formulaRun(source, true));
+        return block;
+    }
+
+    std::shared_ptr<Materials> materials_;
+};
+
+TEST_F(FormulasInLinesTest, StandOnTheBaseLineBetweenTheWords) {
+    const auto of = laid(around("x_1"));
+    ASSERT_EQ(of->lines().size(), 1U);
+    ASSERT_EQ(of->objectsOf(0).size(), 1U);
+    const InlineObject& object = of->objectsOf(0)[0];
+    EXPECT_GT(object.depth, 0); // the subscript is below the base line
+    const QRectF rect = of->objectRect(0, object);
+    EXPECT_NEAR(rect.bottom(), of->lines()[0].baseline + object.depth, 1e-6);
+    EXPECT_NEAR(of->leftOf(0, of->startOfRun(2)) - rect.left(), rect.width(), 2); // twips
+    EXPECT_EQ(of->lines()[0].height, laid(paragraph("As, so."))->lines()[0].height);
+}
+
+TEST_F(FormulasInLinesTest, MoveLinesApartOnlyWhereTheyAreHigh) {
+    const double plain = laid(paragraph("As, so."))->lines()[0].height;
+    EXPECT_EQ(laid(around("x^2"))->lines()[0].height, plain);
+    const auto of = laid(around("\\dfrac{\\dfrac{a}{b}}{\\dfrac{c}{d}}"));
+    const Paragraph::Line& line = of->lines()[0];
+    const QRectF rect = of->objectRect(0, of->objectsOf(0)[0]);
+    EXPECT_GT(line.height, plain);
+    EXPECT_GE(rect.top(), 0);
+    EXPECT_LE(rect.bottom(), line.height);
+}
+
+TEST_F(FormulasInLinesTest, AreBrokenBehindRelationsAndOperators) {
+    std::string sum = "a_0";
+    for (int i = 1; i < 30; ++i)
+        sum += " + a_{" + std::to_string(i) + "}";
+    const double width = fromPoints(150);
+    const auto of = laid(around(sum), width);
+    EXPECT_GT(of->lines().size(), 3U);
+    std::size_t pieces = 0;
+    for (std::size_t i = 0; i < of->lines().size(); ++i)
+        for (const InlineObject& object : of->objectsOf(static_cast<int>(i))) {
+            EXPECT_EQ(object.piece, pieces++); // in their order
+            EXPECT_LE(object.left + object.size.width(), width + 1);
+        }
+    EXPECT_EQ(pieces, 30U);
+    EXPECT_EQ(laid(around("g = 9.81"))->objectsOf(0).size(), 1U); // short ones stay whole
+}
+
+TEST_F(FormulasInLinesTest, ReadAgainHaveTheSamePlaces) {
+    const auto of = laid(around("a+b=c"), fromPoints(90));
+    const double before = of->leftOf(0, of->endOfRun(2));
+    // What is kept of others drives out what is kept of this one.
+    const auto other = laid(paragraph(std::string(Paragraph::mostKept + 1, 'x')));
+    EXPECT_EQ(of->leftOf(0, of->endOfRun(2)), before);
+    EXPECT_EQ(of->objectsOf(0).size(), 3U);
+}
+
+TEST_F(FormulasInLinesTest, ADisplayIsCentredAndFitsBesideItsNumber) {
+    const double width = fromPoints(300);
+    const auto small = laid(alone("E=mc^2"), width);
+    const InlineObject& object = small->objectsOf(0)[0];
+    EXPECT_NEAR(object.left + object.size.width() / 2, width / 2, 2);
+    std::string wide = "a";
+    for (int i = 0; i < 60; ++i)
+        wide += "+b";
+    const auto large = laid(alone(wide, "(1)"), width);
+    ASSERT_EQ(large->lines().size(), 1U);
+    EXPECT_LE(large->objectsOf(0)[0].size.width(), 0.81 * width);
+    EXPECT_GT(large->objectsOf(0)[0].size.width(), 0.75 * width);
+}
+
+TEST_F(FormulasInLinesTest, TheNumberStandsAtTheRightOnTheSameBaseLine) {
+    model::Model model;
+    model.textStyles = materials_->looks.styles();
+    model.blocks.push_back(alone("\\frac{a}{b}", "(7)"));
+    const Pages pages = layOut(std::make_shared<model::Model>(model), {});
+    const auto& pieces = pages.pages.at(0)->pieces;
+    ASSERT_EQ(pieces.size(), 2U);
+    const auto& formula = std::get<TextPiece>(pieces[0]);
+    const auto& number = std::get<TextPiece>(pieces[1]);
+    EXPECT_EQ(number.paragraph->textOfLine(0), "(7)");
+    const auto baseline = [](const TextPiece& piece) {
+        return piece.at.y() + piece.paragraph->lines()[0].baseline;
+    };
+    EXPECT_NEAR(baseline(formula), baseline(number), 1e-6);
+    const double right = pages.size.width() - fromPoints(model.page.marginRight);
+    EXPECT_NEAR(number.at.x() + number.paragraph->leftOf(0, 3), right, 2);
+}
+
+TEST_F(FormulasInLinesTest, ArePaintedInTheColourOfTheText) {
+    const auto styles = std::make_shared<schemas::TextStyles>();
+    schemas::TextStyle blue;
+    blue.color = {0, 0, 255};
+    styles->numberOf(blue);
+    materials_ = std::make_shared<Materials>(styles);
+    const auto of = laid(alone("\\frac{1}{2}"), 2000);
+    QImage image(400, 160, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    painter.scale(0.25, 0.25);
+    of->paintLine(painter, 0, {0, 50});
+    painter.end();
+    int blues = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            blues += image.pixel(x, y) == qRgb(0, 0, 255) ? 1 : 0;
+    EXPECT_GT(blues, 20);
+}
+
+} // namespace
+} // namespace layout
