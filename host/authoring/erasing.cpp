@@ -155,6 +155,13 @@ bool isLine(const Draft& draft, const Piece& piece) {
             role == ContainerRole::item || role == ContainerRole::quote);
 }
 
+bool isWithin(const Piece& inner, const Piece& outer) {
+    const Piece* at = &inner;
+    while (at != nullptr && at != &outer)
+        at = at->parent;
+    return at != nullptr;
+}
+
 // Is a cell, a figure or the like between a piece and one that is around it?
 bool isFenced(const Draft& draft, const Piece& inner, const Piece& outer) {
     for (const Piece* at = &inner; at != &outer; at = at->parent) {
@@ -187,6 +194,9 @@ bool mayJoin(Draft& draft) {
     Piece& one = draft.blockOf(a);
     Piece& other = draft.blockOf(b);
     Piece& top = Draft::common(a, b);
+    // Blocks in an inlined element, which no class allows.
+    if (!isWithin(one, top) || !isWithin(other, top))
+        return false;
     if (&one == &other || isFenced(draft, one, top) || isFenced(draft, other, top))
         return false;
     return (isLine(draft, one) || (&one == &top && draft.holdsText(one))) &&
@@ -292,7 +302,7 @@ Result erase(const Manuscript& manuscript, Selection selection, Direction direct
                                : QStringLiteral("The text begins here."));
         selection.anchor = *beside;
         // What stands beside the caret as a block of its own is erased as a whole.
-        const Leaves leaves(manuscript, *beside);
+        const Leaves leaves(manuscript, selection.caret);
         const NodeId leaf = leaves.at(*beside);
         if (leaf != noNode && leaves.isUnit(leaf))
             selection.anchor =

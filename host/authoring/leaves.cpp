@@ -81,6 +81,8 @@ std::size_t Leaves::lastPlace(NodeId leaf) const {
 }
 
 NodeId Leaves::blockOf(NodeId leaf) const {
+    if (leaf == noNode)
+        return noNode;
     const auto isInlined = [this](NodeId id) {
         return id != top_ && tree_.isElement(id) &&
                grammar_->of(tree_.name(id)).kind == Kind::inlined;
@@ -144,6 +146,8 @@ NodeId Leaves::outermost(Direction direction) const {
 }
 
 NodeId Leaves::nearest(std::size_t offset, Direction direction) const {
+    if (!isText())
+        return noNode;
     NodeId found = noNode;
     NodeId id = top_;
     while (id != noNode) {

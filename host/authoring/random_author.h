@@ -20,8 +20,11 @@ public:
     // At the end all of it is undone, which gives the first bytes, and done again. What went wrong,
     // or "".
     [[nodiscard]] std::string write(std::size_t count);
-    // The same on a given document.
+    // The same on a given document; where that has faults, only that all of it is undone and done
+    // again.
     [[nodiscard]] std::string write(std::size_t count, const std::string& first);
+    // A document with any elements in any order, perhaps a broken one.
+    [[nodiscard]] std::string anyDocument();
 
     struct Tally {
         std::size_t steps = 0, refusals = 0, replaced = 0; // bytes

@@ -17,4 +17,13 @@ TEST(Authoring, RandomCommandsKeepDocumentsValid) {
     EXPECT_LT(replaced, steps * 100); // bytes: what was edited, not the document
 }
 
+// Whatever a document holds, commands neither crash nor leave what cannot be undone.
+TEST(Authoring, RandomCommandsSurviveAnyDocument) {
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        RandomAuthor author(seed);
+        const std::string any = author.anyDocument();
+        ASSERT_EQ(author.write(30, any), "") << "seed " << seed;
+    }
+}
+
 } // namespace authoring
