@@ -125,7 +125,7 @@ enum class Unit { character, word }; // a character is a grapheme cluster (Unico
 // --- insertion
 
 // A block of that name at the caret, between the halves of its paragraph, or beside what is around
-// it where it may stand. The caret goes into it, or stays behind a unit.
+// it where it may stand. The caret goes into it; beside a unit it stays in the text.
 [[nodiscard]] Result insertBlock(const Manuscript& manuscript, Selection selection,
                                  std::string_view name);
 // A nested document, as its medium's manifest says.
@@ -137,6 +137,13 @@ struct EmbeddedText {
 // In a figure, where the class has figures.
 [[nodiscard]] Result insertFigure(const Manuscript& manuscript, Selection selection,
                                   const EmbeddedText& embedded);
+// A formula of that source in the line; with `kind`, one of Grammar::variants() as it is spelled in
+// a tag (` KIND="display"`), a block of its own.
+[[nodiscard]] Result insertFormula(const Manuscript& manuscript, Selection selection,
+                                   std::string_view source, std::string_view kind = {});
+// The whole text of an element that holds nothing but text, such as a formula.
+[[nodiscard]] Result setText(const Manuscript& manuscript, sgml::NodeId element,
+                             std::string_view text);
 // Into the caption of the figure or table around the caret, which gets one.
 [[nodiscard]] Result insertCaption(const Manuscript& manuscript, Selection selection);
 // A reference to an element, which gets an ID when it has none.

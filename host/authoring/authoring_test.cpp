@@ -325,6 +325,28 @@ TEST(Authoring, InsertsBlocks) {
     EXPECT_EQ(memo("<P>{|a}</P>", insertCaption), "refused: Nothing here takes a caption.");
 }
 
+TEST(Authoring, Formulas) {
+    const auto formula = [](const std::string& kind) {
+        return [kind](const Manuscript& manuscript, Selection selection) {
+            return insertFormula(manuscript, selection, "x^{2}", kind);
+        };
+    };
+    EXPECT_EQ(memo("<P>{a|b}</P>", formula("")),
+              "<P><T>{a}</T><FORMULA>{x^\\{2\\}}</FORMULA><T>{|b}</T></P>");
+    EXPECT_EQ(memo("<P>{a|}</P>", formula(" KIND=\"display\"")),
+              "<P><T>{a}</T>\n<FORMULA KIND=\"display\">{x^\\{2\\}}</FORMULA>|</P>");
+    const auto changed = [](const Manuscript& manuscript, Selection selection) {
+        const sgml::Tree& tree = manuscript.document.tree();
+        sgml::NodeId element = tree.innermostAt(selection.caret);
+        while (tree.name(element) != "FORMULA")
+            element = tree.node(element).parent;
+        return setText(manuscript, element, "z}");
+    };
+    EXPECT_EQ(memo("<P><FORMULA>{x|y}</FORMULA></P>", changed),
+              "<P><FORMULA>{z\\}}</FORMULA>|</P>");
+    EXPECT_EQ(memo("<P><FORMULA>|</FORMULA></P>", changed), "<P><FORMULA>{z\\}}</FORMULA>|</P>");
+}
+
 TEST(Authoring, ReferencesNameTheirTargets) {
     const auto refer = [](const Manuscript& manuscript, Selection selection) {
         return insertReference(manuscript, selection, targets(manuscript).front());

@@ -102,6 +102,49 @@ Result insertFigure(const Manuscript& manuscript, Selection selection,
     return draft.result(QStringLiteral("Figure"));
 }
 
+Result insertFormula(const Manuscript& manuscript, Selection selection, std::string_view source,
+                     std::string_view kind) {
+    Draft draft(manuscript, selection);
+    if (const QString why = draft.obstacle(); !why.isEmpty())
+        return refused(why);
+    if (!selection.isEmpty())
+        eraseBetween(draft);
+    draft.collapse();
+    const std::string name(draft.grammar().named(Display::formula));
+    if (name.empty())
+        return refused(QStringLiteral("This class of documents has no formulas."));
+    std::unique_ptr<Piece> formula = Draft::made(name, std::string(kind));
+    Draft::put(*formula, 0, Draft::madeText(source));
+    Piece* made = kind.empty() ? putInLine(draft, draft.first(), std::move(formula))
+                               : putBlock(draft, draft.first(), std::move(formula));
+    if (made == nullptr)
+        return refused(mayNotStand(draft.grammar(), name));
+    Draft::moveTo(draft.first(), *made->parent, made->index() + 1);
+    draft.collapse();
+    return draft.result(QStringLiteral("Formula"));
+}
+
+Result setText(const Manuscript& manuscript, NodeId element, std::string_view text) {
+    const sgml::Tree& tree = manuscript.document.tree();
+    if (!tree.holds(element) || !tree.isElement(element))
+        return refused(QStringLiteral("What was to be changed is not there any more."));
+    const NodeId content = tree.content(element);
+    if (content == noNode && tree.node(element).firstChild != noNode)
+        return refused(QStringLiteral("This holds more than text."));
+    Step step;
+    const std::size_t start = tree.node(element).startTag.to;
+    if (content == noNode)
+        step.edits = {{{start, start}, "{" + sgml::escaped(text) + "}"}};
+    else
+        step.edits =
+            sgml::contentEdit(tree, content, {0, tree.unescaped(content).text().size()}, text);
+    const std::size_t after =
+        text::moved(tree.node(element).range.to, step.edits, text::Gravity::behind);
+    step.after = {after, after};
+    step.label = QStringLiteral("Formula");
+    return step;
+}
+
 Result insertCaption(const Manuscript& manuscript, Selection selection) {
     Draft draft(manuscript, {selection.caret, selection.caret});
     if (const QString why = draft.obstacle(); !why.isEmpty())
@@ -156,6 +199,16 @@ std::string freeId(const sgml::Tree& tree, std::string_view element) {
             return id;
 }
 
+// Some elements have a number only with an attribute, such as a formula that stands alone.
+bool isNumbered(const sgml::Tree& tree, const Grammar& grammar, NodeId element) {
+    const Element& known = grammar.of(tree.name(element));
+    const auto& variants = grammar.variants(tree.name(element));
+    const bool isPlain = std::none_of(variants.begin(), variants.end(), [&](const auto& variant) {
+        return tree.attribute(element, variant.first) == variant.second;
+    });
+    return known.isNumbered && (known.kind != Kind::unit || variants.empty() || !isPlain);
+}
+
 } // namespace
 
 Result insertReference(const Manuscript& manuscript, Selection selection, NodeId target) {
@@ -188,7 +241,7 @@ std::vector<NodeId> targets(const Manuscript& manuscript) {
         return found;
     for (NodeId id = tree.following(tree.root()); id != noNode;) {
         const bool isElement = tree.isElement(id);
-        if (isElement && (grammar->of(tree.name(id)).isNumbered ||
+        if (isElement && (isNumbered(tree, *grammar, id) ||
                           (tree.attribute(id, "ID") && tree.name(id) != "DOCUMENT")))
             found.push_back(id);
         id = isElement && tree.name(id) == "DOCUMENT" ? tree.followingSkippingChildren(id)
