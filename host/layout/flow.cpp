@@ -11,6 +11,7 @@ namespace layout {
 namespace {
 
 template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
+template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>; // clang 14 needs it
 
 QSizeF fitted(QSizeF size, double width, double height) {
     const double scale = std::min({1.0, width / size.width(), height / size.height()});

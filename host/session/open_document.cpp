@@ -374,6 +374,7 @@ std::vector<ListedFault> OpenDocument::faults() {
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return isBefore(all[a], all[b]); });
     std::vector<std::size_t> offsets;
+    offsets.reserve(order.size());
     for (const std::size_t i : order)
         offsets.push_back(all[i].range.from);
     const std::vector<text::Position> places = document_->tree().positions(offsets);
