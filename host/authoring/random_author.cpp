@@ -61,8 +61,8 @@ std::string RandomAuthor::line(int depth) {
 }
 
 std::string RandomAuthor::animation() {
-    return "<DOCUMENT>\nDOCUMENT ANIMATION\n<ANIMATION ALT=\"a\"><ASGARD>{x \\{1\\}}</ASGARD>\n"
-           "</ANIMATION>\n</DOCUMENT>";
+    return "<DOCUMENT>\nDOCUMENT SCRIPTED\n<SCRIPTED ALT=\"a\"><SCRIPT>{x \\{1\\}}</SCRIPT>\n"
+           "</SCRIPTED>\n</DOCUMENT>";
 }
 
 std::string RandomAuthor::list(int depth) {
@@ -268,8 +268,8 @@ RandomAuthor::Try RandomAuthor::tryCommand(const Manuscript& manuscript, Selecti
             return {"paste", paste(manuscript, selection, pasted[below(pasted.size())])};
         return below(2) == 0
                    ? Try{"paste text", pasteText(manuscript, selection, "a\n\nb {\nc")}
-                   : Try{"figure",
-                         insertFigure(manuscript, selection, {"ANIMATION", "ASGARD", "}"}), false};
+                   : Try{"figure", insertFigure(manuscript, selection, {"SCRIPTED", "SCRIPT", "}"}),
+                         false};
     }
     case 7:
         return below(2) == 0 ? Try{"heading", makeHeading(manuscript, selection, 1 + int(below(3))),
