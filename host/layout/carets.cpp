@@ -444,11 +444,12 @@ void Carets::addSelected(const TextPiece& piece, const std::vector<model::Select
     for (std::size_t i = 0; i < all.size() && paragraph.startOfRun(i) < line.to; ++i) {
         if (!runs[i].isIn)
             continue;
-        const int start = paragraph.startOfRun(i);
-        const bool isObject = all[i].kind == model::RunKind::subdocument ||
-                              all[i].kind == model::RunKind::formula; // blanks
-        const int from = isObject ? start : paragraph.letterAt(i, runs[i].bytes.from);
-        const int to = isObject ? paragraph.endOfRun(i) : paragraph.letterAt(i, runs[i].bytes.to);
+        // What is generated is selected as a whole, and may be one sign, as a formula is.
+        const bool isText = places_.isText(all[i]);
+        const int next = i + 1 < all.size() ? paragraph.startOfRun(i + 1) : line.to;
+        const int from =
+            isText ? paragraph.letterAt(i, runs[i].bytes.from) : paragraph.startOfRun(i);
+        const int to = isText ? paragraph.letterAt(i, runs[i].bytes.to) : next;
         if (std::max(from, line.from) < std::min(to, line.to))
             addInterval(piece, std::max(from, line.from), std::min(to, line.to), result);
     }

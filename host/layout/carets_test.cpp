@@ -229,6 +229,16 @@ TEST_F(CaretsTest, NumbersAndMarksAreSelectedWithTheTextAroundThem) {
     EXPECT_NEAR(part[0].right(), all.rectOf(caretBefore("}</TEXT><REF")).x(), 1);
 }
 
+TEST_F(CaretsTest, AFormulaIsOneSignThatIsSelectedAsAWhole) {
+    open("<PARAGRAPH><TEXT>{ab }</TEXT><FORMULA>{a^2 + b^2 = c^2}</FORMULA>"
+         "<TEXT>{ cd efgh ijkl}</TEXT></PARAGRAPH>");
+    EXPECT_EQ(walk(Move::right, Move::documentStart).size(), 4U + 14);
+    const Carets all = carets();
+    const auto part = all.selected(0, {placeBefore("ab "), placeBefore(" efgh")});
+    ASSERT_EQ(part.size(), 1U);
+    EXPECT_NEAR(part[0].right(), all.rectOf(caretBefore(" efgh")).x(), 1);
+}
+
 TEST_F(CaretsTest, PagesFarAwayAreFound) {
     std::string body;
     for (int i = 0; i < 400; ++i)

@@ -68,11 +68,14 @@ private:
             return "---";
         if (of.kind == BlockKind::subdocument || of.kind == BlockKind::image)
             return "[" + placeholder(document_, of) + "]";
-        std::string result = of.marker.empty() ? "" : of.marker + " ";
+        const bool isFormula = of.kind == BlockKind::formula; // its number stands on its right
+        std::string result = of.marker.empty() || isFormula ? "" : of.marker + " ";
         for (const Run& run : of.runs)
             result += run.kind == RunKind::subdocument ? "[" + alternativeOf(document_, run) + "]"
                       : run.kind == RunKind::lineBreak ? "\n"
                                                        : run.text;
+        if (isFormula && !of.marker.empty())
+            result += " " + of.marker;
         if (of.kind == BlockKind::verbatim && result.ends_with('\n'))
             result.pop_back();
         return result;
@@ -191,6 +194,8 @@ private:
         default:
             break;
         }
+        if (of.kind == BlockKind::formula)
+            return "<p>" + runs(of) + " " + escapedHtml(of.marker) + "</p>\n";
         if (of.headingLevel > 0) {
             const std::string tag = "h" + std::to_string(std::min(of.headingLevel, 6));
             return "<" + tag + ">" + marker(of) + runs(of) + "</" + tag + ">\n";

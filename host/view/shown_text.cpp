@@ -30,7 +30,7 @@ void ShownText::add(const model::Block& block) {
         text_ += QString::fromStdString(block.alternative);
     for (const model::Run& run : block.runs) {
         const auto from = static_cast<int>(text_.size());
-        text_ += QString::fromStdString(run.text);
+        text_ += QString::fromStdString(run.formula ? run.formula->spoken : run.text);
         if (run.content != sgml::noNode)
             parts_.push_back({from, static_cast<int>(text_.size()), &run});
     }
