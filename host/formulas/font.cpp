@@ -27,7 +27,7 @@ struct Drawing {
 Drawing& drawing(void* data) { return *static_cast<Drawing*>(data); }
 
 hb_draw_funcs_t* drawFunctions() {
-    static hb_draw_funcs_t* const functions = [] {
+    static hb_draw_funcs_t* const drawn = [] {
         hb_draw_funcs_t* made = hb_draw_funcs_create();
         hb_draw_funcs_set_move_to_func(
             made,
@@ -65,7 +65,7 @@ hb_draw_funcs_t* drawFunctions() {
         hb_draw_funcs_make_immutable(made);
         return made;
     }();
-    return functions;
+    return drawn;
 }
 
 struct FreeBuffer {

@@ -67,6 +67,12 @@ TEST_F(FormulasInLinesTest, StandOnTheBaseLineBetweenTheWords) {
     EXPECT_EQ(of->lines()[0].height, laid(paragraph("As, so."))->lines()[0].height);
 }
 
+TEST_F(FormulasInLinesTest, AloneInACellHaveTheBaseLineOfAWord) {
+    auto block = std::make_shared<model::Block>();
+    block->runs.push_back(formulaRun("r"));
+    EXPECT_NEAR(laid(block)->lines()[0].baseline, laid(paragraph("r"))->lines()[0].baseline, 2);
+}
+
 TEST_F(FormulasInLinesTest, MoveLinesApartOnlyWhereTheyAreHigh) {
     const double plain = laid(paragraph("As, so."))->lines()[0].height;
     EXPECT_EQ(laid(around("x^2"))->lines()[0].height, plain);

@@ -274,7 +274,7 @@ QList<QTextLayout::FormatRange> Paragraph::formatsOf(const Letters& letters, int
 }
 
 void Paragraph::measure(Line& line, const QTextLine& of) {
-    const double ascent = of.ascent(), descent = of.descent();
+    const auto [ascent, descent] = extentOf(line, of);
     // Larger letters than the block's own need their own room, but not so much between lines.
     line.height = std::max(leading_, ascent + descent > 1.25 * leading_ ? ascent + descent : 0);
     line.baseline = (line.height - ascent - descent) / 2 + ascent;

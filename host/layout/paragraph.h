@@ -156,6 +156,7 @@ private:
     [[nodiscard]] const QTextLayout& layoutOf(int segment) const;
     static QList<QTextLayout::FormatRange> formatsOf(const Letters& letters, int from, int to);
     void measure(Line& line, const QTextLine& drawn);
+    [[nodiscard]] std::pair<double, double> extentOf(const Line& line, const QTextLine& of) const;
     void makeRoom(Line& line, const InlineObject& formula) const;
     void paintFormulas(QPainter& painter, int line, QPointF topLeft) const;
     [[nodiscard]] QTextLine drawn(int line) const;

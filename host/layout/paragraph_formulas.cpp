@@ -6,6 +6,7 @@
 #include "layout/measure.h"
 #include "layout/typeface.h"
 
+#include <QFontMetricsF>
 #include <QPainter>
 #include <algorithm>
 
@@ -75,6 +76,22 @@ void Paragraph::appendFormula(std::size_t index) const {
         appendBlank(asBefore, 0, format);
     letters_->lastStyle.reset();
     runsRead_ = std::max(runsRead_, index + 1);
+}
+
+// Of the line's letters, above and below its base line. A formula counts as letters of its size:
+// one that stands alone in a line or a cell has the base line that a word would have.
+std::pair<double, double> Paragraph::extentOf(const Line& line, const QTextLine& of) const {
+    double ascent = of.ascent(), descent = of.descent();
+    const auto isBefore = [](const InlineObject& object, int at) { return object.position < at; };
+    for (auto at = std::lower_bound(objects_.begin(), objects_.end(), line.from, isBefore);
+         at != objects_.end() && at->position < line.to; ++at) {
+        if (!at->formula)
+            continue;
+        const QFontMetricsF metrics(materials_->looks.font(block_->runs[at->run].style));
+        ascent = std::max(ascent, metrics.ascent());
+        descent = std::max(descent, metrics.descent());
+    }
+    return {ascent, descent};
 }
 
 // Lines move apart only where the formula would come too near to one of them.
