@@ -11,10 +11,6 @@
 namespace window {
 namespace {
 
-QByteArray paragraph(const QByteArray& text) {
-    return "<PARAGRAPH><TEXT>{" + text + "}</TEXT></PARAGRAPH>\n";
-}
-
 class SelectionTest : public WindowTest {
 protected:
     void show(const QByteArray& body, QSize size = {900, 1000}) {

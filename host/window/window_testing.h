@@ -40,6 +40,10 @@ inline QByteArray scripted(const QByteArray& text, const QByteArray& attributes 
            attributes + "><SCRIPT>{" + text + "}</SCRIPT></SCRIPTED>\n</DOCUMENT></PARAGRAPH>\n";
 }
 
+inline QByteArray paragraph(const QByteArray& text) {
+    return "<PARAGRAPH><TEXT>{" + text + "}</TEXT></PARAGRAPH>\n";
+}
+
 inline QByteArray memo(const QByteArray& paragraphs) {
     return "DOCUMENT CMEMO\n<CMEMO>\n<SUBJECT>{Test}</SUBJECT>\n<BODY>\n" + paragraphs +
            "</BODY>\n</CMEMO>\n";

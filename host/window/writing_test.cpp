@@ -14,10 +14,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-QByteArray paragraph(const QByteArray& text) {
-    return "<PARAGRAPH><TEXT>{" + text + "}</TEXT></PARAGRAPH>\n";
-}
-
 class WritingTest : public WindowTest {
 protected:
     void write(const QByteArray& body) {
