@@ -154,9 +154,9 @@ TEST(Authoring, JoinsParagraphs) {
 
 TEST(Authoring, DoesNotJoinWhatIsApart) {
     EXPECT_EQ(memo("<P>{|a}</P>", backspace),
-              "refused: What stands on both sides of the caret cannot become one paragraph.");
+              "refused: The lines on both sides of the caret cannot be joined.");
     EXPECT_EQ(memo("<TABLE><R><C>{a}</C><C>{|b}</C></R></TABLE>", backspace),
-              "refused: What stands on both sides of the caret cannot become one paragraph.");
+              "refused: The lines on both sides of the caret cannot be joined.");
     EXPECT_EQ(
         memo("<P>{x}</P><TABLE><R><C>{a[b}</C><C>{cd}</C></R><R><C>{e|f}</C></R></TABLE>", del),
         "<P>{x}</P><TABLE><R><C>{a|}</C><C></C></R><R><C>{f}</C></R></TABLE>");
@@ -194,7 +194,7 @@ TEST(Authoring, AParagraphFollowsAHeading) {
     EXPECT_EQ(memo("<FIGURE><IMAGE></IMAGE><CAPTION>{a|}</CAPTION></FIGURE>", enter),
               "<FIGURE><IMAGE></IMAGE><CAPTION>{a}</CAPTION></FIGURE>\n<P>{|}</P>");
     EXPECT_EQ(memo("<FIGURE><IMAGE></IMAGE><CAPTION>{a|b}</CAPTION></FIGURE>", enter),
-              "refused: This is one paragraph only.");
+              "refused: This field takes one line only.");
 }
 
 TEST(Authoring, TogglesEmphasis) {
@@ -204,7 +204,10 @@ TEST(Authoring, TogglesEmphasis) {
     EXPECT_EQ(memo("<P>{a[b|c}</P>", emphasis), "<P><T>{a[}</T><E>{b}</E><T>{|c}</T></P>");
     EXPECT_EQ(memo("<P><T>{a[}</T><E>{b}</E><T>{|c}</T></P>", emphasis), "<P>{a[b|c}</P>");
     EXPECT_EQ(memo("<P>{[ab|}</P>", emphasis), "<P><E>{[ab|}</E></P>");
-    EXPECT_EQ(memo("<P><T>{one tw|o}</T></P>", emphasis), "<P><T>{one [}</T><E>{two|}</E></P>");
+    EXPECT_EQ(memo("<P><T>{one tw|o}</T></P>", emphasis), "<P><T>{one }</T><E>{tw|o}</E></P>");
+    EXPECT_EQ(memo("<P>{one two|}</P>", emphasis), "<P><T>{one }</T><E>{two|}</E></P>");
+    EXPECT_EQ(memo("<P>{one |two}</P>", emphasis), "<P><T>{one }</T><E>{|two}</E></P>");
+    EXPECT_EQ(memo("<P><T>{a}</T><E>{tw|o}</E></P>", emphasis), "<P>{atw|o}</P>");
     EXPECT_EQ(memo("<P><T>{a[b}</T><B>{c}</B><T>{d|e}</T></P>", emphasis),
               "<P><T>{a[}</T><E>{b}</E><B><E>{c}</E></B><E>{d|}</E><T>{e}</T></P>");
     EXPECT_EQ(memo("<P>{a[b}</P>\n<P>{c|d}</P>", emphasis),
@@ -387,7 +390,7 @@ TEST(Authoring, PastesStructure) {
               "<P>{a}</P>\n<L><I>{1}</I></L>\n<P>{|b}</P>");
     EXPECT_EQ(memo("<P>{a|b}</P>", elements("<S><H>{1}</H></S>")), "<P>{a1|b}</P>");
     EXPECT_EQ(memo("<P>{a|b}</P>", elements("<P>{1}")),
-              "refused: What is on the clipboard cannot be read.");
+              "refused: The clipboard holds nothing that can be read.");
 }
 
 TEST(Authoring, MovesSections) {

@@ -258,7 +258,7 @@ QString whyNotJoined(const Manuscript& manuscript, Selection selection) {
         return why;
     if (mayJoin(draft))
         return {};
-    return QStringLiteral("What stands on both sides of the caret cannot become one paragraph.");
+    return QStringLiteral("The lines on both sides of the caret cannot be joined.");
 }
 
 } // namespace

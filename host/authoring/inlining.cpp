@@ -127,7 +127,26 @@ Selection withWord(const Manuscript& manuscript, Selection selection) {
         placeBeside(manuscript, caret, Direction::forward, Unit::word).value_or(caret);
     const std::size_t start =
         placeBeside(manuscript, end, Direction::backward, Unit::word).value_or(caret);
-    return start <= caret && caret <= end ? Selection{start, end} : selection;
+    if (start <= caret && caret <= end)
+        return {start, end};
+    // Right behind a word, the way forward leads to the end of the next one.
+    const std::size_t before =
+        placeBeside(manuscript, caret, Direction::backward, Unit::word).value_or(caret);
+    const bool endsHere =
+        placeBeside(manuscript, before, Direction::forward, Unit::word).value_or(caret) == caret;
+    return endsHere ? Selection{before, caret} : selection;
+}
+
+// Where nothing was selected, nothing is selected afterwards: the caret stays in its word.
+Result caretKept(Result result, Selection before, Selection word) {
+    auto* step = std::get_if<Step>(&result);
+    if (step != nullptr && before.isEmpty()) {
+        const std::size_t caret =
+            text::moved(before.caret, step->edits,
+                        before.caret == word.caret ? text::Gravity::before : text::Gravity::behind);
+        step->after = {caret, caret};
+    }
+    return result;
 }
 
 } // namespace
@@ -148,7 +167,8 @@ bool isMarked(const Manuscript& manuscript, Selection selection, ContainerRole r
 }
 
 Result toggle(const Manuscript& manuscript, Selection selection, ContainerRole role) {
-    Draft draft(manuscript, withWord(manuscript, selection));
+    const Selection word = withWord(manuscript, selection);
+    Draft draft(manuscript, word);
     if (const QString why = draft.obstacle(); !why.isEmpty())
         return refused(why);
     const std::string name(draft.grammar().named(role));
@@ -164,11 +184,12 @@ Result toggle(const Manuscript& manuscript, Selection selection, ContainerRole r
     const QString label = role == ContainerRole::emphasis ? QStringLiteral("Emphasis")
                           : role == ContainerRole::strong ? QStringLiteral("Strong Emphasis")
                                                           : QStringLiteral("Code");
-    return draft.result(label);
+    return caretKept(draft.result(label), selection, word);
 }
 
 Result link(const Manuscript& manuscript, Selection selection, std::string_view target) {
-    Draft draft(manuscript, withWord(manuscript, selection));
+    const Selection word = withWord(manuscript, selection);
+    Draft draft(manuscript, word);
     if (const QString why = draft.obstacle(); !why.isEmpty())
         return refused(why);
     const std::string name(draft.grammar().named(Display::link));
@@ -180,7 +201,7 @@ Result link(const Manuscript& manuscript, Selection selection, std::string_view 
     wrapper.unwrap();
     if (!target.empty())
         wrapper.wrap(name, spelledAttribute("TO", target));
-    return draft.result(QStringLiteral("Link"));
+    return caretKept(draft.result(QStringLiteral("Link")), selection, word);
 }
 
 std::string spelledAttribute(std::string_view name, std::string_view value) {

@@ -462,7 +462,7 @@ Result paste(const Manuscript& manuscript, Selection selection, std::string_view
     const std::string whole = "DOCUMENT PASTED\n<PASTED>" + std::string(fragment) + "</PASTED>";
     const sgml::Tree tree = sgml::Tree::parse(withFreeIds(manuscript.document.tree(), whole));
     if (tree.isBroken())
-        return refused(QStringLiteral("What is on the clipboard cannot be read."));
+        return refused(QStringLiteral("The clipboard holds nothing that can be read."));
     Draft draft(manuscript, selection);
     if (const QString why = draft.obstacle(); !why.isEmpty())
         return refused(why);

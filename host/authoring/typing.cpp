@@ -282,7 +282,7 @@ private:
             return {};
         }
         if (!isAtEnd())
-            return QStringLiteral("This is one paragraph only.");
+            return QStringLiteral("This field takes one line only.");
         for (Piece* beside = &block; beside->parent != nullptr; beside = beside->parent)
             if (Piece* made = paragraphBehind(*beside)) {
                 Draft::moveTo(draft_.first(), *made, 0);

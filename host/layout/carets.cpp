@@ -228,13 +228,18 @@ std::optional<Caret> Carets::firstOn(std::size_t page) const {
     return caretIn(paragraph, placeFrom(paragraph, from, Search::nearest).value_or(from), page);
 }
 
+// A footnote stands below text that follows it in the document.
 std::optional<Caret> Carets::lastOn(std::size_t page) const {
-    const std::vector<Line> lines = linesOn(page);
-    if (lines.empty())
-        return std::nullopt;
-    const Paragraph& paragraph = *lines.back().first->paragraph;
-    const int to = paragraph.endOfLine(lines.back().first->line);
-    return caretIn(paragraph, placeFrom(paragraph, to, Search::nearest).value_or(to), page);
+    std::optional<Caret> last;
+    for (const auto& [piece, index] : linesOn(page)) {
+        const Paragraph& paragraph = *piece->paragraph;
+        const int to = paragraph.endOfLine(piece->line);
+        const std::optional<Caret> end =
+            caretIn(paragraph, placeFrom(paragraph, to, Search::nearest).value_or(to), page);
+        if (end && (!last || placeOf(*end) > placeOf(*last)))
+            last = end;
+    }
+    return last;
 }
 
 QRectF Carets::rectOf(const Caret& caret) const {

@@ -75,6 +75,7 @@ private:
     [[nodiscard]] std::optional<Caret> nextParagraph(const Caret& caret) const;
     [[nodiscard]] std::optional<Caret> previousParagraph(const Caret& caret) const;
     [[nodiscard]] std::optional<Caret> firstOn(std::size_t page) const;
+    // By the order of the document.
     [[nodiscard]] std::optional<Caret> lastOn(std::size_t page) const;
     [[nodiscard]] Caret sideways(const Caret& caret, Move move) const;
     [[nodiscard]] Caret vertically(const Caret& caret, Move move, double x) const;

@@ -288,8 +288,13 @@ void DocumentView::focusOutEvent(QFocusEvent* event) {
     text_->refresh();
 }
 
-// Tab goes from rendition to rendition, then on to the other widgets.
+// Tab goes from rendition to rendition, then on to the other widgets. In text that one writes it is
+// a command of writing.
 bool DocumentView::focusNextPrevChild(bool next) {
+    if (isWriting() && !chosen_) {
+        writing_->goBy(next);
+        return true;
+    }
     std::vector<document::SubdocumentId> order;
     for (const layout::PlacedSubdocument& placed : pages().subdocuments())
         order.push_back(placed.subdocument);

@@ -196,10 +196,13 @@ std::unique_ptr<QMimeData> TextHand::copied() const {
     return view::copied(view_.document().document(), *model, cursor_.interval());
 }
 
-void TextHand::copy() const {
+bool TextHand::copy() const {
     view_.settle();
-    if (std::unique_ptr<QMimeData> copy = copied())
-        QApplication::clipboard()->setMimeData(copy.release());
+    std::unique_ptr<QMimeData> copy = copied();
+    if (!copy)
+        return false;
+    QApplication::clipboard()->setMimeData(copy.release());
+    return true;
 }
 
 void TextHand::publish() {

@@ -39,7 +39,7 @@ public:
     // else they select with Shift alone.
     bool useKey(int key, Qt::KeyboardModifiers modifiers, bool moves);
     void selectAll();
-    void copy() const;
+    bool copy() const; // false: nothing is selected, or no page is laid out yet
     [[nodiscard]] std::unique_ptr<QMimeData> copied() const; // null: nothing is selected
 
     // Over a page, in twips, or over a figure that is selected.

@@ -20,10 +20,7 @@ std::chrono::milliseconds now() {
 bool isPrintable(const QKeyEvent& event) {
     const QString text = event.text();
     constexpr auto commands = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
-    // AltGr types signs, and is Ctrl and Alt at once on some keyboards.
-    const auto held = event.modifiers() & commands;
-    const bool isCommand =
-        held != Qt::NoModifier && held != (Qt::ControlModifier | Qt::AltModifier);
+    const bool isCommand = (event.modifiers() & commands) != Qt::NoModifier;
     return !isCommand && !text.isEmpty() && (text[0].isPrint() || text[0].isHighSurrogate());
 }
 
@@ -126,8 +123,10 @@ void Writing::paint(QPainter& painter, std::size_t page) const {
 
 bool Writing::perform(const Command& command) {
     const std::optional<document::Selection> selection = hand_.cursor().selection();
-    if (!selection)
+    if (!selection) {
+        Q_EMIT refused(tr("There is no caret in the text."));
         return false;
+    }
     authoring::Result result = command(manuscript(), {selection->anchor, selection->caret});
     if (const auto* refusal = std::get_if<authoring::Refusal>(&result)) {
         Q_EMIT refused(refusal->why);
@@ -193,8 +192,9 @@ bool Writing::useKey(const QKeyEvent& event) {
         return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
-        perform([](const authoring::Manuscript& in, authoring::Selection at) {
-            return authoring::breakParagraph(in, at);
+        perform([&](const authoring::Manuscript& in, authoring::Selection at) {
+            return event.modifiers() & Qt::ShiftModifier ? authoring::breakLine(in, at)
+                                                         : authoring::breakParagraph(in, at);
         });
         return true;
     default:
@@ -211,18 +211,35 @@ bool Writing::useKey(const QKeyEvent& event) {
 // --- the clipboard -----------------------------------------------------------------------------
 
 void Writing::cut() {
-    hand_.copy();
-    perform([](const authoring::Manuscript& in, authoring::Selection at) {
-        return authoring::erase(in, at, authoring::Direction::forward);
-    });
+    if (hand_.copy())
+        perform([](const authoring::Manuscript& in, authoring::Selection at) {
+            return authoring::erase(in, at, authoring::Direction::forward);
+        });
 }
 
-// Our own bytes first: they keep the structure.
+// Our own bytes keep the structure; where that may not stand, the text comes alone.
 void Writing::paste(const QMimeData& data) {
     const std::string own = data.data(fragmentFormat).toStdString();
     const std::string text = data.text().toStdString();
+    if (own.empty() && text.empty())
+        return Q_EMIT refused(tr("The clipboard holds no text."));
     perform([&](const authoring::Manuscript& in, authoring::Selection at) {
-        return own.empty() ? authoring::pasteText(in, at, text) : authoring::paste(in, at, own);
+        if (own.empty())
+            return authoring::pasteText(in, at, text);
+        authoring::Result result = authoring::paste(in, at, own);
+        const bool isRefused = std::holds_alternative<authoring::Refusal>(result);
+        return isRefused && !text.empty() ? authoring::pasteText(in, at, text) : result;
+    });
+}
+
+// In a table to the cell beside, in a list the item into the one before or out of its list.
+void Writing::goBy(bool forward) {
+    perform([forward](const authoring::Manuscript& in, authoring::Selection at) {
+        authoring::Result result = authoring::goToCell(
+            in, at, forward ? authoring::Direction::forward : authoring::Direction::backward);
+        if (std::holds_alternative<authoring::Step>(result))
+            return result;
+        return forward ? authoring::indentItems(in, at) : authoring::outdentItems(in, at);
     });
 }
 

@@ -28,7 +28,8 @@ public:
     bool useKey(const QKeyEvent& event);
     void cut();
     void paste(const QMimeData& data);
-    // A command at what is selected. One that may not be is told by refused().
+    void goBy(bool forward); // Tab, and Shift+Tab
+    // A command at what is selected. refused() says why one is not allowed.
     using Command =
         std::function<authoring::Result(const authoring::Manuscript&, authoring::Selection)>;
     bool perform(const Command& command);

@@ -127,6 +127,15 @@ TEST_F(SelectionTest, AllIsSelectedFromTheFirstWordToTheLast) {
     EXPECT_TRUE(text.endsWith("One\n\nlast")) << text.toStdString();
 }
 
+TEST_F(SelectionTest, AllIsSelectedWhereTheLastPageHasAFootnote) {
+    show("<PARAGRAPH><TEXT>{One}</TEXT><FOOTNOTE><TEXT>{A note}</TEXT></FOOTNOTE>"
+         "<TEXT>{, and last}</TEXT></PARAGRAPH>\n");
+    action("selectAll")->trigger();
+    action("copy")->trigger();
+    EXPECT_THAT(QApplication::clipboard()->text().toStdString(),
+                ::testing::HasSubstr(", and last"));
+}
+
 TEST_F(SelectionTest, AFigureGetsItsPressesAndTheKeysForCopying) {
     show(paragraph("One two") + scripted("colour 20A040") + paragraph("three"));
     ASSERT_TRUE(waitFor([&] { return hasPicture(*window_, 0); }));

@@ -147,6 +147,39 @@ TEST_F(WritingTest, AnInputMethodComposesAtTheCaret) {
     EXPECT_GT(asWidget().inputMethodQuery(Qt::ImCursorRectangle).toRectF().height(), 5);
 }
 
+TEST_F(WritingTest, AClipboardWithoutTextTakesNothingAway) {
+    write(paragraph("One two"));
+    QApplication::clipboard()->setImage(QImage(2, 2, QImage::Format_RGB32));
+    goTo("two");
+    press(Qt::Key_End, Qt::ShiftModifier);
+    action("paste")->trigger();
+    EXPECT_EQ(body(), paragraph("One two").toStdString());
+    EXPECT_EQ(window_->statusBar()->currentMessage(), "The clipboard holds no text.");
+}
+
+TEST_F(WritingTest, TabIsForTheTextAndShortcutsTypeNoLetters) {
+    write("<LIST>\n<ITEM><TEXT>{One}</TEXT></ITEM>\n<ITEM><TEXT>{Two}</TEXT></ITEM>\n</LIST>\n" +
+          scripted("") + paragraph("Three"));
+    goTo("Two");
+    press(Qt::Key_Tab);
+    EXPECT_THAT(body(), HasSubstr("{One}</TEXT><LIST>"));
+    EXPECT_FALSE(view().chosen());
+    press(Qt::Key_Backtab, Qt::ShiftModifier);
+    EXPECT_THAT(body(), ::testing::Not(HasSubstr("{One}</TEXT><LIST>")));
+    QTest::sendKeyEvent(QTest::Click, &view(), Qt::Key_0, "0",
+                        Qt::ControlModifier | Qt::AltModifier);
+    EXPECT_EQ(body().find('0'), std::string::npos) << body();
+}
+
+TEST_F(WritingTest, AWordGetsItsFormatAndTheCaretStays) {
+    write(paragraph("One two"));
+    goTo("wo}");
+    action("strong")->trigger();
+    EXPECT_EQ(body(), "<PARAGRAPH><TEXT>{One }</TEXT><STRONG>{two}</STRONG></PARAGRAPH>\n");
+    type("x");
+    EXPECT_EQ(body(), "<PARAGRAPH><TEXT>{One }</TEXT><STRONG>{txwo}</STRONG></PARAGRAPH>\n");
+}
+
 TEST_F(WritingTest, ARefusedCommandIsExplainedInTheStatusBar) {
     write(paragraph("One"));
     goTo("One");
