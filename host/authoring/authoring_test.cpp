@@ -297,6 +297,8 @@ TEST(Authoring, Lists) {
               "<P>{[a}</P>\n<P>{b|}</P>");
     EXPECT_EQ(memo("<L>\n<I><T>{a}</T><L><I>{b|}</I><I>{c}</I></L></I>\n</L>", outdentItems),
               "<L>\n<I><T>{a}</T></I>\n<I><T>{b|}</T><L><I>{c}</I></L></I>\n</L>");
+    EXPECT_EQ(memo("<L>\n<I><T>{a}</T><L><I>{b|}</I></L></I>\n</L>", outdentItems),
+              "<L>\n<I><T>{a}</T></I>\n<I>{b|}</I>\n</L>");
     EXPECT_EQ(memo("<P>{|a}</P>", outdentItems), "refused: The selection is in no list.");
     EXPECT_EQ(testGrammars().of("CMEMO")->variants("LIST"),
               (std::vector<std::pair<std::string, std::string>>{{"KIND", "number"}}));

@@ -148,6 +148,10 @@ public:
         Draft::moveTo(item, stop, behind.index());
         draft_.putOnLine(item, behind);
         if (outer != nullptr) {
+            // The half of the list behind the item begins what is behind.
+            Piece& half = *behind.children.front();
+            if (half.isElement() && !hasElement(half, item))
+                Draft::take(half);
             appendChildren(behind, item);
             Draft::take(behind);
         } else if (!hasElement(behind, item)) {
