@@ -206,7 +206,7 @@ TEST(Authoring, TogglesEmphasis) {
     EXPECT_EQ(memo("<P>{[ab|}</P>", emphasis), "<P><E>{[ab|}</E></P>");
     EXPECT_EQ(memo("<P><T>{one tw|o}</T></P>", emphasis), "<P><T>{one }</T><E>{tw|o}</E></P>");
     EXPECT_EQ(memo("<P>{one two|}</P>", emphasis), "<P><T>{one }</T><E>{two|}</E></P>");
-    EXPECT_EQ(memo("<P>{one |two}</P>", emphasis), "<P><T>{one }</T><E>{|two}</E></P>");
+    EXPECT_EQ(memo("<P>{one |two}</P>", emphasis), "<P><T>{one |}</T><E>{two}</E></P>");
     EXPECT_EQ(memo("<P><T>{a}</T><E>{tw|o}</E></P>", emphasis), "<P>{atw|o}</P>");
     EXPECT_EQ(memo("<P><T>{a[b}</T><B>{c}</B><T>{d|e}</T></P>", emphasis),
               "<P><T>{a[}</T><E>{b}</E><B><E>{c}</E></B><E>{d|}</E><T>{e}</T></P>");

@@ -137,15 +137,21 @@ Selection withWord(const Manuscript& manuscript, Selection selection) {
     return endsHere ? Selection{before, caret} : selection;
 }
 
-// Where nothing was selected, nothing is selected afterwards: the caret stays in its word.
+// Where nothing was selected, nothing is selected afterwards: the caret stays in its word, or at
+// the end of it where it was.
 Result caretKept(Result result, Selection before, Selection word) {
     auto* step = std::get_if<Step>(&result);
-    if (step != nullptr && before.isEmpty()) {
-        const std::size_t caret =
-            text::moved(before.caret, step->edits,
-                        before.caret == word.caret ? text::Gravity::before : text::Gravity::behind);
-        step->after = {caret, caret};
-    }
+    if (step == nullptr || !before.isEmpty())
+        return result;
+    const std::size_t caret = before.caret;
+    const bool isTouched = std::ranges::any_of(step->edits, [caret](const text::Edit& edit) {
+        return edit.range.from <= caret && caret <= edit.range.to;
+    });
+    if (!isTouched)
+        step->after.caret = text::moved(caret, step->edits, text::Gravity::behind);
+    else if (caret == word.anchor)
+        step->after.caret = step->after.anchor;
+    step->after.anchor = step->after.caret;
     return result;
 }
 
