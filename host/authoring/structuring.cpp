@@ -2,6 +2,7 @@
 #include "authoring/commands.h"
 
 #include <algorithm>
+#include <set>
 
 namespace authoring {
 
@@ -18,6 +19,13 @@ public:
     std::vector<Piece*> lines() {
         std::vector<Piece*> found;
         collect(draft_.root(), found);
+        // A mark between two blocks of a section names the section: its lines stand for it.
+        std::set<const Piece*> around;
+        for (const Piece* line : found)
+            for (const Piece* at = line->parent; at != nullptr; at = at->parent)
+                if (!around.insert(at).second)
+                    break;
+        std::erase_if(found, [&](const Piece* line) { return around.contains(line); });
         return found;
     }
 

@@ -66,6 +66,8 @@ void Reader::raisedSigns(NodeId list, Script& current) {
     const bool above = raisedBy(text::codePoint(first.text)) != 0;
     const NodeId part = add(Kind::list, first);
     for (Token token = first; !token.text.empty(); token = peek()) {
+        if (text::characterLength(token.text) != token.text.size())
+            break; // a command, or bytes that are no character
         const char32_t code = text::codePoint(token.text);
         const char32_t sign = above ? raisedBy(code) : loweredBy(code);
         if (sign == 0)

@@ -7,7 +7,7 @@ namespace session {
 
 namespace {
 
-constexpr int sliceMs = 4; // to the glyph of a key that moves many pages, too
+constexpr int sliceMs = 8;
 constexpr int nodesAtOnce = 25;
 // So long a picture file is not looked at again: each edit asks for the sizes of all.
 constexpr int imagesMs = 1000;
