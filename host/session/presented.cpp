@@ -7,7 +7,8 @@ namespace session {
 
 namespace {
 
-constexpr int sliceMs = 8;
+constexpr int sliceMs =
+    40; // LIMIT: pages that come in several slices lose the place of a reader behind them
 constexpr int nodesAtOnce = 25;
 // So long a picture file is not looked at again: each edit asks for the sizes of all.
 constexpr int imagesMs = 1000;
