@@ -39,7 +39,7 @@ struct Refusal {
 
 using Result = std::variant<Step, Refusal>;
 
-// What is written, and what its classes allow. Both outlive it.
+// The document that is written, and the grammars of its classes. Both outlive it.
 struct Manuscript {
     const document::Document& document;
     const Grammars& grammars;

@@ -1,4 +1,4 @@
-// What commands have in common: erasing between the marks of a draft, and lines to write in.
+// Steps that several commands share: erasing between the marks of a draft, lines to write in.
 #pragma once
 
 #include "authoring/draft.h"
@@ -10,8 +10,8 @@ namespace authoring {
 void eraseBetween(Draft& draft);
 // May the lines of both marks become one?
 [[nodiscard]] bool mayJoin(Draft& draft);
-// Where text can come in at the mark: there, or in a new paragraph beside what it stands at.
-// False: there is no such place.
+// Makes a line for text at the mark: the one it stands in, or a new paragraph beside its block.
+// False: none may stand there.
 [[nodiscard]] bool makeLine(Draft& draft, Piece& mark);
 
 // Enter at the first mark; "" when it is done, else the reason why not.

@@ -125,7 +125,7 @@ Piece* Draft::joinedWith(Piece& one, Piece& other) {
     return &one;
 }
 
-// What stands between the two, which are marks, comes to stand between their children.
+// Marks between the two come to stand between their children.
 void Draft::merge(Piece& left, Piece& right) {
     while (left.next() != &right)
         moveTo(*left.next(), left, left.children.size());

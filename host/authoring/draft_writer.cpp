@@ -208,7 +208,7 @@ private:
         return '}';
     }
 
-    // What an edit puts back as it was is no part of it.
+    // An edit leaves out the bytes that it would put back unchanged.
     void trim() {
         text::Edits trimmed;
         for (const text::Edit& edit : edits_) {

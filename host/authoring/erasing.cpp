@@ -105,8 +105,8 @@ private:
             clear(*child);
     }
 
-    // What the joined line leaves of its element, and of those around it: nothing is removed,
-    // what cannot stand without the line follows the line.
+    // Elements that the joined line has left: empty ones are removed, and those that are not valid
+    // without the line follow it.
     void settleRest(Piece& line, Piece& top) {
         Piece* at = &line;
         while (at != &top) {
