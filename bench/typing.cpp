@@ -1,8 +1,8 @@
-// The time from a key to the painted letter, in a paragraph in the middle of a long report. Drives a real document window without a display. The time is that of
-// the edit, the model, the layout and the painting of what has changed, by the clock on the wall,
-// since one thread does all of it; beside each key runs a loop of arithmetic, so that a busy
-// machine shows, and the time of this thread alone is told. The goal is 5 ms at the 99th
-// percentile.
+// The time from a key to the painted letter, in a paragraph in the middle of a long report. Drives
+// a real document window without a display. The time is that of the edit, the model, the layout and
+// the painting of what has changed, by the clock on the wall, since one thread does all of it;
+// beside each key runs a loop of arithmetic, so that a busy machine shows, and the time of this
+// thread alone is told. The goal is 5 ms at the 99th percentile.
 //
 //     bench_typing [--smoke]
 #include "document/document.h"

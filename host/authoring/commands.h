@@ -8,6 +8,8 @@ namespace authoring {
 // Removes what stands between the marks, and joins what remains of two lines. The marks stand at
 // the place then, side by side or, where lines are not joined, each at its end.
 void eraseBetween(Draft& draft);
+// Removes the selection, if there is one; both marks are one caret then.
+void makeCaret(Draft& draft, const Selection& selection);
 // May the lines of both marks become one?
 [[nodiscard]] bool mayJoin(Draft& draft);
 // Makes a line for text at the mark: the one it stands in, or a new paragraph beside its block.

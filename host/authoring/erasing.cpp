@@ -213,6 +213,12 @@ void eraseBetween(Draft& draft) {
     pruneFigure(draft, draft.second());
 }
 
+void makeCaret(Draft& draft, const Selection& selection) {
+    if (!selection.isEmpty())
+        eraseBetween(draft);
+    draft.collapse();
+}
+
 namespace {
 
 Result eraseSelection(const Manuscript& manuscript, Selection selection, const QString& label,

@@ -107,9 +107,7 @@ Result insertFormula(const Manuscript& manuscript, Selection selection, std::str
     Draft draft(manuscript, selection);
     if (const QString why = draft.obstacle(); !why.isEmpty())
         return refused(why);
-    if (!selection.isEmpty())
-        eraseBetween(draft);
-    draft.collapse();
+    makeCaret(draft, selection);
     const std::string name(draft.grammar().named(Display::formula));
     if (name.empty())
         return refused(QStringLiteral("This class of documents has no formulas."));
@@ -290,9 +288,7 @@ Result pasteText(const Manuscript& manuscript, Selection selection, std::string_
     Draft draft(manuscript, selection);
     if (const QString why = draft.obstacle(); !why.isEmpty())
         return refused(why);
-    if (!selection.isEmpty())
-        eraseBetween(draft);
-    draft.collapse();
+    makeCaret(draft, selection);
     if (!makeLine(draft, draft.first()))
         return refused(QStringLiteral("Text may not stand here."));
     draft.collapse();
@@ -466,9 +462,7 @@ Result paste(const Manuscript& manuscript, Selection selection, std::string_view
     Draft draft(manuscript, selection);
     if (const QString why = draft.obstacle(); !why.isEmpty())
         return refused(why);
-    if (!selection.isEmpty())
-        eraseBetween(draft);
-    draft.collapse();
+    makeCaret(draft, selection);
     if (!makeLine(draft, draft.first()))
         return refused(QStringLiteral("Text may not stand here."));
     draft.collapse();

@@ -315,9 +315,7 @@ Result breakLine(const Manuscript& manuscript, Selection selection) {
     Draft draft(manuscript, selection);
     if (const QString why = draft.obstacle(); !why.isEmpty())
         return refused(why);
-    if (!selection.isEmpty())
-        eraseBetween(draft);
-    draft.collapse();
+    makeCaret(draft, selection);
     if (draft.of(draft.blockOf(draft.first())).display != Display::verbatim)
         return refused(
             QStringLiteral("There are no line breaks within a paragraph of this class."));
@@ -344,9 +342,7 @@ Result breakParagraph(const Manuscript& manuscript, Selection selection) {
     Draft draft(manuscript, selection);
     if (const QString why = draft.obstacle(); !why.isEmpty())
         return refused(why);
-    if (!selection.isEmpty())
-        eraseBetween(draft);
-    draft.collapse();
+    makeCaret(draft, selection);
     const bool isInLine = draft.holdsText(draft.blockOf(draft.first()));
     if (!makeLine(draft, draft.first()))
         return refused(QStringLiteral("A paragraph may not stand here."));
@@ -373,9 +369,7 @@ Result typeToggled(const Manuscript& manuscript, Selection selection, std::strin
     const std::string name(draft.grammar().named(role));
     if (name.empty())
         return refused(QStringLiteral("This class of documents has no such element."));
-    if (!selection.isEmpty())
-        eraseBetween(draft);
-    draft.collapse();
+    makeCaret(draft, selection);
     Piece& caret = draft.first();
     if (!makeLine(draft, caret))
         return refused(QStringLiteral("Text may not stand here."));

@@ -97,6 +97,13 @@ struct Formula {
     NodeId root = none; // a list; never none in what read() returns
     std::vector<Fault> faults;
     [[nodiscard]] const Node& node(NodeId id) const { return nodes[id]; }
+    // The node, or the only part of lists of one part.
+    [[nodiscard]] const Node& alone(NodeId id) const {
+        const Node* found = &nodes[id];
+        while (found->kind == Kind::list && found->children.size() == 1)
+            found = &nodes[found->children.front()];
+        return *found;
+    }
 };
 
 [[nodiscard]] Formula read(std::string_view source);

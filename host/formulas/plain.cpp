@@ -16,7 +16,7 @@ public:
     explicit Writer(const Formula& formula) : formula_(formula) {}
 
     std::vector<std::string> lines() {
-        const Node& array = inner(formula_.root);
+        const Node& array = formula_.alone(formula_.root);
         if (array.kind != Kind::array || !isOfLines(array))
             return {all()};
         std::vector<std::string> lines;
@@ -33,15 +33,9 @@ public:
     }
 
 private:
-    [[nodiscard]] const Node& inner(NodeId id) const {
-        const Node* node = &formula_.node(id);
-        while (node->kind == Kind::list && node->children.size() == 1)
-            node = &formula_.node(node->children.front());
-        return *node;
-    }
     // Does it need no parentheses? One sign, a number, what has its own.
     [[nodiscard]] bool isOne(NodeId id) const {
-        const Node& node = inner(id);
+        const Node& node = formula_.alone(id);
         if (node.kind == Kind::stretch)
             return isOne(node.children.front());
         if (node.kind != Kind::list)
@@ -125,11 +119,11 @@ void Writer::list(NodeId id) {
 
 // In the small signs of Unicode, where it has all of them.
 std::string Writer::asScript(NodeId id, bool above) const {
-    const Node& node = inner(id);
+    const Node& node = formula_.alone(id);
     const std::vector<NodeId> single{id};
     std::string text;
     for (const NodeId child : node.kind == Kind::list ? node.children : single) {
-        const Node& sign = inner(child);
+        const Node& sign = formula_.alone(child);
         if (sign.kind != Kind::symbol)
             return {};
         const char32_t code = sign.letter == U'′' && above ? sign.letter
@@ -149,7 +143,7 @@ void Writer::script(NodeId id, bool above) {
         text_ += small;
         return;
     }
-    const Node& sign = inner(id);
+    const Node& sign = formula_.alone(id);
     if (above && sign.kind == Kind::symbol && sign.letter == U'∘') {
         text_ += "°";
         return;
@@ -161,7 +155,7 @@ void Writer::script(NodeId id, bool above) {
 }
 
 void Writer::fenced(const Node& node) {
-    const Node& first = inner(node.children.front());
+    const Node& first = formula_.alone(node.children.front());
     const bool binomial = first.kind == Kind::fraction && first.amount == 0;
     const bool cases = first.kind == Kind::array && first.form == ArrayForm::cases;
     for (std::size_t i = 0; i < node.delimiters.size(); ++i) {

@@ -102,7 +102,7 @@ NodeId Reader::space(const Token& from, double amount) {
     return id;
 }
 
-NodeId Reader::placeholder(const Token& from) {
+NodeId Reader::missingPart(const Token& from) {
     const NodeId id = symbol(from, U'□', Atom::ordinary);
     formula_.nodes[id].faulty = true;
     return id;
@@ -199,7 +199,7 @@ NodeId Reader::item() {
         cut_ = true;
         at_ = source_.size();
         --depth_;
-        return placeholder(token);
+        return missingPart(token);
     }
     NodeId id = none;
     if (token.text == "{")
@@ -300,7 +300,7 @@ NodeId Reader::argument(const Token& command, int index, int count) {
                          token.text == "\\end" || (token.text == "]" && waiting_.bracket);
     if (!missing) {
         const NodeId id = item();
-        return id != none ? id : placeholder(token);
+        return id != none ? id : missingPart(token);
     }
     std::string message = quoted(command);
     if (command.text == "^" || command.text == "_")
@@ -310,7 +310,7 @@ NodeId Reader::argument(const Token& command, int index, int count) {
     else
         message += " needs two parts; the " + std::string(ordinal(index)) + " is missing.";
     fault(command, message);
-    return placeholder({{}, at_});
+    return missingPart({{}, at_});
 }
 
 std::string_view Reader::raw(const Token& command, bool& there) {

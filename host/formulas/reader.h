@@ -44,7 +44,7 @@ private:
     NodeId finish(NodeId id); // ends where reading is
     NodeId symbol(const Token& from, char32_t letter, Atom atom);
     NodeId space(const Token& from, double amount);
-    NodeId placeholder(const Token& from);
+    NodeId missingPart(const Token& from);
 
     [[nodiscard]] bool stopped();
     NodeId list();

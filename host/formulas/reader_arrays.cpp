@@ -147,7 +147,7 @@ NodeId Reader::array(const Token& token, ArrayForm form, std::string columns) {
 NodeId Reader::substack(const Token& token) {
     if (peek().text != "{") {
         fault(token, "\\substack needs its lines in braces.");
-        return placeholder(token);
+        return missingPart(token);
     }
     const Token open = next();
     const Waiting outer = waiting_;

@@ -212,7 +212,7 @@ NodeId Reader::words(const Token& token) {
     const std::string_view inside = raw(token, there);
     if (!there) {
         fault(token, std::string(token.text) + " needs its words in braces.");
-        return placeholder(token);
+        return missingPart(token);
     }
     if (inside.find('$') != std::string_view::npos)
         fault(token, "There is no formula in " + std::string(token.text) +
@@ -231,7 +231,7 @@ NodeId Reader::operatorName(const Token& token) {
     const std::string_view inside = raw(token, there);
     if (!there) {
         fault(token, "\\operatorname needs its name in braces.");
-        return placeholder(token);
+        return missingPart(token);
     }
     const NodeId id = add(Kind::text, token);
     Node& node = formula_.nodes[id];

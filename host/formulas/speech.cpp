@@ -29,15 +29,8 @@ private:
         said_ += words;
     }
 
-    // The node, or what a list or scripts of nothing have as their only part.
-    [[nodiscard]] const Node& inner(NodeId id) const {
-        const Node* node = &formula_.node(id);
-        while (node->kind == Kind::list && node->children.size() == 1)
-            node = &formula_.node(node->children.front());
-        return *node;
-    }
     [[nodiscard]] bool isSimple(NodeId id) const {
-        const Node& node = inner(id);
+        const Node& node = formula_.alone(id);
         if (node.kind == Kind::symbol || node.kind == Kind::text)
             return true;
         return node.kind == Kind::list && std::ranges::all_of(node.children, [&](NodeId child) {
@@ -46,7 +39,7 @@ private:
                });
     }
     [[nodiscard]] bool is(NodeId id, std::u32string_view signs) const {
-        const Node& node = inner(id);
+        const Node& node = formula_.alone(id);
         if (node.kind == Kind::symbol)
             return signs.size() == 1 && node.letter == signs.front();
         if (node.kind != Kind::list || node.children.size() != signs.size())
@@ -123,7 +116,7 @@ void Speaker::power(NodeId above) {
 // Of an operator: from, to; of a limit: as.
 void Speaker::ranges(const Node& node) {
     this->node(node.children[0]);
-    const Node& base = inner(node.children[0]);
+    const Node& base = formula_.alone(node.children[0]);
     const bool limit = base.kind == Kind::text;
     if (node.children[1] != none) {
         say(limit ? "as" : node.children[2] != none ? "from" : "over");
@@ -137,7 +130,7 @@ void Speaker::ranges(const Node& node) {
 }
 
 void Speaker::scripts(const Node& node) {
-    const Node& base = inner(node.children[0]);
+    const Node& base = formula_.alone(node.children[0]);
     const bool function = base.kind == Kind::text && base.limits == Limits::never;
     if (base.atom == Atom::operation && base.kind != Kind::stretch && !function)
         return ranges(node);
@@ -206,7 +199,7 @@ void Speaker::array(const Node& node, std::string_view what) {
 
 void Speaker::fenced(const Node& node) {
     const std::u32string& around = node.delimiters;
-    const Node& first = inner(node.children.front());
+    const Node& first = formula_.alone(node.children.front());
     if (node.children.size() == 1 && around.size() == 2) {
         if (first.kind == Kind::fraction && first.amount == 0 && around == U"()")
             return this->node(node.children.front());

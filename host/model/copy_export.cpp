@@ -8,8 +8,8 @@ namespace {
 
 using schemas::ContainerRole;
 
-// What stands for something that is no text.
-std::string placeholder(const document::Document& document, const Block& block) {
+// The words for a figure or picture where only text can stand.
+std::string wordsFor(const document::Document& document, const Block& block) {
     if (block.kind == BlockKind::image)
         return block.alternative.empty() ? block.source : block.alternative;
     if (const document::Subdocument* of = document.subdocument(block.subdocument))
@@ -67,7 +67,7 @@ private:
         if (of.kind == BlockKind::rule)
             return "---";
         if (of.kind == BlockKind::subdocument || of.kind == BlockKind::image)
-            return "[" + placeholder(document_, of) + "]";
+            return "[" + wordsFor(document_, of) + "]";
         const bool isFormula = of.kind == BlockKind::formula; // its number stands on its right
         std::string result = of.marker.empty() || isFormula ? "" : of.marker + " ";
         for (const Run& run : of.runs)
@@ -188,7 +188,7 @@ private:
             return {};
         case BlockKind::subdocument:
         case BlockKind::image:
-            return "<p>[" + escapedHtml(placeholder(document_, of)) + "]</p>\n";
+            return "<p>[" + escapedHtml(wordsFor(document_, of)) + "]</p>\n";
         case BlockKind::verbatim:
             return "<pre>" + runs(of) + "</pre>\n";
         default:

@@ -7,8 +7,7 @@ namespace session {
 
 namespace {
 
-constexpr int sliceMs =
-    40; // LIMIT: pages that come in several slices lose the place of a reader behind them
+constexpr int sliceMs = 8;
 constexpr int nodesAtOnce = 25;
 // So long a picture file is not looked at again: each edit asks for the sizes of all.
 constexpr int imagesMs = 1000;
@@ -46,8 +45,8 @@ void Presented::begin() {
     for (int i = 0; i < firstSteps; ++i)
         if (!step())
             return;
+    timer_.start(0); // first, so that whoever is told knows that more is to come
     tell();
-    timer_.start(0);
 }
 
 void Presented::follow(const sgml::Change& change) {
@@ -91,8 +90,8 @@ void Presented::slice() {
     while (time.elapsed() < sliceMs)
         if (!step())
             return;
+    timer_.start(0); // first, so that whoever is told knows that more is to come
     tell();
-    timer_.start(0);
 }
 
 void Presented::settle(int mostMs) {

@@ -95,6 +95,9 @@ void DocumentView::present() {
 // The words at the top of the view stay where they are, unless that is the top of the document.
 void DocumentView::showPages() {
     QScrollBar* bar = verticalScrollBar();
+    // Pages that follow an edit and do not reach what one reads yet would lose its place.
+    if (isBehind_ && !isLaidOut() && bar->value() > 0)
+        return;
     const double height = pageSize().height() + gap;
     const auto top = static_cast<std::size_t>(std::max(0.0, (bar->value() - margin) / height));
     const double y = -pageTopLeft(top).y() / scale();
