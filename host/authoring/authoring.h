@@ -97,9 +97,17 @@ enum class Unit { character, word }; // a character is a grapheme cluster (Unico
 // Is all of the selected text in one, or the caret?
 [[nodiscard]] bool isMarked(const Manuscript& manuscript, Selection selection,
                             schemas::ContainerRole role);
-// The selected text, or the word around the caret, becomes a link, or none: "".
+// The selected text, or the word around the caret, becomes a link, or none: "". Where there is
+// neither, the address comes in as the text of a link.
 [[nodiscard]] Result link(const Manuscript& manuscript, Selection selection,
                           std::string_view target);
+struct LinkAround {
+    std::string target;
+    Selection text;
+};
+// The link that the selection is in.
+[[nodiscard]] std::optional<LinkAround> linkAround(const Manuscript& manuscript,
+                                                   Selection selection);
 // A footnote behind the selection; the caret goes into it.
 [[nodiscard]] Result insertFootnote(const Manuscript& manuscript, Selection selection);
 

@@ -114,7 +114,10 @@ TEST(Authoring, ErasesACharacterOrAWord) {
               "<P>{one| three}</P>");
     EXPECT_EQ(memo("<P>{a|}</P>", backspace), "<P>{|}</P>");
     EXPECT_EQ(memo("<P><T>{a }</T><E>{b}</E><T>{|c}</T></P>", backspace), "<P><T>{a |c}</T></P>");
-    EXPECT_EQ(memo("<P><T>{a}</T><F>{note}</F><T>{|c}</T></P>", backspace), "<P><T>{a|c}</T></P>");
+    // What is more than a letter is selected first.
+    EXPECT_EQ(memo("<P><T>{a}</T><F>{note}</F><T>{|c}</T></P>", backspace),
+              "<P><T>{a}</T>|<F>{note}</F>[<T>{c}</T></P>");
+    EXPECT_EQ(memo("<P><T>{a}</T>|<F>{note}</F>[<T>{c}</T></P>", backspace), "<P><T>{a|c}</T></P>");
 }
 
 TEST(Authoring, ErasesASelection) {
@@ -160,8 +163,10 @@ TEST(Authoring, DoesNotJoinWhatIsApart) {
     EXPECT_EQ(
         memo("<P>{x}</P><TABLE><R><C>{a[b}</C><C>{cd}</C></R><R><C>{e|f}</C></R></TABLE>", del),
         "<P>{x}</P><TABLE><R><C>{a|}</C><C></C></R><R><C>{f}</C></R></TABLE>");
-    EXPECT_EQ(memo("<P>{a}</P><RULE></RULE><P>{|b}</P>", backspace), "<P>{a}</P><P>{|b}</P>");
+    EXPECT_EQ(memo("<P>{a}</P>|<RULE></RULE>[<P>{b}</P>", backspace), "<P>{a}</P><P>{|b}</P>");
     EXPECT_EQ(memo("<P>{a|}</P><FIGURE><IMAGE></IMAGE><CAPTION>{c}</CAPTION></FIGURE>", del),
+              "<P>{a}</P><FIGURE>[<IMAGE></IMAGE>|<CAPTION>{c}</CAPTION></FIGURE>");
+    EXPECT_EQ(memo("<P>{a}</P><FIGURE>[<IMAGE></IMAGE>|<CAPTION>{c}</CAPTION></FIGURE>", del),
               "<P>{a|}</P>");
 }
 
@@ -301,7 +306,7 @@ TEST(Authoring, Lists) {
               "<L>\n<I><T>{a}</T></I>\n<I>{b|}</I>\n</L>");
     EXPECT_EQ(memo("<P>{|a}</P>", outdentItems), "refused: The selection is in no list.");
     EXPECT_EQ(testGrammars().of("CMEMO")->variants("LIST"),
-              (std::vector<std::pair<std::string, std::string>>{{"KIND", "number"}}));
+              (std::vector<Grammar::Variant>{{"KIND", "number"}}));
 }
 
 TEST(Authoring, InsertsBlocks) {

@@ -3,6 +3,8 @@
 
 #include "authoring/draft.h"
 
+#include <set>
+
 namespace authoring {
 
 // Removes what stands between the marks, and joins what remains of two lines. The marks stand at
@@ -27,8 +29,6 @@ void makeCaret(Draft& draft, const Selection& selection);
 // The innermost element around a piece with that role, or null.
 [[nodiscard]] Piece* around(Draft& draft, Piece& piece, schemas::ContainerRole role);
 
-// ` NAME="value"`. LIMIT: a value holds no `"`: each becomes `'`.
-[[nodiscard]] std::string spelledAttribute(std::string_view name, std::string_view value);
 // Puts an element in before the mark, out of the inlined elements that may not hold it. Null:
 // nothing around the mark may.
 Piece* putInLine(Draft& draft, Piece& mark, std::unique_ptr<Piece> piece);
@@ -36,6 +36,10 @@ Piece* putInLine(Draft& draft, Piece& mark, std::unique_ptr<Piece> piece);
 // Puts a block in between the two halves of the line at the mark, or beside it, or beside what is
 // around it. It takes the place of an empty paragraph. Null: it may stand nowhere there.
 Piece* putBlock(Draft& draft, Piece& mark, std::unique_ptr<Piece> piece);
+
+[[nodiscard]] std::set<std::string, std::less<>> idsOf(const sgml::Tree& tree);
+// "A figure may not stand here."
+[[nodiscard]] QString mayNotStand(const Grammar& grammar, std::string_view name);
 
 [[nodiscard]] inline Refusal refused(const QString& why) { return Refusal{why}; }
 

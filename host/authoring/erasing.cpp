@@ -307,13 +307,15 @@ Result erase(const Manuscript& manuscript, Selection selection, Direction direct
                                ? QStringLiteral("The text ends here.")
                                : QStringLiteral("The text begins here."));
         selection.anchor = *beside;
-        // What stands beside the caret as a block of its own is erased as a whole.
+        // A figure, a formula, a footnote may be much work: the first key selects it.
         const Leaves leaves(manuscript, selection.caret);
         const NodeId leaf = leaves.at(*beside);
         if (leaf != noNode && leaves.isUnit(leaf))
-            selection.anchor =
-                direction == Direction::forward ? leaves.lastPlace(leaf) : leaves.firstPlace(leaf);
-        else if (const QString why = whyNotJoined(manuscript, selection); !why.isEmpty())
+            return Step{.after = direction == Direction::forward
+                                     ? Selection{leaves.firstPlace(leaf), leaves.lastPlace(leaf)}
+                                     : Selection{leaves.lastPlace(leaf), leaves.firstPlace(leaf)},
+                        .label = QStringLiteral("Selection")};
+        if (const QString why = whyNotJoined(manuscript, selection); !why.isEmpty())
             return refused(why);
     }
     const QString label = isTyping ? QStringLiteral("Typing") : QStringLiteral("Erasing");

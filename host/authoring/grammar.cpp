@@ -61,9 +61,8 @@ Grammar::Grammar(const schemas::StructureSchema* structure,
     }
 }
 
-const std::vector<std::pair<std::string, std::string>>&
-Grammar::variants(std::string_view element) const {
-    static const std::vector<std::pair<std::string, std::string>> none;
+const std::vector<Grammar::Variant>& Grammar::variants(std::string_view element) const {
+    static const std::vector<Variant> none;
     const auto found = variants_.find(element);
     return found == variants_.end() ? none : found->second;
 }

@@ -57,8 +57,8 @@ public:
     [[nodiscard]] std::vector<std::string>
     allowedAt(std::string_view element, const Children& children, std::size_t index) const;
     // The attributes by which the presentation tells kinds of an element apart: KIND and "number".
-    [[nodiscard]] const std::vector<std::pair<std::string, std::string>>&
-    variants(std::string_view element) const;
+    using Variant = schemas::Presentation::Variant;
+    [[nodiscard]] const std::vector<Variant>& variants(std::string_view element) const;
     // Is there a place for it in the element, whatever must stand there before it?
     [[nodiscard]] bool mayHold(std::string_view element, std::string_view child) const;
     [[nodiscard]] bool hasAttribute(std::string_view element, std::string_view attribute) const;
@@ -68,7 +68,7 @@ private:
 
     const schemas::StructureSchema* structure_;
     std::map<std::string, Element, std::less<>> elements_;
-    std::map<std::string, std::vector<std::pair<std::string, std::string>>, std::less<>> variants_;
+    std::map<std::string, std::vector<Variant>, std::less<>> variants_;
 };
 
 // Of all classes. LIMIT: as the schemas were when it was made.

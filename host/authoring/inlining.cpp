@@ -10,6 +10,8 @@ namespace authoring {
 
 using schemas::ContainerRole;
 using schemas::Display;
+using sgml::NodeId;
+using sgml::noNode;
 
 namespace {
 
@@ -122,19 +124,25 @@ private:
 Selection withWord(const Manuscript& manuscript, Selection selection) {
     if (!selection.isEmpty())
         return selection;
+    // The places of words have the blanks between them, too.
+    const auto unlessBlank = [&](Selection word) {
+        const std::string_view bytes =
+            manuscript.document.tree().text({word.anchor, word.caret});
+        return bytes.find_first_of(" \t\r\n") == bytes.npos ? word : selection;
+    };
     const std::size_t caret = selection.caret;
     const std::size_t end =
         placeBeside(manuscript, caret, Direction::forward, Unit::word).value_or(caret);
     const std::size_t start =
         placeBeside(manuscript, end, Direction::backward, Unit::word).value_or(caret);
     if (start <= caret && caret <= end)
-        return {start, end};
+        return unlessBlank({start, end});
     // Right behind a word, the way forward leads to the end of the next one.
     const std::size_t before =
         placeBeside(manuscript, caret, Direction::backward, Unit::word).value_or(caret);
     const bool endsHere =
         placeBeside(manuscript, before, Direction::forward, Unit::word).value_or(caret) == caret;
-    return endsHere ? Selection{before, caret} : selection;
+    return endsHere ? unlessBlank({before, caret}) : selection;
 }
 
 // Where nothing was selected, nothing is selected afterwards: the caret stays in its word, or at
@@ -193,6 +201,47 @@ Result toggle(const Manuscript& manuscript, Selection selection, ContainerRole r
     return caretKept(draft.result(label), selection, word);
 }
 
+namespace {
+
+// Its address is its text.
+Result insertLink(const Manuscript& manuscript, Selection selection, std::string_view target) {
+    const std::size_t end = std::max(selection.anchor, selection.caret);
+    Draft draft(manuscript, {end, end});
+    std::unique_ptr<Piece> piece = Draft::made(std::string(draft.grammar().named(Display::link)),
+                                               " " + sgml::attributeText("TO", target));
+    Draft::put(*piece, 0, Draft::madeText(target));
+    Piece* made = putInLine(draft, draft.first(), std::move(piece));
+    if (made == nullptr)
+        return refused(QStringLiteral("A link may not stand here."));
+    Draft::moveTo(draft.first(), *made->parent, made->index() + 1);
+    draft.collapse();
+    return draft.result(QStringLiteral("Link"));
+}
+
+} // namespace
+
+std::optional<LinkAround> linkAround(const Manuscript& manuscript, Selection selection) {
+    const sgml::Tree& tree = manuscript.document.tree();
+    const Grammar* grammar = manuscript.grammars.of(tree.name(tree.root()));
+    const std::size_t first = std::min(selection.anchor, selection.caret);
+    const std::size_t last = std::max(selection.anchor, selection.caret);
+    for (NodeId id = tree.innermostAt(first); grammar != nullptr && id != noNode;
+         id = tree.node(id).parent) {
+        if (!tree.isElement(id) || grammar->of(tree.name(id)).display != Display::link)
+            continue;
+        const text::Range range = tree.node(id).range;
+        if (last > range.to)
+            return std::nullopt;
+        const auto from = place(manuscript, tree.node(id).startTag.to, Direction::forward);
+        const auto to = place(manuscript, range.to, Direction::backward);
+        if (!from || !to || *from > *to)
+            return std::nullopt;
+        return LinkAround{std::string(tree.attribute(id, "TO").value_or(std::string_view())),
+                          {*from, *to}};
+    }
+    return std::nullopt;
+}
+
 Result link(const Manuscript& manuscript, Selection selection, std::string_view target) {
     const Selection word = withWord(manuscript, selection);
     Draft draft(manuscript, word);
@@ -203,17 +252,12 @@ Result link(const Manuscript& manuscript, Selection selection, std::string_view 
         return refused(QStringLiteral("This class of documents has no links."));
     Wrapper wrapper(draft, [](const Element& element) { return element.display == Display::link; });
     if (!wrapper.hasText())
-        return refused(QStringLiteral("Select the text of the link first."));
+        return target.empty() ? refused(QStringLiteral("There is no link here."))
+                              : insertLink(manuscript, selection, target);
     wrapper.unwrap();
     if (!target.empty())
-        wrapper.wrap(name, spelledAttribute("TO", target));
+        wrapper.wrap(name, " " + sgml::attributeText("TO", target));
     return caretKept(draft.result(QStringLiteral("Link")), selection, word);
-}
-
-std::string spelledAttribute(std::string_view name, std::string_view value) {
-    std::string spelled(value);
-    std::replace(spelled.begin(), spelled.end(), '"', '\'');
-    return " " + std::string(name) + "=\"" + spelled + "\"";
 }
 
 Piece* putInLine(Draft& draft, Piece& mark, std::unique_ptr<Piece> piece) {

@@ -285,9 +285,9 @@ RandomAuthor::Try RandomAuthor::tryCommand(const Manuscript& manuscript, Selecti
             return {"outdent", outdentItems(manuscript, selection), false, true};
         }
     case 3:
-        return below(2) == 0
-                   ? Try{"link", link(manuscript, selection, below(3) == 0 ? "" : "a"), false, true}
-                   : Try{"footnote", insertFootnote(manuscript, selection), false, true};
+        return below(2) == 0 ? Try{"link", link(manuscript, selection, below(3) == 0 ? "" : "#1"),
+                                   false, true}
+                             : Try{"footnote", insertFootnote(manuscript, selection), false, true};
     default:
         return {"type", type(manuscript, selection, random_.text(3))};
     }

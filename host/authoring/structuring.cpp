@@ -1,6 +1,8 @@
 // Sections and their headings, lists and their items.
 #include "authoring/commands.h"
 
+#include "sgml/edit.h"
+
 #include <algorithm>
 #include <set>
 
@@ -412,7 +414,7 @@ Result makeVerbatim(const Manuscript& manuscript, Selection selection) {
 Result makeList(const Manuscript& manuscript, Selection selection, std::string_view attribute,
                 std::string_view value) {
     const std::string attributes =
-        attribute.empty() ? std::string{} : spelledAttribute(attribute, value);
+        attribute.empty() ? std::string{} : " " + sgml::attributeText(attribute, value);
     return changeLines(manuscript, selection, QStringLiteral("List"),
                        [&](Restructurer& by, const std::vector<Piece*>& lines) {
                            return by.makeItems(lines, attributes);

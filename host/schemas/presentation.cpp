@@ -1,6 +1,7 @@
 #include "schemas/presentation.h"
 
 #include <algorithm>
+#include <map>
 
 namespace schemas {
 
@@ -49,14 +50,22 @@ ElementStyle Presentation::styleNamed(std::string_view name) const {
     return style;
 }
 
-std::vector<std::pair<std::string, std::string>>
-Presentation::variantsOf(std::string_view name) const {
-    std::set<std::pair<std::string, std::string>> found;
+std::vector<Presentation::Variant> Presentation::variantsOf(std::string_view name) const {
+    std::map<std::pair<std::string, std::string>, ElementStyle> found;
+    const ElementStyle root = rootStyle();
     for (const Selector& selector : selectors_)
-        for (const Selector::Name& part : selector.names)
-            if (part.name == name && !part.attribute.empty())
-                found.emplace(part.attribute, part.value);
-    return {found.begin(), found.end()};
+        for (const Selector::Name& part : selector.names) {
+            if (part.name != name || part.attribute.empty())
+                continue;
+            ElementStyle& style = found[{part.attribute, part.value}];
+            if (selector.names.size() == 1)
+                for (const Property& property : blocks_[selector.block])
+                    (void)applyProperty(style, property, root);
+        }
+    std::vector<Variant> variants;
+    for (const auto& [asked, style] : found)
+        variants.push_back({asked.first, asked.second, !style.number.empty()});
+    return variants;
 }
 
 ElementStyle Presentation::rootStyle() const {

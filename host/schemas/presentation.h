@@ -86,9 +86,13 @@ public:
     // How an element of that name looks wherever it stands. A block that names outer elements or
     // attributes counts less than one that does not: what the element is stands in the latter.
     [[nodiscard]] ElementStyle styleNamed(std::string_view name) const;
-    // The attributes of the element and their values that some selector asks for.
-    [[nodiscard]] std::vector<std::pair<std::string, std::string>>
-    variantsOf(std::string_view name) const;
+    // A kind of an element that selectors tell apart by an attribute: LIST[KIND=number].
+    struct Variant {
+        std::string attribute, value;
+        bool isNumbered = false; // it has a marker with its own number
+        bool operator==(const Variant&) const = default;
+    };
+    [[nodiscard]] std::vector<Variant> variantsOf(std::string_view name) const;
     // The elements that some block shows as this: "image", "reference".
     [[nodiscard]] std::set<std::string, std::less<>> namesShownAs(std::string_view display) const;
 

@@ -99,7 +99,7 @@ TEST(Presentation, SaysWhatAnElementIsWhereverItStands) {
         "A D { display: cell }\nL[K=n] D { show: no }\nL[K=a]:first { show: no }\n",
         faults);
     EXPECT_EQ(presentation.variantsOf("L"),
-              (std::vector<std::pair<std::string, std::string>>{{"K", "a"}, {"K", "n"}}));
+              (std::vector<Presentation::Variant>{{"K", "a"}, {"K", "n"}}));
     EXPECT_EQ(presentation.styleNamed("C").display, Display::block);
     EXPECT_EQ(presentation.styleNamed("C").role, ContainerRole::paragraph);
     EXPECT_EQ(presentation.styleNamed("D").display, Display::cell);

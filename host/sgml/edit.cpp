@@ -116,18 +116,23 @@ text::Edits contentEdit(const Tree& tree, NodeId content, text::Range unescaped,
 
 // --- edits of attributes --------------------------------------------------------------------
 
-text::Edits attributeEdit(const Tree& tree, NodeId element, std::string_view name,
-                          std::string_view value) {
+std::string attributeText(std::string_view name, std::string_view value) {
     std::string spelled(value);
     std::replace(spelled.begin(), spelled.end(), '"', '\'');
+    return std::string(name) + "=\"" + spelled + '"';
+}
+
+text::Edits attributeEdit(const Tree& tree, NodeId element, std::string_view name,
+                          std::string_view value) {
+    const std::string spelled = attributeText(name, value);
     const Node& node = tree.node(element);
     std::size_t end = node.name.to;
     for (const Attribute& attribute : tree.attributes(element)) {
         if (tree.text(attribute.name) == name)
-            return {{attribute.whole, std::string(name) + "=\"" + spelled + '"'}};
+            return {{attribute.whole, spelled}};
         end = attribute.whole.to;
     }
-    return {{{end, end}, " " + std::string(name) + "=\"" + spelled + '"'}};
+    return {{{end, end}, " " + spelled}};
 }
 
 text::Edits attributeRemoval(const Tree& tree, NodeId element, std::string_view name) {

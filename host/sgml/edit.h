@@ -19,8 +19,9 @@ namespace sgml {
 [[nodiscard]] text::Edits contentEdits(const Tree& tree, NodeId content,
                                        const text::Edits& unescaped);
 
-// Sets an attribute, adding it behind the others when it is not there. LIMIT: a value holds no `"`,
-// which the format cannot spell: each one becomes `'`.
+// `NAME="value"`. LIMIT: a value holds no `"`, which the format cannot spell: each one becomes `'`.
+[[nodiscard]] std::string attributeText(std::string_view name, std::string_view value);
+// Sets an attribute, adding it behind the others when it is not there.
 [[nodiscard]] text::Edits attributeEdit(const Tree& tree, NodeId element, std::string_view name,
                                         std::string_view value);
 [[nodiscard]] text::Edits attributeRemoval(const Tree& tree, NodeId element, std::string_view name);

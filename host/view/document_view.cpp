@@ -4,6 +4,7 @@
 #include "view/accessible_view.h"
 #include "view/key_names.h"
 #include "view/play_bar.h"
+#include "view/text_drag.h"
 #include "view/text_hand.h"
 #include "view/writing.h"
 
@@ -39,7 +40,9 @@ void paintShadow(QPainter& painter, const QRectF& page) {
 
 DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
     : QAbstractScrollArea(parent), document_(document), playBar_(new PlayBar(true, viewport())),
-      text_(std::make_unique<TextHand>(*this)), writing_(std::make_unique<Writing>(*this, *text_)) {
+      text_(std::make_unique<TextHand>(*this)), writing_(std::make_unique<Writing>(*this, *text_)),
+      drag_(std::make_unique<TextDrag>(*this, *text_, *writing_)) {
+    viewport()->setAcceptDrops(true);
     AccessibleView::install();
     setFrameShape(QFrame::NoFrame);
     setAccessibleName(tr("Document"));
@@ -488,6 +491,7 @@ void DocumentView::paintPages(QPainter& painter, const QRect& area) {
         paintFound(painter, i);
         text_->paintSelection(painter, i);
         writing_->paint(painter, i);
+        drag_->paint(painter, i);
         painter.restore();
     }
 }

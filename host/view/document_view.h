@@ -19,6 +19,7 @@
 namespace view {
 
 class PlayBar;
+class TextDrag;
 class TextHand;
 class Writing;
 
@@ -93,6 +94,7 @@ Q_SIGNALS:
     void writingChanged(bool on);
     void selectionChanged(); // or what may be done with it
     void linkActivated(const QString& target);
+    void formulaActivated(sgml::NodeId element); // by a double click, while it is written
     void unhandledKey(int key, Qt::KeyboardModifiers modifiers);
 
 protected:
@@ -113,6 +115,10 @@ protected:
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragMoveEvent(QDragMoveEvent* event) override;
+    void dragLeaveEvent(QDragLeaveEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
     bool focusNextPrevChild(bool next) override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
@@ -123,6 +129,7 @@ private:
     [[nodiscard]] QPointF pageTopLeft(std::size_t page) const;
     [[nodiscard]] QRectF placeOf(const Shown& shown) const;
     [[nodiscard]] Shown* shownAt(QPointF point);
+    [[nodiscard]] const model::Run* runAt(QPointF point) const; // null: none is there
     [[nodiscard]] const model::Run* linkAt(QPointF point) const;
     [[nodiscard]] QPointF pixelsIn(const Shown& shown, QPointF point) const;
 
@@ -163,6 +170,7 @@ private:
     PlayBar* playBar_;
     std::unique_ptr<TextHand> text_;
     std::unique_ptr<Writing> writing_;
+    std::unique_ptr<TextDrag> drag_;
     bool isBehind_ = false; // edits came that are not laid out
     QTimer geometryTimer_;
     std::vector<document::SubdocumentId> visible_;

@@ -3,6 +3,7 @@
 
 #include "view/key_names.h"
 #include "view/play_bar.h"
+#include "view/text_drag.h"
 #include "view/text_hand.h"
 #include "view/writing.h"
 
@@ -77,7 +78,7 @@ void DocumentView::mousePressEvent(QMouseEvent* event) {
     Shown* shown = shownAt(event->position());
     choose(shown ? shown->id : document::noSubdocument);
     if (!shown) {
-        if (event->button() == Qt::LeftButton)
+        if (event->button() == Qt::LeftButton && !drag_->press(*event))
             text_->press(*event);
         else if (event->button() == Qt::MiddleButton)
             pasteSelection(*event);
@@ -99,12 +100,18 @@ void DocumentView::mouseDoubleClickEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || shownAt(event->position()))
         return mousePressEvent(event);
     wasDragged_ = true; // no click on a link
-    text_->pressTwice(*event);
+    const model::Run* run = isWriting() ? runAt(event->position()) : nullptr;
+    if (run && run->kind == model::RunKind::formula)
+        Q_EMIT formulaActivated(run->element);
+    else
+        text_->pressTwice(*event);
 }
 
 void DocumentView::mouseMoveEvent(QMouseEvent* event) {
     constexpr double dragLength = 4;
     wasDragged_ |= (event->position() - pressedAt_).manhattanLength() > dragLength;
+    if (drag_->move(*event))
+        return;
     if (text_->isDragging()) {
         if (wasDragged_)
             text_->drag(event->position());
@@ -124,6 +131,8 @@ void DocumentView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void DocumentView::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && drag_->release(*event))
+        return;
     const auto held = shown_.find(grabbed_);
     if (held != shown_.end() && held->second.rendition) {
         held->second.rendition->input(inputOf(*event, pixelsIn(held->second, event->position())));
@@ -142,6 +151,24 @@ void DocumentView::mouseReleaseEvent(QMouseEvent* event) {
         text_->release();
     if (!event->buttons())
         grabbed_ = document::noSubdocument;
+}
+
+void DocumentView::dragEnterEvent(QDragEnterEvent* event) {
+    if (!drag_->hover(*event))
+        event->ignore();
+}
+
+void DocumentView::dragMoveEvent(QDragMoveEvent* event) {
+    if (!drag_->hover(*event))
+        event->ignore();
+}
+
+void DocumentView::dragLeaveEvent(QDragLeaveEvent*) { drag_->leave(); }
+
+// What is not for the text is for the window: the file of a document.
+void DocumentView::dropEvent(QDropEvent* event) {
+    if (!drag_->drop(*event))
+        event->ignore();
 }
 
 // By key only: by mouse it comes with the release, since the right button drags in some media.
@@ -313,16 +340,16 @@ bool DocumentView::focusNextPrevChild(bool next) {
 
 // --- links, bar, cursor ------------------------------------------------------------------------
 
+const model::Run* DocumentView::runAt(QPointF point) const {
+    if (pages().pages.empty())
+        return nullptr;
+    const auto [page, on] = pagePointAt(point);
+    return layout::runAt(*pages().pages[page], on);
+}
+
 const model::Run* DocumentView::linkAt(QPointF point) const {
-    for (std::size_t i = 0; i < pages().pages.size(); ++i) {
-        const QRectF page(pageTopLeft(i), pageSize());
-        if (!page.contains(point))
-            continue;
-        const model::Run* run =
-            layout::runAt(*pages().pages[i], (point - page.topLeft()) / scale());
-        return run && !run->target.empty() ? run : nullptr;
-    }
-    return nullptr;
+    const model::Run* run = runAt(point);
+    return run && !run->target.empty() ? run : nullptr;
 }
 
 void DocumentView::follow(const QString& target) {

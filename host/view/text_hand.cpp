@@ -126,6 +126,16 @@ bool TextHand::isOverText(QPointF point) const {
     return false;
 }
 
+bool TextHand::isSelected(QPointF point) const {
+    if (!cursor_.selects() || view_.pages().pages.empty())
+        return false;
+    const auto [page, on] = view_.pagePointAt(point);
+    const std::vector<QRectF> selected = carets().selected(page, cursor_.interval());
+    return std::ranges::any_of(selected, [&](const QRectF& rect) { return rect.contains(on); });
+}
+
+void TextHand::moveTo(const layout::Caret& caret) { cursor_.moveTo(carets(), caret, false); }
+
 // --- keys --------------------------------------------------------------------------------------
 
 bool TextHand::useKey(int key, Qt::KeyboardModifiers modifiers, bool moves) {

@@ -34,6 +34,9 @@ public:
     void release();
     [[nodiscard]] bool isDragging() const { return dragging_; }
     [[nodiscard]] bool isOverText(QPointF point) const;
+    [[nodiscard]] bool isSelected(QPointF point) const; // what is there
+    [[nodiscard]] std::optional<layout::Caret> caretAt(QPointF point) const;
+    void moveTo(const layout::Caret& caret);
 
     // False: the key is not for the text. `moves`: arrows move the caret, with Shift or without;
     // else they select with Shift alone.
@@ -53,7 +56,6 @@ public:
 
 private:
     [[nodiscard]] layout::Carets carets() const;
-    [[nodiscard]] std::optional<layout::Caret> caretAt(QPointF point) const;
     void begin(QPointF point, TextCursor::Unit unit, bool extend);
     void scrollOn();
     void movePage(int by, bool extend);

@@ -2,10 +2,12 @@
 
 #include "view/copying.h"
 #include "view/document_view.h"
+#include "view/pasted_html.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QMimeData>
+#include <QUuid>
 #include <chrono>
 
 namespace view {
@@ -36,8 +38,14 @@ bool isMoving(int key) { return (key >= Qt::Key_Home && key <= Qt::Key_PageDown)
 Writing::Writing(DocumentView& view, TextHand& hand)
     : view_(view), hand_(hand), grammars_(view.document().schemas()) {
     connect(&hand_.cursor(), &TextCursor::changed, this, [this] {
+        next_ = schemas::ContainerRole::none;
         if (on_)
             blink();
+    });
+    connect(&view_, &DocumentView::laidOut, this, [this] {
+        if (!std::exchange(wantsCaret_, wantsCaret_ && !view_.isLaidOut()))
+            return;
+        hand_.showCaret();
     });
     // In the view that has the keys; other views of the document keep their places.
     connect(&view_.document().document(), &document::Document::selectionRestored, this,
@@ -52,6 +60,10 @@ Writing::Writing(DocumentView& view, TextHand& hand)
 
 authoring::Manuscript Writing::manuscript() const {
     return {view_.document().document(), grammars_};
+}
+
+std::optional<authoring::Selection> Writing::selection() const {
+    return hand_.cursor().selection();
 }
 
 void Writing::begin() {
@@ -121,7 +133,9 @@ void Writing::paint(QPainter& painter, std::size_t page) const {
 
 // --- commands ----------------------------------------------------------------------------------
 
-bool Writing::perform(const Command& command) {
+bool Writing::perform(const Command& command) { return perform(command, {}); }
+
+bool Writing::perform(const Command& command, const QString& group) {
     const std::optional<document::Selection> selection = hand_.cursor().selection();
     if (!selection) {
         Q_EMIT refused(tr("There is no caret in the text."));
@@ -135,7 +149,7 @@ bool Writing::perform(const Command& command) {
     const auto& step = std::get<authoring::Step>(result);
     const document::Selection after{step.after.anchor, step.after.caret};
     if (!step.edits.empty()) {
-        document::EditNote note{.label = step.label};
+        document::EditNote note{.label = step.label, .group = group};
         note.before = selection;
         note.after = after;
         if (step.isTyping)
@@ -145,8 +159,34 @@ bool Writing::perform(const Command& command) {
     hand_.cursor().set(after);
     view_.settleSoon();
     hand_.showCaret();
+    wantsCaret_ = !view_.isLaidOut();
     blink();
     return true;
+}
+
+namespace {
+
+Writing::Command toggled(schemas::ContainerRole role) {
+    return [role](const authoring::Manuscript& in, authoring::Selection at) -> authoring::Result {
+        authoring::Result result = authoring::toggle(in, at, role);
+        // Between words it is for what will be typed.
+        if (std::holds_alternative<authoring::Refusal>(result) && at.isEmpty())
+            if (auto typed = authoring::typeToggled(in, at, "x", role);
+                std::holds_alternative<authoring::Step>(typed))
+                return authoring::Step{.after = at};
+        return result;
+    };
+}
+
+} // namespace
+
+QString Writing::whyNotToggled(schemas::ContainerRole role) const { return whyNot(toggled(role)); }
+
+void Writing::toggle(schemas::ContainerRole role) {
+    const bool wasNext = next_ == role;
+    const std::size_t steps = view_.document().document().steps();
+    if (perform(toggled(role)) && steps == view_.document().document().steps())
+        next_ = wasNext ? schemas::ContainerRole::none : role;
 }
 
 QString Writing::whyNot(const Command& command) const {
@@ -160,14 +200,15 @@ QString Writing::whyNot(const Command& command) const {
 
 bool Writing::isMarked(schemas::ContainerRole role) const {
     const std::optional<document::Selection> selection = hand_.cursor().selection();
-    return selection &&
-           authoring::isMarked(manuscript(), {selection->anchor, selection->caret}, role);
+    return selection && authoring::isMarked(manuscript(), {selection->anchor, selection->caret},
+                                            role) != (next_ == role);
 }
 
 void Writing::type(const QString& text) {
     const std::string bytes = text.toStdString();
-    perform([&](const authoring::Manuscript& in, authoring::Selection at) {
-        return authoring::type(in, at, bytes);
+    perform([&, role = next_](const authoring::Manuscript& in, authoring::Selection at) {
+        return role == schemas::ContainerRole::none ? authoring::type(in, at, bytes)
+                                                    : authoring::typeToggled(in, at, bytes, role);
     });
 }
 
@@ -212,24 +253,69 @@ bool Writing::useKey(const QKeyEvent& event) {
 
 void Writing::cut() {
     if (hand_.copy())
-        perform([](const authoring::Manuscript& in, authoring::Selection at) {
-            return authoring::erase(in, at, authoring::Direction::forward);
-        });
+        cutAway();
 }
 
-// Our own bytes keep the structure; where that may not stand, the text comes alone.
-void Writing::paste(const QMimeData& data) {
-    const std::string own = data.data(fragmentFormat).toStdString();
-    const std::string text = data.text().toStdString();
-    if (own.empty() && text.empty())
-        return Q_EMIT refused(tr("The clipboard holds no text."));
-    perform([&](const authoring::Manuscript& in, authoring::Selection at) {
-        if (own.empty())
-            return authoring::pasteText(in, at, text);
-        authoring::Result result = authoring::paste(in, at, own);
-        const bool isRefused = std::holds_alternative<authoring::Refusal>(result);
-        return isRefused && !text.empty() ? authoring::pasteText(in, at, text) : result;
+void Writing::cutAway() {
+    perform([](const authoring::Manuscript& in, authoring::Selection at) {
+        return authoring::erase(in, at, authoring::Direction::forward);
     });
+}
+
+bool Writing::paste(const QMimeData& data) { return paste(data, {}); }
+
+// Our own bytes keep the structure, and HTML most of it; where that may not stand, the text comes
+// alone.
+bool Writing::paste(const QMimeData& data, const QString& group) {
+    std::string fragment = data.data(fragmentFormat).toStdString();
+    const std::string text = data.text().toStdString();
+    const authoring::Grammar* grammar = grammars_.of(view_.document().document().className());
+    if (fragment.empty() && data.hasHtml() && grammar)
+        fragment = fragmentOf(data.html(), *grammar);
+    if (fragment.empty() && text.empty()) {
+        Q_EMIT refused(tr("The clipboard holds no text."));
+        return false;
+    }
+    return perform(
+        [&](const authoring::Manuscript& in, authoring::Selection at) {
+            if (fragment.empty())
+                return authoring::pasteText(in, at, text);
+            authoring::Result result = authoring::paste(in, at, fragment);
+            const bool isRefused = std::holds_alternative<authoring::Refusal>(result);
+            return isRefused && !text.empty() ? authoring::pasteText(in, at, text) : result;
+        },
+        group);
+}
+
+// What is moved goes first, so that it keeps its IDs; it is back where nothing of it may come in.
+void Writing::drop(const QMimeData& data, QPointF at, std::optional<text::Range> moved) {
+    const std::optional<layout::Caret> caret = hand_.caretAt(at);
+    if (!caret)
+        return;
+    const std::optional<document::Selection> before = hand_.cursor().selection();
+    hand_.moveTo(*caret);
+    if (!moved) {
+        (void)paste(data);
+        return;
+    }
+    document::Document& document = view_.document().document();
+    document::Tracker tracker(document);
+    const std::size_t place = hand_.cursor().selection()->caret;
+    const auto target = tracker.track(place, text::Gravity::behind);
+    hand_.cursor().set(*before);
+    if (moved->from <= place && place <= moved->to)
+        return; // dropped on itself
+    const QString group = QUuid::createUuid().toString();
+    const bool isTaken = perform(
+        [](const authoring::Manuscript& in, authoring::Selection all) {
+            return authoring::erase(in, all, authoring::Direction::forward);
+        },
+        group);
+    if (!isTaken)
+        return;
+    hand_.cursor().set({target->offset, target->offset});
+    if (!paste(data, group))
+        document.undo();
 }
 
 // In a table to the cell beside, in a list the item into the one before or out of its list.

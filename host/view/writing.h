@@ -27,13 +27,25 @@ public:
     // False: it is not.
     bool useKey(const QKeyEvent& event);
     void cut();
-    void paste(const QMimeData& data);
+    void cutAway(); // the same without a copy: another window has it
+    // False: nothing of it came in.
+    bool paste(const QMimeData& data);
+    // At a place of the viewport; what was moved goes from where it was, in the same step of undo.
+    void drop(const QMimeData& data, QPointF at, std::optional<text::Range> moved);
     void goBy(bool forward); // Tab, and Shift+Tab
     // A command at what is selected. refused() says why one is not allowed.
     using Command =
         std::function<authoring::Result(const authoring::Manuscript&, authoring::Selection)>;
     bool perform(const Command& command);
+    // Emphasis and the like for what is selected, or the word at the caret; between words, for what
+    // is typed next.
+    void toggle(schemas::ContainerRole role);
+    [[nodiscard]] QString whyNotToggled(schemas::ContainerRole role) const;
 
+    // What commands take: the document with its grammars, and where the selection is; nothing
+    // where no caret is in the text.
+    [[nodiscard]] authoring::Manuscript manuscript() const;
+    [[nodiscard]] std::optional<authoring::Selection> selection() const;
     // Why a command may not be where the selection is; "": it may.
     [[nodiscard]] QString whyNot(const Command& command) const;
     [[nodiscard]] bool isMarked(schemas::ContainerRole role) const;
@@ -51,7 +63,8 @@ protected:
     void timerEvent(QTimerEvent* event) override;
 
 private:
-    [[nodiscard]] authoring::Manuscript manuscript() const;
+    bool perform(const Command& command, const QString& group);
+    bool paste(const QMimeData& data, const QString& group);
     void type(const QString& text);
     void blink(); // from now on, shown first
 
@@ -61,7 +74,9 @@ private:
     bool on_ = false;
     bool isShown_ = true; // the caret
     QBasicTimer blinking_;
-    QString composed_; // not typed yet
+    QString composed_;        // not typed yet
+    bool wantsCaret_ = false; // to be seen, as soon as its page is there
+    schemas::ContainerRole next_ = schemas::ContainerRole::none; // toggled for what is typed next
 };
 
 } // namespace view

@@ -1,3 +1,4 @@
+#include "window/printing.h"
 #include "window/window_testing.h"
 
 namespace window {
@@ -321,7 +322,7 @@ TEST_F(WindowTest, ANameWithoutAnEndingGetsTheDocuments) {
 TEST_F(WindowTest, APdfHasThePictures) {
     DocumentWindow* window = open(memo(scripted("colour 20A040")));
     const QString pdf = folder_.filePath("out.pdf");
-    window->exportPdfTo(pdf);
+    window->printing().exportTo(pdf, {});
     ASSERT_TRUE(waitFor([&] { return QFile::exists(pdf); }));
     QFile file(pdf);
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));

@@ -1,8 +1,6 @@
 // Writing in a document, as with the keyboard.
 #include "layout/carets.h"
-#include "view/text_hand.h"
-#include "view/writing.h"
-#include "window/window_testing.h"
+#include "window/writing_testing.h"
 
 #include <QAccessible>
 #include <QClipboard>
@@ -13,47 +11,6 @@ namespace window {
 namespace {
 
 using ::testing::HasSubstr;
-
-class WritingTest : public WindowTest {
-protected:
-    void write(const QByteArray& body) {
-        window_ = open(memo(body));
-        view().setFocus();
-        ASSERT_TRUE(waitFor([&] { return view().isLaidOut(); }));
-        window_->activateWindow();
-        ASSERT_TRUE(waitFor([&] { return view().hasFocus(); }));
-        action("write")->trigger();
-        ASSERT_TRUE(view().isWriting());
-    }
-    view::DocumentView& view() const { return window_->view(); }
-    document::Document& document() const { return window_->document().document(); }
-    const QWidget& asWidget() const { return view(); }
-    QAction* action(const char* name) const { return window_->findChild<QAction*>(name); }
-    void goTo(const std::string& words) const {
-        const std::size_t at = document().bytes().find(words);
-        view().text().cursor().set({at, at});
-    }
-    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) const {
-        QTest::keyClick(&view(), key, modifiers);
-    }
-    void type(const char* letters) const { QTest::keyClicks(&view(), letters); }
-    std::string body() const {
-        const std::string& bytes = document().bytes();
-        const std::size_t from = bytes.find("<BODY>\n") + 7;
-        return bytes.substr(from, bytes.find("</BODY>") - from);
-    }
-    // The text on the pages, line by line.
-    std::string shown() const {
-        std::string lines;
-        for (const auto& page : view().pages().pages)
-            for (const layout::Piece& piece : page->pieces)
-                if (const auto* text = std::get_if<layout::TextPiece>(&piece))
-                    lines += text->paragraph->textOfLine(text->line).toStdString() + "\n";
-        return lines;
-    }
-
-    DocumentWindow* window_ = nullptr;
-};
 
 TEST_F(WritingTest, TypedLettersAreInTheDocumentAndOnThePage) {
     write(paragraph("One two"));

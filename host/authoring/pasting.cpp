@@ -1,0 +1,240 @@
+// Pasted text: plain, and with its structure.
+#include "authoring/commands.h"
+#include "authoring/leaves.h"
+
+#include "sgml/edit.h"
+
+#include <algorithm>
+#include <set>
+
+namespace authoring {
+
+using schemas::ContainerRole;
+using schemas::Display;
+using sgml::NodeId;
+using sgml::noNode;
+
+namespace {
+
+// Paragraphs are apart by blank lines.
+std::vector<std::string> paragraphsOf(std::string_view text) {
+    std::vector<std::string> paragraphs{""};
+    const std::string lines = withLineEnds(text, true);
+    bool wasBlank = false;
+    for (std::size_t at = 0; at <= lines.size();) {
+        const std::size_t end = std::min(lines.find('\n', at), lines.size());
+        const std::string_view line = std::string_view(lines).substr(at, end - at);
+        const bool isBlank = line.find_first_not_of(" \t") == std::string_view::npos;
+        if (isBlank && at > 0 && end < lines.size()) {
+            wasBlank = true;
+        } else {
+            if (wasBlank && !paragraphs.back().empty())
+                paragraphs.emplace_back();
+            else if (!paragraphs.back().empty() && !line.empty())
+                paragraphs.back() += ' ';
+            paragraphs.back() += line;
+            wasBlank = false;
+        }
+        at = end + 1;
+    }
+    return paragraphs;
+}
+
+void putText(Draft& draft, std::string_view text) {
+    draft.settle(draft.first());
+    if (!text.empty())
+        Draft::put(*draft.first().parent, draft.first().index(), Draft::madeText(text));
+}
+
+} // namespace
+
+Result pasteText(const Manuscript& manuscript, Selection selection, std::string_view text) {
+    Draft draft(manuscript, selection);
+    if (const QString why = draft.obstacle(); !why.isEmpty())
+        return refused(why);
+    makeCaret(draft, selection);
+    if (!makeLine(draft, draft.first()))
+        return refused(QStringLiteral("Text may not stand here."));
+    draft.collapse();
+    const bool isVerbatim = draft.of(draft.blockOf(draft.first())).display == Display::verbatim;
+    if (isVerbatim) {
+        putText(draft, withLineEnds(text, true));
+        return draft.result(QStringLiteral("Paste"));
+    }
+    bool isFirst = true;
+    for (const std::string& paragraph : paragraphsOf(text)) {
+        // A line that is one only takes all of it.
+        if (!isFirst && !breakLine(draft).isEmpty())
+            putText(draft, " ");
+        draft.collapse();
+        putText(draft, paragraph);
+        isFirst = false;
+    }
+    return draft.result(QStringLiteral("Paste"));
+}
+
+// --- pasted structure -----------------------------------------------------------------------
+
+namespace {
+
+// Elements of another tree as new pieces.
+class Paster {
+public:
+    Paster(Draft& draft, const sgml::Tree& from) : draft_(draft), from_(from) {}
+
+    // The line of a paragraph, which goes into the line at the mark, or blocks.
+    QString paste(NodeId top) {
+        Pieces pieces = below(top);
+        while (pieces.size() == 1 && isWrapper(*pieces.front()))
+            pieces = std::move(pieces.front()->children);
+        if (pieces.empty())
+            return {};
+        if (std::all_of(pieces.begin(), pieces.end(),
+                        [this](const auto& piece) { return isOfLine(*piece); }))
+            return pasteLine(std::move(pieces));
+        return pasteBlocks(std::move(pieces));
+    }
+
+private:
+    // An element that only stands for where the copied lines were: a line, or what holds blocks
+    // and may not stand here itself.
+    bool isWrapper(const Piece& piece) {
+        if (!piece.isElement() || !piece.raw.empty() || piece.children.empty() ||
+            draft_.isInlined(piece))
+            return false;
+        const ContainerRole role = draft_.of(piece).role;
+        if (role == ContainerRole::list || role == ContainerRole::table ||
+            role == ContainerRole::figure || role == ContainerRole::section ||
+            draft_.of(piece).display == Display::verbatim)
+            return false;
+        return draft_.of(piece).kind == Kind::block;
+    }
+    [[nodiscard]] bool isOfLine(const Piece& piece) const {
+        return draft_.isInlined(piece) ||
+               (piece.isElement() && draft_.of(piece).kind == Kind::unit &&
+                piece.name != "DOCUMENT");
+    }
+
+    Pieces below(NodeId element) {
+        Pieces pieces;
+        for (NodeId id = from_.node(element).firstChild; id != noNode; id = from_.node(id).next) {
+            if (from_.node(id).kind == sgml::NodeKind::content) {
+                pieces.push_back(Draft::madeText(from_.unescaped(id).text()));
+            } else if (from_.isElement(id)) {
+                // What the class does not know leaves its content.
+                if (!draft_.grammar().knows(from_.name(id))) {
+                    for (std::unique_ptr<Piece>& piece : below(id))
+                        pieces.push_back(std::move(piece));
+                } else {
+                    pieces.push_back(one(id));
+                }
+            }
+        }
+        return pieces;
+    }
+
+    std::unique_ptr<Piece> one(NodeId id) {
+        std::string attributes;
+        for (const sgml::Attribute& attribute : from_.attributes(id))
+            if (draft_.grammar().hasAttribute(from_.name(id), from_.text(attribute.name)))
+                attributes += " " + std::string(from_.text(attribute.whole));
+        std::unique_ptr<Piece> piece = Draft::made(std::string(from_.name(id)), attributes);
+        if (piece->name == "DOCUMENT") {
+            piece->raw = from_.text(from_.node(id).range);
+            return piece;
+        }
+        for (std::unique_ptr<Piece>& child : below(id))
+            Draft::put(*piece, piece->children.size(), std::move(child));
+        return piece;
+    }
+
+    QString pasteLine(Pieces pieces) {
+        for (std::unique_ptr<Piece>& piece : pieces) {
+            if (piece->isText()) {
+                draft_.settle(draft_.first());
+                Draft::put(*draft_.first().parent, draft_.first().index(), std::move(piece));
+                continue;
+            }
+            if (draft_.isPlainText(*piece) && piece->children.size() == 1 &&
+                piece->children.front()->isText()) {
+                draft_.settle(draft_.first());
+                Draft::put(*draft_.first().parent, draft_.first().index(),
+                           Draft::take(*piece->children.front()));
+                continue;
+            }
+            const std::string name = piece->name;
+            if (putInLine(draft_, draft_.first(), std::move(piece)) == nullptr)
+                return mayNotStand(draft_.grammar(), name);
+        }
+        return {};
+    }
+
+    QString pasteBlocks(Pieces pieces) {
+        const std::string paragraph(draft_.grammar().named(ContainerRole::paragraph));
+        Piece* before = nullptr;
+        for (std::unique_ptr<Piece>& piece : pieces) {
+            if (isOfLine(*piece)) {
+                std::unique_ptr<Piece> line = Draft::made(paragraph);
+                Draft::put(*line, 0, std::move(piece));
+                piece = std::move(line);
+            }
+            const std::string name = piece->name;
+            if (before == nullptr)
+                before = putBlock(draft_, draft_.first(), std::move(piece));
+            else if (allows(draft_, *before->parent, before->index() + 1, name))
+                before = &behind(*before, std::move(piece));
+            else
+                return mayNotStand(draft_.grammar(), name);
+            if (before == nullptr)
+                return mayNotStand(draft_.grammar(), name);
+        }
+        Draft::moveTo(draft_.first(), *before->parent, before->index() + 1);
+        return {};
+    }
+    Piece& behind(Piece& before, std::unique_ptr<Piece> piece) {
+        Piece& made = Draft::put(*before.parent, before.index() + 1, std::move(piece));
+        draft_.putOnLine(made, before);
+        return made;
+    }
+
+    Draft& draft_;
+    const sgml::Tree& from_;
+};
+
+// Without the IDs that the document has, or that come twice.
+std::string withFreeIds(const sgml::Tree& document, std::string bytes) {
+    std::set<std::string, std::less<>> taken = idsOf(document);
+    const sgml::Tree tree = sgml::Tree::parse(bytes);
+    text::Edits edits;
+    for (NodeId id = tree.root(); id != noNode; id = tree.following(id)) {
+        const auto name = tree.isElement(id) ? tree.attribute(id, "ID") : std::nullopt;
+        if (!name || taken.emplace(*name).second)
+            continue;
+        const text::Edits removal = sgml::attributeRemoval(tree, id, "ID");
+        edits.insert(edits.end(), removal.begin(), removal.end());
+    }
+    return text::applied(bytes, edits);
+}
+
+} // namespace
+
+Result paste(const Manuscript& manuscript, Selection selection, std::string_view fragment) {
+    const std::string whole = "DOCUMENT PASTED\n<PASTED>" + std::string(fragment) + "</PASTED>";
+    const sgml::Tree tree = sgml::Tree::parse(withFreeIds(manuscript.document.tree(), whole));
+    if (tree.isBroken())
+        return refused(QStringLiteral("The clipboard holds nothing that can be read."));
+    Draft draft(manuscript, selection);
+    if (const QString why = draft.obstacle(); !why.isEmpty())
+        return refused(why);
+    makeCaret(draft, selection);
+    if (!makeLine(draft, draft.first()))
+        return refused(QStringLiteral("Text may not stand here."));
+    draft.collapse();
+    if (const QString why = Paster(draft, tree).paste(tree.classElement(tree.root()));
+        !why.isEmpty())
+        return refused(why);
+    draft.collapse();
+    return draft.result(QStringLiteral("Paste"));
+}
+
+} // namespace authoring

@@ -1,0 +1,56 @@
+// A menu of commands of writing. It is there while its view is written in. The open menu offers the
+// commands that are allowed at the caret, and says of the others why they are not; their keys work
+// at any time, and the status line says then what the tool tip would.
+#pragma once
+
+#include "view/writing.h"
+
+#include <QMenu>
+
+namespace view {
+class DocumentView;
+}
+
+namespace menus {
+
+class CommandMenu : public QMenu {
+    Q_OBJECT
+
+public:
+    // The view outlives it.
+    CommandMenu(const QString& title, view::DocumentView& view, QWidget* parent);
+
+    using Command = view::Writing::Command;
+    using Role = schemas::ContainerRole;
+    // An entry that does the command. It is checked where all that is selected has the role.
+    QAction* add(const QString& name, const QString& text, const QKeySequence& keys,
+                 Command command, Role role = Role::none);
+    // One that asks first and does then what was wanted. `probe` is a command like it: the entry
+    // is offered where this one is allowed.
+    QAction* addAsking(const QString& name, const QString& text, const QKeySequence& keys,
+                       Command probe, std::function<void()> ask);
+
+    // Emphasis and the like: on and off.
+    QAction* addToggle(const QString& name, const QString& text, const QKeySequence& keys,
+                       Role role);
+
+protected:
+    [[nodiscard]] view::DocumentView& view() const { return view_; }
+    bool perform(const Command& command);
+
+private:
+    struct Entry {
+        QAction* action = nullptr;
+        std::function<QString()> whyNot; // "": it is offered
+        Role role = Role::none;
+    };
+    QAction* append(const QString& name, const QString& text, const QKeySequence& keys, Entry entry,
+                    const std::function<void()>& done);
+    void offer();
+    void offerAll();
+
+    view::DocumentView& view_;
+    std::vector<Entry> entries_;
+};
+
+} // namespace menus

@@ -1,0 +1,246 @@
+#include "menus/formula_dialog.h"
+
+#include "formulas/paint.h"
+#include "plain/plain.h"
+
+#include <QDialogButtonBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QToolButton>
+#include <array>
+
+namespace menus {
+
+namespace {
+
+// A sign on a button, and what it writes: in front of what is selected, and behind it.
+struct Sign {
+    const char* shown;
+    const char* before;
+    const char* after;
+};
+constexpr std::array signs{
+    Sign{"a/b", "\\frac{", "}{}"},
+    Sign{"√", "\\sqrt{", "}"},
+    Sign{"xⁿ", "^{", "}"},
+    Sign{"xₙ", "_{", "}"},
+    Sign{"( )", "\\left( ", " \\right)"},
+    Sign{"Σ", "\\sum_{", "}^{}"},
+    Sign{"∫", "\\int_{", "}^{}"},
+    Sign{"ẋ", "\\dot{", "}"},
+    Sign{"x⃗", "\\vec{", "}"},
+    Sign{"Abc", "\\text{", "}"},
+    Sign{"[ ]", "\\begin{pmatrix} ", " & \\\\ & \\end{pmatrix}"},
+    Sign{"{", "\\begin{cases} ", " & \\\\ & \\end{cases}"},
+    Sign{"α", "\\alpha ", ""},
+    Sign{"β", "\\beta ", ""},
+    Sign{"γ", "\\gamma ", ""},
+    Sign{"δ", "\\delta ", ""},
+    Sign{"θ", "\\theta ", ""},
+    Sign{"λ", "\\lambda ", ""},
+    Sign{"μ", "\\mu ", ""},
+    Sign{"π", "\\pi ", ""},
+    Sign{"φ", "\\varphi ", ""},
+    Sign{"ω", "\\omega ", ""},
+    Sign{"Δ", "\\Delta ", ""},
+    Sign{"∂", "\\partial ", ""},
+    Sign{"·", "\\cdot ", ""},
+    Sign{"×", "\\times ", ""},
+    Sign{"±", "\\pm ", ""},
+    Sign{"≤", "\\le ", ""},
+    Sign{"≥", "\\ge ", ""},
+    Sign{"≠", "\\ne ", ""},
+    Sign{"≈", "\\approx ", ""},
+    Sign{"→", "\\to ", ""},
+    Sign{"⇒", "\\Rightarrow ", ""},
+    Sign{"∞", "\\infty ", ""},
+    Sign{"∇", "\\nabla ", ""},
+    Sign{"°", "^\\circ ", ""},
+};
+constexpr int signsInRow = 12;
+
+} // namespace
+
+FormulaPreview::FormulaPreview(QWidget* parent) : QWidget(parent) {
+    setObjectName("preview");
+    setMinimumHeight(110);
+}
+
+void FormulaPreview::show(formulas::Formula formula, formulas::Style style) {
+    formula_ = std::move(formula);
+    style_ = style;
+    setAccessibleName(QString::fromStdString(formulas::spoken(formula_)));
+    update();
+}
+
+// As on paper: black on white, also where the desktop is dark.
+void FormulaPreview::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillRect(rect(), Qt::white);
+    painter.setPen(QColor(0xd0, 0xd4, 0xda));
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    const auto& font = formulas::Font::standard();
+    if (!font) {
+        painter.setPen(Qt::black);
+        painter.drawText(rect().adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap,
+                         formulas::Font::missing());
+        return;
+    }
+    if (formula_.nodes.empty())
+        return;
+    constexpr double usual = 26, inset = 12;
+    const auto setAt = [&](double size) {
+        return formulas::whole(formulas::typeset(formula_, style_, size, *font));
+    };
+    formulas::Set set = setAt(usual);
+    const double high = set.ascent + set.descent;
+    const double fits = std::min((width() - 2 * inset) / std::max(set.width, 1.0),
+                                 (height() - 2 * inset) / std::max(high, 1.0));
+    if (fits < 1)
+        set = setAt(usual * fits);
+    if (set.pieces.empty())
+        return;
+    const QPointF at((width() - set.width) / 2, (height() + set.ascent - set.descent) / 2);
+    formulas::paint(painter, set.pieces.front().box, at, *font, Qt::black,
+                    QColor(0xc0, 0x1c, 0x28));
+}
+
+FormulaDialog::FormulaDialog(const QString& source, Place place, QWidget* parent)
+    : QDialog(parent), field_(new QPlainTextEdit(source, this)), preview_(new FormulaPreview(this)),
+      fault_(plain::label({}, this)), alone_(new QRadioButton(tr("&On its own"), this)),
+      numbered_(new QRadioButton(tr("On its own, with a &number"), this)) {
+    setObjectName("formulaDialog");
+    setWindowTitle(tr("Formula"));
+    field_->setObjectName("source");
+    field_->setAccessibleName(tr("Formula, as TeX writes mathematics"));
+    field_->setPlaceholderText(tr("As TeX writes it: E = \\frac{1}{2} m v^2"));
+    field_->setTabChangesFocus(true);
+    field_->setFixedHeight(field_->fontMetrics().lineSpacing() * 3 + 12);
+    field_->installEventFilter(this);
+    field_->moveCursor(QTextCursor::End);
+    fault_->setObjectName("fault");
+    fault_->setWordWrap(true);
+    fault_->setMinimumHeight(fault_->fontMetrics().lineSpacing() * 2);
+    auto* inLine = new QRadioButton(tr("In the &line"), this);
+    inLine->setObjectName("inLine");
+    alone_->setObjectName("alone");
+    numbered_->setObjectName("numbered");
+    (place == Place::inLine  ? inLine
+     : place == Place::alone ? alone_
+                             : numbered_)
+        ->setChecked(true);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    auto* places = new QHBoxLayout;
+    for (QRadioButton* one : {inLine, alone_, numbered_})
+        places->addWidget(one);
+    places->addStretch();
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(preview_, 1);
+    column->addWidget(field_);
+    column->addWidget(fault_);
+    column->addWidget(makeSigns());
+    column->addLayout(places);
+    column->addWidget(buttons);
+    connect(field_, &QPlainTextEdit::textChanged, this, [this, buttons] {
+        look();
+        buttons->button(QDialogButtonBox::Ok)->setEnabled(!this->source().isEmpty());
+    });
+    for (QRadioButton* one : {inLine, alone_, numbered_})
+        connect(one, &QRadioButton::toggled, this, &FormulaDialog::look);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    buttons->button(QDialogButtonBox::Ok)->setEnabled(!source.isEmpty());
+    look();
+    field_->setFocus();
+}
+
+QWidget* FormulaDialog::makeSigns() {
+    auto* box = new QWidget(this);
+    auto* grid = new QGridLayout(box);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(2);
+    int at = 0;
+    for (const Sign& sign : signs) {
+        auto* button = new QToolButton(box);
+        const QString before = QString::fromUtf8(sign.before);
+        const QString after = QString::fromUtf8(sign.after);
+        button->setText(plain::ours(QString::fromUtf8(sign.shown)));
+        button->setToolTip(plain::tip(before + after));
+        button->setAutoRaise(true);
+        button->setFocusPolicy(Qt::NoFocus); // the keys are faster: TeX is typed
+        button->setFixedSize(38, 28);
+        connect(button, &QToolButton::clicked, this, [this, before, after] { put(before, after); });
+        grid->addWidget(button, at / signsInRow, at % signsInRow);
+        ++at;
+    }
+    return box;
+}
+
+// What is selected comes to stand in the sign; else the caret does.
+void FormulaDialog::put(const QString& before, const QString& after) {
+    QTextCursor cursor = field_->textCursor();
+    const QString selected = cursor.selectedText();
+    cursor.insertText(before + selected + after);
+    if (selected.isEmpty())
+        cursor.movePosition(QTextCursor::Left, QTextCursor::MoveAnchor,
+                            static_cast<int>(after.size()));
+    else if (after.endsWith("{}"))
+        cursor.movePosition(QTextCursor::Left);
+    field_->setTextCursor(cursor);
+    field_->setFocus();
+}
+
+QString FormulaDialog::source() const { return field_->toPlainText().trimmed(); }
+
+FormulaDialog::Place FormulaDialog::place() const {
+    return numbered_->isChecked() ? Place::numbered
+           : alone_->isChecked()  ? Place::alone
+                                  : Place::inLine;
+}
+
+void FormulaDialog::look() {
+    const QString text = field_->toPlainText();
+    const std::string bytes = text.toStdString();
+    formulas::Formula formula = formulas::read(bytes);
+    QList<QTextEdit::ExtraSelection> marks;
+    fault_->clear();
+    if (!formula.faults.empty() && !bytes.empty()) {
+        const formulas::Fault& first = formula.faults.front();
+        fault_->setText(QString::fromStdString(first.message));
+        const auto letters = [&bytes](std::size_t to) {
+            return static_cast<int>(
+                QString::fromUtf8(bytes.data(), static_cast<qsizetype>(to)).size());
+        };
+        QTextEdit::ExtraSelection mark;
+        mark.cursor = QTextCursor(field_->document());
+        mark.cursor.setPosition(letters(first.offset));
+        mark.cursor.setPosition(letters(first.end), QTextCursor::KeepAnchor);
+        mark.format.setUnderlineStyle(QTextCharFormat::WaveUnderline);
+        mark.format.setUnderlineColor(QColor(0xc0, 0x1c, 0x28));
+        marks.push_back(mark);
+    }
+    field_->setExtraSelections(marks);
+    preview_->show(std::move(formula),
+                   place() == Place::inLine ? formulas::Style::text : formulas::Style::display);
+}
+
+bool FormulaDialog::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == field_ && event->type() == QEvent::KeyPress) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool isReturn = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
+        if (isReturn && !(key->modifiers() & Qt::ShiftModifier)) {
+            if (!source().isEmpty())
+                accept();
+            return true;
+        }
+    }
+    return QDialog::eventFilter(watched, event);
+}
+
+} // namespace menus

@@ -1,0 +1,56 @@
+// A formula that is written: its source, how it looks, and what is wrong with it, as one types.
+#pragma once
+
+#include "formulas/formula.h"
+
+#include <QDialog>
+
+class QLabel;
+class QPlainTextEdit;
+class QRadioButton;
+
+namespace menus {
+
+// How a formula looks, as large as its room allows.
+class FormulaPreview : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit FormulaPreview(QWidget* parent = nullptr);
+
+    void show(formulas::Formula formula, formulas::Style style);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    formulas::Formula formula_;
+    formulas::Style style_ = formulas::Style::text;
+};
+
+class FormulaDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    enum class Place { inLine, alone, numbered };
+    FormulaDialog(const QString& source, Place place, QWidget* parent);
+
+    [[nodiscard]] QString source() const;
+    [[nodiscard]] Place place() const;
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override; // Return ends the dialog
+
+private:
+    QWidget* makeSigns();
+    void put(const QString& before, const QString& after);
+    void look();
+
+    QPlainTextEdit* field_;
+    FormulaPreview* preview_;
+    QLabel* fault_;
+    QRadioButton* alone_;
+    QRadioButton* numbered_;
+};
+
+} // namespace menus

@@ -1,0 +1,16 @@
+// Where a link leads.
+#pragma once
+
+#include <QString>
+
+#include <optional>
+
+class QWidget;
+
+namespace menus {
+
+// `address`: of the link that is changed, "" for a new one. Gives the address that is wanted, ""
+// for no link any more, or nothing when all is to stay.
+[[nodiscard]] std::optional<QString> askForLink(const QString& address, QWidget* parent);
+
+} // namespace menus

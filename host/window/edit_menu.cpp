@@ -1,0 +1,75 @@
+#include "window/edit_menu.h"
+
+#include "menus/actions.h"
+#include "plain/plain.h"
+#include "view/document_view.h"
+#include "view/writing.h"
+#include "window/find_bar.h"
+
+#include <QApplication>
+#include <QClipboard>
+
+namespace window {
+
+EditMenu::EditMenu(view::DocumentView& view, FindBar& find, QWidget* parent)
+    : QMenu(tr("&Edit"), parent), view_(view) {
+    document::Document& of = view_.document().document();
+    undo_ = menus::addTo(*this, "undo", tr("&Undo"), QKeySequence::Undo, [&of] { of.undo(); });
+    redo_ = menus::addTo(*this, "redo", tr("&Redo"), QKeySequence("Ctrl+Shift+Z"),
+                         [&of] { of.redo(); });
+    addSeparator();
+    cut_ = menus::addTo(*this, "cut", tr("Cu&t"), QKeySequence::Cut,
+                        [this] { view_.writing().cut(); });
+    copy_ = menus::addTo(*this, "copy", tr("&Copy"), QKeySequence::Copy, [this] { view_.copy(); });
+    paste_ = menus::addTo(*this, "paste", tr("&Paste"), QKeySequence::Paste, [this] {
+        view_.writing().paste(*QApplication::clipboard()->mimeData());
+    });
+    selectAll_ = menus::addTo(*this, "selectAll", tr("Select &All"), QKeySequence::SelectAll,
+                              [this] { view_.selectAll(); });
+    addSeparator();
+    write_ = menus::addTo(
+        *this, "write", tr("&Write"), QKeySequence("Ctrl+E"),
+        [this] { view_.setWriting(write_->isChecked()); }, "document-edit");
+    write_->setCheckable(true);
+    write_->setToolTip(tr("Write in the document (Ctrl+E)"));
+    addSeparator();
+    menus::addTo(*this, "find", tr("&Find..."), QKeySequence::Find, [&find] { find.open(); });
+    menus::addTo(*this, "findNext", tr("Find &Next"), QKeySequence(Qt::Key_F3),
+                 [&find] { find.next(1); });
+    menus::addTo(*this, "findPrevious", tr("Find Pre&vious"), QKeySequence(Qt::SHIFT | Qt::Key_F3),
+                 [&find] { find.next(-1); });
+    connect(&of, &document::Document::undoChanged, this, &EditMenu::updateUndo);
+    connect(&view_, &view::DocumentView::selectionChanged, this, &EditMenu::updateSelection);
+    connect(&view_, &view::DocumentView::writingChanged, this, &EditMenu::updateSelection);
+    updateUndo();
+    updateSelection();
+}
+
+void EditMenu::updateUndo() {
+    const document::Document& of = view_.document().document();
+    undo_->setEnabled(of.canUndo());
+    redo_->setEnabled(of.canRedo());
+    undo_->setText(of.canUndo() ? tr("&Undo %1").arg(plain::caption(of.undoLabel())) : tr("&Undo"));
+    redo_->setText(of.canRedo() ? tr("&Redo %1").arg(plain::caption(of.redoLabel())) : tr("&Redo"));
+}
+
+// While a figure has the keys, these are its own.
+void EditMenu::updateSelection() {
+    const bool writes = view_.isWriting() && !view_.chosen();
+    write_->setChecked(view_.isWriting());
+    cut_->setEnabled(writes && view_.canCopy());
+    paste_->setEnabled(writes);
+    copy_->setEnabled(view_.canCopy());
+    selectAll_->setEnabled(!view_.chosen());
+}
+
+void EditMenu::showAt(const QPoint& at) {
+    auto* menu = new QMenu(parentWidget());
+    menu->setObjectName("textMenu");
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addActions(view_.isWriting() ? QList<QAction*>{cut_, copy_, paste_, selectAll_}
+                                       : QList<QAction*>{copy_, selectAll_});
+    menu->popup(at);
+}
+
+} // namespace window

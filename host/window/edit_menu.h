@@ -1,0 +1,39 @@
+// The menu Edit of a window, and the menu at the pointer over text.
+#pragma once
+
+#include <QMenu>
+
+namespace view {
+class DocumentView;
+}
+
+namespace window {
+
+class FindBar;
+
+class EditMenu : public QMenu {
+    Q_OBJECT
+
+public:
+    // Both outlive it.
+    EditMenu(view::DocumentView& view, FindBar& find, QWidget* parent);
+
+    // The switch between reading and writing, for the tool bar, too.
+    [[nodiscard]] QAction& write() const { return *write_; }
+    void showAt(const QPoint& at);
+
+private:
+    void updateUndo();
+    void updateSelection();
+
+    view::DocumentView& view_;
+    QAction* undo_ = nullptr;
+    QAction* redo_ = nullptr;
+    QAction* cut_ = nullptr;
+    QAction* copy_ = nullptr;
+    QAction* paste_ = nullptr;
+    QAction* selectAll_ = nullptr;
+    QAction* write_ = nullptr;
+};
+
+} // namespace window

@@ -1,0 +1,57 @@
+#include "window/file_menu.h"
+
+#include "menus/actions.h"
+#include "plain/plain.h"
+#include "window/application.h"
+#include "window/choosing.h"
+#include "window/printing.h"
+#include "window/saving.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+
+namespace window {
+
+FileMenu::FileMenu(Application& application, DocumentWindow& window)
+    : QMenu(tr("&File"), &window), application_(application), window_(window) {
+    QMenu* fresh = addMenu(tr("&New"));
+    menus::addTo(*fresh, "newMemo", tr("&Memo"), QKeySequence::New,
+                 [this] { application_.openNew("CMEMO"); });
+    menus::addTo(*fresh, "newReport", tr("&Report"), {},
+                 [this] { application_.openNew("REPORT"); });
+    menus::addTo(*this, "open", tr("&Open..."), QKeySequence::Open, [this] {
+        const QStringList files =
+            QFileDialog::getOpenFileNames(&window_, tr("Open"), {}, documentFilter());
+        for (const QString& file : files)
+            application_.open(file, &window_);
+    });
+    recent_ = addMenu(tr("Open &Recent"));
+    connect(recent_, &QMenu::aboutToShow, this, &FileMenu::fillRecent);
+    addSeparator();
+    menus::addTo(*this, "save", tr("&Save"), QKeySequence::Save, [this] { window_.save(); });
+    menus::addTo(*this, "saveAs", tr("Save &As..."), QKeySequence("Ctrl+Shift+S"),
+                 [this] { window_.saveAs(); });
+    addSeparator();
+    menus::addTo(*this, "exportPdf", tr("Export P&DF..."), QKeySequence("Ctrl+Shift+E"),
+                 [this] { window_.printing().askAndExport(window_.view().presentation()); });
+    menus::addTo(*this, "print", tr("&Print..."), QKeySequence::Print, [this] {
+        window_.printing().askAndPrint(window_.view().presentation(), window_.documentTitle());
+    });
+    addSeparator();
+    menus::addTo(*this, "close", tr("&Close"), QKeySequence::Close, [this] { window_.close(); });
+    menus::addTo(*this, "quit", tr("&Quit"), QKeySequence("Ctrl+Q"),
+                 [this] { application_.quit(); });
+}
+
+void FileMenu::fillRecent() {
+    recent_->clear();
+    for (const QString& file : application_.recentFiles())
+        recent_
+            ->addAction(plain::caption(QFileInfo(file).fileName()), this,
+                        [this, file] { application_.open(file, &window_); })
+            ->setToolTip(plain::tip(file));
+    if (recent_->isEmpty())
+        recent_->addAction(tr("Nothing yet"))->setEnabled(false);
+}
+
+} // namespace window

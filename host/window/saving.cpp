@@ -1,0 +1,145 @@
+#include "window/saving.h"
+
+#include "plain/plain.h"
+#include "window/application.h"
+#include "window/choosing.h"
+
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTimer>
+
+namespace window {
+
+Saving::Saving(Application& application, session::OpenDocument& document, QWidget& window)
+    : QObject(&window), application_(application), document_(document), window_(window) {}
+
+// What is refused for a reason is done all the same when the user says so.
+bool Saving::saveBy(const std::function<files::SaveResult(files::SaveOptions)>& saving) {
+    files::SaveOptions options;
+    for (;;) {
+        const files::SaveResult result = saving(options);
+        const QString sentence = QString::fromStdString(result.sentence);
+        if (result.saved) {
+            Q_EMIT said(tr("Saved"));
+            return true;
+        }
+        if (result.refusal == files::Refusal::none) {
+            plain::Message::tell(QMessageBox::Critical, &window_, tr("Save"), sentence);
+            return false;
+        }
+        const auto answer =
+            plain::Message::ask(QMessageBox::Warning, &window_, tr("Save"),
+                                tr("%1\n\nSave it all the same?").arg(sentence),
+                                QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
+        if (answer != QMessageBox::Yes)
+            return false;
+        options.evenBroken |= result.refusal == files::Refusal::broken;
+        options.evenChanged |= result.refusal == files::Refusal::changed;
+        options.evenLinked |= result.refusal == files::Refusal::linked;
+    }
+}
+
+bool Saving::save() {
+    switch (askAboutDrafts(tr("Save"), tr("&Update and Save"), tr("Save &Without It"))) {
+    case Drafts::stay:
+        return false;
+    case Drafts::update:
+        updateDrafts([this] { saveNow(); });
+        return false;
+    case Drafts::none:
+    case Drafts::leave:
+        break;
+    }
+    return saveNow();
+}
+
+bool Saving::saveNow() {
+    document::Document& of = document_.document();
+    if (of.fileName().isEmpty())
+        return saveAs();
+    return saveBy([&of](files::SaveOptions options) { return of.save(options); });
+}
+
+bool Saving::saveAs() {
+    document::Document& of = document_.document();
+    const QString file =
+        askForFile(&window_, tr("Save As"), of.fileName(), documentFilter(), QStringLiteral("ens"));
+    if (file.isEmpty())
+        return false;
+    const bool saved =
+        saveBy([&of, file](files::SaveOptions options) { return of.saveAs(file, options); });
+    if (saved)
+        application_.remember(file);
+    return saved;
+}
+
+// What was typed in a window of a medium and is no change of the document yet goes with its
+// process.
+Saving::Drafts Saving::askAboutDrafts(const QString& title, const QString& update,
+                                      const QString& leave) {
+    const QStringList where = document_.drafts();
+    if (where.isEmpty())
+        return Drafts::none;
+    plain::Message box(QMessageBox::Warning, title,
+                       tr("Text that you typed in a window of %1 is not yet in the document.")
+                           .arg(where.join(tr(" and "))),
+                       QMessageBox::Cancel, &window_);
+    if (document_.takesDrafts())
+        box.addButton(QMessageBox::Apply)->setText(plain::ours(update));
+    box.addButton(QMessageBox::Discard)->setText(plain::ours(leave));
+    box.setDefaultButton(QMessageBox::Cancel);
+    switch (box.exec()) {
+    case QMessageBox::Apply:
+        return Drafts::update;
+    case QMessageBox::Discard:
+        return Drafts::leave;
+    default:
+        return Drafts::stay;
+    }
+}
+
+void Saving::updateDrafts(std::function<void()> then) {
+    constexpr int longestMs = 10'000;
+    auto* waiting = new QTimer(this); // and what it waits for, which goes with it
+    waiting->setSingleShot(true);
+    const auto look = [this, waiting, then = std::move(then)] {
+        if (!document_.drafts().isEmpty())
+            return;
+        waiting->stop();
+        waiting->deleteLater();
+        // Not in the medium's own call.
+        QTimer::singleShot(0, this, then);
+    };
+    connect(&document_, &session::OpenDocument::draftsChanged, waiting, look);
+    connect(waiting, &QTimer::timeout, this, [this, waiting] {
+        waiting->deleteLater();
+        plain::Message::tell(QMessageBox::Warning, &window_, tr("Update"),
+                             tr("%1 did not take the typed text. It is still in its window.")
+                                 .arg(document_.drafts().join(tr(" and "))));
+    });
+    waiting->start(longestMs);
+    document_.takeDrafts();
+}
+
+bool Saving::mayClose() {
+    if (application_.windowsOf(document_).size() > 1)
+        return true;
+    const Drafts drafts = askAboutDrafts(tr("Close"), tr("&Update"), tr("Close &Without It"));
+    if (drafts == Drafts::update)
+        updateDrafts([this] { Q_EMIT mayCloseNow(); });
+    if (drafts == Drafts::update || drafts == Drafts::stay)
+        return false;
+    if (document_.document().isModified()) {
+        const auto answer = plain::Message::ask(
+            QMessageBox::Question, &window_, tr("Close"),
+            tr("The document has changes that are not saved."),
+            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+        if (answer == QMessageBox::Cancel || (answer == QMessageBox::Save && !saveNow()))
+            return false;
+    }
+    if (document_.unsaved())
+        document_.unsaved()->giveUp();
+    return true;
+}
+
+} // namespace window

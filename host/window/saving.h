@@ -1,0 +1,45 @@
+// Saving the document of a window, and what is asked before it is saved or closed.
+#pragma once
+
+#include "session/open_document.h"
+
+#include <QCoreApplication>
+#include <QWidget>
+
+namespace window {
+
+class Application;
+
+class Saving : public QObject {
+    Q_OBJECT
+
+public:
+    // All outlive it. Questions stand over the window.
+    Saving(Application& application, session::OpenDocument& document, QWidget& window);
+
+    bool save(); // false: not, or not yet: what was typed elsewhere is being taken in
+    bool saveAs();
+    // False: the window stays. It is asked about what is not saved where the window is the
+    // document's last one.
+    bool mayClose();
+
+Q_SIGNALS:
+    void said(const QString& sentence); // for the status line
+    void mayCloseNow();                 // what was waited for is done: mayClose() again
+
+private:
+    bool saveBy(const std::function<files::SaveResult(files::SaveOptions)>& saving);
+    bool saveNow();
+    // What was typed in windows of media and is no change of the document yet: asks when there is
+    // any. `update`: it becomes the document's, and then `then` is done.
+    enum class Drafts { none, update, leave, stay };
+    [[nodiscard]] Drafts askAboutDrafts(const QString& title, const QString& update,
+                                        const QString& leave);
+    void updateDrafts(std::function<void()> then);
+
+    Application& application_;
+    session::OpenDocument& document_;
+    QWidget& window_;
+};
+
+} // namespace window

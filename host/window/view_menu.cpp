@@ -1,0 +1,51 @@
+#include "window/view_menu.h"
+
+#include "menus/actions.h"
+#include "plain/plain.h"
+#include "window/application.h"
+
+namespace window {
+
+ViewMenu::ViewMenu(Application& application, DocumentWindow& window, const QList<QAction*>& parts)
+    : QMenu(tr("&View"), &window), window_(window) {
+    view::DocumentView& view = window_.view();
+    menus::addTo(*this, "newWindow", tr("&New Window"), QKeySequence("Ctrl+Shift+N"),
+                 [&application, &window] { application.addWindow(window.shared()); });
+    presentations_ = addMenu(tr("&Presentation"));
+    connect(presentations_, &QMenu::aboutToShow, this, &ViewMenu::fillPresentations);
+    addSeparator();
+    menus::addTo(
+        *this, "zoomIn", tr("Zoom &In"), QKeySequence("Ctrl++"), [&view] { view.zoomBy(1); },
+        "zoom-in")
+        ->setShortcuts({QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")});
+    menus::addTo(
+        *this, "zoomOut", tr("Zoom &Out"), QKeySequence("Ctrl+-"), [&view] { view.zoomBy(-1); },
+        "zoom-out");
+    menus::addTo(*this, "fitWidth", tr("Fit &Width"), QKeySequence("Ctrl+9"),
+                 [&view] { view.setZoom(view.widthZoom()); });
+    menus::addTo(*this, "actualSize", tr("&Actual Size"), QKeySequence("Ctrl+0"),
+                 [&view] { view.setZoom(1); });
+    addSeparator();
+    addActions(parts);
+    menus::addTo(*this, "fullScreen", tr("&Full Screen"), QKeySequence("F11"),
+                 [this] { window_.setWindowState(window_.windowState() ^ Qt::WindowFullScreen); });
+}
+
+void ViewMenu::fillPresentations() {
+    presentations_->clear();
+    auto* group = new QActionGroup(presentations_);
+    const session::OpenDocument& of = window_.document();
+    view::DocumentView& view = window_.view();
+    const QStringList names = of.schemas().presentations(of.document().className());
+    for (const QString& name : names) {
+        QAction* action =
+            presentations_->addAction(plain::caption(name.left(1).toUpper() + name.mid(1)), this,
+                                      [&view, name] { view.setPresentation(name); });
+        action->setCheckable(true);
+        action->setChecked(name == view.presentation() ||
+                           (view.presentation().isEmpty() && name == names.first()));
+        group->addAction(action);
+    }
+}
+
+} // namespace window

@@ -1,0 +1,25 @@
+// The menu View of a window: how its document is shown, and what stands beside the pages.
+#pragma once
+
+#include <QMenu>
+
+namespace window {
+
+class Application;
+class DocumentWindow;
+
+class ViewMenu : public QMenu {
+    Q_OBJECT
+
+public:
+    // Both outlive it. `parts`: the window's own, shown and hidden.
+    ViewMenu(Application& application, DocumentWindow& window, const QList<QAction*>& parts);
+
+private:
+    void fillPresentations();
+
+    DocumentWindow& window_;
+    QMenu* presentations_;
+};
+
+} // namespace window
