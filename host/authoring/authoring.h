@@ -135,7 +135,7 @@ struct LinkAround {
 // A block of that name at the caret, between the halves of its paragraph, or beside what is around
 // it where it may stand. The caret goes into it; beside a unit it stays in the text.
 [[nodiscard]] Result insertBlock(const Manuscript& manuscript, Selection selection,
-                                 std::string_view name);
+                                 std::string_view name, std::string_view attributes = {});
 // A nested document, as its medium's manifest says.
 struct EmbeddedText {
     std::string className, storage;

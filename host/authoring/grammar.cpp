@@ -25,6 +25,7 @@ Kind kindOf(const Element& element) {
     case Display::pageBreak:
     case Display::rule:
     case Display::equation:
+    case Display::contents:
         return Kind::blockUnit;
     case Display::image:
     case Display::footnote:
@@ -175,7 +176,8 @@ QString called(const Grammar& grammar, std::string_view name) {
         {Display::reference, QStringLiteral("a reference")},
         {Display::image, QStringLiteral("an image")},
         {Display::pageBreak, QStringLiteral("a page break")},
-        {Display::rule, QStringLiteral("a rule")}};
+        {Display::rule, QStringLiteral("a rule")},
+        {Display::contents, QStringLiteral("a table of contents")}};
     if (name.empty() || name == "TEXT")
         return QStringLiteral("text");
     if (name == "DOCUMENT")

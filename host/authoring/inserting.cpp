@@ -51,7 +51,8 @@ Piece* putBlock(Draft& draft, Piece& mark, std::unique_ptr<Piece> piece) {
     return nullptr;
 }
 
-Result insertBlock(const Manuscript& manuscript, Selection selection, std::string_view name) {
+Result insertBlock(const Manuscript& manuscript, Selection selection, std::string_view name,
+                   std::string_view attributes) {
     const std::size_t end = std::max(selection.anchor, selection.caret);
     Draft draft(manuscript, {end, end});
     if (const QString why = draft.obstacle(); !why.isEmpty())
@@ -60,7 +61,8 @@ Result insertBlock(const Manuscript& manuscript, Selection selection, std::strin
         return refused(QStringLiteral("This class of documents has no such element."));
     if (name == "DOCUMENT" || draft.grammar().of(name).kind == Kind::inlined)
         return refused(mayNotStand(draft.grammar(), name));
-    Piece* made = putBlock(draft, draft.first(), Draft::made(std::string(name)));
+    Piece* made =
+        putBlock(draft, draft.first(), Draft::made(std::string(name), std::string(attributes)));
     if (made == nullptr)
         return refused(mayNotStand(draft.grammar(), name));
     if (!draft.isUnit(*made)) {

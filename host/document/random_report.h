@@ -55,7 +55,10 @@ public:
         case 7:
             return "<VERBATIM>{\n a\n  b\n}</VERBATIM>\n";
         case 8:
-            return chance(50) ? "<PAGEBREAK></PAGEBREAK>" : "<RULE></RULE>";
+            return chance(50)   ? "<PAGEBREAK></PAGEBREAK>"
+                   : chance(50) ? "<RULE></RULE>"
+                   : chance(50) ? "<CONTENTS></CONTENTS>"
+                                : "<CONTENTS OF=\"tables\"></CONTENTS>";
         case 9:
             return "stray ";
         default:

@@ -39,6 +39,7 @@ void Flow::seek(Place place) {
     breakNext_ = false;
     paragraph_.reset();
     table_.reset();
+    entry_ = {};
 }
 
 double Flow::left(const BlockPointer& block) const { return fromPoints(block->style.indentLeft); }
@@ -83,6 +84,7 @@ void Flow::leaveBlock() {
     made_ = 0;
     paragraph_.reset();
     table_.reset();
+    entry_ = {};
 }
 
 // The next strip of a block, `last` when there is none behind it; Made::end: the block has none.
@@ -96,6 +98,8 @@ Made Flow::inBlock(const BlockPointer& block, Strip& strip, bool& last) {
         return text(block, strip, last);
     case BlockKind::table:
         return table(block, strip, last);
+    case BlockKind::contents:
+        return block->entries.empty() ? text(block, strip, last) : contents(block, strip, last);
     case BlockKind::subdocument:
         subdocument(block, strip);
         return Made::strip;
@@ -201,6 +205,60 @@ void Flow::addMarker(const BlockPointer& block, Strip& strip, double lineBaselin
     const double down = lineBaseline - paragraph->lines().front().baseline;
     const double x = isNumber ? left(block) : left(block) - column;
     strip.pieces.emplace_back(TextPiece{paragraph, 0, {x, down}});
+}
+
+// --- contents ----------------------------------------------------------------------------------
+
+// A strip for each line of each entry. The number stands in a column of its own.
+Made Flow::contents(const BlockPointer& block, Strip& strip, bool& last) {
+    const schemas::TextStyle& style = in_.stock.materials()->looks.style(block->textStyle);
+    const double column = fromPoints(style.size * 2.2);
+    const auto indentOf = [](const BlockPointer& entry) {
+        return fromPoints(entry->style.indentLeft);
+    };
+    const auto begin = [&](const BlockPointer& entry) {
+        const double width = std::max(room(block) - indentOf(entry) - column, fromPoints(40));
+        entry_.paragraph = in_.stock.paragraph(entry, width, Stock::Part::text, [&] {
+            return std::make_unique<Paragraph>(in_.stock.materials(), entry, width);
+        });
+    };
+    for (;;) { // only after seek() more than once
+        if (entry_.index == block->entries.size())
+            return Made::end;
+        if (!entry_.paragraph)
+            begin(block->entries[entry_.index]);
+        if (!entry_.paragraph->makeLine(entry_.line)) {
+            entry_ = {.index = entry_.index + 1, .made = entry_.made};
+            continue;
+        }
+        if (entry_.made == made_)
+            break;
+        ++entry_.line;
+        ++entry_.made;
+    }
+    const BlockPointer& entry = block->entries[entry_.index];
+    const double x = left(block) + indentOf(entry);
+    const int line = static_cast<int>(entry_.line);
+    const Paragraph::Line& letters = entry_.paragraph->lines()[entry_.line];
+    strip.height = letters.height;
+    strip.pieces.emplace_back(TextPiece{entry_.paragraph, line, {x, 0}});
+    const bool endsEntry = !entry_.paragraph->makeLine(entry_.line + 1);
+    if (endsEntry) {
+        const double end =
+            x + entry_.paragraph->leftOf(line, entry_.paragraph->rangeOfLine(line).second);
+        const double right = left(block) + room(block);
+        strip.pieces.emplace_back(PageNumberPiece{entry->runs.front().target.substr(1),
+                                                  style,
+                                                  {end, 0, right - end, letters.height},
+                                                  letters.baseline});
+        last = entry_.index + 1 == block->entries.size();
+    } else {
+        last = false;
+        strip.keepWithNext = true;
+    }
+    ++entry_.line;
+    ++entry_.made;
+    return Made::strip;
 }
 
 // --- pictures and rules ------------------------------------------------------------------------

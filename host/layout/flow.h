@@ -61,6 +61,7 @@ private:
     void subdocument(const BlockPointer& block, Strip& strip) const;
     void image(const BlockPointer& block, Strip& strip) const;
     void rule(const BlockPointer& block, Strip& strip) const;
+    [[nodiscard]] Made contents(const BlockPointer& block, Strip& strip, bool& last);
     [[nodiscard]] Made table(const BlockPointer& block, Strip& strip, bool& last);
     [[nodiscard]] double left(const BlockPointer& block) const;
     [[nodiscard]] double room(const BlockPointer& block) const;
@@ -74,6 +75,12 @@ private:
     std::shared_ptr<Paragraph> paragraph_;
     std::size_t lettersBefore_ = 0; // of the paragraph, when this flow came to it
     std::unique_ptr<Table> table_;
+    struct Entry {
+        std::size_t index = 0, line = 0; // of the next strip
+        std::size_t made = 0;            // strips before it
+        std::shared_ptr<Paragraph> paragraph{};
+    };
+    Entry entry_; // of a table of contents
 };
 
 } // namespace layout

@@ -97,6 +97,11 @@ std::string printed(const Pages& pages) {
                 line("subdocument", placed->rect, QString::number(placed->subdocument));
             else if (const auto* frame = std::get_if<FramePiece>(&piece))
                 line("frame", frame->rect, {});
+            else if (const auto* number = std::get_if<PageNumberPiece>(&piece))
+                line("page-number", number->rect, [&] {
+                    const auto anchor = pages.anchor(number->target);
+                    return anchor ? QString::number(anchor->first + 1) : QString();
+                }());
             else if (const auto* image = std::get_if<ImagePiece>(&piece))
                 line("image", image->rect, image->alternative);
         }

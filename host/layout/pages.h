@@ -40,6 +40,7 @@ struct Page {
     std::vector<Heading> headings;
     std::vector<std::pair<std::string, double>> anchors; // and the height on it
     std::vector<std::shared_ptr<const Columns>> columns; // of the tables on it, for other layouts
+    bool hasPageNumbers = false; // of other pages: it looks otherwise when these change
 };
 
 struct PlacedSubdocument {

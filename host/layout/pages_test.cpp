@@ -70,6 +70,41 @@ TEST_F(PagesTest, EveryLineIsOnExactlyOnePageAndInsideTheMargins) {
     EXPECT_GT(laid.pages.size(), 3u);
 }
 
+// Contents over several pages: each entry has the number of the page that it leads to, at the right
+// edge of the text, below the ones before.
+TEST_F(PagesTest, EntriesOfContentsTellThePagesThatTheyLeadTo) {
+    auto contents = std::make_shared<model::Block>();
+    contents->kind = model::BlockKind::contents;
+    constexpr int count = 80;
+    for (int i = 0; i < count; ++i) {
+        const auto entry = paragraph(std::string(i % 7 == 0 ? 200 : 10, 'w').replace(5, 1, " "));
+        entry->runs.front().target = "#h" + std::to_string(i);
+        contents->entries.push_back(entry);
+    }
+    model_.blocks.push_back(contents);
+    for (int i = 0; i < count; ++i) {
+        const auto heading = paragraph("Heading");
+        heading->anchors = {"h" + std::to_string(i)};
+        heading->style.pageBreakBefore = i % 2 == 0;
+        model_.blocks.push_back(heading);
+    }
+    const Pages laid = pages();
+    int entry = 0;
+    for (std::size_t page = 0; page < laid.pages.size(); ++page)
+        for (const Piece& piece : laid.pages[page]->pieces)
+            if (const auto* number = std::get_if<PageNumberPiece>(&piece)) {
+                EXPECT_EQ(number->target, "h" + std::to_string(entry));
+                EXPECT_NEAR(number->rect.right(), laid.size.width() - fromPoints(72), 1e-6);
+                EXPECT_GT(number->rect.width(), fromPoints(10));
+                EXPECT_TRUE(laid.pages[page]->hasPageNumbers);
+                ++entry;
+            }
+    EXPECT_EQ(entry, count);
+    const std::size_t pagesOfContents = laid.pages.size() - count / 2;
+    EXPECT_GT(pagesOfContents, 1u);
+    EXPECT_EQ(laid.anchor("h20")->first, pagesOfContents + 10);
+}
+
 TEST_F(PagesTest, AHeadingIsNeverTheLastOfAPage) {
     for (int i = 0; i < 300; ++i) {
         const auto block = paragraph(i % 3 == 0 ? "Heading" : "Text");

@@ -325,6 +325,8 @@ void Paginator::remember(const Strip& strip) {
 void Paginator::put(const Piece& piece, const model::Block* block) {
     if (const auto* placed = std::get_if<SubdocumentPiece>(&piece))
         filling_.page->objects.push_back({placed->subdocument, {}, placed->rect, block});
+    else if (std::holds_alternative<PageNumberPiece>(piece))
+        filling_.page->hasPageNumbers = true;
     else if (const auto* image = std::get_if<ImagePiece>(&piece))
         filling_.page->objects.push_back(
             {document::noSubdocument, image->source, image->rect, block});

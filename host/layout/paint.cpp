@@ -49,6 +49,26 @@ QRectF boundsOf(const TextPiece& text) {
     return {-1e7, text.at.y() - line.height, 2e7, 3 * line.height};
 }
 
+void paintPageNumber(QPainter& painter, const PageNumberPiece& piece, const Pages& pages) {
+    const auto anchor = pages.anchor(piece.target);
+    if (!anchor)
+        return; // its page is not made yet
+    const QFont font = fontOf(piece.style);
+    const QFontMetricsF metrics(font);
+    const QString number = QString::number(anchor->first + 1);
+    const double y = piece.rect.top() + piece.baseline;
+    double x = piece.rect.right() - metrics.horizontalAdvance(number);
+    painter.setFont(font);
+    painter.setPen(colorOf(piece.style.color));
+    painter.drawText(QPointF(x, y), number);
+    // Dots stand below each other, counted from the right edge.
+    const double step = piece.style.size * 20 * 0.5, gap = step;
+    const double dot = metrics.horizontalAdvance('.');
+    for (double at = piece.rect.right() - std::ceil((piece.rect.right() - x + gap) / step) * step;
+         at > piece.rect.left() + gap; at -= step)
+        painter.drawText(QPointF(at - dot, y), QStringLiteral("."));
+}
+
 } // namespace
 
 void paintPage(QPainter& painter, const Pages& pages, std::size_t page, const QRectF& clip,
@@ -66,6 +86,9 @@ void paintPage(QPainter& painter, const Pages& pages, std::size_t page, const QR
         } else if (const auto* image = std::get_if<ImagePiece>(&piece)) {
             if (image->rect.intersects(clip))
                 paintImage(painter, *image, painters.image ? painters.image(*image) : QImage());
+        } else if (const auto* number = std::get_if<PageNumberPiece>(&piece)) {
+            if (number->rect.intersects(clip))
+                paintPageNumber(painter, *number, pages);
         } else if (const auto* placed = std::get_if<SubdocumentPiece>(&piece)) {
             if (placed->rect.intersects(clip) && painters.subdocument)
                 painters.subdocument(painter, *placed);

@@ -114,8 +114,23 @@ protected:
         return tableOf(std::move(rows));
     }
 
+    NewBlock someContents() {
+        auto block = std::make_shared<Block>();
+        block->kind = model::BlockKind::contents;
+        block->runs.emplace_back().text = "nothing";
+        for (unsigned i = 0, n = below(12); i < n; ++i) {
+            NewBlock entry = paragraph(words(below(4) == 0 ? 40 : 5));
+            entry->runs.front().target = "#h" + std::to_string(below(1000));
+            entry->style.indentLeft = 10 * below(3);
+            block->entries.push_back(entry);
+        }
+        return block;
+    }
+
     std::shared_ptr<const Block> someBlock() {
-        switch (below(14)) {
+        switch (below(15)) {
+        case 14:
+            return someContents();
         case 0:
             return someTable();
         case 1: {

@@ -33,7 +33,14 @@ struct FramePiece {
     std::optional<schemas::Color> background;
     schemas::Border border;
 };
-using Piece = std::variant<FramePiece, TextPiece, SubdocumentPiece, ImagePiece>;
+// The number of the page that an anchor is on, at the right end of a line, and dots that lead to it.
+struct PageNumberPiece {
+    std::string target; // Pages::anchor()
+    schemas::TextStyle style;
+    QRectF rect; // from the end of the line's text
+    double baseline = 0;
+};
+using Piece = std::variant<FramePiece, TextPiece, SubdocumentPiece, ImagePiece, PageNumberPiece>;
 
 [[nodiscard]] Piece moved(Piece piece, QPointF by);
 

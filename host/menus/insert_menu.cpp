@@ -47,6 +47,22 @@ CommandMenu::Command block(Display display) {
     };
 }
 
+// Contents of that kind. The presentation of a class tells the kinds apart by an attribute.
+CommandMenu::Command contents(schemas::ContainerRole of) {
+    return [of](const Manuscript& in, Selection at) -> authoring::Result {
+        const authoring::Grammar* grammar = in.grammars.of(in.document.className());
+        const std::string name(grammar ? grammar->named(Display::contents) : std::string_view());
+        if (!name.empty() && of == schemas::ContainerRole::heading)
+            return authoring::insertBlock(in, at, name);
+        if (!name.empty())
+            for (const auto& kind : grammar->variants(name))
+                if (kind.lists == of)
+                    return authoring::insertBlock(
+                        in, at, name, " " + sgml::attributeText(kind.attribute, kind.value));
+        return authoring::Refusal{InsertMenu::tr("This class of documents has no such element.")};
+    };
+}
+
 } // namespace
 
 InsertMenu::InsertMenu(view::DocumentView& view, QWidget* parent)
@@ -77,6 +93,11 @@ InsertMenu::InsertMenu(view::DocumentView& view, QWidget* parent)
     addSeparator();
     add("pageBreak", tr("&Page Break"), QKeySequence("Ctrl+Return"), block(Display::pageBreak));
     add("rule", tr("R&ule"), {}, block(Display::rule));
+    addSeparator();
+    using schemas::ContainerRole;
+    add("contents", tr("&Table of Contents"), {}, contents(ContainerRole::heading));
+    add("listOfFigures", tr("List of Fi&gures"), {}, contents(ContainerRole::figure));
+    add("listOfTables", tr("List of Ta&bles"), {}, contents(ContainerRole::table));
     connect(&this->view(), &view::DocumentView::formulaActivated, this,
             [this](sgml::NodeId element) { askForFormula(element); });
 }

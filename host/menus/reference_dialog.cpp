@@ -16,7 +16,7 @@ namespace {
 
 QString wordsOf(const model::Block& block) {
     constexpr qsizetype longest = 90;
-    QString words = QString::fromStdString(block.marker);
+    QString words = QString::fromStdString(block.marker) + ' ';
     for (const model::Run& run : block.runs) {
         words += QString::fromStdString(run.text);
         if (words.size() > longest)
@@ -29,9 +29,10 @@ QString wordsOf(const model::Block& block) {
 // Its caption says what a figure or table is, its heading what a section is; the first words of
 // anything else.
 const model::Block* telling(const model::Model& model, const model::Container& container) {
+    const bool isSection = container.role == schemas::ContainerRole::section;
     for (const model::Container& inner : model.containers)
-        if (inner.role == schemas::ContainerRole::caption && inner.first >= container.first &&
-            inner.last <= container.last)
+        if (!isSection && inner.role == schemas::ContainerRole::caption &&
+            inner.first >= container.first && inner.last <= container.last)
             return model.blocks[inner.first].get();
     for (std::size_t at = container.first; at <= container.last; ++at)
         if (!wordsOf(*model.blocks[at]).isEmpty())

@@ -64,6 +64,8 @@ private:
     std::string block(const Block& of) {
         if (of.kind == BlockKind::table)
             return table(of);
+        if (of.kind == BlockKind::contents && !of.entries.empty())
+            return blocks(of.entries, {});
         if (of.kind == BlockKind::rule)
             return "---";
         if (of.kind == BlockKind::subdocument || of.kind == BlockKind::image)
@@ -182,6 +184,10 @@ private:
         switch (of.kind) {
         case BlockKind::table:
             return table(of);
+        case BlockKind::contents:
+            if (!of.entries.empty())
+                return blocks(of.entries, {});
+            break;
         case BlockKind::rule:
             return "<hr>\n";
         case BlockKind::pageBreak:

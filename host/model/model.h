@@ -72,7 +72,8 @@ enum class BlockKind {
     table,
     rule, // a horizontal line: the style's border
     pageBreak,
-    formula, // one run; the marker is its number, on its right
+    formula,  // one run; the marker is its number, on its right
+    contents, // entries; runs hold what stands for them where there are none
 };
 
 struct Cell;
@@ -105,10 +106,12 @@ struct Block {
     int headingLevel = 0;             // 1..: an entry of the outline; 0: none
     std::vector<std::string> anchors; // IDs that references lead to, "#" not included
     document::SubdocumentId subdocument = document::noSubdocument;
-    std::string source;                  // image: its file, as written
-    std::optional<double> width, height; // image, chart: 1/96 inch
-    std::string alternative;             // image: ALT
-    std::vector<Row> rows;               // table
+    std::string source;                                          // image: its file, as written
+    std::optional<double> width, height;                         // image, chart: 1/96 inch
+    std::string alternative;                                     // image: ALT
+    std::vector<Row> rows;                                       // table
+    schemas::ContainerRole lists = schemas::ContainerRole::none; // contents: of what
+    Blocks entries; // contents: a block each; its run's target is what the entry leads to
 };
 
 struct Cell {

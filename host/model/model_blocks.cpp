@@ -1,4 +1,5 @@
 // Blocks, runs and their text.
+#include "model/contents.h"
 #include "model/model_walk.h"
 
 #include <algorithm>
@@ -40,6 +41,8 @@ Block& ModelWalk::addBlock(BlockKind kind) {
     block.textStyle = textStyle(frame.style.text);
     block.headingLevel = kind == BlockKind::text ? frame.style.headingLevel : 0;
     block.anchors.swap(state_.anchors);
+    if (block.headingLevel > 0 || frame.style.role == schemas::ContainerRole::caption)
+        block.anchors.push_back(anchorOf(frame.node));
     takeMarker(block);
     flow_.gap.space = flow_.gap.padding = 0;
     flow_.gap.pageBreak = false;

@@ -1,5 +1,6 @@
 #include "model/model_builder.h"
 
+#include "model/contents.h"
 #include "model/same_blocks.h"
 
 #include <algorithm>
@@ -175,6 +176,7 @@ void ModelBuilder::finish() {
         join(model);
     const bool elsewhere = resolve(model, spliceTrail());
     work_.blocks += keepOld(replaced);
+    work_.blocks += fillContents(model, old.blocks);
     model.footnotes.resize(elsewhere ? 0 : footnotes);
     for (std::size_t i = elsewhere ? 0 : first; i < (elsewhere ? model.blocks.size() : end); ++i)
         addFootnotesOf(*model.blocks[i], model.footnotes);

@@ -190,6 +190,44 @@ TEST(ModelFollow, ALetterLeavesOtherCellsAndFootnotesAsTheyAre) {
     EXPECT_EQ(now.blocks[1]->runs.at(1).footnote, old->footnotes.at(0));
 }
 
+// What stands in a table of contents follows the headings, and a letter elsewhere leaves it as it
+// is.
+TEST(ModelFollow, ContentsFollowTheirHeadingsAndCaptions) {
+    Followed followed("DOCUMENT REPORT\n<REPORT><CONTENTS></CONTENTS><CONTENTS OF=\"tables\">"
+                      "</CONTENTS><SECTION><HEADING>{One}</HEADING><PARAGRAPH>{words}</PARAGRAPH>"
+                      "<SECTION><HEADING>{Two}</HEADING><TABLE><ROW><CELL>{a}</CELL></ROW>"
+                      "<CAPTION>{Masses}</CAPTION></TABLE></SECTION></SECTION></REPORT>",
+                      "", 1);
+    const auto contents = [&](std::size_t which) {
+        for (const auto& block : followed.builder.model()->blocks)
+            if (block->kind == BlockKind::contents && which-- == 0)
+                return block;
+        return std::shared_ptr<const Block>();
+    };
+    const auto entries = [&](std::size_t which) {
+        std::string all;
+        for (const auto& entry : contents(which)->entries)
+            all += entry->runs.front().text + "|" + std::to_string(entry->style.indentLeft)[0];
+        return all;
+    };
+    EXPECT_EQ(entries(0), "1  One|01.1  Two|1");
+    EXPECT_EQ(entries(1), "Table 1: Masses|0");
+    const auto before = contents(0);
+    const auto edit = [&](const std::string& at, const std::string& put) {
+        const std::size_t place = followed.document.bytes().find(at);
+        (void)followed.document.edit({{{place, place}, put}}, "Typing");
+        EXPECT_EQ(followed.difference(), "");
+    };
+    edit("words", "x");
+    EXPECT_EQ(contents(0), before);
+    edit("Two}", "x");
+    EXPECT_NE(contents(0), before);
+    EXPECT_EQ(contents(0)->entries[0], before->entries[0]);
+    EXPECT_EQ(entries(0), "1  One|01.1  xTwo|1");
+    edit("<SECTION><HEADING>{One", "<SECTION><HEADING>{New}</HEADING></SECTION>");
+    EXPECT_EQ(entries(0), "1  New|02  One|02.1  xTwo|1");
+}
+
 // The numbers of all sections behind it change, and what refers to these wherever it stands.
 TEST(ModelFollow, AHeadingNumbersWhatFollowsAndNothingElse) {
     const ModelBuilder::Work work =

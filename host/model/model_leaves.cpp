@@ -56,6 +56,24 @@ bool ModelWalk::addEquation(const Frame& frame) {
     return false;
 }
 
+// Its heading is generated; what it lists is known when all has been walked over.
+bool ModelWalk::addContents() {
+    beginBlock(state_.frames.back());
+    if (const std::string before = state_.frames.back().style.before; !before.empty())
+        addGenerated(state_.frames.back(), "BEFORE", before);
+    Block& block = addBlock(BlockKind::contents);
+    const Frame& own = state_.frames.back();
+    block.lists = own.style.lists;
+    block.runs.push_back({.text = block.lists == schemas::ContainerRole::heading
+                                      ? "There is no heading yet."
+                                  : block.lists == schemas::ContainerRole::figure
+                                      ? "There is no figure with a caption yet."
+                                      : "There is no table with a caption yet.",
+                          .style = textStyle(own.style.text),
+                          .element = own.node});
+    return false;
+}
+
 bool ModelWalk::addImage(const Frame& frame) {
     std::string file = attribute(frame.node, "FILE");
     if (file.empty())

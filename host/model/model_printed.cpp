@@ -1,3 +1,4 @@
+#include "model/contents.h"
 #include "model/model.h"
 
 #include <array>
@@ -41,9 +42,9 @@ void print(const Containers& containers, const std::string& indent, std::string&
 }
 
 void print(const Block& block, const Model& model, const std::string& indent, std::string& lines) {
-    constexpr std::array<const char*, 9> kinds = {"text",  "verbatim",   "subdocument",
-                                                  "image", "chart",      "table",
-                                                  "rule",  "page-break", "formula"};
+    constexpr std::array<const char*, 10> kinds = {
+        "text",  "verbatim", "subdocument", "image",   "chart",
+        "table", "rule",     "page-break",  "formula", "contents"};
     constexpr std::array<const char*, 4> aligns = {"left", "center", "right", "justify"};
     const schemas::BlockStyle& style = block.style;
     lines += indent + kinds[static_cast<std::size_t>(block.kind)] + " " +
@@ -58,7 +59,7 @@ void print(const Block& block, const Model& model, const std::string& indent, st
     lines += style.keepWithNext ? " keep" : "";
     lines += style.pageBreakBefore ? " page" : "";
     for (const std::string& anchor : block.anchors)
-        lines += " #" + anchor;
+        lines += isGeneratedAnchor(anchor) ? "" : " #" + anchor;
     if (!block.marker.empty())
         lines += " (" + block.marker + ")";
     lines += block.source.empty() ? "" : " " + block.source;
@@ -66,6 +67,8 @@ void print(const Block& block, const Model& model, const std::string& indent, st
     for (const Run& run : block.runs)
         lines += runPrinted(run, model);
     lines += '\n';
+    for (const auto& entry : block.entries)
+        print(*entry, model, indent + "  ", lines);
     for (const Row& row : block.rows) {
         lines += indent + "  row\n";
         for (const Cell& cell : row) {

@@ -285,6 +285,8 @@ bool ModelWalk::beginDisplay(Frame& frame) {
         return addLiving(frame);
     case schemas::Display::chart:
         return addChart(frame);
+    case schemas::Display::contents:
+        return addContents();
     case schemas::Display::formula:
         return addFormula(frame);
     case schemas::Display::equation:

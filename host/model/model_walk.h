@@ -159,6 +159,7 @@ private:
     bool addFormula(const Frame& frame);
     bool addEquation(const Frame& frame);
     [[nodiscard]] Run formulaRun(const Frame& frame, bool isAlone);
+    bool addContents();
     bool addImage(const Frame& frame);
     bool addLeaf(BlockKind kind);
     bool addSubdocument(sgml::NodeId node);

@@ -56,13 +56,13 @@ template <class T> bool areEqual(const std::vector<T>& a, const std::vector<T>& 
 
 bool isEqual(const Block& a, const Block& b) {
     const auto& [kind, element, style, marker, markerStyle, runs, textStyle, headingLevel, anchors,
-                 subdocument, source, width, height, alternative, rows] = a;
+                 subdocument, source, width, height, alternative, rows, lists, entries] = a;
     return std::tie(kind, element, style, marker, markerStyle, textStyle, headingLevel, anchors,
-                    subdocument, source, width, height,
-                    alternative) == std::tie(b.kind, b.element, b.style, b.marker, b.markerStyle,
-                                             b.textStyle, b.headingLevel, b.anchors, b.subdocument,
-                                             b.source, b.width, b.height, b.alternative) &&
-           areEqual(runs, b.runs) && areEqual(rows, b.rows);
+                    subdocument, source, width, height, alternative,
+                    lists) == std::tie(b.kind, b.element, b.style, b.marker, b.markerStyle,
+                                       b.textStyle, b.headingLevel, b.anchors, b.subdocument,
+                                       b.source, b.width, b.height, b.alternative, b.lists) &&
+           areEqual(runs, b.runs) && areEqual(rows, b.rows) && areEqual(entries, b.entries);
 }
 
 namespace {

@@ -82,6 +82,12 @@ private:
         case BlockKind::table:
             writeTable(block);
             break;
+        case BlockKind::contents:
+            for (const std::shared_ptr<const Block>& entry : block.entries)
+                writeFlowing(*entry, "");
+            if (block.entries.empty())
+                writeFlowing(block, "");
+            break;
         case BlockKind::rule:
             text_ += std::string(width_, '-') + "\n";
             break;

@@ -64,7 +64,7 @@ std::vector<Presentation::Variant> Presentation::variantsOf(std::string_view nam
         }
     std::vector<Variant> variants;
     for (const auto& [asked, style] : found)
-        variants.push_back({asked.first, asked.second, !style.number.empty()});
+        variants.push_back({asked.first, asked.second, !style.number.empty(), style.lists});
     return variants;
 }
 

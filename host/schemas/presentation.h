@@ -41,6 +41,7 @@ enum class Display {
     chart,
     formula,  // in the line
     equation, // a formula that stands alone
+    contents, // a list of headings or captions with their pages
 };
 
 // Everything that a presentation says about one element, resolved.
@@ -57,7 +58,8 @@ struct ElementStyle {
     std::string reference; // pattern of what REF shows; "" is `number` without its last punctuation
     int headingLevel = 0;
     ContainerRole role = ContainerRole::none;
-    bool title = false; // its text is the document's title
+    bool title = false;                           // its text is the document's title
+    ContainerRole lists = ContainerRole::heading; // `display: contents`: of what
     bool operator==(const ElementStyle&) const = default;
 };
 
@@ -90,6 +92,7 @@ public:
     struct Variant {
         std::string attribute, value;
         bool isNumbered = false; // it has a marker with its own number
+        ContainerRole lists = ContainerRole::heading;
         bool operator==(const Variant&) const = default;
     };
     [[nodiscard]] std::vector<Variant> variantsOf(std::string_view name) const;

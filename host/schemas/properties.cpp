@@ -147,7 +147,7 @@ std::optional<Display> display(std::string_view text) {
         {"link", Display::link},         {"reference", Display::reference},
         {"slider", Display::slider},     {"value", Display::value},
         {"chart", Display::chart},       {"formula", Display::formula},
-        {"equation", Display::equation}};
+        {"equation", Display::equation}, {"contents", Display::contents}};
     for (const auto& [name, value] : names)
         if (text == name)
             return value;
@@ -218,8 +218,7 @@ std::string setDisplay(Display& target, const Words& words) {
     target = value.value_or(target);
     return value ? ""
                  : "wants block, inline, verbatim, table, row, cell, image, page-break, rule, "
-                   "footnote, link, "
-                   "reference, slider, value or chart";
+                   "footnote, link, reference, slider, value, chart, formula, equation or contents";
 }
 
 std::string setRole(ContainerRole& target, const Words& words) {
@@ -245,6 +244,13 @@ std::string setRole(ContainerRole& target, const Words& words) {
     return "wants section, list, item, figure, table, caption, quote, paragraph, heading, "
            "emphasis, "
            "strong, code or none";
+}
+
+std::string setLists(ContainerRole& target, const Words& words) {
+    const std::string_view word = words.size() == 1 ? words[0].text : std::string_view();
+    if (word != "heading" && word != "figure" && word != "table")
+        return "wants heading, figure or table";
+    return setRole(target, words);
 }
 
 std::string setLineHeight(double& target, const Words& words) {
@@ -321,6 +327,7 @@ const std::map<std::string_view, StyleSetter>& styleSetters() {
         {"restart", [](E& e, const Words& w, const E&) { return setRestart(e.restart, w); }},
         {"level", [](E& e, const Words& w, const E&) { return setLevel(e.headingLevel, w); }},
         {"role", [](E& e, const Words& w, const E&) { return setRole(e.role, w); }},
+        {"lists", [](E& e, const Words& w, const E&) { return setLists(e.lists, w); }},
         {"title", [](E& e, const Words& w, const E&) { return setFlag(e.title, w); }},
     };
     return setters;

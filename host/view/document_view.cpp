@@ -130,7 +130,7 @@ void DocumentView::showChanged(const layout::Pages& before) {
         before.headers != pages_.headers || before.pages.size() != now.size())
         return viewport()->update(); // the headers may say how many pages there are
     for (std::size_t i = 0; i < now.size(); ++i)
-        if (before.pages[i] != now[i])
+        if (before.pages[i] != now[i] || now[i]->hasPageNumbers)
             viewport()->update(QRectF(pageTopLeft(i), pageSize()).toAlignedRect());
 }
 
