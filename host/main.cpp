@@ -16,7 +16,8 @@ namespace {
 
 constexpr const char* usage =
     "usage: ensemble [--play] [DOCUMENT ...]           open documents\n"
-    "       ensemble --convert-to pdf|png|text [--output FILE|DIR] DOCUMENT\n"
+    "       ensemble --convert-to pdf|png|text [--output FILE|DIR] [--presentation NAME]\n"
+    "                DOCUMENT\n"
     "       ensemble --check DOCUMENT                  every fault of the document and its "
     "subdocuments\n"
     "       ensemble --check-medium COMMAND...         the conformance test of the medium "
@@ -40,8 +41,8 @@ int convert(const QCommandLineParser& options) {
         return wrong("--convert-to wants pdf, png or text");
     if (options.positionalArguments().size() != 1)
         return wrong("--convert-to wants one document");
-    return console::convert(
-        {format, options.positionalArguments().first(), options.value("output")});
+    return console::convert({format, options.positionalArguments().first(), options.value("output"),
+                             options.value("presentation")});
 }
 
 int openWindows(QApplication& application, const QCommandLineParser& options) {
@@ -69,6 +70,7 @@ int run(QApplication& application, const QStringList& arguments, const std::stri
     QCommandLineParser options;
     options.addOptions({{"convert-to", {}, "format"},
                         {"output", {}, "file"},
+                        {"presentation", {}, "name"},
                         {"check", {}},
                         {"play", {}},
                         {"help", {}},
@@ -89,6 +91,8 @@ int run(QApplication& application, const QStringList& arguments, const std::stri
                    : wrong("--check wants one document");
     if (options.isSet("output"))
         return wrong("--output belongs to --convert-to");
+    if (options.isSet("presentation"))
+        return wrong("--presentation belongs to --convert-to");
     if (!displayFault.empty()) {
         terminal::complain("ensemble: " + displayFault + "; --convert-to and --check need none");
         return console::failure;

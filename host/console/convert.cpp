@@ -63,10 +63,10 @@ QString writePng(const paper::Paper& paper, const QString& name) {
     return {};
 }
 
-QString writeText(BatchDocument& batch, const QString& name) {
+QString writeText(BatchDocument& batch, const QString& presentation, const QString& name) {
     const document::Document& of = batch.document().document();
-    const model::Model model =
-        model::buildModel(of, batch.schemas().presentation(of.className()), batch.schemas());
+    const model::Model model = model::buildModel(
+        of, batch.schemas().presentation(of.className(), presentation), batch.schemas());
     // Each line is the document's own, so that what orders its letters from right to left stays.
     const std::string shown = text::printable(model::exportText(of, model), text::Direction::kept);
     if (name == "-")
@@ -89,15 +89,25 @@ int convert(const Conversion& conversion) {
         complain(batch.failure());
         return failure;
     }
+    const std::string className = batch.document().document().className();
+    const QStringList known = batch.schemas().presentations(className);
+    if (!conversion.presentation.isEmpty() && !known.contains(conversion.presentation)) {
+        complain(
+            QStringLiteral("%1: error: documents of class %2 have no presentation %3; there is %4")
+                .arg(conversion.input, QString::fromStdString(className), conversion.presentation,
+                     known.join(QStringLiteral(", "))));
+        return failure;
+    }
     const bool broken = isBroken(batch, conversion.input);
     const QString name = outputFile(conversion);
     QString failed;
     QStringList missing;
     if (conversion.format == "text") {
-        failed = writeText(batch, name);
+        failed = writeText(batch, conversion.presentation, name);
     } else {
         const bool png = conversion.format == "png";
-        paper::Paper paper(batch.document(), {}, png ? screenDpi : paperDpi, true);
+        paper::Paper paper(batch.document(), conversion.presentation, png ? screenDpi : paperDpi,
+                           true);
         QEventLoop loop;
         QObject::connect(&paper, &paper::Paper::ready, &loop, &QEventLoop::quit);
         paper.prepare();

@@ -1,4 +1,4 @@
-// ensemble --convert-to FORMAT [--output FILE|DIR] DOCUMENT
+// ensemble --convert-to FORMAT [--output FILE|DIR] [--presentation NAME] DOCUMENT
 #pragma once
 
 #include <QString>
@@ -11,6 +11,7 @@ struct Conversion {
     QString format; // pdf, png or text
     QString input;  // "-": standard input
     QString output; // "": the document's name in the current directory; "-": standard output
+    QString presentation{}; // "": the class's first
 };
 
 [[nodiscard]] int convert(const Conversion& conversion);

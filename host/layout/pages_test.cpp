@@ -132,6 +132,22 @@ TEST_F(PagesTest, AFigureWithoutRoomMovesToTheNextPageAndTextFillsTheGap) {
     EXPECT_EQ(lastText(*laid.pages[0]), "After");
 }
 
+TEST_F(PagesTest, AFigureThatMovedStandsBeforeTheNextForcedBreak) {
+    size_ = QSizeF(fromPoints(300), areaHeight() * 0.6);
+    for (int i = 0; i < 25; ++i)
+        model_.blocks.push_back(paragraph("Before"));
+    model_.blocks.push_back(picture(7));
+    model_.blocks.push_back(paragraph("Caption"));
+    const auto heading = paragraph("Heading");
+    heading->style.pageBreakBefore = true;
+    model_.blocks.push_back(heading);
+    const Pages laid = pages();
+    ASSERT_EQ(laid.pages.size(), 3u);
+    EXPECT_EQ(laid.subdocuments()[0].page, 1u);
+    EXPECT_EQ(lastText(*laid.pages[1]), "Caption");
+    EXPECT_EQ(lastText(*laid.pages[2]), "Heading");
+}
+
 TEST_F(PagesTest, APictureLargerThanThePageIsMadeToFit) {
     size_ = QSizeF(fromPoints(5000), fromPoints(9000));
     model_.blocks.push_back(picture(1));

@@ -72,8 +72,8 @@ bool Paginator::step() {
         }
         break;
     case Stage::afterBreak:
-        placeFloats();
-        stage_ = Stage::consider;
+        placeFloats(); // figures from before the break, on pages of their own
+        stage_ = atTop() ? Stage::consider : Stage::begin;
         break;
     case Stage::consider:
         stage_ = considerGroup();
