@@ -2,6 +2,7 @@
 
 #include "layout/typeface.h"
 
+#include <QFontMetricsF>
 #include <utility>
 
 namespace layout {
@@ -11,19 +12,28 @@ const schemas::TextStyle& Looks::style(std::uint32_t index) const {
     return styles_ && index < styles_->size() ? (*styles_)[index] : plain;
 }
 
+Looks::Look Looks::lookOf(const schemas::TextStyle& style) {
+    const QFont font = fontOf(style);
+    const QFontMetricsF metrics(font);
+    return {font, formatOf(style), metrics.horizontalAdvance(QChar(' ')),
+            metrics.horizontalAdvance(QChar('-'))};
+}
+
 const Looks::Look& Looks::look(std::uint32_t index) {
-    static const Look plain{fontOf({}), formatOf({})};
+    static const Look plain = lookOf({});
     if (!styles_ || index >= styles_->size())
         return plain;
     looks_.resize(styles_->size());
     std::optional<Look>& known = looks_[index];
     if (!known)
-        known = Look{fontOf(style(index)), formatOf(style(index))};
+        known = lookOf(style(index));
     return *known;
 }
 
 const QFont& Looks::font(std::uint32_t index) { return look(index).font; }
 const QTextCharFormat& Looks::format(std::uint32_t index) { return look(index).format; }
+double Looks::blank(std::uint32_t index) { return look(index).blank; }
+double Looks::hyphen(std::uint32_t index) { return look(index).hyphen; }
 
 Sizes::Changed Sizes::follow(Objects objects) {
     objects_ = std::move(objects);

@@ -33,12 +33,16 @@ public:
     [[nodiscard]] const schemas::TextStyle& style(std::uint32_t index) const;
     [[nodiscard]] const QFont& font(std::uint32_t index);
     [[nodiscard]] const QTextCharFormat& format(std::uint32_t index);
+    [[nodiscard]] double blank(std::uint32_t index);  // how wide it is, in twips
+    [[nodiscard]] double hyphen(std::uint32_t index); // and a hyphen
 
 private:
     struct Look {
         QFont font;
         QTextCharFormat format;
+        double blank = 0, hyphen = 0;
     };
+    [[nodiscard]] static Look lookOf(const schemas::TextStyle& style);
     const Look& look(std::uint32_t index);
 
     Styles styles_;

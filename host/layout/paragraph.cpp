@@ -13,20 +13,6 @@ namespace {
 constexpr double unbroken = 4e6; // twips; a width that nothing reaches
 constexpr QChar blank(0x00A0);
 
-Qt::Alignment alignmentOf(schemas::Align align) {
-    switch (align) {
-    case schemas::Align::center:
-        return Qt::AlignHCenter;
-    case schemas::Align::right:
-        return Qt::AlignRight;
-    case schemas::Align::justify:
-        return Qt::AlignJustify;
-    case schemas::Align::left:
-        break;
-    }
-    return Qt::AlignLeft;
-}
-
 } // namespace
 
 // --- what is kept ------------------------------------------------------------------------------
@@ -39,12 +25,12 @@ public:
         static Kept& kept = *new Kept;
         return kept;
     }
-    KeptPlace add(const Paragraph& of, int segment, int letters) {
-        items_.push_front({&of, segment, static_cast<std::size_t>(letters)});
+    KeptPlace add(const Paragraph& of, int line, int letters) {
+        items_.push_front({&of, line, static_cast<std::size_t>(letters)});
         letters_ += items_.front().letters;
         while (letters_ > mostKept && items_.size() > 1) {
             const KeptItem last = items_.back();
-            last.of->forget(last.segment); // removes it
+            last.of->forget(last.line); // removes it
         }
         return items_.begin();
     }
@@ -68,15 +54,14 @@ private:
 std::size_t Paragraph::lettersKept() { return Kept::all().letters(); }
 std::size_t Paragraph::layoutsMade() { return Kept::all().layoutsMade; }
 
-void Paragraph::forget(int segment) const {
-    if (segment == ofLetters) {
+void Paragraph::forget(int line) const {
+    if (line == ofLetters) {
         Kept::all().remove(*letters_->kept);
         letters_.reset();
         return;
     }
-    Segment& of = segments_[static_cast<std::size_t>(segment)];
-    Kept::all().remove(of.kept);
-    of.layout.reset();
+    Kept::all().remove(drawn_.at(line).kept);
+    drawn_.erase(line);
 }
 
 Paragraph::Paragraph(std::shared_ptr<Materials> materials, BlockPointer block, double width,
@@ -90,9 +75,8 @@ Paragraph::Paragraph(std::shared_ptr<Materials> materials, BlockPointer block, d
 Paragraph::~Paragraph() {
     if (letters_ && letters_->kept)
         forget(ofLetters);
-    for (std::size_t i = 0; i < segments_.size(); ++i)
-        if (segments_[i].layout)
-            forget(static_cast<int>(i));
+    for (const auto& [line, drawn] : drawn_)
+        Kept::all().remove(drawn.kept);
 }
 
 // --- letters -----------------------------------------------------------------------------------
@@ -103,8 +87,11 @@ const Paragraph::Letters& Paragraph::read(int to, std::size_t runs) const {
         letters_ = std::make_unique<Letters>();
         if (markerInFront_) {
             letters_->text = QString::fromStdString(block_->marker) + QChar(' ');
-            letters_->formats.append({0, static_cast<int>(letters_->text.size()),
-                                      materials_->looks.format(block_->markerStyle)});
+            letters_->ranges.push_back({.start = 0,
+                                        .length = static_cast<int>(letters_->text.size()),
+                                        .format = materials_->looks.format(block_->markerStyle),
+                                        .style = block_->markerStyle,
+                                        .blank = materials_->looks.blank(block_->markerStyle)});
         }
     }
     runs = std::min(runs, block_->runs.size());
@@ -130,36 +117,80 @@ QSizeF Paragraph::sizeOfObject(std::size_t run, int position) const {
     return std::lower_bound(objects_.begin(), objects_.end(), position, isBefore)->size;
 }
 
+namespace {
+
+// Goes from right to left, or says where letters go.
+bool mayTurn(QChar letter) {
+    switch (letter.direction()) {
+    case QChar::DirR:
+    case QChar::DirAL:
+    case QChar::DirAN:
+    case QChar::DirRLE:
+    case QChar::DirRLO:
+    case QChar::DirRLI:
+    case QChar::DirFSI:
+    case QChar::DirLRE:
+    case QChar::DirLRO:
+        return true;
+    default:
+        return letter.isSurrogate(); // not looked into
+    }
+}
+
+} // namespace
+
 void Paragraph::append(std::size_t index) const {
     const model::Run& run = block_->runs[index];
     if (run.formula && formulas::Font::standard())
         return appendFormula(index);
-    QString& text = letters_->text;
-    const int start = static_cast<int>(text.size());
+    const int start = static_cast<int>(letters_->text.size());
     letters_->runStarts.push_back(start);
-    QTextCharFormat own = materials_->looks.format(run.style);
-    const bool isObject = run.kind == model::RunKind::subdocument;
-    if (isObject) {
-        text += blank;
-        QFont font = own.font();
-        font.setPixelSize(1);
-        font.setLetterSpacing(QFont::AbsoluteSpacing, sizeOfObject(index, start).width());
-        own.setFont(font);
-    } else if (run.kind == model::RunKind::lineBreak) {
-        text += QChar(QChar::LineSeparator);
-    } else {
-        text += QString::fromStdString(run.text).replace(QLatin1Char('\n'),
-                                                         QChar(QChar::LineSeparator));
-    }
+    if (run.kind == model::RunKind::subdocument)
+        appendBlank(blank, sizeOfObject(index, start).width(), run.style);
+    else
+        appendText(run);
     if (run.kind == model::RunKind::footnote && index >= runsRead_ && run.footnote)
         marks_.push_back({start, run.footnote});
     runsRead_ = std::max(runsRead_, index + 1);
-    const int length = static_cast<int>(text.size()) - start;
-    if (!isObject && letters_->lastStyle == run.style)
-        letters_->formats.back().length += length;
+}
+
+void Paragraph::appendText(const model::Run& run) const {
+    QString text = run.kind == model::RunKind::lineBreak
+                       ? QString(QChar(QChar::LineSeparator))
+                       : QString::fromStdString(run.text).replace(QLatin1Char('\n'),
+                                                                  QChar(QChar::LineSeparator));
+    const bool isVerbatim = block_->kind == model::BlockKind::verbatim;
+    if (!isVerbatim)
+        text.replace(QLatin1Char('\t'), QLatin1Char(' '));
+    letters_->isMixed = letters_->isMixed || std::ranges::any_of(text, mayTurn);
+    const auto start = static_cast<int>(letters_->text.size());
+    const auto length = static_cast<int>(text.size());
+    letters_->text += text;
+    if (letters_->lastStyle == run.style)
+        letters_->ranges.back().length += length;
     else
-        letters_->formats.append({start, length, own});
-    letters_->lastStyle = isObject ? std::nullopt : std::optional(run.style);
+        letters_->ranges.push_back({.start = start,
+                                    .length = length,
+                                    .format = materials_->looks.format(run.style),
+                                    .style = run.style,
+                                    .blank = isVerbatim ? 0 : materials_->looks.blank(run.style)});
+    letters_->lastStyle = run.style;
+}
+
+// A sign of that width, which does not stretch.
+Paragraph::Range& Paragraph::appendBlank(QChar sign, double width, std::uint32_t style) const {
+    QTextCharFormat format = materials_->looks.format(style);
+    QFont font = format.font();
+    font.setPixelSize(1);
+    font.setLetterSpacing(QFont::AbsoluteSpacing, std::max(0.0, width));
+    format.setFont(font);
+    letters_->ranges.push_back({.start = static_cast<int>(letters_->text.size()),
+                                .length = 1,
+                                .format = format,
+                                .style = style});
+    letters_->text += sign;
+    letters_->lastStyle.reset();
+    return letters_->ranges.back();
 }
 
 bool Paragraph::isOf(Sizes& sizes) const {
@@ -167,131 +198,6 @@ bool Paragraph::isOf(Sizes& sizes) const {
         return object.formula ||
                sizes.subdocument(block_->runs[object.run].subdocument) == object.size;
     });
-}
-
-// --- lines -------------------------------------------------------------------------------------
-
-bool Paragraph::makeLine(std::size_t line) {
-    while (lines_.size() <= line && !complete_)
-        breakSegment();
-    return line < lines_.size();
-}
-
-namespace {
-
-bool endsBefore(const QTextLayout::FormatRange& range, int at) {
-    return range.start + range.length <= at;
-}
-
-} // namespace
-
-int Paragraph::lengthOfSegment(const Letters& letters) const {
-    const auto& formats = letters.formats;
-    const auto all = static_cast<int>(letters.text.size());
-    int end = std::min(next_ + segmentLength, all);
-    const auto first = std::lower_bound(formats.begin(), formats.end(), next_, endsBefore);
-    if (formats.end() - first > segmentFormats)
-        end = std::min(end, (first + segmentFormats)->start);
-    if (end < all && end > next_ + 1 && letters.text[end].isLowSurrogate())
-        --end;
-    return end - next_;
-}
-
-double Paragraph::indentOf(int from) const {
-    const bool isFirst = from == 0 && block_->kind != model::BlockKind::verbatim &&
-                         block_->kind != model::BlockKind::formula;
-    return isFirst ? fromPoints(block_->style.firstLine) : 0;
-}
-
-// The same each time that it is called.
-std::unique_ptr<QTextLayout> Paragraph::shaped(int from, int length) const {
-    const Letters& letters = read(from + length);
-    const auto& runs = block_->runs;
-    const std::uint32_t style = runs.empty() ? block_->textStyle : runs.front().style;
-    QTextOption option(alignmentOf(block_->style.align));
-    option.setUseDesignMetrics(true);
-    option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
-    option.setTextDirection(direction_);
-    auto layout = std::make_unique<QTextLayout>(letters.text.mid(from, length),
-                                                materials_->looks.font(style));
-    ++Kept::all().layoutsMade;
-    layout->setTextOption(option);
-    layout->setCacheEnabled(true);
-    layout->setFormats(formatsOf(letters, from, from + length));
-    layout->beginLayout();
-    for (QTextLine line = layout->createLine(); line.isValid(); line = layout->createLine()) {
-        const double indent = indentOf(from + line.textStart());
-        line.setLineWidth(std::max(width_ - indent, fromPoints(1)));
-        line.setPosition({indent, 0});
-    }
-    layout->endLayout();
-    return layout;
-}
-
-void Paragraph::breakSegment() {
-    const Letters& letters = read(next_ + segmentLength + 1);
-    const int from = next_, length = lengthOfSegment(letters);
-    const bool isLast = from + length == letters.text.size();
-    if (segments_.empty() && !isLast)
-        direction_ = letters.text.isRightToLeft() ? Qt::RightToLeft : Qt::LeftToRight;
-    std::unique_ptr<QTextLayout> layout = shaped(from, length);
-    lettersShaped_ += static_cast<std::size_t>(length);
-    int count = layout->lineCount();
-    next_ = from + length;
-    if (!isLast && count > 1) // the text goes on in the last line: it is made anew
-        next_ = from + layout->lineAt(--count).textStart();
-    for (int i = 0; i < count; ++i) {
-        const QTextLine line = layout->lineAt(i);
-        naturalWidth_ =
-            std::max(naturalWidth_, line.naturalTextWidth() + indentOf(from + line.textStart()));
-        Line& made = lines_.emplace_back();
-        made.from = from + line.textStart();
-        made.to = made.from + line.textLength();
-        made.segment = static_cast<int>(segments_.size());
-        made.index = i;
-        measure(made, line);
-    }
-    leastWidth_ = std::max(leastWidth_, layout->minimumWidth());
-    complete_ = isLast;
-    segments_.push_back({from, length});
-    segments_.back().layout = std::move(layout);
-    segments_.back().kept = Kept::all().add(*this, static_cast<int>(segments_.size()) - 1, length);
-    if (complete_)
-        letters_.reset(); // most are asked for no more
-}
-
-QList<QTextLayout::FormatRange> Paragraph::formatsOf(const Letters& letters, int from, int to) {
-    QList<QTextLayout::FormatRange> result;
-    for (auto at =
-             std::lower_bound(letters.formats.begin(), letters.formats.end(), from, endsBefore);
-         at != letters.formats.end() && at->start < to; ++at) {
-        QTextLayout::FormatRange part = *at;
-        part.start = std::max(at->start, from) - from;
-        part.length = std::min(at->start + at->length, to) - from - part.start;
-        result.append(part);
-    }
-    return result;
-}
-
-void Paragraph::measure(Line& line, const QTextLine& of) {
-    const auto [ascent, descent] = extentOf(line, of);
-    // Larger letters than the block's own need their own room, but not so much between lines.
-    line.height = std::max(leading_, ascent + descent > 1.25 * leading_ ? ascent + descent : 0);
-    line.baseline = (line.height - ascent - descent) / 2 + ascent;
-    const auto isBefore = [](const InlineObject& object, int at) { return object.position < at; };
-    for (auto object = std::lower_bound(objects_.begin(), objects_.end(), line.from, isBefore);
-         object != objects_.end() && object->position < line.to; ++object) {
-        object->left = of.cursorToX(object->position - line.from + of.textStart());
-        if (object->formula) {
-            makeRoom(line, *object);
-            continue;
-        }
-        const double grow = object->size.height() + leading_ - line.height;
-        if (grow > 0) {
-            line.height += grow;
-            line.baseline += grow;
-        }
-    }
 }
 
 // --- what stands on them -----------------------------------------------------------------------
@@ -317,20 +223,29 @@ std::span<const NoteMark> Paragraph::notesOf(int line) const {
     return within(marks_, from, to);
 }
 
-const QTextLayout& Paragraph::layoutOf(int segment) const {
-    Segment& of = segments_[static_cast<std::size_t>(segment)];
-    if (of.layout) {
-        Kept::all().use(of.kept, of.length);
-    } else {
-        of.layout = shaped(of.from, of.length);
-        of.kept = Kept::all().add(*this, segment, of.length);
+const Paragraph::Drawn& Paragraph::drawnOf(int line) const {
+    const Line& of = lines_[static_cast<std::size_t>(line)];
+    const int length = of.end - of.from;
+    const auto known = drawn_.find(line);
+    if (known != drawn_.end()) {
+        Kept::all().use(known->second.kept, length);
+        return known->second;
     }
-    return *of.layout;
+    Drawn made;
+    made.layout = shaped(of, made.marks);
+    ++Kept::all().layoutsMade;
+    made.kept = Kept::all().add(*this, line, length);
+    return drawn_.emplace(line, std::move(made)).first->second;
 }
 
-QTextLine Paragraph::drawn(int line) const {
+int Paragraph::inLayout(int line, int letter) const {
     const Line& of = lines_[static_cast<std::size_t>(line)];
-    return layoutOf(of.segment).lineAt(of.index);
+    return std::clamp(letter, of.from, of.end) - of.from + drawnOf(line).marks;
+}
+
+int Paragraph::fromLayout(int line, int position) const {
+    const Line& of = lines_[static_cast<std::size_t>(line)];
+    return std::clamp(of.from + position - drawnOf(line).marks, of.from, of.end);
 }
 
 void Paragraph::paintLine(QPainter& painter, int line, QPointF topLeft) const {
@@ -352,9 +267,7 @@ const model::Run* Paragraph::runAt(int line, double x) const {
     const QTextLine found = drawn(line);
     if (x < found.naturalTextRect().left() || x > found.naturalTextRect().right())
         return nullptr;
-    const Segment& segment =
-        segments_[static_cast<std::size_t>(lines_[static_cast<std::size_t>(line)].segment)];
-    const int position = segment.from + found.xToCursor(x, QTextLine::CursorOnCharacter);
+    const int position = fromLayout(line, found.xToCursor(x, QTextLine::CursorOnCharacter));
     const std::vector<int>& starts = read(position + 1).runStarts;
     const auto behind = std::upper_bound(starts.begin(), starts.end(), position);
     return behind == starts.begin() ? nullptr : &block_->runs[behind - starts.begin() - 1];
@@ -375,8 +288,7 @@ std::pair<int, int> Paragraph::rangeOfLine(int line) const {
 }
 
 double Paragraph::leftOf(int line, int position) const {
-    const Line& of = lines_[static_cast<std::size_t>(line)];
-    return drawn(line).cursorToX(position - segments_[static_cast<std::size_t>(of.segment)].from);
+    return drawn(line).cursorToX(inLayout(line, position));
 }
 
 Widths widthsOf(const std::shared_ptr<Materials>& materials, const model::Block& block,

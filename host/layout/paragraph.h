@@ -1,11 +1,11 @@
-// Runs of a block broken into lines of a width, by Qt's text layout.
+// Runs of a block broken into lines of a width. typography says where lines end; Qt's text layout
+// measures the words, and places and paints the letters of each line.
 // A subdocument within a line is a blank of its width; the line grows to its height.
 //
 // Lines are made as they are asked for. A paragraph is laid out in segments of some thousand
 // letters; what a segment's end cuts, its last line, is where the next segment begins. So the first
 // page of a text costs what stands on that page, and the whole costs what its length does, however
-// long it is and without any blank. LIMIT: marks for the direction of writing that enclose more
-// than a segment count in their segment.
+// long it is and without any blank. Lines are the best ones together within a segment.
 //
 // A line is kept as its place in the text and its height. Its letters, and Qt's layout of them, are
 // kept of those paragraphs alone that were asked for last, and are made again when one is painted:
@@ -19,6 +19,7 @@
 #include <list>
 #include <memory>
 #include <span>
+#include <unordered_map>
 
 namespace layout {
 
@@ -53,8 +54,9 @@ public:
         double height = 0;    // with its share of the space between lines
         double baseline = 0;  // below its top
         int from = 0, to = 0; // its letters
-        int segment = 0;      // where these are
-        int index = 0;        // in it
+        int end = 0;          // of those that are shown: blanks where the line ends are not
+        double stretch = 0;   // of its blanks, in parts of their width; negative: they shrink
+        bool hyphen = false;  // ends within a word: a hyphen is shown that is no letter
     };
     // Makes lines up to this one; false: there are fewer.
     bool makeLine(std::size_t line);
@@ -64,7 +66,8 @@ public:
     // Letters given to the text layout for lines so far: those of a segment's last line twice.
     [[nodiscard]] std::size_t lettersShaped() const { return lettersShaped_; }
     [[nodiscard]] double naturalWidth() const { return naturalWidth_; } // of the widest line
-    [[nodiscard]] double leastWidth() const { return leastWidth_; }     // of the widest word
+    // Of the widest word, and of words between which no line ends.
+    [[nodiscard]] double leastWidth() const { return leastWidth_; }
     // Are the objects in it as large as they were when it was made?
     [[nodiscard]] bool isOf(Sizes& sizes) const;
 
@@ -116,51 +119,67 @@ public:
     [[nodiscard]] static std::size_t layoutsMade(); // so far, those made again included
 
 private:
-    static constexpr int ofLetters = -1; // instead of a segment's index
+    static constexpr int ofLetters = -1; // instead of a line
     class Kept;
-    struct KeptItem { // letters, or the layout of a segment, of one of all paragraphs
+    class Breaking;   // of a segment into lines
+    struct KeptItem { // letters, or the layout of a line, of one of all paragraphs
         const Paragraph* of = nullptr;
-        int segment = ofLetters;
+        int line = ofLetters;
         std::size_t letters = 0;
     };
     using KeptPlace = std::list<KeptItem>::iterator;
+    struct Range { // letters of one look
+        int start = 0, length = 0;
+        QTextCharFormat format;
+        std::uint32_t style = 0;
+        double blank = 0;   // width of a blank that may stretch; 0: there is none
+        bool isGap = false; // a blank of that width in a formula
+    };
     struct Letters {
         QString text;
-        QList<QTextLayout::FormatRange> formats;
+        std::vector<Range> ranges;
         std::vector<int> runStarts;             // of the runs that are read, in order of place
-        std::optional<std::uint32_t> lastStyle; // of the last format, unless it is an object
+        bool isMixed = false;                   // some go from right to left, or may
+        std::optional<std::uint32_t> lastStyle; // of the last range, unless it is an object
         std::optional<KeptPlace> kept;          // once the last line is made
     };
-    struct Segment {
-        int from = 0, length = 0;
-        std::unique_ptr<QTextLayout> layout{}; // null: it is made again when it is asked for
-        KeptPlace kept{};                      // of the layout
+    // A line's letters in their places, between marks that make them go in the directions that they
+    // have in the paragraph.
+    struct Drawn {
+        std::unique_ptr<QTextLayout> layout;
+        int marks = 0; // in front of the letters
+        KeptPlace kept{};
     };
 
     const Letters& read(int to, std::size_t runs = 0) const;
-    struct InSegment { // a place in a text layout
-        const QTextLayout& layout;
-        int from = 0; // the letter that it begins with
-    };
-    [[nodiscard]] InSegment segmentAt(int letter) const;
     void append(std::size_t index) const;
+    void appendText(const model::Run& run) const;
     void appendFormula(std::size_t index) const;
-    void appendBlank(QChar sign, double width, QTextCharFormat format) const;
+    Range& appendBlank(QChar sign, double width, std::uint32_t style) const;
     [[nodiscard]] std::shared_ptr<const formulas::Set> formulaOf(std::size_t run,
                                                                  int position) const;
     [[nodiscard]] QSizeF sizeOfObject(std::size_t run, int position) const;
     void breakSegment();
     [[nodiscard]] int lengthOfSegment(const Letters& letters) const;
-    [[nodiscard]] std::unique_ptr<QTextLayout> shaped(int from, int length) const;
     [[nodiscard]] double indentOf(int from) const;
-    [[nodiscard]] const QTextLayout& layoutOf(int segment) const;
-    static QList<QTextLayout::FormatRange> formatsOf(const Letters& letters, int from, int to);
-    void measure(Line& line, const QTextLine& drawn);
-    [[nodiscard]] std::pair<double, double> extentOf(const Line& line, const QTextLine& of) const;
+    [[nodiscard]] QTextOption optionOf() const;
+    [[nodiscard]] std::unique_ptr<QTextLayout>
+    layoutFor(const QString& text, const QList<QTextLayout::FormatRange>& formats,
+              const QTextOption& option) const;
+    [[nodiscard]] std::unique_ptr<QTextLayout> shaped(const Line& line, int& marks) const;
+    static QList<QTextLayout::FormatRange> formatsOf(const Letters& letters, int from, int to,
+                                                     double stretch = 0);
+    void measure(Line& line, double ascent, double descent);
+    [[nodiscard]] std::pair<double, double> extentOf(const Line& line, double ascent,
+                                                     double descent) const;
     void makeRoom(Line& line, const InlineObject& formula) const;
     void paintFormulas(QPainter& painter, int line, QPointF topLeft) const;
-    [[nodiscard]] QTextLine drawn(int line) const;
-    void forget(int segment) const;
+    [[nodiscard]] const Drawn& drawnOf(int line) const;
+    [[nodiscard]] QTextLine drawn(int line) const { return drawnOf(line).layout->lineAt(0); }
+    // Between letters of the paragraph and those of a line's layout.
+    [[nodiscard]] int inLayout(int line, int letter) const;
+    [[nodiscard]] int fromLayout(int line, int position) const;
+    void forget(int line) const;
 
     std::shared_ptr<Materials> materials_;
     BlockPointer block_;
@@ -176,7 +195,7 @@ private:
     mutable std::vector<InlineObject> objects_; // of the runs that were ever read, like the marks
     mutable std::vector<NoteMark> marks_;
     mutable std::size_t runsRead_ = 0;
-    mutable std::vector<Segment> segments_;
+    mutable std::unordered_map<int, Drawn> drawn_; // by line
     mutable std::unique_ptr<Letters> letters_;
 };
 

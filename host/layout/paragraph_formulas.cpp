@@ -44,23 +44,14 @@ std::shared_ptr<const formulas::Set> Paragraph::formulaOf(std::size_t run, int p
     return std::make_shared<const formulas::Set>(std::move(set));
 }
 
-void Paragraph::appendBlank(QChar sign, double width, QTextCharFormat format) const {
-    QFont font = format.font();
-    font.setPixelSize(1);
-    font.setLetterSpacing(QFont::AbsoluteSpacing, std::max(0.0, width));
-    format.setFont(font);
-    letters_->formats.append({static_cast<int>(letters_->text.size()), 1, format});
-    letters_->text += sign;
-}
-
 void Paragraph::appendFormula(std::size_t index) const {
     const auto start = static_cast<int>(letters_->text.size());
     letters_->runStarts.push_back(start);
     const auto set = formulaOf(index, start);
-    const QTextCharFormat format = materials_->looks.format(block_->runs[index].style);
+    const std::uint32_t style = block_->runs[index].style;
     const bool several = set->pieces.size() > 1;
     if (several)
-        appendBlank(leftToRight, 0, format);
+        appendBlank(leftToRight, 0, style);
     for (std::size_t i = 0; i < set->pieces.size(); ++i) {
         const formulas::Piece& piece = set->pieces[i];
         if (index >= runsRead_) {
@@ -68,20 +59,22 @@ void Paragraph::appendFormula(std::size_t index) const {
             objects_.push_back({index, static_cast<int>(letters_->text.size()), size, 0,
                                 piece.box.descent, set, i});
         }
-        appendBlank(noBreak, piece.box.width, format);
-        if (i + 1 < set->pieces.size())
-            appendBlank(space, piece.space, format);
+        appendBlank(noBreak, piece.box.width, style);
+        if (i + 1 < set->pieces.size()) {
+            Range& gap = appendBlank(space, piece.space, style);
+            gap.blank = piece.space;
+            gap.isGap = true;
+        }
     }
     if (several)
-        appendBlank(asBefore, 0, format);
-    letters_->lastStyle.reset();
+        appendBlank(asBefore, 0, style);
     runsRead_ = std::max(runsRead_, index + 1);
 }
 
 // Of the line's letters, above and below its base line. A formula counts as letters of its size:
 // one that stands alone in a line or a cell has the base line that a word would have.
-std::pair<double, double> Paragraph::extentOf(const Line& line, const QTextLine& of) const {
-    double ascent = of.ascent(), descent = of.descent();
+std::pair<double, double> Paragraph::extentOf(const Line& line, double ascent,
+                                              double descent) const {
     const auto isBefore = [](const InlineObject& object, int at) { return object.position < at; };
     for (auto at = std::lower_bound(objects_.begin(), objects_.end(), line.from, isBefore);
          at != objects_.end() && at->position < line.to; ++at) {

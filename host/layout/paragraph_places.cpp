@@ -24,11 +24,7 @@ Character characterAt(const std::string& text, std::size_t at) {
 
 } // namespace
 
-bool Paragraph::isRightToLeft() const {
-    if (direction_ != Qt::LayoutDirectionAuto)
-        return direction_ == Qt::RightToLeft;
-    return !lines_.empty() && layoutOf(0).text().isRightToLeft();
-}
+bool Paragraph::isRightToLeft() const { return direction_ == Qt::RightToLeft; }
 
 int Paragraph::startOfRun(std::size_t run) const { return read(0, run + 1).runStarts[run]; }
 
@@ -67,54 +63,69 @@ int Paragraph::lineOf(int letter) const {
     return static_cast<int>(found == lines_.end() ? lines_.size() - 1 : found - lines_.begin());
 }
 
-Paragraph::InSegment Paragraph::segmentAt(int letter) const {
-    const int index = lines_[static_cast<std::size_t>(lineOf(letter))].segment;
-    return {layoutOf(index), segments_[static_cast<std::size_t>(index)].from};
-}
-
 int Paragraph::endOfLine(int line) const {
     const Line& of = lines_[static_cast<std::size_t>(line)];
     if (static_cast<std::size_t>(line) + 1 == lines_.size())
         return of.to;
-    const auto [layout, from] = segmentAt(of.from);
-    return std::max(of.from, from + layout.previousCursorPosition(of.to - from));
+    if (of.end < of.to)
+        return std::max(of.from, of.to - 1);
+    const Drawn& drawn = drawnOf(line);
+    return fromLayout(line, drawn.layout->previousCursorPosition(inLayout(line, of.end)));
 }
 
 int Paragraph::placeAt(int line, double x) const {
     const Line& of = lines_[static_cast<std::size_t>(line)];
-    const int from = segments_[static_cast<std::size_t>(of.segment)].from;
-    const int place = from + drawn(line).xToCursor(x, QTextLine::CursorBetweenCharacters);
+    const int place =
+        fromLayout(line, drawn(line).xToCursor(x, QTextLine::CursorBetweenCharacters));
     return std::clamp(place, of.from, endOfLine(line));
 }
 
-// LIMIT: at the border of two segments the caret goes by the order of the text.
+// From line to line the caret goes by the order of the text.
 int Paragraph::placeBeside(int letter, Side side) const {
-    const auto [layout, from] = segmentAt(letter);
-    const int next = from + (side == Side::left ? layout.leftCursorPosition(letter - from)
-                                                : layout.rightCursorPosition(letter - from));
+    const int line = lineOf(letter);
+    const Line& of = lines_[static_cast<std::size_t>(line)];
     const bool onward = (side == Side::right) != isRightToLeft();
-    if (next != letter || letter == 0 || onward)
-        return next;
-    const auto before = segmentAt(letter - 1);
-    return before.from + before.layout.previousCursorPosition(letter - before.from);
+    const bool isLast = static_cast<std::size_t>(line) + 1 == lines_.size();
+    if (letter < of.end || (!onward && letter == of.end)) {
+        const QTextLayout& layout = *drawnOf(line).layout;
+        const int at = inLayout(line, letter);
+        const int next = fromLayout(line, side == Side::left ? layout.leftCursorPosition(at)
+                                                             : layout.rightCursorPosition(at));
+        if (next != letter && (isLast || next <= endOfLine(line)))
+            return next;
+    } else if (letter < of.to) { // among blanks that are not shown
+        const int next = onward ? letter + 1 : letter - 1;
+        return isLast || next < of.to ? next : of.to;
+    }
+    if (onward)
+        return isLast ? letter : of.to;
+    return line == 0 ? letter : endOfLine(line - 1);
 }
 
+namespace {
+
+// The next word and the one before are looked for in so many letters. LIMIT: a longer word ends
+// there.
+constexpr int around = 4096;
+
+} // namespace
+
 int Paragraph::nextWord(int letter) const {
-    const auto [layout, from] = segmentAt(letter);
-    return from + layout.nextCursorPosition(letter - from, QTextLayout::SkipWords);
+    const QTextLayout layout(text(letter, around));
+    return letter + layout.nextCursorPosition(0, QTextLayout::SkipWords);
 }
 
 int Paragraph::previousWord(int letter) const {
-    const auto [layout, from] = segmentAt(std::max(0, letter - 1));
+    const int from = std::max(0, letter - around);
+    const QTextLayout layout(text(from, letter - from));
     return from + layout.previousCursorPosition(letter - from, QTextLayout::SkipWords);
 }
 
 std::pair<double, double> Paragraph::edgesOf(int line, int letter) const {
-    const int from =
-        segments_[static_cast<std::size_t>(lines_[static_cast<std::size_t>(line)].segment)].from;
     const QTextLine of = drawn(line);
-    const double leading = of.cursorToX(letter - from, QTextLine::Leading);
-    const double trailing = of.cursorToX(letter - from, QTextLine::Trailing);
+    const int at = inLayout(line, letter);
+    const double leading = of.cursorToX(at, QTextLine::Leading);
+    const double trailing = of.cursorToX(at, QTextLine::Trailing);
     return std::minmax(leading, trailing);
 }
 

@@ -1,0 +1,131 @@
+// Lines of paragraphs, as they are laid out: how wide they are, where they end, what is shown.
+#include "layout/measure.h"
+#include "layout/model_testing.h"
+#include "layout/pages.h"
+
+#include <gtest/gtest.h>
+
+namespace layout {
+namespace {
+
+class LinesOfTextTest : public testing::Test {
+protected:
+    LinesOfTextTest() {
+        const auto styles = std::make_shared<schemas::TextStyles>();
+        styles->numberOf({});
+        schemas::TextStyle mono;
+        mono.family = "mono";
+        mono.size = 9;
+        styles->numberOf(mono);
+        materials_ = std::make_shared<Materials>(styles);
+    }
+    std::unique_ptr<Paragraph> laid(const NewBlock& block, double width = fromPoints(200)) {
+        auto made = std::make_unique<Paragraph>(materials_, block, width);
+        (void)made->makeLine(100'000);
+        return made;
+    }
+    static NewBlock justified(const std::string& text) {
+        NewBlock block = paragraph(text);
+        block->style.align = schemas::Align::justify;
+        return block;
+    }
+    static std::vector<std::string> textsOf(const Paragraph& of) {
+        std::vector<std::string> lines;
+        for (std::size_t i = 0; i < of.lines().size(); ++i)
+            lines.push_back(of.textOfLine(static_cast<int>(i)).trimmed().toStdString());
+        return lines;
+    }
+    static double rightOf(const Paragraph& of, std::size_t line) {
+        return of.leftOf(static_cast<int>(line), of.lines()[line].end);
+    }
+
+    std::shared_ptr<Materials> materials_;
+};
+
+const char* const prose =
+    "There are nearly as many definitions of animation as there are people who have written about "
+    "it, and none of them says what a reader of a report needs to know: when does it move, who "
+    "drives it, and what may be changed while it runs? Two forces act on the bob of a pendulum, "
+    "and one of them does no work.";
+
+TEST_F(LinesOfTextTest, JustifiedLinesEndTogether) {
+    for (const double width : {150, 200, 260, 330, 400}) {
+        const auto of = laid(justified(prose), fromPoints(width));
+        ASSERT_GT(of->lines().size(), 3U);
+        for (std::size_t i = 0; i + 1 < of->lines().size(); ++i) {
+            if (of->lines()[i].stretch < 2) { // beyond that a line stays short
+                EXPECT_NEAR(rightOf(*of, i), fromPoints(width), 2) << width << " line " << i;
+            }
+        }
+    }
+}
+
+TEST_F(LinesOfTextTest, WithLettersOfSeveralLooksToo) {
+    NewBlock block = justified("Some words of the text, and then ");
+    block->runs.emplace_back().text = "code of which the letters are others";
+    block->runs.back().style = 1;
+    block->runs.emplace_back().text = std::string(" come again ") + prose;
+    const auto of = laid(block);
+    for (std::size_t i = 0; i + 1 < of->lines().size(); ++i)
+        EXPECT_NEAR(rightOf(*of, i), fromPoints(200), 2) << i;
+}
+
+TEST_F(LinesOfTextTest, RaggedLinesAreAsEvenAsTheyCanBe) {
+    // As many words as fit would leave a hole in the second line.
+    const auto of = laid(paragraph("aaaa bbbb cccc dddd extraordinarily incomprehensible"), 1700);
+    EXPECT_EQ(of->lines().back().to, 52);
+    for (const Paragraph::Line& line : of->lines())
+        EXPECT_EQ(line.stretch, 0);
+}
+
+TEST_F(LinesOfTextTest, NoNumberIsTorn) {
+    const std::string text = "It weighs 12 345.5 kg as Figure 3 says, on 12 March 2026.";
+    for (int width = 60; width < 300; width += 7) {
+        const auto of = laid(paragraph(text), fromPoints(width));
+        for (const std::string& line : textsOf(*of))
+            for (const char* const part : {"12 345.5 kg", "Figure 3", "12 March"}) {
+                const std::string whole = part;
+                const std::string head = whole.substr(0, whole.find(' '));
+                const bool ends = line.ends_with(" " + head) || line == head;
+                EXPECT_FALSE(ends && line.find(whole) == std::string::npos) << line;
+            }
+    }
+}
+
+TEST_F(LinesOfTextTest, BlanksAtTheEndAreNotShownButHaveTheirPlaces) {
+    const auto of = laid(paragraph(prose));
+    for (std::size_t i = 0; i + 1 < of->lines().size(); ++i) {
+        const Paragraph::Line& line = of->lines()[i];
+        EXPECT_EQ(line.end, line.to - 1);
+        EXPECT_EQ(of->lines()[i + 1].from, line.to);
+        EXPECT_EQ(of->placeBeside(line.end, Paragraph::Side::right), line.to);
+        EXPECT_EQ(of->placeBeside(line.to, Paragraph::Side::left), line.end);
+    }
+}
+
+TEST_F(LinesOfTextTest, WordsWiderThanALineAreTornAndNothingIsLost) {
+    const auto of = laid(paragraph("so " + std::string(100, 'm') + " on"), fromPoints(100));
+    std::string together;
+    for (std::size_t i = 0; i < of->lines().size(); ++i) {
+        together += of->textOfLine(static_cast<int>(i)).toStdString();
+        EXPECT_LE(rightOf(*of, i), fromPoints(100) + 2);
+    }
+    EXPECT_EQ(together, "so " + std::string(100, 'm') + " on");
+    EXPECT_LT(of->lines().size(), 16U);
+}
+
+// A word from right to left that a line's end divides goes on as it does in one line.
+TEST_F(LinesOfTextTest, LettersGoAsTheyDoInTheParagraph) {
+    std::string hebrew;
+    for (int i = 0; i < 30; ++i)
+        hebrew += "\u05D0\u05D1\u05D2, ";
+    const auto of = laid(paragraph("abc " + hebrew + "end"));
+    ASSERT_GT(of->lines().size(), 2U);
+    // The comma behind the last word of a line stands on its left, as those inside do.
+    const Paragraph::Line& line = of->lines()[1];
+    const auto comma = of->edgesOf(1, line.end - 1), letter = of->edgesOf(1, line.end - 2);
+    EXPECT_LT(comma.first, letter.first);
+}
+
+} // namespace
+} // namespace layout
