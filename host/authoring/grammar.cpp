@@ -138,7 +138,7 @@ bool Grammar::mayHold(std::string_view element, std::string_view child) const {
 }
 
 bool Grammar::hasAttribute(std::string_view element, std::string_view attribute) const {
-    return attribute == "ID" || structure_ == nullptr ||
+    return attribute == "ID" || attribute == "LANG" || structure_ == nullptr ||
            structure_->hasAttribute(element, attribute);
 }
 

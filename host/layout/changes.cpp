@@ -23,6 +23,26 @@ public:
     std::vector<Hunk> all;
 };
 
+// What stands before a display is kept with it.
+std::vector<Hunk> withTextBeforeDisplays(const std::vector<Hunk>& hunks,
+                                         const model::Blocks& before, const model::Blocks& now) {
+    const auto isDisplay = [](const model::Blocks& all, std::size_t at) {
+        return at < all.size() && all[at]->kind == model::BlockKind::formula;
+    };
+    Hunks result;
+    std::size_t passed = 0; // blocks of hunks so far
+    for (Hunk hunk : hunks) {
+        const bool keeps = isDisplay(before, hunk.oldFrom) || isDisplay(now, hunk.newFrom);
+        if (keeps && hunk.oldFrom > 0 && hunk.newFrom > passed) {
+            --hunk.oldFrom;
+            --hunk.newFrom;
+        }
+        passed = hunk.newTo;
+        result.add(hunk.oldFrom, hunk.oldTo, hunk.newFrom, hunk.newTo);
+    }
+    return std::move(result.all);
+}
+
 } // namespace
 
 std::vector<Hunk> differences(const model::Model& before, const Frames& framesBefore,
@@ -64,7 +84,7 @@ std::vector<Hunk> differences(const model::Model& before, const Frames& framesBe
     j = bEnd;
     while (i < a.size())
         pass();
-    return std::move(hunks.all);
+    return withTextBeforeDisplays(hunks.all, a, b);
 }
 
 } // namespace layout

@@ -14,7 +14,8 @@ struct Hunk {
     bool operator==(const Hunk&) const = default;
 };
 
-// In order of place. `changed`: blocks that count as changed though they are the same.
+// In order of place. The text before a display that came or went counts as changed: it stays with
+// it. `changed`: blocks that count as changed though they are the same.
 // LIMIT: of blocks that were moved past others either these or those count as changed.
 [[nodiscard]] std::vector<Hunk> differences(const model::Model& before, const Frames& framesBefore,
                                             const model::Model& now, const Frames& framesNow,

@@ -172,7 +172,13 @@ Made Flow::text(const BlockPointer& block, Strip& strip, bool& last) {
     // Neither the first nor the last line of a paragraph stands alone.
     const bool ragged = block->kind == model::BlockKind::verbatim;
     strip.keepWithNext = !ragged && !last && (i == 0 || !paragraph_->makeLine(i + 2));
-    const bool isNumbered = block->kind == model::BlockKind::formula;
+    // A display stays with the sentence before it.
+    const auto isDisplay = [](const BlockPointer& one) {
+        return one->kind == model::BlockKind::formula;
+    };
+    if (last && !isDisplay(block) && block_ + 1 < blocks_.size() && isDisplay(blocks_[block_ + 1]))
+        strip.keepWithNext = true;
+    const bool isNumbered = isDisplay(block);
     if (i == 0 && !block->marker.empty() && (isNumbered || block->style.markerWidth > 0))
         addMarker(block, strip, paragraph_->lines()[i].baseline);
     return Made::strip;
@@ -353,6 +359,8 @@ std::vector<Widths> wantedBy(const Surroundings& in, Columns& columns, double av
                     2 * padding + fromPoints(inside.style.indentLeft) + fromPoints(0.5);
                 wanted[c].natural = std::max(wanted[c].natural, widths.natural + extra);
                 wanted[c].least = std::max(wanted[c].least, widths.least + extra);
+                if (widths.number > 0)
+                    wanted[c].number = std::max(wanted[c].number, widths.number + extra);
             }
         }
     }
@@ -360,24 +368,28 @@ std::vector<Widths> wantedBy(const Surroundings& in, Columns& columns, double av
 }
 
 // Columns as wide as their widest text where there is room; else each gets its longest word, and
-// they share what is left by how much more they would like.
+// they share what is left by how much more they would like. Where not even the words have room,
+// each gets its longest number before. LIMIT: numbers that have no room side by side are torn.
 std::unique_ptr<Columns> columnsOf(const Surroundings& in, const BlockPointer& block,
                                    double available) {
     auto result = std::make_unique<Columns>();
     result->block = block;
     const std::vector<Widths> wanted = wantedBy(in, *result, available);
-    double natural = 0, least = 0;
+    Widths all;
     for (const Widths& column : wanted) {
-        natural += column.natural;
-        least += column.least;
+        all.natural += column.natural;
+        all.least += column.least;
+        all.number += column.number;
     }
-    const double share = natural <= available ? 1
-                         : natural > least ? std::max(0.0, (available - least) / (natural - least))
-                                           : 0;
-    const double squeeze = least > available ? available / least : 1;
+    const auto shareOf = [&](double more, double than) {
+        return more > than ? std::clamp((available - than) / (more - than), 0.0, 1.0) : 1.0;
+    };
+    const double share = shareOf(all.natural, all.least), ofWords = shareOf(all.least, all.number);
+    const double squeeze = all.number > available ? available / all.number : 1;
     for (const Widths& column : wanted)
         result->widths.push_back(squeeze *
-                                 (column.least + share * (column.natural - column.least)));
+                                 (column.number + ofWords * (column.least - column.number) +
+                                  (ofWords < 1 ? 0 : share * (column.natural - column.least))));
     return result;
 }
 

@@ -142,6 +142,25 @@ TEST_F(FormulasInLinesTest, TheNumberStandsAtTheRightOnTheSameBaseLine) {
     EXPECT_NEAR(number.at.x() + number.paragraph->leftOf(0, 3), right, 2);
 }
 
+// Wherever a page ends, and however the display came there.
+TEST_F(FormulasInLinesTest, ADisplayStandsOnThePageOfTheSentenceBeforeIt) {
+    for (int lines = 30; lines < 50; ++lines) {
+        model::Model model;
+        model.textStyles = materials_->looks.styles();
+        for (int i = 0; i < lines; ++i)
+            model.blocks.push_back(paragraph("line"));
+        model.blocks.push_back(paragraph("Sentence:"));
+        const auto plain = std::make_shared<model::Model>(model);
+        model.blocks.push_back(alone("\\frac{a}{b}"));
+        const auto whole = std::make_shared<model::Model>(model);
+        const std::string fresh = printed(layOut(whole, {}));
+        const std::size_t sentence = fresh.find("Sentence");
+        ASSERT_NE(sentence, std::string::npos);
+        EXPECT_EQ(fresh.find("\npage", sentence), std::string::npos) << lines;
+        EXPECT_EQ(printed(relaid(layOut(plain, {}), whole, {})), fresh) << lines;
+    }
+}
+
 TEST_F(FormulasInLinesTest, ArePaintedInTheColourOfTheText) {
     const auto styles = std::make_shared<schemas::TextStyles>();
     schemas::TextStyle blue;

@@ -303,7 +303,8 @@ Widths widthsOf(const std::shared_ptr<Materials>& materials, const model::Block&
     for (std::size_t line = 0; whole.lettersShaped() < letters && whole.makeLine(line);)
         line = whole.lines().size();
     letters -= std::min(letters, std::max<std::size_t>(whole.lettersShaped(), 1));
-    return {whole.naturalWidth(), std::min(whole.leastWidth(), whole.naturalWidth())};
+    return {whole.naturalWidth(), std::min(whole.leastWidth(), whole.naturalWidth()),
+            whole.numberWidth()};
 }
 
 } // namespace layout

@@ -56,6 +56,7 @@ public:
         int from = 0, to = 0; // its letters
         int end = 0;          // of those that are shown: blanks where the line ends are not
         double stretch = 0;   // of its blanks, in parts of their width; negative: they shrink
+        double apart = 0;     // by how much its letters move apart
         bool hyphen = false;  // ends within a word: a hyphen is shown that is no letter
     };
     // Makes lines up to this one; false: there are fewer.
@@ -68,6 +69,7 @@ public:
     [[nodiscard]] double naturalWidth() const { return naturalWidth_; } // of the widest line
     // Of the widest word, and of words between which no line ends.
     [[nodiscard]] double leastWidth() const { return leastWidth_; }
+    [[nodiscard]] double numberWidth() const { return numberWidth_; } // of the widest number
     // Are the objects in it as large as they were when it was made?
     [[nodiscard]] bool isOf(Sizes& sizes) const;
 
@@ -168,7 +170,7 @@ private:
               const QTextOption& option) const;
     [[nodiscard]] std::unique_ptr<QTextLayout> shaped(const Line& line, int& marks) const;
     static QList<QTextLayout::FormatRange> formatsOf(const Letters& letters, int from, int to,
-                                                     double stretch = 0);
+                                                     double stretch = 0, double apart = 0);
     void measure(Line& line, double ascent, double descent);
     [[nodiscard]] std::pair<double, double> extentOf(const Line& line, double ascent,
                                                      double descent) const;
@@ -189,7 +191,7 @@ private:
     bool complete_ = false;
     int next_ = 0; // the first letter without a line
     Qt::LayoutDirection direction_ = Qt::LayoutDirectionAuto;
-    double naturalWidth_ = 0, leastWidth_ = 0;
+    double naturalWidth_ = 0, leastWidth_ = 0, numberWidth_ = 0;
     std::size_t lettersShaped_ = 0;
     std::vector<Line> lines_;
     mutable std::vector<InlineObject> objects_; // of the runs that were ever read, like the marks
@@ -199,9 +201,9 @@ private:
     mutable std::unique_ptr<Letters> letters_;
 };
 
-// The width of a text without breaks, and of its longest word.
+// The width of a text without breaks, of its longest word, and of its longest number.
 struct Widths {
-    double natural = 0, least = 0;
+    double natural = 0, least = 0, number = 0;
 };
 // Of its first `letters`, from which those that are read are taken off.
 [[nodiscard]] Widths widthsOf(const std::shared_ptr<Materials>& materials,

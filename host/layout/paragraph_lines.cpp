@@ -4,10 +4,12 @@
 #include "layout/paragraph.h"
 
 #include "layout/measure.h"
+#include "typography/hyphenation.h"
 #include "typography/lines.h"
 
 #include <QFontMetricsF>
 #include <algorithm>
+#include <iterator>
 
 namespace layout {
 
@@ -17,10 +19,11 @@ constexpr QChar separator(QChar::LineSeparator), softHyphen(QChar::SoftHyphen), 
 constexpr QChar letterOfObject('x'); // in whose place an object is measured: it is no blank
 constexpr double narrow = 1;         // twips; a line of one word
 // Costs of places where a line ends only because nothing else fits.
-constexpr int withinUnit = 2'000, withinWord = 5'000;
+constexpr int atSyllable = 1'000, withinUnit = 2'000, withinWord = 5'000;
 constexpr double leastOfLast = 2.5; // times the size of the letters, of a paragraph's last line
-// Of a blank: beyond this a line rather stays short.
-constexpr double mostStretch = 2;
+// A line that needs more than its blanks may give moves its letters apart, by so much of their
+// size, which no one sees; then the blanks give more, up to this, and then it stays short.
+constexpr double mostApart = 0.025, mostStretch = 2;
 
 Qt::Alignment alignmentOf(schemas::Align align, bool rightToLeft) {
     switch (align) {
@@ -40,6 +43,8 @@ Qt::Alignment alignmentOf(schemas::Align align, bool rightToLeft) {
 bool isBlank(QChar letter) {
     return letter.isSpace() && letter != separator && letter.decompositionTag() != QChar::NoBreak;
 }
+
+bool isEarlier(const typography::Break& a, const typography::Break& b) { return a.next < b.next; }
 
 } // namespace
 
@@ -65,7 +70,7 @@ std::unique_ptr<QTextLayout> Paragraph::layoutFor(const QString& text,
 }
 
 QList<QTextLayout::FormatRange> Paragraph::formatsOf(const Letters& letters, int from, int to,
-                                                     double stretch) {
+                                                     double stretch, double apart) {
     const auto endsBefore = [](const Range& range, int at) {
         return range.start + range.length <= at;
     };
@@ -78,8 +83,10 @@ QList<QTextLayout::FormatRange> Paragraph::formatsOf(const Letters& letters, int
             QFont font = part.format.font();
             if (at->isGap)
                 font.setLetterSpacing(QFont::AbsoluteSpacing, (1 + stretch) * at->blank);
-            else
+            else {
                 font.setWordSpacing(stretch * at->blank);
+                font.setLetterSpacing(QFont::AbsoluteSpacing, font.letterSpacing() + apart);
+            }
             part.format.setFont(font);
         }
         part.start = std::max(at->start, from) - from;
@@ -150,7 +157,8 @@ Marks marksAround(QStringView text, int from, int end) {
 std::unique_ptr<QTextLayout> Paragraph::shaped(const Line& line, int& marks) const {
     const Letters& letters = read(line.to + 1);
     QString text = letters.text.mid(line.from, line.end - line.from);
-    QList<QTextLayout::FormatRange> formats = formatsOf(letters, line.from, line.end, line.stretch);
+    QList<QTextLayout::FormatRange> formats =
+        formatsOf(letters, line.from, line.end, line.stretch, line.apart);
     if (line.hyphen && text.endsWith(softHyphen))
         text.back() = hyphenSign;
     else if (line.hyphen) {
@@ -212,7 +220,7 @@ public:
         double ascent = 0, descent = 0;
     };
     std::vector<Made> lines;
-    double leastWidth = 0;
+    double leastWidth = 0, numberWidth = 0;
 
 private:
     struct Word {                       // with what Unicode's rules do not break off
@@ -221,6 +229,7 @@ private:
         double left = 0;
         double ascent = 0, descent = 0;
     };
+    using Words = std::vector<Word>;
     using Breaks = std::vector<typography::Break>;
 
     [[nodiscard]] std::span<const InlineObject> objects() const;
@@ -236,15 +245,22 @@ private:
     [[nodiscard]] double widthOfBlank(int letter);
     [[nodiscard]] std::uint32_t styleAt(int letter) const; // of the segment
     [[nodiscard]] double columnAt(const typography::Break* begin) const;
+    [[nodiscard]] Breaks withHyphens(const Breaks& part, const typography::Break* begin) const;
+    [[nodiscard]] Words::const_iterator endOfUnit(Words::const_iterator word) const;
+    void divide(Words::const_iterator word, int cost, Breaks& found) const;
+    [[nodiscard]] std::optional<std::vector<std::size_t>>
+    chosen(Breaks part, const typography::Break* begin, double most) const;
     void breakPart(std::size_t first, std::size_t last, const typography::Break* begin);
     void addLine(const typography::Break* begin, const typography::Break& end);
+    [[nodiscard]] double stretched(Line& line, double stretch, double blanks) const;
+    [[nodiscard]] int lettersOf(const Line& line) const;
 
     const Paragraph& of_;
     const Letters& letters_;
     const int from_, length_;
     const bool isLast_;
     std::unique_ptr<QTextLayout> layout_;
-    std::vector<Word> words_;
+    Words words_;
     Breaks breaks_;
     std::size_t range_ = 0; // of the letters looked at last
     std::size_t wordOfLine_ = 0;
@@ -389,6 +405,11 @@ void Paragraph::Breaking::findBreaks() {
         }
         const double left = words_[first].left;
         leastWidth = std::max(leastWidth, word.behind.end - left);
+        const QStringView letters =
+            QStringView(letters_.text)
+                .sliced(from_ + words_[first].from, word.to - words_[first].from);
+        if (std::ranges::any_of(letters, [](QChar letter) { return letter.isDigit(); }))
+            numberWidth = std::max(numberWidth, word.behind.end - left);
         if (word.behind.end - left > of_.width_)
             addDesperate(first, i);
         breaks_.push_back(word.behind);
@@ -408,7 +429,7 @@ void Paragraph::Breaking::addDesperate(std::size_t first, std::size_t last) {
     }
 }
 
-// Letter by letter.
+// At its syllables, and between any two letters.
 void Paragraph::Breaking::tear(std::size_t index) {
     const Word& word = words_[index];
     typography::Break place = word.behind;
@@ -422,6 +443,9 @@ void Paragraph::Breaking::tear(std::size_t index) {
     const auto letters =
         of_.layoutFor(layout_->text().mid(word.from, word.to - word.from),
                       formatsOf(letters_, from_ + word.from, from_ + word.to), option);
+    Breaks torn, syllables;
+    if (index == 0 || words_[index - 1].to < words_[index - 1].next) // not within an address
+        divide(words_.begin() + static_cast<std::ptrdiff_t>(index), atSyllable, syllables);
     letters->beginLayout();
     double x = word.left;
     for (QTextLine line = letters->createLine(); line.isValid(); line = letters->createLine()) {
@@ -430,9 +454,11 @@ void Paragraph::Breaking::tear(std::size_t index) {
         place.next = word.from + line.textStart() + line.textLength();
         place.end = place.begin = x;
         if (place.next < word.to)
-            breaks_.push_back(place);
+            torn.push_back(place);
     }
     letters->endLayout();
+    std::merge(torn.begin(), torn.end(), syllables.begin(), syllables.end(),
+               std::back_inserter(breaks_), isEarlier);
 }
 
 double Paragraph::Breaking::columnAt(const typography::Break* begin) const {
@@ -440,15 +466,60 @@ double Paragraph::Breaking::columnAt(const typography::Break* begin) const {
     return std::max(of_.width_ - indent, fromPoints(1));
 }
 
-// The breaks first..last, of which the last one is forced or the segment's end. `begin`: the end of
-// the line before.
-void Paragraph::Breaking::breakPart(std::size_t first, std::size_t last,
-                                    const typography::Break* begin) {
-    const typography::Break& end = breaks_[last];
-    if (end.end - (begin ? begin->begin : 0) <= columnAt(begin))
-        return addLine(begin, end);
-    Breaks part(breaks_.begin() + static_cast<std::ptrdiff_t>(first),
-                breaks_.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+// With the places where words of the part may be divided. `begin`: the end of the line before it.
+Paragraph::Breaking::Breaks Paragraph::Breaking::withHyphens(const Breaks& part,
+                                                             const typography::Break* begin) const {
+    const int from = begin ? begin->next : 0, to = part.back().next;
+    const auto isBefore = [](const Word& word, int letter) { return word.from < letter; };
+    auto word = std::lower_bound(words_.begin(), words_.end(), from, isBefore);
+    Breaks found;
+    while (word != words_.end() && word->from < to) {
+        if (of_.materials_->looks.style(styleAt(word->from)).hyphenate)
+            divide(word, typography::atHyphen, found);
+        word = endOfUnit(word);
+    }
+    Breaks result;
+    result.reserve(part.size() + found.size());
+    std::merge(part.begin(), part.end(), found.begin(), found.end(), std::back_inserter(result),
+               isEarlier);
+    return result;
+}
+
+// Behind the words up to the next blank.
+Paragraph::Breaking::Words::const_iterator
+Paragraph::Breaking::endOfUnit(Words::const_iterator word) const {
+    while (word->to == word->next && !word->behind.forced && word + 1 != words_.end())
+        ++word;
+    return word + 1;
+}
+
+// The places within a word, and those behind it up to the next blank.
+void Paragraph::Breaking::divide(Words::const_iterator word, int cost, Breaks& found) const {
+    const std::uint32_t look = styleAt(word->from);
+    const std::string& language = of_.materials_->looks.style(look).language;
+    if (language.empty())
+        return;
+    const int from = word->from, to = std::prev(endOfUnit(word))->to;
+    const QStringView letters = QStringView(letters_.text).sliced(from_ + from, to - from);
+    for (int place : typography::placesInWords(letters, QString::fromStdString(language))) {
+        place += from;
+        while (word->next <= place)
+            ++word;
+        const QTextLine line = layout_->lineAt(static_cast<int>(word - words_.begin()));
+        typography::Break& one = found.emplace_back();
+        one.next = place;
+        one.begin = one.end =
+            word->left + std::abs(line.cursorToX(place) - line.cursorToX(word->from));
+        one.blanksAtBegin = one.blanksAtEnd =
+            word == words_.begin() ? 0 : std::prev(word)->behind.blanksAtBegin;
+        one.hyphen = of_.materials_->looks.hyphen(look);
+        one.cost = cost;
+    }
+}
+
+std::optional<std::vector<std::size_t>>
+Paragraph::Breaking::chosen(Breaks part, const typography::Break* begin, double most) const {
+    const bool goesOn = !part.back().forced && !isLast_;
     if (begin)
         for (typography::Break& one : part) {
             one.end -= begin->begin;
@@ -465,15 +536,58 @@ void Paragraph::Breaking::breakPart(std::size_t first, std::size_t last,
         .ragged = align != schemas::Align::justify,
         .even = align == schemas::Align::center,
         .leastOfLast = leastOfLast * fromPoints(of_.materials_->looks.style(style).size)};
-    const bool goesOn = !end.forced && !isLast_;
-    auto ends = typography::bestLines(part, column, typography::fine, goesOn);
-    if (!ends)
-        ends = typography::bestLines(part, column, typography::anything, goesOn);
-    for (const std::size_t at : *ends) {
-        const typography::Break& next = breaks_[first + at];
-        addLine(begin, next);
-        begin = &next;
+    return typography::bestLines(part, column, most, goesOn);
+}
+
+// The breaks first..last, of which the last one is forced or the segment's end.
+void Paragraph::Breaking::breakPart(std::size_t first, std::size_t last,
+                                    const typography::Break* begin) {
+    const typography::Break& end = breaks_[last];
+    if (end.end - (begin ? begin->begin : 0) <= columnAt(begin))
+        return addLine(begin, end);
+    Breaks part(breaks_.begin() + static_cast<std::ptrdiff_t>(first),
+                breaks_.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+    auto ends = chosen(part, begin, typography::fine);
+    if (!ends) {
+        part = withHyphens(part, begin);
+        ends = chosen(part, begin, typography::fine);
     }
+    if (!ends)
+        ends = chosen(part, begin, typography::anything);
+    for (const std::size_t at : *ends) {
+        addLine(begin, part[at]);
+        begin = &part[at];
+    }
+}
+
+// That may move apart.
+int Paragraph::Breaking::lettersOf(const Line& line) const {
+    const auto endsBefore = [](const Range& range, int at) {
+        return range.start + range.length <= at;
+    };
+    const auto& ranges = letters_.ranges;
+    int count = 0;
+    for (auto range = std::lower_bound(ranges.begin(), ranges.end(), line.from, endsBefore);
+         range != ranges.end() && range->start < line.end; ++range)
+        for (int i = std::max(range->start, line.from);
+             range->blank > 0 && !range->isGap &&
+             i < std::min(range->start + range->length, line.end);
+             ++i)
+            count += letters_.text[i].isMark() || letters_.text[i].isLowSurrogate() ? 0 : 1;
+    return count;
+}
+
+// The width that it gains.
+double Paragraph::Breaking::stretched(Line& line, double stretch, double blanks) const {
+    line.stretch = std::min(stretch, typography::stretchOfBlank);
+    if (stretch <= line.stretch)
+        return line.stretch * blanks;
+    const double missing = (stretch - line.stretch) * blanks;
+    const double size = fromPoints(of_.materials_->looks.style(styleAt(line.from - from_)).size);
+    const int letters = lettersOf(line);
+    line.apart = letters == 0 ? 0 : std::min(missing / letters, mostApart * size);
+    line.stretch = std::min(mostStretch, stretch - line.apart * letters / blanks);
+    return line.stretch * blanks + line.apart * letters;
 }
 
 void Paragraph::Breaking::addLine(const typography::Break* begin, const typography::Break& end) {
@@ -496,8 +610,7 @@ void Paragraph::Breaking::addLine(const typography::Break* begin, const typograp
     if (isJustified) {
         const double stretch = typography::stretchOf(made.width, blanks, columnAt(begin));
         if (stretch < 0 || (!isEnd && !end.forced))
-            line.stretch = std::min(stretch, mostStretch);
-        made.width += line.stretch * blanks;
+            made.width += stretched(line, stretch, blanks);
     }
     while (wordOfLine_ < words_.size() && words_[wordOfLine_].next <= from)
         ++wordOfLine_;
@@ -549,6 +662,7 @@ void Paragraph::breakSegment() {
         measure(lines_.back(), made.ascent, made.descent);
     }
     leastWidth_ = std::max(leastWidth_, broken.leastWidth);
+    numberWidth_ = std::max(numberWidth_, broken.numberWidth);
     complete_ = isLast;
     if (complete_)
         letters_.reset(); // most are asked for no more

@@ -8,11 +8,18 @@
 
 namespace layout {
 
+// Of a number, on both sides of the place of its point.
+struct NumberWidths {
+    double before = 0, behind = 0;
+};
+
 // What a block in a cell would like, by so many of its letters, and how many were read for it.
 struct Measured {
     BlockPointer block;
     Widths widths{};
     std::size_t letters = 0;
+    std::optional<NumberWidths> number{}; // that it is
+    bool isNoNumber = false;              // it is empty, or a dash
     [[nodiscard]] static bool isOf(const Sizes&) { return true; }
 };
 
@@ -21,6 +28,7 @@ struct Columns {
     BlockPointer block;
     std::vector<std::shared_ptr<const Measured>> cells{}; // for tables to come
     std::vector<double> widths;
+    std::vector<std::optional<double>> points{}; // of columns of numbers, from the left of the cell
     std::vector<std::pair<document::SubdocumentId, QSizeF>> sizes; // that were asked for
 
     [[nodiscard]] bool isOf(Sizes& sizesNow) const;

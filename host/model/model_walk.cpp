@@ -146,7 +146,14 @@ bool ModelWalk::enterElement(NodeId node) {
     const schemas::Presentation::Subject subject{
         .name = tree_.name(node), .first = isFirst(node), .tree = &tree_, .element = node};
     frame.style = frame.presentation->style(subject, state_.frames.back().style, frame.progress);
+    takeLanguage(frame, state_.frames.back());
     return begin(std::move(frame));
+}
+
+// What the element says, or what it stands in.
+void ModelWalk::takeLanguage(Frame& frame, const Frame& outer) const {
+    const std::string own = attribute(frame.node, "LANG");
+    frame.style.text.language = own.empty() ? outer.style.text.language : own;
 }
 
 // A nested document of text goes on in the flow, as its own class's presentation says.
@@ -159,6 +166,7 @@ bool ModelWalk::enterNested(NodeId node) {
     frame.presentation = presentation;
     frame.progress = frame.presentation->start();
     frame.style = frame.presentation->rootStyle();
+    takeLanguage(frame, state_.frames.back());
     return begin(std::move(frame));
 }
 

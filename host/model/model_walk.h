@@ -133,6 +133,7 @@ private:
     bool enterNested(sgml::NodeId node);
     [[nodiscard]] const schemas::Presentation* presentationOf(sgml::NodeId nested) const;
     [[nodiscard]] Frame frameInside(sgml::NodeId node) const;
+    void takeLanguage(Frame& frame, const Frame& outer) const;
     bool begin(Frame frame);
     void leave();
     void push(Frame frame);

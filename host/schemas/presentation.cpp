@@ -71,6 +71,7 @@ std::vector<Presentation::Variant> Presentation::variantsOf(std::string_view nam
 ElementStyle Presentation::rootStyle() const {
     ElementStyle root;
     root.display = Display::block;
+    root.text.language = "en";
     return root;
 }
 

@@ -121,7 +121,8 @@ public:
     // The style of an element inside one with style `outer`; `progress` goes one element down.
     [[nodiscard]] ElementStyle style(const Subject& subject, const ElementStyle& outer,
                                      Progress& progress) const;
-    // The style that the document's class element inherits.
+    // The style that the document's class element inherits: in English unless the document says
+    // another language.
     [[nodiscard]] ElementStyle rootStyle() const;
 
 private:

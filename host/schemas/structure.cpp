@@ -267,7 +267,8 @@ void StructureSchema::judgeAttributes(const sgml::Tree& tree, NodeId element, co
         const std::string_view name = tree.text(attribute.name);
         const bool listed = std::find(rule.attributes.begin(), rule.attributes.end(), name) !=
                             rule.attributes.end();
-        if (name != "ID" && !listed && !(isClassElement && ofClassElements.contains(name)))
+        if (name != "ID" && name != "LANG" && !listed &&
+            !(isClassElement && ofClassElements.contains(name)))
             findings.push_back(atAttribute(tree, element, attribute,
                                            "attribute " + std::string(name) + " is not known for " +
                                                tag(tree.name(element))));

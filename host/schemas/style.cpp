@@ -9,7 +9,8 @@ std::size_t hashOf(const TextStyle& style) {
     const auto mix = [&](std::size_t value) { hash = hash * 31 + value; };
     mix(std::hash<double>()(style.size));
     mix((style.bold ? 1U : 0U) + (style.italic ? 2U : 0U) + (style.underline ? 4U : 0U) +
-        (style.raised ? 8U : 0U));
+        (style.raised ? 8U : 0U) + (style.hyphenate ? 16U : 0U));
+    mix(std::hash<std::string>()(style.language));
     mix(style.color.red * 65536U + style.color.green * 256U + style.color.blue);
     return hash;
 }

@@ -27,6 +27,8 @@ struct TextStyle {
     bool raised = false; // superscript: smaller and higher (footnote marks)
     Color color;
     std::optional<Color> background;
+    bool hyphenate = true; // words may be divided
+    std::string language;  // as documents spell it, "de" or "en-GB"; "": unknown
     bool operator==(const TextStyle&) const = default;
 };
 
@@ -67,6 +69,8 @@ struct BlockStyle {
     double markerWidth = 0;
     Align markerAlign = Align::left;
     double padding = 0; // between border and text
+    // Of a cell: stands with the numbers of its column, their points one below the other.
+    bool alignNumbers = false;
     std::optional<Color> background;
     Border border;
     bool keepWithNext = false; // not the last on a page

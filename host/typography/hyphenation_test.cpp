@@ -1,5 +1,6 @@
 // Words and where they are divided, by the patterns that the system has.
 #include "typography/hyphenation.h"
+#include "typography/patterns.h"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +22,11 @@ TEST(HyphenationTest, EnglishAndGermanWordsAreDividedByTheirRules) {
     EXPECT_EQ(divided("Schwingungen (Pendeluhr)", "de"), "Schwin-gun-gen (Pen-del-uhr)");
     EXPECT_EQ(divided("Größenänderung", "de-AT"), "Grö-ßen-än-de-rung");
     EXPECT_EQ(divided("développement", "fr"), "dé-ve-lop-pe-ment");
+}
+
+TEST(HyphenationTest, AllPatternsOfAFileAreRead) {
+    EXPECT_GT(Patterns(patternsOf("de")).count(), 50'000U);
+    EXPECT_EQ(Patterns("/nowhere").count(), 0U);
 }
 
 TEST(HyphenationTest, WhatIsNoWordStaysWhole) {
