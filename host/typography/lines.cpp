@@ -15,7 +15,7 @@ constexpr double twoHyphens = 10'000; // demerits, of two lines one after the ot
 constexpr double hyphenBeforeLast = 5'000;
 constexpr double unlikeNeighbours = 10'000; // a tight line beside a loose one
 // Our own.
-constexpr double shortLastLine = 40'000;
+constexpr double shortLastLine = 100'000;
 constexpr double rag = 0.2;        // of the width: a ragged line that is shorter is bad
 constexpr double leastGive = 0.01; // of the width, beside what blanks give
 constexpr double tooLong = 1e18;   // for each unit of the line's width
@@ -62,6 +62,9 @@ public:
 private:
     bool reach(std::size_t at);
     [[nodiscard]] Line lineTo(const Node& from, const Break& to, bool isLast) const;
+    [[nodiscard]] bool isShortLast(const Node& from, const Line& line) const {
+        return from.at >= 0 && line.natural < column_.leastOfLast;
+    }
     [[nodiscard]] double demeritsOf(const Node& from, const Break& to, const Line& line,
                                     Fitness fitness, bool isLast) const;
     [[nodiscard]] std::vector<std::size_t> way() const;
@@ -109,7 +112,7 @@ double Search::demeritsOf(const Node& from, const Break& to, const Line& line, F
         result += to.hyphen > 0 ? twoHyphens : isLast ? hyphenBeforeLast : 0;
     if (std::abs(static_cast<int>(from.fitness) - static_cast<int>(fitness)) > 1)
         result += unlikeNeighbours;
-    if (isLast && from.at >= 0 && line.natural < column_.leastOfLast)
+    if (isLast && isShortLast(from, line))
         result += shortLastLine;
     return result;
 }
@@ -137,11 +140,12 @@ bool Search::reach(std::size_t at) {
                 longest = {demerits, index};
             continue;
         }
-        if (most_ < anything && line.ratio > most_ && !isForced)
+        const bool endsText = isLast && !(isEnd && goesOn_);
+        if (most_ < anything &&
+            ((line.ratio > most_ && !isForced) || (endsText && isShortLast(from, line))))
             continue;
         const Fitness fitness = fitnessOf(line.ratio, column_.ragged);
-        const double demerits =
-            from.demerits + demeritsOf(from, to, line, fitness, isLast && !(isEnd && goesOn_));
+        const double demerits = from.demerits + demeritsOf(from, to, line, fitness, endsText);
         Candidate& known = best[fitness];
         if (demerits <= known.demerits) // of two that are alike the shorter last one
             known = {demerits, index};

@@ -62,6 +62,8 @@ TEST(LinesTest, TheLastLineIsNoShortSyllable) {
     EXPECT_EQ(bestLines(words, column, anything), (Ends{11, 23, 24}));
     column.leastOfLast = 10;
     EXPECT_EQ(bestLines(words, column, anything), (Ends{11, 22, 24}));
+    column.leastOfLast = 60; // other lines would be too short for it
+    EXPECT_EQ(bestLines(words, column, fine), std::nullopt);
 }
 
 TEST(LinesTest, TwoHyphensInARowAreAvoided) {
