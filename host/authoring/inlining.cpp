@@ -126,8 +126,7 @@ Selection withWord(const Manuscript& manuscript, Selection selection) {
         return selection;
     // The places of words have the blanks between them, too.
     const auto unlessBlank = [&](Selection word) {
-        const std::string_view bytes =
-            manuscript.document.tree().text({word.anchor, word.caret});
+        const std::string_view bytes = manuscript.document.tree().text({word.anchor, word.caret});
         return bytes.find_first_of(" \t\r\n") == bytes.npos ? word : selection;
     };
     const std::size_t caret = selection.caret;

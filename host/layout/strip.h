@@ -33,7 +33,8 @@ struct FramePiece {
     std::optional<schemas::Color> background;
     schemas::Border border;
 };
-// The number of the page that an anchor is on, at the right end of a line, and dots that lead to it.
+// The number of the page that an anchor is on, at the right end of a line, and dots that lead to
+// it.
 struct PageNumberPiece {
     std::string target; // Pages::anchor()
     schemas::TextStyle style;

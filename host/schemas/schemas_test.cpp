@@ -170,8 +170,10 @@ TEST(Schemas, BuiltInOnesAreSoundAndBoth) {
     for (const Schemas::FileFault& fault : schemas.faults())
         faults += sgml::formatted(fault.fault, fault.file.toStdString()) + "\n";
     EXPECT_EQ(faults, "");
-    EXPECT_EQ(schemas.presentations("CMEMO"), (QStringList{"default", "handout", "print", "slides"}));
-    EXPECT_EQ(schemas.presentations("REPORT"), (QStringList{"default", "handout", "outline", "print", "slides"}));
+    EXPECT_EQ(schemas.presentations("CMEMO"),
+              (QStringList{"default", "handout", "print", "slides"}));
+    EXPECT_EQ(schemas.presentations("REPORT"),
+              (QStringList{"default", "handout", "outline", "print", "slides"}));
     EXPECT_TRUE(schemas.isText("REPORT"));
     EXPECT_FALSE(schemas.isText("ANIMATION"));
     EXPECT_NE(schemas.structure("CMEMO"), nullptr);
@@ -191,7 +193,8 @@ TEST(Schemas, FilesOfUsersComeFirstUnlessFaulty) {
     put("LETTER.structure", "LETTER = ANY\n");
     const Schemas schemas = Schemas::load({folder.path()});
     EXPECT_EQ(schemas.presentation("CMEMO").page().marginLeft, 50);
-    EXPECT_EQ(schemas.presentations("CMEMO"), (QStringList{"default", "handout", "mine", "print", "slides"}));
+    EXPECT_EQ(schemas.presentations("CMEMO"),
+              (QStringList{"default", "handout", "mine", "print", "slides"}));
     EXPECT_NE(schemas.structure("LETTER"), nullptr);
     ASSERT_EQ(schemas.faults().size(), 1u);
     EXPECT_TRUE(schemas.faults()[0].file.endsWith("REPORT.default.presentation"));

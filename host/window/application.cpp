@@ -17,12 +17,6 @@ namespace window {
 namespace {
 
 constexpr int mostRecent = 10;
-constexpr const char* emptyMemo = "DOCUMENT CMEMO\n<CMEMO>\n<TO>{}</TO>\n<FROM>{}</FROM>\n"
-                                  "<SUBJECT>{}</SUBJECT>\n<BODY>\n"
-                                  "<PARAGRAPH><TEXT>{}</TEXT></PARAGRAPH>\n</BODY>\n</CMEMO>\n";
-constexpr const char* emptyReport =
-    "DOCUMENT REPORT\n<REPORT>\n<TITLE>{}</TITLE>\n<AUTHOR>{}</AUTHOR>\n<SECTION>\n"
-    "<HEADING>{}</HEADING>\n<PARAGRAPH><TEXT>{}</TEXT></PARAGRAPH>\n</SECTION>\n</REPORT>\n";
 
 QPalette lightPalette() {
     QPalette palette(QColor(247, 247, 248));
@@ -97,13 +91,20 @@ DocumentWindow* Application::open(const QString& fileName, QWidget* parent) {
         std::make_shared<session::OpenDocument>(std::move(loaded.document), schemas_, media_));
 }
 
-DocumentWindow* Application::openNew(const QString& className) {
-    const char* bytes = className == QLatin1String("REPORT") ? emptyReport : emptyMemo;
+// It has no file of its own yet.
+DocumentWindow* Application::openNew(const Template& from, QWidget* parent) {
+    const Template::Read read = from.read();
+    if (!read.failure.isEmpty()) {
+        plain::Message::tell(QMessageBox::Critical, parent, tr("New"), read.failure);
+        return nullptr;
+    }
     DocumentWindow* made = addWindow(std::make_shared<session::OpenDocument>(
-        std::make_unique<document::Document>(bytes), schemas_, media_));
+        std::make_unique<document::Document>(read.bytes), schemas_, media_));
     made->view().setWriting(true);
     return made;
 }
+
+DocumentWindow* Application::openNew() { return openNew(templates().front(), nullptr); }
 
 DocumentWindow* Application::addWindow(std::shared_ptr<session::OpenDocument> document) {
     std::erase_if(windows_, [](const QPointer<DocumentWindow>& one) { return !one; });

@@ -4,6 +4,7 @@
 #include "files/journal.h"
 #include "media/live_media.h"
 #include "window/document_window.h"
+#include "window/templates.h"
 
 #include <QPointer>
 
@@ -24,8 +25,10 @@ public:
     // Opens a file in a window, or raises the one that has it. Null, after a message, when it
     // cannot be read.
     DocumentWindow* open(const QString& fileName, QWidget* parent = nullptr);
-    // An empty document of a class, by its template, to be written.
-    DocumentWindow* openNew(const QString& className = QStringLiteral("CMEMO"));
+    // A document that begins as the template, to be written. Null, after a message, when it cannot
+    // be read.
+    DocumentWindow* openNew(const Template& from, QWidget* parent);
+    DocumentWindow* openNew(); // from the first one
     DocumentWindow* addWindow(std::shared_ptr<session::OpenDocument> document);
     // Asks about each text that a program which ended had not saved, and opens what is wanted.
     void offerRecovered();

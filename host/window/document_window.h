@@ -28,6 +28,7 @@ public:
     [[nodiscard]] view::DocumentView& view() const { return *view_; }
     [[nodiscard]] MediumCommands& commands() const { return *commands_; }
 
+    [[nodiscard]] Saving& saving() const { return *saving_; }
     [[nodiscard]] Printing& printing() const { return *printing_; }
     // Its own, as the presentation says which element that is, else its file's name.
     [[nodiscard]] QString documentTitle() const;

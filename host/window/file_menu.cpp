@@ -15,10 +15,8 @@ namespace window {
 FileMenu::FileMenu(Application& application, DocumentWindow& window)
     : QMenu(tr("&File"), &window), application_(application), window_(window) {
     QMenu* fresh = addMenu(tr("&New"));
-    menus::addTo(*fresh, "newMemo", tr("&Memo"), QKeySequence::New,
-                 [this] { application_.openNew("CMEMO"); });
-    menus::addTo(*fresh, "newReport", tr("&Report"), {},
-                 [this] { application_.openNew("REPORT"); });
+    fillNew(*fresh);
+    connect(fresh, &QMenu::aboutToShow, this, [this, fresh] { fillNew(*fresh); });
     menus::addTo(*this, "open", tr("&Open..."), QKeySequence::Open, [this] {
         const QStringList files =
             QFileDialog::getOpenFileNames(&window_, tr("Open"), {}, documentFilter());
@@ -41,6 +39,21 @@ FileMenu::FileMenu(Application& application, DocumentWindow& window)
     menus::addTo(*this, "close", tr("&Close"), QKeySequence::Close, [this] { window_.close(); });
     menus::addTo(*this, "quit", tr("&Quit"), QKeySequence("Ctrl+Q"),
                  [this] { application_.quit(); });
+}
+
+// Anew each time, since the user's own templates are files.
+void FileMenu::fillNew(QMenu& menu) {
+    menu.clear();
+    bool isFirst = true;
+    for (const Template& one : templates()) {
+        menus::addTo(menu, "new" + QString(one.name).remove(' '), plain::caption(one.name),
+                     isFirst ? QKeySequence(QKeySequence::New) : QKeySequence(),
+                     [this, one] { application_.openNew(one, &window_); });
+        isFirst = false;
+    }
+    menu.addSeparator();
+    menus::addTo(menu, "saveAsTemplate", tr("&Save This Document as a Template..."), {},
+                 [this] { window_.saving().saveAsTemplate(window_.documentTitle()); });
 }
 
 void FileMenu::fillRecent() {

@@ -16,6 +16,7 @@ public:
     FileMenu(Application& application, DocumentWindow& window);
 
 private:
+    void fillNew(QMenu& menu);
     void fillRecent();
 
     Application& application_;

@@ -4,6 +4,8 @@
 #include "window/application.h"
 #include "window/choosing.h"
 
+#include <QDir>
+#include <QInputDialog>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTimer>
@@ -71,6 +73,29 @@ bool Saving::saveAs() {
     if (saved)
         application_.remember(file);
     return saved;
+}
+
+// The document itself stays what and where it is.
+void Saving::saveAsTemplate(const QString& proposed) {
+    QInputDialog dialog(&window_);
+    dialog.setObjectName("templateDialog");
+    dialog.setWindowTitle(tr("Save as a Template"));
+    dialog.setLabelText(tr("Name of the template in File > New:"));
+    dialog.setTextValue(proposed);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    QString name = dialog.textValue().simplified();
+    name.remove('/');
+    if (name.isEmpty() || name.startsWith('.')) {
+        plain::Message::tell(QMessageBox::Warning, &window_, tr("Save as a Template"),
+                             tr("A template's name begins with a letter or a digit."));
+        return;
+    }
+    QDir().mkpath(templateFolder());
+    const QString file = templateFolder() + '/' + name + QStringLiteral(".ens");
+    document::Document copy(document_.document().bytes());
+    if (saveBy([&](files::SaveOptions options) { return copy.saveAs(file, options); }))
+        Q_EMIT said(tr("Saved %1: File > New > %2 begins with it").arg(file, name));
 }
 
 // What was typed in a window of a medium and is no change of the document yet goes with its

@@ -208,6 +208,29 @@ TEST_F(WritingTest, ANewReportIsWrittenFromItsFirstLine) {
     window_->document().document().undo();
 }
 
+TEST_F(WritingTest, ADocumentSavedAsATemplateBeginsNewOnes) {
+    const QTemporaryDir data;
+    qputenv("XDG_DATA_HOME", data.path().toUtf8());
+    write(paragraph("Dear colleagues"));
+    answering("saveAsTemplate", [](QDialog& dialog) {
+        dialog.findChild<QLineEdit*>()->setText("To all/of us");
+        dialog.accept();
+    });
+    const auto named = [](const QString& name) {
+        const auto all = templates();
+        return std::ranges::find(all, name, &Template::name) != all.end();
+    };
+    EXPECT_TRUE(named("Memo"));
+    ASSERT_TRUE(named("To allof us"));
+    EXPECT_EQ(document().fileName(), folder_.filePath("1.ens"));
+    DocumentWindow* made = application_.openNew(templates().back(), nullptr);
+    ASSERT_TRUE(made);
+    EXPECT_EQ(made->document().document().bytes(), document().bytes());
+    EXPECT_TRUE(made->document().document().fileName().isEmpty());
+    EXPECT_TRUE(made->view().isWriting());
+    qunsetenv("XDG_DATA_HOME");
+}
+
 TEST_F(WritingTest, WhatIsCopiedKeepsItsStructureWhereItIsPasted) {
     write(paragraph("One two") + "<PARAGRAPH><TEXT>{a }</TEXT><EMPH>{b}</EMPH></PARAGRAPH>\n");
     goTo("a }");

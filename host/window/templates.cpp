@@ -1,0 +1,42 @@
+#include "window/templates.h"
+
+#include "document/document.h"
+
+#include <QDir>
+#include <QFile>
+#include <QStandardPaths>
+#include <algorithm>
+
+namespace window {
+
+Template::Read Template::read() const {
+    if (file.startsWith(':')) {
+        QFile own(file);
+        (void)own.open(QIODevice::ReadOnly);
+        return {own.readAll().toStdString()};
+    }
+    const document::Document::Loaded loaded = document::Document::load(file);
+    return loaded.document ? Read{loaded.document->bytes()} : Read{{}, loaded.failure};
+}
+
+QString templateFolder() {
+    return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
+           QStringLiteral("/ensemble/templates");
+}
+
+std::vector<Template> templates() {
+    std::vector<Template> all;
+    for (const char* name : {"Memo", "Report", "Laboratory Report"})
+        all.push_back({QString::fromUtf8(name), QStringLiteral(":/templates/%1.ens").arg(name)});
+    const QDir folder(templateFolder());
+    for (const QFileInfo& file : folder.entryInfoList({"*.ens"}, QDir::Files, QDir::Name)) {
+        const auto same = std::ranges::find(all, file.completeBaseName(), &Template::name);
+        if (same != all.end())
+            same->file = file.filePath();
+        else
+            all.push_back({file.completeBaseName(), file.filePath()});
+    }
+    return all;
+}
+
+} // namespace window
