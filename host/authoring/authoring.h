@@ -136,15 +136,6 @@ struct LinkAround {
 // it where it may stand. The caret goes into it; beside a unit it stays in the text.
 [[nodiscard]] Result insertBlock(const Manuscript& manuscript, Selection selection,
                                  std::string_view name, std::string_view attributes = {});
-// A nested document, as its medium's manifest says.
-struct EmbeddedText {
-    std::string className, storage;
-    std::string text{};       // plain
-    std::string attributes{}; // of the class element, as spelled: ` WIDTH="300"`
-};
-// In a figure, where the class has figures.
-[[nodiscard]] Result insertFigure(const Manuscript& manuscript, Selection selection,
-                                  const EmbeddedText& embedded);
 // A formula of that source in the line; with `kind`, one of Grammar::variants() as it is spelled in
 // a tag (` KIND="display"`), a block of its own.
 [[nodiscard]] Result insertFormula(const Manuscript& manuscript, Selection selection,
@@ -161,6 +152,29 @@ struct EmbeddedText {
 [[nodiscard]] std::vector<sgml::NodeId> targets(const Manuscript& manuscript);
 // The names of elements that may come in behind a place, or behind what is around it.
 [[nodiscard]] std::vector<std::string> allowedAt(const Manuscript& manuscript, std::size_t place);
+
+// --- figures
+
+// Of one element.
+using Attributes = std::vector<std::pair<std::string, std::string>>;
+// A nested document, as its medium's manifest says.
+struct EmbeddedText {
+    std::string className, storage;
+    std::string text{};      // plain
+    Attributes attributes{}; // of the class element
+};
+// In a figure with an empty caption, which gets the caret, where the class has these.
+[[nodiscard]] Result insertFigure(const Manuscript& manuscript, Selection selection,
+                                  const EmbeddedText& embedded);
+// What is copied and erased with a nested document or a picture: the figure that it is in and that
+// shows nothing else, else the element itself, which is there.
+[[nodiscard]] sgml::NodeId wholeFigure(const Manuscript& manuscript, sgml::NodeId element);
+[[nodiscard]] Result removeElement(const Manuscript& manuscript, sgml::NodeId element,
+                                   const QString& label);
+// As one step; "" removes one. Nothing else changes.
+[[nodiscard]] Result setAttributes(const Manuscript& manuscript, Selection selection,
+                                   sgml::NodeId element, const Attributes& attributes,
+                                   const QString& label);
 
 // --- tables
 
@@ -184,7 +198,8 @@ struct EmbeddedText {
                                std::string_view text);
 // Elements as they are spelled in documents (model::fragment()). A single line goes into the line
 // at the caret. Elements and attributes that the class does not know are left out, their text
-// stays; an ID that the document has is left out.
+// stays. What has an ID that the document has gets another one if references from within the
+// fragment need it, else none.
 [[nodiscard]] Result paste(const Manuscript& manuscript, Selection selection,
                            std::string_view fragment);
 // An element with all in it, such as a section, goes before or behind another one.

@@ -328,11 +328,74 @@ TEST(Authoring, InsertsBlocks) {
         return insertFigure(manuscript, selection, {"ANIMATION", "ASGARD", "a {"});
     };
     EXPECT_EQ(memo("<P>{a|}</P>", figure),
-              "<P>{a}</P>\n<FIGURE><DOCUMENT>\nDOCUMENT ANIMATION\n<ANIMATION>\n<ASGARD>{a "
-              "\\{}</ASGARD>\n</ANIMATION>\n</DOCUMENT>|</FIGURE>");
+              "<P>{a}</P>\n<FIGURE>\n<DOCUMENT>\nDOCUMENT ANIMATION\n<ANIMATION>\n<ASGARD>{a "
+              "\\{}</ASGARD>\n</ANIMATION>\n</DOCUMENT>\n<CAPTION>{|}</CAPTION>\n</FIGURE>");
     EXPECT_EQ(memo("<FIGURE><IMAGE></IMAGE>|</FIGURE>", insertCaption),
               "<FIGURE><IMAGE></IMAGE>\n<CAPTION>{|}</CAPTION></FIGURE>");
     EXPECT_EQ(memo("<P>{|a}</P>", insertCaption), "refused: Nothing here takes a caption.");
+}
+
+// A command on the first element of that name, or on its figure.
+Command onElement(const std::string& name, bool whole,
+                  const std::function<Result(const Manuscript&, sgml::NodeId)>& command) {
+    return [=](const Manuscript& manuscript, Selection) {
+        const sgml::Tree& tree = manuscript.document.tree();
+        sgml::NodeId id = tree.root();
+        while (!tree.isElement(id) || tree.name(id) != name)
+            id = tree.following(id);
+        return command(manuscript, whole ? wholeFigure(manuscript, id) : id);
+    };
+}
+
+TEST(Authoring, AFigureGoesWithItsCaptionAndAloneWhereItIsNotAlone) {
+    const Command removed =
+        onElement("DOCUMENT", true, [](const Manuscript& manuscript, sgml::NodeId element) {
+            return removeElement(manuscript, element, "Delete Figure");
+        });
+    const std::string scene =
+        "<DOCUMENT>\nDOCUMENT ANIMATION\n<ANIMATION><ASGARD>{a}</ASGARD></ANIMATION>\n</DOCUMENT>";
+    EXPECT_EQ(
+        memo("<P>{a|}</P>\n<FIGURE>" + scene + "\n<CAPTION>{c}</CAPTION></FIGURE>\n<P>{b}</P>",
+             removed),
+        "<P>{a}</P>\n<P>{|b}</P>");
+    EXPECT_EQ(memo("<P>{a|}</P>\n<FIGURE>" + scene + "<IMAGE></IMAGE></FIGURE>", removed),
+              "<P>{a}</P>\n<FIGURE>|<IMAGE></IMAGE></FIGURE>");
+    EXPECT_EQ(memo("<P><T>{a|}</T>" + scene + "<T>{b}</T></P>", removed), "<P><T>{a|b}</T></P>");
+    EXPECT_EQ(memo("<P>" + scene + "</P>\n<P>{a|}</P>", removed), "<P>{|}</P>\n<P>{a}</P>");
+}
+
+TEST(Authoring, WhatIsPastedHasIdsOfItsOwnThatItsReferencesFollow) {
+    const auto pasted = [](const std::string& fragment) {
+        return [fragment](const Manuscript& manuscript, Selection selection) {
+            return paste(manuscript, selection, renamed("<BODY>" + fragment + "</BODY>", false));
+        };
+    };
+    const std::string copied = "<P ID=\"a-1\">{c}</P><P><REF TO=\"a-1\"></REF></P>";
+    EXPECT_EQ(memo("<P ID=\"a-1\">{x}</P>\n<P>{|}</P>", pasted(copied)),
+              "<P ID=\"a-1\">{x}</P>\n<P ID=\"a-2\">{c}</P>\n<P><REF TO=\"a-2\"></REF>|</P>");
+    EXPECT_EQ(memo("<P>{|}</P>", pasted(copied)),
+              "<P ID=\"a-1\">{c}</P>\n<P><REF TO=\"a-1\"></REF>|</P>");
+    EXPECT_EQ(memo("<P ID=\"a-1\">{x}</P>\n<P>{|}</P>", pasted("<P ID=\"a-1\">{c}</P><V>{d}</V>")),
+              "<P ID=\"a-1\">{x}</P>\n<P>{c}</P>\n<V>{d|}</V>");
+}
+
+TEST(Authoring, AttributesAreSetAndRemovedInOneStep) {
+    const auto sized = [](const std::string& width) {
+        return [width](const Manuscript& manuscript, Selection selection) {
+            const auto id = manuscript.document.subdocuments().front();
+            return setAttributes(manuscript, selection,
+                                 manuscript.document.subdocument(id)->classElement,
+                                 {{"WIDTH", width}, {"HEIGHT", "20"}, {"ALT", ""}}, "Size");
+        };
+    };
+    const auto scene = [](const std::string& attributes) {
+        return "<P>{a}</P>\n<DOCUMENT>\nDOCUMENT ANIMATION\n<ANIMATION" + attributes +
+               "></ANIMATION>\n</DOCUMENT>\n<P>{b|c}</P>";
+    };
+    EXPECT_EQ(memo(scene(""), sized("10")), scene(" WIDTH=\"10\" HEIGHT=\"20\""));
+    EXPECT_EQ(memo(scene(" HEIGHT=\"5\" ALT=\"x\""), sized("10")),
+              scene(" HEIGHT=\"20\" WIDTH=\"10\""));
+    EXPECT_EQ(memo(scene(" WIDTH=\"1\" HEIGHT=\"20\""), sized("")), scene(" HEIGHT=\"20\""));
 }
 
 TEST(Authoring, Formulas) {

@@ -3,8 +3,6 @@
 
 #include "authoring/draft.h"
 
-#include <set>
-
 namespace authoring {
 
 // Removes what stands between the marks, and joins what remains of two lines. The marks stand at
@@ -37,7 +35,6 @@ Piece* putInLine(Draft& draft, Piece& mark, std::unique_ptr<Piece> piece);
 // around it. It takes the place of an empty paragraph. Null: it may stand nowhere there.
 Piece* putBlock(Draft& draft, Piece& mark, std::unique_ptr<Piece> piece);
 
-[[nodiscard]] std::set<std::string, std::less<>> idsOf(const sgml::Tree& tree);
 // "A figure may not stand here."
 [[nodiscard]] QString mayNotStand(const Grammar& grammar, std::string_view name);
 

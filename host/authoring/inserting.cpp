@@ -1,11 +1,11 @@
 // Blocks that come in at the caret, captions, references.
 #include "authoring/commands.h"
+#include "authoring/ids.h"
 #include "authoring/leaves.h"
 
 #include "sgml/edit.h"
 
 #include <algorithm>
-#include <set>
 
 namespace authoring {
 
@@ -72,32 +72,6 @@ Result insertBlock(const Manuscript& manuscript, Selection selection, std::strin
         draft.collapse();
     }
     return draft.result(QStringLiteral("Insert"));
-}
-
-Result insertFigure(const Manuscript& manuscript, Selection selection,
-                    const EmbeddedText& embedded) {
-    const std::size_t end = std::max(selection.anchor, selection.caret);
-    Draft draft(manuscript, {end, end});
-    if (const QString why = draft.obstacle(); !why.isEmpty())
-        return refused(why);
-    const std::string figure(draft.grammar().named(ContainerRole::figure));
-    std::unique_ptr<Piece> document = Draft::made("DOCUMENT");
-    document->raw = "<DOCUMENT>\nDOCUMENT " + embedded.className + "\n<" + embedded.className +
-                    embedded.attributes + ">\n" +
-                    sgml::elementText(embedded.storage, embedded.text) + "\n</" +
-                    embedded.className + ">\n</DOCUMENT>";
-    Piece* made = nullptr;
-    if (!figure.empty())
-        made = putBlock(draft, draft.first(), Draft::made(figure));
-    if (made != nullptr)
-        made = &Draft::put(*made, 0, std::move(document));
-    else
-        made = putBlock(draft, draft.first(), std::move(document));
-    if (made == nullptr)
-        return refused(QStringLiteral("A figure may not stand here."));
-    Draft::moveTo(draft.first(), *made->parent, made->index() + 1);
-    draft.collapse();
-    return draft.result(QStringLiteral("Figure"));
 }
 
 Result insertFormula(const Manuscript& manuscript, Selection selection, std::string_view source,
@@ -172,28 +146,7 @@ Result insertCaption(const Manuscript& manuscript, Selection selection) {
 
 // --- references -----------------------------------------------------------------------------
 
-std::set<std::string, std::less<>> idsOf(const sgml::Tree& tree) {
-    std::set<std::string, std::less<>> ids;
-    for (NodeId id = tree.root(); id != noNode; id = tree.following(id))
-        if (tree.isElement(id))
-            if (const auto name = tree.attribute(id, "ID"))
-                ids.emplace(*name);
-    return ids;
-}
-
 namespace {
-
-// "figure-2": the first that nothing has.
-std::string freeId(const sgml::Tree& tree, std::string_view element) {
-    std::string stem(element);
-    std::transform(stem.begin(), stem.end(), stem.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    const std::set<std::string, std::less<>> taken = idsOf(tree);
-    for (int number = 1;; ++number)
-        if (std::string id = stem + "-" + std::to_string(number); !taken.contains(id))
-            return id;
-}
 
 // Some elements have a number only with an attribute, such as a formula that stands alone.
 bool isNumbered(const sgml::Tree& tree, const Grammar& grammar, NodeId element) {
@@ -220,7 +173,7 @@ Result insertReference(const Manuscript& manuscript, Selection selection, NodeId
         return refused(QStringLiteral("The target of the reference is not in this document."));
     std::string id(tree.attribute(target, "ID").value_or(""));
     if (id.empty()) {
-        id = freeId(tree, tree.name(target));
+        id = freeId(idsOf(tree), tree.name(target));
         draft.opened(target).attributes += " " + sgml::attributeText("ID", id);
     }
     if (putInLine(draft, draft.first(), Draft::made(name, " " + sgml::attributeText("TO", id))) ==

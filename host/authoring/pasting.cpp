@@ -1,11 +1,11 @@
 // Pasted text: plain, and with its structure.
 #include "authoring/commands.h"
+#include "authoring/ids.h"
 #include "authoring/leaves.h"
 
 #include "sgml/edit.h"
 
 #include <algorithm>
-#include <set>
 
 namespace authoring {
 
@@ -200,21 +200,6 @@ private:
     Draft& draft_;
     const sgml::Tree& from_;
 };
-
-// Without the IDs that the document has, or that come twice.
-std::string withFreeIds(const sgml::Tree& document, std::string bytes) {
-    std::set<std::string, std::less<>> taken = idsOf(document);
-    const sgml::Tree tree = sgml::Tree::parse(bytes);
-    text::Edits edits;
-    for (NodeId id = tree.root(); id != noNode; id = tree.following(id)) {
-        const auto name = tree.isElement(id) ? tree.attribute(id, "ID") : std::nullopt;
-        if (!name || taken.emplace(*name).second)
-            continue;
-        const text::Edits removal = sgml::attributeRemoval(tree, id, "ID");
-        edits.insert(edits.end(), removal.begin(), removal.end());
-    }
-    return text::applied(bytes, edits);
-}
 
 } // namespace
 

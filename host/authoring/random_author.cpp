@@ -86,7 +86,7 @@ std::string RandomAuthor::table(int depth) {
 }
 
 std::string RandomAuthor::block(int depth) {
-    switch (below(13)) {
+    switch (below(14)) {
     case 0:
     case 1:
         return list(depth - 1);
@@ -208,7 +208,7 @@ Selection RandomAuthor::randomSelection(const Manuscript& manuscript, Selection 
 
 RandomAuthor::Try RandomAuthor::tryCommand(const Manuscript& manuscript, Selection selection) {
     const bool isRange = !selection.isEmpty();
-    switch (below(13)) {
+    switch (below(14)) {
     case 0: {
         const Direction direction = below(2) == 0 ? Direction::forward : Direction::backward;
         const Unit unit = below(3) == 0 ? Unit::word : Unit::character;
@@ -240,6 +240,21 @@ RandomAuthor::Try RandomAuthor::tryCommand(const Manuscript& manuscript, Selecti
         default:
             return {"verbatim", makeVerbatim(manuscript, selection), false, true};
         }
+    }
+    case 13: {
+        const std::vector<document::SubdocumentId> all = manuscript.document.subdocuments();
+        if (all.empty())
+            return {"change figure", Refusal{}};
+        const auto* figure = manuscript.document.subdocument(all[below(all.size())]);
+        const std::size_t at = place(manuscript, 0, Direction::forward).value_or(0);
+        if (below(2) == 0 || figure->classElement == sgml::noNode)
+            return {"remove figure",
+                    removeElement(manuscript, wholeFigure(manuscript, figure->element), "Delete"),
+                    false};
+        return {"change figure",
+                setAttributes(manuscript, {at, at}, figure->classElement,
+                              {{"WIDTH", "10"}, {"ALIGN", "left"}, {"ALT", ""}}, "Align"),
+                false, true};
     }
     case 9: {
         const std::vector<std::string> names =

@@ -510,17 +510,17 @@ void LiveSubdocument::snapshot(QSize pixels, double scale, std::optional<double>
 // --- commands ----------------------------------------------------------------------------------
 
 void LiveSubdocument::invoke(const QString& id, const Rendition* rendition) {
-    const std::string wanted = id.toStdString();
-    const auto entry = std::find_if(menus_.begin(), menus_.end(),
-                                    [&](const ipc::MenuEntry& e) { return e.id == wanted; });
-    if (entry == menus_.end())
-        return;
-    if (!isReady()) {
+    if (!isReady()) { // its menu may not be known yet
         whenReady_.push_back({id, rendition ? rendition->id() : 0});
         startAgain();
         Q_EMIT message(name() + QStringLiteral(" is starting."));
         return;
     }
+    const std::string wanted = id.toStdString();
+    const auto entry = std::find_if(menus_.begin(), menus_.end(),
+                                    [&](const ipc::MenuEntry& e) { return e.id == wanted; });
+    if (entry == menus_.end())
+        return;
     ipc::MenuInvoke call;
     call.id = wanted;
     if (rendition && entry->scope == ipc::Scope::rendition)

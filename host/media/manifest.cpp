@@ -7,6 +7,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QStandardPaths>
+#include <algorithm>
 
 namespace media {
 
@@ -34,6 +35,42 @@ QString wrongMember(const QJsonObject& object) {
     return {};
 }
 
+// Of what may be left out.
+QString wrongOption(const QJsonObject& object) {
+    for (const char* member : {"title", "newText", "newEditor"})
+        if (const QJsonValue value = object[QLatin1String(member)];
+            !value.isUndefined() && !value.isString())
+            return QStringLiteral("\"%1\" must be a string").arg(member);
+    const QJsonValue size = object["size"];
+    const auto length = [&](int i) { return size.toArray()[i].toDouble(0); };
+    constexpr double longest = 20'000;
+    if (!size.isUndefined() && (size.toArray().size() != 2 || length(0) < 1 || length(1) < 1 ||
+                                std::max(length(0), length(1)) > longest))
+        return QStringLiteral("\"size\" must be [width, height], in 1/96 inch");
+    const QJsonValue files = object["files"];
+    if (!files.isUndefined() && (!files["title"].isString() || strings(files["endings"]).isEmpty()))
+        return QStringLiteral("\"files\" must have a \"title\" and a list of \"endings\"");
+    return {};
+}
+
+// A path that leaves the folder is a fault, as it would read any file.
+QString wrongSample(const QJsonValue& samples) {
+    constexpr int most = 100;
+    if (samples.isUndefined())
+        return {};
+    if (!samples.isArray() || samples.toArray().size() > most)
+        return QStringLiteral("\"samples\" must be a list of at most %1").arg(most);
+    for (const QJsonValue& sample : samples.toArray()) {
+        const QString file = QDir::cleanPath(sample["file"].toString());
+        if (file.isEmpty() || file.startsWith('/') || file.startsWith("..") ||
+            sample["title"].toString().isEmpty())
+            return QStringLiteral(
+                "each of \"samples\" must have a \"title\", and a \"file\" in the "
+                "manifest's folder or below it");
+    }
+    return {};
+}
+
 void addFolders(QStringList& folders, const QString& list, const QString& below) {
     for (const QString& folder : list.split(':', Qt::SkipEmptyParts))
         folders << QDir::cleanPath(below.isEmpty() ? folder : folder + '/' + below);
@@ -49,9 +86,12 @@ std::optional<Manifest> readManifest(const QByteArray& json, QString& fault) {
         return std::nullopt;
     }
     const QJsonObject object = document.object();
-    fault = wrongMember(object);
-    if (!fault.isEmpty())
-        return std::nullopt;
+    for (const QString& wrong :
+         {wrongMember(object), wrongOption(object), wrongSample(object["samples"])})
+        if (!wrong.isEmpty()) {
+            fault = wrong;
+            return std::nullopt;
+        }
     Manifest manifest;
     manifest.name = object["name"].toString();
     manifest.documentClass = object["class"].toString();
@@ -59,7 +99,17 @@ std::optional<Manifest> readManifest(const QByteArray& json, QString& fault) {
     manifest.command = strings(object["command"]);
     manifest.protocolMin = object["protocol"].toArray()[0].toInt();
     manifest.protocolMax = object["protocol"].toArray()[1].toInt();
+    manifest.title = object["title"].toString(manifest.name);
     manifest.newText = object["newText"].toString();
+    manifest.newEditor = object["newEditor"].toString();
+    if (const QJsonArray size = object["size"].toArray(); size.size() == 2)
+        manifest.size = {size[0].toDouble(), size[1].toDouble()};
+    for (const QJsonValue& sample : object["samples"].toArray())
+        manifest.samples << Sample{
+            sample["file"].toString(), sample["title"].toString(), sample["about"].toString(),
+            sample["time"].isDouble() ? std::optional(sample["time"].toDouble()) : std::nullopt};
+    manifest.filesTitle = object["files"]["title"].toString();
+    manifest.fileEndings = strings(object["files"]["endings"]);
     return manifest;
 }
 
@@ -113,6 +163,10 @@ QStringList registryFolders(const QString& executableFolder) {
     folders << executableFolder << executableFolder + "/media"
             << QDir::cleanPath(executableFolder + "/../share/" + below);
     return folders;
+}
+
+QString fileOf(const Manifest& manifest, const Sample& sample) {
+    return QFileInfo(manifest.file).absoluteDir().filePath(sample.file);
 }
 
 QString programOf(const Manifest& manifest, const QString& executableFolder) {

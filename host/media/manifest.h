@@ -5,11 +5,20 @@
 #pragma once
 
 #include <QList>
+#include <QSizeF>
 #include <QString>
 #include <QStringList>
 #include <optional>
 
 namespace media {
+
+// A text that one may begin with.
+struct Sample {
+    QString file;                 // in the manifest's folder or below it
+    QString title;                // "Pendulum"
+    QString about;                // one line
+    std::optional<double> time{}; // of its picture, in s
+};
 
 struct Manifest {
     QString name;
@@ -18,8 +27,16 @@ struct Manifest {
     QStringList command;   // program and arguments; a relative program is resolved by programOf()
     int protocolMin = 1;
     int protocolMax = 1;
-    QString newText; // what a new subdocument holds
-    QString file;    // where the manifest was read
+    QString file; // where the manifest was read
+
+    // New subdocuments.
+    QString title;           // what a user calls one: "Animation"; else the name
+    QString newText;         // what an empty one holds
+    QString newEditor;       // the entry of the menu in which an empty one is built; "": none
+    QSizeF size{480, 360};   // that one is shown in at first, in 1/96 inch
+    QList<Sample> samples;   // to choose from
+    QString filesTitle;      // what files with such texts are called: "Scenes"
+    QStringList fileEndings; // their endings without a dot; none: it has no files of its own
 };
 
 class Registry {
@@ -43,6 +60,9 @@ private:
 
 // The manifest in `json`, or what is wrong with it in `fault`.
 [[nodiscard]] std::optional<Manifest> readManifest(const QByteArray& json, QString& fault);
+
+// The file of a sample as a path.
+[[nodiscard]] QString fileOf(const Manifest& manifest, const Sample& sample);
 
 // The program as a path: as it stands when absolute, else beside the manifest, beside the
 // executable, then in PATH; empty when there is none.

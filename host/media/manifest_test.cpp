@@ -41,6 +41,44 @@ TEST(Manifest, FaultsAreSentences) {
     EXPECT_THAT(faultOf(QByteArray(good).replace("[1,2]", "[2,1]")), HasSubstr("\"protocol\""));
 }
 
+TEST(Manifest, SaysWhatNewOnesBeginWith) {
+    const QByteArray more =
+        QByteArray(good).replace("}", R"(,"title":"Thing","size":[300,200],"newEditor":"open",
+                "samples":[{"file":"s/a.x","title":"A","about":"An a","time":2},
+                           {"file":"b.x","title":"B"}],
+                "files":{"title":"Things","endings":["x","y"]}})");
+    QString fault;
+    const auto manifest = readManifest(more, fault);
+    ASSERT_TRUE(manifest) << fault.toStdString();
+    EXPECT_EQ(manifest->title, "Thing");
+    EXPECT_EQ(manifest->size, QSizeF(300, 200));
+    EXPECT_EQ(manifest->newEditor, "open");
+    ASSERT_EQ(manifest->samples.size(), 2);
+    EXPECT_EQ(manifest->samples[0].about, "An a");
+    EXPECT_EQ(manifest->samples[0].time, 2);
+    EXPECT_FALSE(manifest->samples[1].time);
+    EXPECT_EQ(manifest->filesTitle, "Things");
+    EXPECT_EQ(manifest->fileEndings, QStringList({"x", "y"}));
+    Manifest placed = *manifest;
+    placed.file = "/media/m.medium.json";
+    EXPECT_EQ(fileOf(placed, placed.samples[0]), "/media/s/a.x");
+    EXPECT_EQ(readManifest(good, fault)->title, "A"); // its name
+}
+
+TEST(Manifest, FaultsOfWhatMayBeLeftOutAreSentences) {
+    const auto with = [](const QByteArray& member) {
+        return QByteArray(good).replace("}", "," + member + "}");
+    };
+    EXPECT_THAT(faultOf(with(R"("title":3)")), HasSubstr("\"title\" must be a string"));
+    EXPECT_THAT(faultOf(with(R"("size":[0,3])")), HasSubstr("\"size\" must be"));
+    EXPECT_THAT(faultOf(with(R"("files":{"title":"x"})")), HasSubstr("\"files\" must have"));
+    for (const char* file : {"/etc/passwd", "../a.x", "a/../../b.x", ""})
+        EXPECT_THAT(
+            faultOf(with(R"("samples":[{"title":"A","file":")" + QByteArray(file) + R"("}])")),
+            HasSubstr("each of \"samples\" must have"))
+            << file;
+}
+
 void write(const QString& path, const QByteArray& bytes) {
     QFile file(path);
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));

@@ -2,6 +2,7 @@
 
 #include "menus/formula_dialog.h"
 #include "menus/link_dialog.h"
+#include "menus/medium_menu.h"
 #include "menus/reference_dialog.h"
 #include "sgml/edit.h"
 #include "view/document_view.h"
@@ -89,6 +90,10 @@ InsertMenu::InsertMenu(view::DocumentView& view, QWidget* parent)
         "formula", tr("For&mula..."), QKeySequence("Ctrl+Shift+F"),
         [](const Manuscript& in, Selection at) { return authoring::insertFormula(in, at, "x"); },
         [this] { askForFormula(selectedFormula()); });
+    for (const media::Manifest& manifest : view.document().media().registry().media()) {
+        QMenu* ofMedium = new MediumMenu(manifest, view, parent);
+        addMenu(ofMedium);
+    }
     add("caption", tr("&Caption"), QKeySequence("Ctrl+Alt+C"), authoring::insertCaption);
     addSeparator();
     add("pageBreak", tr("&Page Break"), QKeySequence("Ctrl+Return"), block(Display::pageBreak));

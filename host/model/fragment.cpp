@@ -9,35 +9,66 @@ using sgml::noNode;
 
 namespace {
 
+// Where the interval ends in an element: what it has of the content there, and the place from which
+// on, or up to which, the element's bytes are taken whole.
+struct End {
+    NodeId parent = noNode;
+    std::size_t at = 0;
+    std::string part{};
+};
+
 class Fragment {
 public:
     explicit Fragment(const sgml::Tree& tree) : tree_(tree) {}
 
     std::string of(text::Range interval) const {
         const NodeId first = contentAt(interval.from), last = contentAt(interval.to);
-        if (first == noNode || last == noNode)
-            return {};
-        const NodeId around = commonElement(first, last);
+        End begin = endIn(first, interval.from), end = endIn(last, interval.to);
+        const NodeId around = commonElement(begin.parent, end.parent);
         if (!tree_.isElement(around))
             return {};
-        std::string inside;
-        if (first == last) {
-            inside = braced(first, interval);
-        } else {
-            NodeId left = first, right = last;
-            const std::string begin =
-                upwards(left, around, braced(first, {interval.from, contentEnd(first)}), true);
-            const std::string end =
-                upwards(right, around, braced(last, {contentBegin(last), interval.to}), false);
-            inside = begin + bytes(tree_.node(left).range.to, tree_.node(right).range.from) + end;
+        if (first != noNode && first == last)
+            return startTag(around) + braced(first, interval) + endTag(around);
+        if (first != noNode) {
+            begin.at = tree_.node(first).range.to;
+            begin.part = braced(first, {interval.from, contentEnd(first)});
         }
-        return startTag(around) + inside + endTag(around);
+        if (last != noNode) {
+            end.at = tree_.node(last).range.from;
+            end.part = braced(last, {contentBegin(last), interval.to});
+        }
+        for (; begin.parent != around; begin.parent = tree_.node(begin.parent).parent) {
+            const std::size_t to = tree_.node(begin.parent).range.to;
+            begin.part = startTag(begin.parent) + begin.part + bytes(begin.at, to);
+            begin.at = to;
+        }
+        for (; end.parent != around; end.parent = tree_.node(end.parent).parent) {
+            const std::size_t from = tree_.node(end.parent).range.from;
+            end.part = bytes(from, end.at) + end.part + endTag(end.parent);
+            end.at = from;
+        }
+        return startTag(around) + begin.part + bytes(begin.at, end.at) + end.part + endTag(around);
     }
 
 private:
+    // The content that a place is in, its ends included.
     [[nodiscard]] NodeId contentAt(std::size_t place) const {
         const NodeId node = tree_.innermostAt(place);
-        return node != noNode && tree_.node(node).kind == sgml::NodeKind::content ? node : noNode;
+        const bool isContent = node != noNode && tree_.node(node).kind == sgml::NodeKind::content;
+        return isContent && contentBegin(node) <= place ? node : noNode;
+    }
+    // A place beside a figure, say, is between two tags.
+    [[nodiscard]] End endIn(NodeId content, std::size_t place) const {
+        if (content != noNode)
+            return {tree_.node(content).parent, place};
+        NodeId node = tree_.innermostAt(place);
+        const auto holds = [&](NodeId id) {
+            return tree_.isElement(id) && tree_.node(id).startTag.to <= place &&
+                   place <= tree_.node(id).endTag.from;
+        };
+        while (node != noNode && !holds(node))
+            node = tree_.node(node).parent;
+        return {node, place};
     }
     [[nodiscard]] std::size_t contentBegin(NodeId content) const {
         return tree_.contentRange(content).from;
@@ -64,28 +95,15 @@ private:
         return "{" + sgml::escaped(std::string_view(of.text()).substr(from, to - from)) + "}";
     }
 
+    // The innermost of those that are around both, themselves included.
     [[nodiscard]] NodeId commonElement(NodeId a, NodeId b) const {
         std::set<NodeId> around;
-        for (NodeId node = tree_.node(a).parent; node != noNode; node = tree_.node(node).parent)
+        for (NodeId node = a; node != noNode; node = tree_.node(node).parent)
             around.insert(node);
-        NodeId node = tree_.node(b).parent;
+        NodeId node = b;
         while (node != noNode && !around.contains(node))
             node = tree_.node(node).parent;
         return node;
-    }
-
-    // What is behind the node (or before it) in the elements around it, up to a child of `around`,
-    // which `node` becomes.
-    [[nodiscard]] std::string upwards(NodeId& node, NodeId around, std::string part,
-                                      bool behind) const {
-        for (NodeId parent = tree_.node(node).parent; parent != around;
-             parent = tree_.node(node).parent) {
-            const text::Range own = tree_.node(node).range, outer = tree_.node(parent).range;
-            part = behind ? startTag(parent) + part + bytes(own.to, outer.to)
-                          : bytes(outer.from, own.from) + part + endTag(parent);
-            node = parent;
-        }
-        return part;
     }
 
     const sgml::Tree& tree_;

@@ -6,7 +6,8 @@
 namespace model {
 
 // The innermost element around both ends, cut where the interval ends: its tags and those of the
-// elements inside that are cut are there. "" where an end is in no content.
+// elements inside that are cut are there. An end may be in a content or between two tags. "" where
+// no element is around both.
 [[nodiscard]] std::string fragment(const sgml::Tree& tree, text::Range interval);
 
 } // namespace model

@@ -58,6 +58,7 @@ DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
         std::erase_if(shown_, [this](const auto& one) {
             return !document_.document().subdocument(one.first);
         });
+        describeChosen();
     });
     connect(playBar_, &PlayBar::playWanted, this, [this] {
         if (media::LiveSubdocument* live = document_.live(hovered_))
@@ -378,11 +379,14 @@ void DocumentView::choose(document::SubdocumentId id) {
     tell(chosen_, ipc::InputType::focusOut);
     chosen_ = id;
     tell(chosen_, ipc::InputType::focusIn);
-    const document::Subdocument* subdocument = document_.document().subdocument(id);
     updateNearness();
-    setAccessibleDescription(subdocument ? QString::fromStdString(subdocument->alternative)
-                                         : QString());
+    describeChosen();
     Q_EMIT chosenChanged();
+}
+
+void DocumentView::describeChosen() {
+    const document::Subdocument* figure = document_.document().subdocument(chosen_);
+    setAccessibleDescription(figure ? QString::fromStdString(figure->alternative) : QString());
 }
 
 Shown* DocumentView::shownAt(QPointF point) {

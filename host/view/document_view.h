@@ -58,8 +58,9 @@ public:
 
     // --- the text that is selected
     [[nodiscard]] TextHand& text() const { return *text_; }
-    [[nodiscard]] bool canCopy() const; // false while a figure has the keys
+    [[nodiscard]] bool canCopy() const; // a figure that is chosen, else what is selected
     void copy();
+    void eraseChosen(); // the figure, with its caption
     void selectAll();
 
     // --- writing: a matter of the view, not of the document
@@ -147,6 +148,8 @@ private:
     [[nodiscard]] QImage imageOf(const layout::ImagePiece& piece);
     void paintFound(QPainter& painter, std::size_t page) const;
     void useKey(int key, Qt::KeyboardModifiers modifiers);
+    void copyChosen();
+    void describeChosen(); // to screen readers
     void follow(const QString& target);
     void pasteSelection(const QMouseEvent& event);
     void updatePlayBar();

@@ -1,6 +1,7 @@
 // What the user does in a DocumentView: pointer, wheel, keys, links, the play bar.
 #include "view/document_view.h"
 
+#include "view/copying.h"
 #include "view/key_names.h"
 #include "view/play_bar.h"
 #include "view/text_drag.h"
@@ -14,6 +15,12 @@
 #include <algorithm>
 
 namespace view {
+
+namespace {
+
+bool erases(int key) { return key == Qt::Key_Delete || key == Qt::Key_Backspace; }
+
+} // namespace
 
 // --- events ------------------------------------------------------------------------------------
 
@@ -200,8 +207,12 @@ void DocumentView::wheelEvent(QWheelEvent* event) {
 }
 
 void DocumentView::keyPressEvent(QKeyEvent* event) {
+    const media::LiveSubdocument* live = document_.live(chosen_);
+    const bool isHeard = live && live->condition() == media::Condition::live;
     if (chosen_ && event->key() == Qt::Key_Escape && !grabbed_) // else what is dragged is given up
         choose(document::noSubdocument);
+    else if (chosen_ && !isHeard && erases(event->key()))
+        useKey(event->key(), event->modifiers());
     else if (media::Rendition* of = rendition(chosen_))
         of->input(inputOf(*event));
     else if (chosen_ || !isWriting() || !writing_->useKey(*event))
@@ -215,6 +226,8 @@ void DocumentView::keyReleaseEvent(QKeyEvent* event) {
 
 // A key that is the host's: because nothing is chosen, or because the medium did not use it.
 void DocumentView::useKey(int key, Qt::KeyboardModifiers modifiers) {
+    if (chosen_ && isWriting() && erases(key))
+        return eraseChosen();
     if (!chosen_ && text_->useKey(key, modifiers, false))
         return;
     QScrollBar* bar = verticalScrollBar();
@@ -255,11 +268,35 @@ void DocumentView::useKey(int key, Qt::KeyboardModifiers modifiers) {
 
 // --- the text that is selected -----------------------------------------------------------------
 
-bool DocumentView::canCopy() const { return !chosen_ && text_->cursor().selects(); }
+bool DocumentView::canCopy() const { return chosen_ || text_->cursor().selects(); }
 
 void DocumentView::copy() {
-    if (canCopy())
+    if (chosen_)
+        copyChosen();
+    else if (canCopy())
         text_->copy();
+}
+
+// With its caption; other programs get its picture.
+void DocumentView::copyChosen() {
+    settle();
+    const document::Document& document = document_.document();
+    const document::Subdocument* figure = document.subdocument(chosen_);
+    if (!figure || !model())
+        return;
+    const sgml::NodeId whole = authoring::wholeFigure(writing_->manuscript(), figure->element);
+    std::unique_ptr<QMimeData> copy = copied(document, *model(), document.tree().node(whole).range);
+    if (const media::Rendition* of = rendition(chosen_); of && !of->picture().isNull())
+        copy->setImageData(of->picture());
+    QApplication::clipboard()->setMimeData(copy.release());
+}
+
+void DocumentView::eraseChosen() {
+    if (const document::Subdocument* figure = document_.document().subdocument(chosen_))
+        writing_->perform([figure](const authoring::Manuscript& in, authoring::Selection) {
+            return authoring::removeElement(in, authoring::wholeFigure(in, figure->element),
+                                            tr("Delete Figure"));
+        });
 }
 
 void DocumentView::selectAll() {

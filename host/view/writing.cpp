@@ -136,6 +136,22 @@ void Writing::paint(QPainter& painter, std::size_t page) const {
 bool Writing::perform(const Command& command) { return perform(command, {}); }
 
 bool Writing::perform(const Command& command, const QString& group) {
+    if (!apply(command, group))
+        return false;
+    hand_.showCaret();
+    wantsCaret_ = !view_.isLaidOut();
+    blink();
+    return true;
+}
+
+bool Writing::change(const Command& command) {
+    const bool done = apply(command, {});
+    if (done)
+        blink();
+    return done;
+}
+
+bool Writing::apply(const Command& command, const QString& group) {
     const std::optional<document::Selection> selection = hand_.cursor().selection();
     if (!selection) {
         Q_EMIT refused(tr("There is no caret in the text."));
@@ -158,9 +174,6 @@ bool Writing::perform(const Command& command, const QString& group) {
     }
     hand_.cursor().set(after);
     view_.settleSoon();
-    hand_.showCaret();
-    wantsCaret_ = !view_.isLaidOut();
-    blink();
     return true;
 }
 
@@ -252,8 +265,12 @@ bool Writing::useKey(const QKeyEvent& event) {
 // --- the clipboard -----------------------------------------------------------------------------
 
 void Writing::cut() {
-    if (hand_.copy())
+    if (view_.chosen()) {
+        view_.copy();
+        view_.eraseChosen();
+    } else if (hand_.copy()) {
         cutAway();
+    }
 }
 
 void Writing::cutAway() {
@@ -276,6 +293,7 @@ bool Writing::paste(const QMimeData& data, const QString& group) {
         Q_EMIT refused(tr("The clipboard holds no text."));
         return false;
     }
+    standBehindChosen();
     return perform(
         [&](const authoring::Manuscript& in, authoring::Selection at) {
             if (fragment.empty())
@@ -316,6 +334,18 @@ void Writing::drop(const QMimeData& data, QPointF at, std::optional<text::Range>
     hand_.cursor().set({target->offset, target->offset});
     if (!paste(data, group))
         document.undo();
+}
+
+// What is pasted while a figure is chosen comes in behind it.
+void Writing::standBehindChosen() {
+    const document::Document& document = view_.document().document();
+    const document::Subdocument* figure = document.subdocument(view_.chosen());
+    if (!figure)
+        return;
+    const std::size_t place =
+        document.tree().node(authoring::wholeFigure(manuscript(), figure->element)).range.to;
+    view_.choose(document::noSubdocument);
+    hand_.cursor().set({place, place});
 }
 
 // In a table to the cell beside, in a list the item into the one before or out of its list.

@@ -41,6 +41,8 @@ public:
     // is typed next.
     void toggle(schemas::ContainerRole role);
     [[nodiscard]] QString whyNotToggled(schemas::ContainerRole role) const;
+    // The same, and the view stays where it is.
+    bool change(const Command& command);
 
     // What commands take: the document with its grammars, and where the selection is; nothing
     // where no caret is in the text.
@@ -65,7 +67,9 @@ protected:
 private:
     bool perform(const Command& command, const QString& group);
     bool paste(const QMimeData& data, const QString& group);
+    [[nodiscard]] bool apply(const Command& command, const QString& group);
     void type(const QString& text);
+    void standBehindChosen();
     void blink(); // from now on, shown first
 
     DocumentView& view_;

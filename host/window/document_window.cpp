@@ -1,5 +1,6 @@
 #include "window/document_window.h"
 
+#include "menus/figure_menu.h"
 #include "menus/format_menu.h"
 #include "menus/insert_menu.h"
 #include "plain/plain.h"
@@ -73,12 +74,14 @@ DocumentWindow::DocumentWindow(Application& application,
     faults_->hide();
     auto* edit = new EditMenu(*view_, *find_, this);
     buildTools(edit->write());
+    auto* figure = new menus::FigureMenu(*view_, this);
     for (QMenu* menu :
          {static_cast<QMenu*>(new FileMenu(application, *this)), static_cast<QMenu*>(edit),
           static_cast<QMenu*>(new ViewMenu(
               application, *this, {tools_->toggleViewAction(), faults_->toggleViewAction()})),
           static_cast<QMenu*>(new menus::InsertMenu(*view_, this)),
-          static_cast<QMenu*>(new menus::FormatMenu(*view_, this)), makeHelpMenu(*document_, this)})
+          static_cast<QMenu*>(new menus::FormatMenu(*view_, this)), static_cast<QMenu*>(figure),
+          makeHelpMenu(*document_, this)})
         menuBar()->addMenu(menu);
     commands_ =
         new MediumCommands(*document_, *view_, *menuBar(), menuBar()->actions().last(), *tools_);
@@ -99,10 +102,9 @@ DocumentWindow::DocumentWindow(Application& application,
     connect(faults_, &FaultsPane::activated, view_, &view::DocumentView::scrollTo);
     connect(view_, &view::DocumentView::linkActivated, this, &DocumentWindow::openLink);
     connect(view_, &view::DocumentView::contextMenuWanted, this,
-            [this](document::SubdocumentId id, const QPoint& at) {
+            [this, figure](document::SubdocumentId id, const QPoint& at) {
                 commands_->refresh();
-                if (QMenu* menu = commands_->menuOf(id))
-                    menu->popup(at);
+                figure->showAt(at, commands_->menuOf(id));
             });
     connect(view_, &view::DocumentView::textMenuWanted, edit, &EditMenu::showAt);
     connect(&view_->writing(), &view::Writing::refused, this, &DocumentWindow::say);

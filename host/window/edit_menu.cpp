@@ -53,9 +53,9 @@ void EditMenu::updateUndo() {
     redo_->setText(of.canRedo() ? tr("&Redo %1").arg(plain::caption(of.redoLabel())) : tr("&Redo"));
 }
 
-// While a figure has the keys, these are its own.
+// A figure that is chosen is copied and cut as a whole.
 void EditMenu::updateSelection() {
-    const bool writes = view_.isWriting() && !view_.chosen();
+    const bool writes = view_.isWriting();
     write_->setChecked(view_.isWriting());
     cut_->setEnabled(writes && view_.canCopy());
     paste_->setEnabled(writes);

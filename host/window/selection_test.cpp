@@ -136,7 +136,7 @@ TEST_F(SelectionTest, AllIsSelectedWhereTheLastPageHasAFootnote) {
                 ::testing::HasSubstr(", and last"));
 }
 
-TEST_F(SelectionTest, AFigureGetsItsPressesAndTheKeysForCopying) {
+TEST_F(SelectionTest, AFigureGetsItsPressesAndIsCopied) {
     show(paragraph("One two") + scripted("colour 20A040") + paragraph("three"));
     ASSERT_TRUE(waitFor([&] { return hasPicture(*window_, 0); }));
     drag(pointBefore("One"), pointBefore(" two"));
@@ -144,7 +144,9 @@ TEST_F(SelectionTest, AFigureGetsItsPressesAndTheKeysForCopying) {
     click(*window_, 0);
     EXPECT_EQ(view().chosen(), nth(*window_, 0));
     EXPECT_EQ(selected(), "One");
-    EXPECT_FALSE(action("copy")->isEnabled());
+    action("copy")->trigger();
+    EXPECT_THAT(QApplication::clipboard()->mimeData()->data(view::fragmentFormat).toStdString(),
+                ::testing::HasSubstr("<SCRIPT>{colour 20A040}</SCRIPT>"));
     EXPECT_FALSE(action("selectAll")->isEnabled());
 }
 

@@ -1,0 +1,57 @@
+// The menu Figure: what may be done with the figure that is chosen, whatever medium shows it.
+//
+// The menu is there while the document has figures. What may not be done is grey, and its tip says
+// why: no figure is chosen, the view is read and not written, the medium has no time or no files.
+#pragma once
+
+#include "session/open_document.h"
+#include "view/writing.h"
+
+#include <QMenu>
+
+namespace view {
+class DocumentView;
+}
+
+namespace menus {
+
+class FigureMenu : public QMenu {
+    Q_OBJECT
+
+public:
+    // The view outlives it.
+    FigureMenu(view::DocumentView& view, QWidget* parent);
+
+    // At the pointer: the medium's own menu, if there is one, and below it this one.
+    void showAt(const QPoint& at, QMenu* ofMedium);
+
+private:
+    struct Entry {
+        QAction* action = nullptr;
+        std::function<QString()> whyNot; // a sentence; "": it may be done
+    };
+    void add(const QString& name, const QString& text, std::function<QString()> whyNot,
+             std::function<void()> done);
+    void offer();
+    [[nodiscard]] const document::Subdocument* figure() const; // null: none is chosen
+    [[nodiscard]] const media::Manifest* manifest() const;     // null: it is not installed
+    [[nodiscard]] media::LiveSubdocument* live() const;
+    [[nodiscard]] QString whyNotChosen() const;
+    [[nodiscard]] QString whyNotWritten() const;
+    [[nodiscard]] QString whyNoMoment() const;
+    [[nodiscard]] QString whyNoText() const;
+    void setAttributes(const authoring::Attributes& attributes, const QString& label);
+    void addAlignment(document::Placement placement, const QString& name, const QString& text);
+    void askForSize();
+    void askForAlternative();
+    void takeMoment();
+    void addCaption();
+    void saveCopy();
+    void replace();
+
+    view::DocumentView& view_;
+    std::vector<Entry> entries_;
+    std::vector<std::pair<QAction*, document::Placement>> alignments_;
+};
+
+} // namespace menus

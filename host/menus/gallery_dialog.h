@@ -1,0 +1,35 @@
+// What a medium proposes to begin with: a grid of pictures, each with a name and a line about it.
+#pragma once
+
+#include "media/live_media.h"
+
+#include <QDialog>
+
+class QListWidget;
+
+namespace session {
+class SamplePictures;
+}
+
+namespace menus {
+
+class GalleryDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    // The medium draws the pictures while the dialog is open; they are kept for the next time.
+    GalleryDialog(media::LiveMedia& media, const media::Manifest& manifest, QWidget* parent);
+    ~GalleryDialog() override;
+
+    [[nodiscard]] int chosen() const; // of Manifest::samples; -1: none
+
+private:
+    void fill(const media::Manifest& manifest);
+    void askForPictures(media::LiveMedia& media, const media::Manifest& manifest);
+    void show(int sample, const QPixmap& picture);
+
+    QListWidget* list_;
+    session::SamplePictures* pictures_ = nullptr;
+};
+
+} // namespace menus
