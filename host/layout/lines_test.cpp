@@ -17,6 +17,9 @@ protected:
         mono.family = "mono";
         mono.size = 9;
         styles->numberOf(mono);
+        schemas::TextStyle english;
+        english.language = "en";
+        styles->numberOf(english);
         materials_ = std::make_shared<Materials>(styles);
     }
     std::unique_ptr<Paragraph> laid(const NewBlock& block, double width = fromPoints(200)) {
@@ -68,6 +71,28 @@ TEST_F(LinesOfTextTest, WithLettersOfSeveralLooksToo) {
     const auto of = laid(block);
     for (std::size_t i = 0; i + 1 < of->lines().size(); ++i)
         EXPECT_NEAR(rightOf(*of, i), fromPoints(200), 2) << i;
+}
+
+// The hyphen is part of the line's width, and no letter.
+TEST_F(LinesOfTextTest, DividedWordsReachTheEdgeWithTheirHyphen) {
+    NewBlock block = justified(prose);
+    block->runs.front().style = 2;
+    int hyphens = 0;
+    for (int width = 100; width < 240; width += 10) {
+        const auto of = laid(block, fromPoints(width));
+        QString together;
+        for (std::size_t i = 0; i < of->lines().size(); ++i) {
+            const Paragraph::Line& line = of->lines()[i];
+            together += of->textOfLine(static_cast<int>(i));
+            if (i + 1 == of->lines().size() || line.stretch >= 2)
+                continue;
+            const double hyphen = line.hyphen ? materials_->looks.hyphen(2) : 0;
+            hyphens += line.hyphen ? 1 : 0;
+            EXPECT_NEAR(rightOf(*of, i) + hyphen, fromPoints(width), 6) << width << " line " << i;
+        }
+        EXPECT_EQ(together, QString::fromUtf8(prose));
+    }
+    EXPECT_GT(hyphens, 5);
 }
 
 TEST_F(LinesOfTextTest, RaggedLinesAreAsEvenAsTheyCanBe) {

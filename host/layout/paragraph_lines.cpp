@@ -246,6 +246,7 @@ private:
     [[nodiscard]] std::uint32_t styleAt(int letter) const; // of the segment
     [[nodiscard]] double columnAt(const typography::Break* begin) const;
     [[nodiscard]] Breaks withHyphens(const Breaks& part, const typography::Break* begin) const;
+    [[nodiscard]] double widthOf(int from, int to) const;
     [[nodiscard]] Words::const_iterator endOfUnit(Words::const_iterator word) const;
     void divide(Words::const_iterator word, int cost, Breaks& found) const;
     [[nodiscard]] std::optional<std::vector<std::size_t>>
@@ -485,6 +486,19 @@ Paragraph::Breaking::Breaks Paragraph::Breaking::withHyphens(const Breaks& part,
     return result;
 }
 
+// Of letters without a blank.
+double Paragraph::Breaking::widthOf(int from, int to) const {
+    QTextOption option = layout_->textOption();
+    option.setWrapMode(QTextOption::ManualWrap);
+    const auto letters = of_.layoutFor(layout_->text().mid(from, to - from),
+                                       formatsOf(letters_, from_ + from, from_ + to), option);
+    letters->beginLayout();
+    QTextLine line = letters->createLine();
+    line.setLineWidth(narrow);
+    letters->endLayout();
+    return line.horizontalAdvance();
+}
+
 // Behind the words up to the next blank.
 Paragraph::Breaking::Words::const_iterator
 Paragraph::Breaking::endOfUnit(Words::const_iterator word) const {
@@ -505,11 +519,9 @@ void Paragraph::Breaking::divide(Words::const_iterator word, int cost, Breaks& f
         place += from;
         while (word->next <= place)
             ++word;
-        const QTextLine line = layout_->lineAt(static_cast<int>(word - words_.begin()));
         typography::Break& one = found.emplace_back();
         one.next = place;
-        one.begin = one.end =
-            word->left + std::abs(line.cursorToX(place) - line.cursorToX(word->from));
+        one.begin = one.end = word->left + widthOf(word->from, place);
         one.blanksAtBegin = one.blanksAtEnd =
             word == words_.begin() ? 0 : std::prev(word)->behind.blanksAtBegin;
         one.hyphen = of_.materials_->looks.hyphen(look);
