@@ -206,4 +206,25 @@ struct EmbeddedText {
 [[nodiscard]] Result moveElement(const Manuscript& manuscript, sgml::NodeId element,
                                  sgml::NodeId beside, Direction side);
 
+// The section of a heading changes places with the one before or behind it; the first and the last
+// of a section go into the section before or behind that.
+[[nodiscard]] Result moveSection(const Manuscript& manuscript, sgml::NodeId heading,
+                                 Direction direction);
+// The section of a heading goes before or behind that of another one, or to the end of it.
+enum class Beside { before, behind, inside };
+[[nodiscard]] Result moveSection(const Manuscript& manuscript, sgml::NodeId heading,
+                                 sgml::NodeId other, Beside where);
+// A heading with its section goes one level in (1) or out (-1).
+[[nodiscard]] Result changeLevel(const Manuscript& manuscript, sgml::NodeId heading, int by);
+
+// --- replacing
+
+// Every one of these places, which are in order and apart, gets the text; one step.
+struct Replacement {
+    Result result;
+    std::size_t replaced = 0, left = 0; // left: where it is not allowed
+};
+[[nodiscard]] Replacement replaceAll(const Manuscript& manuscript,
+                                     const std::vector<text::Range>& places, std::string_view text);
+
 } // namespace authoring

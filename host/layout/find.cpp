@@ -2,48 +2,75 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_map>
 
 namespace layout {
 
 namespace {
 
+// One page. A page's matches are known from its own lines alone.
 class Finding {
 public:
-    explicit Finding(const QString& words) : words_(words) {}
+    explicit Finding(const Search& search) : search_(search) {}
 
-    void line(std::size_t page, const TextPiece& piece) {
+    void line(const TextPiece& piece) {
         const Paragraph& of = *piece.paragraph;
         const auto [from, to] = of.rangeOfLine(piece.line);
-        const int length = static_cast<int>(words_.size());
+        // Lines of a paragraph follow each other: the first one tells what is on the page before.
+        const int begin = firstLetters_.try_emplace(&of, from).first->second;
+        const int length = static_cast<int>(search_.words.size());
         // A match may have begun on the line before, and may end on the next. No more of the text
-        // is read for it.
-        const int first = std::max(0, from - length + 1);
-        const QString text = of.text(first, to + length - 1 - first);
-        for (auto at = text.indexOf(words_, 0, Qt::CaseInsensitive); at >= 0;
-             at = text.indexOf(words_, at + length, Qt::CaseInsensitive)) {
-            const int begin = first + static_cast<int>(at);
-            if (begin < to && begin + length > from)
-                mark(page, piece, begin, std::max(begin, from), std::min(begin + length, to));
+        // is read for it, but the letters beside it.
+        const int first = std::max(0, from - length);
+        const QString text = of.text(first, to + length - first);
+        const auto cases = search_.matchesCase ? Qt::CaseSensitive : Qt::CaseInsensitive;
+        for (auto at = text.indexOf(search_.words, 0, cases); at >= 0;) {
+            const int match = first + static_cast<int>(at);
+            const bool isOnLine = match < to && match + length > from;
+            const bool isMatch = !search_.isWhole || isWhole(text, at, length);
+            if (isMatch && isOnLine && match >= begin)
+                mark(piece, match, std::max(match, from), std::min(match + length, to));
+            at = text.indexOf(search_.words, at + (isMatch ? length : 1), cases);
         }
     }
     std::vector<Found> found;
 
 private:
-    void mark(std::size_t page, const TextPiece& piece, int begin, int from, int to) {
+    static bool isWhole(const QString& text, qsizetype at, qsizetype length) {
+        const auto isInWord = [&](qsizetype i) {
+            return i >= 0 && i < text.size() && text[i].isLetterOrNumber();
+        };
+        return !isInWord(at - 1) && !isInWord(at + length);
+    }
+    void mark(const TextPiece& piece, int match, int from, int to) {
         const auto [place, isNew] =
-            places_.emplace(std::pair(piece.paragraph.get(), begin), found.size());
-        if (isNew)
-            found.push_back({page, {}});
-        Found& one = found[place->second];
-        if (one.page != page)
-            return;
-        one.parts.push_back({piece.paragraph, piece.line, from, to, piece.at});
+            places_.emplace(std::pair(piece.paragraph.get(), match), found.size());
+        if (isNew) {
+            Found one;
+            one.from = match;
+            one.to = match + static_cast<int>(search_.words.size());
+            found.push_back(std::move(one));
+        }
+        found[place->second].parts.push_back({piece.paragraph, piece.line, from, to, piece.at});
     }
 
-    const QString& words_;
+    const Search& search_;
+    std::map<const Paragraph*, int> firstLetters_; // on this page
     // By where they begin: the parts of one on several lines are one.
     std::map<std::pair<const Paragraph*, int>, std::size_t> places_;
 };
+
+std::vector<Found> foundOn(const Page& page, std::size_t index, const Search& search) {
+    if (search.words.isEmpty())
+        return {};
+    Finding finding(search);
+    for (const Piece& piece : page.pieces)
+        if (const auto* text = std::get_if<TextPiece>(&piece))
+            finding.line(*text);
+    for (Found& one : finding.found)
+        one.page = index;
+    return std::move(finding.found);
+}
 
 } // namespace
 
@@ -56,15 +83,90 @@ QRectF Found::Part::rect() const {
     return {at.x() + std::min(left, right), at.y(), std::abs(right - left), bottom() - at.y()};
 }
 
-std::vector<Found> findText(const Pages& pages, const QString& words) {
-    if (words.isEmpty())
-        return {};
-    Finding finding(words);
+std::vector<Found> findText(const Pages& pages, const Search& search) {
+    std::vector<Found> result;
     for (std::size_t i = 0; i < pages.pages.size(); ++i)
-        for (const Piece& piece : pages.pages[i]->pieces)
-            if (const auto* text = std::get_if<TextPiece>(&piece))
-                finding.line(i, *text);
-    return std::move(finding.found);
+        std::ranges::move(foundOn(*pages.pages[i], i, search), std::back_inserter(result));
+    return result;
+}
+
+std::optional<text::Range> placesOf(const Found& found, const model::RunPlaces& places) {
+    const Paragraph& of = *found.parts.front().paragraph;
+    const std::vector<model::Run>& runs = of.block()->runs;
+    std::optional<text::Range> result;
+    int known = found.from; // letters up to there have places
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const int start = of.startOfRun(i), end = of.endOfRun(i);
+        if (end <= known)
+            continue;
+        if (start >= found.to)
+            break;
+        if (!places.isText(runs[i]) || start > known)
+            return std::nullopt;
+        const std::size_t to = places.placeOf(runs[i], of.byteAt(i, std::min(found.to, end)));
+        if (!result)
+            result = text::Range{places.placeOf(runs[i], of.byteAt(i, found.from)), to};
+        result->to = to;
+        known = end;
+    }
+    return known >= found.to ? result : std::nullopt;
+}
+
+// --- pages that change -------------------------------------------------------------------------
+
+void Finder::look(const Search& search, const Pages& pages) {
+    if (search == search_)
+        return follow(pages);
+    search_ = search;
+    pages_.clear();
+    follow(pages);
+}
+
+void Finder::follow(const Pages& pages) {
+    std::vector<OnPage> old = std::exchange(pages_, {});
+    std::unordered_map<const Page*, std::size_t> moved; // read when the first one has moved
+    const auto known = [&](std::size_t index) -> OnPage* {
+        const Page* page = pages.pages[index].get();
+        if (index < old.size() && old[index].page.get() == page)
+            return &old[index];
+        if (moved.empty())
+            for (std::size_t i = 0; i < old.size(); ++i)
+                moved.emplace(old[i].page.get(), i);
+        const auto at = moved.find(page);
+        return at == moved.end() || !old[at->second].page ? nullptr : &old[at->second];
+    };
+    count_ = 0;
+    pages_.reserve(pages.pages.size());
+    for (std::size_t i = 0; i < pages.pages.size(); ++i) {
+        OnPage now{pages.pages[i], {}, count_};
+        if (OnPage* before = known(i)) {
+            now.found = std::move(before->found);
+            before->page.reset(); // a page that stands twice is read twice
+            for (Found& one : now.found)
+                one.page = i;
+        } else {
+            now.found = foundOn(*pages.pages[i], i, search_);
+            pagesRead_ += search_.words.isEmpty() ? 0 : 1;
+        }
+        count_ += now.found.size();
+        pages_.push_back(std::move(now));
+    }
+}
+
+const Found& Finder::at(std::size_t index) const {
+    const auto isUpTo = [](std::size_t i, const OnPage& page) { return i < page.before; };
+    const auto behind = std::upper_bound(pages_.begin(), pages_.end(), index, isUpTo);
+    const OnPage& page = *std::prev(behind);
+    return page.found[index - page.before];
+}
+
+std::span<const Found> Finder::on(std::size_t page) const {
+    return page < pages_.size() ? std::span<const Found>(pages_[page].found)
+                                : std::span<const Found>();
+}
+
+std::size_t Finder::firstFrom(std::size_t page) const {
+    return page < pages_.size() ? pages_[page].before : count_;
 }
 
 } // namespace layout

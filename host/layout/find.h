@@ -2,8 +2,20 @@
 #pragma once
 
 #include "layout/pages.h"
+#include "model/selected.h"
+
+#include <optional>
+#include <span>
 
 namespace layout {
+
+struct Search {
+    QString words{};
+    bool matchesCase = false;
+    bool isWhole = false; // no letter or digit stands beside it
+
+    bool operator==(const Search&) const = default;
+};
 
 struct Found {
     // In one line.
@@ -16,10 +28,45 @@ struct Found {
     };
     std::size_t page = 0;
     std::vector<Part> parts; // in twips on that page
+    int from = 0, to = 0;    // letters of the paragraph, on the next page, too
 };
 
-// In the order of the pages, whatever the case of the letters, headers and footers left out. What
-// goes on on the next page is marked on the first.
-[[nodiscard]] std::vector<Found> findText(const Pages& pages, const QString& words);
+// In the order of the pages, headers and footers left out. What goes on on the next page is marked
+// on the first.
+[[nodiscard]] std::vector<Found> findText(const Pages& pages, const Search& search);
+[[nodiscard]] inline std::vector<Found> findText(const Pages& pages, const QString& words) {
+    return findText(pages, Search{words});
+}
+
+// The bytes of the document that were found; nothing: some of it is generated.
+[[nodiscard]] std::optional<text::Range> placesOf(const Found& found,
+                                                  const model::RunPlaces& places);
+
+// The same for pages that change: those that stay are not read again.
+class Finder {
+public:
+    void look(const Search& search, const Pages& pages);
+    void follow(const Pages& pages);
+
+    [[nodiscard]] std::size_t count() const { return count_; }
+    [[nodiscard]] const Found& at(std::size_t index) const;
+    [[nodiscard]] std::span<const Found> on(std::size_t page) const;
+    // Of the first one on that page or behind it.
+    [[nodiscard]] std::size_t firstFrom(std::size_t page) const;
+    // Since it was made, for tests.
+    [[nodiscard]] std::size_t pagesRead() const { return pagesRead_; }
+
+private:
+    struct OnPage {
+        std::shared_ptr<const Page> page;
+        std::vector<Found> found;
+        std::size_t before = 0; // on the pages before it
+    };
+
+    Search search_;
+    std::vector<OnPage> pages_;
+    std::size_t count_ = 0;
+    std::size_t pagesRead_ = 0;
+};
 
 } // namespace layout
