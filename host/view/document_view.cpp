@@ -19,7 +19,6 @@ namespace view {
 
 namespace {
 
-constexpr double gap = 20; // between them
 // Renditions further away than this many heights of the view give their pictures back.
 constexpr double farHeights = 8;
 constexpr int geometryDelayMs = 90;
@@ -102,8 +101,7 @@ void DocumentView::showPages() {
     // Pages that follow an edit and do not reach what one reads yet would lose its place.
     if (isBehind_ && !isLaidOut() && bar->value() > 0)
         return;
-    const double height = pageSize().height() + gap;
-    const auto top = static_cast<std::size_t>(std::max(0.0, (bar->value() - margin) / height));
+    const std::size_t top = places().firstAt(bar->value());
     const double y = -pageTopLeft(top).y() / scale();
     const std::optional<layout::Spot> spot =
         bar->value() > 0 ? layout::spotAt(pages_, {top, y}) : std::nullopt;
@@ -119,6 +117,7 @@ void DocumentView::showPages() {
     if (const auto place = was ? layout::placeOf(pages_, *spot, top) : std::nullopt)
         bar->setValue(bar->value() + static_cast<int>(std::lround(heightOf(*place) - stood)));
     updateNearness();
+    found_.follow(pages_);
     showChanged(before);
     text_->refresh();
     Q_EMIT laidOut();
@@ -170,19 +169,13 @@ double DocumentView::scale() const { return zoom_ / layout::twipsPerPixel; }
 QSizeF DocumentView::pageSize() const { return pages().size * scale(); }
 
 QPointF DocumentView::pageTopLeft(std::size_t page) const {
-    const QSizeF size = pageSize();
-    const double left = std::max(margin, std::floor((viewport()->width() - size.width()) / 2)) -
-                        horizontalScrollBar()->value();
-    const double top = margin + std::floor(static_cast<double>(page) * (size.height() + gap)) -
-                       verticalScrollBar()->value();
-    return {left, top};
+    return places().topLeft(page) -
+           QPointF(horizontalScrollBar()->value(), verticalScrollBar()->value());
 }
 
 std::pair<std::size_t, QPointF> DocumentView::pagePointAt(QPointF point) const {
-    const double step = pageSize().height() + gap;
-    const double from = point.y() + verticalScrollBar()->value() - margin + gap / 2;
-    const auto last = static_cast<double>(pages().pages.size() - 1);
-    const auto page = static_cast<std::size_t>(std::clamp(std::floor(from / step), 0.0, last));
+    const QPointF scrolled(horizontalScrollBar()->value(), verticalScrollBar()->value());
+    const std::size_t page = places().at(point + scrolled);
     return {page, (point - pageTopLeft(page)) / scale()};
 }
 
@@ -221,16 +214,14 @@ media::Rendition* DocumentView::rendition(document::SubdocumentId id) const {
 }
 
 void DocumentView::setScrollBars() {
-    const QSizeF page = pageSize();
-    const double height =
-        2 * margin + static_cast<double>(pages().pages.size()) * (page.height() + gap) - gap;
+    const QSizeF all = places().size();
     const auto most = [](double length) {
         return std::max(0, static_cast<int>(std::ceil(length)));
     };
     verticalScrollBar()->setPageStep(viewport()->height());
-    verticalScrollBar()->setRange(0, most(height - viewport()->height()));
+    verticalScrollBar()->setRange(0, most(all.height() - viewport()->height()));
     horizontalScrollBar()->setPageStep(viewport()->width());
-    horizontalScrollBar()->setRange(0, most(page.width() + 2 * margin - viewport()->width()));
+    horizontalScrollBar()->setRange(0, most(all.width() - viewport()->width()));
 }
 
 void DocumentView::setZoom(double zoom) {
@@ -238,6 +229,7 @@ void DocumentView::setZoom(double zoom) {
     if (zoom == zoom_)
         return;
     const double middle = viewport()->height() / 2.0;
+    constexpr double margin = PagePlaces::margin;
     const double at = (verticalScrollBar()->value() + middle - margin) / zoom_;
     const double x = (horizontalScrollBar()->value() + viewport()->width() / 2.0 - margin) / zoom_;
     zoom_ = zoom;
@@ -254,8 +246,12 @@ void DocumentView::setZoom(double zoom) {
 double DocumentView::usualZoom() const { return std::min(presented_->page().zoom, widthZoom()); }
 
 double DocumentView::widthZoom() const {
-    const double page = layout::toPixels(pages().size).width();
-    return std::max(leastZoom, (viewport()->width() - 2 * margin) / page);
+    return std::max(leastZoom, zoom_ * places().widthFactor());
+}
+
+double DocumentView::pageZoom() const {
+    const PagePlaces places = this->places();
+    return std::max(leastZoom, zoom_ * std::min(places.widthFactor(), places.heightFactor()));
 }
 
 void DocumentView::zoomBy(int steps) {
@@ -409,48 +405,11 @@ void DocumentView::scrollTo(document::SubdocumentId id) {
         std::max(20, (viewport()->height() - static_cast<int>(place.height())) / 2));
 }
 
-// --- finding -----------------------------------------------------------------------------------
-
-void DocumentView::find(const QString& words) {
-    found_ = layout::findText(pages(), words);
-    viewport()->update();
-    const auto isBelow = [this](const layout::Found& one) {
-        return pageTopLeft(one.page).y() + one.parts.front().bottom() * scale() > 0;
-    };
-    const auto first = std::ranges::find_if(found_, isBelow);
-    if (!found_.empty())
-        showFound(first == found_.end() ? 0 : static_cast<int>(first - found_.begin()));
-}
-
-void DocumentView::showFound(int which) {
-    const int count = foundCount();
-    if (count == 0)
-        return;
-    shownFound_ = (which % count + count) % count;
-    const layout::Found& one = found_[static_cast<std::size_t>(shownFound_)];
-    const double y = pageTopLeft(one.page).y() + one.parts.front().bottom() * scale();
-    constexpr double edge = 40;
-    if (y < edge || y > viewport()->height() - edge)
-        verticalScrollBar()->setValue(
-            static_cast<int>(verticalScrollBar()->value() + y - viewport()->height() / 3.0));
-    viewport()->update();
-}
-
-void DocumentView::paintFound(QPainter& painter, std::size_t page) const {
-    const auto isBefore = [](const layout::Found& one, std::size_t at) { return one.page < at; };
-    for (auto one = std::lower_bound(found_.begin(), found_.end(), page, isBefore);
-         one != found_.end() && one->page == page; ++one)
-        for (const layout::Found::Part& part : one->parts)
-            painter.fillRect(part.rect(), one - found_.begin() == shownFound_
-                                              ? QColor(255, 150, 30, 130)
-                                              : QColor(255, 220, 60, 110));
-}
-
 // --- painting ----------------------------------------------------------------------------------
 
 void DocumentView::paintEvent(QPaintEvent* event) {
     QPainter painter(viewport());
-    painter.fillRect(event->rect(), backdrop(palette()));
+    painter.fillRect(event->rect(), spread_ == Spread::single ? Qt::black : backdrop(palette()));
     paintPages(painter, event->rect());
     for (auto& [id, shown] : shown_) {
         const QRectF place = placeOf(shown);
@@ -471,17 +430,18 @@ QImage DocumentView::imageOf(const layout::ImagePiece& piece) {
 
 void DocumentView::paintPages(QPainter& painter, const QRect& area) {
     const QSizeF size = pageSize();
-    const double step = size.height() + gap;
-    const double from = area.top() + verticalScrollBar()->value() - margin;
-    const auto first = static_cast<std::size_t>(std::max(0.0, std::floor(from / step)));
-    for (std::size_t i = first; i < pages().pages.size(); ++i) {
+    const PagePlaces places = this->places();
+    const int top = verticalScrollBar()->value();
+    constexpr int shadow = 10;
+    const std::size_t end =
+        std::min(places.endAbove(top + area.bottom() + shadow), pages().pages.size());
+    for (std::size_t i = places.firstAt(top + area.top()); i < end; ++i) {
         const QRectF page(pageTopLeft(i), size);
-        if (page.top() > area.bottom() + 10)
-            break;
         if (!page.adjusted(-8, -8, 8, 8).intersects(QRectF(area)))
             continue;
         ++pagesPainted_;
-        paintShadow(painter, page);
+        if (spread_ != Spread::single)
+            paintShadow(painter, page);
         painter.fillRect(page, pages().paper);
         painter.save();
         painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);

@@ -7,10 +7,12 @@
 // Escape gives them back.
 #pragma once
 
-#include "layout/find.h"
+#include "layout/carets.h"
 #include "layout/paint.h"
 #include "layout/spot.h"
 #include "session/presented.h"
+#include "view/found_words.h"
+#include "view/page_places.h"
 #include "view/shown.h"
 
 #include <QAbstractScrollArea>
@@ -22,6 +24,13 @@ class PlayBar;
 class TextDrag;
 class TextHand;
 class Writing;
+
+// What one reads: a place of the document's bytes, and how far the top of its line is below the top
+// of the view, in twips.
+struct ReadingPlace {
+    std::size_t place = 0;
+    double below = 0;
+};
 
 class DocumentView : public QAbstractScrollArea {
     Q_OBJECT
@@ -36,7 +45,10 @@ public:
     void setZoom(double zoom); // the middle of the view stays where it is
     void zoomBy(int steps);
     [[nodiscard]] double widthZoom() const; // at which a page is as wide as the view
-    [[nodiscard]] double usualZoom() const; // the presentation's, if the page is seen whole
+    [[nodiscard]] double pageZoom() const;  // at which a page is seen whole
+    [[nodiscard]] double usualZoom() const; // the presentation's, if that is no wider than the view
+    [[nodiscard]] Spread spread() const { return spread_; }
+    void setSpread(Spread spread); // the page at the top stays there
 
     [[nodiscard]] document::SubdocumentId chosen() const { return chosen_; }
     void choose(document::SubdocumentId id);
@@ -68,12 +80,25 @@ public:
     void setWriting(bool on);
     [[nodiscard]] Writing& writing() const { return *writing_; }
 
-    // Marks the words wherever they stand, and shows the first of them at or below what is seen;
-    // "": none any more.
-    void find(const QString& words);
-    [[nodiscard]] int foundCount() const { return static_cast<int>(found_.size()); }
-    [[nodiscard]] int shownFound() const { return shownFound_; }
-    void showFound(int which); // around the ends
+    // Marks the words wherever they stand, also when the document changes, and shows the first of
+    // them at or below what is seen; "": none any more.
+    void find(const layout::Search& search);
+    void find(const QString& words) { find(layout::Search{words}); }
+    [[nodiscard]] const FoundWords& found() const { return found_; }
+    [[nodiscard]] int foundCount() const { return static_cast<int>(found_.finder().count()); }
+    [[nodiscard]] int shownFound() const { return static_cast<int>(found_.shown()); }
+    void showFound(int which);             // around the ends
+    void showFoundFrom(std::size_t place); // the first one at or behind a place of the document
+
+    // --- where one reads
+    // Nothing: no text is laid out.
+    [[nodiscard]] std::optional<ReadingPlace> readingPlace() const;
+    void show(const ReadingPlace& place);
+    [[nodiscard]] std::size_t currentPage() const; // in the middle of the view
+    // These tell that they jump.
+    void goTo(std::size_t place); // to the top of the view, and the caret of a writing view
+    void goToElement(sgml::NodeId element); // the same; of a figure its picture is seen, too
+    void goToPage(std::size_t page);
 
     // So far: a long document is laid out while its first pages are shown.
     [[nodiscard]] const layout::Pages& pages() const { return pages_; }
@@ -82,7 +107,6 @@ public:
     // Pages that were painted since the view was made, for tests.
     [[nodiscard]] int pagesPainted() const { return pagesPainted_; }
 
-    static constexpr double margin = 28; // around the pages
     static constexpr double leastZoom = 0.25, mostZoom = 5;
 
 Q_SIGNALS:
@@ -97,6 +121,9 @@ Q_SIGNALS:
     void linkActivated(const QString& target);
     void formulaActivated(sgml::NodeId element); // by a double click, while it is written
     void unhandledKey(int key, Qt::KeyboardModifiers modifiers);
+    // Before the view goes far away from where one reads, and after it has.
+    void jumping(bool isSearch);
+    void jumped();
 
 protected:
     bool event(QEvent* event) override;
@@ -126,6 +153,10 @@ protected:
 
 private:
     [[nodiscard]] double scale() const; // logical pixels to a twip
+    [[nodiscard]] PagePlaces places() const;
+    [[nodiscard]] double topOf(sgml::NodeId element, const layout::Caret& caret) const;
+    void jumpTo(const layout::Carets& carets, const layout::Caret& caret, double top);
+    void scrollBy(double pixels);
     [[nodiscard]] QSizeF pageSize() const;
     [[nodiscard]] QPointF pageTopLeft(std::size_t page) const;
     [[nodiscard]] QRectF placeOf(const Shown& shown) const;
@@ -162,8 +193,8 @@ private:
     layout::Pages pages_; // that are shown
     int pagesPainted_ = 0;
     std::map<document::SubdocumentId, Shown> shown_;
-    std::vector<layout::Found> found_;
-    int shownFound_ = 0;
+    FoundWords found_;
+    Spread spread_ = Spread::column;
     document::SubdocumentId chosen_ = document::noSubdocument;
     document::SubdocumentId grabbed_ = document::noSubdocument; // has a button held down
     document::SubdocumentId hovered_ = document::noSubdocument;

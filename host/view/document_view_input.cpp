@@ -397,8 +397,10 @@ void DocumentView::follow(const QString& target) {
     const auto anchor = pages().anchor(target.mid(1).toStdString());
     if (!anchor)
         return;
+    Q_EMIT jumping(false);
     const double y = pageTopLeft(anchor->first).y() + anchor->second * scale();
-    verticalScrollBar()->setValue(verticalScrollBar()->value() + static_cast<int>(y - margin));
+    scrollBy(y - PagePlaces::margin);
+    Q_EMIT jumped();
 }
 
 void DocumentView::updatePlayBar() {

@@ -12,9 +12,12 @@
 #include "window/file_bar.h"
 #include "window/file_menu.h"
 #include "window/find_bar.h"
+#include "window/go_menu.h"
 #include "window/help_menu.h"
+#include "window/kept_place.h"
 #include "window/link.h"
 #include "window/medium_commands.h"
+#include "window/outline_pane.h"
 #include "window/printing.h"
 #include "window/saving.h"
 #include "window/view_menu.h"
@@ -48,8 +51,8 @@ DocumentWindow::DocumentWindow(Application& application,
                                std::shared_ptr<session::OpenDocument> document)
     : application_(application), document_(std::move(document)), banner_(makeBanner(this)),
       view_(new view::DocumentView(*document_)), find_(new FindBar(*view_, this)),
-      faults_(new FaultsPane(*document_, this)), tools_(new QToolBar(tr("Tools"), this)),
-      saving_(new Saving(application, *document_, *this)),
+      faults_(new FaultsPane(*document_, this)), outline_(new OutlinePane(*view_, this)),
+      tools_(new QToolBar(tr("Tools"), this)), saving_(new Saving(application, *document_, *this)),
       printing_(new Printing(*document_, *this)), pageLabel_(plain::label({}, this)),
       zoomLabel_(plain::label({}, this)) {
     setAttribute(Qt::WA_DeleteOnClose);
@@ -72,13 +75,19 @@ DocumentWindow::DocumentWindow(Application& application,
     constexpr int faultsHeight = 130;
     resizeDocks({faults_}, {faultsHeight}, Qt::Vertical);
     faults_->hide();
+    addDockWidget(Qt::LeftDockWidgetArea, outline_);
+    outline_->hide();
+    new KeptPlace(*view_, this);
     auto* edit = new EditMenu(*view_, *find_, this);
     buildTools(edit->write());
     auto* figure = new menus::FigureMenu(*view_, this);
     for (QMenu* menu :
          {static_cast<QMenu*>(new FileMenu(application, *this)), static_cast<QMenu*>(edit),
-          static_cast<QMenu*>(new ViewMenu(
-              application, *this, {tools_->toggleViewAction(), faults_->toggleViewAction()})),
+          static_cast<QMenu*>(
+              new ViewMenu(application, *this,
+                           {outline_->toggleViewAction(), tools_->toggleViewAction(),
+                            faults_->toggleViewAction()})),
+          static_cast<QMenu*>(new GoMenu(*view_, this)),
           static_cast<QMenu*>(new menus::InsertMenu(*view_, this)),
           static_cast<QMenu*>(new menus::FormatMenu(*view_, this)), static_cast<QMenu*>(figure),
           makeHelpMenu(*document_, this)})
@@ -98,6 +107,7 @@ DocumentWindow::DocumentWindow(Application& application,
     connect(saving_, &Saving::said, this, &DocumentWindow::say);
     connect(saving_, &Saving::mayCloseNow, this, &DocumentWindow::close);
     connect(printing_, &Printing::said, this, &DocumentWindow::say);
+    connect(find_, &FindBar::replaced, this, &DocumentWindow::say);
     connect(faults_, &FaultsPane::countChanged, this, &DocumentWindow::updateFaults);
     connect(faults_, &FaultsPane::activated, view_, &view::DocumentView::scrollTo);
     connect(view_, &view::DocumentView::linkActivated, this, &DocumentWindow::openLink);
@@ -112,9 +122,7 @@ DocumentWindow::DocumentWindow(Application& application,
     const auto showPlace = [this] {
         zoomLabel_->setText(tr("%1 %").arg(qRound(view_->zoom() * 100)));
         const auto pages = static_cast<int>(view_->pages().pages.size());
-        const QScrollBar* bar = view_->verticalScrollBar();
-        const double part = bar->maximum() > 0 ? double(bar->value()) / bar->maximum() : 0;
-        pageLabel_->setText(tr("Page %1 of %2").arg(qRound(part * (pages - 1)) + 1).arg(pages));
+        pageLabel_->setText(tr("Page %1 of %2").arg(view_->currentPage() + 1).arg(pages));
     };
     connect(view_, &view::DocumentView::zoomChanged, this, showPlace);
     connect(view_, &view::DocumentView::laidOut, this, showPlace);
@@ -131,6 +139,7 @@ DocumentWindow::~DocumentWindow() {
     delete commands_;
     delete find_;
     delete faults_;
+    delete outline_;
     delete view_;
 }
 

@@ -13,6 +13,7 @@ class Application;
 class FaultsPane;
 class FindBar;
 class MediumCommands;
+class OutlinePane;
 class Printing;
 class Saving;
 
@@ -56,6 +57,7 @@ private:
     view::DocumentView* view_;
     FindBar* find_;
     FaultsPane* faults_;
+    OutlinePane* outline_;
     QToolBar* tools_;
     Saving* saving_;
     Printing* printing_;

@@ -5,6 +5,7 @@
 #include "view/document_view.h"
 #include "view/writing.h"
 #include "window/find_bar.h"
+#include "window/text_count_dialog.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -38,6 +39,11 @@ EditMenu::EditMenu(view::DocumentView& view, FindBar& find, QWidget* parent)
                  [&find] { find.next(1); });
     menus::addTo(*this, "findPrevious", tr("Find Pre&vious"), QKeySequence(Qt::SHIFT | Qt::Key_F3),
                  [&find] { find.next(-1); });
+    replace_ = menus::addTo(*this, "replaceWords", tr("R&eplace..."), QKeySequence("Ctrl+H"),
+                            [&find] { find.openReplace(); });
+    addSeparator();
+    menus::addTo(*this, "wordCount", tr("W&ord Count..."), {},
+                 [this] { (new TextCountDialog(view_, parentWidget()))->open(); });
     connect(&of, &document::Document::undoChanged, this, &EditMenu::updateUndo);
     connect(&view_, &view::DocumentView::selectionChanged, this, &EditMenu::updateSelection);
     connect(&view_, &view::DocumentView::writingChanged, this, &EditMenu::updateSelection);
@@ -59,6 +65,7 @@ void EditMenu::updateSelection() {
     write_->setChecked(view_.isWriting());
     cut_->setEnabled(writes && view_.canCopy());
     paste_->setEnabled(writes);
+    replace_->setEnabled(writes);
     copy_->setEnabled(view_.canCopy());
     selectAll_->setEnabled(!view_.chosen());
 }

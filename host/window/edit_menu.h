@@ -34,6 +34,7 @@ private:
     QAction* paste_ = nullptr;
     QAction* selectAll_ = nullptr;
     QAction* write_ = nullptr;
+    QAction* replace_ = nullptr;
 };
 
 } // namespace window

@@ -1,0 +1,179 @@
+// Where the pages of a DocumentView stand, what of them one reads, and the words that are found.
+#include "view/document_view.h"
+
+#include "layout/measure.h"
+#include "view/text_hand.h"
+
+#include <QScrollBar>
+#include <algorithm>
+#include <cmath>
+
+namespace view {
+
+// --- the pages ---------------------------------------------------------------------------------
+
+PagePlaces DocumentView::places() const {
+    return {spread_, pageSize(), pages().pages.size(), viewport()->size()};
+}
+
+void DocumentView::scrollBy(double pixels) {
+    verticalScrollBar()->setValue(verticalScrollBar()->value() + static_cast<int>(pixels));
+}
+
+void DocumentView::setSpread(Spread spread) {
+    if (spread == spread_)
+        return;
+    const std::size_t page = pages().pages.empty() ? 0 : pagePointAt({0, 0}).first;
+    spread_ = spread;
+    setScrollBars();
+    if (!pages().pages.empty())
+        scrollBy(pageTopLeft(page).y() - (spread == Spread::single ? 0 : PagePlaces::gap));
+    setZoom(std::min(zoom_, widthZoom()));
+    updateNearness();
+    text_->refresh();
+    viewport()->update();
+}
+
+std::size_t DocumentView::currentPage() const {
+    return pages().pages.empty() ? 0 : pagePointAt(viewport()->rect().center()).first;
+}
+
+// --- where one reads ---------------------------------------------------------------------------
+
+std::optional<ReadingPlace> DocumentView::readingPlace() const {
+    if (pages().pages.empty())
+        return std::nullopt;
+    const layout::Carets carets(pages(), document_.document().tree());
+    const auto [page, point] = pagePointAt({viewport()->width() / 2.0, 0});
+    const std::optional<layout::Caret> caret = carets.at(page, point);
+    if (!caret)
+        return std::nullopt;
+    const QRectF line = inViewport(caret->page, carets.rectOf(*caret));
+    return ReadingPlace{carets.placeOf(*caret), line.top() / scale()};
+}
+
+void DocumentView::show(const ReadingPlace& place) {
+    const layout::Carets carets(pages(), document_.document().tree());
+    const std::optional<layout::Caret> caret = carets.of(place.place, currentPage());
+    if (caret)
+        scrollBy(inViewport(caret->page, carets.rectOf(*caret)).top() - place.below * scale());
+}
+
+// `top`: what comes to stand near the top of the view.
+void DocumentView::jumpTo(const layout::Carets& carets, const layout::Caret& caret, double top) {
+    Q_EMIT jumping(false);
+    choose(document::noSubdocument);
+    if (isWriting()) {
+        const std::size_t at = carets.placeOf(caret);
+        text_->cursor().set({at, at});
+    }
+    scrollBy(top - 2 * PagePlaces::margin);
+    Q_EMIT jumped();
+}
+
+void DocumentView::goTo(std::size_t place) {
+    settle();
+    const layout::Carets carets(pages(), document_.document().tree());
+    if (const std::optional<layout::Caret> caret = carets.of(place, currentPage()))
+        jumpTo(carets, *caret, inViewport(caret->page, carets.rectOf(*caret)).top());
+}
+
+void DocumentView::goToElement(sgml::NodeId element) {
+    settle();
+    const sgml::Tree& tree = document_.document().tree();
+    if (!tree.holds(element))
+        return;
+    const layout::Carets carets(pages(), tree);
+    const auto caret = carets.of(tree.node(element).startTag.to, currentPage());
+    if (caret)
+        jumpTo(carets, *caret, topOf(element, *caret));
+}
+
+// A figure's caption stands below its picture.
+double DocumentView::topOf(sgml::NodeId element, const layout::Caret& caret) const {
+    const sgml::Tree& tree = document_.document().tree();
+    const layout::Carets carets(pages(), tree);
+    const QRectF line = carets.rectOf(caret);
+    const text::Range all = tree.node(element).range;
+    double top = line.top();
+    constexpr double nearest = 60 * layout::twipsPerPixel;
+    for (const layout::PlacedObject& object : pages().pages[caret.page]->objects) {
+        const document::Subdocument* of = document_.document().subdocument(object.subdocument);
+        const bool isInside = of ? all.contains(tree.node(of->element).range.from)
+                                 : std::abs(line.top() - object.rect.bottom()) < nearest;
+        if (isInside)
+            top = std::min(top, object.rect.top());
+    }
+    return inViewport(caret.page, {0, top, 0, 0}).top();
+}
+
+void DocumentView::goToPage(std::size_t page) {
+    settle();
+    if (pages().pages.empty())
+        return;
+    Q_EMIT jumping(false);
+    page = std::min(page, pages().pages.size() - 1);
+    scrollBy(pageTopLeft(page).y() - (spread_ == Spread::single ? 0 : PagePlaces::gap));
+    Q_EMIT jumped();
+}
+
+// --- finding -----------------------------------------------------------------------------------
+
+void DocumentView::find(const layout::Search& search) {
+    found_.look(search, pages());
+    viewport()->update();
+    if (pages().pages.empty())
+        return;
+    const auto [page, point] = pagePointAt({0, 0});
+    showFound(static_cast<int>(found_.firstFrom(page, point.y())));
+}
+
+void DocumentView::showFound(int which) {
+    const int count = foundCount();
+    if (count == 0)
+        return;
+    const auto shown = static_cast<std::size_t>((which % count + count) % count);
+    found_.show(shown);
+    const layout::Found& one = found_.finder().at(shown);
+    const double y = pageTopLeft(one.page).y() + one.parts.front().bottom() * scale();
+    constexpr double edge = 40;
+    if (y < edge || y > viewport()->height() - edge) {
+        Q_EMIT jumping(true);
+        scrollBy(y - viewport()->height() / 3.0);
+        Q_EMIT jumped();
+    }
+    viewport()->update();
+}
+
+void DocumentView::showFoundFrom(std::size_t place) {
+    const layout::Finder& finder = found_.finder();
+    const layout::Carets carets(pages(), document_.document().tree());
+    const std::optional<layout::Caret> caret = carets.of(place, currentPage());
+    if (!caret || finder.count() == 0)
+        return;
+    const QPointF at = carets.rectOf(*caret).center();
+    std::size_t index = finder.firstFrom(caret->page);
+    const auto isBefore = [&](const layout::Found& one) {
+        const layout::Found::Part& part = one.parts.front();
+        return part.bottom() <= at.y() ||
+               (part.at.y() <= at.y() && part.rect().left() < at.x() - 1);
+    };
+    for (const layout::Found& one : finder.on(caret->page)) {
+        if (!isBefore(one))
+            break;
+        ++index;
+    }
+    showFound(static_cast<int>(index));
+}
+
+void DocumentView::paintFound(QPainter& painter, std::size_t page) const {
+    std::size_t index = found_.finder().firstFrom(page);
+    for (const layout::Found& one : found_.finder().on(page)) {
+        for (const layout::Found::Part& part : one.parts)
+            painter.fillRect(part.rect(), index == found_.shown() ? QColor(255, 150, 30, 130)
+                                                                  : QColor(255, 220, 60, 110));
+        ++index;
+    }
+}
+
+} // namespace view
