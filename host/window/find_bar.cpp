@@ -31,13 +31,14 @@ FindBar::FindBar(view::DocumentView& view, QWidget* parent)
 
 QLineEdit* FindBar::addField(QBoxLayout& row, const QString& name, const QString& label) {
     auto* field = new QLineEdit(this);
-    constexpr int labelWidth = 60, fieldWidth = 320;
+    constexpr int labelWidth = 60, leastWidth = 180, fieldWidth = 320;
     auto* said = plain::label(label, this);
     said->setBuddy(field);
     said->setMinimumWidth(labelWidth);
     field->setObjectName(name);
     field->setAccessibleName(label);
     field->setClearButtonEnabled(true);
+    field->setMinimumWidth(leastWidth);
     field->setMaximumWidth(fieldWidth);
     row.addWidget(said);
     row.addWidget(field, 1);
