@@ -23,7 +23,8 @@ void DocumentView::scrollBy(double pixels) {
 void DocumentView::setSpread(Spread spread) {
     if (spread == spread_)
         return;
-    const std::size_t page = pages().pages.empty() ? 0 : pagePointAt({0, 2 * PagePlaces::gap}).first;
+    const std::size_t page =
+        pages().pages.empty() ? 0 : pagePointAt({0, 2 * PagePlaces::gap}).first;
     spread_ = spread;
     setScrollBars();
     if (!pages().pages.empty())
