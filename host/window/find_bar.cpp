@@ -9,6 +9,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QToolButton>
 
 namespace window {
 
@@ -31,7 +32,7 @@ FindBar::FindBar(view::DocumentView& view, QWidget* parent)
 
 QLineEdit* FindBar::addField(QBoxLayout& row, const QString& name, const QString& label) {
     auto* field = new QLineEdit(this);
-    constexpr int labelWidth = 60, leastWidth = 180, fieldWidth = 320;
+    constexpr int labelWidth = 60, leastWidth = 120, fieldWidth = 320;
     auto* said = plain::label(label, this);
     said->setBuddy(field);
     said->setMinimumWidth(labelWidth);
@@ -54,12 +55,25 @@ void FindBar::putButton(QBoxLayout& row, const QString& name, const QString& tex
     row.addWidget(button);
 }
 
+void FindBar::putArrow(QBoxLayout& row, const QString& name, Qt::ArrowType arrow,
+                       const QString& says, const std::function<void()>& done) {
+    auto* button = new QToolButton(this);
+    button->setObjectName(name);
+    button->setArrowType(arrow);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAccessibleName(says);
+    button->setToolTip(plain::tip(says));
+    connect(button, &QToolButton::clicked, this, done);
+    row.addWidget(button);
+}
+
 void FindBar::addFindRow(QBoxLayout& column) {
     auto* row = new QHBoxLayout;
     column.addLayout(row);
     field_ = addField(*row, "find", tr("Find"));
-    putButton(*row, "findPrevious", tr("Previous"), [this] { next(-1); });
-    putButton(*row, "findNext", tr("Next"), [this] { next(1); });
+    putArrow(*row, "findPrevious", Qt::UpArrow, tr("Previous"), [this] { next(-1); });
+    putArrow(*row, "findNext", Qt::DownArrow, tr("Next"), [this] { next(1); });
     matchCase_ = new QCheckBox(tr("Match case"), this);
     matchCase_->setObjectName("matchCase");
     wholeWords_ = new QCheckBox(tr("Whole words"), this);
@@ -193,7 +207,8 @@ void FindBar::replaceAll() {
 
 void FindBar::keyPressEvent(QKeyEvent* event) {
     const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (auto* button = qobject_cast<QPushButton*>(focusWidget()); isEnter && button) {
+    if (auto* button = qobject_cast<QAbstractButton*>(focusWidget());
+        isEnter && button && !button->isCheckable()) {
         button->click();
     } else if (isEnter && focusWidget() == with_) {
         replace();

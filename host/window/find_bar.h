@@ -41,6 +41,8 @@ private:
     QLineEdit* addField(QBoxLayout& row, const QString& name, const QString& label);
     void putButton(QBoxLayout& row, const QString& name, const QString& text,
                    const std::function<void()>& done);
+    void putArrow(QBoxLayout& row, const QString& name, Qt::ArrowType arrow, const QString& says,
+                  const std::function<void()>& done);
     void look();
     void tell();
     void selectShown();
