@@ -90,26 +90,30 @@ std::vector<Found> findText(const Pages& pages, const Search& search) {
     return result;
 }
 
-std::optional<text::Range> placesOf(const Found& found, const model::RunPlaces& places) {
-    const Paragraph& of = *found.parts.front().paragraph;
+std::optional<text::Range> placesOf(const Paragraph& of, int from, int to,
+                                    const model::RunPlaces& places) {
     const std::vector<model::Run>& runs = of.block()->runs;
     std::optional<text::Range> result;
-    int known = found.from; // letters up to there have places
+    int known = from; // letters up to there have places
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const int start = of.startOfRun(i), end = of.endOfRun(i);
         if (end <= known)
             continue;
-        if (start >= found.to)
+        if (start >= to)
             break;
         if (!places.isText(runs[i]) || start > known)
             return std::nullopt;
-        const std::size_t to = places.placeOf(runs[i], of.byteAt(i, std::min(found.to, end)));
+        const std::size_t last = places.placeOf(runs[i], of.byteAt(i, std::min(to, end)));
         if (!result)
-            result = text::Range{places.placeOf(runs[i], of.byteAt(i, found.from)), to};
-        result->to = to;
+            result = text::Range{places.placeOf(runs[i], of.byteAt(i, from)), last};
+        result->to = last;
         known = end;
     }
-    return known >= found.to ? result : std::nullopt;
+    return known >= to ? result : std::nullopt;
+}
+
+std::optional<text::Range> placesOf(const Found& found, const model::RunPlaces& places) {
+    return placesOf(*found.parts.front().paragraph, found.from, found.to, places);
 }
 
 // --- pages that change -------------------------------------------------------------------------

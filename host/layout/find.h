@@ -41,6 +41,9 @@ struct Found {
 // The bytes of the document that were found; nothing: some of it is generated.
 [[nodiscard]] std::optional<text::Range> placesOf(const Found& found,
                                                   const model::RunPlaces& places);
+// The same of letters of a paragraph.
+[[nodiscard]] std::optional<text::Range> placesOf(const Paragraph& of, int from, int to,
+                                                  const model::RunPlaces& places);
 
 // The same for pages that change: those that stay are not read again.
 class Finder {

@@ -452,6 +452,7 @@ void DocumentView::paintPages(QPainter& painter, const QRect& area) {
                           QSizeF(area.size()) / scale());
         layout::paintPage(painter, pages(), i, clip,
                           {{}, [this](const layout::ImagePiece& piece) { return imageOf(piece); }});
+        Q_EMIT paintingPage(painter, i);
         paintFound(painter, i);
         text_->paintSelection(painter, i);
         writing_->paint(painter, i);

@@ -124,6 +124,8 @@ Q_SIGNALS:
     // Before the view goes far away from where one reads, and after it has.
     void jumping(bool isSearch);
     void jumped();
+    // Its text is painted; in twips.
+    void paintingPage(QPainter& painter, std::size_t page);
 
 protected:
     bool event(QEvent* event) override;

@@ -20,6 +20,7 @@
 #include "window/outline_pane.h"
 #include "window/printing.h"
 #include "window/saving.h"
+#include "window/spelling_commands.h"
 #include "window/view_menu.h"
 
 #include <QApplication>
@@ -81,12 +82,15 @@ DocumentWindow::DocumentWindow(Application& application,
     auto* edit = new EditMenu(*view_, *find_, this);
     buildTools(edit->write());
     auto* figure = new menus::FigureMenu(*view_, this);
+    auto* spelling = new SpellingCommands(*view_, this);
+    connect(edit, &EditMenu::aboutToShowAt, spelling, &SpellingCommands::addTo);
+    connect(spelling, &SpellingCommands::said, this, &DocumentWindow::say);
     for (QMenu* menu :
          {static_cast<QMenu*>(new FileMenu(application, *this)), static_cast<QMenu*>(edit),
           static_cast<QMenu*>(
               new ViewMenu(application, *this,
-                           {outline_->toggleViewAction(), tools_->toggleViewAction(),
-                            faults_->toggleViewAction()})),
+                           {&spelling->toggle(), outline_->toggleViewAction(),
+                            tools_->toggleViewAction(), faults_->toggleViewAction()})),
           static_cast<QMenu*>(new GoMenu(*view_, this)),
           static_cast<QMenu*>(new menus::InsertMenu(*view_, this)),
           static_cast<QMenu*>(new menus::FormatMenu(*view_, this)), static_cast<QMenu*>(figure),

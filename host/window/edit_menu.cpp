@@ -74,6 +74,7 @@ void EditMenu::showAt(const QPoint& at) {
     auto* menu = new QMenu(parentWidget());
     menu->setObjectName("textMenu");
     menu->setAttribute(Qt::WA_DeleteOnClose);
+    Q_EMIT aboutToShowAt(*menu, at);
     menu->addActions(view_.isWriting() ? QList<QAction*>{cut_, copy_, paste_, selectAll_}
                                        : QList<QAction*>{copy_, selectAll_});
     menu->popup(at);

@@ -22,6 +22,10 @@ public:
     [[nodiscard]] QAction& write() const { return *write_; }
     void showAt(const QPoint& at);
 
+Q_SIGNALS:
+    // Others put entries before these.
+    void aboutToShowAt(QMenu& menu, const QPoint& at);
+
 private:
     void updateUndo();
     void updateSelection();

@@ -67,6 +67,7 @@ void OutlinePane::build() {
     setWidget(inside);
     setFocusProxy(list_);
     toggleViewAction()->setObjectName("showOutline");
+    toggleViewAction()->setText(tr("Out&line"));
     toggleViewAction()->setShortcut(QKeySequence(Qt::Key_F9));
 }
 

@@ -9,6 +9,7 @@ namespace window {
 
 ViewMenu::ViewMenu(Application& application, DocumentWindow& window, const QList<QAction*>& parts)
     : QMenu(tr("&View"), &window), window_(window) {
+    setToolTipsVisible(true);
     view::DocumentView& view = window_.view();
     menus::addTo(*this, "newWindow", tr("&New Window"), QKeySequence("Ctrl+Shift+N"),
                  [&application, &window] { application.addWindow(window.shared()); });
