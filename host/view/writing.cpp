@@ -226,7 +226,8 @@ void Writing::type(const QString& text) {
 }
 
 bool Writing::isForText(const QKeyEvent& event) {
-    return isPrintable(event) || isEditing(event.key()) || isMoving(event.key());
+    const bool isCommand = event.modifiers() & (Qt::AltModifier | Qt::MetaModifier); // Alt+Left
+    return isPrintable(event) || (!isCommand && (isEditing(event.key()) || isMoving(event.key())));
 }
 
 bool Writing::useKey(const QKeyEvent& event) {

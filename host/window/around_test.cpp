@@ -176,6 +176,18 @@ TEST_F(AroundTest, ASearchIsOneJumpAndPlacesFollowEdits) {
     EXPECT_TRUE(action("goForward")->isEnabled());
 }
 
+TEST_F(AroundTest, TheKeysGoBackWhereOneWrites) {
+    show(report(section("A", lines(60)) + section("B", lines(60))));
+    write();
+    bar().setValue(100);
+    view().goTo(document().bytes().find("{B}") + 1);
+    EXPECT_GT(bar().value(), 500);
+    QTest::keyClick(&view(), Qt::Key_Left, Qt::AltModifier);
+    EXPECT_NEAR(bar().value(), 100, 1);
+    QTest::keyClick(&view(), Qt::Key_Right, Qt::AltModifier);
+    EXPECT_GT(bar().value(), 500);
+}
+
 TEST_F(AroundTest, AFigureThatIsActiveKeepsItsKeys) {
     show(memo(scripted("red")));
     EXPECT_FALSE(action("goToPage")->shortcut().isEmpty());

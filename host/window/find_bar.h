@@ -7,7 +7,7 @@
 #include "view/document_view.h"
 
 class QCheckBox;
-class QHBoxLayout;
+class QBoxLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;

@@ -117,7 +117,7 @@ void OutlineList::setText(std::size_t index, const std::string& text) {
 }
 
 void OutlineList::mark(NodeId element) {
-    if (!hasFocus())
+    if (!hasFocus() || !currentItem())
         select(element);
 }
 
