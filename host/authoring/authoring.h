@@ -178,15 +178,45 @@ struct EmbeddedText {
 
 // --- tables
 
+struct NewTable {
+    int rows = 2, columns = 2;
+    bool hasHeader = false; // its first row stands again on each of its pages
+    bool hasCaption = false;
+    std::string caption{}; // plain
+};
 // With empty cells, the caret in the first one.
-[[nodiscard]] Result insertTable(const Manuscript& manuscript, Selection selection, int rows,
-                                 int columns);
-// Beside the row or the column of the caret.
+[[nodiscard]] Result insertTable(const Manuscript& manuscript, Selection selection,
+                                 const NewTable& table);
+
+// Places in two cells of a table select all cells of the rectangle between them
+// (table_nodes.h). Commands take the rows or columns of the selected cells.
+// Beside them.
 [[nodiscard]] Result insertRow(const Manuscript& manuscript, Selection selection, Direction side);
 [[nodiscard]] Result insertColumn(const Manuscript& manuscript, Selection selection,
                                   Direction side);
 [[nodiscard]] Result removeRow(const Manuscript& manuscript, Selection selection);
 [[nodiscard]] Result removeColumn(const Manuscript& manuscript, Selection selection);
+// With a figure that holds nothing else.
+[[nodiscard]] Result removeTable(const Manuscript& manuscript, Selection selection);
+// Past the row or column beside them.
+[[nodiscard]] Result moveRow(const Manuscript& manuscript, Selection selection,
+                             Direction direction);
+[[nodiscard]] Result moveColumn(const Manuscript& manuscript, Selection selection,
+                                Direction direction);
+// One cell with the content of all; and a cell for each place that such a one covers.
+[[nodiscard]] Result joinCells(const Manuscript& manuscript, Selection selection);
+[[nodiscard]] Result splitCell(const Manuscript& manuscript, Selection selection);
+// The rows from the first one to these are the table's header, or no longer.
+[[nodiscard]] Result toggleHeader(const Manuscript& manuscript, Selection selection);
+// How wide the selected columns are, in points; 0: as wide as their content wants.
+[[nodiscard]] Result setColumnWidth(const Manuscript& manuscript, Selection selection,
+                                    double width);
+// Of the columns of a table from the first one on; less than 0: it stays.
+[[nodiscard]] Result setColumnWidths(const Manuscript& manuscript, Selection selection,
+                                     sgml::NodeId table, const std::vector<double>& widths);
+enum class TablePart { cell, row, column, table };
+[[nodiscard]] Result selectInTable(const Manuscript& manuscript, Selection selection,
+                                   TablePart part);
 // Tab and Shift+Tab: to the next cell, which behind the last one is the first of a new row.
 [[nodiscard]] Result goToCell(const Manuscript& manuscript, Selection selection,
                               Direction direction);

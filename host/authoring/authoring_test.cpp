@@ -162,7 +162,7 @@ TEST(Authoring, DoesNotJoinWhatIsApart) {
               "refused: The lines on both sides of the caret cannot be joined.");
     EXPECT_EQ(
         memo("<P>{x}</P><TABLE><R><C>{a[b}</C><C>{cd}</C></R><R><C>{e|f}</C></R></TABLE>", del),
-        "<P>{x}</P><TABLE><R><C>{a|}</C><C></C></R><R><C>{f}</C></R></TABLE>");
+        "<P>{x}</P><TABLE><R><C>{|}</C><C>{cd}</C></R><R><C>{}</C></R></TABLE>");
     EXPECT_EQ(memo("<P>{a}</P>|<RULE></RULE>[<P>{b}</P>", backspace), "<P>{a}</P><P>{|b}</P>");
     EXPECT_EQ(memo("<P>{a|}</P><FIGURE><IMAGE></IMAGE><CAPTION>{c}</CAPTION></FIGURE>", del),
               "<P>{a}</P><FIGURE>[<IMAGE></IMAGE>|<CAPTION>{c}</CAPTION></FIGURE>");
@@ -501,7 +501,7 @@ TEST(Authoring, PreformattedText) {
 
 TEST(Authoring, Tables) {
     const auto table = [](const Manuscript& manuscript, Selection selection) {
-        return insertTable(manuscript, selection, 2, 2);
+        return insertTable(manuscript, selection, {2, 2});
     };
     EXPECT_EQ(memo("<P>{|}</P>", table),
               "<TABLE>\n<R><C>{|}</C><C>{}</C></R>\n<R><C>{}</C><C>{}</C></R>\n</TABLE>");

@@ -43,7 +43,8 @@ struct Piece {
     Gap tail{};        // element: before its end tag
 
     std::string name{};                // element
-    std::string attributes{};          // element without `start`: ` TO="a"`, spelled
+    std::string attributes{};          // element: ` TO="a"`, behind those of `start`
+    bool isRespelled = false;          // `attributes` are all of them
     sgml::NodeId start = sgml::noNode; // element: whose start tag it keeps
     sgml::NodeId end = sgml::noNode;   // element: whose end tag it keeps
     sgml::NodeId node = sgml::noNode;  // text: the content it is from; rest: the first node
@@ -110,6 +111,9 @@ public:
 
     // The attributes of an element as another one may have them: an ID names one only.
     [[nodiscard]] std::string attributesWithoutId(const Piece& element) const;
+
+    // Sets an attribute; "" removes it.
+    void setAttribute(Piece& element, std::string_view name, std::string_view value) const;
 
     // --- changing
     static std::unique_ptr<Piece> made(std::string name, std::string attributes = {});

@@ -1,6 +1,7 @@
 // Rearranging the pieces of a draft.
-#include "authoring/draft.h"
+#include "authoring/commands.h"
 
+#include "sgml/edit.h"
 #include "sgml/escape.h"
 
 #include <algorithm>
@@ -8,6 +9,31 @@
 namespace authoring {
 
 using sgml::noNode;
+
+namespace {
+
+// Attributes as they are spelled, ` A="b" C="d"`, with that one set, or without it.
+std::string withAttribute(std::string spelled, std::string_view name, std::string_view value) {
+    const std::string begin = " " + std::string(name) + "=\"";
+    const std::string now = value.empty() ? std::string() : " " + sgml::attributeText(name, value);
+    const std::size_t at = spelled.find(begin);
+    if (at == std::string::npos)
+        return spelled + now;
+    const std::size_t end = spelled.find('"', at + begin.size());
+    return spelled.replace(at, end + 1 - at, now);
+}
+
+} // namespace
+
+void Draft::setAttribute(Piece& element, std::string_view name, std::string_view value) const {
+    std::string spelled;
+    if (element.start != noNode && !element.isRespelled)
+        for (const sgml::Attribute& attribute : tree_.attributes(element.start))
+            spelled +=
+                " " + sgml::attributeText(tree_.text(attribute.name), tree_.text(attribute.value));
+    element.attributes = withAttribute(spelled + element.attributes, name, value);
+    element.isRespelled = true;
+}
 
 std::unique_ptr<Piece> Draft::made(std::string name, std::string attributes) {
     auto piece = std::make_unique<Piece>();
@@ -59,6 +85,8 @@ std::string Draft::blanksOf(const Gap& gap) const {
 }
 
 std::string Draft::attributesWithoutId(const Piece& element) const {
+    if (element.isRespelled)
+        return withAttribute(element.attributes, "ID", {});
     if (element.start == noNode)
         return element.attributes;
     std::string spelled;

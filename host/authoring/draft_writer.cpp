@@ -56,7 +56,7 @@ private:
     void writeElement(const Piece& piece) {
         if (!piece.raw.empty())
             return add(piece.raw);
-        if (piece.start != noNode)
+        if (piece.start != noNode && !piece.isRespelled)
             writeStartTag(piece);
         else
             add("<" + piece.name + piece.attributes + ">");

@@ -1,5 +1,6 @@
 #include "authoring/commands.h"
 #include "authoring/leaves.h"
+#include "authoring/table_draft.h"
 
 #include "sgml/edit.h"
 
@@ -204,6 +205,8 @@ bool mayJoin(Draft& draft) {
 }
 
 void eraseBetween(Draft& draft) {
+    if (TableDraft(draft).clear())
+        return;
     const bool joins = mayJoin(draft);
     Eraser eraser(draft);
     eraser.removeBetween();

@@ -56,6 +56,10 @@ Grammar::Grammar(const schemas::StructureSchema* structure,
         Element element{
             .display = style.display, .role = style.role, .holdsText = allowsText(name)};
         element.kind = kindOf(element);
+        schemas::Presentation::Progress progress = presentation.start();
+        element.isHeaderFirst =
+            presentation.style({.name = name, .first = true}, presentation.rootStyle(), progress)
+                .repeat;
         element.isNumbered = !style.counter.empty() && style.role != ContainerRole::item;
         elements_.emplace(name, element);
         variants_.emplace(name, presentation.variantsOf(name));

@@ -30,7 +30,8 @@ struct Element {
     schemas::Display display = schemas::Display::unknown;
     schemas::ContainerRole role = schemas::ContainerRole::none;
     bool holdsText = false;
-    bool isNumbered = false; // has a counter, or is a heading of the outline
+    bool isNumbered = false;    // has a counter, or is a heading of the outline
+    bool isHeaderFirst = false; // a row: the first of a table is repeated, unless it says otherwise
 };
 
 // Of one class of documents.

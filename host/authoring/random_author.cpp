@@ -1,6 +1,7 @@
 #include "authoring/random_author.h"
 
 #include "authoring/authoring_testing.h"
+#include "authoring/table_nodes.h"
 
 #include <algorithm>
 #include <array>
@@ -77,11 +78,19 @@ std::string RandomAuthor::list(int depth) {
     return (below(2) == 0 ? "<LIST KIND=\"number\">" : "<LIST>") + items + gap() + "</LIST>";
 }
 
+std::string RandomAuthor::cell(const std::string& inside) {
+    if (below(4) != 0)
+        return element("CELL", inside);
+    return "<CELL COLUMNS=\"" + std::to_string(below(4)) + "\" ROWS=\"" +
+           std::to_string(1 + below(3)) + "\">" + inside + "</CELL>";
+}
+
 std::string RandomAuthor::table(int depth) {
     std::string rows = below(3) == 0 ? element("CAPTION", line(1)) : "";
     for (std::size_t count = 1 + below(3); count > 0; --count)
-        rows += gap() + "<ROW>" + element("CELL", line(1)) +
-                element("CELL", below(3) == 0 ? blocks(depth - 2) : text()) + "</ROW>";
+        rows += gap() + (below(4) == 0 ? "<ROW KIND=\"header\">" : "<ROW>") +
+                element("CELL", line(1)) + cell(below(3) == 0 ? blocks(depth - 2) : text()) +
+                (below(3) == 0 ? cell(text()) : "") + "</ROW>";
     return element("TABLE", rows);
 }
 
@@ -151,6 +160,22 @@ std::string lettersOf(const sgml::Tree& tree, std::size_t from, std::size_t to) 
     return letters;
 }
 
+// The letters that are in none of the elements.
+std::string lettersBeside(const sgml::Tree& tree, const std::vector<NodeId>& elements) {
+    std::string letters;
+    std::size_t from = 0;
+    std::vector<text::Range> ranges;
+    for (const NodeId id : elements)
+        ranges.push_back(tree.node(id).range);
+    std::sort(ranges.begin(), ranges.end(),
+              [](text::Range a, text::Range b) { return a.from < b.from; });
+    for (const text::Range& range : ranges) {
+        letters += lettersOf(tree, from, range.from);
+        from = range.to;
+    }
+    return letters + lettersOf(tree, from, tree.bytes().size());
+}
+
 // Do the letters come in that order, perhaps with others between them?
 bool isPartOf(std::string_view letters, std::string_view all) {
     std::size_t found = 0;
@@ -206,6 +231,46 @@ Selection RandomAuthor::randomSelection(const Manuscript& manuscript, Selection 
     return below(2) == 0 ? Selection{anchor, caret} : Selection{caret, anchor};
 }
 
+RandomAuthor::Try RandomAuthor::tryTable(const Manuscript& manuscript, Selection selection) {
+    const Direction side = below(2) == 0 ? Direction::forward : Direction::backward;
+    switch (below(13)) {
+    case 0:
+        return {"row", insertRow(manuscript, selection, side), false, true};
+    case 1:
+        return {"column", insertColumn(manuscript, selection, side), false, true};
+    case 2:
+        return below(2) == 0 ? Try{"remove row", removeRow(manuscript, selection), false}
+                             : Try{"remove column", removeColumn(manuscript, selection), false};
+    case 3:
+        return {"cell", goToCell(manuscript, selection, side), false, true};
+    case 4:
+        return {"table",
+                insertTable(manuscript, selection,
+                            {1 + int(below(3)), 1 + int(below(3)), below(2) == 0, below(2) == 0}),
+                false, true};
+    case 5:
+        return {"move row", moveRow(manuscript, selection, side), false};
+    case 6:
+        return {"move column", moveColumn(manuscript, selection, side), false};
+    case 7:
+        return {"join cells", joinCells(manuscript, selection), false};
+    case 8:
+        return {"split cell", splitCell(manuscript, selection), false, true};
+    case 9:
+        return below(5) == 0 ? Try{"remove table", removeTable(manuscript, selection), false}
+                             : Try{"header", toggleHeader(manuscript, selection), false, true};
+    case 10:
+        return {"width", setColumnWidth(manuscript, selection, double(below(3)) * 50), false, true};
+    case 11: {
+        constexpr std::array parts = {TablePart::cell, TablePart::row, TablePart::column,
+                                      TablePart::table};
+        return {"select", selectInTable(manuscript, selection, parts[below(4)]), false, true};
+    }
+    default:
+        return {"verbatim", makeVerbatim(manuscript, selection), false, true};
+    }
+}
+
 RandomAuthor::Try RandomAuthor::tryCommand(const Manuscript& manuscript, Selection selection) {
     const bool isRange = !selection.isEmpty();
     switch (below(14)) {
@@ -223,24 +288,8 @@ RandomAuthor::Try RandomAuthor::tryCommand(const Manuscript& manuscript, Selecti
             return {"type toggled", typeToggled(manuscript, selection, "a b", roles[below(3)])};
         return {"toggle", toggle(manuscript, selection, roles[below(3)]), false, true};
     }
-    case 12: {
-        const Direction side = below(2) == 0 ? Direction::forward : Direction::backward;
-        switch (below(6)) {
-        case 0:
-            return {"row", insertRow(manuscript, selection, side), false, true};
-        case 1:
-            return {"column", insertColumn(manuscript, selection, side), false, true};
-        case 2:
-            return below(2) == 0 ? Try{"remove row", removeRow(manuscript, selection), false}
-                                 : Try{"remove column", removeColumn(manuscript, selection), false};
-        case 3:
-            return {"cell", goToCell(manuscript, selection, side), false, true};
-        case 4:
-            return {"table", insertTable(manuscript, selection, 2, 2), false, true};
-        default:
-            return {"verbatim", makeVerbatim(manuscript, selection), false, true};
-        }
-    }
+    case 12:
+        return tryTable(manuscript, selection);
     case 13: {
         const std::vector<document::SubdocumentId> all = manuscript.document.subdocuments();
         if (all.empty())
@@ -344,8 +393,11 @@ std::string RandomAuthor::write(std::size_t count, const std::string& first) {
                    std::to_string(selection.caret) + ": " + what +
                    "\nbefore: " + withMarks(before, selection) + "\nafter: " + document.bytes();
         };
-        const std::string letters = lettersOf(document.tree(), 0, from) +
-                                    lettersOf(document.tree(), to, document.bytes().size());
+        const std::vector<NodeId> cells = selectedCells(manuscript, selection);
+        const std::string letters =
+            cells.empty() ? lettersOf(document.tree(), 0, from) +
+                                lettersOf(document.tree(), to, document.bytes().size())
+                          : lettersBeside(document.tree(), cells);
         const std::string all = lettersOf(document.tree(), 0, document.bytes().size());
         const std::size_t figures = figuresOf(document.tree());
         if (!step->edits.empty() &&

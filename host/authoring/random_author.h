@@ -40,6 +40,7 @@ private:
     std::string block(int depth);
     std::string list(int depth);
     std::string table(int depth);
+    std::string cell(const std::string& inside);
     std::string section(int depth);
     std::string animation();
     std::string gap();
@@ -52,6 +53,7 @@ private:
         bool keepsAll = false;    // those of the whole document
     };
     Try tryCommand(const Manuscript& manuscript, Selection selection);
+    Try tryTable(const Manuscript& manuscript, Selection selection);
     Selection randomSelection(const Manuscript& manuscript, Selection last);
 
     sgml::RandomDocument random_;

@@ -41,7 +41,7 @@ std::vector<Carets::Line> Carets::linesOn(std::size_t page) const {
     const Paragraph* last = nullptr;
     bool has = false;
     for (std::size_t i = 0; i < pieces.size(); ++i)
-        if (const auto* text = std::get_if<TextPiece>(&pieces[i])) {
+        if (const auto* text = std::get_if<TextPiece>(&pieces[i]); text && !text->isRepeated) {
             if (text->paragraph.get() != last)
                 has = hasPlaces(*text->paragraph);
             last = text->paragraph.get();
@@ -111,7 +111,8 @@ std::optional<Caret> Carets::caretIn(const Paragraph& paragraph, int letter,
         const std::vector<Piece>& pieces = pages_.pages[at]->pieces;
         for (std::size_t p = 0; p < pieces.size(); ++p)
             if (const auto* text = std::get_if<TextPiece>(&pieces[p]);
-                text && text->paragraph.get() == &paragraph && text->line == line)
+                text && !text->isRepeated && text->paragraph.get() == &paragraph &&
+                text->line == line)
                 return Caret{at, p, letter};
     }
     return std::nullopt;
@@ -129,7 +130,7 @@ std::optional<Caret> Carets::inContent(sgml::NodeId content, std::size_t place,
         const Paragraph* last = nullptr;
         for (const Piece& piece : pages_.pages[at]->pieces) {
             const auto* text = std::get_if<TextPiece>(&piece);
-            if (text == nullptr || text->paragraph.get() == last)
+            if (text == nullptr || text->isRepeated || text->paragraph.get() == last)
                 continue;
             last = text->paragraph.get();
             const std::vector<Run>& runs = last->block()->runs;

@@ -65,7 +65,7 @@ std::vector<Found> foundOn(const Page& page, std::size_t index, const Search& se
         return {};
     Finding finding(search);
     for (const Piece& piece : page.pieces)
-        if (const auto* text = std::get_if<TextPiece>(&piece))
+        if (const auto* text = std::get_if<TextPiece>(&piece); text && !text->isRepeated)
             finding.line(*text);
     for (Found& one : finding.found)
         one.page = index;

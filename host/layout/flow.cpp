@@ -274,8 +274,8 @@ void Flow::subdocument(const BlockPointer& block, Strip& strip) const {
         fitted(in_.stock.sizes().subdocument(block->subdocument), room(block), in_.pictureHeight);
     strip.height = size.height();
     strip.mayFloat = block->style.keepWithNext;
-    strip.pieces.emplace_back(
-        SubdocumentPiece{block->subdocument, {QPointF(aligned(block, size.width()), 0), size}});
+    strip.pieces.emplace_back(SubdocumentPiece{
+        block->subdocument, {QPointF(aligned(block, size.width()), 0), size}, block->style.align});
 }
 
 void Flow::image(const BlockPointer& block, Strip& strip) const {
@@ -291,8 +291,11 @@ void Flow::image(const BlockPointer& block, Strip& strip) const {
     strip.mayFloat = block->style.keepWithNext;
     const QString named = block->alternative.empty() ? QString::fromStdString(block->source)
                                                      : QString::fromStdString(block->alternative);
-    strip.pieces.emplace_back(
-        ImagePiece{block->source, {QPointF(aligned(block, size.width()), 0), size}, named});
+    strip.pieces.emplace_back(ImagePiece{block->source,
+                                         {QPointF(aligned(block, size.width()), 0), size},
+                                         named,
+                                         block->element,
+                                         block->style.align});
 }
 
 void Flow::rule(const BlockPointer& block, Strip& strip) const {
@@ -337,43 +340,85 @@ Widths widthsIn(const Surroundings& in, Columns& columns, const BlockPointer& po
     return widths;
 }
 
-// Of each column. Every column is measured by one of its cells at least.
-std::vector<Widths> wantedBy(const Surroundings& in, Columns& columns, double available) {
-    std::vector<Widths> wanted;
-    std::size_t letters = Flow::lettersForColumns;
-    for (const model::Row& row : columns.block->rows) {
-        wanted.resize(std::max(wanted.size(), row.size()));
-        for (std::size_t c = 0; c < row.size(); ++c) {
-            if (letters == 0 && wanted[c].natural > 0)
-                continue;
-            const double padding = fromPoints(row[c].style.padding);
-            std::size_t ofCell = Paragraph::segmentLength;
-            for (const auto& pointer : row[c].blocks) {
-                const model::Block& inside = *pointer;
-                const std::size_t before = ofCell;
-                if (before == 0)
-                    break;
-                const Widths widths = widthsIn(in, columns, pointer, available, ofCell);
-                letters -= std::min(letters, before - ofCell);
-                const double extra =
-                    2 * padding + fromPoints(inside.style.indentLeft) + fromPoints(0.5);
-                wanted[c].natural = std::max(wanted[c].natural, widths.natural + extra);
-                wanted[c].least = std::max(wanted[c].least, widths.least + extra);
-                if (widths.number > 0)
-                    wanted[c].number = std::max(wanted[c].number, widths.number + extra);
-            }
-        }
+// What a cell would like, with its padding.
+Widths widthsOf(const Surroundings& in, Columns& columns, const model::Cell& cell, double available,
+                std::size_t& letters) {
+    Widths wanted;
+    std::size_t ofCell = Paragraph::segmentLength;
+    for (const auto& pointer : cell.blocks) {
+        const std::size_t before = ofCell;
+        if (before == 0)
+            break;
+        const Widths widths = widthsIn(in, columns, pointer, available, ofCell);
+        letters -= std::min(letters, before - ofCell);
+        const double extra = 2 * fromPoints(cell.style.padding) +
+                             fromPoints(pointer->style.indentLeft) + fromPoints(0.5);
+        wanted.natural = std::max(wanted.natural, widths.natural + extra);
+        wanted.least = std::max(wanted.least, widths.least + extra);
+        if (widths.number > 0)
+            wanted.number = std::max(wanted.number, widths.number + extra);
     }
     return wanted;
 }
 
-// Columns as wide as their widest text where there is room; else each gets its longest word, and
-// they share what is left by how much more they would like. Where not even the words have room,
-// each gets its longest number before. LIMIT: numbers that have no room side by side are torn.
+// What a cell over several columns lacks, they share.
+void widen(std::vector<Widths>& wanted, const document::GridCell& place, const Widths& cell,
+           const std::vector<double>& fixed) {
+    double natural = 0, least = 0, free = 0;
+    for (std::size_t c = place.column; c <= place.lastColumn(); ++c) {
+        natural += wanted[c].natural;
+        least += wanted[c].least;
+        free += c < fixed.size() && fixed[c] > 0 ? 0 : 1;
+    }
+    for (std::size_t c = place.column; c <= place.lastColumn(); ++c) {
+        if (c < fixed.size() && fixed[c] > 0)
+            continue;
+        wanted[c].natural += std::max(0.0, cell.natural - natural) / free;
+        wanted[c].least += std::max(0.0, cell.least - least) / free;
+    }
+}
+
+// Of each column. Every column is measured by one of its cells at least.
+std::vector<Widths> wantedBy(const Surroundings& in, Columns& columns, double available) {
+    const model::Block& table = *columns.block;
+    std::vector<Widths> wanted(columns.grid.columns());
+    std::vector<std::pair<document::GridCell, Widths>> wide;
+    std::size_t letters = Flow::lettersForColumns;
+    for (std::size_t r = 0; r < table.rows.size(); ++r)
+        for (const document::GridCell& place : columns.grid.row(r)) {
+            Widths& column = wanted[place.column];
+            if (letters == 0 && column.natural > 0)
+                continue;
+            const Widths cell =
+                widthsOf(in, columns, table.rows[r][place.number], available, letters);
+            if (place.span.columns > 1) {
+                wide.emplace_back(place, cell);
+            } else {
+                column.natural = std::max(column.natural, cell.natural);
+                column.least = std::max(column.least, cell.least);
+                column.number = std::max(column.number, cell.number);
+            }
+        }
+    for (std::size_t c = 0; c < std::min(wanted.size(), table.columnWidths.size()); ++c)
+        if (const double fixed = fromPoints(table.columnWidths[c]); fixed > 0)
+            wanted[c].natural = wanted[c].least = wanted[c].number = fixed;
+    for (const auto& [place, cell] : wide)
+        widen(wanted, place, cell, table.columnWidths);
+    return wanted;
+}
+
+// Columns as wide as the author or their widest text wants where there is room; else each gets its
+// longest word, and they share what is left by how much more they would like. Where not even the
+// words have room, each gets its longest number before. LIMIT: numbers that have no room side by
+// side are torn.
 std::unique_ptr<Columns> columnsOf(const Surroundings& in, const BlockPointer& block,
                                    double available) {
     auto result = std::make_unique<Columns>();
     result->block = block;
+    result->grid = model::gridOf(*block);
+    for (std::size_t row = 0; row < block->rows.size(); row = result->grid.endOfBand(row))
+        result->bands.push_back(row);
+    result->bands.push_back(block->rows.size());
     const std::vector<Widths> wanted = wantedBy(in, *result, available);
     Widths all;
     for (const Widths& column : wanted) {
@@ -395,21 +440,54 @@ std::unique_ptr<Columns> columnsOf(const Surroundings& in, const BlockPointer& b
 
 } // namespace
 
-Made Flow::table(const BlockPointer& block, Strip& strip, bool& last) {
-    const std::size_t rows = block->rows.size();
-    if (!table_) {
-        table_ = std::make_unique<Table>();
-        table_->columns = in_.stock.columns(block, room(block),
-                                            [&] { return columnsOf(in_, block, room(block)); });
-        const auto& widths = table_->columns->widths;
-        table_->left = aligned(block, std::accumulate(widths.begin(), widths.end(), 0.0));
+void Flow::beginTable(const BlockPointer& block) {
+    table_ = std::make_unique<Table>();
+    table_->columns =
+        in_.stock.columns(block, room(block), [&] { return columnsOf(in_, block, room(block)); });
+    const auto& widths = table_->columns->widths;
+    table_->left = aligned(block, std::accumulate(widths.begin(), widths.end(), 0.0));
+    table_->header = headerOf(block);
+}
+
+std::shared_ptr<Cells> Flow::cellsOf(const BlockPointer& block, std::size_t band) const {
+    return std::make_shared<Cells>(in_, *block, *table_->columns, band, table_->left);
+}
+
+// Of a table that says which rows are repeated: what is text in them. LIMIT: a header that is
+// higher than a third of a page stands on the first page alone.
+std::shared_ptr<const Strip> Flow::headerOf(const BlockPointer& block) const {
+    constexpr double most = 1.0 / 3;
+    const std::vector<std::size_t>& bands = table_->columns->bands;
+    auto header = std::make_shared<Strip>();
+    for (std::size_t b = 0; b + 2 < bands.size() && bands[b + 1] <= block->headerRows; ++b) {
+        const std::shared_ptr<Cells> cells = cellsOf(block, b);
+        while (!cells->prepare())
+            continue;
+        if (!cells->fitsOnPage())
+            return nullptr;
+        const Strip row = cells->take(in_.pageHeight, true);
+        for (const Piece& piece : row.pieces) {
+            if (std::holds_alternative<SubdocumentPiece>(piece))
+                continue;
+            header->pieces.push_back(moved(piece, {0, header->height}));
+            if (auto* text = std::get_if<TextPiece>(&header->pieces.back()))
+                text->isRepeated = true;
+        }
+        header->height += row.height;
     }
-    const std::size_t row = made_;
-    if (row >= rows)
+    const bool isUseful = header->height > 0 && header->height <= most * in_.pageHeight;
+    return isUseful ? header : nullptr;
+}
+
+Made Flow::table(const BlockPointer& block, Strip& strip, bool& last) {
+    if (!table_)
+        beginTable(block);
+    const std::vector<std::size_t>& bands = table_->columns->bands;
+    const std::size_t band = made_, count = bands.size() - 1;
+    if (band >= count)
         return Made::end;
     if (!table_->cells)
-        table_->cells =
-            std::make_shared<Cells>(in_, block->rows[row], table_->columns->widths, table_->left);
+        table_->cells = cellsOf(block, band);
     if (!table_->cells->prepare())
         return Made::pause;
     if (table_->cells->fitsOnPage())
@@ -418,9 +496,13 @@ Made Flow::table(const BlockPointer& block, Strip& strip, bool& last) {
         strip.cells = std::move(table_->cells);
     table_->cells.reset();
     strip.columns = table_->columns;
-    last = row + 1 == rows;
-    // Neither the first nor the last row of a table stands alone.
-    strip.keepWithNext = !last && (row == 0 || row + 2 == rows);
+    strip.left = table_->left;
+    const bool isHeader = bands[band + 1] <= block->headerRows;
+    if (!isHeader)
+        strip.header = table_->header;
+    last = band + 1 == count;
+    // Neither the first nor the last row of a table stands alone, nor its header.
+    strip.keepWithNext = !last && (band == 0 || band + 2 == count || isHeader);
     return Made::strip;
 }
 

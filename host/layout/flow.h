@@ -49,7 +49,8 @@ private:
     struct Table {
         std::shared_ptr<const Columns> columns;
         double left = 0;
-        std::shared_ptr<Cells> cells; // of the row that is being made
+        std::shared_ptr<const Strip> header{}; // that is repeated
+        std::shared_ptr<Cells> cells{};        // of the rows that are being made
     };
     [[nodiscard]] Made inBlock(const BlockPointer& block, Strip& strip, bool& last);
     void finish(const BlockPointer& block, Strip& strip, bool last);
@@ -62,6 +63,9 @@ private:
     void image(const BlockPointer& block, Strip& strip) const;
     void rule(const BlockPointer& block, Strip& strip) const;
     [[nodiscard]] Made contents(const BlockPointer& block, Strip& strip, bool& last);
+    void beginTable(const BlockPointer& block);
+    [[nodiscard]] std::shared_ptr<Cells> cellsOf(const BlockPointer& block, std::size_t band) const;
+    [[nodiscard]] std::shared_ptr<const Strip> headerOf(const BlockPointer& block) const;
     [[nodiscard]] Made table(const BlockPointer& block, Strip& strip, bool& last);
     [[nodiscard]] double left(const BlockPointer& block) const;
     [[nodiscard]] double room(const BlockPointer& block) const;

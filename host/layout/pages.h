@@ -31,6 +31,14 @@ struct PlacedObject {
     std::string image{}; // its source
     QRectF rect;
     const model::Block* block = nullptr; // of the model, that it or its mark is in; to compare
+    sgml::NodeId element = sgml::noNode; // of an image
+    schemas::Align align = schemas::Align::left;
+};
+
+// Rows of a table that stand on a page, one below the other.
+struct PlacedRows {
+    std::shared_ptr<const Columns> columns;
+    double left = 0, top = 0, bottom = 0;
 };
 
 // Knows nothing of other pages, nor how many there are before it.
@@ -39,7 +47,7 @@ struct Page {
     std::vector<PlacedObject> objects;
     std::vector<Heading> headings;
     std::vector<std::pair<std::string, double>> anchors; // and the height on it
-    std::vector<std::shared_ptr<const Columns>> columns; // of the tables on it, for other layouts
+    std::vector<PlacedRows> tables;                      // LIMIT: not those in cells
     bool hasPageNumbers = false; // of other pages: it looks otherwise when these change
 };
 

@@ -262,6 +262,7 @@ void Paginator::placeStrip(const Strip& strip) {
         return placeCells(strip);
     while (!fits(strip) && !isFresh())
         newPage(PageStart::Next::within);
+    repeatHeader(strip);
     filling_.y += gapBefore(strip);
     put(strip, strip.firstOfBlock, strip.lastOfBlock);
 }
@@ -271,6 +272,7 @@ void Paginator::placeCells(const Strip& strip) {
     Cells& cells = *strip.cells;
     bool begun = false;
     while (!cells.isTaken()) {
+        repeatHeader(strip);
         const double gap = begun ? 0 : gapBefore(strip);
         Strip part = cells.take(roomBelow() - gap, isFresh());
         if (part.height > 0 || cells.isTaken()) {
@@ -278,6 +280,7 @@ void Paginator::placeCells(const Strip& strip) {
             part.block = strip.block;
             part.after = strip.after;
             part.columns = strip.columns;
+            part.left = strip.left;
             put(part, strip.firstOfBlock && !begun, strip.lastOfBlock && cells.isTaken());
             begun = true;
         }
@@ -294,15 +297,34 @@ void Paginator::put(const Strip& strip, bool first, bool last) {
     const model::Block* block = basis_->model->blocks[strip.block].get();
     for (const Piece& piece : strip.pieces)
         put(moved(piece, {area_.left, filling_.y}), block);
-    auto& columns = filling_.page->columns;
-    if (strip.columns && (columns.empty() || columns.back() != strip.columns))
-        columns.push_back(strip.columns);
+    if (strip.columns)
+        rememberRows(strip);
     filling_.placed.push_back({strip.block, first, last, filling_.y, filling_.y + strip.height});
     filling_.y += strip.height;
     filling_.after = strip.after;
     for (const Notes::Pointer& note : strip.footnotes)
         notes_.mark(note, block);
     fillNotes(false);
+}
+
+void Paginator::rememberRows(const Strip& strip) {
+    auto& tables = filling_.page->tables;
+    if (tables.empty() || tables.back().columns != strip.columns)
+        tables.push_back({strip.columns, area_.left + strip.left, filling_.y, 0});
+    tables.back().bottom = filling_.y + strip.height;
+}
+
+// The header of a table that goes on on this page, where there is room for it and the strip.
+void Paginator::repeatHeader(const Strip& strip) {
+    if (!strip.header || filling_.y > area_.top ||
+        (!strip.cells && strip.header->height + strip.height > roomBelow()))
+        return;
+    for (const Piece& piece : strip.header->pieces)
+        put(moved(piece, {area_.left, filling_.y}), nullptr);
+    filling_.placed.push_back(
+        {strip.block, false, false, filling_.y, filling_.y + strip.header->height});
+    filling_.y += strip.header->height;
+    filling_.top = filling_.y;
 }
 
 // What refers to places: the outline and the anchors.
@@ -324,12 +346,13 @@ void Paginator::remember(const Strip& strip) {
 
 void Paginator::put(const Piece& piece, const model::Block* block) {
     if (const auto* placed = std::get_if<SubdocumentPiece>(&piece))
-        filling_.page->objects.push_back({placed->subdocument, {}, placed->rect, block});
+        filling_.page->objects.push_back(
+            {placed->subdocument, {}, placed->rect, block, sgml::noNode, placed->align});
     else if (std::holds_alternative<PageNumberPiece>(piece))
         filling_.page->hasPageNumbers = true;
     else if (const auto* image = std::get_if<ImagePiece>(&piece))
-        filling_.page->objects.push_back(
-            {document::noSubdocument, image->source, image->rect, block});
+        filling_.page->objects.push_back({document::noSubdocument, image->source, image->rect,
+                                          block, image->element, image->align});
     filling_.page->pieces.push_back(piece);
 }
 
@@ -363,7 +386,7 @@ void Paginator::newPage(PageStart::Next next) {
 
 void Paginator::beginPage(const PageStart& start) {
     basis_->starts.push_back(start);
-    filling_ = {std::make_shared<Page>(), {}, area_.top, 0};
+    filling_ = {std::make_shared<Page>(), {}, area_.top, 0, area_.top};
     ++pages_.work.pages;
 }
 

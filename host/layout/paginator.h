@@ -22,6 +22,7 @@ private:
         std::shared_ptr<Page> page;
         std::vector<Placed> placed;
         double y = 0, after = 0;
+        double top = 0; // below a header that is repeated
     };
 
     void follow(const OldPages::Part& part);
@@ -39,13 +40,15 @@ private:
         return fits(gapBefore(strip) + strip.height, strip.footnotes);
     }
     [[nodiscard]] double roomBelow() const;
-    [[nodiscard]] bool atTop() const { return filling_.y == area_.top; }
+    [[nodiscard]] bool atTop() const { return filling_.y == filling_.top; }
     [[nodiscard]] bool isFresh() const { return atTop() && notes_.isEmpty(); }
 
     void placeFloats();
     void placeStrip(const Strip& strip);
     void placeCells(const Strip& strip);
     void remember(const Strip& strip);
+    void rememberRows(const Strip& strip);
+    void repeatHeader(const Strip& strip);
     void put(const Strip& strip, bool first, bool last);
     void put(const Piece& piece, const model::Block* block);
     void fillNotes(bool forced);

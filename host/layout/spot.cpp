@@ -25,7 +25,7 @@ std::optional<PlaceOnPage> nearest(const Pages& pages, std::size_t from, Look lo
 std::optional<Spot> spotAt(const Pages& pages, PlaceOnPage place) {
     for (std::size_t i = place.page; i < pages.pages.size(); ++i, place.y = 0)
         for (const Piece& piece : pages.pages[i]->pieces)
-            if (const auto* text = std::get_if<TextPiece>(&piece)) {
+            if (const auto* text = std::get_if<TextPiece>(&piece); text && !text->isRepeated) {
                 const Paragraph::Line& line = text->letters();
                 if (text->at.y() + line.height > place.y && i == place.page)
                     return Spot{text->paragraph->block(), line.from, place.y - text->at.y()};
@@ -49,7 +49,7 @@ template <class Is>
 std::optional<PlaceOnPage> find(const Pages& pages, const Spot& spot, std::size_t from, Is is) {
     return nearest(pages, from, [&](const Page& page) -> std::optional<double> {
         for (const Piece& piece : page.pieces)
-            if (const auto* text = std::get_if<TextPiece>(&piece)) {
+            if (const auto* text = std::get_if<TextPiece>(&piece); text && !text->isRepeated) {
                 const Paragraph::Line& line = text->letters();
                 const bool isLast = text->paragraph->lines().back().to == line.to;
                 if (line.from <= spot.letter && (line.to > spot.letter || isLast) &&

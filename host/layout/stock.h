@@ -29,6 +29,8 @@ struct Columns {
     std::vector<std::shared_ptr<const Measured>> cells{}; // for tables to come
     std::vector<double> widths;
     std::vector<std::optional<double>> points{}; // of columns of numbers, from the left of the cell
+    document::TableGrid grid{};
+    std::vector<std::size_t> bands{}; // the first row of each, and behind the last
     std::vector<std::pair<document::SubdocumentId, QSizeF>> sizes; // that were asked for
 
     [[nodiscard]] bool isOf(Sizes& sizesNow) const;

@@ -13,7 +13,8 @@ namespace layout {
 struct TextPiece {
     std::shared_ptr<const Paragraph> paragraph;
     int line = 0;
-    QPointF at; // its top left
+    QPointF at;              // its top left
+    bool isRepeated = false; // of a table's header, on a later page: it has no places of its own
     [[nodiscard]] const Paragraph::Line& letters() const {
         return paragraph->lines()[static_cast<std::size_t>(line)];
     }
@@ -21,11 +22,14 @@ struct TextPiece {
 struct SubdocumentPiece {
     document::SubdocumentId subdocument = document::noSubdocument;
     QRectF rect;
+    schemas::Align align = schemas::Align::left; // in its room
 };
 struct ImagePiece {
     std::string source; // as Objects::imageSize was asked
     QRectF rect;
     QString alternative; // shown when there is no picture
+    sgml::NodeId element = sgml::noNode;
+    schemas::Align align = schemas::Align::left; // in its room
 };
 // Filled, and with those of its sides stroked that the border has.
 struct FramePiece {
@@ -60,6 +64,8 @@ struct Strip {
     std::vector<std::shared_ptr<const model::Footnote>> footnotes;
     std::shared_ptr<Cells> cells; // instead of pieces: too tall for a page; taken in parts
     std::shared_ptr<const Columns> columns; // of a table's row
+    double left = 0;                        // of these
+    std::shared_ptr<const Strip> header;    // of a table: above this at the top of a page
 };
 
 } // namespace layout

@@ -253,12 +253,18 @@ private:
         return "<a href=\"" + escapedHtml(run.target) + "\">" + text + "</a>";
     }
 
+    static std::string spanned(const std::string& attribute, std::size_t count) {
+        return count == 1 ? "" : " " + attribute + "=\"" + std::to_string(count) + '"';
+    }
+
     std::string table(const Block& of) {
         std::string result = "<table>\n";
         for (const Row& row : of.rows) {
             result += "<tr>";
             for (const Cell& cell : row)
-                result += "<td>" + blocks(cell.blocks, cell.containers) + "</td>";
+                result += "<td" + spanned("colspan", cell.span.columns) +
+                          spanned("rowspan", cell.span.rows) + ">" +
+                          blocks(cell.blocks, cell.containers) + "</td>";
             result += "</tr>\n";
         }
         return result + "</table>\n";

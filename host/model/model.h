@@ -9,6 +9,7 @@
 #pragma once
 
 #include "document/subdocument.h"
+#include "document/table_grid.h"
 #include "formulas/formula.h"
 #include "schemas/style.h"
 
@@ -106,10 +107,12 @@ struct Block {
     int headingLevel = 0;             // 1..: an entry of the outline; 0: none
     std::vector<std::string> anchors; // IDs that references lead to, "#" not included
     document::SubdocumentId subdocument = document::noSubdocument;
-    std::string source;                                          // image: its file, as written
-    std::optional<double> width, height;                         // image, chart: 1/96 inch
-    std::string alternative;                                     // image: ALT
-    std::vector<Row> rows;                                       // table
+    std::string source;                  // image: its file, as written
+    std::optional<double> width, height; // image, chart: 1/96 inch
+    std::string alternative;             // image: ALT
+    std::vector<Row> rows;               // table
+    std::size_t headerRows = 0;          // so many of the first rows stand on each of its pages
+    std::vector<double> columnWidths;    // in points, as the author wants them; 0: by the content
     schemas::ContainerRole lists = schemas::ContainerRole::none; // contents: of what
     Blocks entries; // contents: a block each; its run's target is what the entry leads to
 };
@@ -119,6 +122,7 @@ struct Cell {
     schemas::BlockStyle style; // border, background, padding, align
     Blocks blocks;
     Containers containers{};
+    document::Span span{};
 };
 
 struct Footnote {
@@ -155,6 +159,9 @@ struct Model {
     std::vector<std::shared_ptr<const Footnote>> footnotes; // in order of their marks
     std::string title;                                      // of the window and of the PDF
 };
+
+// Where the cells of a table stand.
+[[nodiscard]] document::TableGrid gridOf(const Block& table);
 
 [[nodiscard]] Model buildModel(const document::Document& document,
                                const schemas::Presentation& presentation,

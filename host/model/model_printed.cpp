@@ -72,7 +72,11 @@ void print(const Block& block, const Model& model, const std::string& indent, st
     for (const Row& row : block.rows) {
         lines += indent + "  row\n";
         for (const Cell& cell : row) {
-            lines += indent + "    cell\n";
+            lines += indent + "    cell";
+            if (cell.span != document::Span{})
+                lines +=
+                    " " + std::to_string(cell.span.columns) + "x" + std::to_string(cell.span.rows);
+            lines += '\n';
             print(cell.blocks, model, indent + "      ", lines);
             print(cell.containers, indent + "      ", lines);
         }

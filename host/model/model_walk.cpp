@@ -370,14 +370,40 @@ void ModelWalk::endVerbatim() {
 }
 
 // Blocks in a table that are no rows, such as its caption, stand before or behind it.
+document::TableGrid gridOf(const Block& table) {
+    std::vector<std::vector<document::Span>> spans;
+    spans.reserve(table.rows.size());
+    for (const Row& row : table.rows) {
+        std::vector<document::Span>& of = spans.emplace_back();
+        of.reserve(row.size());
+        for (const Cell& cell : row)
+            of.push_back(cell.span);
+    }
+    return document::TableGrid(spans);
+}
+
 bool ModelWalk::beginTable(Frame& frame) {
     beginBlock(frame);
     if (tables_ >= deepestTable)
         return true;
     ++tables_;
     frame.role = Role::table;
+    frame.columnWidths = columnWidths(frame.node);
     frame.boxed = false;
     return true;
+}
+
+// `WIDTHS="30mm auto"`: what is no length is automatic.
+std::vector<double> ModelWalk::columnWidths(NodeId table) const {
+    std::vector<double> widths;
+    std::string_view rest = tree_.attribute(table, "WIDTHS").value_or("");
+    while (!rest.empty() && widths.size() < mostWidths) {
+        const std::size_t end = std::min(rest.find(' '), rest.size());
+        if (end > 0)
+            widths.push_back(std::max(0.0, schemas::lengthOf(rest.substr(0, end)).value_or(0)));
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return widths;
 }
 
 bool ModelWalk::beginRow(Frame& frame) {
@@ -386,12 +412,14 @@ bool ModelWalk::beginRow(Frame& frame) {
         return beginBlock(frame);
     if (table.table == none || table.table + 1 != flow_.out->size()) {
         closeText();
-        addBlock(BlockKind::table);
+        addBlock(BlockKind::table).columnWidths = table.columnWidths;
         table.table = flow_.out->size() - 1;
     }
     frame.role = Role::row;
     frame.outer = flow_;
     std::vector<Row>& rows = flow_.last->rows; // of the table's block
+    if (frame.style.repeat && flow_.last->headerRows == rows.size())
+        ++flow_.last->headerRows;
     rows.emplace_back();
     flow_ = {};
     flow_.rows = &rows;
@@ -408,6 +436,8 @@ bool ModelWalk::beginCell(Frame& frame) {
     flow_.open = false;
     frame.outer = flow_;
     enterCell(frame.style.block, frame.node);
+    flow_.rows->back().back().span = {document::spannedBy(tree_.attribute(frame.node, "COLUMNS")),
+                                      document::spannedBy(tree_.attribute(frame.node, "ROWS"))};
     frame.indentLeft = frame.indentRight = 0;
     return true;
 }

@@ -66,6 +66,7 @@ public:
         std::array<int, 8> levels{};             // of each ContainerRole, here
         std::size_t together = none;             // the first block of what is kept together here
         std::size_t table = none;                // role table: its block in the flow
+        std::vector<double> columnWidths{};      // role table
         std::set<std::string, std::less<>> seen; // names of the children so far
         Flow outer;                              // roles row, cell, footnote: to go back to
         bool operator==(const Frame&) const = default;
@@ -125,6 +126,8 @@ public:
 
     // LIMIT: no checkpoint is made inside so many elements.
     static constexpr std::size_t deepestRest = 48;
+    // LIMIT: of a table's columns so many have widths of their own.
+    static constexpr std::size_t mostWidths = 1000;
 
 private:
     // the walk
@@ -151,6 +154,7 @@ private:
     void endVerbatim();
     bool beginTable(Frame& frame);
     bool beginRow(Frame& frame);
+    [[nodiscard]] std::vector<double> columnWidths(sgml::NodeId table) const;
     bool beginCell(Frame& frame);
     bool beginFootnote(Frame& frame);
     bool beginUnknown(Frame& frame);

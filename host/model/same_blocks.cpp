@@ -17,9 +17,9 @@ bool isEqual(const std::shared_ptr<const Block>& a, const std::shared_ptr<const 
 }
 
 bool isEqual(const Cell& a, const Cell& b) {
-    const auto& [element, style, blocks, containers] = a;
+    const auto& [element, style, blocks, containers, span] = a;
     return element == b.element && style == b.style && containers == b.containers &&
-           areEqual(blocks, b.blocks);
+           span == b.span && areEqual(blocks, b.blocks);
 }
 
 bool isEqual(const Row& a, const Row& b) { return areEqual(a, b); }
@@ -56,13 +56,15 @@ template <class T> bool areEqual(const std::vector<T>& a, const std::vector<T>& 
 
 bool isEqual(const Block& a, const Block& b) {
     const auto& [kind, element, style, marker, markerStyle, runs, textStyle, headingLevel, anchors,
-                 subdocument, source, width, height, alternative, rows, lists, entries] = a;
+                 subdocument, source, width, height, alternative, rows, headerRows, columnWidths,
+                 lists, entries] = a;
     return std::tie(kind, element, style, marker, markerStyle, textStyle, headingLevel, anchors,
                     subdocument, source, width, height, alternative,
                     lists) == std::tie(b.kind, b.element, b.style, b.marker, b.markerStyle,
                                        b.textStyle, b.headingLevel, b.anchors, b.subdocument,
                                        b.source, b.width, b.height, b.alternative, b.lists) &&
-           areEqual(runs, b.runs) && areEqual(rows, b.rows) && areEqual(entries, b.entries);
+           headerRows == b.headerRows && columnWidths == b.columnWidths && areEqual(runs, b.runs) &&
+           areEqual(rows, b.rows) && areEqual(entries, b.entries);
 }
 
 namespace {

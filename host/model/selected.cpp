@@ -161,6 +161,7 @@ private:
                 Cell& out = cells.emplace_back();
                 out.element = cell.element;
                 out.style = cell.style;
+                out.span = cell.span;
                 cut(cell.blocks, cell.containers, out.blocks, out.containers);
                 isIn = isIn || !out.blocks.empty();
             }

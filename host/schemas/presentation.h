@@ -60,6 +60,7 @@ struct ElementStyle {
     ContainerRole role = ContainerRole::none;
     bool title = false;                           // its text is the document's title
     ContainerRole lists = ContainerRole::heading; // `display: contents`: of what
+    bool repeat = false; // a row: stands again at the top of each page that its table goes on on
     bool operator==(const ElementStyle&) const = default;
 };
 
@@ -137,6 +138,8 @@ private:
 // Each puts one property into a style; "" or what is wrong with it.
 [[nodiscard]] std::string applyProperty(ElementStyle& style, const Property& property,
                                         const ElementStyle& outer);
+// In points: "12mm", with a unit (pt, mm, cm, in, px).
+[[nodiscard]] std::optional<double> lengthOf(std::string_view text);
 [[nodiscard]] std::string applyPageProperty(PageStyle& page, const Property& property);
 
 } // namespace schemas

@@ -332,6 +332,7 @@ const std::map<std::string_view, StyleSetter>& styleSetters() {
         {"role", [](E& e, const Words& w, const E&) { return setRole(e.role, w); }},
         {"lists", [](E& e, const Words& w, const E&) { return setLists(e.lists, w); }},
         {"title", [](E& e, const Words& w, const E&) { return setFlag(e.title, w); }},
+        {"repeat", [](E& e, const Words& w, const E&) { return setFlag(e.repeat, w); }},
     };
     return setters;
 }
@@ -419,6 +420,10 @@ std::string applyProperty(ElementStyle& style, const Property& property,
     const auto setter = styleSetters().find(property.name);
     return setter == styleSetters().end() ? "no such property"
                                           : setter->second(style, property.words, outer);
+}
+
+std::optional<double> lengthOf(std::string_view text) {
+    return length({.text = std::string(text)});
 }
 
 std::string applyPageProperty(PageStyle& page, const Property& property) {

@@ -15,5 +15,9 @@ inline constexpr auto fragmentFormat = "application/x-ensemble-fragment";
 // What is in an interval of the document's bytes.
 [[nodiscard]] std::unique_ptr<QMimeData> copied(const document::Document& document,
                                                 const model::Model& model, text::Range interval);
+// The same of cells of one table, row by row.
+[[nodiscard]] std::unique_ptr<QMimeData> copied(const document::Document& document,
+                                                const model::Model& model,
+                                                const std::vector<sgml::NodeId>& cells);
 
 } // namespace view

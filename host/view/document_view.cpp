@@ -420,6 +420,7 @@ void DocumentView::paintEvent(QPaintEvent* event) {
         if (shown.rendition)
             shown.rendition->painted();
     }
+    writing_->gestures().paint(painter);
 }
 
 // The picture of a file as far as it is decoded; it is painted again when there is more of it.

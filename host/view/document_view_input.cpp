@@ -62,7 +62,8 @@ bool DocumentView::event(QEvent* event) {
         }
     }
     if (event->type() == QEvent::ShortcutOverride && !chosen_ && isWriting() &&
-        Writing::isForText(*static_cast<QKeyEvent*>(event))) {
+        (Writing::isForText(*static_cast<QKeyEvent*>(event)) ||
+         writing_->movesInTable(*static_cast<QKeyEvent*>(event)))) {
         event->accept();
         return true;
     }
@@ -82,6 +83,8 @@ bool DocumentView::viewportEvent(QEvent* event) {
 void DocumentView::mousePressEvent(QMouseEvent* event) {
     pressedAt_ = event->position();
     wasDragged_ = false;
+    if (event->button() == Qt::LeftButton && writing_->gestures().press(event->position()))
+        return;
     Shown* shown = shownAt(event->position());
     choose(shown ? shown->id : document::noSubdocument);
     if (!shown) {
@@ -104,6 +107,8 @@ void DocumentView::mousePressEvent(QMouseEvent* event) {
 }
 
 void DocumentView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && writing_->gestures().pressTwice(event->position()))
+        return;
     if (event->button() != Qt::LeftButton || shownAt(event->position()))
         return mousePressEvent(event);
     wasDragged_ = true; // no click on a link
@@ -117,7 +122,7 @@ void DocumentView::mouseDoubleClickEvent(QMouseEvent* event) {
 void DocumentView::mouseMoveEvent(QMouseEvent* event) {
     constexpr double dragLength = 4;
     wasDragged_ |= (event->position() - pressedAt_).manhattanLength() > dragLength;
-    if (drag_->move(*event))
+    if (writing_->gestures().drag(event->position()) || drag_->move(*event))
         return;
     if (text_->isDragging()) {
         if (wasDragged_)
@@ -138,7 +143,8 @@ void DocumentView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void DocumentView::mouseReleaseEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton && drag_->release(*event))
+    if (event->button() == Qt::LeftButton &&
+        (writing_->gestures().release() || drag_->release(*event)))
         return;
     const auto held = shown_.find(grabbed_);
     if (held != shown_.end() && held->second.rendition) {
@@ -148,6 +154,8 @@ void DocumentView::mouseReleaseEvent(QMouseEvent* event) {
             !(event->modifiers() & Qt::ShiftModifier))
             Q_EMIT contextMenuWanted(grabbed_, event->globalPosition().toPoint());
     } else if (event->button() == Qt::RightButton && !wasDragged_) {
+        if (isWriting())
+            writing_->goTo(event->position());
         Q_EMIT textMenuWanted(event->globalPosition().toPoint());
     } else if (event->button() == Qt::LeftButton && !wasDragged_ && !text_->cursor().selects() &&
                (!isWriting() || (event->modifiers() & Qt::ControlModifier))) {
@@ -207,6 +215,8 @@ void DocumentView::wheelEvent(QWheelEvent* event) {
 }
 
 void DocumentView::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape && writing_->gestures().cancel())
+        return;
     const media::LiveSubdocument* live = document_.live(chosen_);
     const bool isHeard = live && live->condition() == media::Condition::live;
     if (chosen_ && event->key() == Qt::Key_Escape && !grabbed_) // else what is dragged is given up
@@ -424,7 +434,9 @@ void DocumentView::updatePlayBar() {
 
 void DocumentView::updateCursor(QPointF point) {
     Shown* shown = shownAt(point);
-    if (shown && shown->rendition && (shown->id == chosen_ || shown->id == grabbed_))
+    if (const auto cursor = writing_->gestures().cursorAt(point))
+        viewport()->setCursor(*cursor);
+    else if (shown && shown->rendition && (shown->id == chosen_ || shown->id == grabbed_))
         viewport()->setCursor(cursorOf(shown->rendition->cursor()));
     else if (!shown && linkAt(point))
         viewport()->setCursor(Qt::PointingHandCursor);

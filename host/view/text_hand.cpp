@@ -1,7 +1,9 @@
 #include "view/text_hand.h"
 
+#include "authoring/table_nodes.h"
 #include "view/copying.h"
 #include "view/document_view.h"
+#include "view/writing.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -130,7 +132,7 @@ bool TextHand::isSelected(QPointF point) const {
     if (!cursor_.selects() || view_.pages().pages.empty())
         return false;
     const auto [page, on] = view_.pagePointAt(point);
-    const std::vector<QRectF> selected = carets().selected(page, cursor_.interval());
+    const std::vector<QRectF> selected = selectedOn(page);
     return std::ranges::any_of(selected, [&](const QRectF& rect) { return rect.contains(on); });
 }
 
@@ -197,13 +199,37 @@ void TextHand::selectAll() {
     publish();
 }
 
+std::vector<sgml::NodeId> TextHand::selectedCells() const {
+    const std::optional<document::Selection> selection = cursor_.selection();
+    if (!selection || selection->isEmpty())
+        return {};
+    return authoring::selectedCells(view_.writing().manuscript(), *selection);
+}
+
+std::vector<QRectF> TextHand::selectedOn(std::size_t page) const {
+    const std::vector<sgml::NodeId> cells = selectedCells();
+    if (cells.empty())
+        return carets().selected(page, cursor_.interval());
+    std::vector<QRectF> all;
+    const layout::Carets places = carets();
+    for (const sgml::NodeId cell : cells) {
+        const std::vector<QRectF> one =
+            places.selected(page, view_.document().document().tree().node(cell).range);
+        all.insert(all.end(), one.begin(), one.end());
+    }
+    return all;
+}
+
 // --- the clipboard -----------------------------------------------------------------------------
 
 std::unique_ptr<QMimeData> TextHand::copied() const {
     const std::shared_ptr<const model::Model> model = view_.model();
     if (!cursor_.selects() || !model)
         return nullptr;
-    return view::copied(view_.document().document(), *model, cursor_.interval());
+    const std::vector<sgml::NodeId> cells = selectedCells();
+    const document::Document& document = view_.document().document();
+    return cells.empty() ? view::copied(document, *model, cursor_.interval())
+                         : view::copied(document, *model, cells);
 }
 
 bool TextHand::copy() const {
@@ -237,7 +263,7 @@ void TextHand::paintSelection(QPainter& painter, std::size_t page) const {
     if (!cursor_.selects())
         return;
     const QColor color = tint();
-    for (const QRectF& rect : carets().selected(page, cursor_.interval()))
+    for (const QRectF& rect : selectedOn(page))
         painter.fillRect(rect, color);
 }
 
@@ -290,13 +316,12 @@ QRegion TextHand::region() const {
         add(*caret);
     if (!cursor_.selects())
         return result;
-    const layout::Carets all = carets();
     const QRectF seen = view_.viewport()->rect();
     for (std::size_t page = view_.pagePointAt(seen.topLeft()).first;
          page < view_.pages().pages.size() &&
          view_.inViewport(page, {QPointF(), view_.pages().size}).top() < seen.bottom();
          ++page)
-        for (const QRectF& rect : all.selected(page, cursor_.interval()))
+        for (const QRectF& rect : selectedOn(page))
             add(view_.inViewport(page, rect));
     for (const document::SubdocumentId id : view_.visibleSubdocuments())
         add(view_.placeOf(id));

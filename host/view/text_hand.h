@@ -56,6 +56,9 @@ public:
 
 private:
     [[nodiscard]] layout::Carets carets() const;
+    // What is selected on a page, in twips: text, or whole cells of a table.
+    [[nodiscard]] std::vector<QRectF> selectedOn(std::size_t page) const;
+    [[nodiscard]] std::vector<sgml::NodeId> selectedCells() const;
     void begin(QPointF point, TextCursor::Unit unit, bool extend);
     void scrollOn();
     void movePage(int by, bool extend);

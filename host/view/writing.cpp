@@ -1,8 +1,10 @@
 #include "view/writing.h"
 
+#include "authoring/table_nodes.h"
 #include "view/copying.h"
 #include "view/document_view.h"
 #include "view/pasted_html.h"
+#include "view/resizing.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -36,17 +38,19 @@ bool isMoving(int key) { return (key >= Qt::Key_Home && key <= Qt::Key_PageDown)
 } // namespace
 
 Writing::Writing(DocumentView& view, TextHand& hand)
-    : view_(view), hand_(hand), grammars_(view.document().schemas()) {
+    : view_(view), hand_(hand), grammars_(view.document().schemas()), gestures_(view) {
     connect(&hand_.cursor(), &TextCursor::changed, this, [this] {
         next_ = schemas::ContainerRole::none;
         if (on_)
             blink();
+        gestures_.selectionChanged();
     });
     connect(&view_, &DocumentView::laidOut, this, [this] {
         if (!std::exchange(wantsCaret_, wantsCaret_ && !view_.isLaidOut()))
             return;
         hand_.showCaret();
     });
+    connect(&view_, &DocumentView::chosenChanged, this, [this] { gestures_.selectionChanged(); });
     // In the view that has the keys; other views of the document keep their places.
     connect(&view_.document().document(), &document::Document::selectionRestored, this,
             [this](const document::Selection& selection) {
@@ -225,6 +229,21 @@ void Writing::type(const QString& text) {
     });
 }
 
+void Writing::goTo(QPointF point) {
+    if (const sgml::NodeId image = imageAt(view_, point); image != sgml::noNode)
+        return selectImage(view_, image);
+    if (hand_.isSelected(point))
+        return;
+    if (const std::optional<layout::Caret> caret = hand_.caretAt(point))
+        hand_.moveTo(*caret);
+}
+
+bool Writing::movesInTable(const QKeyEvent& event) const {
+    const bool isArrow = event.key() >= Qt::Key_Left && event.key() <= Qt::Key_Down;
+    return isArrow && event.modifiers() == Qt::AltModifier && selection() &&
+           authoring::tableAround(manuscript(), *selection());
+}
+
 bool Writing::isForText(const QKeyEvent& event) {
     const bool isCommand = event.modifiers() & (Qt::AltModifier | Qt::MetaModifier); // Alt+Left
     return isPrintable(event) || (!isCommand && (isEditing(event.key()) || isMoving(event.key())));
@@ -238,6 +257,15 @@ bool Writing::useKey(const QKeyEvent& event) {
             return authoring::erase(in, at, direction, unit);
         });
     };
+    if (movesInTable(event)) {
+        const bool isRow = event.key() == Qt::Key_Up || event.key() == Qt::Key_Down;
+        const bool isBack = event.key() == Qt::Key_Up || event.key() == Qt::Key_Left;
+        perform([&](const authoring::Manuscript& in, authoring::Selection at) {
+            const Direction to = isBack ? Direction::backward : Direction::forward;
+            return isRow ? authoring::moveRow(in, at, to) : authoring::moveColumn(in, at, to);
+        });
+        return true;
+    }
     switch (event.key()) {
     case Qt::Key_Backspace:
         erase(Direction::backward);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "authoring/authoring.h"
+#include "view/gestures.h"
 #include "view/text_hand.h"
 
 #include <QBasicTimer>
@@ -43,6 +44,10 @@ public:
     [[nodiscard]] QString whyNotToggled(schemas::ContainerRole role) const;
     // The same, and the view stays where it is.
     bool change(const Command& command);
+    // The caret, or the image there, unless what is there is selected.
+    void goTo(QPointF point);
+    [[nodiscard]] bool movesInTable(const QKeyEvent& event) const; // rows and columns: Alt, arrows
+    [[nodiscard]] Gestures& gestures() { return gestures_; }
 
     // What commands take: the document with its grammars, and where the selection is; nothing
     // where no caret is in the text.
@@ -81,6 +86,7 @@ private:
     QString composed_;        // not typed yet
     bool wantsCaret_ = false; // to be seen, as soon as its page is there
     schemas::ContainerRole next_ = schemas::ContainerRole::none; // toggled for what is typed next
+    Gestures gestures_;
 };
 
 } // namespace view

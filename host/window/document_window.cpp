@@ -3,6 +3,7 @@
 #include "menus/figure_menu.h"
 #include "menus/format_menu.h"
 #include "menus/insert_menu.h"
+#include "menus/table_menu.h"
 #include "plain/plain.h"
 #include "text/characters.h"
 #include "view/writing.h"
@@ -80,6 +81,8 @@ DocumentWindow::DocumentWindow(Application& application,
     outline_->hide();
     new KeptPlace(*view_, this);
     auto* edit = new EditMenu(*view_, *find_, this);
+    auto* table = new menus::TableMenu(*view_, this);
+    edit->offerAtPointer(*table, [table] { return table->isInTable(); });
     buildTools(edit->write());
     auto* figure = new menus::FigureMenu(*view_, this);
     auto* spelling = new SpellingCommands(*view_, this);
@@ -93,8 +96,8 @@ DocumentWindow::DocumentWindow(Application& application,
                             tools_->toggleViewAction(), faults_->toggleViewAction()})),
           static_cast<QMenu*>(new GoMenu(*view_, this)),
           static_cast<QMenu*>(new menus::InsertMenu(*view_, this)),
-          static_cast<QMenu*>(new menus::FormatMenu(*view_, this)), static_cast<QMenu*>(figure),
-          makeHelpMenu(*document_, this)})
+          static_cast<QMenu*>(new menus::FormatMenu(*view_, this)), static_cast<QMenu*>(table),
+          static_cast<QMenu*>(figure), makeHelpMenu(*document_, this)})
         menuBar()->addMenu(menu);
     commands_ =
         new MediumCommands(*document_, *view_, *menuBar(), menuBar()->actions().last(), *tools_);

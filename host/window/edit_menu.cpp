@@ -77,7 +77,14 @@ void EditMenu::showAt(const QPoint& at) {
     Q_EMIT aboutToShowAt(*menu, at);
     menu->addActions(view_.isWriting() ? QList<QAction*>{cut_, copy_, paste_, selectAll_}
                                        : QList<QAction*>{copy_, selectAll_});
+    for (const auto& [more, isOfUse] : atPointer_)
+        if (view_.isWriting() && isOfUse())
+            menu->addMenu(more);
     menu->popup(at);
+}
+
+void EditMenu::offerAtPointer(QMenu& menu, std::function<bool()> isOfUse) {
+    atPointer_.emplace_back(&menu, std::move(isOfUse));
 }
 
 } // namespace window

@@ -3,6 +3,9 @@
 
 #include <QMenu>
 
+#include <functional>
+#include <vector>
+
 namespace view {
 class DocumentView;
 }
@@ -21,6 +24,8 @@ public:
     // The switch between reading and writing, for the tool bar, too.
     [[nodiscard]] QAction& write() const { return *write_; }
     void showAt(const QPoint& at);
+    // One more menu at the pointer, where it is of use.
+    void offerAtPointer(QMenu& menu, std::function<bool()> isOfUse);
 
 Q_SIGNALS:
     // Others put entries before these.
@@ -31,6 +36,7 @@ private:
     void updateSelection();
 
     view::DocumentView& view_;
+    std::vector<std::pair<QMenu*, std::function<bool()>>> atPointer_;
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
     QAction* cut_ = nullptr;
