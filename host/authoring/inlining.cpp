@@ -1,6 +1,7 @@
 // Elements in a line: emphasis, links, and what stands between letters.
 #include "authoring/commands.h"
 #include "authoring/leaves.h"
+#include "authoring/table_draft.h"
 
 #include "sgml/edit.h"
 
@@ -20,7 +21,8 @@ using Wanted = std::function<bool(const Element&)>;
 // Puts text between the marks into an element of one kind, or takes it out.
 class Wrapper {
 public:
-    Wrapper(Draft& draft, Wanted wanted) : draft_(draft), wanted_(std::move(wanted)) {
+    Wrapper(Draft& draft, Wanted wanted)
+        : draft_(draft), wanted_(std::move(wanted)), passed_(TableDraft(draft).unselected()) {
         collect(draft.root());
     }
 
@@ -51,6 +53,8 @@ private:
     void collect(Piece& piece) {
         if (piece.isMark())
             ++marks_;
+        if (piece.start != sgml::noNode && passed_.contains(piece.start))
+            return;
         if (piece.isText() && marks_ == 1 && !piece.isEmptyText() && isInProse(piece))
             texts_.push_back(&piece);
         if (draft_.isUnit(piece) && marks_ != 0 && !holdsMark(piece))
@@ -116,7 +120,8 @@ private:
 
     Draft& draft_;
     Wanted wanted_;
-    std::size_t marks_ = 0; // passed
+    std::set<sgml::NodeId> passed_; // cells of a table beside those that are selected
+    std::size_t marks_ = 0;         // passed
     std::vector<Piece*> texts_, made_;
 };
 

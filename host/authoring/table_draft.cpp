@@ -376,6 +376,17 @@ QString TableDraft::split() {
     return any ? QString() : QStringLiteral("This cell was not joined of several.");
 }
 
+std::set<NodeId> TableDraft::unselected() const {
+    std::set<NodeId> cells;
+    if (!nodes_ || !nodes_->isSeveral)
+        return cells;
+    for (const std::vector<NodeId>& row : nodes_->cells)
+        cells.insert(row.begin(), row.end());
+    for (const GridCell& cell : nodes_->cellsIn(rect()))
+        cells.erase(nodes_->node(cell));
+    return cells;
+}
+
 bool TableDraft::clear() {
     if (!nodes_ || !nodes_->isSeveral)
         return false;

@@ -4,6 +4,8 @@
 #include "authoring/commands.h"
 #include "authoring/table_nodes.h"
 
+#include <set>
+
 namespace authoring {
 
 class TableDraft {
@@ -30,6 +32,8 @@ public:
     QString setWidth(double width);
     QString setWidths(const std::vector<double>& widths);
 
+    // The cells of the table that are not selected, where several are.
+    [[nodiscard]] std::set<sgml::NodeId> unselected() const;
     // Empties all cells that are selected, if there are several.
     bool clear();
 

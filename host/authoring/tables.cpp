@@ -1,4 +1,5 @@
 // Commands for tables. What they do to rows and cells: table_draft.h.
+#include "authoring/new_table.h"
 #include "authoring/table_draft.h"
 
 #include "sgml/edit.h"
@@ -103,6 +104,11 @@ Result setColumnWidths(const Manuscript& manuscript, Selection selection, sgml::
 }
 
 Result insertTable(const Manuscript& manuscript, Selection selection, const NewTable& wanted) {
+    return insertTable(manuscript, selection, wanted, 0);
+}
+
+Result insertTable(const Manuscript& manuscript, Selection selection, const NewTable& wanted,
+                   double columnWidth) {
     const std::size_t end = std::max(selection.anchor, selection.caret);
     Draft draft(manuscript, {end, end});
     if (const QString why = draft.obstacle(); !why.isEmpty())
@@ -115,6 +121,12 @@ Result insertTable(const Manuscript& manuscript, Selection selection, const NewT
     Piece* made = putBlock(draft, draft.first(), Draft::made(table));
     if (made == nullptr)
         return refused(QStringLiteral("A table may not stand here."));
+    if (columnWidth > 0 && grammar.hasAttribute(table, "WIDTHS")) {
+        const auto columns = static_cast<std::size_t>(std::max(wanted.columns, 1));
+        made->attributes =
+            " " + sgml::attributeText("WIDTHS",
+                                      spelledWidths({}, std::vector<double>(columns, columnWidth)));
+    }
     if (wanted.hasCaption && grammar.mayHold(table, caption)) {
         Piece& line = Draft::put(*made, 0, Draft::made(caption));
         line.gap.fresh = "\n";

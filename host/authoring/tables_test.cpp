@@ -153,6 +153,12 @@ TEST(Tables, SeveralCellsAreSelectedAsARectangle) {
     };
     EXPECT_EQ(memo(table, erased),
               "<TABLE><R><C>{a}</C><C>{|}</C></R><R><C>{c}</C><C>{}</C></R></TABLE>");
+    const auto strong = [](const Manuscript& manuscript, Selection selection) {
+        return toggle(manuscript, selection, schemas::ContainerRole::strong);
+    };
+    EXPECT_EQ(
+        memo("<TABLE><R><C>{[a}</C><C>{b}</C></R><R><C>{c|}</C><C>{d}</C></R></TABLE>", strong),
+        "<TABLE><R><C><B>{[a}</B></C><C>{b}</C></R><R><C><B>{c|}</B></C><C>{d}</C></R></TABLE>");
     const auto part = [](TablePart which) {
         return [which](const Manuscript& manuscript, Selection selection) {
             return selectInTable(manuscript, selection, which);

@@ -1,5 +1,6 @@
 #include "menus/table_menu.h"
 
+#include "authoring/new_table.h"
 #include "authoring/table_nodes.h"
 #include "layout/stock.h"
 #include "menus/table_dialog.h"
@@ -101,10 +102,15 @@ void TableMenu::askForTable() {
         grammar && grammar->hasAttribute(grammar->named(schemas::Display::row), "KIND");
     const std::optional<authoring::NewTable> wanted =
         menus::askForTable(hasHeaders, parentWidget());
-    if (wanted)
-        perform([&](const Manuscript& to, Selection at) {
-            return authoring::insertTable(to, at, *wanted);
-        });
+    if (!wanted)
+        return;
+    // An empty table of automatic columns would be a few blanks wide.
+    double width = 0;
+    if (const std::shared_ptr<const model::Model> model = view().model())
+        width = model->page.width - model->page.marginLeft - model->page.marginRight;
+    perform([&](const Manuscript& to, Selection at) {
+        return authoring::insertTable(to, at, *wanted, width / wanted->columns);
+    });
 }
 
 void TableMenu::askForWidth() {

@@ -1,5 +1,7 @@
 #include "session/images.h"
 
+#include "session/picture_home.h"
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -19,25 +21,6 @@ namespace {
 constexpr int decodedAtOnce = 2; // pictures that are decoded
 constexpr int mostMegabytes = 512;
 
-// Formats that are pixels and nothing else: a drawing, such as SVG, may name other files.
-bool isPixels(const QByteArray& format) {
-    static const QList<QByteArray> formats = {"png", "jpeg", "jpg", "gif", "bmp", "webp", "tiff"};
-    return formats.contains(format);
-}
-
-// Opens it if it is a regular file; what is none is not waited for.
-bool openRegular(const QString& path, QFile& file, struct stat& status) {
-    const int fd =
-        ::open(QFile::encodeName(path).constData(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    if (fd < 0)
-        return false;
-    if (::fstat(fd, &status) == 0 && S_ISREG(status.st_mode) &&
-        file.open(fd, QIODevice::ReadOnly, QFileDevice::AutoCloseHandle))
-        return true;
-    ::close(fd);
-    return false;
-}
-
 } // namespace
 
 struct Images::Link {
@@ -56,7 +39,7 @@ Images::~Images() {
 }
 
 void Images::setDocument(const QString& fileName) {
-    folder_ = fileName.isEmpty() ? QString() : QFileInfo(fileName).absoluteDir().path();
+    folder_ = PictureHome(fileName).folder();
     paths_.clear();
 }
 
@@ -64,12 +47,6 @@ void Images::setDocument(const QString& fileName) {
 
 QString Images::pathOf(const std::string& source, QString& fault) const {
     const QString name = QString::fromStdString(source);
-    if (folder_.isEmpty()) {
-        fault = tr("The document is not saved yet, so it has no folder in which the picture %1 "
-                   "could be.")
-                    .arg(name);
-        return {};
-    }
     const QDir folder(folder_);
     const QString path = QFileInfo(folder.filePath(name)).canonicalFilePath();
     if (path.isEmpty())

@@ -1,5 +1,6 @@
 #include "session/open_document.h"
 
+#include "session/picture_home.h"
 #include "session/presented.h"
 
 #include <QFileInfo>
@@ -58,9 +59,20 @@ OpenDocument::OpenDocument(std::unique_ptr<document::Document> document,
         readSubdocuments();
     });
     connect(watched, &document::Document::changed, this, &OpenDocument::documentChanged);
+    // Saved elsewhere, the document takes its pictures with it.
+    connect(watched, &document::Document::fileNameChanged, this,
+            [this, from = PictureHome(document_->fileName()).folder()]() mutable {
+                const PictureHome home(document_->fileName());
+                std::vector<std::string> sources;
+                for (const document::ImageUse& use : uses_.images())
+                    sources.push_back(use.source);
+                for (const QString& fault : home.bring(sources, std::exchange(from, home.folder())))
+                    Q_EMIT message(fault);
+            });
     connect(watched, &document::Document::fileNameChanged, this, [this] {
         images_.setDocument(document_->fileName());
         nameSubdocuments();
+        Q_EMIT resized(); // of pictures
     });
 }
 
@@ -313,6 +325,12 @@ std::vector<sgml::Fault> OpenDocument::ofImages() {
             fault->second = images_.fault(use.source).toStdString();
         if (!fault->second.empty())
             result.push_back(warningAt(use.range, fault->second));
+        const sgml::NodeId image = document_->tree().innermostAt(use.range.from);
+        if (image != sgml::noNode && !document_->tree().attribute(image, "ALT"))
+            result.push_back(
+                warningAt(use.range,
+                          "the image has no alternative text (ALT): words for who does not see it, "
+                          "or ALT=\"\" where it says nothing"));
     }
     return result;
 }

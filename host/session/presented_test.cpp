@@ -175,6 +175,7 @@ TEST_F(PresentedTest, EveryFaultIsInTheOneList) {
     EXPECT_THAT(listed, ElementsAre("schema 2: wobble: no such property",
                                     HasSubstr("5: nothing has the ID no"),
                                     HasSubstr("6: There is no picture missing.png."),
+                                    HasSubstr("6: the image has no alternative text"),
                                     HasSubstr("7: <NOSUCH>"), HasSubstr("7: </X> closes nothing"),
                                     HasSubstr("8: nothing has the ID nowhere"),
                                     HasSubstr("9: no subdocument has the ID s"),

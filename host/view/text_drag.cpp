@@ -2,6 +2,7 @@
 
 #include "view/copying.h"
 #include "view/document_view.h"
+#include "view/pictures_in.h"
 #include "view/writing.h"
 
 #include <QApplication>
@@ -14,7 +15,7 @@ namespace {
 
 bool isText(const QMimeData& data) {
     return data.hasFormat(fragmentFormat) ||
-           ((data.hasHtml() || data.hasText()) && !data.hasUrls());
+           ((data.hasHtml() || data.hasText()) && !data.hasUrls()) || holdsPictures(data);
 }
 
 } // namespace

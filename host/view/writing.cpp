@@ -1,9 +1,11 @@
 #include "view/writing.h"
 
+#include "authoring/images.h"
 #include "authoring/table_nodes.h"
 #include "view/copying.h"
 #include "view/document_view.h"
 #include "view/pasted_html.h"
+#include "view/pictures_in.h"
 #include "view/resizing.h"
 
 #include <QApplication>
@@ -313,6 +315,22 @@ bool Writing::paste(const QMimeData& data) { return paste(data, {}); }
 // Our own bytes keep the structure, and HTML most of it; where that may not stand, the text comes
 // alone.
 bool Writing::paste(const QMimeData& data, const QString& group) {
+    // Each picture in a figure, where the class has figures; all are one step.
+    if (holdsPictures(data)) {
+        const Pictures pictures =
+            taken(data, session::PictureHome(view_.document().document().fileName()));
+        const QString step = group.isEmpty() ? QUuid::createUuid().toString() : group;
+        bool done = false;
+        for (const std::string& source : pictures.sources) {
+            const auto put = [&](const authoring::Manuscript& in, authoring::Selection at) {
+                return authoring::insertImage(in, at, {.file = source});
+            };
+            done = perform(put, step) || done;
+        }
+        if (!pictures.fault.isEmpty())
+            Q_EMIT refused(pictures.fault);
+        return done;
+    }
     std::string fragment = data.data(fragmentFormat).toStdString();
     const std::string text = data.text().toStdString();
     const authoring::Grammar* grammar = grammars_.of(view_.document().document().className());

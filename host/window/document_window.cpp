@@ -2,6 +2,7 @@
 
 #include "menus/figure_menu.h"
 #include "menus/format_menu.h"
+#include "menus/image_menu.h"
 #include "menus/insert_menu.h"
 #include "menus/table_menu.h"
 #include "plain/plain.h"
@@ -82,6 +83,10 @@ DocumentWindow::DocumentWindow(Application& application,
     new KeptPlace(*view_, this);
     auto* edit = new EditMenu(*view_, *find_, this);
     auto* table = new menus::TableMenu(*view_, this);
+    auto* image = new menus::ImageMenu(*view_, this);
+    auto* insert = new menus::InsertMenu(*view_, this);
+    insert->addMenu(image);
+    edit->offerAtPointer(*image, [image] { return image->isOnImage(); });
     edit->offerAtPointer(*table, [table] { return table->isInTable(); });
     buildTools(edit->write());
     auto* figure = new menus::FigureMenu(*view_, this);
@@ -94,8 +99,7 @@ DocumentWindow::DocumentWindow(Application& application,
               new ViewMenu(application, *this,
                            {&spelling->toggle(), outline_->toggleViewAction(),
                             tools_->toggleViewAction(), faults_->toggleViewAction()})),
-          static_cast<QMenu*>(new GoMenu(*view_, this)),
-          static_cast<QMenu*>(new menus::InsertMenu(*view_, this)),
+          static_cast<QMenu*>(new GoMenu(*view_, this)), static_cast<QMenu*>(insert),
           static_cast<QMenu*>(new menus::FormatMenu(*view_, this)), static_cast<QMenu*>(table),
           static_cast<QMenu*>(figure), makeHelpMenu(*document_, this)})
         menuBar()->addMenu(menu);

@@ -102,7 +102,7 @@ class Files(InFolder):
             f.write(b"P6 400 300 255\n" + os.urandom(400 * 300 * 3))
         subprocess.run(["convert", "a.ppm", "a.png"], check=True, cwd=self.path("."))
         os.mkfifo(self.path("fifo.png"))
-        figure = '<FIGURE><IMAGE FILE="%s"></IMAGE><CAPTION>{c}</CAPTION></FIGURE>\n'
+        figure = '<FIGURE><IMAGE FILE="%s" ALT=""></IMAGE><CAPTION>{c}</CAPTION></FIGURE>\n'
         self.write("a.ens", memo(figure % "a.png" * 20))
         self.assertEqual(self.ensemble("--convert-to", "pdf", "a.ens"), (0, b"", ""))
         images = subprocess.run(["pdfimages", "-list", self.path("a.pdf")], capture_output=True, check=True).stdout.decode()
@@ -140,7 +140,7 @@ class Check(InFolder):
 
     def test_what_is_not_there_is_said_with_its_line(self):
         self.write("a.ens", memo(
-            scripted("colour 0", 'ID="s"'), '<PARAGRAPH><REF TO="no"></REF></PARAGRAPH>\n', '<IMAGE FILE="no.png"></IMAGE>\n',
+            scripted("colour 0", 'ID="s"'), '<PARAGRAPH><REF TO="no"></REF></PARAGRAPH>\n', '<IMAGE FILE="no.png" ALT=""></IMAGE>\n',
             '<PARAGRAPH><SLIDER OF="s" NAME="speed"></SLIDER></PARAGRAPH>\n'))
         code, out, _ = self.ensemble("--check", "a.ens")
         self.assertEqual(code, 0) # all of it can be shown

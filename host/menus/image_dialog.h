@@ -1,0 +1,24 @@
+// What is asked about an image: what it shows in words, its caption, how wide it is.
+#pragma once
+
+#include <QImage>
+#include <QString>
+
+#include <optional>
+
+class QWidget;
+
+namespace menus {
+
+struct ImageWishes {
+    QString alternative;
+    QString caption; // one line
+    int width = 0;   // 1/96 inch; 0: its own
+};
+
+// Nothing: all is to stay. `picture`: a small one of it; `hasCaption`: one is asked for.
+[[nodiscard]] std::optional<ImageWishes> askAboutImage(const QString& title, const QImage& picture,
+                                                       const ImageWishes& now, bool hasCaption,
+                                                       QWidget* parent);
+
+} // namespace menus
