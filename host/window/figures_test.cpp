@@ -207,6 +207,7 @@ TEST_F(FiguresTest, AnotherSizeIsDrawnByTheSameProcess) {
     write(paragraph("One") + inFigure("colour 20A040"));
     choose(0);
     const std::vector<pid_t> processes = children();
+    ASSERT_TRUE(waitFor([&] { return hasPicture(*window_, 0); }));
     const QSize before = picture(*window_, 0).size();
     answering("figureSize", [](QDialog& dialog) {
         auto* width = dialog.findChild<QDoubleSpinBox*>("width");
