@@ -208,7 +208,6 @@ TEST_F(FiguresTest, AnotherSizeIsDrawnByTheSameProcess) {
     choose(0);
     const std::vector<pid_t> processes = children();
     ASSERT_TRUE(waitFor([&] { return hasPicture(*window_, 0); }));
-    const QSize before = picture(*window_, 0).size();
     answering("figureSize", [](QDialog& dialog) {
         auto* width = dialog.findChild<QDoubleSpinBox*>("width");
         auto* height = dialog.findChild<QDoubleSpinBox*>("height");
@@ -222,10 +221,8 @@ TEST_F(FiguresTest, AnotherSizeIsDrawnByTheSameProcess) {
     EXPECT_NEAR(*figure(0).width, 150, 1);
     EXPECT_NEAR(*figure(0).height, 200, 2);
     EXPECT_EQ(document().steps(), 1U);
-    EXPECT_TRUE(waitFor([&] {
-        return std::abs(picture(*window_, 0).width() - before.width() / 2) < 3 &&
-               picture(*window_, 0).height() > picture(*window_, 0).width();
-    }));
+    const QSize wanted = QSize(150, 200) * window_->devicePixelRatio();
+    EXPECT_TRUE(waitFor([&] { return picture(*window_, 0).size() == wanted; }));
     EXPECT_EQ(children(), processes);
     answering("figureSize",
               [](QDialog& dialog) { dialog.findChild<QPushButton*>("usualSize")->click(); });
