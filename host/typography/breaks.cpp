@@ -10,7 +10,7 @@ namespace {
 
 constexpr int rather = 500; // than tear a line's end off here
 constexpr int slightly = 150;
-constexpr qsizetype longest = 64; // letters that are read of a word
+constexpr qsizetype mostRead = 64; // letters that are read of a word
 
 constexpr QChar lineSeparator(QChar::LineSeparator);
 
@@ -18,14 +18,14 @@ bool isBlank(QChar sign) { return sign.isSpace() && sign != lineSeparator; }
 
 QStringView wordBefore(QStringView text, qsizetype end) {
     qsizetype from = end;
-    while (from > 0 && end - from < longest && !text[from - 1].isSpace())
+    while (from > 0 && end - from < mostRead && !text[from - 1].isSpace())
         --from;
     return text.sliced(from, end - from);
 }
 
 QStringView wordFrom(QStringView text, qsizetype from) {
     qsizetype end = from;
-    while (end < text.size() && end - from < longest && !text[end].isSpace())
+    while (end < text.size() && end - from < mostRead && !text[end].isSpace())
         ++end;
     return text.sliced(from, end - from);
 }

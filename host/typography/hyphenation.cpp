@@ -13,7 +13,7 @@ namespace typography {
 
 namespace {
 
-constexpr qsizetype shortest = 5, longest = 60; // letters of a word that may be divided
+constexpr qsizetype shortest = 5, longestDivided = 60; // letters of a word that may be divided
 
 // Null: there are none.
 const Patterns* patterns(const QString& language) {
@@ -28,7 +28,7 @@ bool mayBeDivided(QStringView word) {
     const auto isSmall = [](QChar letter) { return letter.isLower() || letter.isMark(); };
     // Letters beyond the first plane are counted otherwise by patterns.
     const auto isPlain = [](QChar letter) { return !letter.isSurrogate() && !letter.isMark(); };
-    return word.size() >= shortest && word.size() <= longest &&
+    return word.size() >= shortest && word.size() <= longestDivided &&
            std::ranges::any_of(word, isSmall) && std::ranges::all_of(word, isPlain);
 }
 

@@ -1,5 +1,7 @@
 #include "view/column_drag.h"
 
+#include "view/accent.h"
+
 #include "layout/measure.h"
 #include "layout/stock.h"
 #include "view/document_view.h"
@@ -15,7 +17,6 @@ namespace {
 
 constexpr double slack = 4;        // logical pixels on each side of a border
 constexpr double leastPoints = 12; // of a column
-const QColor accent(38, 110, 214);
 
 } // namespace
 

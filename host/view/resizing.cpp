@@ -1,5 +1,7 @@
 #include "view/resizing.h"
 
+#include "view/accent.h"
+
 #include "layout/measure.h"
 #include "view/document_view.h"
 #include "view/text_hand.h"
@@ -13,7 +15,6 @@ namespace view {
 
 namespace {
 
-const QColor accent(38, 110, 214);
 constexpr double leastWidth = 16; // logical pixels at 100 %
 
 // The pages that are seen, first and behind the last.

@@ -1,13 +1,13 @@
 #include "view/shown.h"
 
+#include "view/accent.h"
+
 #include <QApplication>
 #include <QPainterPath>
 
 namespace view {
 
 namespace {
-
-const QColor accent(38, 110, 214);
 
 // Of one colour, as far as a grid of points shows: what a medium draws that has nothing to show.
 bool looksEmpty(const QImage& image) {
