@@ -16,10 +16,10 @@ std::optional<ImageWishes> askAboutImage(const QString& title, const QImage& pic
                                          const ImageWishes& now, bool hasCaption, QWidget* parent) {
     QDialog dialog(parent);
     dialog.setObjectName("imageDialog");
-    dialog.setWindowTitle(title);
+    dialog.setWindowTitle(plain::title(title));
     auto* form = new QFormLayout(&dialog);
     if (!picture.isNull()) {
-        auto* shown = new QLabel;
+        auto* shown = plain::label();
         constexpr int side = 200;
         shown->setPixmap(QPixmap::fromImage(
             picture.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
