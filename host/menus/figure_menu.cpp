@@ -41,7 +41,7 @@ FigureMenu::FigureMenu(view::DocumentView& view, QWidget* parent)
     add(
         "figureReplace", tr("Replace &with a File..."),
         [this] {
-            const QString why = whyNotWritten();
+            QString why = whyNotWritten();
             return why.isEmpty() ? whyNoText() : why;
         },
         [this] { replace(); });
@@ -122,14 +122,14 @@ QString FigureMenu::whyNotChosen() const {
 }
 
 QString FigureMenu::whyNotWritten() const {
-    const QString why = whyNotChosen();
+    QString why = whyNotChosen();
     if (why.isEmpty() && !view_.isWriting())
         return tr("This window is for reading. Edit > Write lets you change the document.");
     return why;
 }
 
 QString FigureMenu::whyNoMoment() const {
-    const QString why = whyNotWritten();
+    QString why = whyNotWritten();
     if (!why.isEmpty())
         return why;
     const media::LiveSubdocument* of = live();
@@ -138,7 +138,7 @@ QString FigureMenu::whyNoMoment() const {
 }
 
 QString FigureMenu::whyNoText() const {
-    const QString why = whyNotChosen();
+    QString why = whyNotChosen();
     if (!why.isEmpty())
         return why;
     return manifest() && figure()->hasText ? QString() : tr("No medium for it is installed.");

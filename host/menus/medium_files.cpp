@@ -9,7 +9,7 @@ namespace {
 
 // The title is the manifest's: a parenthesis of its own would be taken for endings.
 QString filters(const media::Manifest& manifest) {
-    const QString all = QFileDialog::tr("All files (*)");
+    QString all = QFileDialog::tr("All files (*)");
     if (manifest.fileEndings.isEmpty())
         return all;
     QString title = manifest.filesTitle;

@@ -49,7 +49,7 @@ QString patternsOf(const QString& language) {
     for (const QString& one : names)
         for (const QString& folder :
              QStandardPaths::standardLocations(QStandardPaths::GenericDataLocation)) {
-            const QString file = folder + "/hyphen/hyph_" + one + ".dic";
+            QString file = folder + "/hyphen/hyph_" + one + ".dic";
             if (QFile::exists(file))
                 return file;
         }

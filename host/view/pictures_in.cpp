@@ -26,7 +26,7 @@ bool holdsFiles(const QMimeData& data) {
 // As the other program spelled it, where it did.
 QByteArray bytesOf(const QMimeData& data) {
     for (const auto* format : {"image/png", "image/jpeg", "image/webp", "image/gif"})
-        if (const QByteArray bytes = data.data(format); !bytes.isEmpty())
+        if (QByteArray bytes = data.data(format); !bytes.isEmpty())
             return bytes;
     QByteArray bytes;
     QBuffer buffer(&bytes);
