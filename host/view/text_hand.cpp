@@ -131,9 +131,10 @@ bool TextHand::isOverText(QPointF point) const {
 bool TextHand::isSelected(QPointF point) const {
     if (!cursor_.selects() || view_.pages().pages.empty())
         return false;
-    const auto [page, on] = view_.pagePointAt(point);
+    const std::pair<std::size_t, QPointF> at = view_.pagePointAt(point);
     const std::vector<QRectF> selected = selectedOn(page);
-    return std::ranges::any_of(selected, [&](const QRectF& rect) { return rect.contains(on); });
+    return std::ranges::any_of(selected,
+                               [&](const QRectF& rect) { return rect.contains(at.second); });
 }
 
 void TextHand::moveTo(const layout::Caret& caret) { cursor_.moveTo(carets(), caret, false); }
