@@ -132,7 +132,7 @@ bool TextHand::isSelected(QPointF point) const {
     if (!cursor_.selects() || view_.pages().pages.empty())
         return false;
     const std::pair<std::size_t, QPointF> at = view_.pagePointAt(point);
-    const std::vector<QRectF> selected = selectedOn(page);
+    const std::vector<QRectF> selected = selectedOn(at.first);
     return std::ranges::any_of(selected,
                                [&](const QRectF& rect) { return rect.contains(at.second); });
 }
