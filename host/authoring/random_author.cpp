@@ -165,6 +165,7 @@ std::string lettersBeside(const sgml::Tree& tree, const std::vector<NodeId>& ele
     std::string letters;
     std::size_t from = 0;
     std::vector<text::Range> ranges;
+    ranges.reserve(elements.size());
     for (const NodeId id : elements)
         ranges.push_back(tree.node(id).range);
     std::sort(ranges.begin(), ranges.end(),

@@ -5,6 +5,8 @@
 #include "window/application.h"
 #include "window/page_commands.h"
 
+#include <QActionGroup>
+
 namespace window {
 
 ViewMenu::ViewMenu(Application& application, DocumentWindow& window, const QList<QAction*>& parts)
