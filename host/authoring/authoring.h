@@ -166,8 +166,8 @@ struct EmbeddedText {
 // In a figure with an empty caption, which gets the caret, where the class has these.
 [[nodiscard]] Result insertFigure(const Manuscript& manuscript, Selection selection,
                                   const EmbeddedText& embedded);
-// What is copied and erased with a nested document or a picture: the figure that it is in and that
-// shows nothing else, else the element itself, which is there.
+// The element that is copied and erased as a whole with a nested document or a picture: the figure
+// around it that shows nothing else, else the document or picture itself, which is there.
 [[nodiscard]] sgml::NodeId wholeFigure(const Manuscript& manuscript, sgml::NodeId element);
 [[nodiscard]] Result removeElement(const Manuscript& manuscript, sgml::NodeId element,
                                    const QString& label);

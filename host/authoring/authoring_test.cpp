@@ -114,7 +114,7 @@ TEST(Authoring, ErasesACharacterOrAWord) {
               "<P>{one| three}</P>");
     EXPECT_EQ(memo("<P>{a|}</P>", backspace), "<P>{|}</P>");
     EXPECT_EQ(memo("<P><T>{a }</T><E>{b}</E><T>{|c}</T></P>", backspace), "<P><T>{a |c}</T></P>");
-    // What is more than a letter is selected first.
+    // A unit, such as a footnote, is selected first.
     EXPECT_EQ(memo("<P><T>{a}</T><F>{note}</F><T>{|c}</T></P>", backspace),
               "<P><T>{a}</T>|<F>{note}</F>[<T>{c}</T></P>");
     EXPECT_EQ(memo("<P><T>{a}</T>|<F>{note}</F>[<T>{c}</T></P>", backspace), "<P><T>{a|c}</T></P>");

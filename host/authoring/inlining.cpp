@@ -149,8 +149,8 @@ Selection withWord(const Manuscript& manuscript, Selection selection) {
     return endsHere ? unlessBlank({before, caret}) : selection;
 }
 
-// Where nothing was selected, nothing is selected afterwards: the caret stays in its word, or at
-// the end of it where it was.
+// A command without a selection leaves none: the caret stays in its word, or at the end of it where
+// it was.
 Result caretKept(Result result, Selection before, Selection word) {
     auto* step = std::get_if<Step>(&result);
     if (step == nullptr || !before.isEmpty())

@@ -40,6 +40,17 @@ std::vector<std::string> paragraphsOf(std::string_view text) {
     return paragraphs;
 }
 
+// Puts the caret in a line of text in the place of the selection; or says why it cannot.
+QString prepare(Draft& draft, Selection selection) {
+    if (QString why = draft.obstacle(); !why.isEmpty())
+        return why;
+    makeCaret(draft, selection);
+    if (!makeLine(draft, draft.first()))
+        return QStringLiteral("Text may not stand here.");
+    draft.collapse();
+    return {};
+}
+
 void putText(Draft& draft, std::string_view text) {
     draft.settle(draft.first());
     if (!text.empty())
@@ -50,12 +61,8 @@ void putText(Draft& draft, std::string_view text) {
 
 Result pasteText(const Manuscript& manuscript, Selection selection, std::string_view text) {
     Draft draft(manuscript, selection);
-    if (const QString why = draft.obstacle(); !why.isEmpty())
+    if (const QString why = prepare(draft, selection); !why.isEmpty())
         return refused(why);
-    makeCaret(draft, selection);
-    if (!makeLine(draft, draft.first()))
-        return refused(QStringLiteral("Text may not stand here."));
-    draft.collapse();
     const bool isVerbatim = draft.of(draft.blockOf(draft.first())).display == Display::verbatim;
     if (isVerbatim) {
         putText(draft, withLineEnds(text, true));
@@ -121,7 +128,7 @@ private:
             if (from_.node(id).kind == sgml::NodeKind::content) {
                 pieces.push_back(Draft::madeText(from_.unescaped(id).text()));
             } else if (from_.isElement(id)) {
-                // What the class does not know leaves its content.
+                // An element that the class does not know leaves its content.
                 if (!draft_.grammar().knows(from_.name(id))) {
                     for (std::unique_ptr<Piece>& piece : below(id))
                         pieces.push_back(std::move(piece));
@@ -209,12 +216,8 @@ Result paste(const Manuscript& manuscript, Selection selection, std::string_view
     if (tree.isBroken())
         return refused(QStringLiteral("The clipboard holds nothing that can be read."));
     Draft draft(manuscript, selection);
-    if (const QString why = draft.obstacle(); !why.isEmpty())
+    if (const QString why = prepare(draft, selection); !why.isEmpty())
         return refused(why);
-    makeCaret(draft, selection);
-    if (!makeLine(draft, draft.first()))
-        return refused(QStringLiteral("Text may not stand here."));
-    draft.collapse();
     if (const QString why = Paster(draft, tree).paste(tree.classElement(tree.root()));
         !why.isEmpty())
         return refused(why);

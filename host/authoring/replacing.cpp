@@ -24,7 +24,7 @@ public:
         const auto* made = std::get_if<Step>(&one);
         if (made == nullptr)
             why_ = std::get<Refusal>(one).why;
-        // What two of them change is changed by the first alone.
+        // Two places that share letters are replaced once: the first of them.
         if (made != nullptr &&
             isBehind(made->edits.empty() ? place.from : made->edits.front().range.from))
             take(made->edits, place.to);

@@ -293,7 +293,7 @@ QString TableDraft::moveColumns(Direction direction) {
 
 // --- cells -------------------------------------------------------------------------------------
 
-// What is in a cell as blocks of its own; nothing of an empty one.
+// A cell's content, as blocks of its own; an empty cell has none.
 Pieces TableDraft::contentOf(Piece& cell) {
     Pieces content;
     draft_.openChildren(cell);

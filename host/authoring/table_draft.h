@@ -47,7 +47,7 @@ private:
     [[nodiscard]] CellRect rect() const { return nodes_->selected; }
     [[nodiscard]] bool isHeader(std::size_t row) const;
     [[nodiscard]] std::unique_ptr<Piece> emptyCell() const;
-    // Where a cell of that column stands, or would stand, in its row.
+    // The index in its row that a cell of that column has, or would have.
     std::size_t indexIn(std::size_t row, std::size_t column);
     void setSpan(const Cell& cell, document::Span span);
     [[nodiscard]] std::vector<std::string> widths() const;

@@ -1,4 +1,4 @@
-// Where the cells of a table stand when some reach over several columns or rows.
+// The places of a table's cells, of which some reach over several columns or rows.
 //
 // Each row is filled from the left; what a cell from above covers is passed, as in HTML.
 #pragma once

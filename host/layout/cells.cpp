@@ -1,6 +1,7 @@
 #include "layout/cells.h"
 
 #include "layout/measure.h"
+#include "layout/number_columns.h"
 
 #include <algorithm>
 
@@ -23,9 +24,12 @@ Cells::Cells(const Surroundings& in, const model::Block& table, const Columns& c
             const double padding = fromPoints(cell.style.padding);
             Surroundings inside = in;
             inside.width = std::max(width - 2 * padding, 1.0);
+            const auto& point = columns.points[place.column];
+            const bool stands = point && place.span.columns == 1;
             cells_.push_back({.x = x,
                               .width = width,
                               .padding = padding,
+                              .shift = stands ? shiftToPoint(inside, cell, *point) : 0,
                               .first = r - first,
                               .last = place.lastRow() - first,
                               .style = &cell.style,
@@ -97,7 +101,7 @@ void Cells::takeFrom(Cell& cell, double to, bool forced, Strip& part) {
     const auto put = [&](const Strip& strip, double top) {
         for (const Piece& piece : strip.pieces)
             part.pieces.push_back(
-                moved(piece, {cell.x + cell.padding, cell.top + cell.padding + top}));
+                moved(piece, {cell.x + cell.padding + cell.shift, cell.top + cell.padding + top}));
         part.footnotes.insert(part.footnotes.end(), strip.footnotes.begin(), strip.footnotes.end());
     };
     const double room = to - cell.top - 2 * cell.padding;

@@ -32,6 +32,7 @@ public:
 private:
     struct Cell {
         double x = 0, width = 0, padding = 0;
+        double shift = 0;                // to the right, of a number
         std::size_t first = 0, last = 0; // rows of the band
         const schemas::BlockStyle* style = nullptr;
         Flow flow;

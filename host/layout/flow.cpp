@@ -2,6 +2,7 @@
 
 #include "layout/cells.h"
 #include "layout/measure.h"
+#include "layout/number_columns.h"
 
 #include <algorithm>
 #include <numeric>
@@ -319,14 +320,7 @@ Widths widthsIn(const Surroundings& in, Columns& columns, const BlockPointer& po
         columns.sizes.emplace_back(id, stock.sizes().subdocument(id));
         return columns.sizes.back().second;
     };
-    const auto measured = stock.measured(pointer, letters, [&] {
-        auto made = std::make_unique<Measured>(Measured{.block = pointer});
-        std::size_t left = letters;
-        made->widths = widthsOf(stock.materials(), block, left);
-        made->letters = letters - left;
-        in.work.letters += made->letters;
-        return made;
-    });
+    const auto measured = measuredOf(in, pointer, letters);
     columns.cells.push_back(measured);
     letters -= measured->letters;
     Widths widths = measured->widths;
@@ -379,7 +373,8 @@ void widen(std::vector<Widths>& wanted, const document::GridCell& place, const W
 }
 
 // Of each column. Every column is measured by one of its cells at least.
-std::vector<Widths> wantedBy(const Surroundings& in, Columns& columns, double available) {
+std::vector<Widths> wantedBy(const Surroundings& in, Columns& columns, double available,
+                             std::vector<NumberColumn>& numbers) {
     const model::Block& table = *columns.block;
     std::vector<Widths> wanted(columns.grid.columns());
     std::vector<std::pair<document::GridCell, Widths>> wide;
@@ -389,11 +384,14 @@ std::vector<Widths> wantedBy(const Surroundings& in, Columns& columns, double av
             Widths& column = wanted[place.column];
             if (letters == 0 && column.natural > 0)
                 continue;
-            const Widths cell =
-                widthsOf(in, columns, table.rows[r][place.number], available, letters);
+            const model::Cell& read = table.rows[r][place.number];
+            const Widths cell = widthsOf(in, columns, read, available, letters);
             if (place.span.columns > 1) {
                 wide.emplace_back(place, cell);
             } else {
+                const bool isHeader = r < std::max<std::size_t>(table.headerRows, 1);
+                numbers[place.column].add(
+                    read, read.blocks.size() == 1 ? columns.cells.back().get() : nullptr, isHeader);
                 column.natural = std::max(column.natural, cell.natural);
                 column.least = std::max(column.least, cell.least);
                 column.number = std::max(column.number, cell.number);
@@ -419,7 +417,13 @@ std::unique_ptr<Columns> columnsOf(const Surroundings& in, const BlockPointer& b
     for (std::size_t row = 0; row < block->rows.size(); row = result->grid.endOfBand(row))
         result->bands.push_back(row);
     result->bands.push_back(block->rows.size());
-    const std::vector<Widths> wanted = wantedBy(in, *result, available);
+    std::vector<NumberColumn> numbers(result->grid.columns());
+    std::vector<Widths> wanted = wantedBy(in, *result, available, numbers);
+    for (std::size_t c = 0; c < wanted.size(); ++c) {
+        const double width = numbers[c].isOne() ? numbers[c].ofCells() : 0;
+        for (double* const own : {&wanted[c].natural, &wanted[c].least, &wanted[c].number})
+            *own = std::max(*own, width);
+    }
     Widths all;
     for (const Widths& column : wanted) {
         all.natural += column.natural;
@@ -435,6 +439,8 @@ std::unique_ptr<Columns> columnsOf(const Surroundings& in, const BlockPointer& b
         result->widths.push_back(squeeze *
                                  (column.number + ofWords * (column.least - column.number) +
                                   (ofWords < 1 ? 0 : share * (column.natural - column.least))));
+    for (std::size_t c = 0; c < result->widths.size(); ++c)
+        result->points.push_back(numbers[c].point(result->widths[c]));
     return result;
 }
 

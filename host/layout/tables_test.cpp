@@ -137,6 +137,36 @@ TEST_F(TablesTest, AHeaderStandsOnEachPageAndHasNoPlacesThere) {
     EXPECT_EQ(linesOf(pages()).count("Header"), 1u);
 }
 
+// One below the other stand the points of a column of numbers, those that have none as if they had
+// one behind their last digit; a column with other text stays as its cells are aligned.
+TEST_F(TablesTest, NumbersStandByTheirPoints) {
+    const auto number = [](const std::string& text) {
+        model::Cell made = cell(text);
+        made.style.alignNumbers = true;
+        return made;
+    };
+    model_.blocks.push_back(tableOf({{number("Mass"), number("Name")},
+                                     {number("3.25"), number("1.5")},
+                                     {number("120"), number("pendulum")},
+                                     {number("\u2013"), number("22.5")},
+                                     {number("0.0625"), number("7")}}));
+    const Pages laid = pages();
+    const auto pointOf = [&](const std::string& text, int point) {
+        for (const Piece& piece : laid.pages.front()->pieces)
+            if (const auto* line = std::get_if<TextPiece>(&piece);
+                line != nullptr && line->paragraph->textOfLine(line->line).toStdString() == text)
+                return line->at.x() + line->paragraph->leftOf(line->line, point);
+        return -1.0;
+    };
+    const double point = pointOf("3.25", 1);
+    EXPECT_NEAR(pointOf("120", 3), point, 1e-6);
+    EXPECT_NEAR(pointOf("0.0625", 1), point, 1e-6);
+    EXPECT_GT(pointOf("3.25", 0), pointOf("120", 0) + 1);
+    EXPECT_EQ(pointOf("Mass", 0), pointOf("120", 0));
+    EXPECT_EQ(pointOf("1.5", 0), pointOf("22.5", 0));
+    EXPECT_EQ(pointOf("1.5", 0), pointOf("Name", 0));
+}
+
 TEST_F(TablesTest, AuthorsSayHowWideColumnsAre) {
     const NewBlock table = tableOf({{cell("a"), cell("b"), cell("c")}});
     table->columnWidths = {100, 0, 50};

@@ -65,7 +65,6 @@ ReferenceDialog::ReferenceDialog(std::vector<Target> targets, QWidget* parent)
     setWindowTitle(tr("Cross-Reference"));
     field_->setObjectName("words");
     field_->setPlaceholderText(tr("Words of a caption or heading"));
-    field_->setAccessibleName(field_->placeholderText());
     field_->setClearButtonEnabled(true);
     field_->installEventFilter(this);
     list_->setObjectName("targets");
@@ -74,7 +73,9 @@ ReferenceDialog::ReferenceDialog(std::vector<Target> targets, QWidget* parent)
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons->button(QDialogButtonBox::Ok)->setText(tr("&Insert"));
     auto* column = new QVBoxLayout(this);
-    column->addWidget(plain::label(tr("Refer to:"), this));
+    QLabel* label = plain::label(tr("Refer to:"), this);
+    label->setBuddy(field_);
+    column->addWidget(label);
     column->addWidget(field_);
     column->addWidget(list_, 1);
     column->addWidget(buttons);

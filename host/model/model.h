@@ -160,7 +160,7 @@ struct Model {
     std::string title;                                      // of the window and of the PDF
 };
 
-// Where the cells of a table stand.
+// The places of a table's cells.
 [[nodiscard]] document::TableGrid gridOf(const Block& table);
 
 [[nodiscard]] Model buildModel(const document::Document& document,

@@ -31,14 +31,13 @@ QStringList dictionaryFolders() {
 Dictionary dictionaryFor(const QString& language, const QStringList& folders) {
     const QString name = plainName(language);
     for (const QString& folder : folders)
-        if (const Dictionary found = dictionaryIn(QDir(folder), name); found.isThere())
+        if (Dictionary found = dictionaryIn(QDir(folder), name); found.isThere())
             return found;
     const QString anyRegion = name.section('_', 0, 0);
     for (const QString& folder : folders)
         for (const QString& file : QDir(folder).entryList(
                  {anyRegion + ".dic", anyRegion + "_*.dic"}, QDir::Files, QDir::Name))
-            if (const Dictionary found = dictionaryIn(QDir(folder), file.chopped(4));
-                found.isThere())
+            if (Dictionary found = dictionaryIn(QDir(folder), file.chopped(4)); found.isThere())
                 return found;
     return {name, {}, {}};
 }

@@ -33,7 +33,8 @@ QSizeF PagePlaces::size() const {
 QPointF PagePlaces::topLeft(std::size_t page) const {
     const double left = std::max(around(), std::floor((viewport_.width() - rowWidth()) / 2));
     const auto column = static_cast<double>(page % columns());
-    const auto row = static_cast<double>(page / columns());
+    const std::size_t above = page / columns(); // rows
+    const auto row = static_cast<double>(above);
     return {left + column * (page_.width() + gap), std::floor(top()) + std::floor(row * step())};
 }
 

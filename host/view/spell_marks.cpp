@@ -34,7 +34,9 @@ std::vector<bool> writtenLetters(const layout::Paragraph& paragraph, const model
 void paintWave(QPainter& painter, QPointF from, double width) {
     constexpr double step = 30, height = 18; // twips
     QPainterPath wave(from);
-    for (double x = 0; x < width; x += 2 * step) {
+    const int waves = static_cast<int>(std::ceil(width / (2 * step)));
+    for (int i = 0; i < waves; ++i) {
+        const double x = 2 * step * i;
         wave.lineTo(from + QPointF(std::min(x + step, width), height));
         wave.lineTo(from + QPointF(std::min(x + 2 * step, width), 0));
     }
