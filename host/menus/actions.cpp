@@ -1,7 +1,7 @@
 #include "menus/actions.h"
 
+#include "controls/icons.h"
 #include "plain/plain.h"
-#include "view/icons.h"
 
 namespace menus {
 
@@ -11,7 +11,7 @@ QAction* addTo(QMenu& menu, const QString& name, const QString& text, const QKey
     action->setObjectName(name);
     action->setShortcut(keys);
     if (!icon.isEmpty())
-        action->setIcon(view::iconNamed(icon));
+        action->setIcon(controls::iconNamed(icon));
     action->setIconVisibleInMenu(false);
     return action;
 }

@@ -8,7 +8,8 @@
 
 namespace menus {
 
-// `name`: of the object; `icon`: a picture of view/icons.h for tool bars, since menus have none.
+// `name`: of the object; `icon`: a picture of controls/icons.h for tool bars, since menus have
+// none.
 QAction* addTo(QMenu& menu, const QString& name, const QString& text, const QKeySequence& keys,
                const std::function<void()>& done, const QString& icon = {});
 

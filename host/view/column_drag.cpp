@@ -1,6 +1,6 @@
 #include "view/column_drag.h"
 
-#include "view/accent.h"
+#include "controls/accent.h"
 
 #include "layout/measure.h"
 #include "layout/stock.h"
@@ -111,7 +111,7 @@ void ColumnDrag::paint(QPainter& painter) const {
         return;
     const QRectF line = view_.inViewport(
         taken_->page, {x_, taken_->rows.top, 0, taken_->rows.bottom - taken_->rows.top});
-    painter.setPen(QPen(accent, 2, Qt::DashLine));
+    painter.setPen(QPen(controls::accent, 2, Qt::DashLine));
     painter.drawLine(line.topLeft(), line.bottomLeft());
 }
 

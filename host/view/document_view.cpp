@@ -1,9 +1,9 @@
 #include "view/document_view.h"
 
+#include "controls/play_bar.h"
 #include "layout/measure.h"
 #include "view/accessible_view.h"
 #include "view/key_names.h"
-#include "view/play_bar.h"
 #include "view/text_drag.h"
 #include "view/text_hand.h"
 #include "view/writing.h"
@@ -38,8 +38,9 @@ void paintShadow(QPainter& painter, const QRectF& page) {
 } // namespace
 
 DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
-    : QAbstractScrollArea(parent), document_(document), playBar_(new PlayBar(true, viewport())),
-      text_(std::make_unique<TextHand>(*this)), writing_(std::make_unique<Writing>(*this, *text_)),
+    : QAbstractScrollArea(parent), document_(document),
+      playBar_(new controls::PlayBar(true, viewport())), text_(std::make_unique<TextHand>(*this)),
+      writing_(std::make_unique<Writing>(*this, *text_)),
       drag_(std::make_unique<TextDrag>(*this, *text_, *writing_)) {
     viewport()->setAcceptDrops(true);
     AccessibleView::install();
@@ -59,15 +60,15 @@ DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
         });
         describeChosen();
     });
-    connect(playBar_, &PlayBar::playWanted, this, [this] {
+    connect(playBar_, &controls::PlayBar::playWanted, this, [this] {
         if (media::LiveSubdocument* live = document_.live(hovered_))
             live->play();
     });
-    connect(playBar_, &PlayBar::pauseWanted, this, [this] {
+    connect(playBar_, &controls::PlayBar::pauseWanted, this, [this] {
         if (media::LiveSubdocument* live = document_.live(hovered_))
             live->pause();
     });
-    connect(playBar_, &PlayBar::seekWanted, this, [this](double time) {
+    connect(playBar_, &controls::PlayBar::seekWanted, this, [this](double time) {
         if (media::LiveSubdocument* live = document_.live(hovered_))
             live->seek(time);
     });

@@ -18,9 +18,12 @@
 #include <QAbstractScrollArea>
 #include <QTimer>
 
+namespace controls {
+class PlayBar;
+}
+
 namespace view {
 
-class PlayBar;
 class TextDrag;
 class TextHand;
 class Writing;
@@ -203,7 +206,7 @@ private:
     QPointF pressedAt_;
     bool wasDragged_ = false;
     bool wasShown_ = false;
-    PlayBar* playBar_;
+    controls::PlayBar* playBar_;
     std::unique_ptr<TextHand> text_;
     std::unique_ptr<Writing> writing_;
     std::unique_ptr<TextDrag> drag_;

@@ -1,9 +1,9 @@
 // What the user does in a DocumentView: pointer, wheel, keys, links, the play bar.
 #include "view/document_view.h"
 
+#include "controls/play_bar.h"
 #include "view/copying.h"
 #include "view/key_names.h"
-#include "view/play_bar.h"
 #include "view/text_drag.h"
 #include "view/text_hand.h"
 #include "view/writing.h"
@@ -426,8 +426,9 @@ void DocumentView::updatePlayBar() {
     constexpr int inset = 8;
     const QRectF place = placeOf(found->second);
     playBar_->setTime(*live->time());
-    playBar_->setGeometry(QRectF(place.left() + inset, place.bottom() - PlayBar::barHeight - inset,
-                                 place.width() - 2 * inset, PlayBar::barHeight)
+    playBar_->setGeometry(QRectF(place.left() + inset,
+                                 place.bottom() - controls::PlayBar::barHeight - inset,
+                                 place.width() - 2 * inset, controls::PlayBar::barHeight)
                               .toRect());
     playBar_->show();
 }

@@ -1,6 +1,6 @@
 #include "view/resizing.h"
 
-#include "view/accent.h"
+#include "controls/accent.h"
 
 #include "layout/measure.h"
 #include "view/document_view.h"
@@ -199,11 +199,11 @@ void Resizing::paint(QPainter& painter) const {
                                                                   : 0;
         place = {place.topLeft() + QPointF(left, 0), size};
     }
-    painter.setPen(QPen(accent, 1.5, taken_ ? Qt::DashLine : Qt::SolidLine));
+    painter.setPen(QPen(controls::accent, 1.5, taken_ ? Qt::DashLine : Qt::SolidLine));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(place);
     painter.setPen(QPen(Qt::white, 1));
-    painter.setBrush(accent);
+    painter.setBrush(controls::accent);
     const Sized shown{unit->element, place, unit->align};
     for (const Corner corner : {Corner::left, Corner::right})
         painter.drawRect(handleOf(shown, corner));

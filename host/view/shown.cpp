@@ -1,6 +1,6 @@
 #include "view/shown.h"
 
-#include "view/accent.h"
+#include "controls/accent.h"
 
 #include <QApplication>
 #include <QPainterPath>
@@ -169,7 +169,7 @@ void paintShown(QPainter& painter, const QRectF& rect, const Shown& shown, const
     }
     if (chosen) {
         painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(accent, 2));
+        painter.setPen(QPen(controls::accent, 2));
         painter.drawRoundedRect(rect.adjusted(-2, -2, 2, 2), 3, 3);
     }
     painter.restore();

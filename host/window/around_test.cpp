@@ -1,12 +1,12 @@
 // What stands around the pages: the outline, Back and Forward, places that are kept, pages side by
 // side and on the whole screen.
+#include "navigation/go_menu.h"
+#include "navigation/slide_show.h"
+#include "panes/outline_list.h"
+#include "panes/outline_pane.h"
+#include "panes/text_count_dialog.h"
 #include "view/text_hand.h"
 #include "view/writing.h"
-#include "window/go_menu.h"
-#include "window/outline_list.h"
-#include "window/outline_pane.h"
-#include "window/slide_show.h"
-#include "window/text_count_dialog.h"
 #include "window/window_testing.h"
 
 #include <QComboBox>
@@ -51,8 +51,8 @@ protected:
     QScrollBar& bar() const { return *view().verticalScrollBar(); }
     document::Document& document() const { return window_->document().document(); }
     QAction* action(const char* name) const { return window_->findChild<QAction*>(name); }
-    OutlineList& list() const { return *window_->findChild<OutlineList*>(); }
-    OutlinePane& pane() const { return *window_->findChild<OutlinePane*>(); }
+    panes::OutlineList& list() const { return *window_->findChild<panes::OutlineList*>(); }
+    panes::OutlinePane& pane() const { return *window_->findChild<panes::OutlinePane*>(); }
     // As they are indented.
     std::vector<std::string> listed() const {
         std::vector<std::string> result;
@@ -247,7 +247,7 @@ TEST_F(AroundTest, APresentationShowsPageByPage) {
     const std::size_t count = view().pages().pages.size();
     ASSERT_GT(count, 2u);
     action("present")->trigger();
-    QPointer<SlideShow> slides = window_->findChild<SlideShow*>();
+    QPointer<navigation::SlideShow> slides = window_->findChild<navigation::SlideShow*>();
     ASSERT_TRUE(slides);
     ASSERT_TRUE(waitFor([&] { return slides->isVisible(); }));
     const auto whole = [&] {
@@ -288,7 +288,7 @@ TEST_F(AroundTest, WordsAreCountedInAllAndInTheSelection) {
     const std::size_t at = document().bytes().find("two");
     view().text().cursor().set({at, at + 9});
     action("wordCount")->trigger();
-    const auto* dialog = window_->findChild<TextCountDialog*>();
+    const auto* dialog = window_->findChild<panes::TextCountDialog*>();
     ASSERT_TRUE(dialog);
     const auto says = [&](const char* name) {
         return dialog->findChild<QLabel*>(name)->text().toStdString();

@@ -5,24 +5,24 @@
 #include "menus/image_menu.h"
 #include "menus/insert_menu.h"
 #include "menus/table_menu.h"
+#include "navigation/go_menu.h"
+#include "navigation/kept_place.h"
+#include "panes/faults_pane.h"
+#include "panes/file_bar.h"
+#include "panes/find_bar.h"
+#include "panes/outline_pane.h"
+#include "panes/spelling_commands.h"
 #include "plain/plain.h"
 #include "text/characters.h"
 #include "view/writing.h"
 #include "window/application.h"
 #include "window/edit_menu.h"
-#include "window/faults_pane.h"
-#include "window/file_bar.h"
 #include "window/file_menu.h"
-#include "window/find_bar.h"
-#include "window/go_menu.h"
 #include "window/help_menu.h"
-#include "window/kept_place.h"
 #include "window/link.h"
 #include "window/medium_commands.h"
-#include "window/outline_pane.h"
 #include "window/printing.h"
 #include "window/saving.h"
-#include "window/spelling_commands.h"
 #include "window/view_menu.h"
 
 #include <QApplication>
@@ -53,9 +53,10 @@ QLabel* makeBanner(QWidget* parent) {
 DocumentWindow::DocumentWindow(Application& application,
                                std::shared_ptr<session::OpenDocument> document)
     : application_(application), document_(std::move(document)), banner_(makeBanner(this)),
-      view_(new view::DocumentView(*document_)), find_(new FindBar(*view_, this)),
-      faults_(new FaultsPane(*document_, this)), outline_(new OutlinePane(*view_, this)),
-      tools_(new QToolBar(tr("Tools"), this)), saving_(new Saving(application, *document_, *this)),
+      view_(new view::DocumentView(*document_)), find_(new panes::FindBar(*view_, this)),
+      faults_(new panes::FaultsPane(*document_, this)),
+      outline_(new panes::OutlinePane(*view_, this)), tools_(new QToolBar(tr("Tools"), this)),
+      saving_(new Saving(application, *document_, *this)),
       printing_(new Printing(*document_, *this)), pageLabel_(plain::label({}, this)),
       zoomLabel_(plain::label({}, this)) {
     setAttribute(Qt::WA_DeleteOnClose);
@@ -70,7 +71,7 @@ DocumentWindow::DocumentWindow(Application& application,
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(banner_);
-    column->addWidget(new FileBar(document_->followFile(), this));
+    column->addWidget(new panes::FileBar(document_->followFile(), this));
     column->addWidget(view_, 1);
     column->addWidget(find_);
     setCentralWidget(middle);
@@ -80,7 +81,7 @@ DocumentWindow::DocumentWindow(Application& application,
     faults_->hide();
     addDockWidget(Qt::LeftDockWidgetArea, outline_);
     outline_->hide();
-    new KeptPlace(*view_, this);
+    new navigation::KeptPlace(*view_, this);
     auto* edit = new EditMenu(*view_, *find_, this);
     auto* table = new menus::TableMenu(*view_, this);
     auto* image = new menus::ImageMenu(*view_, this);
@@ -90,16 +91,16 @@ DocumentWindow::DocumentWindow(Application& application,
     edit->offerAtPointer(*table, [table] { return table->isInTable(); });
     buildTools(edit->write());
     auto* figure = new menus::FigureMenu(*view_, this);
-    auto* spelling = new SpellingCommands(*view_, this);
-    connect(edit, &EditMenu::aboutToShowAt, spelling, &SpellingCommands::addTo);
-    connect(spelling, &SpellingCommands::said, this, &DocumentWindow::say);
+    auto* spelling = new panes::SpellingCommands(*view_, this);
+    connect(edit, &EditMenu::aboutToShowAt, spelling, &panes::SpellingCommands::addTo);
+    connect(spelling, &panes::SpellingCommands::said, this, &DocumentWindow::say);
     for (QMenu* menu :
          {static_cast<QMenu*>(new FileMenu(application, *this)), static_cast<QMenu*>(edit),
           static_cast<QMenu*>(
               new ViewMenu(application, *this,
                            {&spelling->toggle(), outline_->toggleViewAction(),
                             tools_->toggleViewAction(), faults_->toggleViewAction()})),
-          static_cast<QMenu*>(new GoMenu(*view_, this)), static_cast<QMenu*>(insert),
+          static_cast<QMenu*>(new navigation::GoMenu(*view_, this)), static_cast<QMenu*>(insert),
           static_cast<QMenu*>(new menus::FormatMenu(*view_, this)), static_cast<QMenu*>(table),
           static_cast<QMenu*>(figure), makeHelpMenu(*document_, this)})
         menuBar()->addMenu(menu);
@@ -118,9 +119,9 @@ DocumentWindow::DocumentWindow(Application& application,
     connect(saving_, &Saving::said, this, &DocumentWindow::say);
     connect(saving_, &Saving::mayCloseNow, this, &DocumentWindow::close);
     connect(printing_, &Printing::said, this, &DocumentWindow::say);
-    connect(find_, &FindBar::replaced, this, &DocumentWindow::say);
-    connect(faults_, &FaultsPane::countChanged, this, &DocumentWindow::updateFaults);
-    connect(faults_, &FaultsPane::activated, view_, &view::DocumentView::scrollTo);
+    connect(find_, &panes::FindBar::replaced, this, &DocumentWindow::say);
+    connect(faults_, &panes::FaultsPane::countChanged, this, &DocumentWindow::updateFaults);
+    connect(faults_, &panes::FaultsPane::activated, view_, &view::DocumentView::scrollTo);
     connect(view_, &view::DocumentView::linkActivated, this, &DocumentWindow::openLink);
     connect(view_, &view::DocumentView::contextMenuWanted, this,
             [this, figure](document::SubdocumentId id, const QPoint& at) {

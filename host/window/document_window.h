@@ -7,13 +7,16 @@
 
 class QLabel;
 
+namespace panes {
+class FaultsPane;
+class FindBar;
+class OutlinePane;
+} // namespace panes
+
 namespace window {
 
 class Application;
-class FaultsPane;
-class FindBar;
 class MediumCommands;
-class OutlinePane;
 class Printing;
 class Saving;
 
@@ -55,9 +58,9 @@ private:
     std::shared_ptr<session::OpenDocument> document_;
     QLabel* banner_;
     view::DocumentView* view_;
-    FindBar* find_;
-    FaultsPane* faults_;
-    OutlinePane* outline_;
+    panes::FindBar* find_;
+    panes::FaultsPane* faults_;
+    panes::OutlinePane* outline_;
     QToolBar* tools_;
     Saving* saving_;
     Printing* printing_;

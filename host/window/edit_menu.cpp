@@ -1,18 +1,18 @@
 #include "window/edit_menu.h"
 
 #include "menus/actions.h"
+#include "panes/find_bar.h"
+#include "panes/text_count_dialog.h"
 #include "plain/plain.h"
 #include "view/document_view.h"
 #include "view/writing.h"
-#include "window/find_bar.h"
-#include "window/text_count_dialog.h"
 
 #include <QApplication>
 #include <QClipboard>
 
 namespace window {
 
-EditMenu::EditMenu(view::DocumentView& view, FindBar& find, QWidget* parent)
+EditMenu::EditMenu(view::DocumentView& view, panes::FindBar& find, QWidget* parent)
     : QMenu(tr("&Edit"), parent), view_(view) {
     document::Document& of = view_.document().document();
     undo_ = menus::addTo(*this, "undo", tr("&Undo"), QKeySequence::Undo, [&of] { of.undo(); });
@@ -43,7 +43,7 @@ EditMenu::EditMenu(view::DocumentView& view, FindBar& find, QWidget* parent)
                             [&find] { find.openReplace(); });
     addSeparator();
     menus::addTo(*this, "wordCount", tr("W&ord Count..."), {},
-                 [this] { (new TextCountDialog(view_, parentWidget()))->open(); });
+                 [this] { (new panes::TextCountDialog(view_, parentWidget()))->open(); });
     connect(&of, &document::Document::undoChanged, this, &EditMenu::updateUndo);
     connect(&view_, &view::DocumentView::selectionChanged, this, &EditMenu::updateSelection);
     connect(&view_, &view::DocumentView::writingChanged, this, &EditMenu::updateSelection);

@@ -6,20 +6,22 @@
 #include <functional>
 #include <vector>
 
+namespace panes {
+class FindBar;
+}
+
 namespace view {
 class DocumentView;
 }
 
 namespace window {
 
-class FindBar;
-
 class EditMenu : public QMenu {
     Q_OBJECT
 
 public:
     // Both outlive it.
-    EditMenu(view::DocumentView& view, FindBar& find, QWidget* parent);
+    EditMenu(view::DocumentView& view, panes::FindBar& find, QWidget* parent);
 
     // The switch between reading and writing, for the tool bar, too.
     [[nodiscard]] QAction& write() const { return *write_; }

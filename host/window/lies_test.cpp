@@ -23,7 +23,7 @@ protected:
 
 TEST_F(LiesTest, AFullListOfFaultsIsPlacedOnce) {
     DocumentWindow* window = hear("diagnostics 1000 4096", [&](DocumentWindow& of) {
-        return of.findChild<FaultsPane*>()->count() == 1000;
+        return of.findChild<panes::FaultsPane*>()->count() == 1000;
     });
     const auto& faults = window->document().faultsOf(nth(*window, 0));
     ASSERT_EQ(faults.size(), 1000u);

@@ -1,8 +1,8 @@
 #include "window/medium_commands.h"
 
+#include "controls/icons.h"
+#include "controls/play_bar.h"
 #include "plain/plain.h"
-#include "view/icons.h"
-#include "view/play_bar.h"
 
 #include <algorithm>
 #include <set>
@@ -40,7 +40,7 @@ bool isPlaying(const std::string& icon) {
 MediumCommands::MediumCommands(session::OpenDocument& document, view::DocumentView& view,
                                QMenuBar& bar, QAction* before, QToolBar& toolArea)
     : document_(document), view_(view), bar_(bar), before_(before), tools_(toolArea),
-      owner_(plain::label({}, &toolArea)), time_(new view::PlayBar(false, &toolArea)) {
+      owner_(plain::label({}, &toolArea)), time_(new controls::PlayBar(false, &toolArea)) {
     timer_.setSingleShot(true);
     connect(&timer_, &QTimer::timeout, this, &MediumCommands::refresh);
     connect(&view_, &view::DocumentView::chosenChanged, this, &MediumCommands::schedule);
@@ -57,10 +57,11 @@ MediumCommands::MediumCommands(session::OpenDocument& document, view::DocumentVi
         for (media::LiveSubdocument* live : timed())
             action(*live);
     };
-    connect(time_, &view::PlayBar::playWanted, this, [=] { forTimed([](auto& l) { l.play(); }); });
-    connect(time_, &view::PlayBar::pauseWanted, this,
+    connect(time_, &controls::PlayBar::playWanted, this,
+            [=] { forTimed([](auto& l) { l.play(); }); });
+    connect(time_, &controls::PlayBar::pauseWanted, this,
             [=] { forTimed([](auto& l) { l.pause(); }); });
-    connect(time_, &view::PlayBar::seekWanted, this,
+    connect(time_, &controls::PlayBar::seekWanted, this,
             [=](double t) { forTimed([t](auto& l) { l.seek(t); }); });
     watch();
     refresh();
@@ -224,7 +225,7 @@ void MediumCommands::build(const QString& documentClass, Medium& medium,
         action->setToolTip(plain::tip(label));
         action->setCheckable(entry.checkable);
         if (!entry.icon.empty() && icons++ < mostTools) {
-            action->setIcon(view::iconNamed(QString::fromStdString(entry.icon)));
+            action->setIcon(controls::iconNamed(QString::fromStdString(entry.icon)));
             if (!action->icon().isNull() && !isPlaying(entry.icon))
                 medium.tools.push_back(action);
         }

@@ -64,7 +64,7 @@ private:
     QAction* before_;
     QToolBar& tools_;
     QLabel* owner_;
-    view::PlayBar* time_;
+    controls::PlayBar* time_;
     QAction* timeAction_;
     std::map<QString, Medium> media_;
     QTimer timer_;

@@ -1,9 +1,9 @@
 // Words that are not spelled right, in a writing view.
 #include "layout/carets.h"
+#include "panes/spelling_commands.h"
 #include "view/text_hand.h"
 #include "view/writing.h"
 #include "window/edit_menu.h"
-#include "window/spelling_commands.h"
 #include "window/window_testing.h"
 
 #include <QMenu>
@@ -39,7 +39,9 @@ protected:
     view::DocumentView& view() const { return window_->view(); }
     document::Document& document() const { return window_->document().document(); }
     QAction* action(const char* name) const { return window_->findChild<QAction*>(name); }
-    std::size_t count() const { return window_->findChild<SpellingCommands*>()->marks().count(); }
+    std::size_t count() const {
+        return window_->findChild<panes::SpellingCommands*>()->marks().count();
+    }
     QMenu* menuAt(const std::string& words) const {
         const layout::Carets carets(view().pages(), document().tree());
         const layout::Caret caret = carets.of(document().bytes().find(words) + 1, 0).value();
@@ -86,7 +88,7 @@ TEST_F(MisspelledTest, ALetterChecksItsOwnParagraphAlone) {
         body += paragraph("The motion of a ball");
     write(body + paragraph("motoin"));
     ASSERT_TRUE(waitFor([&] { return count() == 1; }));
-    const auto* speller = window_->findChild<SpellingCommands*>()->marks().speller();
+    const auto* speller = window_->findChild<panes::SpellingCommands*>()->marks().speller();
     const int lookedUp = speller->lookedUp();
     const std::size_t at = document().bytes().find("of a");
     view().text().cursor().set({at, at});

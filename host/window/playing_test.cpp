@@ -9,11 +9,11 @@ namespace {
 class PlayingTest : public WindowTest {
 protected:
     // The play bar of the tool area, when something has time.
-    static view::PlayBar* barOf(DocumentWindow& window) {
-        auto* bar = window.findChild<QToolBar*>("tools")->findChild<view::PlayBar*>();
+    static controls::PlayBar* barOf(DocumentWindow& window) {
+        auto* bar = window.findChild<QToolBar*>("tools")->findChild<controls::PlayBar*>();
         return waitFor([&] { return bar->isVisible(); }) ? bar : nullptr;
     }
-    static void press(view::PlayBar& bar) { bar.findChild<QToolButton*>()->click(); }
+    static void press(controls::PlayBar& bar) { bar.findChild<QToolButton*>()->click(); }
     static bool isAtPoster(DocumentWindow& window, double poster) {
         return waitFor([&] {
             return hasPicture(window, 0) && live(window, 0).time() &&
@@ -32,7 +32,7 @@ protected:
 TEST_F(PlayingTest, TheFirstPlayBeginsAtTheStartByTheBar) {
     DocumentWindow* window = open(memo(scripted("duration 50", "POSTER=\"49.9\"")));
     ASSERT_TRUE(isAtPoster(*window, 49.9));
-    view::PlayBar* bar = barOf(*window);
+    controls::PlayBar* bar = barOf(*window);
     ASSERT_TRUE(bar);
     press(*bar);
     EXPECT_TRUE(playsFromTheStart(*window));
@@ -71,7 +71,7 @@ TEST_F(PlayingTest, WhatWasLookedForByHandIsPlayedFromThere) {
 TEST_F(PlayingTest, AFaultyFigureBeforeTheOthersIsNoObstacle) {
     DocumentWindow* window = open(memo(scripted("fault 1 1 nothing") + scripted("duration 50")));
     ASSERT_TRUE(waitFor([&] { return hasPicture(*window, 0) && live(*window, 1).time(); }));
-    view::PlayBar* bar = barOf(*window);
+    controls::PlayBar* bar = barOf(*window);
     ASSERT_TRUE(bar);
     press(*bar);
     EXPECT_TRUE(waitFor([&] { return live(*window, 1).time()->playing; }));
@@ -95,7 +95,7 @@ TEST_F(PlayingTest, FiguresOfEveryMediumPlayTogether) {
         return live(*window, 0).time() && live(*window, 1).time() && hasPicture(*window, 1);
     }));
     EXPECT_NE(live(*window, 0).manifest().documentClass, live(*window, 1).manifest().documentClass);
-    view::PlayBar* bar = barOf(*window);
+    controls::PlayBar* bar = barOf(*window);
     ASSERT_TRUE(bar);
     press(*bar);
     EXPECT_TRUE(waitFor(

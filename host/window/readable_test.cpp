@@ -59,12 +59,12 @@ TEST_P(ReadableTest, EveryTextOfAWindow) {
     ASSERT_TRUE(waitFor([&] {
         return hasPicture(*window, 1) && live(*window, 1).time() && list->topLevelItemCount() > 0;
     }));
-    window->findChild<FaultsPane*>()->show();
-    window->findChild<FindBar*>()->open();
-    window->findChild<FindBar*>()->findChild<QLineEdit*>()->setText("Test");
+    window->findChild<panes::FaultsPane*>()->show();
+    window->findChild<panes::FindBar*>()->open();
+    window->findChild<panes::FindBar*>()->findChild<QLineEdit*>()->setText("Test");
     window->statusBar()->showMessage("Saved");
     ASSERT_TRUE(waitFor([&] {
-        return window->findChild<QToolBar*>("tools")->findChild<view::PlayBar*>()->isVisible();
+        return window->findChild<QToolBar*>("tools")->findChild<controls::PlayBar*>()->isVisible();
     }));
     expectReadable(*window, "window", 12);
     for (QMenu* menu : window->findChildren<QMenu*>()) {
@@ -126,8 +126,8 @@ TEST_P(ReadableTest, ThePlayBarOverAnyPicture) {
         colours.setColor(QPalette::Window, picture);
         under.setPalette(colours);
         under.resize(400, 60);
-        view::PlayBar bar(true, &under);
-        bar.setGeometry(0, 0, 400, view::PlayBar::barHeight);
+        controls::PlayBar bar(true, &under);
+        bar.setGeometry(0, 0, 400, controls::PlayBar::barHeight);
         ipc::TimeChanged time;
         time.finish = 3;
         bar.setTime(time);
@@ -153,9 +153,9 @@ QString said(QWidget* widget) {
 TEST_F(WindowTest, AScreenReaderGetsEveryNameAndEveryValue) {
     DocumentWindow* window = open(memo(scripted("duration 5\nmenu Refresh\nfault 1 1 wrong")));
     ASSERT_TRUE(waitFor([&] { return hasPicture(*window, 0) && live(*window, 0).time(); }));
-    window->findChild<FaultsPane*>()->show();
-    window->findChild<FindBar*>()->open();
-    auto* bar = window->findChild<QToolBar*>("tools")->findChild<view::PlayBar*>();
+    window->findChild<panes::FaultsPane*>()->show();
+    window->findChild<panes::FindBar*>()->open();
+    auto* bar = window->findChild<QToolBar*>("tools")->findChild<controls::PlayBar*>();
     ASSERT_TRUE(waitFor([&] { return bar->isVisible(); }));
     for (QWidget* widget : window->findChildren<QWidget*>()) {
         if (!widget->isVisible())

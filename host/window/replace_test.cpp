@@ -28,7 +28,7 @@ protected:
     document::Document& document() const { return window_->document().document(); }
     QAction* action(const char* name) const { return window_->findChild<QAction*>(name); }
     QLineEdit& field(const char* name) const { return *window_->findChild<QLineEdit*>(name); }
-    FindBar& bar() const { return *window_->findChild<FindBar*>(); }
+    panes::FindBar& bar() const { return *window_->findChild<panes::FindBar*>(); }
     void click(const char* name) const { bar().findChild<QAbstractButton*>(name)->click(); }
     std::string body() const {
         const std::string& bytes = document().bytes();

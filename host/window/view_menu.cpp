@@ -1,9 +1,9 @@
 #include "window/view_menu.h"
 
 #include "menus/actions.h"
+#include "navigation/page_commands.h"
 #include "plain/plain.h"
 #include "window/application.h"
-#include "window/page_commands.h"
 
 #include <QActionGroup>
 
@@ -29,7 +29,7 @@ ViewMenu::ViewMenu(Application& application, DocumentWindow& window, const QList
                  [&view] { view.setZoom(view.widthZoom()); });
     menus::addTo(*this, "actualSize", tr("&Actual Size"), QKeySequence("Ctrl+0"),
                  [&view] { view.setZoom(1); });
-    (new PageCommands(view, &window_))->addTo(*this);
+    (new navigation::PageCommands(view, &window_))->addTo(*this);
     addSeparator();
     addActions(parts);
     menus::addTo(*this, "fullScreen", tr("&Full Screen"), QKeySequence("F11"),

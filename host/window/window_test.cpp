@@ -108,7 +108,7 @@ TEST_F(WindowTest, TheToolAreaBelongsToTheMediumInUse) {
 TEST_F(WindowTest, ThePlayBarIsOnlyUnderThePointer) {
     DocumentWindow* window = open(memo(scripted("duration 50") + scripted("colour 123456")));
     ASSERT_TRUE(waitFor([&] { return live(*window, 0).time() && hasPicture(*window, 1); }));
-    auto* bar = window->view().viewport()->findChild<view::PlayBar*>();
+    auto* bar = window->view().viewport()->findChild<controls::PlayBar*>();
     EXPECT_FALSE(bar->isVisible());
     const auto over = [&](std::size_t n) {
         QTest::mouseMove(window->view().viewport(),
@@ -197,7 +197,7 @@ TEST_F(WindowTest, WordsAreFoundWhereTheyStand) {
     for (QAction* one : window->findChildren<QAction*>())
         if (one->shortcut() == QKeySequence(QKeySequence::Find))
             one->trigger();
-    auto* bar = window->findChild<FindBar*>();
+    auto* bar = window->findChild<panes::FindBar*>();
     ASSERT_TRUE(bar && bar->isVisible());
     QTest::keyClicks(&bar->field(), "needle");
     EXPECT_EQ(bar->says(), "1 of 2");
@@ -231,7 +231,7 @@ TEST_F(WindowTest, ACrashedMediumKeepsItsPictureAndStartsOnAClick) {
                 HasSubstr("was ended by signal 11"));
     EXPECT_EQ(live(*window, 1).condition(), media::Condition::live);
     EXPECT_EQ(window->document().document().bytes(), before);
-    auto* pane = window->findChild<FaultsPane*>();
+    auto* pane = window->findChild<panes::FaultsPane*>();
     EXPECT_TRUE(waitFor([&] { return pane->count() == 1; }));
     click(*window, 0);
     EXPECT_TRUE(waitFor([&] { return live(*window, 0).condition() == media::Condition::live; }));
@@ -245,13 +245,13 @@ TEST_F(WindowTest, AFaultyTextSaysSoWithItsLineInTheFile) {
     ASSERT_EQ(faults.size(), 1u);
     EXPECT_EQ(faults[0].position.line, 8);
     EXPECT_EQ(faults[0].position.column, 1);
-    auto* pane = window->findChild<FaultsPane*>();
+    auto* pane = window->findChild<panes::FaultsPane*>();
     EXPECT_TRUE(waitFor([&] { return pane->count() == 1; }));
 }
 
 TEST_F(WindowTest, ABrokenFileIsShownWithItsFaults) {
     DocumentWindow* window = open("DOCUMENT CMEMO\n<CMEMO>\n<SUBJECT>{Half");
-    auto* pane = window->findChild<FaultsPane*>();
+    auto* pane = window->findChild<panes::FaultsPane*>();
     EXPECT_TRUE(waitFor([&] { return pane->count() > 0 && pane->isVisible(); }));
     const auto says = [](DocumentWindow* of, const QString& words) {
         return std::ranges::any_of(of->findChildren<QLabel*>(), [&](const QLabel* label) {

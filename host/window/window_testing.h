@@ -1,12 +1,12 @@
 // A window with documents of a scripted medium, and what tests ask of it.
 #pragma once
 
-#include "view/icons.h"
-#include "view/play_bar.h"
+#include "controls/icons.h"
+#include "controls/play_bar.h"
+#include "panes/faults_pane.h"
+#include "panes/find_bar.h"
 #include "window/application.h"
 #include "window/document_window.h"
-#include "window/faults_pane.h"
-#include "window/find_bar.h"
 #include "window/medium_commands.h"
 
 #include <gmock/gmock.h>
