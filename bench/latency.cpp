@@ -9,6 +9,7 @@
 // And how long the interface's thread is held up in a scene of 3000 bodies (crowd.h): 50 ms at
 // most, is the goal.
 #include "crowd.h"
+#include "paints.h"
 
 #include "script/reader.h"
 #include "views/editor.h"
@@ -44,27 +45,6 @@ void handleEventsUntil(const std::function<bool()>& condition) {
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
     }
 }
-
-// When the window was painted: other windows may be painted before the events are through.
-class Paints : public QObject {
-public:
-    explicit Paints(QWidget& of) { of.installEventFilter(this); }
-    bool eventFilter(QObject* of, QEvent* event) override {
-        if (event->type() != QEvent::Paint)
-            return false;
-        of->event(event);
-        last = Clock::now();
-        if (++count == awaited)
-            first = last;
-        return true;
-    }
-    // From now on.
-    void await() { awaited = count + 1; }
-    [[nodiscard]] bool came() const { return count >= awaited; }
-
-    int count = 0, awaited = 0;
-    Clock::time_point first, last;
-};
 
 struct Latencies {
     std::vector<double> toHandle, toMotion; // seconds
@@ -127,7 +107,7 @@ private:
 
     views::SceneDocument& document_;
     views::SceneDisplay& display_;
-    Paints paints_;
+    bench::Paints paints_;
     int motions_ = 0, paintsBefore_ = 0; // paints, when the last motion came
 };
 

@@ -5,6 +5,8 @@
 // thread alone is told. The goal is 5 ms at the 99th percentile.
 //
 //     bench_typing [--smoke]
+#include "paints.h"
+
 #include "document/document.h"
 #include "view/text_hand.h"
 #include "window/application.h"
@@ -55,19 +57,6 @@ QByteArray report(int sections) {
     return bytes + "</REPORT>\n";
 }
 
-class Paints : public QObject {
-public:
-    explicit Paints(QWidget& of) { of.installEventFilter(this); }
-    bool eventFilter(QObject* of, QEvent* event) override {
-        if (event->type() != QEvent::Paint)
-            return false;
-        of->event(event);
-        ++count;
-        return true;
-    }
-    int count = 0;
-};
-
 double loop() {
     const auto begin = Clock::now();
     volatile double x = 0;
@@ -106,7 +95,7 @@ void measure(int sections, int keys) {
     view.text().cursor().set({at, at});
     view.text().showCaret();
     QCoreApplication::processEvents();
-    Paints paints(*view.viewport());
+    bench::Paints paints(*view.viewport());
     std::vector<double> times, handled, worked, loops;
     for (int i = 0; i < keys; ++i) {
         const QString letter(QChar(i % 6 == 5 ? ' ' : 'a' + i % 26));

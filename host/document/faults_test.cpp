@@ -1,20 +1,13 @@
 #include "document/faults.h"
 #include "document/random_report.h"
 #include "document/uses.h"
+#include "sgml/faults_testing.h"
 
 #include <gtest/gtest.h>
 
 namespace document {
 
 namespace {
-
-// One line for each: "file:line:column: error: text".
-std::string formatted(const std::vector<sgml::Fault>& faults, const std::string& file) {
-    std::string lines;
-    for (const sgml::Fault& fault : faults)
-        lines += sgml::formatted(fault, file) + "\n";
-    return lines;
-}
 
 // From the file's own document, whose class a seed may change.
 text::Edits classEdit(Author& author, const std::string& bytes) {
@@ -47,7 +40,8 @@ TEST(Faults, ListsEverythingInOrderOfPlace) {
         "<PARAGRAPH><VALUE OF=\"c\"></VALUE></PARAGRAPH>\n"
         "</SECTION>stray</REPORT>\n");
     EXPECT_EQ(
-        formatted(documentFaults(document, schemas::Schemas::builtIn(), {"ANIMATION"}), "r.ens"),
+        sgml::formatted(documentFaults(document, schemas::Schemas::builtIn(), {"ANIMATION"}),
+                        "r.ens"),
         "r.ens:3:17: warning: <PARAGRAPH> does not belong here in <SECTION>; expected HEADING\n"
         "r.ens:4:1: warning: the ID a is given twice; the first counts\n"
         "r.ens:4:50: warning: nothing has the ID b that this refers to\n"
@@ -85,8 +79,8 @@ TEST(Faults, AfterEveryEditAreThoseOfANewLook) {
             const std::vector<sgml::Fault> now = faults.list();
             looked += faults.looked() - before;
             all += first;
-            ASSERT_EQ(formatted(now, "f"),
-                      formatted(documentFaults(document, schemas, {"ANIMATION"}), "f"))
+            ASSERT_EQ(sgml::formatted(now, "f"),
+                      sgml::formatted(documentFaults(document, schemas, {"ANIMATION"}), "f"))
                 << "seed " << seed << " edit " << i << "\n"
                 << document.bytes();
             ASSERT_EQ(printed(uses), printed(Uses(document, schemas)));

@@ -2,6 +2,7 @@
 #include "document/faults.h"
 #include "model/model.h"
 #include "model/text_export.h"
+#include "sgml/faults_testing.h"
 #include "sgml/random_document.h"
 
 #include <gtest/gtest.h>
@@ -13,14 +14,6 @@
 namespace model {
 
 namespace {
-
-// One line for each: "file:line:column: error: text".
-std::string formatted(const std::vector<sgml::Fault>& faults, const std::string& file) {
-    std::string lines;
-    for (const sgml::Fault& fault : faults)
-        lines += sgml::formatted(fault, file) + "\n";
-    return lines;
-}
 
 std::string contentOf(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
@@ -244,9 +237,9 @@ TEST(TextExport, SamplesAreAsCommitted) {
 TEST(Samples, HaveNoFaultsAndNoWarnings) {
     for (const std::string name : {"memo.ens", "report.ens"}) {
         const document::Document document(contentOf(SOURCE_DIR "/samples/" + name));
-        EXPECT_EQ(formatted(document::documentFaults(document, schemas::Schemas::builtIn(),
-                                                     {"ANIMATION"}),
-                            name),
+        EXPECT_EQ(sgml::formatted(document::documentFaults(document, schemas::Schemas::builtIn(),
+                                                           {"ANIMATION"}),
+                                  name),
                   "");
     }
 }

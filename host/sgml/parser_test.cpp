@@ -1,3 +1,4 @@
+#include "sgml/faults_testing.h"
 #include "sgml/random_document.h"
 #include "sgml/tree.h"
 
@@ -9,12 +10,7 @@ namespace sgml {
 
 namespace {
 
-std::string faultsOf(const Tree& tree) {
-    std::string lines;
-    for (const Fault& fault : tree.faults())
-        lines += formatted(fault, "f") + "\n";
-    return lines;
-}
+std::string faultsOf(const Tree& tree) { return formatted(tree.faults(), "f"); }
 
 std::string faultsOf(std::string text) { return faultsOf(Tree::parse(std::move(text))); }
 
