@@ -52,6 +52,9 @@ public:
     int rename(const char* from, const char* to) override {
         return fails() ? -1 : FileSystem::rename(from, to);
     }
+    int exchange(const char* one, const char* other) override {
+        return fails() ? -1 : FileSystem::exchange(one, other);
+    }
     char* realpath(const char* path, char* resolved) override {
         return fails() ? nullptr : FileSystem::realpath(path, resolved);
     }

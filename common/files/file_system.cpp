@@ -27,6 +27,9 @@ int FileSystem::fstat(int fd, struct stat* status) { return ::fstat(fd, status);
 int FileSystem::mkdir(const char* path, mode_t mode) { return ::mkdir(path, mode); }
 int FileSystem::flock(int fd, int operation) { return ::flock(fd, operation); }
 int FileSystem::rename(const char* from, const char* to) { return ::rename(from, to); }
+int FileSystem::exchange(const char* one, const char* other) {
+    return ::renameat2(AT_FDCWD, one, AT_FDCWD, other, RENAME_EXCHANGE);
+}
 int FileSystem::unlink(const char* path) { return ::unlink(path); }
 char* FileSystem::realpath(const char* path, char* resolved) { return ::realpath(path, resolved); }
 

@@ -26,6 +26,8 @@ public:
     virtual int mkdir(const char* path, mode_t mode);
     virtual int flock(int fd, int operation);
     virtual int rename(const char* from, const char* to);
+    // Each of two files takes the other's name, at once.
+    virtual int exchange(const char* one, const char* other);
     virtual int unlink(const char* path);
     virtual char* realpath(const char* path, char* resolved); // resolved: PATH_MAX bytes
     // The names in a folder, in no order; none when it cannot be read.

@@ -13,12 +13,16 @@ namespace files {
 
 namespace {
 
-constexpr std::string_view partEnding = ".part-";
+constexpr std::string_view partEnding = ".part-", backupEnding = "~";
 
 // Where a chain of symbolic links ends, so that saving replaces the file and not the link.
 std::string resolved(FileSystem& files, const std::string& path) {
     char buffer[PATH_MAX];
     return files.realpath(path.c_str(), buffer) != nullptr ? std::string(buffer) : path;
+}
+
+std::string changedSentence(const std::string& name) {
+    return "Another program has changed " + name + " since it was read.";
 }
 
 // One save: the steps in their order, each with its sentence, cleaned up behind when one fails.
@@ -29,9 +33,18 @@ public:
           mode_(mode) {}
 
     SaveResult run(FileStamp& stamp) {
-        if (!writeBeside() || !moveOver() || !readBack(stamp))
+        if (!writeBeside() || !moveOver() || !confirm() || !readBack(stamp))
             return {.saved = false, .refusal = Refusal::none, .sentence = sentence_};
         return {.saved = true};
+    }
+
+    // The old file becomes the backup. With `known`: if it is still the one that it was then.
+    SaveResult runWithBackup(FileStamp& stamp, const FileStamp* known) {
+        SaveResult result{.saved = false};
+        if (writeBeside() && exchange(known, result.refusal) && confirm() && readBack(stamp))
+            return {.saved = true};
+        result.sentence = sentence_;
+        return result;
     }
 
 private:
@@ -59,16 +72,15 @@ private:
 
     bool writeBeside() {
         struct stat old {};
-        bool exists = false;
-        if (!oldStatus(old, exists))
+        if (!oldStatus(old, exists_))
             return false;
         temporary_ = freeName();
-        OpenFile file(files_, temporary_, O_WRONLY | O_CREAT | O_EXCL, exists ? 0600 : mode_);
+        OpenFile file(files_, temporary_, O_WRONLY | O_CREAT | O_EXCL, exists_ ? 0600 : mode_);
         if (!file.isOpen())
             return fail("its folder takes no new file", errno);
         if (!file.writeAll(bytes_))
             return abandon("the disk did not take it", errno);
-        if (exists && !keepRights(file, old))
+        if (exists_ && !keepRights(file, old))
             return abandon("the old file's permissions cannot be kept", errno);
         if (!file.sync())
             return abandon("the disk did not confirm it", errno);
@@ -98,8 +110,52 @@ private:
     }
 
     bool moveOver() {
-        if (files_.rename(temporary_.c_str(), path_.c_str()) != 0)
-            return abandon("the new version cannot take its place", errno);
+        return files_.rename(temporary_.c_str(), path_.c_str()) == 0 ||
+               abandon("the new version cannot take its place", errno);
+    }
+
+    // `refusal`: changed, when the file is no longer the known one.
+    bool exchange(const FileStamp* known, Refusal& refusal) {
+        if (!exists_)
+            return moveOver();
+        if (files_.exchange(temporary_.c_str(), path_.c_str()) != 0)
+            return exchangeIsMissing(errno)
+                       ? moveOverIf(known, refusal)
+                       : abandon("the new version cannot take its place", errno);
+        // From here on `temporary_` is the old file.
+        if (!isKnown(temporary_, known)) {
+            if (files_.exchange(temporary_.c_str(), path_.c_str()) != 0)
+                return fail("another program has just written it, and its text is in " +
+                                nameOf(temporary_),
+                            errno);
+            return refuse(refusal);
+        }
+        if (files_.rename(temporary_.c_str(), (path_ + std::string(backupEnding)).c_str()) != 0)
+            static_cast<void>(files_.unlink(temporary_.c_str()));
+        return true;
+    }
+
+    // Removed meanwhile, or a file system that cannot do it.
+    static bool exchangeIsMissing(int error) {
+        return error == ENOENT || error == EINVAL || error == ENOSYS || error == EOPNOTSUPP;
+    }
+
+    bool moveOverIf(const FileStamp* known, Refusal& refusal) {
+        return isKnown(path_, known) ? moveOver() : refuse(refusal);
+    }
+
+    bool isKnown(const std::string& path, const FileStamp* known) {
+        return known == nullptr || compareFile(files_, {path, *known}) != FileState::changed;
+    }
+
+    bool refuse(Refusal& refusal) {
+        static_cast<void>(files_.unlink(temporary_.c_str()));
+        refusal = Refusal::changed;
+        sentence_ = changedSentence(name_);
+        return false;
+    }
+
+    bool confirm() {
         const OpenFile folder(files_, folderOf(path_), O_RDONLY | O_DIRECTORY);
         // Some file systems cannot sync a folder, and say EINVAL; on those the rename is all there
         // is.
@@ -128,6 +184,7 @@ private:
     std::string name_, path_;
     const std::string& bytes_;
     mode_t mode_;
+    bool exists_ = false; // a file from before
     std::string temporary_, sentence_;
 };
 
@@ -156,8 +213,7 @@ SaveResult saveFile(FileSystem& files, const std::string& path, const std::strin
     };
     const bool isOwn = isSameFile(files, path, known.path);
     if (isOwn && !options.evenChanged && compareFile(files, known) == FileState::changed)
-        return refuse(Refusal::changed,
-                      "Another program has changed " + nameOf(path) + " since it was read.");
+        return refuse(Refusal::changed, changedSentence(nameOf(path)));
     const std::size_t names = options.evenLinked ? 1 : namesOfFile(files, path);
     if (names > 1)
         return refuse(Refusal::linked,
@@ -166,10 +222,17 @@ SaveResult saveFile(FileSystem& files, const std::string& path, const std::strin
                           (names > 2 ? "the other names" : "the other name") +
                           " the old text stays.");
     removeAbandonedParts(files, path);
-    SaveResult result = writeFile(files, path, bytes, known.stamp);
+    const FileStamp then = known.stamp;
+    const bool isWatched = isOwn && !options.evenChanged && then.exists;
+    SaveResult result =
+        Save(files, path, bytes, 0666).runWithBackup(known.stamp, isWatched ? &then : nullptr);
     if (result)
         known.path = path;
     return result;
+}
+
+std::string backupOf(FileSystem& files, const std::string& path) {
+    return resolved(files, path) + std::string(backupEnding);
 }
 
 FileState compareFile(FileSystem& files, const KnownFile& known) {

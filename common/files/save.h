@@ -1,9 +1,16 @@
 // How a text gets to disk without the file ever being damaged.
 //
 // Saving: write beside the file, check every write and the sync, put the old file's permissions on
-// it, rename over the old one (through symbolic links, to what they lead to), sync the folder, read
-// it again and compare. Whatever call fails, the file holds the old content or the new, and "saved"
-// is said only when the new content was read back. (QSaveFile says it also when the sync failed.)
+// it, exchange it with the old one (through symbolic links, with what they lead to), sync the
+// folder, read it again and compare. Whatever call fails, the file holds the old content or the
+// new, and "saved" is said only when the new content was read back. (QSaveFile says it also when
+// the sync failed.)
+//
+// The file that the exchange gave out is looked at: when another program wrote it since it was
+// read, even in the last moment, the exchange is taken back. Else it is the backup, FILE~. LIMIT: a
+// program that had opened the old file before, and writes into it afterwards, writes the backup. A
+// file system that exchanges no files (some of a network) makes no backup, and the last look at the
+// file is the one before the rename.
 #pragma once
 
 #include "files/read.h"
@@ -45,7 +52,10 @@ struct SaveResult {
 [[nodiscard]] SaveResult saveFile(FileSystem& files, const std::string& path,
                                   const std::string& bytes, KnownFile& known,
                                   const SaveOptions& options = {});
-// Writes without looking at what was there; `mode` is that of a file that was not.
+// Where saveFile() keeps the version before, and what leads to it through symbolic links.
+[[nodiscard]] std::string backupOf(FileSystem& files, const std::string& path);
+// Writes without looking at what was there, and without a backup; `mode` is that of a file that was
+// not.
 [[nodiscard]] SaveResult writeFile(FileSystem& files, const std::string& path,
                                    const std::string& bytes, FileStamp& stamp, mode_t mode = 0666);
 [[nodiscard]] FileState compareFile(FileSystem& files, const KnownFile& known);

@@ -23,6 +23,7 @@ KnownFile read(const std::string& path) {
 TEST(Save, EveryCallMayFail) {
     const Folder folder;
     int injected = 0;
+    const auto isOld = [&](const std::string& name) { return folder.content(name) == oldBytes; };
     for (const int error : {ENOSPC, EIO, EDQUOT, EROFS, EACCES}) {
         for (int nth = 1;; ++nth) {
             KnownFile known = read(folder.put("a.ens", oldBytes));
@@ -35,8 +36,13 @@ TEST(Save, EveryCallMayFail) {
             } else {
                 ASSERT_FALSE(result.sentence.empty());
             }
-            ASSERT_THAT(folder.names(), ElementsAre("a.ens"))
+            const bool hasBackup = folder.names().size() == 2;
+            ASSERT_THAT(folder.names(),
+                        hasBackup ? ElementsAre("a.ens", "a.ens~") : ElementsAre("a.ens"))
                 << "something is left behind by call " << nth;
+            ASSERT_TRUE(!hasBackup || (isOld("a.ens~") && now == newBytes)) << "call " << nth;
+            ASSERT_TRUE(hasBackup || files.failed);
+            static_cast<void>(::unlink(folder.path("a.ens~").c_str()));
             if (!files.failed)
                 break;
             ++injected;
@@ -119,6 +125,7 @@ TEST(Save, OtherNamesOfTheFileAreNotLeftBehindUnasked) {
     ASSERT_TRUE(saveFile(FileSystem::real(), known.path, newBytes, known, {.evenLinked = true}));
     EXPECT_EQ(folder.content("a.al"), newBytes);
     EXPECT_EQ(folder.content("b.al"), oldBytes);
+    ASSERT_EQ(::unlink(folder.path("a.al~").c_str()), 0);
     EXPECT_TRUE(saveFile(FileSystem::real(), known.path, oldBytes, known)); // one name each now
 }
 
@@ -132,7 +139,74 @@ TEST(Save, PartsOfKilledSavesGo) {
         folder.put(name, "half");
     ASSERT_TRUE(saveFile(FileSystem::real(), known.path, newBytes, known));
     EXPECT_THAT(folder.names(), ElementsAre("a.al", "a.al.part-", "a.al.part-" + mine + "-7",
-                                            "a.al.part-x", "b.al.part-" + dead));
+                                            "a.al.part-x", "a.al~", "b.al.part-" + dead));
+}
+
+TEST(Save, TheVersionBeforeIsTheBackup) {
+    const Folder folder;
+    KnownFile known = read(folder.put("a.al", oldBytes));
+    ASSERT_EQ(::symlink("a.al", folder.path("link.al").c_str()), 0);
+    const std::string backup = backupOf(FileSystem::real(), folder.path("link.al"));
+    EXPECT_EQ(nameOf(backup), "a.al~");
+    ASSERT_TRUE(saveFile(FileSystem::real(), folder.path("link.al"), newBytes, known));
+    EXPECT_EQ(folder.content("a.al~"), oldBytes);
+    ASSERT_TRUE(saveFile(FileSystem::real(), known.path, "third", known));
+    EXPECT_EQ(folder.content("a.al~"), newBytes);
+    // What is overwritten by choice is kept, too; a new file has nothing before it.
+    folder.put("a.al", "another's");
+    ASSERT_TRUE(saveFile(FileSystem::real(), known.path, "fourth", known, {.evenChanged = true}));
+    EXPECT_EQ(folder.content("a.al~"), "another's");
+    ASSERT_TRUE(saveFile(FileSystem::real(), folder.path("new.al"), "first", known));
+    EXPECT_THAT(folder.names(), ElementsAre("a.al", "a.al~", "link.al", "new.al"));
+}
+
+// Another program writes the file just before a call of the save, whichever that is.
+class OvertakenFiles : public FailingFiles {
+public:
+    OvertakenFiles(int nth, std::string path)
+        : FailingFiles(-1, 0), nth_(nth), path_(std::move(path)) {}
+    int fsync(int fd) override { return act(), FailingFiles::fsync(fd); }
+    int access(const char* path, int mode) override {
+        return act(), FailingFiles::access(path, mode);
+    }
+    int exchange(const char* one, const char* other) override {
+        return act(), FailingFiles::exchange(one, other);
+    }
+    int rename(const char* from, const char* to) override {
+        return act(), FailingFiles::rename(from, to);
+    }
+    bool acted = false;
+
+private:
+    void act() {
+        if (++count_ != nth_)
+            return;
+        acted = true;
+        std::ofstream(path_ + ".theirs", std::ios::binary) << "another's";
+        ASSERT_EQ(::rename((path_ + ".theirs").c_str(), path_.c_str()), 0);
+    }
+    int nth_, count_ = 0;
+    std::string path_;
+};
+
+TEST(Save, WhatAnotherProgramWritesMeanwhileIsNotLost) {
+    const Folder folder;
+    int overtaken = 0;
+    for (int nth = 1;; ++nth) {
+        KnownFile known = read(folder.put("a.al", oldBytes));
+        OvertakenFiles files(nth, known.path);
+        const SaveResult result = saveFile(files, known.path, newBytes, known);
+        if (!files.acted)
+            break;
+        const std::string now = folder.content("a.al");
+        EXPECT_EQ(now, "another's") << "call " << nth;
+        // Theirs came after ours, or ours was refused.
+        EXPECT_TRUE(result.refusal == Refusal::changed || folder.content("a.al~") == oldBytes);
+        overtaken += result.refusal == Refusal::changed ? 1 : 0;
+        static_cast<void>(::unlink(folder.path("a.al~").c_str()));
+        EXPECT_THAT(folder.names(), ElementsAre("a.al"));
+    }
+    EXPECT_GT(overtaken, 2);
 }
 
 } // namespace

@@ -292,6 +292,15 @@ files::ReadFile Document::readFile() const {
     return files::readFile(*files_, file_.path, sgml::Limits{}.bytes);
 }
 
+bool Document::hasBackup() const {
+    return !file_.path.empty() &&
+           files_->access(files::backupOf(*files_, file_.path).c_str(), R_OK) == 0;
+}
+
+files::ReadFile Document::readBackup() const {
+    return files::readFile(*files_, files::backupOf(*files_, file_.path), sgml::Limits{}.bytes);
+}
+
 void Document::setFileLost(bool lost) {
     const bool wasModified = isModified();
     fileIsLost_ = lost;

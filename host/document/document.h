@@ -93,6 +93,9 @@ public:
     // Was the file changed by another program since it was read or saved?
     [[nodiscard]] files::FileState fileState() const;
     [[nodiscard]] files::ReadFile readFile() const;
+    // The version before the last save, where there is one.
+    [[nodiscard]] bool hasBackup() const;
+    [[nodiscard]] files::ReadFile readBackup() const;
     // Another program wrote `file`, which is the file as it is known from now on. The edits that
     // bring its text here, or the part of it that is wanted, are one step of undo: undone, they
     // leave the text from before, which is not saved then.

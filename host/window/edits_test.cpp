@@ -54,6 +54,30 @@ TEST_F(WindowTest, WhatIsTypedInAMediumsWindowIsTakenIn) {
     EXPECT_TRUE(window->save()); // nobody is asked any more
 }
 
+TEST_F(WindowTest, TheVersionBeforeTheLastSaveComesBack) {
+    DocumentWindow* window = open(memo(paragraph("one")));
+    document::Document& document = window->document().document();
+    QAction* backup = window->findChild<QAction*>("backup");
+    auto* menu = qobject_cast<QMenu*>(backup->parent());
+    const auto isOffered = [&] {
+        Q_EMIT menu->aboutToShow();
+        return backup->isEnabled();
+    };
+    EXPECT_FALSE(isOffered());
+    const std::string first = document.bytes();
+    const std::size_t at = first.find("one");
+    ASSERT_EQ(document.edit({{{at, at + 3}, "two"}}, "Edit"), document::EditResult::applied);
+    const std::string second = document.bytes();
+    EXPECT_TRUE(window->save());
+    EXPECT_TRUE(isOffered());
+    backup->trigger();
+    EXPECT_EQ(document.bytes(), first);
+    EXPECT_TRUE(document.isModified());
+    document.undo();
+    EXPECT_EQ(document.bytes(), second);
+    EXPECT_FALSE(document.isModified());
+}
+
 TEST_F(WindowTest, ClosingMayTakeInWhatWasTyped) {
     QPointer<DocumentWindow> window = open(memo(scripted("colour 102030\ndraft #typed")));
     const std::shared_ptr<session::OpenDocument> kept = window->shared();

@@ -29,6 +29,10 @@ FileMenu::FileMenu(Application& application, DocumentWindow& window)
     menus::addTo(*this, "save", tr("&Save"), QKeySequence::Save, [this] { window_.save(); });
     menus::addTo(*this, "saveAs", tr("Save &As..."), QKeySequence("Ctrl+Shift+S"),
                  [this] { window_.saveAs(); });
+    QAction* backup = menus::addTo(*this, "backup", tr("&Version Before the Last Save"), {},
+                                   [this] { window_.saving().bringBackup(); });
+    connect(this, &QMenu::aboutToShow, this,
+            [this, backup] { backup->setEnabled(window_.document().document().hasBackup()); });
     addSeparator();
     menus::addTo(*this, "exportPdf", tr("Export P&DF..."), QKeySequence("Ctrl+Shift+E"),
                  [this] { window_.printing().askAndExport(window_.view().presentation()); });

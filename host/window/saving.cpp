@@ -1,6 +1,7 @@
 #include "window/saving.h"
 
 #include "plain/plain.h"
+#include "text/difference.h"
 #include "window/application.h"
 #include "window/choosing.h"
 
@@ -73,6 +74,24 @@ bool Saving::saveAs() {
     if (saved)
         application_.remember(file);
     return saved;
+}
+
+void Saving::bringBackup() {
+    document::Document& of = document_.document();
+    const files::ReadFile backup = of.readBackup();
+    if (!backup.read) {
+        plain::Message::tell(QMessageBox::Critical, &window_, tr("Version Before the Last Save"),
+                             tr("The version before the last save cannot be read: %1.")
+                                 .arg(QString::fromStdString(backup.reason)));
+        return;
+    }
+    const text::Edits edits = text::editsBetween(of.bytes(), backup.bytes);
+    if (edits.empty()) {
+        Q_EMIT said(tr("The document is as it was before the last save"));
+        return;
+    }
+    of.edit(edits, tr("Version Before the Last Save"));
+    Q_EMIT said(tr("This is the version before the last save. Undo goes back; Save keeps it."));
 }
 
 // The document itself stays what and where it is.

@@ -19,6 +19,8 @@ public:
 
     bool save(); // false: not, or not yet: what was typed elsewhere is being taken in
     bool saveAs();
+    // The document gets the text that its file had before the last save, as one change of it.
+    void bringBackup();
     // A copy among the templates; asks for its name. `proposed`: this one.
     void saveAsTemplate(const QString& proposed);
     // False: the window stays. It is asked about what is not saved where the window is the
