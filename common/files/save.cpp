@@ -7,6 +7,7 @@
 #include <csignal>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 namespace files {
@@ -118,6 +119,8 @@ private:
     bool exchange(const FileStamp* known, Refusal& refusal) {
         if (!exists_)
             return moveOver();
+        const OpenFile folder(files_, folderOf(path_), O_RDONLY | O_DIRECTORY);
+        waitFor(folder);
         if (files_.exchange(temporary_.c_str(), path_.c_str()) != 0)
             return exchangeIsMissing(errno)
                        ? moveOverIf(known, refusal)
@@ -133,6 +136,16 @@ private:
         if (files_.rename(temporary_.c_str(), (path_ + std::string(backupEnding)).c_str()) != 0)
             static_cast<void>(files_.unlink(temporary_.c_str()));
         return true;
+    }
+
+    // Two of our programs do not exchange at once. Nobody waits for one that hangs.
+    void waitFor(const OpenFile& folder) {
+        constexpr int tries = 100, pause = 10'000; // us
+        for (int i = 0; i < tries && folder.isOpen(); ++i) {
+            if (files_.flock(folder.fd(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+                return;
+            ::usleep(pause);
+        }
     }
 
     // Removed meanwhile, or a file system that cannot do it.
