@@ -21,14 +21,14 @@ public:
     // second; a forgotten text goes at once.
     JournalWriter(FileSystem& files, std::string folder, Failed failed,
                   std::chrono::milliseconds pause = std::chrono::milliseconds(300));
-    ~JournalWriter(); // does first what was asked for; what is kept then stays
+    ~JournalWriter(); // does first what was asked for; a kept text then stays
     JournalWriter(const JournalWriter&) = delete;
     JournalWriter& operator=(const JournalWriter&) = delete;
 
     // As soon as pause and disk allow; of what is asked for meanwhile the newest is done.
     void keep(Kept kept);
     void forget();
-    // What is kept there is this document's from now on.
+    // The content kept at `place` is this document's from now on.
     void adopt(std::unique_ptr<Place> place);
     void finish(); // returns when what was asked for is done
 

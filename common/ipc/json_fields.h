@@ -44,7 +44,7 @@ template <class T> struct IsOptional<std::optional<T>> : std::true_type {};
 template <class T> struct IsVector : std::false_type {};
 template <class T> struct IsVector<std::vector<T>> : std::true_type {};
 
-// What a field must keep to, by its type: no string, list or number without a bound.
+// The kind of bound that a field keeps to, by its type: every string, list and number has one.
 struct NoBound {};
 template <class T> struct BoundOf { using Type = NoBound; };
 template <class T>
@@ -58,7 +58,7 @@ template <class T> using Bound = typename BoundOf<T>::Type;
 template <class T>
 concept Bounded = !std::is_same_v<Bound<T>, NoBound>;
 
-// What each item of a list must keep to.
+// The bound of each item of a list.
 template <class Item> constexpr Bound<Item> eachOf(const Count& list) {
     if constexpr (std::is_same_v<Item, std::string>)
         return list.each;
@@ -135,7 +135,7 @@ private:
     Json json_ = Json::object();
 };
 
-// Stops at the first fault; what was read is then not used.
+// Stops at the first fault; the fields read so far are then not used.
 class FieldReader {
 public:
     FieldReader(const Json& json, std::string place) : json_(json), place_(std::move(place)) {

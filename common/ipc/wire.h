@@ -1,7 +1,7 @@
 // Messages to JSON-RPC 2.0 bodies and back.
 //
-// Reading checks every field: what is missing, of the wrong type or out of range is named in a
-// sentence, and nothing half read is returned. Unknown fields are read over. A body is refused
+// Reading checks every field: a field that is missing, of the wrong type or out of range is named
+// in a sentence, and nothing half read is returned. Unknown fields are read over. A body is refused
 // before it is parsed when it nests or branches beyond any message of the protocol.
 //
 // Strings that are not UTF-8 are sent with '?' for each wrong byte, so that offsets stay right.
@@ -53,9 +53,9 @@ using AwaitedCall = std::function<std::optional<std::size_t>(Integer id)>;
 [[nodiscard]] std::string encodeAnswer(const Id& id, const AnyResult& result);
 [[nodiscard]] std::string encodeError(const Id& id, const Error& error);
 
-// What a medium reads: calls of the host, and answers to its own.
+// Messages that a medium reads: calls of the host, and answers to its own.
 [[nodiscard]] Decoded<ToMedium> decodeForMedium(std::string_view body, const AwaitedCall& awaited);
-// What a host reads.
+// Messages that a host reads.
 [[nodiscard]] Decoded<ToHost> decodeForHost(std::string_view body, const AwaitedCall& awaited);
 
 } // namespace ipc

@@ -19,7 +19,7 @@ enum class Direction {
 
 [[nodiscard]] std::string printable(std::string_view text, Direction direction = Direction::shown);
 
-// What is shown for the character that the text begins with: itself, or a sign in its place.
+// The text of the character that `text` begins with, or a sign in its place.
 // A line end and a tab are shown as signs. `length` becomes the bytes that it has.
 [[nodiscard]] std::string_view shownFor(std::string_view text, std::size_t& length);
 

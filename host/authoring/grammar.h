@@ -1,4 +1,4 @@
-// What the elements of a class are for somebody who writes, and what may stand where.
+// The grammar of a class for somebody who writes: its elements' kinds, and their allowed places.
 //
 // A class's structure says which elements there are and what they may hold. The class's default
 // presentation says what each of them is: by its `display` (a footnote, a link, a table) and by its

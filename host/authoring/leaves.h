@@ -1,4 +1,4 @@
-// What a caret can stand in or beside, in the document's order.
+// The leaves that a caret can stand in or beside, in the document's order.
 //
 // A leaf is a content, an element without content, or a unit. A flow is a part of a document whose
 // leaves follow each other for somebody who writes: all of it, a footnote, or a nested document of

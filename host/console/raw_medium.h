@@ -11,7 +11,7 @@
 
 namespace console {
 
-// What a check found wrong, as a sentence.
+// A fault that a check found, as a sentence.
 struct Wrong : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

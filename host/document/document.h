@@ -46,7 +46,7 @@ public:
     [[nodiscard]] const std::string& bytes() const { return tree_.bytes(); }
     [[nodiscard]] std::string className() const;
     [[nodiscard]] bool isBroken() const { return tree_.isBroken(); }
-    // Of the format, in order of place. What a schema does not allow: Faults.
+    // Of the format, in order of place. For violations of a schema: Faults.
     [[nodiscard]] const std::vector<sgml::Fault>& faults() const { return tree_.faults(); }
 
     // --- subdocuments, nested ones included, in document order
@@ -109,9 +109,9 @@ public:
 
     struct Loaded;
     [[nodiscard]] static Loaded load(const QString& fileName, files::FileSystem* files = nullptr);
-    // What a program that ended had not saved of a file, which it knew as `file`; the file itself
-    // is as it was. The text is one change of what the file holds; without the file it is a
-    // document that was never saved.
+    // A document with the text that a program had not saved when it ended. The program knew its
+    // file as `file`; the file itself is as it was. The text is one change of the file's content;
+    // without the file it is a document that was never saved.
     [[nodiscard]] static std::unique_ptr<Document> recover(const files::KnownFile& file,
                                                            std::string text);
     // The same of one that is open, with the file's content as it was read.

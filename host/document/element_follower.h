@@ -1,5 +1,5 @@
-// What keeps something of each element follows a change by looking again at the elements that the
-// change reached, and at no other.
+// A class that keeps something of each element follows a change by looking again at the elements
+// that the change reached, and at no other.
 #pragma once
 
 #include "document/document.h"

@@ -1,9 +1,9 @@
 // A formula as read: TeX's mathematics, as a tree.
 //
 // Source is UTF-8: the commands of LaTeX and amsmath that memos and reports need, and the signs of
-// Unicode themselves (α, ≤, ², −). Whatever the source, there is a formula: what is faulty is shown
-// as far as it can be read, and each fault has its place and a sentence. Reading is linear in the
-// length of the source.
+// Unicode themselves (α, ≤, ², −). Any source gives a formula: faulty parts are shown as far as
+// they can be read, and each fault has its place and a sentence. Reading is linear in the length of
+// the source.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ inline constexpr int deepestNesting = 60;
 inline constexpr std::size_t mostFaults = 100;
 inline constexpr std::size_t mostColumns = 64; // of an array
 
-// What TeX calls the class of an atom: it says how much space is beside it.
+// The class of an atom, as TeX calls it: it says how much space is beside it.
 enum class Atom {
     ordinary,
     operation, // sum, sin

@@ -1,8 +1,8 @@
 // From source to tree, by recursive descent of bounded depth.
 //
-// What ends a list that is not its own to end (`}`, `&`, `\\`, `\right`, `\end`) ends all lists up
-// to the one that waits for it; where none waits, it is a fault and is left out. So each byte is
-// read once, whatever is missing.
+// A token that ends a list other than the one being read (`}`, `&`, `\\`, `\right`, `\end`) ends
+// all lists up to the one that waits for it; where none waits, it is a fault and is left out. So
+// each byte is read once, whatever is missing.
 #pragma once
 
 #include "formulas/symbols.h"
@@ -100,7 +100,7 @@ private:
     std::string_view source_;
     std::size_t at_ = 0;
     int depth_ = 0;
-    bool cut_ = false; // the rest is left out: what is missing there is no fault
+    bool cut_ = false; // the rest is left out: a part missing there is no fault
     Waiting waiting_;
     Alphabet alphabet_ = Alphabet::normal;
 };

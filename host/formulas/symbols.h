@@ -26,10 +26,10 @@ struct Function {
 [[nodiscard]] const Symbol* symbolNamed(std::string_view name);
 [[nodiscard]] const Symbol* symbolOf(char32_t code); // the first one with that code
 [[nodiscard]] const Function* functionNamed(std::string_view name);
-// What a diacritical command puts over its base; 0 for no such command.
+// The sign that a diacritical command puts over its base; 0 for no such command.
 [[nodiscard]] char32_t accentNamed(std::string_view name);
 [[nodiscard]] std::string_view spokenAccent(char32_t code);
-// Of "(", "\lbrace", "\|" and so on, the delimiter; 0 for what is none; '.' for none at all.
+// Of "(", "\lbrace", "\|" and so on, the delimiter; 0 for no delimiter; '.' for none at all.
 [[nodiscard]] char32_t delimiterNamed(std::string_view token);
 // The sign with a stroke through it, as in ≠; 0: there is none.
 [[nodiscard]] char32_t negated(char32_t code);

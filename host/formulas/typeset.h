@@ -31,7 +31,7 @@ struct Box {
     void put(const Box& box, double x, double y);
 };
 
-// What stays on one line. The space behind it is left out at the line's end.
+// A part that stays on one line. The space behind it is left out at the line's end.
 struct Piece {
     Box box;
     double space = 0;

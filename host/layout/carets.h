@@ -33,8 +33,8 @@ enum class Move {
 
 class Carets {
 public:
-    // Both are read as long as this lives. The tree is that of the pages, or a later one: then what
-    // is gone from it has no caret.
+    // Both are read as long as this lives. The tree is that of the pages, or a later one: then text
+    // that is gone from it has no caret.
     Carets(const Pages& pages, const sgml::Tree& tree)
         : pages_(pages), tree_(tree), places_(tree) {}
 
@@ -52,8 +52,8 @@ public:
     [[nodiscard]] std::pair<Caret, Caret> wordAt(const Caret& caret) const;
     [[nodiscard]] std::pair<Caret, Caret> paragraphAt(const Caret& caret) const;
 
-    // What of a page lies in an interval of the document's bytes, in twips. A paragraph's end that
-    // is selected is shown behind its last line.
+    // The part of a page that lies in an interval of the document's bytes, in twips. A paragraph's
+    // end that is selected is shown behind its last line.
     [[nodiscard]] std::vector<QRectF> selected(std::size_t page, text::Range interval) const;
 
 private:

@@ -1,5 +1,5 @@
-// What paragraphs are set with: the looks of a model's text styles, and the sizes of what is not
-// letters. Each is asked for once, and kept from one layout to the next.
+// The materials of paragraphs: the looks of a model's text styles, and the sizes of objects that
+// are not letters. Each is asked for once, and kept from one layout to the next.
 #pragma once
 
 #include "model/model.h"
@@ -18,7 +18,7 @@
 
 namespace layout {
 
-// What the layout must be told about things that are not letters.
+// The sizes of objects that are not letters, which the layout must be told.
 struct Objects {
     std::function<QSizeF(document::SubdocumentId)> subdocumentSize; // in twips
     // In pixels, of 1/96 inch; empty: there is no such picture.

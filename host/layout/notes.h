@@ -38,7 +38,7 @@ public:
     };
     [[nodiscard]] std::vector<Taken> take();
 
-    // What goes on to the next page, between two pages.
+    // A note that goes on to the next page, between two pages.
     struct Waiting {
         Pointer note;
         Flow::Place at;                      // what of it comes next

@@ -1,4 +1,4 @@
-// Where a page begins: what fills it follows from this and from the blocks behind it.
+// The beginning of a page: its content follows from this and from the blocks behind it.
 #pragma once
 
 #include "layout/groups.h"
@@ -7,7 +7,7 @@
 namespace layout {
 
 struct PageStart {
-    // What is to be done with the group that was read last.
+    // The next step for the group that was read last.
     enum class Next {
         read,       // there is none
         afterBreak, // it asked for a page, which has begun

@@ -1,5 +1,5 @@
-// What one layout leaves for the next: paragraphs and the widths of tables' columns, by block. An
-// entry lives as long as the pages that use it.
+// The stock that one layout leaves for the next: paragraphs and the widths of tables' columns, by
+// block. An entry lives as long as the pages that use it.
 #pragma once
 
 #include "layout/paragraph.h"
@@ -13,7 +13,8 @@ struct NumberWidths {
     double before = 0, behind = 0;
 };
 
-// What a block in a cell would like, by so many of its letters, and how many were read for it.
+// The widths that a block in a cell would like, by so many of its letters, and how many were read
+// for it.
 struct Measured {
     BlockPointer block;
     Widths widths{};

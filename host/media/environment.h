@@ -1,7 +1,7 @@
-// What does a medium's process learn of the user's desktop?
-// One with windows of its own: the display, the theme, scale, input method and language, so that
-// its windows look and type like all others. A confined one: nothing, but a path and a locale.
-// Numbers are C's in both: what users and programs read in a scene has points.
+// The environment of a medium's process, from which it learns of the user's desktop.
+// A process with windows of its own: the display, the theme, scale, input method and language, so
+// that its windows look and type like all others. A confined one: nothing, but a path and a locale.
+// Numbers are C's in both: numbers that users and programs read in a scene have points.
 #pragma once
 
 #include "ipc/messages.h"

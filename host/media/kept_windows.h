@@ -18,7 +18,7 @@ namespace media {
 
 class KeptWindows {
 public:
-    static constexpr std::size_t longest = 8 << 20; // bytes; what is longer is not kept
+    static constexpr std::size_t longest = 8 << 20; // bytes; a longer state is not kept
 
     void keep(const std::string& state); // "": no window is open
     [[nodiscard]] const std::string& state() const { return state_; }
@@ -31,7 +31,7 @@ public:
     // A process ended unexpectedly: whether the next is to open the windows again.
     [[nodiscard]] bool opensAgain();
 
-    // What the reader is told at the picture, until it is dismissed.
+    // The sentence that the reader is told at the picture, until it is dismissed.
     [[nodiscard]] const QString& notice() const { return notice_; }
     [[nodiscard]] bool dismiss(); // false: there was none
 

@@ -86,7 +86,7 @@ public:
     [[nodiscard]] const std::vector<ipc::MenuEntry>& menus() const { return menus_; }
     // While its process starts or changes, it is done as soon as it can be.
     void invoke(const QString& id, const Rendition* rendition);
-    // What was typed in windows of the medium can be made a change of the text, by the entry
+    // Text typed in windows of the medium can be made a change of the text, by the entry
     // `update-drafts` of its menu; then windowsChanged() says that no draft is left.
     [[nodiscard]] bool takesDrafts() const;
     void takeDrafts();
@@ -99,7 +99,7 @@ public:
 
     // Of its own: while they are open its process is not for others to end.
     [[nodiscard]] const ipc::WindowsChanged& windows() const { return windows_; }
-    // What the medium wants to have of them in its next process, in its own words; "": nothing.
+    // The state of them that the medium wants in its next process, in its own words; "": none.
     [[nodiscard]] const std::string& keptState() const { return kept_.state(); }
     // As keptState() was in an earlier run of the host: the next process opens them.
     void setKeptState(const std::string& state);

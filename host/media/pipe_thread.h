@@ -1,8 +1,8 @@
-// Who reads and writes the pipes of all media, and who is their parent?
-// One thread for all of them, which lives as long as the program: media are launched from it (their
-// death is tied to it), their bytes are split into messages and parsed in it, and what they send
-// reaches the interface thread through mailboxes. So the interface thread never waits for a medium,
-// not even for its start, and never parses what a medium sent. It watches their memory, too.
+// One thread reads and writes the pipes of all media, and is their parent.
+// It lives as long as the program: media are launched from it (their death is tied to it), their
+// bytes are split into messages and parsed in it, and these messages reach the interface thread
+// through mailboxes. So the interface thread never waits for a medium, not even for its start, and
+// never parses what a medium sent. It watches their memory, too.
 #pragma once
 
 #include "media/launcher.h"
@@ -38,8 +38,8 @@ public:
     // Processes that have been started and not yet been reaped.
     [[nodiscard]] int alive() const;
 
-    // What all of them may hold together; usualMemory() at first. While they hold more, the one
-    // that holds the most is ended.
+    // The memory that all media may hold together; usualMemory() at first. While they hold more,
+    // the one that holds the most is ended.
     void setMostMemory(std::size_t bytes);
     [[nodiscard]] std::size_t mostMemory() const;
 

@@ -1,4 +1,4 @@
-// What the menu Figure asks: a size, and words for those who do not see the figure.
+// The dialogs of the menu Figure ask for a size, and for words for those who do not see the figure.
 #pragma once
 
 #include <QSizeF>

@@ -1,4 +1,4 @@
-// What a medium proposes to begin with: a grid of pictures, each with a name and a line about it.
+// A medium's samples to begin with: a grid of pictures, each with a name and a line about it.
 #pragma once
 
 #include "media/live_media.h"

@@ -1,4 +1,4 @@
-// What is asked about an image: what it shows in words, its caption, how wide it is.
+// A dialog that asks for an image's description in words, its caption and its width.
 #pragma once
 
 #include <QImage>

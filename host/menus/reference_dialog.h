@@ -1,4 +1,4 @@
-// What a reference leads to: one of the numbered parts of a document.
+// A dialog that asks for the target of a reference: one of the numbered parts of a document.
 #pragma once
 
 #include "model/model.h"
@@ -10,7 +10,7 @@ class QListWidget;
 
 namespace menus {
 
-// What may be referred to, as its reader knows it: "Figure 2: The pendulum", "1.2 Results".
+// A part that may be referred to, as its reader knows it: "Figure 2: The pendulum", "1.2 Results".
 struct Target {
     sgml::NodeId element = sgml::noNode;
     QString words;

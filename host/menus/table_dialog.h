@@ -1,4 +1,4 @@
-// What is asked about tables: how many rows and columns a new one has; how wide a column is.
+// Dialogs that ask how many rows and columns a new table has, and how wide a column is.
 #pragma once
 
 #include "authoring/authoring.h"

@@ -109,7 +109,7 @@ public:
 
     // Goes on from a checkpoint; `model` is what was made before it.
     void resume(const Checkpoint& from, Model model);
-    // What the frames of a checkpoint took for granted of nodes behind it is still so.
+    // The assumptions that a checkpoint's frames made about nodes behind it still hold.
     [[nodiscard]] bool stillHolds(const Checkpoint& checkpoint) const;
 
     [[nodiscard]] bool isAtEnd() const { return state_.at == sgml::noNode; }
@@ -120,7 +120,7 @@ public:
     [[nodiscard]] bool isAt(const Checkpoint& checkpoint) const;
     [[nodiscard]] Checkpoint checkpoint() const;
 
-    // What there is so far, and the segments of this walk alone. References are without their text.
+    // The model so far, and the segments of this walk alone. References are without their text.
     [[nodiscard]] Model& model() { return model_; }
     [[nodiscard]] Trail& trail() { return trail_; }
 

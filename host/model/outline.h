@@ -1,8 +1,8 @@
-// What a document consists of, for a list to go by: its headings, figures and tables.
+// The entries of a document, for a list to go by: its headings, figures and tables.
 //
 // An outline follows the models of a document. It reads the blocks that are not those of the model
-// before, and keeps the entries of the others. LIMIT: what stands in a table's cell or in a
-// footnote is not listed.
+// before, and keeps the entries of the others. LIMIT: elements in a table's cell or in a footnote
+// are not listed.
 #pragma once
 
 #include "model/model.h"

@@ -1,4 +1,4 @@
-// What of a model's text lies in an interval of the document's bytes.
+// The part of a model's text that lies in an interval of the document's bytes.
 #pragma once
 
 #include "model/model.h"
@@ -36,7 +36,7 @@ private:
     mutable sgml::Unescaped unescaped_; // of the last one
 };
 
-// For each run of the block. What is generated is selected with the text on both its sides; at the
+// For each run of the block. Generated text is selected with the text on both its sides; at the
 // block's ends with the text beside it, if the interval reaches over that end.
 [[nodiscard]] std::vector<SelectedRun> selectedRuns(const RunPlaces& places, const Block& block,
                                                     text::Range interval);

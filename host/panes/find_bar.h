@@ -23,7 +23,8 @@ public:
     void open();        // and the keyboard is in it
     void openReplace(); // with the second line, in a writing view
     void next(int step);
-    // What is shown as found now; false: there is none, or it cannot be replaced, as it says.
+    // Replaces the place shown as found; false: there is none, or it cannot be replaced, as it
+    // says.
     bool replace();
     void replaceAll(); // one step of undo
     [[nodiscard]] QLineEdit& field() { return *field_; }

@@ -1,5 +1,5 @@
-// What a writer does about words that are not spelled right: the switch in the menu View, and the
-// suggestions under the right button.
+// Commands about words that are not spelled right: the switch in the menu View, and the suggestions
+// under the right button.
 #pragma once
 
 #include "view/spell_marks.h"

@@ -62,7 +62,7 @@ private:
     std::vector<bool> final_;
 };
 
-// What is wrong with an element, by a node and a place in it, which moves with the node.
+// A fault of an element, by a node and a place in it, which moves with the node.
 struct Finding {
     enum class Where { startTag, endTag, attribute };
     sgml::NodeId node = sgml::noNode; // the element, or a child of it
@@ -84,13 +84,13 @@ public:
     [[nodiscard]] bool saysSomething() const { return !rules_.empty(); }
     // The elements that have a rule, in the order of their names.
     [[nodiscard]] std::vector<std::string> names() const;
-    // What an element may hold; null without a rule.
+    // The content that an element may hold; null without a rule.
     [[nodiscard]] const ContentModel* model(std::string_view element) const;
     // Does the element's rule list the attribute? ID is not listed.
     [[nodiscard]] bool hasAttribute(std::string_view element, std::string_view attribute) const;
 
-    // What the nested or whole document at `documentNode` holds against the schema, as warnings in
-    // order of place. Nested documents of its own are left to their own class's schema.
+    // The violations of the schema by the nested or whole document at `documentNode`, as warnings
+    // in order of place. Nested documents of its own are left to their own class's schema.
     [[nodiscard]] std::vector<sgml::Fault> check(const sgml::Tree& tree,
                                                  sgml::NodeId documentNode) const;
     // Of one element, which is no DOCUMENT. It depends on the names of its children and on its own

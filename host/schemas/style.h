@@ -79,8 +79,8 @@ struct BlockStyle {
     bool operator==(const BlockStyle&) const = default;
 };
 
-// What an element is for its reader, however it looks. Some stand for several elements. Those up
-// to `quote` hold blocks; the others are what commands of writing look for.
+// The role of an element for its reader, however it looks. Some stand for several elements. Those
+// up to `quote` hold blocks; commands of writing look for the others.
 enum class ContainerRole {
     none,
     section,

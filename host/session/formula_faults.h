@@ -1,4 +1,4 @@
-// What is wrong in the formulas of a document. Each source is read once, however often it is asked.
+// The faults in the formulas of a document. Each source is read once, however often it is asked.
 #pragma once
 
 #include "formulas/typeset.h"

@@ -32,8 +32,8 @@ public:
     [[nodiscard]] QSize size(const std::string& source);
     [[nodiscard]] QString fault(const std::string& source);
 
-    // What is there of it, at once, null when nothing is. If that has fewer pixels than are wanted,
-    // more are asked for, and ready() tells.
+    // The image as far as it is there, at once, null when nothing is. If it has fewer pixels than
+    // are wanted, more are asked for, and ready() tells.
     [[nodiscard]] QImage image(const std::string& source, QSize wanted);
     // The same, decoded here and now if it must be.
     [[nodiscard]] QImage imageNow(const std::string& source, QSize wanted);

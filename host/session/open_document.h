@@ -77,9 +77,9 @@ public:
     // Are there sliders for its parameters?
     [[nodiscard]] bool hasSliders(document::SubdocumentId id) const { return driven_.contains(id); }
 
-    // What is not saved is kept in that folder's journal from now on.
+    // Unsaved work is kept in that folder's journal from now on.
     Unsaved& keepUnsavedIn(const std::string& folder);
-    // What other programs write into its file is followed from now on, where it is not yet.
+    // Changes of its file by other programs are followed from now on, where they are not yet.
     FileFollower& followFile();
     [[nodiscard]] Unsaved* unsaved() const { return unsaved_.get(); } // null: it is not kept
 

@@ -3,8 +3,8 @@
 // user's, and they are beside it when it is saved.
 //
 // A picture's name there ends in a part of a checksum of its bytes: the same picture twice is one
-// file, and a name never stands for two pictures, so nothing is overwritten, and what undo takes
-// back can come again. The document names it relative to its folder and moves with it.
+// file, and a name never stands for two pictures, so nothing is overwritten, and a picture that
+// undo takes back can come again. The document names it relative to its folder and moves with it.
 #pragma once
 
 #include <QByteArray>
@@ -25,7 +25,7 @@ public:
     explicit PictureHome(const QString& fileName, const QString& unsaved = usualFolder());
     [[nodiscard]] static QString usualFolder();
 
-    // What the names of its pictures are relative to.
+    // The folder that the names of its pictures are relative to.
     [[nodiscard]] const QString& folder() const { return folder_; }
 
     struct Kept {
@@ -51,7 +51,7 @@ private:
 [[nodiscard]] QByteArray pictureBytes(const QString& path, QString& fault);
 // Formats that are pixels and nothing else: a drawing, such as SVG, may name other files.
 [[nodiscard]] bool isPixels(const QByteArray& format);
-// Opens a file for reading if it is a regular one; what is none is not waited for.
+// Opens a file for reading if it is a regular one; others are not waited for.
 [[nodiscard]] bool openRegular(const QString& path, QFile& file, struct stat& status);
 
 } // namespace session

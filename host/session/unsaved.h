@@ -17,10 +17,10 @@ class Unsaved : public QObject {
 
 public:
     Unsaved(OpenDocument& document, const std::string& folder); // which outlives it
-    // What is neither saved nor given up stays in the journal.
+    // Text that is neither saved nor given up stays in the journal.
 
-    // What is kept there is this document's, which has that text; its media open the windows again
-    // that had drafts.
+    // The content of `left` is this document's, which has that text; its media open the windows
+    // again that had drafts.
     void adopt(files::LeftBehind left);
     void giveUp();                      // closed by choice
     void finish() { writer_.finish(); } // returns when all of it is on the disk
@@ -36,7 +36,7 @@ private:
     [[nodiscard]] Drafts drafts(bool& any) const;
 
     OpenDocument& document_;
-    Drafts recovered_; // what its media were given, and perhaps have not opened yet
+    Drafts recovered_; // drafts that its media were given, and perhaps have not opened yet
     files::JournalWriter writer_;
 };
 

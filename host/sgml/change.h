@@ -13,7 +13,7 @@ namespace sgml {
 
 struct Change {
     // The nodes below `parent`, which stays, that went and came: the topmost ones, in their order.
-    // What lies below them went and came with them.
+    // Nodes below them went and came with them.
     struct Children {
         NodeId parent = noNode;
         std::vector<NodeId> removed{}, added{};
@@ -34,8 +34,8 @@ struct Change {
     std::vector<NodeId> gone{};       // every node that went, those below `removed` included
 };
 
-// Edits the tree's bytes. The tree is then equal to Tree::parse() of them, and what was read again
-// is no more than the edits can have changed (reparser.h). The edits must be ordered.
+// Edits the tree's bytes. The tree is then equal to Tree::parse() of them, and no more was read
+// again than the edits can have changed (reparser.h). The edits must be ordered.
 Change applyEdits(Tree& tree, const text::Edits& edits);
 
 } // namespace sgml

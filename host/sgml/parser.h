@@ -33,7 +33,7 @@ public:
     [[nodiscard]] std::size_t at() const { return at_; }
     [[nodiscard]] const std::vector<NodeId>& openNodes() const { return open_; }
     [[nodiscard]] bool hasStopped() const { return stopped_; } // at a limit
-    // What can be said of a document when all of it is read.
+    // Adds the faults of a document that show only when all of it is read.
     void checkDocument(NodeId document);
     // The faults of bytes [from, to): their encoding alone.
     void checkBytes(text::Range range);

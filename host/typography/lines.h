@@ -38,8 +38,8 @@ struct Column {
 // How far a blank may go, in parts of its natural width.
 inline constexpr double stretchOfBlank = 0.5, shrinkOfBlank = 1.0 / 3;
 
-// What a line may look like: up to how many times `stretchOfBlank`. Ragged: up to how many times
-// Column::width / 5 is free. No last line shorter than Column::leastOfLast is fine.
+// The stretch that a line may have: up to so many times `stretchOfBlank`. Ragged: up to so many
+// times Column::width / 5 is free. No last line shorter than Column::leastOfLast is fine.
 inline constexpr double fine = 1, anything = 1e9;
 
 // The places of `breaks`, by index, where lines end, the last one included, which counts as forced.

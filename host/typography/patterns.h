@@ -16,7 +16,7 @@ namespace typography {
 
 class Patterns {
 public:
-    // What cannot be read has none.
+    // A file that cannot be read has none.
     explicit Patterns(const QString& file);
 
     // The letters of a word, in small letters, before which it may be divided.

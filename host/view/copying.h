@@ -12,7 +12,7 @@ namespace view {
 // model::fragment()
 inline constexpr auto fragmentFormat = "application/x-ensemble-fragment";
 
-// What is in an interval of the document's bytes.
+// The content of an interval of the document's bytes.
 [[nodiscard]] std::unique_ptr<QMimeData> copied(const document::Document& document,
                                                 const model::Model& model, text::Range interval);
 // The same of cells of one table, row by row.

@@ -28,8 +28,8 @@ class TextDrag;
 class TextHand;
 class Writing;
 
-// What one reads: a place of the document's bytes, and how far the top of its line is below the top
-// of the view, in twips.
+// The reader's place: a place of the document's bytes, and how far the top of its line is below the
+// top of the view, in twips.
 struct ReadingPlace {
     std::size_t place = 0;
     double below = 0;

@@ -8,7 +8,7 @@ namespace view {
 class FoundWords {
 public:
     void look(const layout::Search& search, const layout::Pages& pages);
-    // What is shown stays the same where it still is; else it is the next one behind it.
+    // The word that is shown stays the same where it still is; else it is the next one behind it.
     void follow(const layout::Pages& pages);
 
     [[nodiscard]] const layout::Finder& finder() const { return finder_; }

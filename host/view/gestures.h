@@ -1,6 +1,6 @@
-// What the left button does on the pages of a writing view beside selecting text: it takes a part
-// of them, such as the corner of a picture or the border of a column, and moves it. What is dragged
-// shows at once; the document changes once, when the button is let go.
+// Gestures of the left button on the pages of a writing view beside selecting text: it takes a part
+// of them, such as the corner of a picture or the border of a column, and moves it. The dragged
+// part shows at once; the document changes once, when the button is let go.
 #pragma once
 
 #include <QCursor>

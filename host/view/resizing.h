@@ -9,7 +9,7 @@
 
 namespace view {
 
-// What is shown in a size of its own: its attributes WIDTH and HEIGHT, in 1/96 inch.
+// A unit that is shown in a size of its own: its attributes WIDTH and HEIGHT, in 1/96 inch.
 struct Sized {
     sgml::NodeId element = sgml::noNode; // an image, or the class element of a subdocument
     QRectF place;                        // in the viewport

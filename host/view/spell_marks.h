@@ -1,8 +1,8 @@
 // Wavy lines under the words of a writing view that are not spelled right.
 //
-// What is seen is checked a little at a time between other events, once the view has rested; no key
-// waits for it. Answers are kept by paragraph, so a letter costs the words of its paragraph. The
-// word at the caret is not marked while it is typed.
+// The words that are seen are checked a little at a time between other events, once the view has
+// rested; no key waits for it. Answers are kept by paragraph, so a letter costs the words of its
+// paragraph. The word at the caret is not marked while it is typed.
 #pragma once
 
 #include "layout/pages.h"

@@ -1,5 +1,5 @@
-// What is selected, dragged by the pointer: to another place of the text, to another window, to
-// another program; and what comes from there.
+// The selection, dragged by the pointer: to another place of the text, to another window, to
+// another program; and drops that come from there.
 #pragma once
 
 #include "view/text_hand.h"
@@ -22,7 +22,7 @@ public:
     // A press that became no drag puts the caret there.
     [[nodiscard]] bool release(const QMouseEvent& event);
 
-    // False: what comes is not for the text, or the view is not written in.
+    // False: the drop is not for the text, or the view is not written in.
     bool hover(QDropEvent& event);
     void leave();
     bool drop(QDropEvent& event);

@@ -1,8 +1,8 @@
-// What pointer and keys do in the text of a view: they select it; and how the selection looks.
+// Selecting the text of a view with pointer and keys, and the look of the selection.
 //
 // A press begins a selection, a double one of whole words, a triple one of whole paragraphs; with
-// Shift the last one goes on. A pointer that is dragged over the view's edge scrolls it. What is
-// selected is the primary selection of the desktop, where there is one.
+// Shift the last one goes on. A pointer that is dragged over the view's edge scrolls it. The
+// selected text is the primary selection of the desktop, where there is one.
 #pragma once
 
 #include "view/text_cursor.h"
@@ -56,7 +56,7 @@ public:
 
 private:
     [[nodiscard]] layout::Carets carets() const;
-    // What is selected on a page, in twips: text, or whole cells of a table.
+    // The selection on a page, in twips: text, or whole cells of a table.
     [[nodiscard]] std::vector<QRectF> selectedOn(std::size_t page) const;
     [[nodiscard]] std::vector<sgml::NodeId> selectedCells() const;
     void begin(QPointF point, TextCursor::Unit unit, bool extend);

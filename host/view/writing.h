@@ -31,7 +31,7 @@ public:
     void cutAway(); // the same without a copy: another window has it
     // False: nothing of it came in.
     bool paste(const QMimeData& data);
-    // At a place of the viewport; what was moved goes from where it was, in the same step of undo.
+    // At a place of the viewport; moved text goes from where it was, in the same step of undo.
     void drop(const QMimeData& data, QPointF at, std::optional<text::Range> moved);
     void goBy(bool forward); // Tab, and Shift+Tab
     // A command at what is selected. refused() says why one is not allowed.
@@ -49,7 +49,7 @@ public:
     [[nodiscard]] bool movesInTable(const QKeyEvent& event) const; // rows and columns: Alt, arrows
     [[nodiscard]] Gestures& gestures() { return gestures_; }
 
-    // What commands take: the document with its grammars, and where the selection is; nothing
+    // The arguments of commands: the document with its grammars, and the selection; nothing
     // where no caret is in the text.
     [[nodiscard]] authoring::Manuscript manuscript() const;
     [[nodiscard]] std::optional<authoring::Selection> selection() const;

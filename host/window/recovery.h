@@ -14,7 +14,7 @@ enum class Answer { open, discard, later };
 
 // "memo.ens was not saved before Ensemble stopped at 14:03. Open the recovered text?"
 [[nodiscard]] QString questionAbout(const files::Kept& kept, const QDateTime& now);
-// What is to be known for the answer: whether the file is another by now.
+// Advice for the answer: whether the file is another by now.
 [[nodiscard]] QString adviceAbout(const files::Kept& kept);
 [[nodiscard]] Answer askAbout(QWidget* over, const files::Kept& kept);
 

@@ -17,7 +17,7 @@ public:
     // All outlive it. Questions stand over the window.
     Saving(Application& application, session::OpenDocument& document, QWidget& window);
 
-    bool save(); // false: not, or not yet: what was typed elsewhere is being taken in
+    bool save(); // false: not, or not yet: text typed elsewhere is being taken in
     bool saveAs();
     // The document gets the text that its file had before the last save, as one change of it.
     void bringBackup();
@@ -29,13 +29,13 @@ public:
 
 Q_SIGNALS:
     void said(const QString& sentence); // for the status line
-    void mayCloseNow();                 // what was waited for is done: mayClose() again
+    void mayCloseNow();                 // the wait is over: mayClose() again
 
 private:
     bool saveBy(const std::function<files::SaveResult(files::SaveOptions)>& saving);
     bool saveNow();
-    // What was typed in windows of media and is no change of the document yet: asks when there is
-    // any. `update`: it becomes the document's, and then `then` is done.
+    // Asks about text typed in windows of media that is no change of the document yet, when there
+    // is any. `update`: it becomes the document's, and then `then` is done.
     enum class Drafts { none, update, leave, stay };
     [[nodiscard]] Drafts askAboutDrafts(const QString& title, const QString& update,
                                         const QString& leave);

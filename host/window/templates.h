@@ -1,5 +1,5 @@
-// What new documents begin with: those of the program, and the user's own, which are documents in a
-// folder.
+// The templates of new documents: those of the program, and the user's own, which are documents in
+// a folder.
 #pragma once
 
 #include <QString>
