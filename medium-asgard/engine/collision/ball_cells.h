@@ -1,12 +1,13 @@
-// Who is near a ball in flight? Each ball lies in the cell of a grid that holds its centre; whoever
-// it can meet while both stay in their cells lies in one of the cells around (Rapaport 1980).
+// Finds the balls near a ball in flight. Each ball lies in the cell of a grid that holds its
+// centre; every ball that it can meet while both stay in their cells lies in one of the cells
+// around (Rapaport 1980).
 //
 // Cells are cubes with edges of powers of 2, by the ball's size: at least 2.2 radii, so that of
 // balls of like size only the 27 cells about each other's count. A ball that flies far without
 // turning may take larger cells (`growth`), so that the cells that it crosses grow in number like
 // the logarithm of its way. Cells are found by hashing: space has no bounds, and empty cells cost
-// nothing. A ball that crosses a face has new neighbours beyond it only; who was near before was
-// asked about already.
+// nothing. A ball that crosses a face has new neighbours beyond it only; balls that were near
+// before were asked about already.
 #pragma once
 
 #include "collision/ball_flight.h"
@@ -27,7 +28,7 @@ public:
     [[nodiscard]] bool contains(std::size_t owner) const { return balls_[owner].level != nothing; }
     [[nodiscard]] bool empty() const { return members_ == 0; }
     [[nodiscard]] geometry::Box cell(std::size_t owner) const { return cell(balls_[owner]); }
-    // What holds its cell and those about it that a ball crosses next: blocks, aligned too.
+    // The box that holds its cell and those about it that a ball crosses next: blocks, aligned too.
     [[nodiscard]] geometry::Box block(std::size_t owner) const;
 
     // When and through which face the ball leaves its cell; infinity: never.

@@ -1,12 +1,12 @@
 // Which face, edge or vertex of a convex polyhedron lies nearest to a point outside it?
 //
-// Space outside is divided into one cell for each feature (Voronoi): over a face lies what the
-// face's own prism holds, beside an edge or a vertex what none of the prisms holds. A sphere
+// Space outside is divided into one cell for each feature (Voronoi): over a face lies the space in
+// the face's own prism, beside an edge or a vertex the space in none of the prisms. A sphere
 // touches that in whose cell its centre lies, and as it goes from cell to cell its contact passes
 // from feature to feature: over the edge of a table just when its centre does, whatever counts as
 // touching there.
 //
-// What lies on the border of two cells, to within `border`, is the larger feature's.
+// A point on the border of two cells, to within `border`, is the larger feature's.
 #pragma once
 
 #include "collision/separation.h"

@@ -1,9 +1,9 @@
 // Routines as bytes for this processor.
 //
 // Multiplication and addition stay two operations (never fused), elementary functions are the C
-// library's, called one lane at a time, and what switches is selected as operation.h says: the
-// numbers are the tape's, bit for bit (of a NaN, that it is one). assemble_x86.cpp is the one there
-// is, by asmjit; elsewhere assemble_nothing.cpp answers that there is no code.
+// library's, called one lane at a time, and branches are selected as operation.h says: the numbers
+// are the tape's, bit for bit (of a NaN, that it is one). assemble_x86.cpp is the one there is, by
+// asmjit; elsewhere assemble_nothing.cpp answers that there is no code.
 #pragma once
 
 #include "expression/routine.h"
@@ -28,7 +28,7 @@ struct Target {
 [[nodiscard]] Target oneAtATime();
 [[nodiscard]] Target manyAtOnce();
 
-// What makeRoutine() may leave to the processor.
+// The operations that makeRoutine() may leave to the processor.
 [[nodiscard]] Ability abilityOf(Target target);
 
 // Empty: no code can be made here.

@@ -18,8 +18,8 @@ struct SyntaxError {
     std::string suggestion;
 };
 
-// What a name, or a call that is not a built-in function ("B.px" with its argument nodes), means.
-// Returns the node, or the sentence that says why there is none.
+// The meaning of a name, or of a call that is no built-in function ("B.px" with its argument
+// nodes). Returns the node, or the sentence that says why there is none.
 struct Meaning {
     std::optional<Node> node;
     std::string message, suggestion;

@@ -28,8 +28,8 @@ inline double powered(double x, double exponent) {
     return exponent < 0 ? 1 / result : result;
 }
 
-// What an expression means, node by node as one would explain it, knowing nothing of tapes, shared
-// subexpressions or compute().
+// The value of an expression, node by node as one would explain it, knowing nothing of tapes,
+// shared subexpressions or compute().
 inline double explained(const Graph& g, Node n, std::span<const Node> symbols,
                         std::span<const double> values) {
     const auto value = [&](std::size_t i) {

@@ -48,7 +48,7 @@ struct Routine {
 
 [[nodiscard]] std::string print(const Step& step);
 
-// What the processor does itself; all else are calls.
+// The operations that the processor does itself; all others are calls.
 struct Ability {
     bool rounds = false;   // floor and ceil
     bool branches = false; // frozen values and guards: one instance at a time does, lanes do not

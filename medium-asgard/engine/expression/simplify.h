@@ -7,8 +7,8 @@
 // them. Sums are never regrouped: (x - 1e6) + 0.1 keeps its own rounding, which is exact where x -
 // 999999.9 is not. Products with constants are, since they lose nothing.
 //
-// What sign, abs, min, max and comparisons switch at is written in one way, whatever numbers stand
-// in front of it: sign(3*v) is sign(v), 3*a < 3*b is a < b, and so is sign(v*abs(v)). Two that
+// The guards of sign, abs, min, max and comparisons are written in one way, whatever numbers stand
+// in front of them: sign(3*v) is sign(v), 3*a < 3*b is a < b, and so is sign(v*abs(v)). Two that
 // switch at the same place can then be seen to (solution/switching.h).
 #pragma once
 

@@ -50,7 +50,7 @@ struct Sequence {
     [[nodiscard]] std::size_t hash() const;
 };
 
-// What an operation gives on a branch that may not be the one that its values imply, and its guard.
+// The value of an operation on a branch that its values may not imply, and its guard.
 [[nodiscard]] double onBranch(Op op, double a, double b, Decision taken);
 [[nodiscard]] double guardOf(Op op, double a, double b, Decision taken);
 

@@ -1,8 +1,8 @@
 // Which force or link is to blame that a motion ended?
 //
-// What is not finite at the end itself; else, where a motion runs into a pole, what is by far
-// larger there than it was: near t = 2 no double makes 1/(2-t) infinite, and yet it ends the
-// motion.
+// The one that is not finite at the end itself; else, where a motion runs into a pole, the one that
+// is by far larger there than it was: near t = 2 no double makes 1/(2-t) infinite, and yet it ends
+// the motion.
 #pragma once
 
 #include "physics/equations_of_motion.h"

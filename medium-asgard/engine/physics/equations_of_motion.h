@@ -28,7 +28,7 @@ namespace physics {
 // Positions in a body's thirteen unknowns.
 enum BodyUnknown : std::size_t { x, y, z, dx, dy, dz, qw, qx, qy, qz, w1, w2, w3, bodyUnknowns };
 
-// What a trajectory holds from a time on; collisions meet infinite mass there.
+// The coordinates that a trajectory holds from a time on; collisions meet infinite mass there.
 struct Held {
     double from = 0;
     std::array<bool, 3> position{}; // along the world's axes
@@ -70,7 +70,7 @@ struct Contribution {
     std::size_t body = 0;
     NodeVector force;  // world axes
     NodeVector torque; // along the axes of the body's spin
-    // What the scene gives as expressions: a force's components, a link's place.
+    // The scene's own expressions: a force's components, a link's place.
     std::optional<NodeVector> written;
 };
 

@@ -1,4 +1,4 @@
-// What do bodies do at the instant at which they touch and approach?
+// The impact of bodies at the instant at which they touch and approach.
 //
 // Frictionless, instantaneous: impulses j >= 0 along the contact normals. For contact i with normal
 // n (from the second body to the first) at lever arms r1, r2 from the centres of mass,
@@ -13,9 +13,9 @@
 // rest; for balls side by side (simulation/side_by_side.h), a hundred times. Bodies that a force
 // presses together move as one: their contacts are solved together from the start.
 //
-// Bodies of infinite mass or infinite inertia (attitude held) have inverse 0; what is held along
-// some axes of the world moves along the others only, and turns. Two bodies that cannot give way
-// pass through each other; that is reported.
+// Bodies of infinite mass or infinite inertia (attitude held) have inverse 0; a body that is held
+// along some axes of the world moves along the others only, and turns. Two bodies that cannot give
+// way pass through each other; that is reported.
 #pragma once
 
 #include "geometry/pose.h"
@@ -60,8 +60,8 @@ struct ImpactResult {
     std::vector<ImpulseGiven> impulses; // in order; a contact may appear several times
     std::vector<std::size_t>
         unyielding; // contacts that approach, between bodies that cannot give way
-    // The bound on rounds was reached: what fits exactly between two others bounces between them
-    // without end at one instant, and the rest of it was taken up without bounce.
+    // The bound on rounds was reached: a body that fits exactly between two others bounces between
+    // them without end at one instant, and the rest of it was taken up without bounce.
     bool jammed = false;
     bool settled = true; // false: still approaching after that (a bug)
 };

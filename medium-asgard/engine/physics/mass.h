@@ -21,8 +21,8 @@ struct BodyMass {
     [[nodiscard]] bool isPrincipal() const; // no products of inertia
 };
 
-// What rounding leaves of products and differences that are 0 (1e-13 of the trace) is cleared, so
-// that no equation depends on what it does not. Each shape set is worked out once.
+// Rounding errors of products and differences that are 0 (1e-13 of the trace) are cleared, so that
+// no equation depends on what it does not. Each shape set is worked out once.
 class MassReader {
 public:
     MassReader(const scene::Scene& scene, scene::ShapeReader& shapes);

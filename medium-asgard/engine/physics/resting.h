@@ -31,8 +31,9 @@
 
 namespace physics {
 
-// What blows and contacts do not change of a body. A hold makes no hinge (docs/scene-language.md):
-// what is held at a place beside its centre of mass takes no spin, as if its attitude were held.
+// The coordinates of a body that impacts and contacts do not change. A hold makes no hinge
+// (docs/scene-language.md): a body that is held at a place beside its centre of mass takes no spin,
+// as if its attitude were held.
 [[nodiscard]] Held unyieldingAt(const EquationsOfMotion& equations, std::size_t body, double time);
 
 struct GapConstraint {

@@ -17,7 +17,7 @@ struct ScopeTrajectory {
     NodeVector value, rate; // at all times
 };
 
-// What scene.energy and the like are, for expressions that may read them.
+// The nodes of scene.energy and the like, for expressions that may read them.
 struct SceneNodes {
     Node energy;
     NodeVector momentum;
@@ -41,7 +41,7 @@ public:
     // The trajectories (indices, in order) whose choices by time some of these nodes read.
     [[nodiscard]] std::vector<std::size_t> trajectoriesReadBy(const Graph& g,
                                                               std::span<const Node> nodes) const;
-    // What these trajectories are from `time` to the next of their pieces, for substitute(): a
+    // The values of these trajectories from `time` to the next of their pieces, for substitute(): a
     // choice by time becomes the one piece.
     [[nodiscard]] std::unordered_map<std::uint32_t, Node>
     piecesFrom(const Graph& g, std::span<const std::size_t> trajectories, double time) const;

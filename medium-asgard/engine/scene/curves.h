@@ -5,8 +5,8 @@
 
 namespace scene {
 
-// What -points means: cubic segments through points whose times increase, C1. The slope at point i
-// is that of the chord from its predecessor to its successor, at the ends that of the one chord.
+// The curves of -points: cubic segments through points whose times increase, C1. The slope at point
+// i is that of the chord from its predecessor to its successor, at the ends that of the one chord.
 // At least two points.
 [[nodiscard]] std::vector<BezierCurve>
 smoothCurves(const std::vector<std::pair<double, Vector>>& points);

@@ -1,5 +1,5 @@
-// What did an edit change that bodies move by? Places in the text, colours, lights, views and plots
-// are no part of that.
+// The changes of an edit that the motion of bodies depends on. Places in the text, colours, lights,
+// views and plots are no part of them.
 #pragma once
 
 #include "scene/connections.h"

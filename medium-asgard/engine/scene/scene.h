@@ -55,7 +55,7 @@ struct Color {
     bool operator==(const Color&) const = default;
 };
 
-// What is not given is inherited: part <- body <- shape set <- the default grey.
+// A value that is not given is inherited: part <- body <- shape set <- the default grey.
 struct Appearance {
     std::optional<Color> color;
     std::optional<double> shininess;    // 0 matt .. 1 mirror-like highlight

@@ -11,7 +11,7 @@
 
 namespace simulation {
 
-// What readers of motion need to know of a body; independent of how it moves.
+// The facts of a body that readers of motion need; independent of how it moves.
 struct BodyRecord {
     bool isFixed = false;
     bool isSpinInWorldAxes = true;

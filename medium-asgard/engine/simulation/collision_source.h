@@ -5,12 +5,12 @@
 //
 //     next(known):
 //         until the front reaches `known`: the earliest of
-//             what a body rests on changes: an event of its own (resting_bodies.h)
+//             the support of a resting body changes: an event of its own (resting_bodies.h)
 //             two bodies meet: gather all that touches at that instant, solve the impact;
 //                 some impulse: that is the event; else the search goes on from there
 //             the window of a body ends: its next one is searched
 //
-// Who meets a body whose motion has ended, at its last place, ends there too.
+// A body that meets one whose motion has ended, at its last place, ends there too.
 //
 // Pairs keep what was found beyond an event that does not concern them (dissertation 5.2.3).
 // Bouncing under restitution < 1 whose next hop is lower than RestLimits::hopHeight ends in a
@@ -128,8 +128,8 @@ private:
     [[nodiscard]] bool hasMet(const Pair& pair, double time) const;
     void stand(const solution::Histories& histories, std::size_t body, double time);
     void lookAtJoined(double time);
-    // What a hit came to: an event to be announced, or none, and the search goes on from there; or
-    // all is done.
+    // The outcome of a hit: an event to be announced, or none, and the search goes on from there;
+    // or all is done.
     struct Handled {
         std::optional<solution::Event> event;
         bool isDone = false;
@@ -236,7 +236,7 @@ private:
                                                 const Pair& pair, double time);
     [[nodiscard]] bool isRestless(std::size_t body, double time);
     [[nodiscard]] double nextPhase(const Pair& pair, double time) const;
-    // What it meets where a motion ended: its own ends there too.
+    // A body meets one whose motion ended: its own motion ends there too.
     [[nodiscard]] Handled meetEnded(const solution::Histories& histories, const Pair& pair,
                                     double time);
     [[nodiscard]] solution::Event end(const Pair& pair, double time, const std::string& sentence);
@@ -271,7 +271,7 @@ private:
     [[nodiscard]] double softenLastHops(const solution::Histories& histories, Cluster& cluster,
                                         std::span<const physics::ImpactBody> bodies, double time);
     void loseHop(const Pair& pair, double time, double height);
-    // What goes side by side and only hops by its own push moves on as one.
+    // Balls that go side by side and only hop by their own push move on as one.
     void pressTogether(const solution::Histories& histories, Cluster& cluster,
                        const std::vector<physics::ImpactBody>& bodies, double time) const;
     static void aimAtFastest(Cluster& cluster, const std::vector<physics::ImpactBody>& bodies);

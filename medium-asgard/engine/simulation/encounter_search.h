@@ -3,7 +3,7 @@
 // Every body is looked at in windows of its own: no longer than a piece of its motion, nor than it
 // takes to go a few of its sizes, nor than some seconds, twice as far and as long in each window in
 // which nothing cut its motion. The box that holds the body during its window lies in a tree
-// (collision/box_tree.h); whoever's box overlaps it is a partner, and partners are searched for
+// (collision/box_tree.h); a body whose box overlaps it is a partner, and partners are searched for
 // hits during what their windows share:
 //
 //     next():   the earliest of   a window that ends   ->   renew(): its next window and box, new
@@ -81,7 +81,7 @@ public:
     };
     void renew(const solution::Histories& histories, Renewal& renewal);
 
-    // What ended is met where it stands from then on: its MovingBody says where.
+    // A body whose motion ended is met where it stands from then on: its MovingBody says where.
     void stand(std::size_t body, double time, Renewal& renewal);
     // The motion of the body was cut at `time`.
     void cut(std::size_t body, double time);
@@ -148,7 +148,7 @@ public:
     [[nodiscard]] const collision::BallFlight* flight(std::size_t body) const {
         return windows_[body].isFlight ? &windows_[body].flight : nullptr;
     }
-    // What holds a fixed body.
+    // The box that holds a fixed body.
     [[nodiscard]] const geometry::Box& box(std::size_t body) const { return windows_[body].box; }
     // The faces of a fixed body with flat faces.
     [[nodiscard]] std::span<const collision::StandingPart> standing(std::size_t body) const {
@@ -242,7 +242,7 @@ private:
     std::vector<std::vector<std::size_t>> unclear_;  // balls in flight that formulas do not answer
     std::vector<bool> ended_;
     std::vector<Hit> queue_;
-    std::size_t queueLimit_ = 0; // longer, and what is outdated is taken out
+    std::size_t queueLimit_ = 0; // longer, and outdated hits are taken out
     struct Passing {
         Pair pair;
         double until = 0;

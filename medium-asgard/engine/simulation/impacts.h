@@ -75,7 +75,7 @@ public:
     void add(const Impact& impact, double found);
     // In order of time.
     void add(const std::shared_ptr<const ImpactLine>& line, std::span<const LineImpact> impacts);
-    // What was found until then.
+    // The impacts found until then.
     [[nodiscard]] Impacts upTo(double until) const;
     [[nodiscard]] bool haveMet(const std::pair<std::size_t, std::size_t>& pair, double since) const;
     [[nodiscard]] bool hasOnLineAt(double time) const;

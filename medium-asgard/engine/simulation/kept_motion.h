@@ -12,8 +12,8 @@
 
 namespace simulation {
 
-// What a part can be solved further with: its problem, whose finish is that of the last search, and
-// the runs over it.
+// The means to solve a part further: its problem, whose finish is that of the last search, and the
+// runs over it.
 struct Reserve {
     explicit Reserve(std::shared_ptr<Problem> posed)
         : problem(std::move(posed)), runs(KeptRuns::Keep::yes, 2 * mostBytes()) {}
@@ -38,7 +38,7 @@ struct SolvedPart {
 using PartPointer = std::shared_ptr<const SolvedPart>;
 
 // Moving bodies that read each other or came near each other in any of the runs, directly or
-// through others that move: what they do is a function of these bodies alone, and of the fixed ones
+// through others that move: their motion is a function of these bodies alone, and of the fixed ones
 // near them.
 struct Unit {
     PartPointer part;
@@ -80,7 +80,7 @@ struct KnownMotion {
 
     // Fills unitOf.
     void index();
-    // From scratch, what is kept may need more than `most`: then where all of it ends is nothing
+    // From scratch, the kept motion may need more than `most`: then where all of it ends is nothing
     // that parts tell.
     [[nodiscard]] bool mayBeFull(std::size_t most) const;
 };

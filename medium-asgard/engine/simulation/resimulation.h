@@ -1,8 +1,8 @@
-// The motion of a scene that is being edited: what an edit does not concern is kept (dissertation
-// 5.2.5), and the motion equals that of simulate() bit for bit.
+// The motion of a scene that is being edited: motion that an edit does not concern is kept
+// (dissertation 5.2.5), and the motion equals that of simulate() bit for bit.
 //
-// Motion is a function of the scene alone, and what some bodies do is a function of these bodies
-// alone unless others come near them. So an edit is done thus:
+// Motion is a function of the scene alone, and the motion of some bodies is a function of these
+// bodies alone unless others come near them. So an edit is done thus:
 //
 //     changed = bodies that move by other equations, from other values, with another shape
 //               (scene/difference.h), and who was in one unit with them (kept_motion.h)
@@ -37,7 +37,7 @@ public:
     [[nodiscard]] Result update(std::shared_ptr<const scene::Scene> scene,
                                 const Options& options = {}, const Observer& observer = {});
 
-    // What the last call did, for tests.
+    // The work of the last call, for tests.
     struct Work {
         bool whole = false;              // all was solved, as by simulate()
         std::vector<std::string> solved; // bodies that move, in the scene's order

@@ -10,8 +10,8 @@
 // piece of what drives the support ends, where the push may jump.
 //
 // LIMIT: forces are looked at every half millisecond, from 2 s on 2048 times while the time
-// doubles: what lifts a body for less than that and puts it down again between two looks is passed
-// over.
+// doubles: a force that lifts a body for less than that and puts it down again between two looks is
+// passed over.
 #pragma once
 
 #include "collision/contact.h"
@@ -39,13 +39,13 @@ public:
 
     [[nodiscard]] bool isAnyResting() const { return !resting_.empty(); }
     [[nodiscard]] bool isResting(std::size_t body) const { return resting_.contains(body); }
-    // What all that rest now bear on, each support once.
+    // The supports of each body that rests now, each support once.
     [[nodiscard]] std::map<std::size_t, std::vector<std::size_t>> supports() const;
     // These parts are in touch for as long as the body rests.
     [[nodiscard]] bool isFooting(std::size_t a, std::size_t partA, std::size_t b,
                                  std::size_t partB) const;
     [[nodiscard]] bool hasFooting(std::size_t a, std::size_t b) const;
-    // What rests lies on its footing to the limits' gap, and no better: of all that it meets.
+    // A resting body lies on its footing to the limits' gap, and no better: of all that it meets.
     [[nodiscard]] collision::Slack slack(std::size_t a, std::size_t b) const {
         return std::max(isResting(a) ? limits_[a].gap : 0, isResting(b) ? limits_[b].gap : 0);
     }
@@ -64,7 +64,8 @@ public:
     // Blows can change how the body moves: along an axis along which nothing holds it, or by
     // turning it. A ball that is held in place turns by no blow, since all go through its centre.
     [[nodiscard]] bool canGiveWay(std::size_t body, double time) const;
-    // What blows and contacts do not change of a body. What holds to the finish holds there, too.
+    // The coordinates of a body that impacts and contacts do not change. A hold to the finish holds
+    // there, too.
     [[nodiscard]] physics::Held heldOf(std::size_t body, double time) const;
     // Nothing holds its attitude.
     [[nodiscard]] bool turnsFreely(std::size_t body, double time) const {
@@ -91,7 +92,7 @@ public:
     [[nodiscard]] std::optional<Change> firstChange(const solution::Histories& histories,
                                                     double until, double known,
                                                     const EncounterSearch& search);
-    // An event cut the motion of these bodies: what was seen beyond it no longer holds.
+    // An event cut the motion of these bodies: looks beyond it no longer hold.
     void lookAgain(std::span<const std::size_t> bodies, double time);
 
     // Equations and velocities of a body from `time` on, as set() said.

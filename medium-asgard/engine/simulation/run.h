@@ -79,7 +79,7 @@ struct Run {
                                        const std::optional<BodyError>& error = {}) const;
 };
 
-// What is said of a motion whose estimated error exceeds the accuracy.
+// The sentence about a motion whose estimated error exceeds the accuracy.
 [[nodiscard]] std::string shortfallOf(double accuracy, const BodyError& error);
 
 // Which bodies belong together when these impacts happen, and some meet where another's motion has

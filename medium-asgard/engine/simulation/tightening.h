@@ -14,7 +14,7 @@
 // The difference of two runs is the error of the looser one. The tighter one's is less by as much
 // as errors follow tolerances, but no tolerance counts for less than what rounding does in a step.
 // An island is settled when that estimate is well below the accuracy, or when tightening does not
-// help any more: then what is left is rounding, or motion that amplifies it.
+// help any more: then the rest is rounding, or motion that amplifies it.
 #pragma once
 
 #include "simulation/accuracy.h"
@@ -37,8 +37,8 @@ public:
     // By body: is its next run another than the one at loose()? If not, that says all.
     [[nodiscard]] std::vector<bool> runsAgain() const;
 
-    // What is not integrated is the same at any tolerance, but for how expressions that hold it are
-    // fitted: it keeps the first one.
+    // A body that is not integrated moves the same at any tolerance, but for how expressions that
+    // hold it are fitted: it keeps the first one.
     void leaveExact(const Run& run);
     // Equal runs: their tolerances were both below what rounding does. Then roughen() makes loose()
     // of such bodies large enough for a run that differs.

@@ -1,7 +1,7 @@
 // Where does a body touch a support, and how does each gap there change?
 //
 // For a body at rest the question is another than for a hit: the shapes touch for long, within a
-// tolerance that is the integration's and not rounding's, and what counts is which features bear.
+// tolerance that is the integration's and not rounding's, and it counts which features bear.
 // For each corner of the patch in which two parts touch: the constraint that keeps its gap
 // (physics/resting.h), the gap's rate, and the part of its acceleration that does not come from the
 // body's own accelerations,
@@ -71,14 +71,14 @@ struct PartsInTouch {
 
 // The touch of all pairs of parts whose gap is below `tolerance` of their size, however deep they
 // overlap up to ten times that. Of those that rest on each other already, corners count up to four
-// times as far: what drifts by the integration's error is put back (rest.h), and does not open.
+// times as far: a drift by the integration's error is put back (rest.h), and opens nothing.
 [[nodiscard]] std::vector<Touch> touchesOf(const Placed& body, const Placed& support,
                                            double tolerance,
                                            std::span<const PartsInTouch> resting = {});
 
-// What keeps these corners' gaps: of a face that bears whole, one distance and two turns; of the
-// two corners of an edge, the points of whichever edge it is, on the other's plane; of one corner
-// where edges cross, these edges.
+// The constraints that keep these corners' gaps: of a face that bears whole, one distance and two
+// turns; of the two corners of an edge, the points of whichever edge it is, on the other's plane;
+// of one corner where edges cross, these edges.
 [[nodiscard]] std::vector<physics::GapConstraint>
 constraintsOf(const Touch& touch, const std::vector<std::size_t>& bearing, const Placed& body,
               const Placed& support);

@@ -47,8 +47,8 @@ class ExplicitRungeKutta;
 
 class Component {
 public:
-    // What a component is told of its solver, all of which outlives it. `zero` may change with the
-    // equations; then the components that it concerns are made anew.
+    // The parts of its solver that a component is told of, all of which outlive it. `zero` may
+    // change with the equations; then the components that it concerns are made anew.
     struct Surroundings {
         const EquationsInForce& set;
         const UnknownIndex& index;
@@ -70,7 +70,7 @@ public:
     [[nodiscard]] const std::optional<Stop>& stop() const { return stop_; }
     [[nodiscard]] const std::vector<double>& values() const { return values_; }
 
-    // Other components read it: what it trembles by may be all that moves them.
+    // Other components read it: its trembling may be all that moves them.
     void setRead(bool isRead) { isRead_ = isRead; }
 
     void startAt(double t, std::span<const double> values);
@@ -90,7 +90,7 @@ public:
     // False: no shorter one can be made. Then it is out of stride for endStride().
     [[nodiscard]] bool refuseStride(const Attempt& attempt, double h);
     void endStride(const Attempt& attempt, double h);
-    // What was accepted, by its polynomials, which columns() takes.
+    // The accepted step, by its polynomials, which columns() takes.
     [[nodiscard]] std::span<Coefficients> columns() { return columns_; }
     void takeStride(double h, double to, double next);
     [[nodiscard]] bool changesAfterStride(double h, double crossing);
@@ -106,8 +106,8 @@ public:
     void restart(std::span<const Jump> jumps);
     // Both at once where that is next to nothing: a single unknown in closed form, whose rate is a
     // constant or another unknown, goes on to the end of time in one piece from its value at t, or
-    // from `jump`. False: it is none of these, and nothing was done. What it reads must go on so
-    // already.
+    // from `jump`. False: it is none of these, and nothing was done. The unknown that it reads must
+    // go on so already.
     [[nodiscard]] bool resume(double t, std::optional<double> jump);
     // Of a single unknown in closed form that goes on for ever: its rate is a constant, or another
     // unknown.
@@ -303,7 +303,7 @@ private:
     std::vector<double> rests_; // when swings came to their end
     std::vector<double> stays_; // on surfaces that rounding crossed to and fro: when
 
-    // What later steps depend on besides the values, for going back.
+    // The state that later steps depend on besides the values, for going back.
     struct Checkpoint {
         double time;
         std::vector<std::size_t> phases;

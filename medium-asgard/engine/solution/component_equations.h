@@ -16,9 +16,9 @@
 //
 // On floor and ceil it slides along a whole number, between the branches beside it.
 //
-// What switches at the same place switches together: sign(v), v >= 0, floor(v) and ceil(v) at 0,
-// floor(v) and v >= 1 at 1. Such surfaces are joined where one of them is passed, and have one
-// weight where they are slid upon.
+// Switches at the same place change together: sign(v), v >= 0, floor(v) and ceil(v) at 0, floor(v)
+// and v >= 1 at 1. Such surfaces are joined where one of them is passed, and have one weight where
+// they are slid upon.
 //
 // Directions (directions.h). Where a/|a| is 0/0, f has u in its place, |u| <= 1, such that a stays
 // 0: friction in a plane holds (Filippov's set is the image of a ball). a is put to 0 where it is
@@ -103,8 +103,8 @@ public:
     // Places in `unknowns` of those whose rate or value is not finite.
     [[nodiscard]] std::vector<std::size_t> notFinite(double t, std::span<const double> y);
 
-    // What the outputs are, for models in closed form: rates of states, then held values. All nodes
-    // are of this graph, which holds nothing else: its bits depend on the component alone.
+    // The outputs, for models in closed form: rates of states, then held values. All nodes are of
+    // this graph, which holds nothing else: its bits depend on the component alone.
     [[nodiscard]] const expression::Graph& graph() const { return model_.graph(); }
     [[nodiscard]] expression::Node time() const { return model_.symbols()[0]; }
     [[nodiscard]] std::span<const expression::Node> outputs() const { return model_.outputs(); }
@@ -124,8 +124,8 @@ public:
     void decide(double t, std::span<double> y);
     [[nodiscard]] std::size_t watches() const { return watches_.size() + sticking_.size(); }
     void watch(double t, std::span<const double> y, std::span<double> values);
-    // At its time the rates lead away from all its surfaces, to the sides that hold: what crosses
-    // them is an error of polynomials, where a guard is smaller than that.
+    // At its time the rates lead away from all its surfaces, to the sides that hold: only an error
+    // of polynomials crosses them, where a guard is smaller than that.
     [[nodiscard]] bool contradicts(const Violation& violation, double t, std::span<const double> y);
     // There the rates lead away from the one surface of the violation, to the side that holds, and
     // its guard is no more than what rounding leaves of a difference: the motion, which started on
@@ -137,16 +137,16 @@ public:
     enum class Crossing { done, impossible };
     // How surfaces are passed. Where each side seems to lead to the other, by rounding or since the
     // motion only touches the surface, it `stands` on it until it is seen where the motion goes,
-    // and then `leaves` to that side, from where it stood. What goes neither way `stays` until it
-    // has left by itself. Where several meet, and passing one after the other does not end, what
-    // all of them do is `solved` at once: each is slid upon, or left to a side to which the field
-    // leads.
+    // and then `leaves` to that side, from where it stood. A motion that goes neither way `stays`
+    // until it has left by itself. Where several meet, and passing one after the other does not
+    // end, the passing of all of them is `solved` at once: each is slid upon, or left to a side to
+    // which the field leads.
     enum class Passing { across, solved, stands, leaves, stays };
     // Passes the surfaces of those watches, or slides on them; y is put onto surfaces of sliding.
     [[nodiscard]] Crossing cross(const Violation& violation, double t, std::span<double> y,
                                  Passing how);
     // At that point the motion has left a surface on which it stood: cross() may go back to where
-    // it stood, and let it leave from there. What lies between is less than watches tell.
+    // it stood, and let it leave from there. The way between is less than watches tell.
     [[nodiscard]] bool looksAhead(const Violation& violation, double t, std::span<const double> y);
     // Swings about these surfaces have come to their end, in ever shorter times: is the motion held
     // on all of them, within that reach of its states? Then it is from now on, and y is put there.
@@ -161,7 +161,7 @@ public:
 
     // Directions (component_sticking.cpp).
     [[nodiscard]] bool hasDirections() const { return !model_.directions().ranges.empty(); }
-    // What a step may err by, of each state: what is less is 0, for directions.
+    // The error that a step may have, of each state: less is 0, for directions.
     void setReach(std::span<const double> reach, double tolerance) {
         reach_.assign(reach.begin(), reach.end());
         tolerance_ = tolerance;
@@ -176,8 +176,8 @@ public:
     [[nodiscard]] std::vector<Approach> approaches(double t, std::span<const double> y);
     // Those whose vector is 0, but for rounding.
     [[nodiscard]] std::vector<std::size_t> directionsAtRest(double t, std::span<const double> y);
-    // Puts their vectors to 0, where they stay as long as they can; what cannot leaves at once, by
-    // a hundredth of the reach. False: nothing holds them there, and nothing was done.
+    // Puts their vectors to 0, where they stay as long as they can; a vector that cannot leaves at
+    // once, by a hundredth of the reach. False: nothing holds them there, and nothing was done.
     [[nodiscard]] bool rest(std::span<const std::size_t> directions, double t, std::span<double> y);
     // Unknowns (places) that the guards of its watches read, and those of other components.
     [[nodiscard]] std::vector<std::size_t> unknownsOf(const Violation& violation) const;
@@ -190,8 +190,8 @@ private:
     };
     static constexpr int onSurface = 0;
     static constexpr double standing = 1e-12; // on a surface, by the value of its guard
-    // What is moved off a surface, or off a length of 0, for its direction; its square is still a
-    // number.
+    // The distance of a move off a surface, or off a length of 0, for its direction; its square is
+    // still a number.
     static constexpr double nextToNothing = 1e-150;
     // Less is what next to nothing makes of a rate of 0: in proportion to it, to its square or to
     // its cube root.
@@ -323,8 +323,8 @@ private:
     std::vector<char> wasPassed_; // by surface, since the start or the last event
     std::vector<expression::Decision> decisions_;
     std::vector<std::size_t> sliding_; // surfaces
-    // On these the motion was told to stand, at that time; what else is passed then moves it off
-    // none of them.
+    // On these the motion was told to stand, at that time; passing another then moves it off none
+    // of them.
     std::vector<std::size_t> standing_;
     double standingAt_ = 0;
     std::vector<double> weights_;

@@ -9,7 +9,7 @@
 
 namespace solution {
 
-// What a step of length h goes through: values and slopes (per unit of time) at both ends.
+// The ends of a step of length h: values and slopes (per unit of time) at both.
 struct StepEnds {
     double h = 0;
     std::span<const double> start, end, startSlope, endSlope;
@@ -33,12 +33,12 @@ struct StepBefore {
     std::span<const double> start, startSlope;
 };
 
-// What place, velocity and acceleration at the start of the step before add to a quintic, and value
-// and slope there to a cubic. With r = ratio:
+// The terms that place, velocity and acceleration at the start of the step before add to a quintic,
+// and value and slope there to a cubic. With r = ratio:
 //
 //     s^3 (1-s)^3 (c0 + c1 (s+r) + c2 (s+r)^2)        s^2 (1-s)^2 (c0 + c1 (s+r))
 //
-// The whole is about what the polynomial without it errs by. What is left to err with it, local
+// The whole is about the error of the polynomial without it. The error that is left with it, local
 // errors h^9 and h^6, is guessed from how the terms fall: each by the root of what every second one
 // does, since one alone may pass through 0; of a cubic's two terms the last is taken.
 template <class Real> struct CorrectionOf {
@@ -50,8 +50,8 @@ using Correction = CorrectionOf<double>;
 // Differences over much shorter steps magnify what the steps err by; much longer ones say little.
 inline constexpr double leastRatio = 0.3, largestRatio = 4;
 [[nodiscard]] bool usable(const StepBefore& before);
-// What all corrections of a step have in common: with u = s(1-s) at s = -r, w = u^3 or u^2 and its
-// derivatives.
+// The basis that all corrections of a step have in common: with u = s(1-s) at s = -r, w = u^3 or
+// u^2 and its derivatives.
 template <class Real> struct CorrectionBasisOf {
     Real ratio, reach;
     Real cube, cubeSlope, cubeBend; // 1/w, w', w'' of u^3
@@ -69,8 +69,8 @@ void addToCubic(Coefficients& column, const Correction& correction, double ratio
 // The velocity's polynomial from its position's; the value at the start stays.
 void differentiate(const Coefficients& place, Coefficients& velocity, double h);
 
-// A velocity's polynomial, integrated, is a degree better than the position's own; what its end
-// lacks to the step's own end goes on a cubic that is flat at both ends. Pairs are (x, v).
+// A velocity's polynomial, integrated, is a degree better than the position's own; the difference
+// of its end to the step's own end goes on a cubic that is flat at both ends. Pairs are (x, v).
 void integratePositions(std::span<Coefficients> columns,
                         std::span<const std::pair<std::size_t, std::size_t>> pairs,
                         const StepEnds& ends);

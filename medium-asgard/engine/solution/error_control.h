@@ -39,13 +39,13 @@ public:
     [[nodiscard]] double tolerance() const { return tolerance_; }
     // The error that a Newton iteration may leave, in units of the tolerance; never below rounding.
     [[nodiscard]] double newtonTolerance() const;
-    // What rounding of positions leaves of a correction in the step last prepared, in the same
-    // units: no correction below this says how an iteration converges. At fixed steps nothing is
-    // gained by less.
+    // The size that rounding of positions leaves of a correction in the step last prepared, in the
+    // same units: no correction below this says how an iteration converges. At fixed steps nothing
+    // is gained by less.
     [[nodiscard]] double newtonNoise(bool isControlled = true) const;
     // Accepted values widen ranges and largest values.
     void observe(std::span<const double> y);
-    // What an error in a velocity moves is asked of at least that time from now on.
+    // The displacement by an error in a velocity counts over at least that time from now on.
     void countSpeedsOver(double duration) { duration_ = duration; }
     // Scales for a step of length h to `y`, the values seen so far and these.
     void prepare(std::span<const double> y, double h);

@@ -102,13 +102,13 @@ public:
 class EventSource {
 public:
     virtual ~EventSource() = default;
-    // What takes turns during next(), from now on.
+    // The object that takes turns during next(), from now on.
     virtual void use(Turns& /*turns*/) {}
     [[nodiscard]] virtual std::optional<Event> next(const Histories& histories, double known) = 0;
-    // New nodes go into the graph of `equations`; what is in force now is read there too.
+    // New nodes go into the graph of `equations`; the equations in force now are read there too.
     virtual void apply(const Histories& histories, const Event& event, EquationsInForce& equations,
                        Changes& changes) = 0;
-    // What it keeps of events before t, for who reads the motion.
+    // The bytes that it keeps of events before t, for readers of the motion.
     [[nodiscard]] virtual std::size_t bytesBefore(double /*t*/) const { return 0; }
 };
 

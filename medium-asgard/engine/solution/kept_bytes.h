@@ -27,7 +27,7 @@ public:
     void count(std::size_t all) { sum_ = all; } // anew
     [[nodiscard]] bool isFullWith(std::size_t others) const { return sum_ + others > most_; }
     [[nodiscard]] std::size_t left() const { return most_ - std::min(most_, sum_); }
-    // What each of so many groups may add before the others' are counted again.
+    // The bytes that each of so many groups may add before the others' are counted again.
     [[nodiscard]] std::size_t share(std::size_t groups) const {
         constexpr std::size_t parts = 4;
         return most_ / (parts * std::max<std::size_t>(groups, 1));

@@ -4,21 +4,20 @@
 //     (y, 1)(t + h) = e^{Mh} (y, 1),   M = | A b |     by scaling, Taylor's series and squaring
 //                                          | 0 0 |
 //
-// Pieces are powers of 2 long: what leads through one is the square of what leads through half of
-// it. What is kept of each is e^{Mh} - 1, and is squared with the digits of a long double: what
-// moves slowly beside a stiff end takes twenty squarings, and each doubles what the first was off
-// by. M is balanced first (Parlett and Reinsch 1969): unknowns are counted in units, powers of 2,
-// in which its rows and columns are alike, so that a stiff spring needs no more squarings than its
-// frequency asks for.
+// Pieces are powers of 2 long: the exponential of one is the square of that of half of it. Each is
+// kept as e^{Mh} - 1, and is squared with the digits of a long double: a slow motion beside a stiff
+// end takes twenty squarings, and each doubles the error of the first. M is balanced first (Parlett
+// and Reinsch 1969): unknowns are counted in units, powers of 2, in which its rows and columns are
+// alike, so that a stiff spring needs no more squarings than its frequency asks for.
 //
 // and between them the polynomial of degree 7 through the exact values at Chebyshev's points,
 // within 1e-13 of the largest value of each unknown, which is checked at four points more. (Degree
-// 7, so that what integrates it still is a polynomial that a history can keep.) The misfit grows
-// with the eighth power of the length, which says when pieces of twice the length will do; now and
-// then they are tried without. An oscillation has some 25 in each period, what has decayed few.
+// 7, so that its integral still is a polynomial that a history can keep.) The misfit grows with the
+// eighth power of the length, which says when pieces of twice the length will do; now and then they
+// are tried without. An oscillation has some 25 in each period, a decayed motion few.
 //
 // Where one unknown is the rate of another, the polynomial of that one begins with just this rate:
-// what rests on something and is lifted does not sink into it by rounding first.
+// a body that rests on something and is lifted does not sink into it by rounding first.
 #pragma once
 
 #include "solution/closed_form.h"
@@ -66,7 +65,7 @@ private:
     [[nodiscard]] static Propagators rounded(const Precise& precise);
     [[nodiscard]] const Propagators& propagators(int level);
     [[nodiscard]] double lengthOf(int level) const;
-    // What the polynomial errs by over what it may; `end`: the values at its end.
+    // The error of the polynomial over the error that it may have; `end`: the values at its end.
     [[nodiscard]] double misfit(int level, const Vector& start, std::span<Coefficients> columns,
                                 Vector& end);
     void beginAtRates(double h, const Vector& start, std::span<Coefficients> columns) const;

@@ -24,7 +24,7 @@ class MethodChoice {
 public:
     [[nodiscard]] bool implicit() const { return implicit_; }
     [[nodiscard]] bool isTrial() const { return trial_; }
-    // What holds after an event: a trial that was not decided counts for nothing.
+    // The choice after an event: a trial that was not decided counts for nothing.
     [[nodiscard]] MethodChoice restarted() const;
     [[nodiscard]] bool operator==(const MethodChoice&) const = default;
 

@@ -15,9 +15,9 @@
 // centres are watched too, in every step, and the rates are asked for where one is 0, and beside
 // it, where what is odd about it peaks.
 //
-// LIMIT: high powers that are built of low ones, by squaring squares, are not seen to peak: what
-// acts by one for less than a 25th of the time since the start, from its beginning to its end, can
-// lie between two watched times.
+// LIMIT: high powers that are built of low ones, by squaring squares, are not seen to peak: a term
+// that acts by one for less than a 25th of the time since the start, from its beginning to its end,
+// can lie between two watched times.
 #pragma once
 
 #include "expression/graph.h"
@@ -57,14 +57,14 @@ private:
                            std::span<const expression::Node> attitudes,
                            std::span<const double> values = {});
 
-// What changes in time, and the symbol of its rate; of the time itself, 1.
+// A symbol that changes in time, and the symbol of its rate; of the time itself, 1.
 struct Moving {
     expression::Node symbol, rate;
 };
 
-// Where these expressions may peak, however narrow the peak: where what it peaks by (an exponent, a
-// denominator) is least or most, which is where its rate is 0, or is 0 itself (a pole, an edge:
-// tanh((x-700)/w)).
+// Where these expressions may peak, however narrow the peak: where the cause of the peak (an
+// exponent, a denominator) is least or most, which is where its rate is 0, or is 0 itself (a pole,
+// an edge: tanh((x-700)/w)).
 struct Peaks {
     struct Cause { // of time, states, inputs and constants
         expression::Node value;

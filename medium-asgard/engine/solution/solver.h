@@ -66,9 +66,9 @@ struct ComponentStatistics {
     std::shared_ptr<const BoundModel> bound; // its equations
 };
 
-// What an earlier run with the same prepared equations and options made of some unknowns, without
-// any event: it is not solved again. Whoever is read by one of these is one of them, and the other
-// way round. Their tolerances are the same as in that run.
+// The motion of some unknowns in an earlier run with the same prepared equations and options,
+// without any event: it is not solved again. An unknown that is read by one of these is one of
+// them, and the other way round. Their tolerances are the same as in that run.
 struct TakenMotion {
     std::shared_ptr<const Histories> histories; // to the finish at least
     std::vector<bool> unknowns;
@@ -87,8 +87,8 @@ struct Options {
     std::vector<double> extents;
     // Values of all unknowns at the start in place of the equations' own, 0 where those are 0.
     std::vector<double> initial;
-    // All unknowns that will be read of the histories; what only others would read is not solved,
-    // and is not a number there. None: all.
+    // All unknowns that will be read of the histories; unknowns that only others would read are not
+    // solved, and are not a number there. None: all.
     std::optional<std::vector<std::size_t>> asked;
     std::string method = "auto"; // or a name of methodNames(): then for all components and states
     std::optional<double> fixedStep;
@@ -101,8 +101,8 @@ struct Options {
     std::size_t maximumEventsAtOnce = 10'000; // of what takes part in them, and met by then
     // That all histories and what the source keeps may take; nothing else depends on it.
     std::size_t mostBytes = std::numeric_limits<std::size_t>::max();
-    // Where it is to go, which advanceTo() says: what would take more than a billion steps or
-    // events at the pace it has come to ends, and says so (pace.h). Nothing else depends on it.
+    // Where it is to go, which advanceTo() says: a motion that would take more than a billion steps
+    // or events at the pace it has come to ends, and says so (pace.h). Nothing else depends on it.
     double finish = infinity;
     std::shared_ptr<const TakenMotion> taken; // may be null
     std::function<bool()> cancelled;          // polled between steps, on the thread of advanceTo()
@@ -158,7 +158,7 @@ public:
     // The motion that was taken, known for longer.
     void takeLonger(std::shared_ptr<const TakenMotion> taken);
 
-    // What is solved now; valid until the next call of advanceTo(). On the solver's thread only.
+    // The motion so far; valid until the next call of advanceTo(). On the solver's thread only.
     [[nodiscard]] const Histories& histories() const;
     // To a later finish than this something would have ended before (pace.h): begin anew.
     [[nodiscard]] double hopelessBeyond() const;

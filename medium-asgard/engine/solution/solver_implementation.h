@@ -71,7 +71,7 @@ private:
     [[nodiscard]] bool handleEvents(double finish);
     [[nodiscard]] bool goesOnAfter(const Event& event);
     void apply(const Event& event);
-    // What flies, in solver_flights.cpp.
+    // Flights, in solver_flights.cpp.
     struct Flight {
         struct Axis {                            // that is not 0 for ever
             std::size_t place = 0, velocity = 0; // components; a velocity may stay 0
@@ -113,7 +113,7 @@ private:
     void goBack(const std::vector<std::size_t>& components, double t);
     void restart(const std::vector<std::size_t>& components, const Changes& changes);
     void endThose(const Changes& changes);
-    // What an event's new equations make of the components, in solver_equations.cpp.
+    // The changes of components by an event's new equations, in solver_equations.cpp.
     struct Region { // all of the groups that they concern
         std::vector<std::size_t> groups, components, unknowns;
         Partition partition;  // anew, of places in `unknowns`
@@ -132,7 +132,7 @@ private:
     void stopIsland(const Event& event, const std::string& sentence);
     void stopAll(double time, const std::string& sentence);
     void noteStops();
-    // What is kept, in solver_kept.cpp.
+    // The bytes that are kept, in solver_kept.cpp.
     void noteKept(std::size_t place);
     [[nodiscard]] std::size_t keptBefore(double t) const;
     [[nodiscard]] double fullTime(double until) const;

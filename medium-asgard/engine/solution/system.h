@@ -37,7 +37,7 @@ public:
         System* reader = nullptr;
     };
     [[nodiscard]] virtual Direct direct() { return {}; }
-    // What others are at that time.
+    // The values of others at that time.
     virtual void putInputs(double /*t*/) {}
     [[nodiscard]] virtual const Pattern& jacobianPattern() = 0;
     [[nodiscard]] virtual bool jacobian(double t, std::span<const double> y,

@@ -4,8 +4,8 @@
 //     the greatest set of unknowns that are 0, have no phase ahead that holds or resets them, and
 //     whose rates are 0 when all of the set are
 //
-// What a rate is follows from its expression alone (a product with a 0, a sum of zeros, ...). So
-// the answer is exact, and the set changes at events only: a jump or new equations wake some of it.
+// A rate counts as 0 by its expression alone (a product with a 0, a sum of zeros, ...). So the
+// answer is exact, and the set changes at events only: a jump or new equations wake some of it.
 // None that is awake falls asleep again, so that an event elsewhere changes nobody's numbers. An
 // event looks at what depends on those that it wakes, and at nothing else of the scene.
 #pragma once
@@ -30,7 +30,7 @@ public:
         return unknown < zero_.size() && zero_[unknown];
     }
     [[nodiscard]] bool empty() const { return count_ == 0; }
-    // What an expression is while these are 0, as far as its form tells; complete as symbolsLeft().
+    // The expression is 0 while these are 0, as far as its form tells; complete as symbolsLeft().
     [[nodiscard]] bool isZero(expression::Node n) const {
         return n.index < nodeZero_.size() && nodeZero_[n.index];
     }
@@ -66,8 +66,8 @@ private:
     std::vector<bool> zero_;     // by unknown
     std::vector<bool> nodeZero_; // by node
     std::size_t count_ = 0, looks_ = 0;
-    // Who reads a node, and who has it as a rate or value: of the equations that there were at
-    // first, which copies share, and of those that came later.
+    // The readers of a node, and the unknowns that have it as a rate or value: of the equations
+    // that there were at first, which copies share, and of those that came later.
     std::shared_ptr<const Readers> readers_;
     std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> lateReaders_, lateUnknowns_;
 };
