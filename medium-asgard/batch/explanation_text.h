@@ -19,7 +19,7 @@ enum class Detail { usual, all };
 // The phases that were asked for of something with this name, a section for each component.
 [[nodiscard]] std::string phasesText(const simulation::Explanation& explanation,
                                      const std::string& name);
-// What was asked, and how far off the motion is; none: not estimated.
+// The accuracy that was asked, and the estimate of the motion's error; none: not estimated.
 [[nodiscard]] std::string accuracyText(const simulation::Explanation& explanation, double accuracy,
                                        std::optional<double> estimate);
 [[nodiscard]] std::string explanationJson(const simulation::Explanation& explanation);

@@ -38,7 +38,7 @@ readScene(script::Reader& reader, const std::string& file,
           const std::map<std::string, double>& parameters = {});
 // Each diagnostic with its place and its line.
 [[nodiscard]] std::vector<std::string> faultsOf(const SceneText& scene);
-// What a run says, with its place and its line.
+// A diagnostic of a run, with its place and its line.
 [[nodiscard]] std::string placed(const SceneText& scene, scene::Diagnostic said);
 // Why nothing could be computed: each sentence at its place.
 [[nodiscard]] Refusal refusalOf(const SceneText& scene, const std::vector<std::string>& sentences);

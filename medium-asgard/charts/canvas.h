@@ -34,7 +34,7 @@ public:
     [[nodiscard]] cairo_t* cairo() const { return cairo_; }
     // Writes the file; empty, or why it could not be written.
     [[nodiscard]] std::string finish();
-    // What was drawn so far; empty where there is a file, or no memory for a page so large.
+    // The drawing so far; empty where there is a file, or no memory for a page so large.
     [[nodiscard]] Pixels pixels() const;
 
     void ink(const Color& color, double opacity = 1);

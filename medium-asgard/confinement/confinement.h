@@ -1,4 +1,4 @@
-// What may this process do from now on? As little as its role needs, for good.
+// Confines this process for good: from now on it may do as little as its role needs.
 //
 // Four fences, one behind the other; a kernel that lacks one still has the others, and each says
 // whether it is in force. None needs a privilege, and none can be taken down again.
@@ -58,8 +58,8 @@ struct Report {
 // so (Linux before 6.12), or "".
 [[nodiscard]] std::string keepSignalsInside();
 
-// What confine() would report here, tried out in a process that ends at once. For About boxes; call
-// it before this process is confined itself.
+// The report that confine() would give here, tried out in a process that ends at once. For About
+// boxes; call it before this process is confined itself.
 [[nodiscard]] Report tryOut(Role role, const Limits& limits);
 
 // Ends this process with SIGKILL when the thread that started it ends. If that has already

@@ -1,4 +1,4 @@
-// What became of a scene's elements when its text changed? (dissertation 4.2.2)
+// The elements that a change of a scene's text kept, added and removed (dissertation 4.2.2).
 //
 // A named element is the one of that name. One without a name (a force, a link, a constraint) is,
 // of those that are left, the one that

@@ -24,7 +24,7 @@ struct TclNumber {
 
 struct TclNames {
     std::function<std::optional<TclNumber>(std::string_view variable)> variable;
-    // What a number of the expression, by its place in the text, is to count as.
+    // The value that a number of the expression, by its place in the text, is to count as.
     std::function<std::optional<TclNumber>(scene::Range literal)> literal;
 };
 

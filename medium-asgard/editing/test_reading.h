@@ -1,4 +1,4 @@
-// What the tests of this folder share: texts read by the real evaluator.
+// A reader of texts that the tests of this folder share: the real evaluator.
 #pragma once
 
 #include "script/reader.h"

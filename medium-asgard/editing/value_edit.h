@@ -1,4 +1,4 @@
-// What change of the text gives this value to that element?
+// Finds the change of the text that gives a value to an element.
 //
 // A gesture in a picture is a change of the text (dissertation 4.2.2): the numbers that it moves
 // are rewritten where they stand, and no other byte. A number can be rewritten when its bytes are
@@ -30,12 +30,12 @@ struct Wish {
     std::vector<std::size_t> path; // into nested lists: which element of the list, then of that
     std::vector<double> values;
     double resolution = 0; // differences below half of it are none; 0: exact
-    // What stands when the option does not; a wish for just that changes nothing then.
+    // The values where the option does not stand; a wish for just these changes nothing then.
     std::vector<double> absent = {};
-    // The values as they are, where they are known: what is not to change may be computed, and a
-    // number that the text gives otherwise is not the one that is meant.
+    // The values as they are, where they are known: values that are not to change may be computed,
+    // and a number that the text gives otherwise is not the one that is meant.
     std::vector<double> now = {};
-    bool offers = true; // what could be done instead is worked out, too, which may take long
+    bool offers = true; // alternatives are worked out, too, which may take long
 };
 
 // A change that is possible, but only if the author wants it.
@@ -67,8 +67,8 @@ public:
     // How many numbers the option has in the text, where it is a list written out; 0: none, or
     // computed.
     [[nodiscard]] std::size_t count(const Wish& wish) const;
-    // What stands in the text for each number of the wish ("$h", "-10 * b1.mass"); "" where the
-    // option does not stand.
+    // The text that stands for each number of the wish ("$h", "-10 * b1.mass"); "" where the option
+    // does not stand.
     [[nodiscard]] std::vector<std::string> written(const Wish& wish) const;
     [[nodiscard]] const scene::Source* sourceOf(const Element& element) const;
     [[nodiscard]] std::string

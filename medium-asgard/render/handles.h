@@ -119,7 +119,7 @@ private:
     Extent extent_;
     scene::Names names_;
     std::unordered_map<std::string, std::size_t> bodies_;
-    // What expressions are worth that do not change; none: they do.
+    // The values of expressions that do not change; none: they do.
     std::unordered_map<std::string, std::optional<double>> constants_;
     double velocityScale_ = 1, spinScale_ = 1, forceScale_ = 1, torqueScale_ = 1;
     // The expressions of forces and links that change, in the order in which they are asked for.

@@ -59,7 +59,7 @@ public:
     void drawOpaque(std::span<const Solid> solids, const Frame& frame);
     // One solid, its back faces before its front faces.
     void drawTransparent(const Solid& solid, const Frame& frame);
-    // What stands above a plane of the view laid flat on it, fading to a third at height `reach`.
+    // The solids above a plane of the view, laid flat on it, fading to a third at height `reach`.
     void drawShadows(std::span<const Solid> solids, const Frame& frame, const Plane& plane,
                      double reach);
     // Only the faces of a solid that lie in the plane, without colour: marks the stencil.

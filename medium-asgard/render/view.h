@@ -1,7 +1,8 @@
 // The scene's own `view` elements as cameras.
 //
-// What a view does not say is framed (render/camera.h). Values bound to expressions or trajectories
-// follow time; they are read from the motion by simulation::Quantities, prepared once.
+// Parts of a camera that a view does not give are framed (render/camera.h). Values bound to
+// expressions or trajectories follow time; they are read from the motion by simulation::Quantities,
+// prepared once.
 #pragma once
 
 #include "render/camera.h"

@@ -15,7 +15,7 @@
 
 namespace script {
 
-// What the process that waits can see of an evaluation that never answers.
+// The progress of an evaluation that never answers, as the process that waits can see it.
 struct Progress {
     std::atomic<std::uint64_t> offset{noOffset}; // of the command that runs
 };
@@ -29,7 +29,7 @@ public:
 
     // Once. The bytes of a recording.
     const std::string& evaluate(const Request& request);
-    // What was recorded so far, when there is no memory to end it.
+    // The recording so far, when there is no memory to end it.
     [[nodiscard]] const std::string& recorded() const;
 
 private:

@@ -44,7 +44,7 @@ private:
     void registerName(const std::string& name, const Value& word, Kind kind);
     bool validSymbol(const std::string& name, const Value& word, Kind kind);
     [[nodiscard]] bool exists(Kind kind, const std::string& name) const;
-    // What to say when one does not; "" after a few hundred, which a loop can ask for.
+    // The suggestion when one does not; "" after a few hundred, which a loop can ask for.
     [[nodiscard]] std::string suggest(Kind kind, const std::string& name);
     // The element of that name exists already, else a report.
     bool refers(Arguments& arguments, std::string_view option, const std::string& name, Kind kind);

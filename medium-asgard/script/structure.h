@@ -1,9 +1,9 @@
 // The commands and words of a scene's text, without evaluating anything.
 //
-// What editors highlight by, what evaluation is instrumented by, and what gives every value its
-// place in the text. Follows Tcl's rules for commands, words and substitutions (Tcl(n)) exactly,
-// and goes into nested scripts: command substitutions, also inside expressions, and the words of
-// Tcl's control commands that are scripts. Never recurses deeper than `maximumDepth`.
+// Editors highlight by them, evaluation is instrumented by them, and they give every value its
+// place in the text. Reading follows Tcl's rules for commands, words and substitutions (Tcl(n))
+// exactly, and goes into nested scripts: command substitutions, also inside expressions, and the
+// words of Tcl's control commands that are scripts. Never recurses deeper than `maximumDepth`.
 //
 // LIMIT: scripts handed to commands that an author defines are words to us, not scripts; elements
 // that they make have no place in the text of their own.
@@ -50,7 +50,7 @@ struct Fault { // what keeps the text from being a script
 struct Structure {
     std::vector<Command> commands; // by where they start; outer before inner
     std::vector<Range> comments;
-    std::vector<Fault> faults; // at most one per script; what precedes it is there
+    std::vector<Fault> faults; // at most one per script; all that precedes it is there
 
     // The innermost command that holds this byte, or null.
     [[nodiscard]] const Command* at(std::size_t offset) const;

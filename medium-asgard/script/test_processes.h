@@ -1,4 +1,4 @@
-// Who is whose child, as the system tells it; for tests.
+// The children of processes, as the system tells them; for tests.
 #pragma once
 
 #include <algorithm>

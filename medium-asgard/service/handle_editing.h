@@ -26,16 +26,16 @@ public:
     bool key(const std::string& name, bool pressed);    // false: not theirs
     void finish();
     void cancel(); // the text is as it was
-    // What it was made on is gone: nothing more of it is taken, which is said.
+    // The text that a drag was made on is gone: nothing more of the drag is taken, which is said.
     void drop();
 
     [[nodiscard]] bool active() const { return drag_ || newPoint_; }
-    // What a drag says of itself, or said last: "b1: position -4.37 0 2", or why it cannot be.
+    // The words of a drag about itself, now or last: "b1: position -4.37 0 2", or why it cannot be.
     [[nodiscard]] const std::string& words() const { return words_; }
     // Grows whenever pictures of the same scene may differ.
     [[nodiscard]] unsigned generation() const { return generation_; }
 
-    // What a picture shows; none: its display has no handles.
+    // The handles that a picture shows; none: its display has none.
     [[nodiscard]] std::shared_ptr<const render::HandleSet>
     handles(const std::shared_ptr<const scene::Scene>& scene, const render::Drawing& drawing);
 

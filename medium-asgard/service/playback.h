@@ -1,4 +1,4 @@
-// What time does a subdocument show now?
+// The time that a subdocument shows now.
 //
 // Time follows the real-time clock (dissertation 4.1.9): shown = anchor + rate * (now - anchored).
 // It never runs past what is computed: there it waits, and goes on from there. At the finish it

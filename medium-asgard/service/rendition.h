@@ -48,8 +48,8 @@ public:
     // The picture stays as it is while what is in it moves.
     void holdView(double time);
     [[nodiscard]] bool beingTurned() const { return control_.active(); }
-    // All of that in words that another process understands: the host hands them back to it. What
-    // are not such words changes nothing.
+    // All of that in words that another process understands: the host hands them back to it. Other
+    // words change nothing.
     [[nodiscard]] std::string state() const;
     void restore(const std::string& state);
     std::string toldState;
@@ -65,7 +65,7 @@ public:
     [[nodiscard]] Frame begin(const Look& look);
     void acknowledge(ipc::Integer serial) { unacknowledged_.erase(serial); }
     [[nodiscard]] bool sharesMemory() const { return slots_[0] != nullptr; }
-    // What begin() showed did not come about.
+    // The frame of begin() did not come about.
     void forget() { shown_.reset(); }
 
     bool visible = false;

@@ -29,12 +29,12 @@ public:
     // All or none of the edits; the sentence says why not.
     [[nodiscard]] std::optional<std::string> edit(const text::Edits& edits, ipc::Integer revision,
                                                   Instant now);
-    // While a gesture lasts: this text is read and shown, and is that of no revision. What the host
-    // sends ends it, as endPreview() does: then the text is shown as it is.
+    // While a gesture lasts: this text is read and shown, and is that of no revision. A text that
+    // the host sends ends it, as endPreview() does: then the text is shown as it is.
     void preview(std::string text, Instant now);
     void endPreview(Instant now);
     [[nodiscard]] bool previewing() const { return preview_.has_value(); }
-    // What is being shown: the text, or a gesture's.
+    // The text that is being shown: its own, or a gesture's.
     [[nodiscard]] const std::string& shownText() const { return preview_ ? *preview_ : text_; }
     // Overrides a parameter of the scene, within its bounds. False: there is none of that name.
     bool setParameter(const std::string& name, double value, Instant now);
@@ -49,7 +49,7 @@ public:
     [[nodiscard]] ipc::Integer revision() const { return revision_; }
     [[nodiscard]] const ParameterValues& parameters() const { return parameters_; }
 
-    // What is shown: the motion belongs to the scene. Null before the first good text.
+    // The scene that is shown, and its motion. Null before the first good text.
     [[nodiscard]] const ScenePointer& scene() const { return shown_.scene; }
     [[nodiscard]] const simulation::MotionPointer& motion() const { return shown_.motion; }
     // That the scene was read from.
@@ -64,7 +64,7 @@ public:
     [[nodiscard]] unsigned viewGeneration() const { return viewGeneration_; }
 
     [[nodiscard]] bool computing() const { return worker_.busy(); }
-    // What is shown is what shownText() says.
+    // The scene that is shown is that of shownText().
     [[nodiscard]] bool upToDate() const { return !awaited_.scene && read_ && !faulty_; }
     // The motion of the text as it is now is known up to here; none: not yet, or it has none.
     [[nodiscard]] std::optional<double> knownUntil() const;

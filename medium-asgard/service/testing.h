@@ -11,7 +11,7 @@
 
 namespace service {
 
-// What either end has to say reaches the other; notifications are taken, requests are kept.
+// The messages of either end reach the other; notifications are taken, requests are kept.
 inline void exchangeOnce(ipc::HostChannel& host, ipc::MediumChannel& medium, Session& session,
                          Instant now, std::vector<ipc::Asked<ipc::ToHost>>& asked,
                          const std::function<void(ipc::ToHost)>& take) {

@@ -26,7 +26,7 @@ struct Tools {
         simulate;
 };
 
-// What is new since the last time, of one job.
+// The news of one job since the last time.
 struct News {
     std::optional<std::vector<scene::Diagnostic>> diagnostics; // the text was read
     ScenePointer scene;                                        // and makes this scene

@@ -12,7 +12,7 @@ class QWidget;
 
 namespace views {
 
-// What is typed in windows and no change of the text yet.
+// Text that is typed in windows and no change of the scene's text yet.
 struct KeptDrafts {
     std::function<std::string()> state = [] { return std::string(); }; // "": nothing is
     std::function<void(const std::string& state)> restore = [](const std::string&) {};
@@ -23,14 +23,14 @@ class Autosave : public QObject {
 public:
     // `document` outlives it.
     Autosave(SceneDocument& document, const std::string& folder, KeptDrafts drafts = {});
-    // The program ends as it should: what was to be saved is, and the rest was given up.
+    // The program ends as it should: work to be saved is, and the rest was given up.
     ~Autosave() override;
 
     // Of what is kept, which is on the disk then; "" while nothing is.
     [[nodiscard]] std::string file() { return writer_.path(); }
 
     // The document becomes what was left: its file, with the text as one change that can be undone,
-    // and the drafts. What was left stays kept from the first moment on: should the text end this
+    // and the drafts. All of that stays kept from the first moment on: should the text end this
     // program too, it is still there.
     void recover(files::LeftBehind left);
 

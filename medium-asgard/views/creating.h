@@ -31,7 +31,7 @@ public:
     void cancel();
     void click(const QPointF& position);
     bool key(const QKeyEvent& event); // false: not theirs
-    // What is asked for, and what was wrong with the last click.
+    // The step that is asked for, and the fault of the last click.
     [[nodiscard]] QString prompt() const;
     void paint(QPainter& painter) const;
 

@@ -34,7 +34,7 @@ public:
 
     void submit(); // it becomes everyone's text
     void drop();   // it becomes the document's text
-    // What was typed in another process upon a text that the document had then.
+    // Text typed in another process upon a text that the document had then.
     void restore(const std::string& base, const std::string& text);
     [[nodiscard]] const std::string& base() const { return base_; } // that it is a draft of
     // Of what was typed.
@@ -52,7 +52,7 @@ Q_SIGNALS:
     void followed();      // the editor's text is the document's, or took something from it
 
 private:
-    // What was typed once, upon the document's text of then.
+    // Text typed once, upon the document's text of then.
     struct Typed {
         std::string base, text;
     };

@@ -24,7 +24,7 @@ struct MenuPlace {
     std::optional<render::Handle> handle; // of it, that is there
 };
 
-// What is there: a handle, a body, a trajectory's line, or nothing.
+// The thing at `position`: a handle, a body, a trajectory's line, or nothing.
 [[nodiscard]] MenuPlace menuPlaceAt(SceneDocument& document, SceneDisplay& display,
                                     const QPointF& position);
 // The element that is selected, where it is seen.

@@ -24,7 +24,7 @@ public:
     void hideAll();
     // So that these bytes can be seen.
     void reveal(scene::Range range);
-    // What is selected is about to be replaced: Scintilla changes nothing that it does not show.
+    // The selected text is about to be replaced: Scintilla changes nothing that it does not show.
     // LIMIT: hidden points that are dragged elsewhere with the pointer stay behind.
     void releaseSelected();
     [[nodiscard]] std::vector<scene::Range> hidden() const { return editor_.marks(Mark::elided); }

@@ -15,7 +15,7 @@ class Exports : public QObject {
 public:
     Exports(SceneDocument& document, QWidget& window);
 
-    // What a picture is to show; none: no viewer is open.
+    // The motion and view that a picture is to show; none: no viewer is open.
     std::function<std::optional<ToExport>()> pictured;
     // Instead of boxes that ask and warn, for tests.
     std::function<bool(const QString& question)> agrees;

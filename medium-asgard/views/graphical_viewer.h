@@ -20,7 +20,7 @@ namespace views {
 
 class ToldBar;
 
-// What a window can ask for beyond its own document.
+// The requests of a window beyond its own document.
 struct Windows {
     std::function<void()> showText; // a language viewer, where what is selected is marked
     std::function<void()> openGraphicalViewer, openLanguageViewer, openTrajectoryEditor, openStudy,

@@ -1,8 +1,8 @@
 // A file with a mesh, read and decomposed on a thread of its own (dissertation 7.0.2: concave
 // objects).
 //
-// What is asked for last counts: an older wish that still runs is told to stop, and its result is
-// dropped. The file is read once. When the job goes, its thread is told to stop, whatever it does.
+// The last wish counts: an older one that still runs is told to stop, and its result is dropped.
+// The file is read once. When the job goes, its thread is told to stop, whatever it does.
 #pragma once
 
 #include "meshes/convex_parts.h"

@@ -1,7 +1,7 @@
 // From when to when a scene moves: two fields in a window, the `simulator` of the text.
 //
-// What is typed is taken with Return, and before whatever is done next in the window: a click
-// elsewhere, a key that is a command.
+// A typed time is taken with Return, and before the next action in the window: a click elsewhere, a
+// key that is a command.
 #pragma once
 
 #include "views/scene_document.h"

@@ -37,7 +37,7 @@ public:
     [[nodiscard]] static QColor usualColor(std::size_t curve);
     void setSamples(PlotSamples samples, double start, double finish);
     [[nodiscard]] const PlotSamples& samples() const { return samples_; }
-    // What the pointer at that place reads: the time and each curve's value.
+    // The reading of the pointer at that place: the time and each curve's value.
     [[nodiscard]] QString readingAt(const QPointF& position) const;
     [[nodiscard]] ChartAxes axes() const;
     [[nodiscard]] QPointF placeOf(double time, double value) const;

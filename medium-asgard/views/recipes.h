@@ -35,7 +35,7 @@ struct Step {
     std::optional<std::size_t> offered = {}; // the body that Return takes
 };
 
-// What was shown for one step; nothing of it: Return.
+// The thing that was shown for one step; nothing of it: Return.
 struct Indicated {
     bool given = false;
     Vector point = Vector::Zero(); // world

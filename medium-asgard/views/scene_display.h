@@ -63,8 +63,8 @@ public:
     [[nodiscard]] double arrowLength(bool couple);
     [[nodiscard]] double massOf(std::size_t body) const; // 1 while it is not known
     [[nodiscard]] QString words() const { return editing_.words(); }
-    // What the display shows of the scene at this time; as of the last picture, where a newer one
-    // takes long, and nothing of another scene.
+    // The handles that the display shows of the scene at this time; as of the last picture, where a
+    // newer one takes long, and none of another scene.
     [[nodiscard]] const render::HandleSet& handles();
     // The picture is the one that was wished for last.
     [[nodiscard]] bool showsNewest() const {

@@ -78,7 +78,7 @@ struct Computed {
     bool current = false; // the scene was read from the text as it is now
 };
 
-// What a gesture that goes on asks of the text as it was at the revision that it began at.
+// The answer to a gesture that goes on, for the text as it was at the revision that it began at.
 struct Asked {
     int since;
     editing::Answer answer;
@@ -117,15 +117,15 @@ public:
 
     // A view's change: one step of undo.
     void setText(const std::string& text, const QString& label);
-    // While a gesture lasts, texts are shown and read that are no steps of undo; what it ends with
-    // is one. A change from elsewhere meanwhile ends the gesture: what it did so far is a step
-    // then, and nothing more of it is taken. `since`: the revision that the gesture began at;
+    // While a gesture lasts, texts are shown and read that are no steps of undo; the text that it
+    // ends with is one. A change from elsewhere meanwhile ends the gesture: its change so far is a
+    // step then, and nothing more of it is taken. `since`: the revision that the gesture began at;
     // `hand`: whoever it is, which tells it from others that began there too.
     void preview(const std::string& text, int since, const void* hand = nullptr);
     void finishPreview(const std::string& text, const QString& label, int since,
                        const void* hand = nullptr);
-    // What a gesture that began at that revision does is taken still: nothing else has changed the
-    // text since.
+    // The changes of a gesture that began at that revision are taken still: nothing else has
+    // changed the text since.
     [[nodiscard]] bool mayGoOn(int since) const {
         return since == revision_ || (gesture_ && gesture_->since == since);
     }
@@ -154,7 +154,7 @@ public:
 
     [[nodiscard]] bool canUndo() const;
     [[nodiscard]] bool canRedo() const;
-    // What the next undo takes back, and the next redo does again; "" under a host, who knows.
+    // The changes of the next undo and the next redo; "" under a host, who knows.
     [[nodiscard]] QString undoLabel() const;
     [[nodiscard]] QString redoLabel() const;
     void undo();
@@ -173,8 +173,8 @@ public:
     [[nodiscard]] QString open(const QString& path); // "" or why not
     [[nodiscard]] files::SaveResult save(const QString& path, files::SaveOptions options = {});
     void reset(); // an empty scene that was never saved
-    // What a program that ended had not saved of a file, which it knew as `file`: the text is one
-    // change of what the file holds. Without the file it is a scene that was never saved.
+    // Takes the text that a program, which knew its file as `file`, had not saved when it ended:
+    // one change of the file's content. Without the file it is a scene that was never saved.
     void recover(const files::KnownFile& file, const std::string& text);
     [[nodiscard]] const files::KnownFile& knownFile() const { return file_; }
     [[nodiscard]] const QString& path() const { return path_; }

@@ -1,8 +1,8 @@
 // A text widget in which places are bytes of the scene's text: QScintilla, with marks of the
 // language viewer's own.
 //
-// What a language viewer can do attaches to it as tools (elision.h, number_drag.h, ...): each sees
-// the pointer and the keys before Scintilla, and paints above the text.
+// The abilities of a language viewer attach to it as tools (elision.h, number_drag.h, ...): each
+// sees the pointer and the keys before Scintilla, and paints above the text.
 #pragma once
 
 #include "scene/scene.h"
@@ -37,10 +37,10 @@ public:
     virtual bool released(const QMouseEvent&) { return false; }
     virtual bool key(const QKeyEvent&) { return false; }
     virtual bool keyReleased(const QKeyEvent&) { return false; }
-    virtual void replacing() {} // what is selected is about to become something else
+    virtual void replacing() {} // the selected text is about to become something else
     virtual void left() {}      // the pointer or the focus left
     virtual void paint(QPainter&) {}
-    // What to say of the byte below the pointer, "" when nothing.
+    // The tip for the byte below the pointer, "" when there is none.
     [[nodiscard]] virtual QString tip(std::size_t) const { return {}; }
 };
 

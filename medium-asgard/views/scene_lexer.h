@@ -1,7 +1,7 @@
 // Colours of a scene's text: commands, options, numbers, comments, as the language knows them.
 //
-// What is a command, a word or a comment comes from script/structure.h, which follows Tcl's rules;
-// so a scene command in the body of a loop is coloured and the same letters in a string are not.
+// Commands, words and comments come from script/structure.h, which follows Tcl's rules; so a scene
+// command in the body of a loop is coloured and the same letters in a string are not.
 #pragma once
 
 #include "views/scintilla.h"

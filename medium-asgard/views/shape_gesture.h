@@ -14,9 +14,9 @@ public:
 
     [[nodiscard]] const std::vector<editing::DraftPart>& before() const { return before_; }
     [[nodiscard]] const std::string& text() const { return text_; } // when it began
-    // What the parts are to be. False: the text cannot be changed so, see answer().
+    // Shows the parts as they are to be. False: the text cannot be changed so, see answer().
     bool show(const std::vector<editing::DraftPart>& draft);
-    // What was shown last stays, when the text could become it.
+    // The draft that was shown last stays, when the text could become it.
     void finish(const QString& label);
     void cancel(); // the text is as it was
     [[nodiscard]] const editing::Answer& answer() const { return answer_; }
@@ -36,7 +36,7 @@ private:
 // digits that rounding leaves. 0: exactly.
 [[nodiscard]] double decimal(double value, double length);
 [[nodiscard]] geometry::Vector decimal(const geometry::Vector& value, double length);
-// What a gesture changed of a part, so rounded; the rest stays bit for bit.
+// The part with the values that a gesture changed, so rounded; the rest stays bit for bit.
 [[nodiscard]] scene::Part tidied(const scene::Part& before, scene::Part after, double length);
 
 } // namespace views

@@ -34,7 +34,7 @@ inline long setting(const char* name, long otherwise) {
     return text ? std::atol(text) : otherwise;
 }
 
-// What a text means. These texts are ours: they are read in this process, and each only once.
+// The meaning of a text. These texts are ours: they are read in this process, and each only once.
 inline std::shared_ptr<const script::ReadResult> meaningOf(const std::string& text) {
     static std::unordered_map<std::string, std::shared_ptr<const script::ReadResult>> known;
     if (const auto found = known.find(text); found != known.end())

@@ -1,8 +1,8 @@
-// What a document, its steps of undo and the drafts in its language viewers should be: a plain
-// string, a plain stack of strings, and two strings for each draft.
+// A model of a document, its steps of undo and the drafts in its language viewers: a plain string,
+// a plain stack of strings, and two strings for each draft.
 //
-// It is told what viewers ask for, never what became of it: who compares it with the document has
-// another's word for every byte.
+// It is told what viewers ask for, never what became of it: a test that compares it with the
+// document has another's word for every byte.
 #pragma once
 
 #include "text/merge.h"
@@ -50,7 +50,8 @@ public:
         become(text);
         addStep();
     }
-    // A hand's gesture that began at that revision shows a text; what another's did is a step then.
+    // A hand's gesture that began at that revision shows a text; the change by another's is a step
+    // then.
     void preview(const std::string& text, int since, const void* hand) {
         const bool goesOn = held_ && held_->since == since && held_->hand == hand;
         if ((!goesOn && since != revision_) || text == text_)

@@ -1,4 +1,4 @@
-// What the tests of this folder share: an application, a reader, and motion that is known exactly.
+// Tools that the tests of this folder share: an application, a reader, and motion known exactly.
 #pragma once
 
 #include "render/test_scenes.h"
@@ -26,9 +26,9 @@ inline QApplication& theApplication() {
     static char name[] = "views_test";
     static char* argv[] = {name, nullptr};
     theReader();
-    // Never destroyed: when the process ends, what Qt has made since may be gone before it.
+    // Never destroyed: when the process ends, objects that Qt has made since may be gone before it.
     static QApplication& application = *new QApplication(argc, argv);
-    // However loaded the machine is, what is looked at is what was asked for.
+    // However loaded the machine is, tests look at the picture that was asked for.
     SceneDisplay::setPatience(std::chrono::seconds(60));
     return application;
 }

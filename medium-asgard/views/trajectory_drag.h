@@ -23,7 +23,7 @@ public:
 
     [[nodiscard]] bool moves() const { return moves_; }
     [[nodiscard]] Asked asked() const { return {since_, answer_}; }
-    // What the curves are now; the scene follows when its text is read.
+    // The curves as they are now; the scene follows when its text is read.
     [[nodiscard]] const std::vector<scene::BezierCurve>& curves() const { return curves_; }
     [[nodiscard]] QString reason() const; // why it stays as it is; "": it does not
 

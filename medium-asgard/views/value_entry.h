@@ -21,7 +21,7 @@ public:
     ValueEntry(SceneDocument& document, AskedValue asked, QWidget* parent);
 
     void openAt(const QPoint& handle);
-    // What a gesture asked for, as if it was typed.
+    // The values that a gesture asked for, as if they were typed.
     void propose(const std::vector<editing::Wish>& wishes);
     [[nodiscard]] const std::vector<QLineEdit*>& fields() const { return fields_; }
     [[nodiscard]] QString saying() const { return says_->text(); }
