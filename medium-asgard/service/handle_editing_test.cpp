@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <set>
+
 #include <poll.h>
 
 namespace service {
@@ -51,8 +53,13 @@ protected:
             host.notify(ipc::RenditionAck{1, frame->serial});
         else if (auto* report = std::get_if<ipc::ProgressReport>(&call))
             said.push_back(report->message);
-        else if (auto* end = std::get_if<ipc::ProgressEnd>(&call))
-            saidLast = end->message;
+        else if (auto* begin = std::get_if<ipc::ProgressBegin>(&call)) {
+            if (begin->title != "Editing") // the motion's, whenever that ends
+                others.insert(begin->token);
+        } else if (auto* end = std::get_if<ipc::ProgressEnd>(&call); end != nullptr) {
+            if (!others.contains(end->token))
+                saidLast = end->message;
+        }
     }
     // Until what is shown is what is to be shown, and drawn.
     void settle() {
@@ -151,6 +158,7 @@ protected:
     render::HandleSet handles;
     std::vector<std::string> said;
     std::string saidLast;
+    std::set<ipc::Integer> others; // tokens
     std::vector<ipc::Asked<ipc::ToHost>> asked;
 };
 
