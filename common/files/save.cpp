@@ -5,6 +5,7 @@
 #include <charconv>
 #include <climits>
 #include <csignal>
+#include <optional>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -119,8 +120,7 @@ private:
     bool exchange(const FileStamp* known, Refusal& refusal) {
         if (!exists_)
             return moveOver();
-        const OpenFile folder(files_, folderOf(path_), O_RDONLY | O_DIRECTORY);
-        waitFor(folder);
+        waitForOthers();
         if (files_.exchange(temporary_.c_str(), path_.c_str()) != 0)
             return exchangeIsMissing(errno)
                        ? moveOverIf(known, refusal)
@@ -138,11 +138,13 @@ private:
         return true;
     }
 
-    // Two of our programs do not exchange at once. Nobody waits for one that hangs.
-    void waitFor(const OpenFile& folder) {
+    // Of our programs one at a time exchanges a file of a folder and reads it back. Nobody waits
+    // for one that hangs.
+    void waitForOthers() {
         constexpr int tries = 100, pause = 10'000; // us
-        for (int i = 0; i < tries && folder.isOpen(); ++i) {
-            if (files_.flock(folder.fd(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+        folder_.emplace(files_, folderOf(path_), O_RDONLY | O_DIRECTORY);
+        for (int i = 0; i < tries && folder_->isOpen(); ++i) {
+            if (files_.flock(folder_->fd(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
                 return;
             ::usleep(pause);
         }
@@ -169,10 +171,11 @@ private:
     }
 
     bool confirm() {
-        const OpenFile folder(files_, folderOf(path_), O_RDONLY | O_DIRECTORY);
+        if (!folder_)
+            folder_.emplace(files_, folderOf(path_), O_RDONLY | O_DIRECTORY);
         // Some file systems cannot sync a folder, and say EINVAL; on those the rename is all there
         // is.
-        if (!folder.isOpen() || (!folder.sync() && errno != EINVAL)) {
+        if (!folder_->isOpen() || (!folder_->sync() && errno != EINVAL)) {
             const std::string reason = reasonOf(errno);
             return fail("the disk did not confirm it (" + reason +
                         "); the file may hold the old version after a power cut");
@@ -199,6 +202,7 @@ private:
     mode_t mode_;
     bool exists_ = false; // a file from before
     std::string temporary_, sentence_;
+    std::optional<OpenFile> folder_; // locked from the exchange to the end
 };
 
 // How many names the file has; 0 when there is none, or nobody can tell.

@@ -206,7 +206,7 @@ void typeUntilKilled(const Folder& folder, std::uint64_t seed, Told& told) {
             press(Qt::Key_Return);
         else if (what < 92)
             document.undo();
-        else if (what < 95)
+        else if (what < 98)
             goTo(*window, anyText(random, document.bytes()));
         else {
             told.saving = files::hashOf(document.bytes());
@@ -240,7 +240,7 @@ public:
         told_.offered = 0;
         const pid_t host =
             inAnotherProcess([&](QApplication&) { typeUntilKilled(folder_, seed, told_); });
-        std::this_thread::sleep_for(std::chrono::milliseconds(upTo(random_, 1500)));
+        std::this_thread::sleep_for(std::chrono::milliseconds(upTo(random_, 2000)));
         ::kill(host, SIGKILL);
         const std::int64_t killed = nowMs();
         int status = 0;
