@@ -20,6 +20,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <random>
@@ -79,6 +80,10 @@ public:
         if (::mkdtemp(path_) == nullptr)
             std::exit(2);
     }
+    ~Folder() { std::filesystem::remove_all(path_); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
     [[nodiscard]] std::string file() const { return std::string(path_) + "/memo.ens"; }
     [[nodiscard]] std::string journal(const std::string& of = {}) const {
         return std::string(path_) + "/unsaved" + of;
