@@ -35,14 +35,25 @@ const QTextCharFormat& Looks::format(std::uint32_t index) { return look(index).f
 double Looks::blank(std::uint32_t index) { return look(index).blank; }
 double Looks::hyphen(std::uint32_t index) { return look(index).hyphen; }
 
-Sizes::Changed Sizes::follow(Objects objects) {
+void Sizes::follow(Objects objects) {
     objects_ = std::move(objects);
+    ++rounds_;
+    const auto askAll = [this](auto& all) {
+        for (auto& [name, asked] : all)
+            if (std::exchange(asked.size, ask(name)) != asked.size)
+                asked.changed = rounds_;
+    };
+    askAll(subdocuments_);
+    askAll(images_);
+}
+
+Sizes::Changed Sizes::changedSince(std::size_t round) const {
     Changed changed;
-    for (auto& [id, size] : subdocuments_)
-        if (std::exchange(size, ask(id)) != size)
+    for (const auto& [id, asked] : subdocuments_)
+        if (asked.changed > round)
             changed.subdocuments.insert(id);
-    for (auto& [source, size] : images_)
-        if (std::exchange(size, ask(source)) != size)
+    for (const auto& [source, asked] : images_)
+        if (asked.changed > round)
             changed.images.insert(source);
     return changed;
 }
@@ -58,15 +69,15 @@ QSize Sizes::ask(const std::string& source) const {
 QSizeF Sizes::subdocument(document::SubdocumentId id) {
     const auto [known, isNew] = subdocuments_.try_emplace(id);
     if (isNew)
-        known->second = ask(id);
-    return known->second;
+        known->second.size = ask(id);
+    return known->second.size;
 }
 
 QSize Sizes::image(const std::string& source) {
     const auto [known, isNew] = images_.try_emplace(source);
     if (isNew)
-        known->second = ask(source);
-    return known->second;
+        known->second.size = ask(source);
+    return known->second.size;
 }
 
 } // namespace layout

@@ -57,8 +57,11 @@ public:
         std::set<std::string> images;
         [[nodiscard]] bool empty() const { return subdocuments.empty() && images.empty(); }
     };
-    // Asks again for all that were asked for.
-    Changed follow(Objects objects);
+    // Asks again for all that were asked for: a round.
+    void follow(Objects objects);
+    [[nodiscard]] std::size_t rounds() const { return rounds_; }
+    // What has changed in later rounds than that one.
+    [[nodiscard]] Changed changedSince(std::size_t round) const;
     [[nodiscard]] QSizeF subdocument(document::SubdocumentId id);
     [[nodiscard]] QSize image(const std::string& source);
 
@@ -66,9 +69,15 @@ private:
     [[nodiscard]] QSizeF ask(document::SubdocumentId id) const;
     [[nodiscard]] QSize ask(const std::string& source) const;
 
+    template <class Size> struct Asked {
+        Size size{};
+        std::size_t changed = 0; // the last round in which it has
+    };
+
     Objects objects_;
-    std::map<document::SubdocumentId, QSizeF> subdocuments_;
-    std::map<std::string, QSize> images_;
+    std::size_t rounds_ = 0;
+    std::map<document::SubdocumentId, Asked<QSizeF>> subdocuments_;
+    std::map<std::string, Asked<QSize>> images_;
 };
 
 struct Materials {

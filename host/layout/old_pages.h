@@ -9,9 +9,11 @@ namespace layout {
 
 struct Basis {
     Basis(ModelPointer of, std::shared_ptr<Stock> stockOf)
-        : model(std::move(of)), stock(std::move(stockOf)), frames(*model) {}
+        : model(std::move(of)), stock(std::move(stockOf)), sizes(stock->sizes().rounds()),
+          frames(*model) {}
     ModelPointer model;
-    std::shared_ptr<Stock> stock;
+    std::shared_ptr<Stock> stock; // pages of several models of one document may share it
+    std::size_t sizes = 0;        // of the stock: the round that they were asked for in
     Frames frames;
     std::vector<PageStart> starts; // of each page
 };

@@ -61,7 +61,7 @@ TEST_F(PagesTest, EveryLineIsOnExactlyOnePageAndInsideTheMargins) {
     std::size_t expected = 0;
     Work work;
     Stock stock(model_.textStyles);
-    (void)stock.sizes().follow(objects_);
+    stock.sizes().follow(objects_);
     const Surroundings in{stock, work, fromPoints(595.276 - 144), areaHeight(), areaHeight()};
     Flow flow(in, model_.blocks);
     for (Strip strip; flow.next(strip) == Made::strip; strip = {})

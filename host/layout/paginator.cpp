@@ -15,11 +15,14 @@ constexpr double noteGapPoints = 8;
 constexpr double captionPoints = 80; // of a page that a picture leaves to its caption
 constexpr double leastPicturePoints = 50;
 
-std::shared_ptr<Basis> basisOf(const ModelPointer& model, const Pages& old) {
+std::shared_ptr<Basis> basisOf(const ModelPointer& model, const Objects& objects,
+                               const Pages& old) {
     const bool sameStyles =
         old.basis && old.basis->stock->materials()->looks.styles() == model->textStyles;
-    return std::make_shared<Basis>(model, sameStyles ? old.basis->stock
-                                                     : std::make_shared<Stock>(model->textStyles));
+    const std::shared_ptr<Stock> stock =
+        sameStyles ? old.basis->stock : std::make_shared<Stock>(model->textStyles);
+    stock->sizes().follow(objects);
+    return std::make_shared<Basis>(model, stock);
 }
 
 // Pages of the same size, set by the same styles.
@@ -34,8 +37,9 @@ Pages comparable(const Pages& old, const Basis& now) {
 } // namespace
 
 Paginator::Paginator(const ModelPointer& model, const Objects& objects, const Pages& old)
-    : area_(textAreaOf(model->page)), basis_(basisOf(model, old)),
-      old_(comparable(old, *basis_), *basis_, basis_->stock->sizes().follow(objects)),
+    : area_(textAreaOf(model->page)), basis_(basisOf(model, objects, old)),
+      old_(comparable(old, *basis_), *basis_,
+           basis_->stock->sizes().changedSince(old.basis ? old.basis->sizes : 0)),
       in_{*basis_->stock, pages_.work, area_.width,
           std::max(area_.height() - fromPoints(captionPoints), fromPoints(leastPicturePoints)),
           area_.height()},

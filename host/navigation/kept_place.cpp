@@ -1,5 +1,7 @@
 #include "navigation/kept_place.h"
 
+#include "view/folds.h"
+
 #include <QEvent>
 #include <QFileInfo>
 #include <QScrollBar>
@@ -10,7 +12,7 @@ namespace navigation {
 namespace {
 
 constexpr auto list = "places", fileKey = "file", placeKey = "place", belowKey = "below",
-               pageKey = "page", zoomKey = "zoom";
+               pageKey = "page", zoomKey = "zoom", foldsKey = "folds";
 
 // By which a file is known, however it is named. A document without a file has none: "".
 QString nameOf(const view::DocumentView& view) {
@@ -53,6 +55,11 @@ void KeptPlace::recall() {
             kept.page = one.value(pageKey).toULongLong();
             kept.zoom = one.value(zoomKey).toDouble();
             wanted_ = kept;
+            std::vector<std::size_t> folds;
+            for (const QVariant& fold : one.value(foldsKey).toList())
+                folds.push_back(fold.toULongLong());
+            if (!folds.empty())
+                view_.folds().pages().restore(folds);
             view_.setZoom(kept.zoom);
             view_.verticalScrollBar()->setValue(0); // it kept the middle of the first page
             restore();
@@ -79,11 +86,15 @@ void KeptPlace::keep() const {
     const std::optional<view::ReadingPlace> place = view_.readingPlace();
     if (file.isEmpty() || !place)
         return;
+    QVariantList folds;
+    for (const std::size_t fold : view_.folds().pages().places())
+        folds << static_cast<qulonglong>(fold);
     QVariantList kept{Entry{{fileKey, file},
                             {placeKey, static_cast<qulonglong>(place->place)},
                             {belowKey, place->below},
                             {pageKey, static_cast<qulonglong>(view_.currentPage())},
-                            {zoomKey, view_.zoom()}}};
+                            {zoomKey, view_.zoom()},
+                            {foldsKey, folds}}};
     for (const Entry& one : entries())
         if (one.value(fileKey).toString() != file && kept.size() < most)
             kept << one;

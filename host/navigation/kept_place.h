@@ -1,5 +1,5 @@
-// Where one read a document, and how large: it opens there again. Kept in the program's settings by
-// the document's file.
+// Where one read a document, how large, and what was folded: it opens so again. Kept in the
+// program's settings by the document's file.
 #pragma once
 
 #include "view/document_view.h"
@@ -10,8 +10,9 @@ class KeptPlace : public QObject {
     Q_OBJECT
 
 public:
-    // Of the view of a window that opens: goes to the place when the view is shown and its pages
-    // reach that far, unless the reader has scrolled meanwhile. Keeps it when the view is hidden.
+    // Of the view of a window that opens: folds, goes to the place when the view is shown and its
+    // pages reach that far, unless the reader has scrolled meanwhile. Keeps it when the view is
+    // hidden.
     explicit KeptPlace(view::DocumentView& view, QObject* parent = nullptr);
 
     // LIMIT: documents whose places are kept; the one that was read longest ago is forgotten.

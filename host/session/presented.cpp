@@ -7,7 +7,6 @@ namespace session {
 
 namespace {
 
-constexpr int sliceMs = 8;
 constexpr int nodesAtOnce = 25;
 // So long a picture file is not looked at again: each edit asks for the sizes of all.
 constexpr int imagesMs = 1000;
@@ -16,8 +15,6 @@ constexpr int imagesMs = 1000;
 
 Presented::Presented(OpenDocument& document, QString presentation)
     : document_(document), presentation_(std::move(presentation)) {
-    timer_.setSingleShot(true);
-    connect(&timer_, &QTimer::timeout, this, &Presented::slice);
     connect(&document_.document(), &document::Document::edited, this, &Presented::follow);
     connect(&document_.document(), &document::Document::fileNameChanged, this, [this] {
         imagesAsked_.invalidate(); // they are looked for in another folder
@@ -35,18 +32,16 @@ void Presented::begin() {
     by_ = &document_.schemas().presentation(className_, presentation_);
     builder_ =
         std::make_unique<model::ModelBuilder>(document_.document(), *by_, document_.schemas());
-    base_ = {};
-    pages_ = {};
-    pages_.size = {layout::fromPoints(page().width), layout::fromPoints(page().height)};
-    pages_.paper = layout::colorOf(page().background);
-    pagination_.reset();
+    layout::Pages none;
+    none.size = {layout::fromPoints(page().width), layout::fromPoints(page().height)};
+    none.paper = layout::colorOf(page().background);
+    stop();
+    setBase(none);
     due_ = Due::model;
-    told_ = 0;
     for (int i = 0; i < firstSteps; ++i)
         if (!step())
             return;
-    timer_.start(0); // first, so that whoever is told knows that more is to come
-    tell();
+    goOn();
 }
 
 void Presented::follow(const sgml::Change& change) {
@@ -54,69 +49,36 @@ void Presented::follow(const sgml::Change& change) {
     require(Due::model);
 }
 
-// What is being made is of an older state; what it is compared with is complete.
 void Presented::require(Due due) {
     due_ = std::max(due_, due);
-    pagination_.reset();
-    timer_.start(0);
+    startAnew();
 }
 
-// False: all is made.
 bool Presented::step() {
+    if (due_ == Due::nothing)
+        return GrowingPages::step();
     if (due_ == Due::model) {
+        if (document_.document().className() != className_) {
+            begin(); // another class has other presentations
+            return !isComplete();
+        }
         if (builder_->step(nodesAtOnce))
             return true;
         title_ = QString::fromStdString(builder_->model()->title);
         due_ = Due::layout;
         return true;
     }
-    if (due_ == Due::layout) {
-        due_ = Due::nothing;
-        told_ = 0;
-        pagination_ = std::make_unique<layout::Pagination>(builder_->model(), objects(), base_);
-        return true;
-    }
-    if (pagination_->step())
-        return true;
-    finish();
-    return false;
+    due_ = Due::nothing;
+    layOut(builder_->model(), objects());
+    Q_EMIT modelled();
+    return true;
 }
 
-void Presented::slice() {
-    if (document_.document().className() != className_)
-        return begin(); // another class has other presentations
+void Presented::settleModel(int mostMs) {
     QElapsedTimer time;
     time.start();
-    while (time.elapsed() < sliceMs)
-        if (!step())
-            return;
-    timer_.start(0); // first, so that whoever is told knows that more is to come
-    tell();
-}
-
-void Presented::settle(int mostMs) {
-    if (document_.document().className() != className_)
-        begin();
-    QElapsedTimer time;
-    time.start();
-    while (timer_.isActive() && time.elapsed() < mostMs && step()) {
+    while (!isModelled() && time.elapsed() < mostMs && step()) {
     }
-}
-
-// Seldom enough that whoever looks at all pages each time does not look at too many.
-void Presented::tell() {
-    if (!pagination_ || pagination_->count() < told_ + told_ / 4 + 1)
-        return;
-    told_ = pagination_->count();
-    pages_ = pagination_->pages();
-    Q_EMIT grown();
-}
-
-void Presented::finish() {
-    timer_.stop();
-    base_ = pages_ = pagination_->take();
-    pagination_.reset();
-    Q_EMIT complete();
 }
 
 layout::Objects Presented::objects() {

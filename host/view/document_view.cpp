@@ -3,6 +3,7 @@
 #include "controls/play_bar.h"
 #include "layout/measure.h"
 #include "view/accessible_view.h"
+#include "view/folds.h"
 #include "view/key_names.h"
 #include "view/text_drag.h"
 #include "view/text_hand.h"
@@ -38,7 +39,7 @@ void paintShadow(QPainter& painter, const QRectF& page) {
 } // namespace
 
 DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
-    : QAbstractScrollArea(parent), document_(document),
+    : QAbstractScrollArea(parent), document_(document), folds_(std::make_unique<Folds>(*this)),
       playBar_(new controls::PlayBar(true, viewport())), text_(std::make_unique<TextHand>(*this)),
       writing_(std::make_unique<Writing>(*this, *text_)),
       drag_(std::make_unique<TextDrag>(*this, *text_, *writing_)) {
@@ -76,6 +77,9 @@ DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
     connect(&text_->cursor(), &TextCursor::changed, this, &DocumentView::selectionChanged);
     connect(&text_->cursor(), &TextCursor::changed, this, [this] { AccessibleView::tell(*this); });
     connect(this, &DocumentView::chosenChanged, this, &DocumentView::selectionChanged);
+    connect(&text_->cursor(), &TextCursor::changed, folds_.get(), &Folds::followCaret);
+    connect(&folds_->pages(), &session::FoldedPages::grown, this, &DocumentView::showPages);
+    connect(&folds_->pages(), &session::FoldedPages::complete, this, &DocumentView::showPages);
     present();
 }
 
@@ -88,11 +92,7 @@ DocumentView::~DocumentView() {
 // --- layout ------------------------------------------------------------------------------------
 
 void DocumentView::present() {
-    if (presented_)
-        disconnect(presented_.get(), nullptr, this, nullptr);
-    presented_ = document_.presented(presentation_);
-    connect(presented_.get(), &session::Presented::grown, this, &DocumentView::showPages);
-    connect(presented_.get(), &session::Presented::complete, this, &DocumentView::showPages);
+    folds_->pages().present(presentation_);
     showPages();
 }
 
@@ -111,7 +111,7 @@ void DocumentView::showPages() {
     };
     const auto was = spot ? layout::placeOf(pages_, *spot, top) : std::nullopt;
     const double stood = was ? heightOf(*was) : 0;
-    const layout::Pages before = std::exchange(pages_, presented_->pages());
+    const layout::Pages before = std::exchange(pages_, folds_->pages().pages());
     isBehind_ = isBehind_ && !isLaidOut();
     placeSubdocuments();
     setScrollBars();
@@ -184,15 +184,23 @@ QRectF DocumentView::inViewport(std::size_t page, const QRectF& twips) const {
     return {pageTopLeft(page) + twips.topLeft() * scale(), twips.size() * scale()};
 }
 
+std::shared_ptr<const model::Model> DocumentView::model() const {
+    return folds_->pages().whole().model();
+}
+
+bool DocumentView::isLaidOut() const { return folds_->pages().isComplete(); }
+
+const QString& DocumentView::title() const { return folds_->pages().whole().title(); }
+
 void DocumentView::settle() {
     if (isBehind_)
-        presented_->settle();
+        folds_->pages().settle();
 }
 
 void DocumentView::settleSoon() {
     constexpr int mostMs = 12;
     if (isBehind_)
-        presented_->settle(mostMs);
+        folds_->pages().settle(mostMs);
 }
 
 // On whole device pixels, so that a picture of that many pixels is copied and not resampled.
@@ -244,7 +252,9 @@ void DocumentView::setZoom(double zoom) {
     Q_EMIT zoomChanged();
 }
 
-double DocumentView::usualZoom() const { return std::min(presented_->page().zoom, widthZoom()); }
+double DocumentView::usualZoom() const {
+    return std::min(folds_->pages().whole().page().zoom, widthZoom());
+}
 
 double DocumentView::widthZoom() const {
     return std::max(leastZoom, zoom_ * places().widthFactor());
@@ -346,11 +356,10 @@ void DocumentView::updateGeometry(Shown& shown) {
         return;
     const double ratio = devicePixelRatioF();
     shown.rendition->setGeometry((placeOf(shown).size() * ratio).toSize(), zoom_ * ratio);
+    const schemas::PageStyle& page = folds_->pages().whole().page();
+    const double margins = layout::fromPoints(page.marginLeft + page.marginRight);
     if (media::LiveSubdocument* live = document_.live(shown.id))
-        live->setAvailable(layout::toPixels(
-            {pages().size.width() -
-                 layout::fromPoints(presented_->page().marginLeft + presented_->page().marginRight),
-             0}));
+        live->setAvailable(layout::toPixels({pages().size.width() - margins, 0}));
 }
 
 void DocumentView::updateGeometries() {
@@ -398,6 +407,8 @@ QPointF DocumentView::pixelsIn(const Shown& shown, QPointF point) const {
 }
 
 void DocumentView::scrollTo(document::SubdocumentId id) {
+    if (const document::Subdocument* of = document_.document().subdocument(id))
+        folds_->reveal(document_.document().tree().node(of->element).range.from);
     const QRectF place = placeOf(id);
     if (place.isNull() || (place.top() >= 0 && place.bottom() <= viewport()->height()))
         return;
@@ -422,6 +433,7 @@ void DocumentView::paintEvent(QPaintEvent* event) {
             shown.rendition->painted();
     }
     writing_->gestures().paint(painter);
+    folds_->paint(painter);
 }
 
 // The picture of a file as far as it is decoded; it is painted again when there is more of it.

@@ -2,15 +2,15 @@
 //
 // Text is painted at once; renditions appear when their media have drawn. A view has the pages of
 // its presentation, which other views may have, too, and a zoom and renditions of its own; the
-// medium's process is the document's. When pages change, the words at the top of the view stay
-// there. Clicking a rendition chooses it: the wheel and the keys then belong to it,
-// Escape gives them back.
+// medium's process is the document's; and it folds sections of its own. When pages change, the
+// words at the top of the view stay there. Clicking a rendition chooses it: the wheel and the keys
+// then belong to it, Escape gives them back.
 #pragma once
 
 #include "layout/carets.h"
 #include "layout/paint.h"
 #include "layout/spot.h"
-#include "session/presented.h"
+#include "session/open_document.h"
 #include "view/found_words.h"
 #include "view/page_places.h"
 #include "view/shown.h"
@@ -24,6 +24,7 @@ class PlayBar;
 
 namespace view {
 
+class Folds;
 class TextDrag;
 class TextHand;
 class Writing;
@@ -69,7 +70,9 @@ public:
     void settle();
     void settleSoon(); // the same, for as long as nobody notices; the rest follows
     // As it was when the pages were made; null: they are being made.
-    [[nodiscard]] std::shared_ptr<const model::Model> model() const { return presented_->model(); }
+    // All of it, with what is folded.
+    [[nodiscard]] std::shared_ptr<const model::Model> model() const;
+    [[nodiscard]] Folds& folds() const { return *folds_; }
 
     // --- the text that is selected
     [[nodiscard]] TextHand& text() const { return *text_; }
@@ -105,8 +108,8 @@ public:
 
     // So far: a long document is laid out while its first pages are shown.
     [[nodiscard]] const layout::Pages& pages() const { return pages_; }
-    [[nodiscard]] bool isLaidOut() const { return presented_->isComplete(); }
-    [[nodiscard]] const QString& title() const { return presented_->title(); } // when it is
+    [[nodiscard]] bool isLaidOut() const;
+    [[nodiscard]] const QString& title() const; // when it is
     // Pages that were painted since the view was made, for tests.
     [[nodiscard]] int pagesPainted() const { return pagesPainted_; }
 
@@ -194,7 +197,7 @@ private:
     session::OpenDocument& document_;
     QString presentation_;
     double zoom_ = 1;
-    std::shared_ptr<session::Presented> presented_;
+    std::unique_ptr<Folds> folds_;
     layout::Pages pages_; // that are shown
     int pagesPainted_ = 0;
     std::map<document::SubdocumentId, Shown> shown_;

@@ -3,6 +3,7 @@
 
 #include "controls/play_bar.h"
 #include "view/copying.h"
+#include "view/folds.h"
 #include "view/key_names.h"
 #include "view/text_drag.h"
 #include "view/text_hand.h"
@@ -12,6 +13,7 @@
 #include <QClipboard>
 #include <QMimeData>
 #include <QScrollBar>
+#include <QToolTip>
 #include <algorithm>
 
 namespace view {
@@ -76,6 +78,12 @@ bool DocumentView::viewportEvent(QEvent* event) {
     if (event->type() == QEvent::Leave) {
         hovered_ = document::noSubdocument;
         updatePlayBar();
+        folds_->hover({-1, -1});
+    }
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        QToolTip::showText(help->globalPos(), folds_->tipAt(help->pos()), viewport());
+        return true;
     }
     return QAbstractScrollArea::viewportEvent(event);
 }
@@ -83,7 +91,8 @@ bool DocumentView::viewportEvent(QEvent* event) {
 void DocumentView::mousePressEvent(QMouseEvent* event) {
     pressedAt_ = event->position();
     wasDragged_ = false;
-    if (event->button() == Qt::LeftButton && writing_->gestures().press(event->position()))
+    if (event->button() == Qt::LeftButton &&
+        (folds_->press(event->position()) || writing_->gestures().press(event->position())))
         return;
     Shown* shown = shownAt(event->position());
     choose(shown ? shown->id : document::noSubdocument);
@@ -107,7 +116,8 @@ void DocumentView::mousePressEvent(QMouseEvent* event) {
 }
 
 void DocumentView::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton && writing_->gestures().pressTwice(event->position()))
+    if (event->button() == Qt::LeftButton &&
+        (folds_->press(event->position()) || writing_->gestures().pressTwice(event->position())))
         return;
     if (event->button() != Qt::LeftButton || shownAt(event->position()))
         return mousePressEvent(event);
@@ -139,6 +149,7 @@ void DocumentView::mouseMoveEvent(QMouseEvent* event) {
     const document::SubdocumentId to = grabbed_ ? grabbed_ : hovered == chosen_ ? chosen_ : 0;
     if (media::Rendition* of = rendition(to))
         of->input(inputOf(*event, pixelsIn(shown_.at(to), event->position())));
+    folds_->hover(event->position());
     updateCursor(event->position());
 }
 
@@ -404,6 +415,7 @@ void DocumentView::follow(const QString& target) {
         Q_EMIT linkActivated(target);
         return;
     }
+    folds_->reveal(target.mid(1).toStdString());
     const auto anchor = pages().anchor(target.mid(1).toStdString());
     if (!anchor)
         return;
@@ -437,6 +449,8 @@ void DocumentView::updateCursor(QPointF point) {
     Shown* shown = shownAt(point);
     if (const auto cursor = writing_->gestures().cursorAt(point))
         viewport()->setCursor(*cursor);
+    else if (folds_->isOver(point))
+        viewport()->setCursor(Qt::PointingHandCursor);
     else if (shown && shown->rendition && (shown->id == chosen_ || shown->id == grabbed_))
         viewport()->setCursor(cursorOf(shown->rendition->cursor()));
     else if (!shown && linkAt(point))

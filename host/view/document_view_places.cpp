@@ -2,6 +2,7 @@
 #include "view/document_view.h"
 
 #include "layout/measure.h"
+#include "view/folds.h"
 #include "view/text_hand.h"
 
 #include <QScrollBar>
@@ -54,6 +55,7 @@ std::optional<ReadingPlace> DocumentView::readingPlace() const {
 }
 
 void DocumentView::show(const ReadingPlace& place) {
+    folds_->reveal(place.place);
     const layout::Carets carets(pages(), document_.document().tree());
     const std::optional<layout::Caret> caret = carets.of(place.place, currentPage());
     if (caret)
@@ -74,6 +76,7 @@ void DocumentView::jumpTo(const layout::Carets& carets, const layout::Caret& car
 
 void DocumentView::goTo(std::size_t place) {
     settle();
+    folds_->reveal(place);
     const layout::Carets carets(pages(), document_.document().tree());
     if (const std::optional<layout::Caret> caret = carets.of(place, currentPage()))
         jumpTo(carets, *caret, inViewport(caret->page, carets.rectOf(*caret)).top());
@@ -84,6 +87,7 @@ void DocumentView::goToElement(sgml::NodeId element) {
     const sgml::Tree& tree = document_.document().tree();
     if (!tree.holds(element))
         return;
+    folds_->reveal(tree.node(element).startTag.to);
     const layout::Carets carets(pages(), tree);
     const auto caret = carets.of(tree.node(element).startTag.to, currentPage());
     if (caret)
@@ -121,6 +125,7 @@ void DocumentView::goToPage(std::size_t page) {
 // --- finding -----------------------------------------------------------------------------------
 
 void DocumentView::find(const layout::Search& search) {
+    folds_->setSearching(!search.words.isEmpty());
     found_.look(search, pages());
     viewport()->update();
     if (pages().pages.empty())

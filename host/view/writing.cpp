@@ -4,6 +4,7 @@
 #include "authoring/table_nodes.h"
 #include "view/copying.h"
 #include "view/document_view.h"
+#include "view/folds.h"
 #include "view/pasted_html.h"
 #include "view/pictures_in.h"
 #include "view/resizing.h"
@@ -170,6 +171,9 @@ bool Writing::apply(const Command& command, const QString& group) {
     }
     const auto& step = std::get<authoring::Step>(result);
     const document::Selection after{step.after.anchor, step.after.caret};
+    for (const text::Edit& edit : step.edits) // nothing changes unseen
+        for (const std::size_t end : {edit.range.from, edit.range.to})
+            view_.folds().reveal(end);
     if (!step.edits.empty()) {
         document::EditNote note{.label = step.label, .group = group};
         note.before = selection;

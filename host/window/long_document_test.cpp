@@ -1,4 +1,5 @@
 // Long documents and pictures of files: the window lives, and shows what there is.
+#include "session/presented.h"
 #include "window/window_testing.h"
 
 #include <sys/stat.h>

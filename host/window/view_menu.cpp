@@ -1,6 +1,7 @@
 #include "window/view_menu.h"
 
 #include "menus/actions.h"
+#include "navigation/fold_commands.h"
 #include "navigation/page_commands.h"
 #include "plain/plain.h"
 #include "window/application.h"
@@ -30,6 +31,8 @@ ViewMenu::ViewMenu(Application& application, DocumentWindow& window, const QList
     menus::addTo(*this, "actualSize", tr("&Actual Size"), QKeySequence("Ctrl+0"),
                  [&view] { view.setZoom(1); });
     (new navigation::PageCommands(view, &window_))->addTo(*this);
+    addSeparator();
+    (new navigation::FoldCommands(view, &window_))->addTo(*this);
     addSeparator();
     addActions(parts);
     menus::addTo(*this, "fullScreen", tr("&Full Screen"), QKeySequence("F11"),
