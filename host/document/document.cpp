@@ -256,7 +256,8 @@ void Document::recoverText(const files::KnownFile& file, const std::string& text
     if (file.stamp.hash != file_.stamp.hash)
         saved_.reset(); // what the program knew that ended is gone
     file_ = file;
-    edit({text::difference(bytes(), text)}, tr("Recover"));
+    if (bytes() != text)
+        edit({text::difference(bytes(), text)}, tr("Recover"));
 }
 
 files::SaveResult Document::save(files::SaveOptions options) { return saveAs(fileName_, options); }

@@ -70,6 +70,7 @@ ReferenceDialog::ReferenceDialog(std::vector<Target> targets, QWidget* parent)
     list_->setObjectName("targets");
     list_->setAccessibleName(tr("What the reference leads to"));
     list_->setMinimumSize(440, 300);
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // long captions end in "..."
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons->button(QDialogButtonBox::Ok)->setText(tr("&Insert"));
     auto* column = new QVBoxLayout(this);

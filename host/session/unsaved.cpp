@@ -45,6 +45,8 @@ void Unsaved::changed() {
 }
 
 void Unsaved::adopt(files::LeftBehind left) {
+    writer_.adopt(std::move(left.place)); // before the text changes: else it is kept twice
+    document_.document().recoverText(left.kept.file, left.kept.text);
     recovered_ = std::move(left.kept.drafts);
     int place = 0;
     for (const document::SubdocumentId id : document_.document().subdocuments()) {
@@ -56,7 +58,6 @@ void Unsaved::adopt(files::LeftBehind left) {
         live->setKeptState(state->second);
         live->start();
     }
-    writer_.adopt(std::move(left.place));
     changed();
 }
 

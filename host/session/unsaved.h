@@ -19,8 +19,8 @@ public:
     Unsaved(OpenDocument& document, const std::string& folder); // which outlives it
     // Text that is neither saved nor given up stays in the journal.
 
-    // The content of `left` is this document's, which has that text; its media open the windows
-    // again that had drafts.
+    // The content of `left` is this document's, which gets that text as one change; its media open
+    // the windows again that had drafts.
     void adopt(files::LeftBehind left);
     void giveUp();                      // closed by choice
     void finish() { writer_.finish(); } // returns when all of it is on the disk

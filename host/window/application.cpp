@@ -150,7 +150,6 @@ DocumentWindow* Application::recover(files::LeftBehind left) {
             kept.file = {}; // what was done since is worth as much: both are there, to choose from
             break;
         }
-        one->document().document().recoverText(kept.file, kept.text);
         one->document().unsaved()->adopt(std::move(left));
         return one;
     }

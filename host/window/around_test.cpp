@@ -14,15 +14,6 @@
 namespace window {
 namespace {
 
-QByteArray report(const QByteArray& body) {
-    return "DOCUMENT REPORT\n<REPORT>\n<TITLE>{T}</TITLE>\n" + body + "</REPORT>\n";
-}
-
-QByteArray section(const QByteArray& name, const QByteArray& inside = {}) {
-    return "<SECTION ID=\"" + name + "\">\n<HEADING>{" + name + "}</HEADING>\n" +
-           paragraph("Text of " + name) + inside + "</SECTION>\n";
-}
-
 QByteArray lines(int count) {
     QByteArray all;
     for (int i = 0; i < count; ++i)

@@ -57,7 +57,7 @@ void FileMenu::fillNew(QMenu& menu) {
     }
     menu.addSeparator();
     menus::addTo(menu, "saveAsTemplate", tr("&Save This Document as a Template..."), {},
-                 [this] { window_.saving().saveAsTemplate(window_.documentTitle()); });
+                 [this] { window_.saving().saveAsTemplate(window_.view().title().simplified()); });
 }
 
 void FileMenu::fillRecent() {

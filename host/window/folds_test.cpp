@@ -10,15 +10,6 @@
 namespace window {
 namespace {
 
-QByteArray section(const QByteArray& name, const QByteArray& inside = {}) {
-    return "<SECTION ID=\"" + name + "\">\n<HEADING>{" + name + "}</HEADING>\n" +
-           paragraph("Text of " + name) + inside + "</SECTION>\n";
-}
-
-QByteArray report(const QByteArray& body) {
-    return "DOCUMENT REPORT\n<REPORT>\n<TITLE>{T}</TITLE>\n" + body + "</REPORT>\n";
-}
-
 class FoldsTest : public WindowTest {
 protected:
     void show(const QByteArray& bytes) {

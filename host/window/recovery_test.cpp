@@ -177,6 +177,21 @@ TEST_F(RecoveryTest, TheWindowThatHasTheFileAlreadyTakesTheText) {
     EXPECT_EQ(window->document().document().undoLabel(), "Recover");
 }
 
+// A program that is killed at any moment of it leaves one text, not two.
+TEST_F(RecoveryTest, ATextIsInOnePlaceWhileItIsRecovered) {
+    editAndEnd();
+    Application program({}, journal());
+    DocumentWindow* window = program.open(path_);
+    qsizetype most = 0;
+    QObject::connect(&window->document().document(), &document::Document::changed, window, [&] {
+        window->document().unsaved()->finish();
+        most = std::max(most, kept().size());
+    });
+    EXPECT_THAT(offer(program, "&Open"), SizeIs(1));
+    EXPECT_EQ(bytes(*window), edited_);
+    EXPECT_EQ(most, 2); // the text and its lock
+}
+
 TEST_F(RecoveryTest, LaterAsksAgainAndDiscardNeverAgain) {
     editAndEnd();
     EXPECT_THAT(kept(), SizeIs(2));

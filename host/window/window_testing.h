@@ -49,6 +49,15 @@ inline QByteArray memo(const QByteArray& paragraphs) {
            "</BODY>\n</CMEMO>\n";
 }
 
+inline QByteArray report(const QByteArray& body) {
+    return "DOCUMENT REPORT\n<REPORT>\n<TITLE>{T}</TITLE>\n" + body + "</REPORT>\n";
+}
+
+inline QByteArray section(const QByteArray& name, const QByteArray& inside = {}) {
+    return "<SECTION ID=\"" + name + "\">\n<HEADING>{" + name + "}</HEADING>\n" +
+           paragraph("Text of " + name) + inside + "</SECTION>\n";
+}
+
 // How long the event loop let its timers wait, from here on.
 class Heartbeat {
 public:
