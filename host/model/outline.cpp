@@ -1,5 +1,7 @@
 #include "model/outline.h"
 
+#include "model/equal_ends.h"
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -32,21 +34,6 @@ std::string textOf(const Block& block) {
         else if (run.kind != RunKind::footnote)
             text += run.text;
     return trimmed(text);
-}
-
-// How many are equal from both ends, of vectors of which a middle has changed.
-struct Ends {
-    std::size_t front = 0, back = 0;
-};
-template <class Vector, class Equal> Ends equalEnds(const Vector& a, const Vector& b, Equal equal) {
-    const std::size_t least = std::min(a.size(), b.size());
-    Ends ends;
-    while (ends.front < least && equal(a[ends.front], b[ends.front], false))
-        ++ends.front;
-    while (ends.front + ends.back < least &&
-           equal(a[a.size() - 1 - ends.back], b[b.size() - 1 - ends.back], true))
-        ++ends.back;
-    return ends;
 }
 
 } // namespace

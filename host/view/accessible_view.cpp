@@ -1,5 +1,8 @@
 #include "view/accessible_view.h"
 
+#include "model/block_text.h"
+#include "model/equal_ends.h"
+#include "view/accessible_part.h"
 #include "view/document_view.h"
 #include "view/text_hand.h"
 
@@ -8,7 +11,15 @@
 namespace view {
 
 AccessibleView::AccessibleView(DocumentView& view)
-    : QAccessibleWidget(&view, QAccessible::Document) {}
+    : QAccessibleWidget(&view, QAccessible::Document), tree_(view.document().document()) {}
+
+std::function<void(QAccessibleEvent&)> AccessibleView::heard;
+
+void AccessibleView::send(QAccessibleEvent& event) {
+    if (heard)
+        heard(event);
+    QAccessible::updateAccessibility(&event);
+}
 
 void AccessibleView::install() {
     static const bool isInstalled = [] {
@@ -21,116 +32,158 @@ void AccessibleView::install() {
     Q_UNUSED(isInstalled)
 }
 
-void AccessibleView::tell(DocumentView& view) {
-    if (!QAccessible::isActive())
-        return;
-    auto* own = dynamic_cast<AccessibleView*>(QAccessible::queryAccessibleInterface(&view));
-    if (own == nullptr)
-        return;
-    QAccessibleTextCursorEvent caret(&view, own->cursorPosition());
-    QAccessible::updateAccessibility(&caret);
-    int start = 0, end = 0;
-    own->selection(0, &start, &end);
-    QAccessibleTextSelectionEvent selected(&view, start, end);
-    selected.setCursorPosition(own->cursorPosition());
-    QAccessible::updateAccessibility(&selected);
-}
-
 DocumentView& AccessibleView::view() const { return *static_cast<DocumentView*>(widget()); }
 
-const ShownText& AccessibleView::shown() const {
-    view().settle();
-    if (!shown_ || !shown_->isOf(view().model()))
-        shown_ = std::make_unique<ShownText>(view().document().document(), view().model());
-    return *shown_;
+model::ReadingTree& AccessibleView::tree() const {
+    if (tree_.model() == view().model())
+        return tree_;
+    const auto tell = [this](QAccessible::Event type) {
+        return [this, type](model::Part& part) {
+            if (!part.companion && type != QAccessible::ObjectCreated)
+                return;
+            QAccessibleEvent event(interfaceOf(&part), type);
+            send(event);
+        };
+    };
+    tree_.follow(view().model(),
+                 {tell(QAccessible::ObjectCreated), tell(QAccessible::ObjectDestroyed),
+                  [this](model::Part& part, const std::shared_ptr<const model::Block>& before) {
+                      if (part.companion)
+                          tellChange(part, before);
+                  }});
+    return tree_;
 }
 
-void* AccessibleView::interface_cast(QAccessible::InterfaceType type) {
-    if (type == QAccessible::TextInterface)
-        return static_cast<QAccessibleTextInterface*>(this);
-    return QAccessibleWidget::interface_cast(type);
+QAccessibleInterface* AccessibleView::interfaceOf(model::Part* part) const {
+    return part ? AccessiblePart::of(const_cast<AccessibleView&>(*this), *part) : nullptr;
+}
+
+// --- what changes ------------------------------------------------------------------------------
+
+// The letters that went, and those that came; of what is no text, its words.
+void AccessibleView::tellChange(model::Part& part,
+                                const std::shared_ptr<const model::Block>& before) const {
+    QAccessibleInterface* own = interfaceOf(&part);
+    if (!own->textInterface()) {
+        QAccessibleEvent event(own, QAccessible::NameChanged);
+        return send(event);
+    }
+    const document::Document& of = view().document().document();
+    const std::u16string old = model::BlockText(of, before).text().toStdU16String();
+    const std::u16string now = model::BlockText(of, part.block).text().toStdU16String();
+    const model::Ends same =
+        model::equalEnds(old, now, [](char16_t a, char16_t b, bool) { return a == b; });
+    const auto at = static_cast<int>(same.front);
+    const auto middleOf = [&](const std::u16string& text) {
+        return QString::fromStdU16String(
+            text.substr(same.front, text.size() - same.front - same.back));
+    };
+    if (const QString gone = middleOf(old); !gone.isEmpty()) {
+        QAccessibleTextRemoveEvent event(own, at, gone);
+        send(event);
+    }
+    if (const QString come = middleOf(now); !come.isEmpty()) {
+        QAccessibleTextInsertEvent event(own, at, come);
+        send(event);
+    }
+}
+
+void AccessibleView::tell(DocumentView& view) {
+    // Edits that are not laid out yet: told when they are.
+    if (!view.isLaidOut())
+        return;
+    auto* own = dynamic_cast<AccessibleView*>(QAccessible::queryAccessibleInterface(&view));
+    if (own && (QAccessible::isActive() || own->tree_.root().isOpen)) // somebody listens
+        own->tellCaret();
+}
+
+void AccessibleView::tellCaret() {
+    (void)tree();
+    QAccessibleInterface* on = interfaceOf(focused());
+    Told now;
+    now.hadFocus = view().hasFocus();
+    if (on) {
+        now.part = QAccessible::uniqueId(on);
+        if (QAccessibleTextInterface* text = on->textInterface()) {
+            now.caret = text->cursorPosition();
+            text->selection(0, &now.from, &now.to);
+        }
+    }
+    const Told before = std::exchange(told_, now);
+    if (!on || now == before)
+        return;
+    if (now.hadFocus && (now.part != before.part || !before.hadFocus)) {
+        QAccessibleEvent event(on, QAccessible::Focus);
+        send(event);
+    }
+    if (now.caret < 0)
+        return;
+    if (now.part != before.part || now.caret != before.caret) {
+        QAccessibleTextCursorEvent event(on, now.caret);
+        send(event);
+    }
+    if (now.from != before.from || now.to != before.to) {
+        QAccessibleTextSelectionEvent event(on, now.from, now.to);
+        event.setCursorPosition(now.caret);
+        send(event);
+    }
+}
+
+// --- the tree ----------------------------------------------------------------------------------
+
+model::Part* AccessibleView::focused() const {
+    if (view().chosen())
+        return tree().figureOf(view().chosen());
+    const std::optional<document::Selection> selection = view().text().cursor().selection();
+    return selection ? tree().partAt(selection->caret) : nullptr;
 }
 
 QAccessible::State AccessibleView::state() const {
     QAccessible::State state = QAccessibleWidget::state();
-    state.multiLine = true;
-    state.selectableText = true;
     state.readOnly = !view().isWriting();
     state.editable = view().isWriting();
     return state;
 }
 
-QString AccessibleView::text(QAccessible::Text of) const { return QAccessibleWidget::text(of); }
-
-void AccessibleView::selection(int index, int* start, int* end) const {
-    const text::Range all = view().text().cursor().interval();
-    *start = *end = 0;
-    if (index != 0 || all.empty())
-        return;
-    *start = shown().letterAt(all.from);
-    *end = shown().letterAt(all.to);
+// The parts of the document, then the widgets beside it.
+QAccessibleInterface* AccessibleView::child(int index) const {
+    const auto& parts = tree().partsOf(tree().root());
+    const auto at = static_cast<std::size_t>(std::max(0, index));
+    if (at < parts.size())
+        return interfaceOf(parts[at].get());
+    return QAccessibleWidget::child(index - static_cast<int>(parts.size()));
 }
 
-int AccessibleView::selectionCount() const { return view().text().cursor().selects() ? 1 : 0; }
-
-void AccessibleView::addSelection(int start, int end) { setSelection(0, start, end); }
-
-void AccessibleView::removeSelection(int index) {
-    if (index == 0 && selectionCount() > 0)
-        setCursorPosition(cursorPosition());
+int AccessibleView::childCount() const {
+    return static_cast<int>(tree().partsOf(tree().root()).size()) + QAccessibleWidget::childCount();
 }
 
-void AccessibleView::setSelection(int index, int start, int end) {
-    const std::optional<std::size_t> from = shown().placeOf(start), to = shown().placeOf(end);
-    if (index == 0 && from && to)
-        view().text().cursor().set({*from, *to});
+int AccessibleView::indexOfChild(const QAccessibleInterface* child) const {
+    if (const auto* part = dynamic_cast<const AccessiblePart*>(child))
+        return part->part().parent == &tree_.root() ? static_cast<int>(tree_.indexOf(part->part()))
+                                                    : -1;
+    const int index = QAccessibleWidget::indexOfChild(child);
+    return index < 0 ? index : index + static_cast<int>(tree().partsOf(tree().root()).size());
 }
 
-int AccessibleView::cursorPosition() const {
-    const std::optional<document::Selection> selection = view().text().cursor().selection();
-    return selection ? shown().letterAt(selection->caret) : 0;
-}
-
-void AccessibleView::setCursorPosition(int position) { setSelection(0, position, position); }
-
-QString AccessibleView::text(int start, int end) const {
-    return shown().text().mid(start, end - start);
-}
-
-int AccessibleView::characterCount() const { return static_cast<int>(shown().text().size()); }
-
-QRect AccessibleView::characterRect(int offset) const {
-    const std::optional<std::size_t> place = shown().placeOf(offset);
-    const layout::Carets carets(view().pages(), view().document().document().tree());
-    const std::optional<layout::Caret> caret = place ? carets.of(*place, 0) : std::nullopt;
-    if (!caret)
-        return {};
-    const layout::Caret next = carets.moved(*caret, layout::Move::right);
-    QRectF rect = carets.rectOf(*caret);
-    if (next.page == caret->page && next.piece == caret->piece)
-        rect.setRight(std::max(rect.left(), carets.rectOf(next).left()));
-    const QRect on = view().inViewport(caret->page, rect).toAlignedRect();
-    return {view().viewport()->mapToGlobal(on.topLeft()), on.size()};
-}
-
-int AccessibleView::offsetAtPoint(const QPoint& point) const {
-    if (view().pages().pages.empty())
-        return -1;
-    const auto [page, on] = view().pagePointAt(view().viewport()->mapFromGlobal(point));
+QAccessibleInterface* AccessibleView::childAt(int x, int y) const {
+    const QPoint point = view().viewport()->mapFromGlobal(QPoint(x, y));
+    if (!view().viewport()->rect().contains(point) || view().pages().pages.empty())
+        return QAccessibleWidget::childAt(x, y);
+    for (const document::SubdocumentId id : view().visibleSubdocuments())
+        if (view().placeOf(id).contains(point))
+            return interfaceOf(tree().figureOf(id));
+    const auto [page, on] = view().pagePointAt(point);
     const layout::Carets carets(view().pages(), view().document().document().tree());
     const std::optional<layout::Caret> caret = carets.at(page, on);
-    return caret ? shown().letterAt(carets.placeOf(*caret)) : -1;
+    return caret ? interfaceOf(tree().partAt(carets.placeOf(*caret))) : nullptr;
 }
 
-void AccessibleView::scrollToSubstring(int start, int) {
-    setCursorPosition(start);
-    view().text().showCaret();
-}
-
-QString AccessibleView::attributes(int, int* start, int* end) const {
-    *start = 0;
-    *end = characterCount();
-    return {};
+QAccessibleInterface* AccessibleView::focusChild() const {
+    if (!view().hasFocus())
+        return QAccessibleWidget::focusChild();
+    QAccessibleInterface* part = interfaceOf(focused());
+    return part ? part : QAccessibleWidget::focusChild();
 }
 
 } // namespace view

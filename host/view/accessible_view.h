@@ -1,49 +1,58 @@
-// A document's pages for screen readers: its text, the caret, what is selected.
+// A document's pages for screen readers: a tree of parts (model/reading_tree.h), and events of what
+// changes in it.
 //
-// LIMIT: they are told of the caret and of what is selected, and read the text anew where they
-// want it: no event tells which letters came or went.
+// A part of text has the focus where the caret is in it, as in word processors; a figure, where it
+// is chosen. Events are told when the pages have followed an edit, of parts that somebody asked for
+// and of that with the caret.
 #pragma once
 
-#include "view/shown_text.h"
+#include "model/reading_tree.h"
 
 #include <QAccessible>
 #include <QAccessibleWidget>
+#include <functional>
 
 namespace view {
 
 class DocumentView;
 
-class AccessibleView : public QAccessibleWidget, public QAccessibleTextInterface {
+class AccessibleView : public QAccessibleWidget {
 public:
     explicit AccessibleView(DocumentView& view);
     // Views are accessible from now on. To be called often.
     static void install();
-    // The caret or what is selected has changed.
+    // Hears each event, for tests: Qt drops them where there is no accessibility bus.
+    static std::function<void(QAccessibleEvent&)> heard;
+    // The pages have changed, the caret, what is selected or what has the keys.
     static void tell(DocumentView& view);
 
-    [[nodiscard]] void* interface_cast(QAccessible::InterfaceType type) override;
-    [[nodiscard]] QAccessible::State state() const override;
+    [[nodiscard]] DocumentView& view() const;
+    // That of the pages as they are now.
+    [[nodiscard]] model::ReadingTree& tree() const;
+    [[nodiscard]] QAccessibleInterface* interfaceOf(model::Part* part) const; // null for null
+    // The part with the caret, or the figure that is chosen; null: none.
+    [[nodiscard]] model::Part* focused() const;
 
-    void selection(int index, int* start, int* end) const override;
-    [[nodiscard]] int selectionCount() const override;
-    void addSelection(int start, int end) override;
-    void removeSelection(int index) override;
-    void setSelection(int index, int start, int end) override;
-    [[nodiscard]] int cursorPosition() const override;
-    void setCursorPosition(int position) override;
-    [[nodiscard]] QString text(int start, int end) const override;
-    [[nodiscard]] QString text(QAccessible::Text of) const override;
-    [[nodiscard]] int characterCount() const override;
-    [[nodiscard]] QRect characterRect(int offset) const override;
-    [[nodiscard]] int offsetAtPoint(const QPoint& point) const override;
-    void scrollToSubstring(int start, int end) override;
-    [[nodiscard]] QString attributes(int offset, int* start, int* end) const override;
+    [[nodiscard]] QAccessible::State state() const override;
+    [[nodiscard]] QAccessibleInterface* child(int index) const override;
+    [[nodiscard]] int childCount() const override;
+    [[nodiscard]] int indexOfChild(const QAccessibleInterface* child) const override;
+    [[nodiscard]] QAccessibleInterface* childAt(int x, int y) const override;
+    [[nodiscard]] QAccessibleInterface* focusChild() const override;
 
 private:
-    [[nodiscard]] DocumentView& view() const;
-    [[nodiscard]] const ShownText& shown() const;
+    static void send(QAccessibleEvent& event);
+    void tellChange(model::Part& part, const std::shared_ptr<const model::Block>& before) const;
+    void tellCaret();
 
-    mutable std::unique_ptr<ShownText> shown_;
+    mutable model::ReadingTree tree_;
+    struct Told { // last, of the caret and what is selected
+        QAccessible::Id part = 0;
+        bool hadFocus = false;
+        int caret = -1, from = 0, to = 0;
+        bool operator==(const Told&) const = default;
+    };
+    Told told_;
 };
 
 } // namespace view

@@ -59,7 +59,6 @@ DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
         std::erase_if(shown_, [this](const auto& one) {
             return !document_.document().subdocument(one.first);
         });
-        describeChosen();
     });
     connect(playBar_, &controls::PlayBar::playWanted, this, [this] {
         if (media::LiveSubdocument* live = document_.live(hovered_))
@@ -75,11 +74,12 @@ DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
     });
     connect(&document_.document(), &document::Document::edited, this, [this] { isBehind_ = true; });
     connect(&text_->cursor(), &TextCursor::changed, this, &DocumentView::selectionChanged);
-    connect(&text_->cursor(), &TextCursor::changed, this, [this] { AccessibleView::tell(*this); });
     connect(this, &DocumentView::chosenChanged, this, &DocumentView::selectionChanged);
     connect(&text_->cursor(), &TextCursor::changed, folds_.get(), &Folds::followCaret);
     connect(&folds_->pages(), &session::FoldedPages::grown, this, &DocumentView::showPages);
     connect(&folds_->pages(), &session::FoldedPages::complete, this, &DocumentView::showPages);
+    connect(this, &DocumentView::selectionChanged, this, [this] { AccessibleView::tell(*this); });
+    connect(this, &DocumentView::laidOut, this, [this] { AccessibleView::tell(*this); });
     present();
 }
 
@@ -386,13 +386,7 @@ void DocumentView::choose(document::SubdocumentId id) {
     chosen_ = id;
     tell(chosen_, ipc::InputType::focusIn);
     updateNearness();
-    describeChosen();
     Q_EMIT chosenChanged();
-}
-
-void DocumentView::describeChosen() {
-    const document::Subdocument* figure = document_.document().subdocument(chosen_);
-    setAccessibleDescription(figure ? QString::fromStdString(figure->alternative) : QString());
 }
 
 Shown* DocumentView::shownAt(QPointF point) {

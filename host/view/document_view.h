@@ -105,6 +105,7 @@ public:
     void goTo(std::size_t place); // to the top of the view, and the caret of a writing view
     void goToElement(sgml::NodeId element); // the same; of a figure its picture is seen, too
     void goToPage(std::size_t page);
+    void follow(const QString& target); // of a link: "#" and an ID, or an address
 
     // So far: a long document is laid out while its first pages are shown.
     [[nodiscard]] const layout::Pages& pages() const { return pages_; }
@@ -188,8 +189,6 @@ private:
     void paintFound(QPainter& painter, std::size_t page) const;
     void useKey(int key, Qt::KeyboardModifiers modifiers);
     void copyChosen();
-    void describeChosen(); // to screen readers
-    void follow(const QString& target);
     void pasteSelection(const QMouseEvent& event);
     void updatePlayBar();
     void updateCursor(QPointF point);

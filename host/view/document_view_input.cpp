@@ -2,6 +2,7 @@
 #include "view/document_view.h"
 
 #include "controls/play_bar.h"
+#include "view/accessible_view.h"
 #include "view/copying.h"
 #include "view/folds.h"
 #include "view/key_names.h"
@@ -366,10 +367,12 @@ QVariant DocumentView::inputMethodQuery(Qt::InputMethodQuery query) const {
 void DocumentView::focusInEvent(QFocusEvent* event) {
     QAbstractScrollArea::focusInEvent(event);
     text_->refresh();
+    AccessibleView::tell(*this);
 }
 
 void DocumentView::focusOutEvent(QFocusEvent* event) {
     QAbstractScrollArea::focusOutEvent(event);
+    AccessibleView::tell(*this);
     text_->refresh();
 }
 

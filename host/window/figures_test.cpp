@@ -2,6 +2,7 @@
 #include "view/copying.h"
 #include "window/writing_testing.h"
 
+#include <QAccessible>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QDoubleSpinBox>
@@ -190,7 +191,12 @@ TEST_F(FiguresTest, ItsAttributesAreCommandsOfOneStepEach) {
         dialog.accept();
     });
     EXPECT_EQ(figure(0).alternative, "A 'box' that moves");
-    EXPECT_EQ(view().accessibleDescription(), "A 'box' that moves");
+    window_->activateWindow();
+    view().setFocus();
+    ASSERT_TRUE(waitFor([&] { return view().hasFocus(); }));
+    const QAccessibleInterface* pages = QAccessible::queryAccessibleInterface(&view());
+    ASSERT_TRUE(pages && pages->focusChild());
+    EXPECT_EQ(pages->focusChild()->text(QAccessible::Name), "A 'box' that moves");
     EXPECT_EQ(document().steps(), 3U);
     answering("figureAlternative", [](QDialog& dialog) {
         dialog.findChild<QPlainTextEdit*>("alternative")->clear();
