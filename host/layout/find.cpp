@@ -8,10 +8,26 @@ namespace layout {
 
 namespace {
 
+// As on a keyboard; letter by letter.
+QString plainly(QString text) {
+    for (QChar& sign : text) {
+        if (QStringView(u"“”„«»").contains(sign))
+            sign = '"';
+        else if (QStringView(u"‘’‚‹›").contains(sign))
+            sign = '\'';
+        else if (QStringView(u"–−\u2010\u2011").contains(sign))
+            sign = '-';
+        else if (QStringView(u"\u00A0\u202F\u2009").contains(sign))
+            sign = ' ';
+    }
+    return text;
+}
+
 // One page. A page's matches are known from its own lines alone.
 class Finding {
 public:
-    explicit Finding(const Search& search) : search_(search) {}
+    explicit Finding(const Search& search)
+        : search_(search), isPlain_(plainly(search.words) == search.words) {}
 
     void line(const TextPiece& piece) {
         const Paragraph& of = *piece.paragraph;
@@ -22,7 +38,8 @@ public:
         // A match may have begun on the line before, and may end on the next. No more of the text
         // is read for it, but the letters beside it.
         const int first = std::max(0, from - length);
-        const QString text = of.text(first, to + length - first);
+        const QString letters = of.text(first, to + length - first);
+        const QString text = isPlain_ ? plainly(letters) : letters;
         const auto cases = search_.matchesCase ? Qt::CaseSensitive : Qt::CaseInsensitive;
         for (auto at = text.indexOf(search_.words, 0, cases); at >= 0;) {
             const int match = first + static_cast<int>(at);
@@ -55,6 +72,7 @@ private:
     }
 
     const Search& search_;
+    bool isPlain_; // quotes, dashes and blanks of a keyboard: they find the typographic ones, too
     std::map<const Paragraph*, int> firstLetters_; // on this page
     // By where they begin: the parts of one on several lines are one.
     std::map<std::pair<const Paragraph*, int>, std::size_t> places_;

@@ -45,6 +45,15 @@ TEST_F(FindTest, CaseAndWholeWordsCountWhereTheyAreAskedFor) {
     EXPECT_EQ(count({"line 1", false, true}), 1u);
 }
 
+TEST_F(FindTest, PlainSignsFindTheTypographicOnes) {
+    model_.blocks.push_back(paragraph("“don’t” \u2212 3\u00A0m \"don't\""));
+    layOut();
+    EXPECT_EQ(count({"\"don't\""}), 2u);
+    EXPECT_EQ(count({"don’t"}), 1u);
+    EXPECT_EQ(count({"3 m"}), 1u);
+    EXPECT_EQ(count({"-"}), 1u);
+}
+
 TEST_F(FindTest, AWordOverTwoPagesIsFoundOnce) {
     std::string text;
     for (int i = 0; i < 2000; ++i)
