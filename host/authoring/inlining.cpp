@@ -1,7 +1,7 @@
 // Elements in a line: emphasis, links, and what stands between letters.
 #include "authoring/commands.h"
 #include "authoring/leaves.h"
-#include "authoring/table_draft.h"
+#include "authoring/wrapper.h"
 
 #include "sgml/edit.h"
 
@@ -15,115 +15,6 @@ using sgml::NodeId;
 using sgml::noNode;
 
 namespace {
-
-using Wanted = std::function<bool(const Element&)>;
-
-// Puts text between the marks into an element of one kind, or takes it out.
-class Wrapper {
-public:
-    Wrapper(Draft& draft, Wanted wanted)
-        : draft_(draft), wanted_(std::move(wanted)), passed_(TableDraft(draft).unselected()) {
-        collect(draft.root());
-    }
-
-    [[nodiscard]] bool hasText() const { return !texts_.empty(); }
-    [[nodiscard]] bool isAllInside() const {
-        return std::all_of(texts_.begin(), texts_.end(),
-                           [this](const Piece* text) { return wrapperOf(*text) != nullptr; });
-    }
-
-    void unwrap() {
-        for (Piece* text : texts_)
-            while (Piece* wrapper = wrapperOf(*text)) {
-                Piece& alone = isolate(*text, *wrapper->parent);
-                draft_.dissolve(alone);
-            }
-    }
-
-    void wrap(const std::string& name, const std::string& attributes) {
-        for (Piece* text : texts_)
-            if (wrapperOf(*text) == nullptr)
-                wrap(*text, name, attributes);
-        for (std::size_t i = 1; i < made_.size(); ++i)
-            made_[i] = draft_.joinedWith(*made_[i - 1], *made_[i]);
-    }
-
-private:
-    // The texts between the marks, in order.
-    void collect(Piece& piece) {
-        if (piece.isMark())
-            ++marks_;
-        if (piece.start != sgml::noNode && passed_.contains(piece.start))
-            return;
-        if (piece.isText() && marks_ == 1 && !piece.isEmptyText() && isInProse(piece))
-            texts_.push_back(&piece);
-        if (draft_.isUnit(piece) && marks_ != 0 && !holdsMark(piece))
-            return;
-        for (std::size_t i = 0; i < piece.children.size() && marks_ < 2; ++i) {
-            Piece& child = *piece.children[i];
-            if (marks_ == 1 && child.kind == Piece::Kind::rest) {
-                draft_.openRestAll(child);
-                collect(*piece.children[i]);
-            } else {
-                collect(child);
-            }
-        }
-    }
-    static bool holdsMark(const Piece& piece) {
-        return piece.isMark() || std::any_of(piece.children.begin(), piece.children.end(),
-                                             [](const auto& child) { return holdsMark(*child); });
-    }
-    bool isInProse(Piece& text) const {
-        return draft_.of(draft_.blockOf(text)).display != Display::verbatim;
-    }
-
-    [[nodiscard]] Piece* wrapperOf(const Piece& text) const {
-        for (Piece* at = text.parent; at != nullptr && draft_.isInlined(*at); at = at->parent)
-            if (wanted_(draft_.of(*at)))
-                return at;
-        return nullptr;
-    }
-
-    void wrap(Piece& text, const std::string& name, const std::string& attributes) {
-        Piece* inner = &text;
-        // An element TEXT is content in braces: what it had, the new element has.
-        if (text.parent->name == "TEXT") {
-            inner = &isolate(text, *text.parent->parent);
-            if (draft_.isPlainText(*inner)) {
-                Draft::dissolve(*inner);
-                inner = &text;
-            }
-        }
-        Piece& made = Draft::put(*inner->parent, inner->index(), Draft::made(name, attributes));
-        Draft::moveTo(*inner, made, 0);
-        made_.push_back(&made);
-    }
-
-    // Splits what is around the piece, up to `stop`, so that it is alone in it.
-    Piece& isolate(Piece& piece, Piece& stop) {
-        Piece* at = &piece;
-        while (at->parent != &stop) {
-            separate(*at, Direction::backward);
-            separate(*at, Direction::forward);
-            at = at->parent;
-        }
-        return *at;
-    }
-    void separate(Piece& at, Direction direction) {
-        const bool forward = direction == Direction::forward;
-        Piece* beside = forward ? at.next() : at.previous();
-        while (beside != nullptr && (beside->isMark() || beside->isEmptyText()))
-            beside = forward ? beside->next() : beside->previous();
-        if (beside != nullptr)
-            draft_.split(forward ? *beside : at, *at.parent->parent);
-    }
-
-    Draft& draft_;
-    Wanted wanted_;
-    std::set<sgml::NodeId> passed_; // cells of a table beside those that are selected
-    std::size_t marks_ = 0;         // passed
-    std::vector<Piece*> texts_, made_;
-};
 
 // The word around a caret; the caret itself where it stands in none.
 Selection withWord(const Manuscript& manuscript, Selection selection) {
@@ -173,13 +64,13 @@ bool isMarked(const Manuscript& manuscript, Selection selection, ContainerRole r
     Draft draft(manuscript, selection);
     if (!draft.obstacle().isEmpty())
         return false;
-    const Wanted wanted = [role](const Element& element) { return element.role == role; };
+    const Wrapper::Wanted wanted = [&](const Piece& piece) { return draft.of(piece).role == role; };
     if (!selection.isEmpty()) {
         const Wrapper wrapper(draft, wanted);
         return wrapper.hasText() && wrapper.isAllInside();
     }
     for (Piece* at = draft.caret().parent; at != nullptr && draft.isInlined(*at); at = at->parent)
-        if (wanted(draft.of(*at)))
+        if (wanted(*at))
             return true;
     return false;
 }
@@ -192,7 +83,7 @@ Result toggle(const Manuscript& manuscript, Selection selection, ContainerRole r
     const std::string name(draft.grammar().named(role));
     if (name.empty())
         return refused(QStringLiteral("This class of documents has no such element."));
-    Wrapper wrapper(draft, [role](const Element& element) { return element.role == role; });
+    Wrapper wrapper(draft, [&](const Piece& piece) { return draft.of(piece).role == role; });
     if (!wrapper.hasText())
         return refused(QStringLiteral("Select the text first."));
     if (wrapper.isAllInside())
@@ -254,7 +145,8 @@ Result link(const Manuscript& manuscript, Selection selection, std::string_view 
     const std::string name(draft.grammar().named(Display::link));
     if (name.empty())
         return refused(QStringLiteral("This class of documents has no links."));
-    Wrapper wrapper(draft, [](const Element& element) { return element.display == Display::link; });
+    Wrapper wrapper(draft,
+                    [&](const Piece& piece) { return draft.of(piece).display == Display::link; });
     if (!wrapper.hasText())
         return target.empty() ? refused(QStringLiteral("There is no link here."))
                               : insertLink(manuscript, selection, target);

@@ -1,5 +1,7 @@
 #include "menus/format_menu.h"
 
+#include "menus/language_menu.h"
+
 namespace menus {
 
 using authoring::Manuscript, authoring::Selection;
@@ -27,6 +29,14 @@ FormatMenu::FormatMenu(view::DocumentView& view, QWidget* parent)
     add("indent", tr("&Into the Item Before"), QKeySequence("Ctrl+Alt+Right"),
         authoring::indentItems);
     add("outdent", tr("&Out of the List"), QKeySequence("Ctrl+Alt+Left"), authoring::outdentItems);
+    addSeparator();
+    auto* language = new LanguageMenu(tr("&Language"), LanguageMenu::Of::selection, view, this);
+    language->setObjectName("language");
+    auto* ofAll = new LanguageMenu(tr("&Whole Document"), LanguageMenu::Of::document, view, this);
+    ofAll->setObjectName("documentLanguage");
+    language->addSeparator();
+    language->addMenu(ofAll);
+    addMenu(language);
 }
 
 // The presentation of a class tells kinds of lists apart by an attribute. LIMIT: the plain one has

@@ -16,7 +16,7 @@ namespace {
 
 constexpr auto setting = "spelling";
 
-// What the document says, else the desktop. LIMIT: one language for all of a document.
+// What the document says, else the desktop. LIMIT: text in another language is not checked.
 QString languageOf(const document::Document& document) {
     const sgml::Tree& tree = document.tree();
     const sgml::NodeId top = tree.classElement(tree.root());
@@ -46,21 +46,28 @@ SpellingCommands::SpellingCommands(view::DocumentView& view, QObject* parent)
     : QObject(parent), view_(view), marks_(view), toggle_(new QAction(tr("&Spelling"), this)) {
     toggle_->setObjectName("spelling");
     toggle_->setCheckable(true);
+    connect(toggle_, &QAction::triggered, this, [](bool on) { QSettings().setValue(setting, on); });
+    connect(toggle_, &QAction::toggled, this, &SpellingCommands::update);
+    connect(&view_, &view::DocumentView::writingChanged, this, &SpellingCommands::update);
+    connect(&view_, &view::DocumentView::laidOut, this, &SpellingCommands::followLanguage);
+    followLanguage();
+}
+
+void SpellingCommands::followLanguage() {
+    const QString now = languageOf(view_.document().document());
+    if (now == language_)
+        return;
+    language_ = now;
     const bool isThere = dictionary().isThere();
     toggle_->setChecked(isThere && QSettings().value(setting, true).toBool());
     toggle_->setEnabled(isThere);
-    if (!isThere)
-        toggle_->setToolTip(plain::tip(spelling::Speller(dictionary(), {}).whyNot()));
-    connect(toggle_, &QAction::toggled, this, [this](bool on) {
-        QSettings().setValue(setting, on);
-        update();
-    });
-    connect(&view_, &view::DocumentView::writingChanged, this, &SpellingCommands::update);
+    toggle_->setToolTip(
+        plain::tip(isThere ? QString() : spelling::Speller(dictionary(), {}).whyNot()));
+    update();
 }
 
 spelling::Dictionary SpellingCommands::dictionary() const {
-    return spelling::dictionaryFor(languageOf(view_.document().document()),
-                                   spelling::dictionaryFolders());
+    return spelling::dictionaryFor(language_.value_or(QString()), spelling::dictionaryFolders());
 }
 
 // A dictionary is read when somebody begins to write.

@@ -27,12 +27,14 @@ Q_SIGNALS:
 
 private:
     [[nodiscard]] spelling::Dictionary dictionary() const;
+    void followLanguage();
     void update();
     void replace(text::Range place, const QString& word);
 
     view::DocumentView& view_;
     view::SpellMarks marks_;
     QAction* toggle_;
+    std::optional<QString> language_; // of the document, when it was asked last
 };
 
 } // namespace panes

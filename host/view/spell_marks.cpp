@@ -17,14 +17,30 @@ constexpr int restMs = 250, sliceMs = 5;
 // Answers of paragraphs that are out of sight are forgotten beyond so many.
 constexpr std::size_t mostKept = 2000;
 
-// Which letters were written by the author as words: neither generated nor code.
-std::vector<bool> writtenLetters(const layout::Paragraph& paragraph, const model::Model& model) {
+// "de" of "de-AT".
+std::string_view base(std::string_view language) {
+    return language.substr(0, language.find_first_of("-_"));
+}
+
+std::string languageOf(const session::OpenDocument& of) {
+    const sgml::Tree& tree = of.document().tree();
+    const sgml::NodeId top = tree.classElement(tree.root());
+    const auto said = top == sgml::noNode ? std::nullopt : tree.attribute(top, "LANG");
+    return said ? std::string(*said)
+                : of.schemas().presentation(of.document().className()).rootStyle().text.language;
+}
+
+// Which letters were written by the author as words: neither generated nor code nor in another
+// language than the document.
+std::vector<bool> writtenLetters(const layout::Paragraph& paragraph, const model::Model& model,
+                                 std::string_view language) {
     const std::vector<model::Run>& runs = paragraph.block()->runs;
     std::vector<bool> written;
     for (std::size_t i = 0; i < runs.size(); ++i) {
+        const schemas::TextStyle& style = (*model.textStyles)[runs[i].style];
         const bool isText = runs[i].kind == model::RunKind::text &&
-                            runs[i].content != sgml::noNode &&
-                            (*model.textStyles)[runs[i].style].family != "mono";
+                            runs[i].content != sgml::noNode && style.family != "mono" &&
+                            base(style.language) == base(language);
         written.resize(static_cast<std::size_t>(std::max(0, paragraph.startOfRun(i))), false);
         written.resize(static_cast<std::size_t>(std::max(0, paragraph.endOfRun(i))), isText);
     }
@@ -107,7 +123,8 @@ std::vector<spelling::Word> SpellMarks::wrongOf(const layout::Paragraph& paragra
     const std::shared_ptr<const model::Model> model = view_.model();
     if (!model)
         return wrong;
-    const std::vector<bool> written = writtenLetters(paragraph, *model);
+    const std::vector<bool> written =
+        writtenLetters(paragraph, *model, languageOf(view_.document()));
     const QString text = paragraph.text(0, static_cast<int>(written.size()));
     for (const spelling::Word& word : spelling::wordsOf(text)) {
         const bool isWritten = std::all_of(written.begin() + word.from, written.begin() + word.to,

@@ -229,10 +229,21 @@ bool Writing::isMarked(schemas::ContainerRole role) const {
 
 void Writing::type(const QString& text) {
     const std::string bytes = text.toStdString();
-    perform([&, role = next_](const authoring::Manuscript& in, authoring::Selection at) {
+    const auto command = [&, role = next_](const authoring::Manuscript& in,
+                                           authoring::Selection at) {
         return role == schemas::ContainerRole::none ? authoring::type(in, at, bytes)
                                                     : authoring::typeToggled(in, at, bytes, role);
-    });
+    };
+    if (perform(command) && makesSigns_ && text.size() == 1)
+        makeSign();
+}
+
+// A step of its own: undo takes the sign back and leaves what was typed.
+void Writing::makeSign() {
+    const std::optional<authoring::Selection> at = selection();
+    const auto sign = at ? authoring::signTyped(manuscript(), at->caret) : std::nullopt;
+    if (sign)
+        perform([&](const authoring::Manuscript&, authoring::Selection) { return *sign; });
 }
 
 void Writing::goTo(QPointF point) {

@@ -56,6 +56,8 @@ public:
     // Why a command may not be where the selection is; "": it may.
     [[nodiscard]] QString whyNot(const Command& command) const;
     [[nodiscard]] bool isMarked(schemas::ContainerRole role) const;
+    // Quotes and the like become typographic signs as they are typed (authoring::signTyped).
+    void setMakesSigns(bool makes) { makesSigns_ = makes; }
 
     void compose(const QInputMethodEvent& event);
     [[nodiscard]] QVariant answer(Qt::InputMethodQuery query) const;
@@ -74,6 +76,7 @@ private:
     bool paste(const QMimeData& data, const QString& group);
     [[nodiscard]] bool apply(const Command& command, const QString& group);
     void type(const QString& text);
+    void makeSign();
     void standBehindChosen();
     void blink(); // from now on, shown first
 
@@ -83,7 +86,8 @@ private:
     bool on_ = false;
     bool isShown_ = true; // the caret
     QBasicTimer blinking_;
-    QString composed_;        // not typed yet
+    QString composed_; // not typed yet
+    bool makesSigns_ = true;
     bool wantsCaret_ = false; // to be seen, as soon as its page is there
     schemas::ContainerRole next_ = schemas::ContainerRole::none; // toggled for what is typed next
     Gestures gestures_;

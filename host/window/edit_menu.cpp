@@ -9,6 +9,7 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QSettings>
 
 namespace window {
 
@@ -33,6 +34,7 @@ EditMenu::EditMenu(view::DocumentView& view, panes::FindBar& find, QWidget* pare
         [this] { view_.setWriting(write_->isChecked()); }, "document-edit");
     write_->setCheckable(true);
     write_->setToolTip(tr("Write in the document (Ctrl+E)"));
+    addSigns();
     addSeparator();
     menus::addTo(*this, "find", tr("&Find..."), QKeySequence::Find, [&find] { find.open(); });
     menus::addTo(*this, "findNext", tr("Find &Next"), QKeySequence(Qt::Key_F3),
@@ -49,6 +51,18 @@ EditMenu::EditMenu(view::DocumentView& view, panes::FindBar& find, QWidget* pare
     connect(&view_, &view::DocumentView::writingChanged, this, &EditMenu::updateSelection);
     updateUndo();
     updateSelection();
+}
+
+// The user's wish, for all windows that open from now on.
+void EditMenu::addSigns() {
+    static constexpr auto setting = "typographicSigns";
+    QAction* signs = menus::addTo(*this, setting, tr("T&ypographic Signs While Typing"), {}, {});
+    signs->setCheckable(true);
+    connect(signs, &QAction::toggled, this, [this](bool on) {
+        QSettings().setValue(setting, on);
+        view_.writing().setMakesSigns(on);
+    });
+    signs->setChecked(QSettings().value(setting, true).toBool());
 }
 
 void EditMenu::updateUndo() {

@@ -104,5 +104,17 @@ TEST_F(MisspelledTest, WithoutADictionaryTheSwitchSaysWhy) {
     EXPECT_TRUE(action("spelling")->toolTip().contains("hunspell-xx"));
 }
 
+TEST_F(MisspelledTest, WordsOfAnotherLanguageAreNotCheckedAndTheDocumentsMayChange) {
+    write("<PARAGRAPH><TEXT>{The motoin }</TEXT><TEXT LANG=\"de\">{Bewegunk}</TEXT></PARAGRAPH>");
+    ASSERT_TRUE(waitFor([&] { return count() == 1; }));
+    const std::size_t at = document().bytes().find("The");
+    view().text().cursor().set({at, at});
+    action("documentLanguage-sv")->trigger();
+    EXPECT_TRUE(waitFor([&] { return !action("spelling")->isEnabled(); }));
+    EXPECT_EQ(count(), 0u);
+    document().undo();
+    EXPECT_TRUE(waitFor([&] { return action("spelling")->isChecked() && count() == 1; }));
+}
+
 } // namespace
 } // namespace window

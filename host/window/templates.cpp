@@ -1,6 +1,9 @@
 #include "window/templates.h"
 
 #include "document/document.h"
+#include "menus/language_menu.h"
+#include "sgml/edit.h"
+#include "text/edit.h"
 
 #include <QDir>
 #include <QFile>
@@ -9,11 +12,26 @@
 
 namespace window {
 
-Template::Read Template::read() const {
+namespace {
+
+std::string inLanguage(const std::string& bytes, const QString& language) {
+    const document::Document document(bytes);
+    const sgml::Tree& tree = document.tree();
+    const sgml::NodeId top = tree.classElement(tree.root());
+    if (language.isEmpty() || top == sgml::noNode)
+        return bytes;
+    return text::applied(bytes, sgml::attributeEdit(tree, top, "LANG", language.toStdString()));
+}
+
+} // namespace
+
+Template::Read Template::read() const { return readIn(menus::desktopLanguage()); }
+
+Template::Read Template::readIn(const QString& language) const {
     if (file.startsWith(':')) {
         QFile own(file);
         (void)own.open(QIODevice::ReadOnly);
-        return {own.readAll().toStdString()};
+        return {inLanguage(own.readAll().toStdString(), language)};
     }
     const document::Document::Loaded loaded = document::Document::load(file);
     return loaded.document ? Read{loaded.document->bytes()} : Read{{}, loaded.failure};

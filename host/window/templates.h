@@ -17,7 +17,9 @@ struct Template {
         std::string bytes;
         QString failure{}; // "": none
     };
-    [[nodiscard]] Read read() const;
+    // One of the program says the language then, as documents do; "": none.
+    [[nodiscard]] Read readIn(const QString& language) const;
+    [[nodiscard]] Read read() const; // in the desktop's
 };
 
 // $XDG_DATA_HOME/ensemble/templates

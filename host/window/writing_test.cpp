@@ -2,7 +2,6 @@
 #include "layout/carets.h"
 #include "window/writing_testing.h"
 
-#include <QAccessible>
 #include <QClipboard>
 #include <QMimeData>
 #include <QStatusBar>
@@ -246,26 +245,43 @@ TEST_F(WritingTest, WhatIsCopiedKeepsItsStructureWhereItIsPasted) {
     EXPECT_THAT(body(), HasSubstr(paragraph("One two").toStdString()));
 }
 
-TEST_F(WritingTest, ScreenReadersGetTheTextTheCaretAndWhatIsSelected) {
-    write(paragraph("One \u00E4 two") +
-          "<LIST KIND=\"number\"><ITEM><TEXT>{item}</TEXT></ITEM></LIST>");
-    QAccessibleInterface* own = QAccessible::queryAccessibleInterface(&view());
-    ASSERT_TRUE(own && own->textInterface());
-    QAccessibleTextInterface& of = *own->textInterface();
-    const QString all = of.text(0, of.characterCount());
-    EXPECT_THAT(all.toStdString(), HasSubstr("One \u00E4 two\n1. item"));
-    EXPECT_FALSE(own->state().readOnly);
+TEST_F(WritingTest, TypedQuotesBecomeThoseOfTheLanguageAndUndoGivesTheTypedOnesBack) {
+    write("<PARAGRAPH LANG=\"de\">{}</PARAGRAPH>\n" + paragraph("One"));
+    goTo("}</PARAGRAPH>");
+    type("\"Ja");
+    EXPECT_THAT(body(), HasSubstr("{\u201EJa}"));
+    document().undo();
+    document().undo();
+    EXPECT_THAT(body(), HasSubstr("{\"}"));
+    type("Ja");
+    EXPECT_THAT(body(), HasSubstr("{\"Ja}"));
+    action("typographicSigns")->setChecked(false);
+    goTo("One");
+    type("\"--");
+    EXPECT_THAT(body(), HasSubstr("{\"--One}"));
+    action("typographicSigns")->setChecked(true);
+}
+
+TEST_F(WritingTest, TheLanguageIsChosenForWhatIsSelected) {
+    write(paragraph("One two"));
     goTo("two");
-    const auto two = static_cast<int>(all.indexOf("two"));
-    EXPECT_EQ(of.cursorPosition(), two);
-    EXPECT_EQ(of.offsetAtPoint(of.characterRect(two).center()), two);
-    of.setCursorPosition(static_cast<int>(all.indexOf("item")));
-    type("an ");
-    EXPECT_THAT(body(), HasSubstr("{an item}"));
-    of.setSelection(0, two, two + 3);
-    press(Qt::Key_Delete);
-    EXPECT_THAT(body(), HasSubstr("{One \u00E4 }"));
-    EXPECT_THAT(of.text(0, of.characterCount()).toStdString(), HasSubstr("1. an item"));
+    press(Qt::Key_End, Qt::ShiftModifier);
+    QMenu* language = window_->findChild<QMenu*>("language");
+    Q_EMIT language->aboutToShow();
+    EXPECT_TRUE(action("language-fr")->isEnabled());
+    action("language-fr")->trigger();
+    EXPECT_THAT(body(), HasSubstr("<TEXT LANG=\"fr\">{two}</TEXT>"));
+    Q_EMIT language->aboutToShow();
+    EXPECT_TRUE(action("language-fr")->isChecked());
+    EXPECT_FALSE(action("language-de")->isChecked());
+    action("documentLanguage-de")->trigger();
+    EXPECT_THAT(document().bytes(), HasSubstr("<CMEMO LANG=\"de\">"));
+    EXPECT_EQ(document().steps(), 2U);
+}
+
+TEST_F(WritingTest, ANewDocumentSaysTheLanguageOfTheDesktop) {
+    EXPECT_THAT(templates().front().readIn("sv").bytes, HasSubstr("<CMEMO LANG=\"sv\">\n"));
+    EXPECT_THAT(templates().front().readIn({}).bytes, HasSubstr("<CMEMO>\n"));
 }
 
 } // namespace

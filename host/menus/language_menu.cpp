@@ -1,0 +1,98 @@
+#include "menus/language_menu.h"
+
+#include "plain/plain.h"
+#include "view/document_view.h"
+
+#include <QLocale>
+#include <algorithm>
+
+namespace menus {
+
+namespace {
+
+struct Language {
+    QString code, name;
+};
+
+// In the order of their own names. LIMIT: any other one is written into the document's text.
+std::vector<Language> languages() {
+    std::vector<Language> all{{"cs", "Čeština"},
+                              {"da", "Dansk"},
+                              {"de", "Deutsch"},
+                              {"de-AT", "Deutsch (Österreich)"},
+                              {"de-CH", "Deutsch (Schweiz)"},
+                              {"el", "Ελληνικά"},
+                              {"en-GB", "English (United Kingdom)"},
+                              {"en-US", "English (United States)"},
+                              {"es", "Español"},
+                              {"fr", "Français"},
+                              {"it", "Italiano"},
+                              {"hu", "Magyar"},
+                              {"nl", "Nederlands"},
+                              {"nb", "Norsk bokmål"},
+                              {"pl", "Polski"},
+                              {"pt", "Português"},
+                              {"pt-BR", "Português (Brasil)"},
+                              {"ro", "Română"},
+                              {"ru", "Русский"},
+                              {"fi", "Suomi"},
+                              {"sv", "Svenska"},
+                              {"tr", "Türkçe"},
+                              {"uk", "Українська"}};
+    const QString own = desktopLanguage();
+    const bool isThere = std::ranges::any_of(all, [&](const Language& one) {
+        return one.code == own || one.code == own.section('-', 0, 0);
+    });
+    if (!own.isEmpty() && !isThere)
+        all.push_back({own, QLocale(own).nativeLanguageName()});
+    return all;
+}
+
+} // namespace
+
+QString desktopLanguage() {
+    const QLocale system = QLocale::system();
+    return system.language() == QLocale::C ? QString() : system.name().replace('_', '-');
+}
+
+LanguageMenu::LanguageMenu(const QString& title, Of of, view::DocumentView& view, QWidget* parent)
+    : CommandMenu(title, view, parent), of_(of) {
+    for (const Language& one : languages())
+        addLanguage(one.code, one.name);
+    connect(this, &QMenu::aboutToShow, this, &LanguageMenu::markCurrent);
+}
+
+void LanguageMenu::addLanguage(const QString& code, const QString& name) {
+    const auto set = of_ == Of::document ? authoring::setDocumentLanguage : authoring::setLanguage;
+    const std::string wanted = code.toStdString();
+    QAction* action =
+        add((of_ == Of::document ? "documentLanguage-" : "language-") + code, plain::caption(name),
+            {}, [set, wanted](const authoring::Manuscript& in, authoring::Selection at) {
+                return set(in, at, wanted);
+            });
+    action->setCheckable(true);
+    action->setData(code);
+}
+
+// That of the last selected letter. "de-DE" is the entry "de" where it has none of its own.
+void LanguageMenu::markCurrent() {
+    const authoring::Manuscript in = view().writing().manuscript();
+    const auto at = view().writing().selection();
+    const sgml::Tree& tree = in.document.tree();
+    const std::size_t place = of_ == Of::document || !at
+                                  ? tree.node(tree.classElement(tree.root())).startTag.from
+                                  : std::max(at->anchor, at->caret);
+    const QString said = QString::fromStdString(authoring::languageAt(in, place)).replace('_', '-');
+    const QList<QAction*> all = actions();
+    const auto entryOf = [&](const QString& code) {
+        return std::ranges::find(all, code,
+                                 [](const QAction* action) { return action->data().toString(); });
+    };
+    auto current = entryOf(said);
+    if (current == all.end())
+        current = entryOf(said.section('-', 0, 0));
+    for (QAction* action : all)
+        action->setChecked(current != all.end() && action == *current);
+}
+
+} // namespace menus
