@@ -251,7 +251,7 @@ public:
         int status = 0;
         ::waitpid(host, &status, 0);
         if (!WIFSIGNALED(status) || WTERMSIG(status) != SIGKILL)
-            fault(number, "the host ended by itself");
+            fault(number, "the host ended by itself, with status " + std::to_string(status));
         if (told_.count > 0 && static_cast<std::size_t>(told_.offered) != expected)
             fault(number, "recovery was offered " + std::to_string(told_.offered) + " times, not " +
                               std::to_string(expected));
