@@ -51,7 +51,7 @@ std::optional<Sized> sizedUnit(const DocumentView& view) {
         return found;
     forObjects(view, [&](const layout::PlacedObject& object, const QRectF& place) {
         if (chosen && chosen->id == object.subdocument && chosen->classElement != sgml::noNode)
-            found = Sized{chosen->classElement, view.placeOf(chosen->id), object.align};
+            found = Sized{chosen->classElement, view.placeOf(chosen->id), object.align, true};
         const auto range = chosen ? std::nullopt : rangeOf(document.tree(), object.element);
         if (range && range->from == selected.from && range->to == selected.to)
             found = Sized{object.element, place, object.align};
@@ -78,26 +78,57 @@ void selectImage(DocumentView& view, sgml::NodeId element) {
     }
 }
 
-// --- corners -----------------------------------------------------------------------------------
+// --- handles -----------------------------------------------------------------------------------
 
-QRectF Resizing::handleOf(const Sized& unit, Corner corner) {
-    const QPointF at = corner == Corner::left ? unit.place.bottomLeft() : unit.place.bottomRight();
-    return {at - QPointF(handle, handle) / 2, QSizeF(handle, handle)};
+std::vector<Resizing::Handle> Resizing::handlesOf(const Sized& unit) {
+    std::vector<Handle> all{Handle::rightCorner, Handle::leftCorner};
+    if (unit.hasEdges)
+        all.insert(all.end(), {Handle::right, Handle::left, Handle::bottom});
+    return all;
 }
 
-Resizing::Corner Resizing::cornerAt(const Sized& unit, QPointF point) {
+QPointF Resizing::pointOf(const QRectF& place, Handle handle) {
+    switch (handle) {
+    case Handle::leftCorner:
+        return place.bottomLeft();
+    case Handle::left:
+        return {place.left(), place.center().y()};
+    case Handle::right:
+        return {place.right(), place.center().y()};
+    case Handle::bottom:
+        return {place.center().x(), place.bottom()};
+    default:
+        return place.bottomRight();
+    }
+}
+
+QRectF Resizing::rectOf(const QRectF& place, Handle handle) {
+    return {pointOf(place, handle) - QPointF(side, side) / 2, QSizeF(side, side)};
+}
+
+Resizing::Handle Resizing::handleAt(const Sized& unit, QPointF point) {
     constexpr double slack = 3;
-    for (const Corner corner : {Corner::right, Corner::left})
-        if (handleOf(unit, corner).adjusted(-slack, -slack, slack, slack).contains(point))
-            return corner;
-    return Corner::none;
+    for (const Handle handle : handlesOf(unit))
+        if (rectOf(unit.place, handle).adjusted(-slack, -slack, slack, slack).contains(point))
+            return handle;
+    return Handle::none;
 }
 
 std::optional<Qt::CursorShape> Resizing::cursorAt(QPointF point) {
     const std::optional<Sized> unit = taken_ ? taken_->unit : sizedUnit(view_);
-    const Corner corner = taken_ ? taken_->corner : unit ? cornerAt(*unit, point) : Corner::none;
-    if (corner != Corner::none)
-        return corner == Corner::right ? Qt::SizeFDiagCursor : Qt::SizeBDiagCursor;
+    switch (taken_ ? taken_->handle : unit ? handleAt(*unit, point) : Handle::none) {
+    case Handle::leftCorner:
+        return Qt::SizeBDiagCursor;
+    case Handle::rightCorner:
+        return Qt::SizeFDiagCursor;
+    case Handle::left:
+    case Handle::right:
+        return Qt::SizeHorCursor;
+    case Handle::bottom:
+        return Qt::SizeVerCursor;
+    case Handle::none:
+        break;
+    }
     if (imageAt(view_, point) != sgml::noNode)
         return Qt::ArrowCursor;
     return std::nullopt;
@@ -105,70 +136,76 @@ std::optional<Qt::CursorShape> Resizing::cursorAt(QPointF point) {
 
 void Resizing::take(QPointF point) {
     const std::optional<Sized> unit = sizedUnit(view_);
-    const Corner corner = unit ? cornerAt(*unit, point) : Corner::none;
-    if (corner == Corner::none)
+    const Handle handle = unit ? handleAt(*unit, point) : Handle::none;
+    if (handle == Handle::none)
         return selectImage(view_, imageAt(view_, point));
-    const QPointF at =
-        corner == Corner::left ? unit->place.bottomLeft() : unit->place.bottomRight();
-    taken_ = Taken{*unit, corner, point - at, unit->place.width()};
+    taken_ = Taken{*unit, handle, point - pointOf(unit->place, handle), unit->place.size()};
 }
 
 // That of the page's text.
-double Resizing::mostWidth() const {
+QSizeF Resizing::mostSize() const {
     const std::shared_ptr<const model::Model> model = view_.model();
     if (!model)
-        return view_.viewport()->width();
+        return view_.viewport()->size();
     const schemas::PageStyle& page = model->page;
-    const double points = page.width - page.marginLeft - page.marginRight;
-    return layout::toPixels({layout::fromPoints(points), 0}).width() * view_.zoom();
+    const QSizeF points(page.width - page.marginLeft - page.marginRight,
+                        page.height - page.marginTop - page.marginBottom);
+    return layout::toPixels(points * layout::twipsPerPoint) * view_.zoom();
 }
 
-// The corner follows the pointer, on the side where the unit is not held; one in the middle grows
+// The handle follows the pointer, on the side where the unit is not held; one in the middle grows
 // to both sides.
 void Resizing::drag(QPointF point) {
     if (!taken_)
         return;
     const QRectF& place = taken_->unit.place;
-    const QPointF corner = point - taken_->grip;
-    const bool isRight = taken_->corner == Corner::right;
-    const QPointF moved = corner - (isRight ? place.bottomRight() : place.bottomLeft());
-    const double outward = isRight ? moved.x() : -moved.x();
+    const Handle handle = taken_->handle;
+    const QPointF moved = point - taken_->grip - pointOf(place, handle);
     const bool isCentered = taken_->unit.align == schemas::Align::center;
-    const double byX = outward * (isCentered ? 2 : 1);
+    const double byX = (isLeft(handle) ? -moved.x() : moved.x()) * (isCentered ? 2 : 1);
     const double byY = moved.y() * place.width() / std::max(place.height(), 1.0);
-    // The way of the pointer that is more along the diagonal counts.
-    const double by = std::abs(byX) > std::abs(byY) ? byX : byY;
-    const double most = std::max(mostWidth(), leastWidth * view_.zoom());
-    taken_->width = std::clamp(place.width() + by, leastWidth * view_.zoom(), most);
+    const double least = leastWidth * view_.zoom();
+    const QSizeF most = mostSize().expandedTo({least, least});
+    if (handle == Handle::bottom) {
+        taken_->size.setHeight(std::clamp(place.height() + moved.y(), least, most.height()));
+        return;
+    }
+    // At a corner the way of the pointer that is more along the diagonal counts.
+    const double by = !isCorner(handle) || std::abs(byX) > std::abs(byY) ? byX : byY;
+    const double width = std::clamp(place.width() + by, least, most.width());
+    if (isCorner(handle))
+        taken_->size = place.size() * (width / place.width());
+    else
+        taken_->size.setWidth(width);
 }
 
 void Resizing::finish() {
     const std::optional<Taken> done = std::exchange(taken_, std::nullopt);
-    if (done && std::abs(done->width - done->unit.place.width()) >= 1)
-        setWidth(done->unit, done->width);
+    if (!done)
+        return;
+    const QSizeF by = done->size - done->unit.place.size();
+    if (std::abs(by.width()) >= 1 || std::abs(by.height()) >= 1)
+        setSize(done->unit, done->size, !isCorner(done->handle));
 }
 
 void Resizing::takeTwice(QPointF point) {
     taken_.reset();
     const std::optional<Sized> unit = sizedUnit(view_);
-    if (unit && cornerAt(*unit, point) != Corner::none)
+    if (unit && handleAt(*unit, point) != Handle::none)
         view_.writing().change([&](const authoring::Manuscript& in, authoring::Selection at) {
             return authoring::setAttributes(in, at, unit->element, {{"WIDTH", ""}, {"HEIGHT", ""}},
                                             Writing::tr("Size"));
         });
 }
 
-// A height that is given follows.
-void Resizing::setWidth(const Sized& unit, double width) {
-    const double scale = width / unit.place.width();
-    const double pixels = width / view_.zoom();
+// A height that is given follows; `isFree`: it is given from now on.
+void Resizing::setSize(const Sized& unit, QSizeF size, bool isFree) {
     const auto& tree = view_.document().document().tree();
-    authoring::Attributes attributes{{"WIDTH", std::to_string(std::lround(pixels))}};
-    const auto height =
-        document::numberIn(tree.attribute(unit.element, "HEIGHT"), 1, document::longestLength);
-    if (height)
-        attributes.emplace_back(
-            "HEIGHT", std::to_string(std::lround(unit.place.height() * scale / view_.zoom())));
+    const QSizeF pixels = size / view_.zoom();
+    authoring::Attributes attributes{{"WIDTH", std::to_string(std::lround(pixels.width()))}};
+    if (isFree ||
+        document::numberIn(tree.attribute(unit.element, "HEIGHT"), 1, document::longestLength))
+        attributes.emplace_back("HEIGHT", std::to_string(std::lround(pixels.height())));
     view_.writing().change([&](const authoring::Manuscript& in, authoring::Selection at) {
         return authoring::setAttributes(in, at, unit.element, attributes, Writing::tr("Size"));
     });
@@ -176,7 +213,7 @@ void Resizing::setWidth(const Sized& unit, double width) {
 
 void Resizing::selectionChanged() {
     const std::optional<Sized> unit = view_.isWriting() ? sizedUnit(view_) : std::nullopt;
-    const QRectF place = unit ? unit->place.adjusted(-handle, -handle, handle, handle) : QRectF();
+    const QRectF place = unit ? unit->place.adjusted(-side, -side, side, side) : QRectF();
     view_.viewport()->update(shown_.united(place).toAlignedRect());
     shown_ = place;
 }
@@ -191,7 +228,7 @@ void Resizing::paint(QPainter& painter) const {
     painter.setRenderHint(QPainter::Antialiasing);
     QRectF place = unit->place;
     if (taken_) {
-        const QSizeF size = place.size() * (taken_->width / place.width());
+        const QSizeF size = taken_->size;
         const double spare = place.width() - size.width();
         const bool isHeldRight = unit->align == schemas::Align::right;
         const double left = unit->align == schemas::Align::center ? spare / 2
@@ -204,9 +241,8 @@ void Resizing::paint(QPainter& painter) const {
     painter.drawRect(place);
     painter.setPen(QPen(Qt::white, 1));
     painter.setBrush(controls::accent);
-    const Sized shown{unit->element, place, unit->align};
-    for (const Corner corner : {Corner::left, Corner::right})
-        painter.drawRect(handleOf(shown, corner));
+    for (const Handle handle : handlesOf(*unit))
+        painter.drawRect(rectOf(place, handle));
     painter.restore();
 }
 

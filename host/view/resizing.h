@@ -1,6 +1,6 @@
-// Resizing a picture or a subdocument by a lower corner, which keeps its ratio. A click on a
-// picture selects it; a chosen subdocument has corners, too. A double click on a corner gives it
-// the size back that it has by itself.
+// Resizing a picture or a subdocument by a lower corner, which keeps its ratio, and a subdocument
+// by an edge, which changes that side alone. A click on a picture selects it; a chosen subdocument
+// has handles, too. A double click on a handle gives it the size back that it has by itself.
 #pragma once
 
 #include "document/subdocument.h"
@@ -14,6 +14,7 @@ struct Sized {
     sgml::NodeId element = sgml::noNode; // an image, or the class element of a subdocument
     QRectF place;                        // in the viewport
     schemas::Align align = schemas::Align::left;
+    bool hasEdges = false; // its sides may be changed one by one
 };
 
 // The subdocument that is chosen, or the image that is selected and nothing else.
@@ -35,24 +36,30 @@ public:
     void paint(QPainter& painter) const override;
     void selectionChanged() override;
 
-    static constexpr double handle = 9; // the side of one, in logical pixels
+    static constexpr double side = 9; // of a handle, in logical pixels
 
 private:
-    enum class Corner { none, left, right };
-    [[nodiscard]] static QRectF handleOf(const Sized& unit, Corner corner);
-    [[nodiscard]] static Corner cornerAt(const Sized& unit, QPointF point);
-    [[nodiscard]] double mostWidth() const;
-    void setWidth(const Sized& unit, double width);
+    enum class Handle { none, leftCorner, rightCorner, left, right, bottom };
+    [[nodiscard]] static std::vector<Handle> handlesOf(const Sized& unit);
+    [[nodiscard]] static bool isCorner(Handle handle) { return handle < Handle::left; }
+    [[nodiscard]] static bool isLeft(Handle handle) {
+        return handle == Handle::leftCorner || handle == Handle::left;
+    }
+    [[nodiscard]] static QPointF pointOf(const QRectF& place, Handle handle);
+    [[nodiscard]] static QRectF rectOf(const QRectF& place, Handle handle);
+    [[nodiscard]] static Handle handleAt(const Sized& unit, QPointF point);
+    [[nodiscard]] QSizeF mostSize() const;
+    void setSize(const Sized& unit, QSizeF size, bool isFree);
 
     struct Taken {
         Sized unit;
-        Corner corner = Corner::none;
-        QPointF grip;     // from the corner to the pointer
-        double width = 0; // as dragged, in logical pixels
+        Handle handle = Handle::none;
+        QPointF grip; // from the handle to the pointer
+        QSizeF size;  // as dragged, in logical pixels
     };
     DocumentView& view_;
     std::optional<Taken> taken_;
-    QRectF shown_; // what has corners, in the viewport
+    QRectF shown_; // what has handles, in the viewport
 };
 
 } // namespace view

@@ -1,5 +1,6 @@
 // Figures of media in a document that is written: how they come in, change, are copied and go.
 #include "view/copying.h"
+#include "view/resizing.h"
 #include "window/writing_testing.h"
 
 #include <QAccessible>
@@ -234,6 +235,33 @@ TEST_F(FiguresTest, AnotherSizeIsDrawnByTheSameProcess) {
               [](QDialog& dialog) { dialog.findChild<QPushButton*>("usualSize")->click(); });
     EXPECT_FALSE(figure(0).width);
     EXPECT_FALSE(figure(0).height);
+}
+
+TEST_F(FiguresTest, AnEdgeChangesItsSideAloneAndACornerBoth) {
+    write(paragraph("One") + inFigure("colour 20A040"));
+    choose(0);
+    const auto drag = [&](QPointF from, QPoint by) {
+        QWidget* pages = view().viewport();
+        QTest::mousePress(pages, Qt::LeftButton, {}, from.toPoint());
+        QTest::mouseMove(pages, from.toPoint() + by / 2);
+        QTest::mouseMove(pages, from.toPoint() + by);
+        QTest::mouseRelease(pages, Qt::LeftButton, {}, from.toPoint() + by);
+        ASSERT_TRUE(waitFor([&] { return view().isLaidOut(); }));
+    };
+    const auto place = [&] { return view::sizedUnit(view())->place; };
+    const auto expectSize = [&](double width, double height) {
+        EXPECT_NEAR(figure(0).width.value_or(0), width, 2);
+        EXPECT_NEAR(figure(0).height.value_or(0), height, 2);
+    };
+    drag({place().right(), place().center().y()}, {20, 40});
+    expectSize(340, 200); // it stands in the middle, and grows to both sides
+    drag({place().center().x(), place().bottom()}, {40, 30});
+    expectSize(340, 230);
+    drag({place().left(), place().center().y()}, {20, 0});
+    expectSize(300, 230);
+    drag(place().bottomRight(), {15, 0});
+    expectSize(330, 253);
+    EXPECT_EQ(document().steps(), 4U);
 }
 
 TEST_F(FiguresTest, TheCaptionGetsTheCaret) {
