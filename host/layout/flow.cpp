@@ -14,9 +14,10 @@ namespace {
 template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
 template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>; // clang 14 needs it
 
-QSizeF fitted(QSizeF size, double width, double height) {
-    const double scale = std::min({1.0, width / size.width(), height / size.height()});
-    return size * scale;
+ImagePiece pieceOf(const model::Picture& picture, const QRectF& rect, sgml::NodeId element,
+                   schemas::Align align) {
+    const std::string& named = picture.alternative.empty() ? picture.source : picture.alternative;
+    return {picture.source, rect, QString::fromStdString(named), element, align};
 }
 
 } // namespace
@@ -165,11 +166,15 @@ Made Flow::text(const BlockPointer& block, Strip& strip, bool& last) {
     for (const NoteMark& mark : paragraph_->notesOf(index))
         strip.footnotes.push_back(mark.note);
     strip.pieces.emplace_back(TextPiece{paragraph_, index, {left(block), 0}});
-    for (const InlineObject& object : paragraph_->objectsOf(index))
-        if (!object.formula) // the paragraph paints formulas
+    for (const InlineObject& object : paragraph_->objectsOf(index)) {
+        const model::Run& run = block->runs[object.run];
+        const QRectF rect = paragraph_->objectRect(index, object).translated(left(block), 0);
+        if (run.picture)
             strip.pieces.emplace_back(
-                SubdocumentPiece{block->runs[object.run].subdocument,
-                                 paragraph_->objectRect(index, object).translated(left(block), 0)});
+                pieceOf(*run.picture, rect, run.element, schemas::Align::left));
+        else if (!object.formula) // the paragraph paints formulas
+            strip.pieces.emplace_back(SubdocumentPiece{run.subdocument, rect});
+    }
     // Neither the first nor the last line of a paragraph stands alone.
     const bool ragged = block->kind == model::BlockKind::verbatim;
     strip.keepWithNext = !ragged && !last && (i == 0 || !paragraph_->makeLine(i + 2));
@@ -280,23 +285,13 @@ void Flow::subdocument(const BlockPointer& block, Strip& strip) const {
 }
 
 void Flow::image(const BlockPointer& block, Strip& strip) const {
-    const QSize pixels = in_.stock.sizes().image(block->source);
-    QSizeF size = pixels.isEmpty() ? QSizeF(320, 120) : QSizeF(pixels);
-    if (block->width)
-        size.scale(*block->width, block->height ? *block->height : size.height() * *block->width,
-                   block->height ? Qt::IgnoreAspectRatio : Qt::KeepAspectRatio);
-    else if (block->height)
-        size.scale(size.width() * *block->height, *block->height, Qt::KeepAspectRatio);
-    size = fitted(fromPixels(size), room(block), in_.pictureHeight);
+    const QSizeF size =
+        fitted(in_.stock.sizes().picture(block->picture), room(block), in_.pictureHeight);
     strip.height = size.height();
     strip.mayFloat = block->style.keepWithNext;
-    const QString named = block->alternative.empty() ? QString::fromStdString(block->source)
-                                                     : QString::fromStdString(block->alternative);
-    strip.pieces.emplace_back(ImagePiece{block->source,
-                                         {QPointF(aligned(block, size.width()), 0), size},
-                                         named,
-                                         block->element,
-                                         block->style.align});
+    strip.pieces.emplace_back(pieceOf(block->picture,
+                                      {QPointF(aligned(block, size.width()), 0), size},
+                                      block->element, block->style.align));
 }
 
 void Flow::rule(const BlockPointer& block, Strip& strip) const {
@@ -324,9 +319,15 @@ Widths widthsIn(const Surroundings& in, Columns& columns, const BlockPointer& po
     columns.cells.push_back(measured);
     letters -= measured->letters;
     Widths widths = measured->widths;
-    for (const model::Run& run : block.runs)
+    for (const model::Run& run : block.runs) {
         if (run.kind == model::RunKind::subdocument)
             sizeOf(run.subdocument);
+        if (run.picture) // it takes what there is
+            widths.least = std::min(widths.least, available / 3);
+    }
+    const auto isPicture = [](const model::Run& run) { return run.picture != nullptr; };
+    if (std::ranges::all_of(block.runs, isPicture))
+        widths.natural = std::min(widths.natural, available / 3);
     if (block.kind == model::BlockKind::subdocument)
         widths.natural = widths.least = sizeOf(block.subdocument).width();
     else if (block.kind != model::BlockKind::text)

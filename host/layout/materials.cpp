@@ -1,8 +1,10 @@
 #include "layout/materials.h"
 
+#include "layout/measure.h"
 #include "layout/typeface.h"
 
 #include <QFontMetricsF>
+#include <algorithm>
 #include <utility>
 
 namespace layout {
@@ -78,6 +80,23 @@ QSize Sizes::image(const std::string& source) {
     if (isNew)
         known->second.size = ask(source);
     return known->second.size;
+}
+
+QSizeF Sizes::picture(const model::Picture& picture) {
+    constexpr QSizeF unknown(320, 120);
+    const QSize pixels = image(picture.source);
+    QSizeF size = pixels.isEmpty() ? unknown : QSizeF(pixels);
+    const auto &width = picture.width, &height = picture.height;
+    if (width)
+        size.scale(*width, height ? *height : size.height() * *width,
+                   height ? Qt::IgnoreAspectRatio : Qt::KeepAspectRatio);
+    else if (height)
+        size.scale(size.width() * *height, *height, Qt::KeepAspectRatio);
+    return fromPixels(size);
+}
+
+QSizeF fitted(QSizeF size, double width, double height) {
+    return size * std::min({1.0, width / size.width(), height / size.height()});
 }
 
 } // namespace layout

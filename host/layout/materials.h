@@ -64,6 +64,8 @@ public:
     [[nodiscard]] Changed changedSince(std::size_t round) const;
     [[nodiscard]] QSizeF subdocument(document::SubdocumentId id);
     [[nodiscard]] QSize image(const std::string& source);
+    // In twips, as its author wants it, else as its file is.
+    [[nodiscard]] QSizeF picture(const model::Picture& picture);
 
 private:
     [[nodiscard]] QSizeF ask(document::SubdocumentId id) const;
@@ -84,6 +86,10 @@ struct Materials {
     explicit Materials(Looks::Styles styles) : looks(std::move(styles)) {}
     Looks looks;
     Sizes sizes{};
+    double pictureHeight = 1e9; // the most of a picture, in twips
 };
+
+// No larger than that, in its own proportions.
+[[nodiscard]] QSizeF fitted(QSizeF size, double width, double height);
 
 } // namespace layout

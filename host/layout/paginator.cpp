@@ -44,6 +44,7 @@ Paginator::Paginator(const ModelPointer& model, const Objects& objects, const Pa
           std::max(area_.height() - fromPoints(captionPoints), fromPoints(leastPicturePoints)),
           area_.height()},
       groups_(in_, model->blocks), notes_(in_) {
+    basis_->stock->materials()->pictureHeight = in_.pictureHeight;
     pages_.size = {fromPoints(model->page.width), fromPoints(model->page.height)};
     pages_.paper = colorOf(model->page.background);
     const bool sameHeaders = old.headers && old.headers->isOf(model->page, model->title);

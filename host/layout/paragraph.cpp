@@ -106,10 +106,20 @@ const Paragraph::Letters& Paragraph::read(int to, std::size_t runs) const {
     return *letters_;
 }
 
+// An image is no wider than a line.
+QSizeF Paragraph::sizeNow(const model::Run& run) const {
+    Sizes& sizes = materials_->sizes;
+    if (!run.picture)
+        return sizes.subdocument(run.subdocument);
+    const double most = width_ - std::max(0.0, fromPoints(block_->style.firstLine));
+    return fitted(sizes.picture(*run.picture), std::max(most, fromPoints(1)),
+                  materials_->pictureHeight);
+}
+
 // What is read again has the size that its lines were made for.
 QSizeF Paragraph::sizeOfObject(std::size_t run, int position) const {
     if (run >= runsRead_) {
-        const QSizeF size = materials_->sizes.subdocument(block_->runs[run].subdocument);
+        const QSizeF size = sizeNow(block_->runs[run]);
         objects_.push_back({run, position, size, 0});
         return size;
     }
@@ -145,7 +155,7 @@ void Paragraph::append(std::size_t index) const {
         return appendFormula(index);
     const int start = static_cast<int>(letters_->text.size());
     letters_->runStarts.push_back(start);
-    if (run.kind == model::RunKind::subdocument)
+    if (run.kind == model::RunKind::subdocument || run.picture)
         appendBlank(blank, sizeOfObject(index, start).width(), run.style);
     else
         appendText(run);
@@ -193,10 +203,9 @@ Paragraph::Range& Paragraph::appendBlank(QChar sign, double width, std::uint32_t
     return letters_->ranges.back();
 }
 
-bool Paragraph::isOf(Sizes& sizes) const {
-    return std::ranges::all_of(objects_, [&](const InlineObject& object) {
-        return object.formula ||
-               sizes.subdocument(block_->runs[object.run].subdocument) == object.size;
+bool Paragraph::isOf(Sizes&) const {
+    return std::ranges::all_of(objects_, [this](const InlineObject& object) {
+        return object.formula || sizeNow(block_->runs[object.run]) == object.size;
     });
 }
 

@@ -1,6 +1,6 @@
 // Runs of a block broken into lines of a width. typography says where lines end; Qt's text layout
 // measures the words, and places and paints the letters of each line.
-// A subdocument within a line is a blank of its width; the line grows to its height.
+// What is no letter in a line, as an image, is a blank of its width; the line grows to its height.
 //
 // Lines are made as they are asked for. A paragraph is laid out in segments of some thousand
 // letters; what a segment's end cuts, its last line, is where the next segment begins. So the first
@@ -25,14 +25,14 @@ namespace layout {
 
 using BlockPointer = std::shared_ptr<const model::Block>;
 
-// A subdocument, or a piece of a formula.
+// A subdocument, an image, or a piece of a formula.
 struct InlineObject {
     std::size_t run = 0;
     int position = 0; // of its blank in the paragraph's text
     QSizeF size;
     double left = 0;                                // of its blank in its line
     double depth = 0;                               // of its size, below the base line
-    std::shared_ptr<const formulas::Set> formula{}; // null: a subdocument
+    std::shared_ptr<const formulas::Set> formula{}; // null: it is none
     std::size_t piece = 0;                          // of the formula
 };
 
@@ -161,6 +161,7 @@ private:
     [[nodiscard]] std::shared_ptr<const formulas::Set> formulaOf(std::size_t run,
                                                                  int position) const;
     [[nodiscard]] QSizeF sizeOfObject(std::size_t run, int position) const;
+    [[nodiscard]] QSizeF sizeNow(const model::Run& run) const; // of a subdocument or an image
     void breakSegment();
     [[nodiscard]] int lengthOfSegment(const Letters& letters) const;
     [[nodiscard]] double indentOf(int from) const;
@@ -174,7 +175,8 @@ private:
     void measure(Line& line, double ascent, double descent);
     [[nodiscard]] std::pair<double, double> extentOf(const Line& line, double ascent,
                                                      double descent) const;
-    void makeRoom(Line& line, const InlineObject& formula) const;
+    [[nodiscard]] bool isSubdocument(const InlineObject& object) const;
+    void makeRoom(Line& line, const InlineObject& object) const;
     void paintFormulas(QPainter& painter, int line, QPointF topLeft) const;
     [[nodiscard]] const Drawn& drawnOf(int line) const;
     [[nodiscard]] QTextLine drawn(int line) const { return drawnOf(line).layout->lineAt(0); }

@@ -71,14 +71,18 @@ void Paragraph::appendFormula(std::size_t index) const {
     runsRead_ = std::max(runsRead_, index + 1);
 }
 
-// Of the line's letters, above and below its base line. A formula counts as letters of its size:
-// one that stands alone in a line or a cell has the base line that a word would have.
+bool Paragraph::isSubdocument(const InlineObject& object) const {
+    return block_->runs[object.run].kind == model::RunKind::subdocument;
+}
+
+// Of the line's letters, above and below its base line. A formula or an image counts as letters of
+// the size around it: alone in a line or a cell it has the base line that a word would have.
 std::pair<double, double> Paragraph::extentOf(const Line& line, double ascent,
                                               double descent) const {
     const auto isBefore = [](const InlineObject& object, int at) { return object.position < at; };
     for (auto at = std::lower_bound(objects_.begin(), objects_.end(), line.from, isBefore);
          at != objects_.end() && at->position < line.to; ++at) {
-        if (!at->formula)
+        if (isSubdocument(*at))
             continue;
         const QFontMetricsF metrics(materials_->looks.font(block_->runs[at->run].style));
         ascent = std::max(ascent, metrics.ascent());
@@ -87,15 +91,15 @@ std::pair<double, double> Paragraph::extentOf(const Line& line, double ascent,
     return {ascent, descent};
 }
 
-// Lines move apart only where the formula would come too near to one of them.
-void Paragraph::makeRoom(Line& line, const InlineObject& formula) const {
+// Lines move apart only where the formula or image would come too near to one of them.
+void Paragraph::makeRoom(Line& line, const InlineObject& object) const {
     const double apart = block_->kind == model::BlockKind::formula ? 0 : distance * leading_;
-    const double above = formula.size.height() - formula.depth - line.baseline;
+    const double above = object.size.height() - object.depth - line.baseline;
     if (above > 0) {
         line.height += above + apart;
         line.baseline += above + apart;
     }
-    const double below = formula.depth - (line.height - line.baseline);
+    const double below = object.depth - (line.height - line.baseline);
     if (below > 0)
         line.height += below + apart;
 }

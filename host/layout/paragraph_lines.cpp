@@ -229,7 +229,7 @@ void Paragraph::measure(Line& line, double lettersAscent, double lettersDescent)
     for (auto object = std::lower_bound(objects_.begin(), objects_.end(), line.from, isBefore);
          object != objects_.end() && object->position < line.to; ++object) {
         object->left = leftOf(index, object->position);
-        if (object->formula) {
+        if (!isSubdocument(*object)) {
             makeRoom(line, *object);
             continue;
         }

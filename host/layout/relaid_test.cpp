@@ -94,8 +94,14 @@ protected:
 
     void addInline(Block& block) {
         model::Run& run = block.runs.emplace_back();
-        run.kind = model::RunKind::subdocument;
-        run.subdocument = 1 + below(20);
+        if (below(3) == 0) {
+            run.kind = model::RunKind::image;
+            run.picture = std::make_shared<model::Picture>(
+                model::Picture{.source = std::string(1 + below(9), 'i')});
+        } else {
+            run.kind = model::RunKind::subdocument;
+            run.subdocument = 1 + below(20);
+        }
         block.runs.emplace_back().text = " " + words(10);
     }
 
@@ -141,7 +147,7 @@ protected:
         case 2: {
             auto block = std::make_shared<Block>();
             block->kind = model::BlockKind::image;
-            block->source = std::string(1 + below(9), 'i');
+            block->picture.source = std::string(1 + below(9), 'i');
             block->style.keepWithNext = below(2) == 0;
             return block;
         }

@@ -16,7 +16,7 @@ QString figureWords(const document::Document& document, document::SubdocumentId 
 } // namespace
 
 QString wordsFor(const document::Document& document, const Block& figure) {
-    const QString words = figureWords(document, figure.subdocument, figure.alternative);
+    const QString words = figureWords(document, figure.subdocument, figure.picture.alternative);
     return words.isEmpty() && !figure.runs.empty()
                ? QString::fromStdString(figure.runs.front().text)
                : words;
@@ -25,7 +25,8 @@ QString wordsFor(const document::Document& document, const Block& figure) {
 QString wordsFor(const document::Document& document, const Run& run) {
     if (run.formula)
         return QString::fromStdString(run.formula->spoken);
-    return figureWords(document, run.subdocument, run.text);
+    return figureWords(document, run.subdocument,
+                       run.picture ? run.picture->alternative : run.text);
 }
 
 thread_local std::size_t BlockText::letters = 0;

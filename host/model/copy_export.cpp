@@ -8,18 +8,27 @@ namespace {
 
 using schemas::ContainerRole;
 
-// The words for a figure or picture where only text can stand.
-std::string wordsFor(const document::Document& document, const Block& block) {
-    if (block.kind == BlockKind::image)
-        return block.alternative.empty() ? block.source : block.alternative;
-    if (const document::Subdocument* of = document.subdocument(block.subdocument))
-        return of->alternative.empty() ? of->className : of->alternative;
-    return block.alternative;
+// The words for a picture where only text can stand.
+std::string copiedWords(const Picture& picture) {
+    return picture.alternative.empty() ? picture.source : picture.alternative;
 }
 
-std::string alternativeOf(const document::Document& document, const Run& run) {
+// The same for a figure or picture.
+std::string copiedWords(const document::Document& document, const Block& block) {
+    if (const document::Subdocument* of = document.subdocument(block.subdocument))
+        return of->alternative.empty() ? of->className : of->alternative;
+    return copiedWords(block.picture);
+}
+
+std::string copiedWords(const document::Document& document, const Run& run) {
+    if (run.picture)
+        return copiedWords(*run.picture);
     const document::Subdocument* of = document.subdocument(run.subdocument);
     return of == nullptr ? std::string() : of->alternative;
+}
+
+bool isPicture(const Run& run) {
+    return run.kind == RunKind::subdocument || run.kind == RunKind::image;
 }
 
 // The innermost container of that role around each block, as an index; nothing: -1.
@@ -69,11 +78,11 @@ private:
         if (of.kind == BlockKind::rule)
             return "---";
         if (of.kind == BlockKind::subdocument || of.kind == BlockKind::image)
-            return "[" + wordsFor(document_, of) + "]";
+            return "[" + copiedWords(document_, of) + "]";
         const bool isFormula = of.kind == BlockKind::formula; // its number stands on its right
         std::string result = of.marker.empty() || isFormula ? "" : of.marker + " ";
         for (const Run& run : of.runs)
-            result += run.kind == RunKind::subdocument ? "[" + alternativeOf(document_, run) + "]"
+            result += isPicture(run)                   ? "[" + copiedWords(document_, run) + "]"
                       : run.kind == RunKind::lineBreak ? "\n"
                                                        : run.text;
         if (isFormula && !of.marker.empty())
@@ -194,7 +203,7 @@ private:
             return {};
         case BlockKind::subdocument:
         case BlockKind::image:
-            return "<p>[" + escapedHtml(wordsFor(document_, of)) + "]</p>\n";
+            return "<p>[" + escapedHtml(copiedWords(document_, of)) + "]</p>\n";
         case BlockKind::verbatim:
             return "<pre>" + runs(of) + "</pre>\n";
         default:
@@ -220,8 +229,8 @@ private:
             std::string text = escapedHtml(run.text);
             if (run.kind == RunKind::lineBreak)
                 text = "<br>";
-            if (run.kind == RunKind::subdocument)
-                text = "[" + escapedHtml(alternativeOf(document_, run)) + "]";
+            if (isPicture(run))
+                text = "[" + escapedHtml(copiedWords(document_, run)) + "]";
             if (run.formula)
                 text = "<span role=\"math\" aria-label=\"" + escapedHtml(run.formula->spoken) +
                        "\">" + text + "</span>";

@@ -30,7 +30,7 @@ namespace model {
 enum class RunKind {
     text,
     subdocument, // inline, with ALIGN="inline"
-    image,       // inline
+    image,       // in the line
     footnote,    // the mark; `text` is its number
     slider,      // living: `text` is what stands for it until it lives
     value,
@@ -45,6 +45,14 @@ struct Formula {
     formulas::Formula read;
     std::string spoken;   // for who hears it
     bool isAlone = false; // set as a display
+};
+
+// An image's file, and how its author wants it.
+struct Picture {
+    std::string source{};                    // as written
+    std::optional<double> width{}, height{}; // 1/96 inch
+    std::string alternative{};               // ALT
+    bool operator==(const Picture&) const = default;
 };
 
 // A piece of a line. Its letters are the bytes of `content` from `offset` on, unless content is
@@ -62,6 +70,7 @@ struct Run {
     document::SubdocumentId subdocument = document::noSubdocument;
     std::shared_ptr<const Footnote> footnote{}; // never null in a mark
     std::shared_ptr<const Formula> formula{};   // never null in a formula
+    std::shared_ptr<const Picture> picture{};   // never null in an image
 };
 
 enum class BlockKind {
@@ -107,12 +116,10 @@ struct Block {
     int headingLevel = 0;             // 1..: an entry of the outline; 0: none
     std::vector<std::string> anchors; // IDs that references lead to, "#" not included
     document::SubdocumentId subdocument = document::noSubdocument;
-    std::string source;                  // image: its file, as written
-    std::optional<double> width, height; // image, chart: 1/96 inch
-    std::string alternative;             // image: ALT
-    std::vector<Row> rows;               // table
-    std::size_t headerRows = 0;          // so many of the first rows stand on each of its pages
-    std::vector<double> columnWidths;    // in points, as the author wants them; 0: by the content
+    Picture picture;                  // image; chart: without a source
+    std::vector<Row> rows;            // table
+    std::size_t headerRows = 0;       // so many of the first rows stand on each of its pages
+    std::vector<double> columnWidths; // in points, as the author wants them; 0: by the content
     schemas::ContainerRole lists = schemas::ContainerRole::none; // contents: of what
     Blocks entries; // contents: a block each; its run's target is what the entry leads to
 };

@@ -146,7 +146,7 @@ void ModelWalk::addRun(Run run) {
     run.target = run.target.empty() ? state_.frames.back().target : run.target;
     if (titles_ > 0 && !state_.titled && run.kind == RunKind::text)
         model_.title += run.text;
-    run.refers = run.text.empty() && run.target.starts_with('#');
+    run.refers = run.kind == RunKind::text && run.text.empty() && run.target.starts_with('#');
     if (run.refers)
         markReferring();
     flow_.last->runs.push_back(std::move(run));

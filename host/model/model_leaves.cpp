@@ -5,6 +5,19 @@ namespace model {
 
 using sgml::NodeId;
 
+std::optional<schemas::Align> alignOf(document::Placement placement) {
+    switch (placement) {
+    case document::Placement::left:
+        return schemas::Align::left;
+    case document::Placement::center:
+        return schemas::Align::center;
+    case document::Placement::right:
+        return schemas::Align::right;
+    default:
+        return std::nullopt;
+    }
+}
+
 // Shown as text of its own until something gives it life.
 bool ModelWalk::addLiving(const Frame& frame) {
     const bool slider = frame.style.display == schemas::Display::slider;
@@ -21,9 +34,7 @@ bool ModelWalk::addChart(const Frame& frame) {
     Frame& own = state_.frames.back();
     beginBlock(own);
     Block& block = addBlock(BlockKind::chart);
-    block.width = lengthAttribute(block.element, "WIDTH");
-    block.height = lengthAttribute(block.element, "HEIGHT");
-    block.alternative = attribute(block.element, "ALT");
+    block.picture = pictureOf(block.element);
     block.runs.push_back(
         {.text = "Chart of " + values, .style = textStyle(own.style.text), .element = own.node});
     return false;
@@ -74,16 +85,27 @@ bool ModelWalk::addContents() {
     return false;
 }
 
+Picture ModelWalk::pictureOf(NodeId node) const {
+    return {.width = lengthAttribute(node, "WIDTH"),
+            .height = lengthAttribute(node, "HEIGHT"),
+            .alternative = attribute(node, "ALT")};
+}
+
+// In a figure it stands for itself, elsewhere in the line.
 bool ModelWalk::addImage(const Frame& frame) {
-    std::string file = attribute(frame.node, "FILE");
-    if (file.empty())
-        file = tree_.contentText(frame.node);
-    beginBlock(state_.frames.back());
-    Block& block = addBlock(BlockKind::image);
-    block.source = file;
-    block.width = lengthAttribute(block.element, "WIDTH");
-    block.height = lengthAttribute(block.element, "HEIGHT");
-    block.alternative = attribute(block.element, "ALT");
+    Picture picture = pictureOf(frame.node);
+    picture.source = attribute(frame.node, "FILE");
+    if (picture.source.empty())
+        picture.source = tree_.contentText(frame.node);
+    if (blockFrame().style.role == schemas::ContainerRole::figure) {
+        beginBlock(state_.frames.back());
+        addBlock(BlockKind::image).picture = std::move(picture);
+        return false;
+    }
+    Run run{.kind = RunKind::image, .element = frame.node};
+    run.style = textStyle(frame.style.text);
+    run.picture = std::make_shared<const Picture>(std::move(picture));
+    addRun(std::move(run));
     return false;
 }
 
@@ -91,6 +113,27 @@ bool ModelWalk::addLeaf(BlockKind kind) {
     beginBlock(state_.frames.back());
     addBlock(kind);
     return false;
+}
+
+// The author aligns a figure's subdocument, and so what stands in the figure with it: its caption
+// begins or ends at the same edge.
+void ModelWalk::takePlacement(Frame& frame) const {
+    frame.placement = placementIn(frame);
+    if (const std::optional<schemas::Align> align = alignOf(frame.placement))
+        frame.style.block.align = *align;
+    const document::Placement around = state_.frames.back().placement;
+    if (around == document::Placement::left)
+        frame.style.block.indentLeft = 0;
+    if (around == document::Placement::right)
+        frame.style.block.indentRight = 0;
+}
+
+document::Placement ModelWalk::placementIn(const Frame& figure) const {
+    if (figure.style.role != schemas::ContainerRole::figure)
+        return document::Placement::unspecified;
+    const NodeId element = tree_.childElement(figure.node, "DOCUMENT");
+    const document::Subdocument* of = document_.subdocument(document_.subdocumentOf(element));
+    return of == nullptr ? document::Placement::unspecified : of->placement;
 }
 
 bool ModelWalk::addSubdocument(NodeId node) {
@@ -117,13 +160,11 @@ bool ModelWalk::addSubdocument(NodeId node) {
     beginBlock(own);
     Block& block = addBlock(BlockKind::subdocument);
     block.subdocument = id;
-    const document::Placement placement =
-        subdocument == nullptr ? document::Placement::unspecified : subdocument->placement;
-    if (placement == document::Placement::left || block.style.align == schemas::Align::justify)
+    const auto placed = subdocument == nullptr ? std::nullopt : alignOf(subdocument->placement);
+    if (placed)
+        block.style.align = *placed;
+    else if (block.style.align == schemas::Align::justify)
         block.style.align = schemas::Align::left;
-    if (placement == document::Placement::center || placement == document::Placement::right)
-        block.style.align = placement == document::Placement::center ? schemas::Align::center
-                                                                     : schemas::Align::right;
     endBlock(own);
     pop();
     return false;

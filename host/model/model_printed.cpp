@@ -20,6 +20,8 @@ std::string runPrinted(const Run& run, const Model& model) {
     std::string text = run.kind == RunKind::text
                            ? ""
                            : std::string(kinds[static_cast<std::size_t>(run.kind)]) + ":";
+    if (run.picture)
+        text += run.picture->source;
     for (const char c : run.text)
         text += c == '\n' ? std::string("\\n") : std::string(1, c);
     const schemas::TextStyle& style = (*model.textStyles)[run.style];
@@ -62,7 +64,7 @@ void print(const Block& block, const Model& model, const std::string& indent, st
         lines += isGeneratedAnchor(anchor) ? "" : " #" + anchor;
     if (!block.marker.empty())
         lines += " (" + block.marker + ")";
-    lines += block.source.empty() ? "" : " " + block.source;
+    lines += block.picture.source.empty() ? "" : " " + block.picture.source;
     lines += block.runs.empty() ? "" : " ";
     for (const Run& run : block.runs)
         lines += runPrinted(run, model);

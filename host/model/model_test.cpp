@@ -102,6 +102,10 @@ TEST(Model, BlocksOfEveryKind) {
          "text left 11pt after 24 [a]\npage-break left 11pt after 7\nrule left 11pt after 8\n"},
         {"<FIGURE><IMAGE FILE=\"x.png\"></IMAGE><CAPTION>{c}</CAPTION></FIGURE>",
          "image center 11pt after 24 keep x.png\ntext center 9.9pt after 8 (Figure 1: ) [i|c]\n"},
+        {"<PARAGRAPH><TEXT>{a}</TEXT><IMAGE FILE=\"x.png\"></IMAGE><TEXT>{b}</TEXT></PARAGRAPH>"
+         "<LIST><ITEM><EMPH><IMAGE FILE=\"y.png\"></IMAGE></EMPH></ITEM></LIST>",
+         "text left 11pt after 24 [a][image:x.png][b]\n"
+         "text left 11pt in 18 after 7 (•) [i|image:y.png]\n"},
         {"<TABLE "
          "ID=\"t\"><CAPTION>{c}</CAPTION><ROW><CELL>{a}</CELL>{b}</ROW></TABLE><PARAGRAPH><REF "
          "TO=\"t\"></REF></PARAGRAPH>",
@@ -138,6 +142,26 @@ TEST(Model, InlineSubdocumentsAreRunsOthersAreBlocks) {
                              "ALIGN=\"right\"></ANIMATION></DOCUMENT></PARAGRAPH>";
     EXPECT_EQ(blocksOf(text),
               "text left 11pt after 24 [a][subdocument:][b]\nsubdocument right 11pt after 8\n");
+}
+
+// The author aligns the subdocument, and its caption goes with it.
+TEST(Model, ACaptionIsAlignedAsItsFigure) {
+    const auto figure = [](const std::string& align) {
+        return "<FIGURE><DOCUMENT>DOCUMENT ANIMATION\n<ANIMATION" + align +
+               "></ANIMATION></DOCUMENT><CAPTION>{c}</CAPTION></FIGURE>";
+    };
+    const auto shown = [](const std::string& align) {
+        return "subdocument " + align + " 11pt after 24 keep\ntext " + align +
+               " 9.9pt after 8 (Figure 1: ) [i|c]\n";
+    };
+    EXPECT_EQ(blocksOf(figure("")), shown("center"));
+    EXPECT_EQ(blocksOf(figure(" ALIGN=\"left\"")), shown("left"));
+    EXPECT_EQ(blocksOf(figure(" ALIGN=\"right\"")), shown("right"));
+    const auto inReport = [&](const std::string& align) {
+        return modelOf("DOCUMENT REPORT\n<REPORT>" + figure(align) + "</REPORT>");
+    };
+    EXPECT_NE(inReport("").find("9pt in 24 after"), std::string::npos);
+    EXPECT_NE(inReport(" ALIGN=\"left\"").find("text left 9pt after"), std::string::npos);
 }
 
 TEST(Model, ASecondPresentationShowsTheSameDocumentOtherwise) {

@@ -46,6 +46,8 @@ bool ModelWalk::stillHolds(const Checkpoint& checkpoint) const {
     const auto holds = [this](const Frame& frame) {
         if (frame.nested)
             return presentationOf(frame.node) == frame.presentation;
+        if (frame.placement != placementIn(frame))
+            return false;
         return frame.style.display != schemas::Display::unknown || !tree_.isElement(frame.node) ||
                frame.holdsElements == (tree_.childElement(frame.node) != noNode);
     };
@@ -147,6 +149,7 @@ bool ModelWalk::enterElement(NodeId node) {
         .name = tree_.name(node), .first = isFirst(node), .tree = &tree_, .element = node};
     frame.style = frame.presentation->style(subject, state_.frames.back().style, frame.progress);
     takeLanguage(frame, state_.frames.back());
+    takePlacement(frame);
     return begin(std::move(frame));
 }
 

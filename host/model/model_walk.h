@@ -13,6 +13,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,6 +25,9 @@ struct Name {
     std::string id, reference;
     bool operator==(const Name&) const = default;
 };
+
+// Nothing: the author says none.
+[[nodiscard]] std::optional<schemas::Align> alignOf(document::Placement placement);
 
 class ModelWalk {
 public:
@@ -63,6 +67,7 @@ public:
         bool filled = false;                     // it has a block in its flow
         bool nested = false;                     // a nested document of text
         bool holdsElements = false;              // asked of an unknown one
+        document::Placement placement{};         // of a figure: its subdocument's
         std::array<int, 8> levels{};             // of each ContainerRole, here
         std::size_t together = none;             // the first block of what is kept together here
         std::size_t table = none;                // role table: its block in the flow
@@ -137,6 +142,8 @@ private:
     [[nodiscard]] const schemas::Presentation* presentationOf(sgml::NodeId nested) const;
     [[nodiscard]] Frame frameInside(sgml::NodeId node) const;
     void takeLanguage(Frame& frame, const Frame& outer) const;
+    void takePlacement(Frame& frame) const;
+    [[nodiscard]] document::Placement placementIn(const Frame& figure) const;
     bool begin(Frame frame);
     void leave();
     void push(Frame frame);
@@ -166,6 +173,7 @@ private:
     [[nodiscard]] Run formulaRun(const Frame& frame, bool isAlone);
     bool addContents();
     bool addImage(const Frame& frame);
+    [[nodiscard]] Picture pictureOf(sgml::NodeId node) const; // but its source
     bool addLeaf(BlockKind kind);
     bool addSubdocument(sgml::NodeId node);
     void addGenerated(const Frame& frame, std::string_view name, const std::string& text);

@@ -62,7 +62,7 @@ void Outline::addContainer(const Model& model, std::size_t index) {
         if (model.containers[i].role == ContainerRole::caption)
             text = textOf(*model.blocks[model.containers[i].first]);
     for (std::size_t i = of.first; i <= of.last && text.empty(); ++i)
-        text = model.blocks[i]->alternative;
+        text = model.blocks[i]->picture.alternative;
     blocksRead_ += of.last - of.first + 1;
     if (text.empty())
         text = isFigure ? "Figure" : "Table";

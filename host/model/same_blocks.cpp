@@ -38,13 +38,18 @@ bool isEqual(const std::shared_ptr<const Formula>& a, const std::shared_ptr<cons
     return a->source == b->source && a->isAlone == b->isAlone; // all else comes of these
 }
 
+bool isEqual(const std::shared_ptr<const Picture>& a, const std::shared_ptr<const Picture>& b) {
+    return a == b || (a && b && *a == *b);
+}
+
 bool isEqual(const Run& a, const Run& b) {
     const auto& [kind, text, style, element, content, offset, target, refers, subdocument, footnote,
-                 formula] = a;
+                 formula, picture] = a;
     return std::tie(kind, style, element, content, offset, refers, subdocument, text, target) ==
                std::tie(b.kind, b.style, b.element, b.content, b.offset, b.refers, b.subdocument,
                         b.text, b.target) &&
-           isEqual(footnote, b.footnote) && isEqual(formula, b.formula);
+           isEqual(footnote, b.footnote) && isEqual(formula, b.formula) &&
+           isEqual(picture, b.picture);
 }
 
 template <class T> bool areEqual(const std::vector<T>& a, const std::vector<T>& b) {
@@ -56,13 +61,11 @@ template <class T> bool areEqual(const std::vector<T>& a, const std::vector<T>& 
 
 bool isEqual(const Block& a, const Block& b) {
     const auto& [kind, element, style, marker, markerStyle, runs, textStyle, headingLevel, anchors,
-                 subdocument, source, width, height, alternative, rows, headerRows, columnWidths,
-                 lists, entries] = a;
+                 subdocument, picture, rows, headerRows, columnWidths, lists, entries] = a;
     return std::tie(kind, element, style, marker, markerStyle, textStyle, headingLevel, anchors,
-                    subdocument, source, width, height, alternative,
-                    lists) == std::tie(b.kind, b.element, b.style, b.marker, b.markerStyle,
-                                       b.textStyle, b.headingLevel, b.anchors, b.subdocument,
-                                       b.source, b.width, b.height, b.alternative, b.lists) &&
+                    subdocument, picture, lists) ==
+               std::tie(b.kind, b.element, b.style, b.marker, b.markerStyle, b.textStyle,
+                        b.headingLevel, b.anchors, b.subdocument, b.picture, b.lists) &&
            headerRows == b.headerRows && columnWidths == b.columnWidths && areEqual(runs, b.runs) &&
            areEqual(rows, b.rows) && areEqual(entries, b.entries);
 }

@@ -183,9 +183,13 @@ private:
         if (block.kind == BlockKind::chart)
             return "[" + plain(block.runs) + "]";
         if (block.kind == BlockKind::image)
-            return "[Image " + block.source +
-                   (block.alternative.empty() ? "" : ": " + block.alternative) + "]";
+            return placeholder(block.picture);
         return block.kind == BlockKind::subdocument ? placeholder(block.subdocument) : "";
+    }
+
+    static std::string placeholder(const Picture& picture) {
+        return "[Image " + picture.source +
+               (picture.alternative.empty() ? "" : ": " + picture.alternative) + "]";
     }
 
     std::string placeholder(document::SubdocumentId id) const {
@@ -203,6 +207,8 @@ private:
         for (const Run& run : runs)
             if (run.kind == RunKind::subdocument)
                 text += placeholder(run.subdocument);
+            else if (run.picture)
+                text += placeholder(*run.picture);
             else if (run.kind == RunKind::footnote)
                 text += "[" + run.text + "]";
             else

@@ -22,7 +22,7 @@ QString counted(std::size_t count, const QString& one, const QString& many) {
 }
 
 // "2 sections, 7 paragraphs, 1 figure"
-QString wordsFor(const model::SectionCounts& counts) {
+QString hiddenWords(const model::SectionCounts& counts) {
     QStringList parts;
     const auto add = [&](std::size_t count, const QString& one, const QString& many) {
         if (count > 0)
@@ -222,7 +222,7 @@ void Folds::addWords(Mark& mark, std::size_t page, const layout::TextPiece& last
     constexpr double gap = 12, inset = 7;
     const QFontMetricsF metrics(font());
     const double room = paper.right() - line.left() - 2 * gap - 2 * inset;
-    const QString all = wordsFor(pages_.counts(mark.heading));
+    const QString all = hiddenWords(pages_.counts(mark.heading));
     mark.hidden = metrics.horizontalAdvance(all) <= room ? all : QStringLiteral("…");
     const double height = std::min(metrics.height() + 4, line.height());
     mark.words = {line.left() + gap, line.center().y() - height / 2,

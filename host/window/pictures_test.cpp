@@ -1,4 +1,5 @@
 // Pictures of files in a writing view: pasted, dropped, named, resized; and where they are kept.
+#include "model/block_text.h"
 #include "view/resizing.h"
 #include "window/writing_testing.h"
 
@@ -65,6 +66,38 @@ TEST_F(PicturesTest, APastedPictureIsAFileBesideTheDocument) {
     EXPECT_TRUE(QFileInfo::exists(path()));
     EXPECT_TRUE(QFileInfo::exists(file));
     EXPECT_EQ(window_->document().images().fault(source()), "");
+}
+
+// In the line it is one letter for the caret, and a word for those who do not see it.
+TEST_F(PicturesTest, TheCaretPassesAnImageInTheLine) {
+    write("<PARAGRAPH><TEXT>{ab}</TEXT><IMAGE FILE=\"ball.png\" ALT=\"A ball\"></IMAGE>"
+          "<TEXT>{cd}</TEXT></PARAGRAPH>\n");
+    ASSERT_TRUE(picture().save(QFileInfo(document().fileName()).absolutePath() + "/ball.png"));
+    const std::size_t before = document().bytes().find("ab}") + 2;
+    const std::size_t behind = document().bytes().find("{cd}") + 1;
+    const auto caret = [&] { return view().text().cursor().selection()->caret; };
+    view().text().cursor().set({before, before});
+    const QRectF left = *view().text().caretRect();
+    press(Qt::Key_Right);
+    EXPECT_EQ(caret(), behind);
+    const QRectF right = *view().text().caretRect();
+    const QRectF image = view().inViewport(0, view().pages().pages.front()->objects.front().rect);
+    EXPECT_NEAR(left.center().x(), image.left(), 1);
+    EXPECT_NEAR(right.center().x(), image.right(), 1);
+    press(Qt::Key_Left);
+    EXPECT_EQ(caret(), before);
+    view().selectAll();
+    view().copy();
+    const QMimeData* copy = QApplication::clipboard()->mimeData();
+    EXPECT_THAT(copy->text().toStdString(), HasSubstr("ab[A ball]cd"));
+    EXPECT_THAT(copy->html().toStdString(), HasSubstr("ab[A ball]cd"));
+    EXPECT_EQ(model::BlockText(document(), view().model()->blocks.back()).text().toStdString(),
+              "abA ballcd");
+    clickOnImage();
+    ASSERT_TRUE(view::sizedUnit(view()));
+    EXPECT_FALSE(view::sizedUnit(view())->hasEdges);
+    press(Qt::Key_Delete);
+    EXPECT_THAT(body(), Not(HasSubstr("IMAGE")));
 }
 
 TEST_F(PicturesTest, DroppedFilesOfPicturesComeIn) {
