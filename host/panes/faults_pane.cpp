@@ -27,8 +27,7 @@ FaultsPane::FaultsPane(session::OpenDocument& document, QWidget* parent)
     connect(&document_, &session::OpenDocument::faultsChanged, &timer_,
             qOverload<>(&QTimer::start));
     connect(list_, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
-        Q_EMIT activated(
-            faults_[static_cast<std::size_t>(list_->indexOfTopLevelItem(item))].subdocument);
+        Q_EMIT activated(faults_[static_cast<std::size_t>(list_->indexOfTopLevelItem(item))]);
     });
     timer_.start(0);
 }

@@ -17,9 +17,11 @@ class FaultsPane : public QDockWidget {
 public:
     FaultsPane(session::OpenDocument& document, QWidget* parent);
     [[nodiscard]] int count() const;
+    // As they are listed: they follow the document when it pauses.
+    [[nodiscard]] const std::vector<session::ListedFault>& faults() const { return faults_; }
 
 Q_SIGNALS:
-    void activated(document::SubdocumentId id);
+    void activated(const session::ListedFault& fault);
     void countChanged(int errors, int warnings);
 
 private:

@@ -1,5 +1,6 @@
 #include "panes/outline_pane.h"
 
+#include "panes/making_room.h"
 #include "panes/outline_list.h"
 #include "plain/plain.h"
 #include "view/text_hand.h"
@@ -66,31 +67,15 @@ void OutlinePane::build() {
     column->addWidget(list_, 1);
     setWidget(inside);
     setFocusProxy(list_);
+    new MakingRoom(*this, view_);
     toggleViewAction()->setObjectName("showOutline");
     toggleViewAction()->setText(tr("Out&line"));
     toggleViewAction()->setShortcut(QKeySequence(Qt::Key_F9));
 }
 
-// The pages make room for it, and take it back.
 void OutlinePane::showEvent(QShowEvent* event) {
     QDockWidget::showEvent(event);
     follow();
-    if (event->spontaneous())
-        return;
-    QTimer::singleShot(0, this, [this] {
-        if (view_.zoom() <= view_.widthZoom())
-            return;
-        zoomBefore_ = view_.zoom();
-        view_.setZoom(view_.widthZoom());
-        zoomThen_ = view_.zoom();
-    });
-}
-
-void OutlinePane::hideEvent(QHideEvent* event) {
-    QDockWidget::hideEvent(event);
-    const std::optional<double> before = std::exchange(zoomBefore_, std::nullopt);
-    if (!event->spontaneous() && before && view_.zoom() == zoomThen_)
-        view_.setZoom(*before);
 }
 
 // --- in step with the document ---------------------------------------------------------------

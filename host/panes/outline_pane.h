@@ -26,7 +26,6 @@ public:
 
 protected:
     void showEvent(QShowEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
 
 private:
     void build();
@@ -45,8 +44,6 @@ private:
     QComboBox* kind_;
     model::Outline outline_;
     QTimer timer_;
-    std::optional<double> zoomBefore_; // it was shown, where the pages gave way
-    double zoomThen_ = 1;
 };
 
 } // namespace panes

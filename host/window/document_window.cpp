@@ -13,6 +13,7 @@
 #include "panes/outline_pane.h"
 #include "panes/spelling_commands.h"
 #include "plain/plain.h"
+#include "source/source_pane.h"
 #include "text/characters.h"
 #include "view/writing.h"
 #include "window/application.h"
@@ -55,8 +56,8 @@ DocumentWindow::DocumentWindow(Application& application,
     : application_(application), document_(std::move(document)), banner_(makeBanner(this)),
       view_(new view::DocumentView(*document_)), find_(new panes::FindBar(*view_, this)),
       faults_(new panes::FaultsPane(*document_, this)),
-      outline_(new panes::OutlinePane(*view_, this)), tools_(new QToolBar(tr("Tools"), this)),
-      saving_(new Saving(application, *document_, *this)),
+      outline_(new panes::OutlinePane(*view_, this)), source_(new source::SourcePane(*view_, this)),
+      tools_(new QToolBar(tr("Tools"), this)), saving_(new Saving(application, *document_, *this)),
       printing_(new Printing(*document_, *this)), pageLabel_(plain::label({}, this)),
       zoomLabel_(plain::label({}, this)) {
     setAttribute(Qt::WA_DeleteOnClose);
@@ -81,6 +82,7 @@ DocumentWindow::DocumentWindow(Application& application,
     faults_->hide();
     addDockWidget(Qt::LeftDockWidgetArea, outline_);
     outline_->hide();
+    source_->placeIn(*this);
     new navigation::KeptPlace(*view_, this);
     auto* edit = new EditMenu(*view_, *find_, this);
     auto* table = new menus::TableMenu(*view_, this);
@@ -96,10 +98,10 @@ DocumentWindow::DocumentWindow(Application& application,
     connect(spelling, &panes::SpellingCommands::said, this, &DocumentWindow::say);
     for (QMenu* menu :
          {static_cast<QMenu*>(new FileMenu(application, *this)), static_cast<QMenu*>(edit),
-          static_cast<QMenu*>(
-              new ViewMenu(application, *this,
-                           {&spelling->toggle(), outline_->toggleViewAction(),
-                            tools_->toggleViewAction(), faults_->toggleViewAction()})),
+          static_cast<QMenu*>(new ViewMenu(application, *this,
+                                           {&spelling->toggle(), outline_->toggleViewAction(),
+                                            source_->toggleViewAction(), tools_->toggleViewAction(),
+                                            faults_->toggleViewAction()})),
           static_cast<QMenu*>(new navigation::GoMenu(*view_, this)), static_cast<QMenu*>(insert),
           static_cast<QMenu*>(new menus::FormatMenu(*view_, this)), static_cast<QMenu*>(table),
           static_cast<QMenu*>(figure), makeHelpMenu(*document_, this)})
@@ -121,7 +123,9 @@ DocumentWindow::DocumentWindow(Application& application,
     connect(printing_, &Printing::said, this, &DocumentWindow::say);
     connect(find_, &panes::FindBar::replaced, this, &DocumentWindow::say);
     connect(faults_, &panes::FaultsPane::countChanged, this, &DocumentWindow::updateFaults);
-    connect(faults_, &panes::FaultsPane::activated, view_, &view::DocumentView::scrollTo);
+    connect(faults_, &panes::FaultsPane::activated, this, &DocumentWindow::goTo);
+    connect(source_, &source::SourcePane::said, this, &DocumentWindow::say);
+    connect(source_, &QDockWidget::visibilityChanged, this, &DocumentWindow::updateBanner);
     connect(view_, &view::DocumentView::linkActivated, this, &DocumentWindow::openLink);
     connect(view_, &view::DocumentView::contextMenuWanted, this,
             [this, figure](document::SubdocumentId id, const QPoint& at) {
@@ -152,6 +156,7 @@ DocumentWindow::~DocumentWindow() {
     delete find_;
     delete faults_;
     delete outline_;
+    delete source_;
     delete view_;
 }
 
@@ -238,7 +243,14 @@ void DocumentWindow::updateFaults(int errors, int warnings) {
         plain::ours(tr("Faults: %1, %2")
                         .arg(counted(errors, tr("error"), tr("errors")),
                              counted(warnings, tr("warning"), tr("warnings")))));
-    const bool broken = document_->document().isBroken();
+    source_->setFaults(faults_->faults());
+    updateBanner();
+}
+
+void DocumentWindow::updateBanner() {
+    // What is being typed in the source is not a damaged file, and nothing moves for it.
+    const bool broken =
+        document_->document().isBroken() && (!banner_->isHidden() || source_->isHidden());
     if (broken && banner_->isHidden())
         faults_->show();
     banner_->setText(looksLikeADocument(document_->document().bytes())
@@ -248,6 +260,12 @@ void DocumentWindow::updateFaults(int errors, int warnings) {
                               "It may be one for another program, and is not overwritten without "
                               "your consent."));
     banner_->setVisible(broken);
+}
+
+void DocumentWindow::goTo(const session::ListedFault& fault) {
+    view_->scrollTo(fault.subdocument);
+    if (fault.file.isEmpty() && fault.position.line > 0)
+        source_->goTo(fault.position);
 }
 
 // A key that neither a chosen rendition nor the view uses may still be a shortcut of a menu.

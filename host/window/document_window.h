@@ -7,6 +7,10 @@
 
 class QLabel;
 
+namespace source {
+class SourcePane;
+}
+
 namespace panes {
 class FaultsPane;
 class FindBar;
@@ -51,6 +55,8 @@ private:
     void say(const QString& sentence); // in the status line
     void updateTitle();
     void updateFaults(int errors, int warnings);
+    void updateBanner();
+    void goTo(const session::ListedFault& fault);
     void openLink(const QString& target);
     void useShortcut(int key, Qt::KeyboardModifiers modifiers);
 
@@ -61,6 +67,7 @@ private:
     panes::FindBar* find_;
     panes::FaultsPane* faults_;
     panes::OutlinePane* outline_;
+    source::SourcePane* source_;
     QToolBar* tools_;
     Saving* saving_;
     Printing* printing_;

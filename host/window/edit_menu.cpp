@@ -9,25 +9,45 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QPlainTextEdit>
 #include <QSettings>
 
 namespace window {
 
+namespace {
+
+// A text beside the pages that has the keyboard: what it is told in the menu is for it.
+QPlainTextEdit* typedIn() { return qobject_cast<QPlainTextEdit*>(QApplication::focusWidget()); }
+
+std::function<void()> orInText(void (QPlainTextEdit::*inText)(),
+                               const std::function<void()>& inPages) {
+    return [inText, inPages] {
+        if (QPlainTextEdit* text = typedIn())
+            (text->*inText)();
+        else
+            inPages();
+    };
+}
+
+} // namespace
+
 EditMenu::EditMenu(view::DocumentView& view, panes::FindBar& find, QWidget* parent)
     : QMenu(tr("&Edit"), parent), view_(view) {
     document::Document& of = view_.document().document();
-    undo_ = menus::addTo(*this, "undo", tr("&Undo"), QKeySequence::Undo, [&of] { of.undo(); });
-    redo_ = menus::addTo(*this, "redo", tr("&Redo"), QKeySequence("Ctrl+Shift+Z"),
-                         [&of] { of.redo(); });
+    undo_ = menus::addTo(*this, "undo", tr("&Undo"), QKeySequence::Undo, [this] { undo(); });
+    redo_ =
+        menus::addTo(*this, "redo", tr("&Redo"), QKeySequence("Ctrl+Shift+Z"), [this] { redo(); });
     addSeparator();
     cut_ = menus::addTo(*this, "cut", tr("Cu&t"), QKeySequence::Cut,
-                        [this] { view_.writing().cut(); });
-    copy_ = menus::addTo(*this, "copy", tr("&Copy"), QKeySequence::Copy, [this] { view_.copy(); });
-    paste_ = menus::addTo(*this, "paste", tr("&Paste"), QKeySequence::Paste, [this] {
-        view_.writing().paste(*QApplication::clipboard()->mimeData());
-    });
+                        orInText(&QPlainTextEdit::cut, [this] { view_.writing().cut(); }));
+    copy_ = menus::addTo(*this, "copy", tr("&Copy"), QKeySequence::Copy,
+                         orInText(&QPlainTextEdit::copy, [this] { view_.copy(); }));
+    paste_ = menus::addTo(*this, "paste", tr("&Paste"), QKeySequence::Paste,
+                          orInText(&QPlainTextEdit::paste, [this] {
+                              view_.writing().paste(*QApplication::clipboard()->mimeData());
+                          }));
     selectAll_ = menus::addTo(*this, "selectAll", tr("Select &All"), QKeySequence::SelectAll,
-                              [this] { view_.selectAll(); });
+                              orInText(&QPlainTextEdit::selectAll, [this] { view_.selectAll(); }));
     addSeparator();
     write_ = menus::addTo(
         *this, "write", tr("&Write"), QKeySequence("Ctrl+E"),
@@ -49,6 +69,7 @@ EditMenu::EditMenu(view::DocumentView& view, panes::FindBar& find, QWidget* pare
     connect(&of, &document::Document::undoChanged, this, &EditMenu::updateUndo);
     connect(&view_, &view::DocumentView::selectionChanged, this, &EditMenu::updateSelection);
     connect(&view_, &view::DocumentView::writingChanged, this, &EditMenu::updateSelection);
+    connect(this, &QMenu::aboutToShow, this, &EditMenu::updateSelection);
     updateUndo();
     updateSelection();
 }
@@ -65,6 +86,21 @@ void EditMenu::addSigns() {
     signs->setChecked(QSettings().value(setting, true).toBool());
 }
 
+// A text beside the pages may have an undo of its own.
+void EditMenu::undo() {
+    if (QPlainTextEdit* text = typedIn(); text && text->isUndoRedoEnabled())
+        text->undo();
+    else
+        view_.document().document().undo();
+}
+
+void EditMenu::redo() {
+    if (QPlainTextEdit* text = typedIn(); text && text->isUndoRedoEnabled())
+        text->redo();
+    else
+        view_.document().document().redo();
+}
+
 void EditMenu::updateUndo() {
     const document::Document& of = view_.document().document();
     undo_->setEnabled(of.canUndo());
@@ -77,11 +113,12 @@ void EditMenu::updateUndo() {
 void EditMenu::updateSelection() {
     const bool writes = view_.isWriting();
     write_->setChecked(view_.isWriting());
-    cut_->setEnabled(writes && view_.canCopy());
-    paste_->setEnabled(writes);
+    const QPlainTextEdit* text = typedIn();
+    cut_->setEnabled(text ? !text->isReadOnly() : writes && view_.canCopy());
+    paste_->setEnabled(text ? !text->isReadOnly() : writes);
     replace_->setEnabled(writes);
-    copy_->setEnabled(view_.canCopy());
-    selectAll_->setEnabled(!view_.chosen());
+    copy_->setEnabled(text || view_.canCopy());
+    selectAll_->setEnabled(text || !view_.chosen());
 }
 
 void EditMenu::showAt(const QPoint& at) {

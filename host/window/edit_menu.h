@@ -35,6 +35,8 @@ Q_SIGNALS:
 
 private:
     void addSigns();
+    void undo();
+    void redo();
     void updateUndo();
     void updateSelection();
 

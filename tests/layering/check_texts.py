@@ -14,7 +14,7 @@ from lint import files, read, report
 
 # The folders that make widgets.
 FOLDERS = (os.path.join("host", "menus"), os.path.join("host", "window"), os.path.join("host", "panes"),
-           os.path.join("host", "navigation"), os.path.join("host", "controls"), os.path.join("medium-asgard", "views"))
+           os.path.join("host", "source"), os.path.join("host", "navigation"), os.path.join("host", "controls"), os.path.join("medium-asgard", "views"))
 # The manuals are markup of our own, from the programs' resources.
 MARKUP = {os.path.join("host", "window", "manual.cpp"), os.path.join("medium-asgard", "views", "manual_window.cpp"),
           os.path.join("medium-asgard", "views", "manual.cpp")}
