@@ -19,8 +19,17 @@ const QString presentationSuffix = QStringLiteral(".presentation");
 const QString structureSuffix = QStringLiteral(".structure");
 const QString defaultName = QStringLiteral("default");
 
-// LIMIT: a longer schema file is not read.
-constexpr std::size_t longestFile = 1 << 20;
+// What others inherit from comes first.
+int rankOf(const QString& name) {
+    const QString stem = name.chopped(presentationSuffix.size());
+    const bool isDefault =
+        !stem.contains(QLatin1Char('.')) || stem.section(QLatin1Char('.'), 1) == defaultName;
+    return name == baseFile ? 0 : isDefault ? 1 : 2;
+}
+
+std::string classOf(const QString& file) {
+    return file.section(QLatin1Char('.'), 0, 0).toStdString();
+}
 
 } // namespace
 
@@ -49,14 +58,8 @@ Schemas Schemas::load(const QStringList& folders) {
         for (const QString& name : QDir(folder).entryList(
                  {QStringLiteral("*.structure"), QStringLiteral("*.presentation")}, QDir::Files))
             paths.try_emplace(name, folder + QLatin1Char('/') + name);
-    // What others inherit from comes first.
     std::map<std::pair<int, QString>, QString> names;
-    const auto add = [&](const QString& name) {
-        const QString stem = name.chopped(presentationSuffix.size());
-        const bool isDefault =
-            !stem.contains(QLatin1Char('.')) || stem.section(QLatin1Char('.'), 1) == defaultName;
-        names[{name == baseFile ? 0 : isDefault ? 1 : 2, name}] = name;
-    };
+    const auto add = [&](const QString& name) { names[{rankOf(name), name}] = name; };
     for (const auto& [name, text] : builtIns)
         add(name);
     for (const auto& [name, path] : paths)
@@ -98,27 +101,80 @@ bool Schemas::addFile(const QString& path, const QString& name, const std::strin
         if (used)
             structures_[name.chopped(structureSuffix.size()).toStdString()] = std::move(schema);
     } else {
-        const QString stem = name.chopped(presentationSuffix.size());
-        const std::string className = stem.section(QLatin1Char('.'), 0, 0).toStdString();
-        const QString own = stem.section(QLatin1Char('.'), 1);
-        const bool isBase = name == baseFile;
-        const Presentation* base = isBase ? nullptr : &plain_;
-        if (const auto known = presentations_.find(className); known != presentations_.end())
-            if (const auto ofClass = known->second.find(defaultName);
-                ofClass != known->second.end())
-                base = &ofClass->second;
-        Presentation presentation = Presentation::parse(text, faults, base);
-        used = presentation.saysSomething();
-        if (used && isBase)
-            plain_ = std::move(presentation);
-        else if (used)
-            presentations_[className][own.isEmpty() ? defaultName : own] = std::move(presentation);
+        const File file{.name = name, .path = path, .text = text};
+        used = addPresentation(file, faults);
+        if (used)
+            files_[name] = file;
     }
+    reportFaults(path, std::move(faults));
+    return used;
+}
+
+void Schemas::reportFaults(const QString& path, std::vector<sgml::Fault> faults) {
     for (sgml::Fault& fault : faults) {
         fault.severity = sgml::Severity::warning;
         faults_.push_back({path, std::move(fault)});
     }
-    return used;
+}
+
+// False: nothing could be read in it that it does not inherit, and it was not there before.
+bool Schemas::addPresentation(const File& file, std::vector<sgml::Fault>& faults) {
+    const QString stem = file.name.chopped(presentationSuffix.size());
+    const std::string className = classOf(stem);
+    const QString own = stem.section(QLatin1Char('.'), 1);
+    const bool isBase = file.name == baseFile, isKnown = files_.contains(file.name);
+    const bool isDefault = own.isEmpty() || own == defaultName;
+    const Presentation* base = isBase ? nullptr : &plain_;
+    if (const auto known = presentations_.find(className);
+        known != presentations_.end() && !isDefault)
+        if (const auto ofClass = known->second.find(defaultName); ofClass != known->second.end())
+            base = &ofClass->second;
+    Presentation presentation = Presentation::parse(file.text, faults, base);
+    if (!presentation.saysSomething() && !isKnown)
+        return false;
+    if (isBase)
+        plain_ = std::move(presentation);
+    else
+        presentations_[className][isDefault ? defaultName : own] = std::move(presentation);
+    return true;
+}
+
+// --- a file that is being edited ---------------------------------------------------------------
+
+const Schemas::File& Schemas::fileOf(std::string_view className,
+                                     const QString& presentation) const {
+    const QString prefix = QString::fromUtf8(className) + QLatin1Char('.');
+    const QStringList names = presentations(className);
+    const QString asked = names.contains(presentation) ? presentation : names.first();
+    for (const QString& name :
+         {prefix + asked + presentationSuffix, prefix.chopped(1) + presentationSuffix})
+        if (const auto found = files_.find(name); found != files_.end())
+            return found->second;
+    return files_.at(baseFile);
+}
+
+void Schemas::setText(const QString& name, const QString& path, std::string text) {
+    const auto edited = files_.find(name);
+    if (edited == files_.end())
+        return;
+    const auto forgetFaults = [this](const QString& of) {
+        std::erase_if(faults_, [&](const FileFault& fault) { return fault.file == of; });
+    };
+    forgetFaults(std::exchange(edited->second.path, path));
+    edited->second.text = std::move(text);
+    const auto follows = [&](const QString& other) {
+        return other == name || name == baseFile ||
+               (rankOf(name) == 1 && rankOf(other) > 1 && classOf(other) == classOf(name));
+    };
+    for (int rank = rankOf(name); rank <= 2; ++rank)
+        for (const auto& [other, file] : files_) {
+            if (rankOf(other) != rank || !follows(other))
+                continue;
+            forgetFaults(file.path);
+            std::vector<sgml::Fault> faults;
+            (void)addPresentation(file, faults);
+            reportFaults(file.path, std::move(faults));
+        }
 }
 
 bool Schemas::isText(std::string_view className) const {

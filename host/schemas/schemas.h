@@ -36,6 +36,20 @@ public:
                                                    const QString& name = {}) const;
     [[nodiscard]] const StructureSchema* structure(std::string_view className) const;
 
+    // A file of a presentation, as it counts: "REPORT.default.presentation".
+    struct File {
+        QString name;
+        QString path; // ":/NAME": compiled in
+        std::string text;
+    };
+    // The one that gives a class's presentation of that name.
+    [[nodiscard]] const File& fileOf(std::string_view className, const QString& presentation) const;
+    // Another text counts in the place of a presentation's file from now on, and what inherits from
+    // it follows. Presentations stay where they are: a reference to one is one to the new one.
+    void setText(const QString& name, const QString& path, std::string text);
+    // LIMIT: a longer file is not read.
+    static constexpr std::size_t longestFile = 1 << 20;
+
     struct FileFault {
         QString file;
         sgml::Fault fault;
@@ -46,10 +60,14 @@ private:
     void addNamed(const QString& name, const std::map<QString, std::string>& builtIns,
                   const std::map<QString, QString>& paths);
     [[nodiscard]] bool addFile(const QString& path, const QString& name, const std::string& text);
+    [[nodiscard]] bool addPresentation(const File& file, std::vector<sgml::Fault>& faults);
+    void reportFaults(const QString& path, std::vector<sgml::Fault> faults);
+
     std::map<std::string, StructureSchema, std::less<>> structures_;
     // Class, then name.
     std::map<std::string, std::map<QString, Presentation>, std::less<>> presentations_;
     Presentation plain_;
+    std::map<QString, File> files_; // of presentations, by name
     std::vector<FileFault> faults_;
 };
 

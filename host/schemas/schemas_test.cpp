@@ -246,4 +246,28 @@ TEST(Schemas, APresentationInheritsFromItsClassesDefaultOne) {
     EXPECT_TRUE(emph.text.italic); // of COMMON.base
 }
 
+// What inherits from an edited file follows, in its place; the file's faults are those of its text.
+TEST(Schemas, AnotherTextCountsInTheMidstOfEditing) {
+    Schemas schemas = Schemas::builtIn();
+    const Presentation& slides = schemas.presentation("REPORT", "slides");
+    const Schemas::File file = schemas.fileOf("REPORT", "");
+    EXPECT_EQ(file.name, "REPORT.default.presentation");
+    EXPECT_EQ(schemas.fileOf("REPORT", "slides").name, "REPORT.slides.presentation");
+    EXPECT_EQ(schemas.fileOf("UNKNOWN", "").name, "COMMON.base.presentation");
+    const PageStyle before = slides.page();
+    schemas.setText(file.name, "own", file.text + "PAGE { header-left: \"new\"; size: A9 }\n");
+    EXPECT_EQ(slides.page().headerLeft, "new");
+    ASSERT_EQ(schemas.faults().size(), 1u);
+    EXPECT_EQ(schemas.faults()[0].file, "own");
+    EXPECT_EQ(schemas.faults()[0].fault.message.substr(0, 5), "size:");
+    schemas.setText(file.name, "own", file.text + "PAGE { size: A9 }\n"); // in the same place
+    EXPECT_EQ(schemas.faults().size(), 1u);
+    schemas.setText(file.name, "own", "");
+    EXPECT_EQ(schemas.presentation("REPORT").page(), schemas.presentation("UNKNOWN").page());
+    schemas.setText(file.name, file.path, file.text);
+    EXPECT_EQ(slides.page(), before);
+    EXPECT_TRUE(schemas.faults().empty());
+    EXPECT_EQ(&slides, &schemas.presentation("REPORT", "slides"));
+}
+
 } // namespace schemas

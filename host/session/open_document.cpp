@@ -91,6 +91,11 @@ Unsaved& OpenDocument::keepUnsavedIn(const std::string& folder) {
     return *unsaved_;
 }
 
+void OpenDocument::presentAnew() {
+    Q_EMIT presentedAnew();
+    Q_EMIT faultsChanged(); // of the files
+}
+
 std::shared_ptr<Presented> OpenDocument::presented(const QString& presentation) {
     std::shared_ptr<Presented> known = presented_[presentation].lock();
     if (!known) {

@@ -50,6 +50,9 @@ public:
     [[nodiscard]] media::LiveMedia& media() { return media_; }
     [[nodiscard]] Images& images() { return images_; }
 
+    // Presentations say something else now (Schemas::setText): its pages follow. LIMIT: what is a
+    // picture, a formula or a reference, for commands and faults, is as it was when it was opened.
+    void presentAnew();
     // Its pages by that presentation ("": the class's own), the same for all who ask while one of
     // them keeps it.
     [[nodiscard]] std::shared_ptr<Presented> presented(const QString& presentation);
@@ -86,6 +89,7 @@ public:
 Q_SIGNALS:
     void structureChanged(); // something else than the text of subdocuments
     void resized();          // a medium would like another size
+    void presentedAnew();    // presentations say something else
     void faultsChanged();
     void draftsChanged(); // what was typed in windows of media, or whether anything was
     void message(const QString& text);

@@ -21,6 +21,10 @@ Presented::Presented(OpenDocument& document, QString presentation)
         require(Due::layout);
     });
     connect(&document_, &OpenDocument::resized, this, [this] { require(Due::layout); });
+    connect(&document_, &OpenDocument::presentedAnew, this, [this] {
+        readAnew(); // the old pages are shown meanwhile
+        startAnew();
+    });
     begin();
 }
 
@@ -28,20 +32,24 @@ Presented::~Presented() = default;
 
 // From nothing.
 void Presented::begin() {
-    className_ = document_.document().className();
-    by_ = &document_.schemas().presentation(className_, presentation_);
-    builder_ =
-        std::make_unique<model::ModelBuilder>(document_.document(), *by_, document_.schemas());
+    readAnew();
     layout::Pages none;
     none.size = {layout::fromPoints(page().width), layout::fromPoints(page().height)};
     none.paper = layout::colorOf(page().background);
     stop();
     setBase(none);
-    due_ = Due::model;
     for (int i = 0; i < firstSteps; ++i)
         if (!step())
             return;
     goOn();
+}
+
+void Presented::readAnew() {
+    className_ = document_.document().className();
+    by_ = &document_.schemas().presentation(className_, presentation_);
+    builder_ =
+        std::make_unique<model::ModelBuilder>(document_.document(), *by_, document_.schemas());
+    due_ = Due::model;
 }
 
 void Presented::follow(const sgml::Change& change) {

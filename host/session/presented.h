@@ -43,6 +43,7 @@ Q_SIGNALS:
 private:
     enum class Due { nothing, layout, model };
     void begin();
+    void readAnew();
     void follow(const sgml::Change& change);
     void require(Due due);
     [[nodiscard]] bool step() override;

@@ -49,6 +49,25 @@ TEST_F(PresentedTest, AShortDocumentIsThereAtOnce) {
     EXPECT_GE(presented.pages().pages.size(), 2u);
 }
 
+// Its own pages are shown until there are others: by the same work as for a document that opens.
+TEST_F(PresentedTest, PagesFollowAPresentationThatIsEdited) {
+    const auto document = open(memo(paragraphs(Presented::firstSteps * 3 / 2)));
+    Presented presented(*document, {});
+    complete(presented);
+    const std::size_t before = presented.pages().pages.size();
+    const schemas::Schemas::File file = schemas_.fileOf("CMEMO", "default");
+    schemas_.setText(file.name, file.path, file.text + "PARAGRAPH { font: 30pt }\n");
+    document->presentAnew();
+    EXPECT_FALSE(presented.isComplete());
+    EXPECT_EQ(presented.pages().pages.size(), before);
+    complete(presented);
+    EXPECT_GT(presented.pages().pages.size(), before * 3 / 2);
+    schemas_.setText(file.name, file.path, file.text);
+    document->presentAnew();
+    complete(presented);
+    EXPECT_EQ(presented.pages().pages.size(), before);
+}
+
 TEST_F(PresentedTest, ALongOneShowsItsFirstPagesAndTheRestInSlices) {
     const auto document = open(memo(paragraphs(Presented::firstSteps * 3 / 2)));
     Presented presented(*document, {});

@@ -1,5 +1,6 @@
 #include "source/document_mirror.h"
 
+#include "source/letters.h"
 #include "source/line_marks.h"
 #include "source/shown_bytes.h"
 #include "text/characters.h"
@@ -238,13 +239,6 @@ void DocumentMirror::replace(int from, const QString& letters, const QString& by
 
 // --- an edit of the text -----------------------------------------------------------------------
 
-QString DocumentMirror::lettersAt(int from, int to) const {
-    QTextCursor cursor(edit_.document());
-    cursor.setPosition(from);
-    cursor.setPosition(to, QTextCursor::KeepAnchor);
-    return cursor.selectedText().replace(QChar::ParagraphSeparator, QLatin1Char('\n'));
-}
-
 void DocumentMirror::take() {
     if (!typed_ || isFollowing())
         return;
@@ -255,8 +249,8 @@ void DocumentMirror::take() {
     const std::string_view bytes = document_.bytes();
     const std::size_t from = offsetOf(letters.from);
     const std::size_t to = from + bytesOf(bytes.substr(from), letters.removed);
-    const std::string came =
-        spelled(lettersAt(letters.from, letters.from + letters.added), lineEndOf(bytes));
+    const std::string came = spelled(
+        lettersOf(*edit_.document(), letters.from, letters.from + letters.added), lineEndOf(bytes));
     text::Edit edit = text::difference(bytes.substr(from, to - from), came);
     edit.range = {edit.range.from + from, edit.range.to + from};
     if (!edit.empty())
@@ -284,8 +278,10 @@ void DocumentMirror::check(text::Range came, const Typed& letters) {
     const text::Range around = stretchesOf(bytes, {{came, {}}}).front().now;
     const int behind = lettersIn(bytes.substr(came.to, around.to - came.to));
     const int from = positionOf(around.from), end = edit_.document()->characterCount() - 1;
-    replace(from, lettersAt(from, std::min(letters.from + letters.added + behind, end)),
-            shownFrom(around.from, bytes.substr(around.from, around.size())));
+    replace(
+        from,
+        lettersOf(*edit_.document(), from, std::min(letters.from + letters.added + behind, end)),
+        shownFrom(around.from, bytes.substr(around.from, around.size())));
 }
 
 } // namespace source

@@ -63,7 +63,6 @@ private:
     void show(const Stretch& stretch);
     void replace(int from, const QString& letters, const QString& by);
     void change(const std::function<void()>& how);
-    [[nodiscard]] QString lettersAt(int from, int to) const;
 
     document::Document& document_;
     QPlainTextEdit& edit_;

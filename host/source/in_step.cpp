@@ -1,6 +1,7 @@
 #include "source/in_step.h"
 
 #include "controls/accent.h"
+#include "view/folds.h"
 #include "view/text_hand.h"
 
 #include <QApplication>
@@ -127,6 +128,7 @@ void InStep::followSource() {
 
 // The pages stay where they are while one types in what they show.
 void InStep::showInPages(const document::Selection& selection) {
+    view_.folds().reveal(selection.caret);
     if (const document::SubdocumentId figure = figureAt(selection.caret);
         figure != document::noSubdocument)
         return view_.scrollTo(figure);

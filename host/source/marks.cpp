@@ -8,10 +8,10 @@ using sgml::NodeId, sgml::noNode, sgml::NodeKind;
 
 namespace {
 
-class Marker {
+class TreeMarker {
 public:
-    Marker(const sgml::Tree& tree, text::Range range,
-           const std::function<bool(std::string_view)>& isText)
+    TreeMarker(const sgml::Tree& tree, text::Range range,
+               const std::function<bool(std::string_view)>& isText)
         : tree_(tree), range_(range), isText_(isText) {}
 
     std::vector<Mark> marks() {
@@ -92,7 +92,7 @@ private:
 
 std::vector<Mark> marksOf(const sgml::Tree& tree, text::Range range,
                           const std::function<bool(std::string_view)>& isText) {
-    return Marker(tree, range, isText).marks();
+    return TreeMarker(tree, range, isText).marks();
 }
 
 QColor colorOf(Kind kind, bool isDark) {

@@ -1,6 +1,7 @@
 #include "source/document_mirror.h"
 
 #include "document/random_report.h"
+#include "source/letters.h"
 #include "source/shown_bytes.h"
 
 #include <gtest/gtest.h>
@@ -23,9 +24,7 @@ protected:
             QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     }
     [[nodiscard]] std::string letters() const {
-        QTextCursor all(edit_->document());
-        all.select(QTextCursor::Document);
-        return all.selectedText().replace(QChar::ParagraphSeparator, '\n').toStdString();
+        return lettersOf(*edit_->document()).toStdString();
     }
     [[nodiscard]] std::string wanted() const {
         std::string_view bytes = document_->bytes();

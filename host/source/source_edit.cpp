@@ -80,7 +80,7 @@ bool SourceEdit::saves(const QKeyEvent& event) const {
 // Undo is the document's, where this text has none of its own.
 bool SourceEdit::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
-        auto* key = static_cast<QKeyEvent*>(event); // NOLINT: as its type says
+        auto* key = static_cast<QKeyEvent*>(event);
         const bool isUndo = key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo);
         if (isUndo && !isUndoRedoEnabled()) {
             event->ignore();
@@ -212,7 +212,7 @@ void SourceEdit::paintEvent(QPaintEvent* event) {
 bool SourceEdit::viewportEvent(QEvent* event) {
     if (event->type() != QEvent::ToolTip)
         return QPlainTextEdit::viewportEvent(event);
-    const auto* help = static_cast<QHelpEvent*>(event); // NOLINT: as its type says
+    const auto* help = static_cast<QHelpEvent*>(event);
     const QTextCursor cursor = cursorForPosition(help->pos());
     QString sentence;
     const auto [first, last] = faults_.equal_range(cursor.blockNumber());

@@ -1,12 +1,9 @@
 #include "source/source_pane.h"
 
 #include "panes/making_room.h"
-#include "plain/plain.h"
 
 #include <QMainWindow>
 #include <QSettings>
-#include <QTextBlock>
-#include <QVBoxLayout>
 
 namespace source {
 
@@ -29,26 +26,15 @@ std::vector<LineMarks> marksOfLines(const session::OpenDocument& open, const Doc
 } // namespace
 
 SourcePane::SourcePane(view::DocumentView& view, QMainWindow* parent)
-    : QDockWidget(tr("Source"), parent), view_(view), edit_(new SourceEdit(this)),
-      place_(plain::label({}, this)),
+    : QDockWidget(tr("Source"), parent), view_(view),
+      frame_(new EditFrame(QStringLiteral("source"), tr("Source"), this)), edit_(&frame_->edit()),
       mirror_(new DocumentMirror(view.document().document(), *edit_)),
       steps_(new InStep(view, *edit_, *mirror_)) {
     mirror_->setParent(this);
     steps_->setParent(this);
     setObjectName("source");
     setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
-    edit_->setObjectName("sourceText");
-    edit_->setAccessibleName(tr("Source"));
-    place_->setObjectName("sourcePlace");
-    place_->setMargin(3);
-    place_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    auto* inside = new QWidget(this);
-    auto* column = new QVBoxLayout(inside);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(edit_, 1);
-    column->addWidget(place_);
-    setWidget(inside);
+    setWidget(frame_);
     setFocusProxy(edit_);
     new panes::MakingRoom(*this, view_);
     toggleViewAction()->setObjectName("showSource");
@@ -60,7 +46,6 @@ SourcePane::SourcePane(view::DocumentView& view, QMainWindow* parent)
     });
     connect(edit_, &SourceEdit::left, steps_, &InStep::goToPages);
     connect(edit_, &SourceEdit::refused, this, &SourcePane::said);
-    connect(edit_, &QPlainTextEdit::cursorPositionChanged, this, &SourcePane::tellPlace);
     connect(mirror_, &DocumentMirror::completed, this, &SourcePane::updateWritable);
     connect(&view_, &view::DocumentView::writingChanged, this, &SourcePane::updateWritable);
     connect(toggleViewAction(), &QAction::triggered, this, [this](bool isShown) {
@@ -120,21 +105,7 @@ void SourcePane::updateWritable() {
             ? tr("This is a reading view. Edit > Write (Ctrl+E) makes its source writable.")
         : !mirror_->isComplete() ? tr("The source is still being read.")
                                  : QString());
-    tellPlace();
-}
-
-// "Line 12, column 4", and what is wrong there, or elsewhere.
-void SourcePane::tellPlace() {
-    const QTextCursor cursor = edit_->textCursor();
-    const QString place =
-        tr("Line %1, column %2").arg(cursor.blockNumber() + 1).arg(cursor.positionInBlock() + 1);
-    QString more = edit_->faultOf(cursor.blockNumber());
-    if (more.isEmpty() && !view_.isWriting())
-        more = tr("a reading view (Ctrl+E writes)");
-    if (const LineFault fault = edit_->firstFault(); more.isEmpty() && fault.line > 0)
-        more = tr("line %1: %2").arg(fault.line).arg(fault.sentence);
-    place_->setText(more.isEmpty() ? place : tr("%1; %2").arg(place, more));
-    place_->setToolTip(plain::tip(more));
+    frame_->setNote(view_.isWriting() ? QString() : tr("a reading view (Ctrl+E writes)"));
 }
 
 void SourcePane::setFaults(const std::vector<session::ListedFault>& faults) {
@@ -143,20 +114,12 @@ void SourcePane::setFaults(const std::vector<session::ListedFault>& faults) {
         if (fault.file.isEmpty())
             lines.push_back(
                 {fault.position.line, fault.position.column, fault.isError, fault.message});
-    edit_->setFaults(lines);
-    tellPlace();
+    frame_->setFaults(lines);
 }
 
 void SourcePane::goTo(const text::Position& place) {
-    const QTextBlock block = edit_->document()->findBlockByNumber(place.line - 1);
-    if (!isVisible() || !block.isValid())
-        return;
-    QTextCursor cursor(block);
-    const int last = block.length() - 1;
-    cursor.movePosition(QTextCursor::NextCharacter, QTextCursor::MoveAnchor,
-                        std::clamp(place.column - 1, 0, last));
-    edit_->setTextCursor(cursor);
-    edit_->setFocus();
+    if (isVisible())
+        frame_->goTo(place);
 }
 
 } // namespace source

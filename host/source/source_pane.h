@@ -3,11 +3,10 @@
 #pragma once
 
 #include "source/document_mirror.h"
+#include "source/edit_frame.h"
 #include "source/in_step.h"
-#include "source/source_edit.h"
 
 #include <QDockWidget>
-#include <QLabel>
 
 class QMainWindow;
 
@@ -40,12 +39,11 @@ protected:
 
 private:
     void updateWritable();
-    void tellPlace();
     void keepWidth() const;
 
     view::DocumentView& view_;
-    SourceEdit* edit_;
-    QLabel* place_; // of the caret, and the fault there
+    EditFrame* frame_;
+    SourceEdit* edit_; // in it
     DocumentMirror* mirror_;
     InStep* steps_;
 };

@@ -73,6 +73,7 @@ DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
             live->seek(time);
     });
     connect(&document_.document(), &document::Document::edited, this, [this] { isBehind_ = true; });
+    connect(&document_, &session::OpenDocument::presentedAnew, this, [this] { isBehind_ = true; });
     connect(&text_->cursor(), &TextCursor::changed, this, &DocumentView::selectionChanged);
     connect(this, &DocumentView::chosenChanged, this, &DocumentView::selectionChanged);
     connect(&text_->cursor(), &TextCursor::changed, folds_.get(), &Folds::followCaret);

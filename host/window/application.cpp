@@ -12,6 +12,8 @@
 #include <QSettings>
 #include <QStyle>
 
+#include <set>
+
 namespace window {
 
 namespace {
@@ -168,6 +170,15 @@ void Application::closeUntouched() {
         if (of.fileName().isEmpty() && !of.isModified() && of.revision() == 0)
             one->close();
     }
+}
+
+void Application::setPresentation(const QString& name, const QString& path,
+                                  const std::string& text) {
+    schemas_.setText(name, path, text);
+    std::set<session::OpenDocument*> open;
+    for (const QPointer<DocumentWindow>& one : windows_)
+        if (one && open.insert(&one->document()).second)
+            one->document().presentAnew();
 }
 
 void Application::playWhenLoaded(session::OpenDocument& document) {

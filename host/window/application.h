@@ -34,6 +34,8 @@ public:
     void offerRecovered();
     // Its file opens, with that text as one change of it; what is not saved stays in the journal.
     DocumentWindow* recover(files::LeftBehind left);
+    // The presentation of that file says something else: the documents that are open follow.
+    void setPresentation(const QString& name, const QString& path, const std::string& text);
     void playWhenLoaded(session::OpenDocument& document);
     void quit(); // after asking every window
 

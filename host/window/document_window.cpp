@@ -13,6 +13,7 @@
 #include "panes/outline_pane.h"
 #include "panes/spelling_commands.h"
 #include "plain/plain.h"
+#include "source/presentation_pane.h"
 #include "source/source_pane.h"
 #include "text/characters.h"
 #include "view/writing.h"
@@ -57,6 +58,7 @@ DocumentWindow::DocumentWindow(Application& application,
       view_(new view::DocumentView(*document_)), find_(new panes::FindBar(*view_, this)),
       faults_(new panes::FaultsPane(*document_, this)),
       outline_(new panes::OutlinePane(*view_, this)), source_(new source::SourcePane(*view_, this)),
+      presentation_(new source::PresentationPane(*view_, this)),
       tools_(new QToolBar(tr("Tools"), this)), saving_(new Saving(application, *document_, *this)),
       printing_(new Printing(*document_, *this)), pageLabel_(plain::label({}, this)),
       zoomLabel_(plain::label({}, this)) {
@@ -96,15 +98,16 @@ DocumentWindow::DocumentWindow(Application& application,
     auto* spelling = new panes::SpellingCommands(*view_, this);
     connect(edit, &EditMenu::aboutToShowAt, spelling, &panes::SpellingCommands::addTo);
     connect(spelling, &panes::SpellingCommands::said, this, &DocumentWindow::say);
+    auto* look = new ViewMenu(application, *this,
+                              {&spelling->toggle(), outline_->toggleViewAction(),
+                               source_->toggleViewAction(), tools_->toggleViewAction(),
+                               faults_->toggleViewAction()});
+    connectPresentation(*look);
     for (QMenu* menu :
          {static_cast<QMenu*>(new FileMenu(application, *this)), static_cast<QMenu*>(edit),
-          static_cast<QMenu*>(new ViewMenu(application, *this,
-                                           {&spelling->toggle(), outline_->toggleViewAction(),
-                                            source_->toggleViewAction(), tools_->toggleViewAction(),
-                                            faults_->toggleViewAction()})),
-          static_cast<QMenu*>(new navigation::GoMenu(*view_, this)), static_cast<QMenu*>(insert),
-          static_cast<QMenu*>(new menus::FormatMenu(*view_, this)), static_cast<QMenu*>(table),
-          static_cast<QMenu*>(figure), makeHelpMenu(*document_, this)})
+          static_cast<QMenu*>(look), static_cast<QMenu*>(new navigation::GoMenu(*view_, this)),
+          static_cast<QMenu*>(insert), static_cast<QMenu*>(new menus::FormatMenu(*view_, this)),
+          static_cast<QMenu*>(table), static_cast<QMenu*>(figure), makeHelpMenu(*document_, this)})
         menuBar()->addMenu(menu);
     commands_ =
         new MediumCommands(*document_, *view_, *menuBar(), menuBar()->actions().last(), *tools_);
@@ -157,6 +160,7 @@ DocumentWindow::~DocumentWindow() {
     delete faults_;
     delete outline_;
     delete source_;
+    delete presentation_;
     delete view_;
 }
 
@@ -178,6 +182,18 @@ void DocumentWindow::buildTools(QAction& write) {
     tools_->setMinimumHeight(leastHeight);
     tools_->toggleViewAction()->setText(tr("&Tool Area"));
     addToolBar(tools_);
+}
+
+void DocumentWindow::connectPresentation(ViewMenu& menu) {
+    connect(&menu, &ViewMenu::editPresentationWanted, this, [this] {
+        presentation_->open(
+            document_->schemas().fileOf(document_->document().className(), view_->presentation()));
+    });
+    connect(presentation_, &source::PresentationPane::edited, this,
+            [this](const QString& name, const QString& path, const std::string& text) {
+                application_.setPresentation(name, path, text);
+            });
+    connect(presentation_, &source::PresentationPane::said, this, &DocumentWindow::say);
 }
 
 // A document opens nothing by itself; the reader did, and sees where it leads.
@@ -287,7 +303,9 @@ void DocumentWindow::changeEvent(QEvent* event) {
         document_->followFile().look();
 }
 
-void DocumentWindow::closeEvent(QCloseEvent* event) { event->setAccepted(saving_->mayClose()); }
+void DocumentWindow::closeEvent(QCloseEvent* event) {
+    event->setAccepted(presentation_->mayClose() && saving_->mayClose());
+}
 
 void DocumentWindow::dragEnterEvent(QDragEnterEvent* event) {
     if (event->mimeData()->hasUrls())

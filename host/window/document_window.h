@@ -8,8 +8,9 @@
 class QLabel;
 
 namespace source {
+class PresentationPane;
 class SourcePane;
-}
+} // namespace source
 
 namespace panes {
 class FaultsPane;
@@ -23,6 +24,7 @@ class Application;
 class MediumCommands;
 class Printing;
 class Saving;
+class ViewMenu;
 
 class DocumentWindow : public QMainWindow {
     Q_OBJECT
@@ -52,6 +54,7 @@ protected:
 
 private:
     void buildTools(QAction& write);
+    void connectPresentation(ViewMenu& menu);
     void say(const QString& sentence); // in the status line
     void updateTitle();
     void updateFaults(int errors, int warnings);
@@ -68,6 +71,7 @@ private:
     panes::FaultsPane* faults_;
     panes::OutlinePane* outline_;
     source::SourcePane* source_;
+    source::PresentationPane* presentation_;
     QToolBar* tools_;
     Saving* saving_;
     Printing* printing_;

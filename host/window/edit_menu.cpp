@@ -39,12 +39,16 @@ EditMenu::EditMenu(view::DocumentView& view, panes::FindBar& find, QWidget* pare
         menus::addTo(*this, "redo", tr("&Redo"), QKeySequence("Ctrl+Shift+Z"), [this] { redo(); });
     addSeparator();
     cut_ = menus::addTo(*this, "cut", tr("Cu&t"), QKeySequence::Cut,
-                        orInText(&QPlainTextEdit::cut, [this] { view_.writing().cut(); }));
+                        orInText(&QPlainTextEdit::cut, [this] {
+                            if (view_.isWriting())
+                                view_.writing().cut();
+                        }));
     copy_ = menus::addTo(*this, "copy", tr("&Copy"), QKeySequence::Copy,
                          orInText(&QPlainTextEdit::copy, [this] { view_.copy(); }));
     paste_ = menus::addTo(*this, "paste", tr("&Paste"), QKeySequence::Paste,
                           orInText(&QPlainTextEdit::paste, [this] {
-                              view_.writing().paste(*QApplication::clipboard()->mimeData());
+                              if (view_.isWriting())
+                                  view_.writing().paste(*QApplication::clipboard()->mimeData());
                           }));
     selectAll_ = menus::addTo(*this, "selectAll", tr("Select &All"), QKeySequence::SelectAll,
                               orInText(&QPlainTextEdit::selectAll, [this] { view_.selectAll(); }));
@@ -70,6 +74,7 @@ EditMenu::EditMenu(view::DocumentView& view, panes::FindBar& find, QWidget* pare
     connect(&view_, &view::DocumentView::selectionChanged, this, &EditMenu::updateSelection);
     connect(&view_, &view::DocumentView::writingChanged, this, &EditMenu::updateSelection);
     connect(this, &QMenu::aboutToShow, this, &EditMenu::updateSelection);
+    connect(this, &QMenu::aboutToShow, this, &EditMenu::updateUndo);
     updateUndo();
     updateSelection();
 }
@@ -103,8 +108,15 @@ void EditMenu::redo() {
 
 void EditMenu::updateUndo() {
     const document::Document& of = view_.document().document();
-    undo_->setEnabled(of.canUndo());
-    redo_->setEnabled(of.canRedo());
+    const QPlainTextEdit* text = typedIn();
+    const QTextDocument* own = text && text->isUndoRedoEnabled() ? text->document() : nullptr;
+    undo_->setEnabled(own ? own->isUndoAvailable() : of.canUndo());
+    redo_->setEnabled(own ? own->isRedoAvailable() : of.canRedo());
+    if (own) {
+        undo_->setText(tr("&Undo"));
+        redo_->setText(tr("&Redo"));
+        return;
+    }
     undo_->setText(of.canUndo() ? tr("&Undo %1").arg(plain::caption(of.undoLabel())) : tr("&Undo"));
     redo_->setText(of.canRedo() ? tr("&Redo %1").arg(plain::caption(of.redoLabel())) : tr("&Redo"));
 }

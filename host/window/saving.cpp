@@ -1,5 +1,6 @@
 #include "window/saving.h"
 
+#include "panes/asked_save.h"
 #include "plain/plain.h"
 #include "text/difference.h"
 #include "window/application.h"
@@ -16,30 +17,11 @@ namespace window {
 Saving::Saving(Application& application, session::OpenDocument& document, QWidget& window)
     : QObject(&window), application_(application), document_(document), window_(window) {}
 
-// What is refused for a reason is done all the same when the user says so.
 bool Saving::saveBy(const std::function<files::SaveResult(files::SaveOptions)>& saving) {
-    files::SaveOptions options;
-    for (;;) {
-        const files::SaveResult result = saving(options);
-        const QString sentence = QString::fromStdString(result.sentence);
-        if (result.saved) {
-            Q_EMIT said(tr("Saved"));
-            return true;
-        }
-        if (result.refusal == files::Refusal::none) {
-            plain::Message::tell(QMessageBox::Critical, &window_, tr("Save"), sentence);
-            return false;
-        }
-        const auto answer =
-            plain::Message::ask(QMessageBox::Warning, &window_, tr("Save"),
-                                tr("%1\n\nSave it all the same?").arg(sentence),
-                                QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
-        if (answer != QMessageBox::Yes)
-            return false;
-        options.evenBroken |= result.refusal == files::Refusal::broken;
-        options.evenChanged |= result.refusal == files::Refusal::changed;
-        options.evenLinked |= result.refusal == files::Refusal::linked;
-    }
+    const bool isSaved = panes::saveAsking(&window_, tr("Save"), saving);
+    if (isSaved)
+        Q_EMIT said(tr("Saved"));
+    return isSaved;
 }
 
 bool Saving::save() {

@@ -8,7 +8,7 @@
 namespace window {
 namespace {
 
-QByteArray paragraphs(int count) {
+QByteArray numbered(int count) {
     QByteArray text;
     for (int i = 0; i < count; ++i)
         text += paragraph("line " + QByteArray::number(i) + ".");
@@ -40,7 +40,7 @@ protected:
 };
 
 TEST_F(SourceTest, ThePagesShowThePlaceOfTheSourcesCaret) {
-    showSource(paragraphs(200));
+    showSource(numbered(200));
     const int before = view().verticalScrollBar()->value();
     goInSource("line 180.");
     ASSERT_TRUE(waitFor([&] { return caretInPages() == placeOf("line 180."); }));
@@ -62,7 +62,7 @@ TEST_F(SourceTest, ThePagesShowThePlaceOfTheSourcesCaret) {
 }
 
 TEST_F(SourceTest, TheSourceBeginsWhereThePagesAre) {
-    write(paragraphs(300));
+    write(numbered(300));
     view().goTo(placeOf("line 250."));
     action("showSource")->trigger();
     ASSERT_TRUE(waitFor([&] { return caretInSource() == placeOf("line 250."); }));
@@ -70,7 +70,7 @@ TEST_F(SourceTest, TheSourceBeginsWhereThePagesAre) {
 }
 
 TEST_F(SourceTest, TheSourceShowsThePlaceInThePages) {
-    showSource(paragraphs(300));
+    showSource(numbered(300));
     view().setFocus();
     ASSERT_TRUE(waitFor([&] { return view().hasFocus(); }));
     const std::size_t at = placeOf("line 250.") + 2;
@@ -84,7 +84,7 @@ TEST_F(SourceTest, TheSourceShowsThePlaceInThePages) {
 }
 
 TEST_F(SourceTest, WhatIsTypedThereIsInTheDocumentAtOnceAndUndoneThere) {
-    showSource(paragraphs(3));
+    showSource(numbered(3));
     const std::string before = document().bytes();
     goInSource("line 1.");
     typeInSource("new ");
@@ -99,7 +99,7 @@ TEST_F(SourceTest, WhatIsTypedThereIsInTheDocumentAtOnceAndUndoneThere) {
 }
 
 TEST_F(SourceTest, WhatIsWrittenInThePagesComesIntoTheSource) {
-    showSource(paragraphs(200));
+    showSource(numbered(200));
     view().setFocus();
     goTo("line 150.");
     view().text().showCaret();
@@ -115,7 +115,7 @@ TEST_F(SourceTest, WhatIsWrittenInThePagesComesIntoTheSource) {
 
 // A tag that is being typed is a fault for a while: it is underlined, and nothing else happens.
 TEST_F(SourceTest, ATagThatIsBeingTypedMovesNothing) {
-    showSource(paragraphs(100));
+    showSource(numbered(100));
     goInSource("<PARAGRAPH><TEXT>{line 50.");
     ASSERT_TRUE(waitFor([&] { return view().verticalScrollBar()->value() > 0; }));
     QCoreApplication::processEvents();
@@ -134,7 +134,7 @@ TEST_F(SourceTest, ATagThatIsBeingTypedMovesNothing) {
 }
 
 TEST_F(SourceTest, AReadingViewsSourceIsNotWrittenAndSaysWhy) {
-    showSource(paragraphs(3));
+    showSource(numbered(3));
     action("write")->trigger();
     ASSERT_FALSE(view().isWriting());
     edit().setFocus();
@@ -151,7 +151,7 @@ TEST_F(SourceTest, AReadingViewsSourceIsNotWrittenAndSaysWhy) {
 }
 
 TEST_F(SourceTest, AFaultOfTheListLeadsToItsPlace) {
-    showSource(paragraphs(50) + "<WRONG></WRONG>\n");
+    showSource(numbered(50) + "<WRONG></WRONG>\n");
     auto* faults = window_->findChild<panes::FaultsPane*>();
     ASSERT_TRUE(waitFor([&] { return faults->count() > 0; }));
     auto* list = faults->findChild<QTreeWidget*>();
@@ -160,7 +160,7 @@ TEST_F(SourceTest, AFaultOfTheListLeadsToItsPlace) {
 }
 
 TEST_F(SourceTest, EscapeGoesOnInThePagesAndThePaneIsRemembered) {
-    showSource(paragraphs(30));
+    showSource(numbered(30));
     goInSource("line 20.");
     ASSERT_TRUE(waitFor([&] { return caretInPages() == placeOf("line 20."); }));
     QTest::keyClick(&edit(), Qt::Key_Escape);
@@ -177,7 +177,7 @@ TEST_F(SourceTest, EscapeGoesOnInThePagesAndThePaneIsRemembered) {
 
 // A brace that makes all behind it something else costs what is seen.
 TEST_F(SourceTest, AKeyMarksTheLinesThatAreSeen) {
-    showSource(paragraphs(3000));
+    showSource(numbered(3000));
     goInSource("line 5.");
     edit().repaint();
     const std::size_t before = edit().linesMarked();

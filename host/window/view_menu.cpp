@@ -18,6 +18,9 @@ ViewMenu::ViewMenu(Application& application, DocumentWindow& window, const QList
                  [&application, &window] { application.addWindow(window.shared()); });
     presentations_ = addMenu(tr("&Presentation"));
     connect(presentations_, &QMenu::aboutToShow, this, &ViewMenu::fillPresentations);
+    edit_ = new QAction(tr("&Edit This Presentation"), this);
+    edit_->setObjectName("editPresentation");
+    connect(edit_, &QAction::triggered, this, &ViewMenu::editPresentationWanted);
     addSeparator();
     menus::addTo(
         *this, "zoomIn", tr("Zoom &In"), QKeySequence("Ctrl++"), [&view] { view.zoomBy(1); },
@@ -54,6 +57,8 @@ void ViewMenu::fillPresentations() {
                            (view.presentation().isEmpty() && name == names.first()));
         group->addAction(action);
     }
+    presentations_->addSeparator();
+    presentations_->addAction(edit_);
 }
 
 } // namespace window

@@ -15,11 +15,15 @@ public:
     // Both outlive it. `parts`: the window's own, shown and hidden.
     ViewMenu(Application& application, DocumentWindow& window, const QList<QAction*>& parts);
 
+Q_SIGNALS:
+    void editPresentationWanted(); // the one that the view has
+
 private:
     void fillPresentations();
 
     DocumentWindow& window_;
     QMenu* presentations_;
+    QAction* edit_; // the one that the view has
 };
 
 } // namespace window

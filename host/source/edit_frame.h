@@ -1,0 +1,33 @@
+// A text to be typed in, and below it a line: where the caret is, and what is wrong there, or
+// elsewhere in the text.
+#pragma once
+
+#include "source/source_edit.h"
+
+#include <QLabel>
+
+namespace source {
+
+class EditFrame : public QWidget {
+    Q_OBJECT
+
+public:
+    // `name`: of the objects, NAMEText and NAMEPlace.
+    EditFrame(const QString& name, const QString& accessibleName, QWidget* parent);
+
+    [[nodiscard]] SourceEdit& edit() const { return *edit_; }
+    void setFaults(const std::vector<LineFault>& faults);
+    // What is said where nothing is wrong at the caret; "": nothing.
+    void setNote(const QString& note);
+    // The caret, with the keyboard.
+    void goTo(const text::Position& place);
+
+private:
+    void tell();
+
+    SourceEdit* edit_;
+    QLabel* place_;
+    QString note_;
+};
+
+} // namespace source
