@@ -1,6 +1,7 @@
 // The windows that are open, the documents they show, and what is remembered between runs.
 #pragma once
 
+#include "dialogs/windows_stay.h"
 #include "files/journal.h"
 #include "media/live_media.h"
 #include "window/document_window.h"
@@ -53,6 +54,7 @@ private:
     media::PipeThread pipes_;
     media::LiveMedia media_;
     std::vector<QPointer<DocumentWindow>> windows_;
+    dialogs::WindowsStay stay_;
 };
 
 } // namespace window

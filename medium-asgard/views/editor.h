@@ -4,6 +4,7 @@
 // HostLink, and opens viewers as the host asks for them.
 #pragma once
 
+#include "dialogs/windows_stay.h"
 #include "views/graphical_viewer.h"
 #include "views/language_viewer.h"
 #include "views/scene_document.h"
@@ -74,6 +75,7 @@ private:
     QList<QPointer<LanguageViewer>> language_;
     QList<QPointer<StudyWindow>> studies_;
     int graphicalCount_ = 0, languageCount_ = 0;
+    dialogs::WindowsStay stay_;
 };
 
 // The stand-alone editor: control panel, a graphical and a language viewer; `file` may be "".

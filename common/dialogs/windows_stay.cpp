@@ -1,0 +1,60 @@
+#include "dialogs/windows_stay.h"
+
+#include <QApplication>
+#include <QDialog>
+#include <QEvent>
+#include <algorithm>
+#include <utility>
+
+namespace dialogs {
+
+namespace {
+
+constexpr int pause = 20; // ms
+
+bool isQuestionOpen() {
+    return QApplication::activeModalWidget() != nullptr ||
+           QApplication::activePopupWidget() != nullptr;
+}
+
+} // namespace
+
+WindowsStay::WindowsStay() {
+    timer_.setInterval(pause);
+    connect(&timer_, &QTimer::timeout, this, &WindowsStay::release);
+    qApp->installEventFilter(this);
+}
+
+WindowsStay::~WindowsStay() {
+    for (const QPointer<QWidget>& window : waiting_)
+        delete window;
+}
+
+bool WindowsStay::eventFilter(QObject* of, QEvent* event) {
+    if (event->type() != QEvent::DeferredDelete || !of->isWidgetType())
+        return false;
+    auto* window = static_cast<QWidget*>(of);
+    if (!window->isWindow() || qobject_cast<QDialog*>(window) != nullptr || !isQuestionOpen())
+        return false;
+    if (std::ranges::find(waiting_, window, &QPointer<QWidget>::data) == waiting_.end())
+        waiting_.emplace_back(window);
+    window->hide();
+    QWidget* const question = QApplication::activeModalWidget();
+    for (const QWidget* over = question; over != nullptr; over = over->parentWidget())
+        if (over == window) {
+            question->close();
+            break;
+        }
+    timer_.start();
+    return true;
+}
+
+void WindowsStay::release() {
+    if (isQuestionOpen())
+        return;
+    timer_.stop();
+    for (const QPointer<QWidget>& window : std::exchange(waiting_, {}))
+        delete window;
+}
+
+} // namespace dialogs

@@ -1,0 +1,34 @@
+// Keeps windows while a question is open.
+//
+// A question runs an event loop of its own inside a function of some window. If that window is
+// deleted meanwhile, since its document or process has ended, the function goes on with nothing,
+// and the question, which is its child, is deleted twice. So while one object of this class exists,
+// a window that is to be deleted later (deleteLater(), WA_DeleteOnClose) waits until no question
+// and no menu is open. The question of such a window is closed, as by Escape.
+#pragma once
+
+#include <QPointer>
+#include <QTimer>
+#include <QWidget>
+
+#include <vector>
+
+namespace dialogs {
+
+class WindowsStay : public QObject {
+    Q_OBJECT
+
+public:
+    WindowsStay(); // after the QApplication
+    ~WindowsStay() override;
+
+    bool eventFilter(QObject* of, QEvent* event) override;
+
+private:
+    void release();
+
+    std::vector<QPointer<QWidget>> waiting_;
+    QTimer timer_;
+};
+
+} // namespace dialogs
