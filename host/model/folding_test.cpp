@@ -15,7 +15,7 @@ const schemas::Schemas& schemasOfTheProgram() {
     return all;
 }
 
-std::string section(const std::string& name, const std::string& inside) {
+std::string named(const std::string& name, const std::string& inside) {
     return "<SECTION ID=\"" + name + "\"><HEADING>{" + name + "}</HEADING>" + inside +
            "</SECTION>\n";
 }
@@ -36,9 +36,8 @@ std::vector<std::string> texts(const Model& model) {
 }
 
 const std::string sample =
-    paragraph("0") +
-    section("a", paragraph("1") + section("b", paragraph("2")) + section("c", "")) +
-    section("d", paragraph("3")) + paragraph("4");
+    paragraph("0") + named("a", paragraph("1") + named("b", paragraph("2")) + named("c", "")) +
+    named("d", paragraph("3")) + paragraph("4");
 
 TEST(FoldingTest, ASectionGoesToTheNextHeadingOfItsLevelAndNoFurtherThanItsElement) {
     const Model model = reportOf(sample);
@@ -98,10 +97,10 @@ TEST(FoldingTest, AFrameGoesWithWhatIsInItAndEndsWhereTheRestEnds) {
 }
 
 TEST(FoldingTest, WhatIsHiddenIsCounted) {
-    const Model model = reportOf(section(
-        "a", paragraph("1") +
-                 "<FIGURE><IMAGE FILE=\"a.png\"></IMAGE><CAPTION>{c}</CAPTION></FIGURE>" +
-                 section("b", paragraph("2") + "<TABLE><ROW><CELL>{x}</CELL></ROW></TABLE>")));
+    const Model model = reportOf(
+        named("a", paragraph("1") +
+                       "<FIGURE><IMAGE FILE=\"a.png\"></IMAGE><CAPTION>{c}</CAPTION></FIGURE>" +
+                       named("b", paragraph("2") + "<TABLE><ROW><CELL>{x}</CELL></ROW></TABLE>")));
     const std::vector<Section> sections = sectionsOf(model);
     ASSERT_EQ(sections.size(), 2u);
     const SectionCounts counts = countsOf(model, sections[0]);
