@@ -3,6 +3,8 @@
 #include "text/characters.h"
 #include "text/printable.h"
 
+#include <QStringList>
+
 namespace source {
 
 namespace {
