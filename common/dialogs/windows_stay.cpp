@@ -17,6 +17,15 @@ bool isQuestionOpen() {
            QApplication::activePopupWidget() != nullptr;
 }
 
+void closeQuestionsOf(const QWidget* window) {
+    for (QWidget* question : {QApplication::activePopupWidget(), QApplication::activeModalWidget()})
+        for (const QWidget* over = question; over != nullptr; over = over->parentWidget())
+            if (over == window) {
+                question->close();
+                break;
+            }
+}
+
 } // namespace
 
 WindowsStay::WindowsStay() {
@@ -39,17 +48,14 @@ bool WindowsStay::eventFilter(QObject* of, QEvent* event) {
     if (std::ranges::find(waiting_, window, &QPointer<QWidget>::data) == waiting_.end())
         waiting_.emplace_back(window);
     window->hide();
-    QWidget* const question = QApplication::activeModalWidget();
-    for (const QWidget* over = question; over != nullptr; over = over->parentWidget())
-        if (over == window) {
-            question->close();
-            break;
-        }
+    closeQuestionsOf(window);
     timer_.start();
     return true;
 }
 
 void WindowsStay::release() {
+    for (const QPointer<QWidget>& window : waiting_)
+        closeQuestionsOf(window);
     if (isQuestionOpen())
         return;
     timer_.stop();

@@ -4,7 +4,7 @@
 // deleted meanwhile, since its document or process has ended, the function goes on with nothing,
 // and the question, which is its child, is deleted twice. So while one object of this class exists,
 // a window that is to be deleted later (deleteLater(), WA_DeleteOnClose) waits until no question
-// and no menu is open. The question of such a window is closed, as by Escape.
+// and no menu is open. The questions and menus of such a window are closed, as by Escape.
 #pragma once
 
 #include <QPointer>

@@ -37,6 +37,7 @@ EditMenu::EditMenu(view::DocumentView& view, panes::FindBar& find, QWidget* pare
     undo_ = menus::addTo(*this, "undo", tr("&Undo"), QKeySequence::Undo, [this] { undo(); });
     redo_ =
         menus::addTo(*this, "redo", tr("&Redo"), QKeySequence("Ctrl+Shift+Z"), [this] { redo(); });
+    redo_->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
     addSeparator();
     cut_ = menus::addTo(*this, "cut", tr("Cu&t"), QKeySequence::Cut,
                         orInText(&QPlainTextEdit::cut, [this] {

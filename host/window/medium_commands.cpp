@@ -148,6 +148,7 @@ void MediumCommands::refresh() {
     for (auto medium = media_.begin(); medium != media_.end();) {
         const auto next = std::next(medium);
         if (!classes.contains(medium->first)) {
+            clearTools(); // perhaps this one's
             delete medium->second.menu;
             media_.erase(medium);
         }
@@ -196,9 +197,7 @@ void MediumCommands::showState(QAction& action, const std::string& id,
 
 void MediumCommands::build(const QString& documentClass, Medium& medium,
                            const std::vector<ipc::MenuEntry>& entries) {
-    for (QAction* action : shown_)
-        tools_.removeAction(action);
-    shown_.clear();
+    clearTools();
     medium.menu->clear();
     qDeleteAll(medium.menu->findChildren<QMenu*>(Qt::FindDirectChildrenOnly));
     medium.actions.clear();
@@ -246,6 +245,12 @@ QMenu* MediumCommands::menuOf(document::SubdocumentId id) const {
 
 // --- the tool area -----------------------------------------------------------------------------
 
+void MediumCommands::clearTools() {
+    for (QAction* action : shown_)
+        tools_.removeAction(action);
+    shown_.clear();
+}
+
 void MediumCommands::refreshTools() {
     const QString owner = toolOwner();
     std::vector<QAction*> wanted;
@@ -253,8 +258,7 @@ void MediumCommands::refreshTools() {
     if (medium != media_.end())
         wanted = medium->second.tools;
     if (wanted != shown_) {
-        for (QAction* action : shown_)
-            tools_.removeAction(action);
+        clearTools();
         for (QAction* action : wanted)
             tools_.addAction(action);
         shown_ = wanted;

@@ -49,6 +49,7 @@ private:
     void refreshMenu(const QString& documentClass, Medium& medium);
     void build(const QString& documentClass, Medium& medium,
                const std::vector<ipc::MenuEntry>& entries);
+    void clearTools(); // before their actions go
     void refreshTools();
     void refreshTime();
     void invoke(const QString& documentClass, const QString& id);

@@ -97,12 +97,20 @@ TEST_F(WindowTest, TheToolAreaBelongsToTheMediumInUse) {
     EXPECT_TRUE(waitFor([&] { return window->commands().toolOwner() == "SCRIPTED"; }));
     ASSERT_TRUE(waitFor([&] { return live(*window, 0).time().has_value(); }));
     auto* bar = window->findChild<QToolBar*>("tools");
-    EXPECT_TRUE(waitFor([&] {
-        for (const QAction* action : bar->actions())
-            if (action->text() == "Refresh")
-                return true;
-        return false;
-    }));
+    const auto hasTool = [&] {
+        return std::ranges::any_of(bar->actions(),
+                                   [](const QAction* one) { return one->text() == "Refresh"; });
+    };
+    EXPECT_TRUE(waitFor(hasTool));
+    // They go with the medium's last figure, and come back with it.
+    document::Document& document = window->document().document();
+    const std::size_t from = document.bytes().find("<PARAGRAPH>"),
+                      to = document.bytes().find("</BODY>");
+    ASSERT_EQ(document.edit({{{from, to}, ""}}, "Delete"), document::EditResult::applied);
+    EXPECT_TRUE(waitFor([&] { return !hasTool(); }));
+    EXPECT_EQ(window->commands().toolOwner(), "");
+    document.undo();
+    EXPECT_TRUE(waitFor(hasTool));
 }
 
 TEST_F(WindowTest, ThePlayBarIsOnlyUnderThePointer) {
