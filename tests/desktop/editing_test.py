@@ -129,6 +129,7 @@ class Editing(unittest.TestCase):
         until("positions have handles", lambda: self.person.action(HOST, "Asgard", "Handles", "Positions").checked)
         self.person.offered(HOST, "Asgard", "Play")  # the motion is known
         self.assertFalse(self.isModified())
+        x, y = self.ball()  # the picture may be another since it was clicked
         held = self.person.drag(HOST, (x, y), (x + 24, y - 40), key="shift")
         self.assertFalse(any(window.modified for window in held))  # not before it is let go
         changed = self.saved()
