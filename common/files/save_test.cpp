@@ -152,7 +152,7 @@ TEST(Save, TheVersionBeforeIsTheBackup) {
     EXPECT_EQ(folder.content("a.al~"), oldBytes);
     ASSERT_TRUE(saveFile(FileSystem::real(), known.path, "third", known));
     EXPECT_EQ(folder.content("a.al~"), newBytes);
-    // What is overwritten by choice is kept, too; a new file has nothing before it.
+    // A text that is overwritten by choice is kept, too; a new file has nothing before it.
     folder.put("a.al", "another's");
     ASSERT_TRUE(saveFile(FileSystem::real(), known.path, "fourth", known, {.evenChanged = true}));
     EXPECT_EQ(folder.content("a.al~"), "another's");

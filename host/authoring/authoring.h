@@ -72,9 +72,9 @@ enum class Unit { character, word }; // a character is a grapheme cluster (Unico
 // In the place of the selection. The text is plain; what the format needs is escaped here. Line
 // ends are kept in preformatted text and become blanks elsewhere.
 [[nodiscard]] Result type(const Manuscript& manuscript, Selection selection, std::string_view text);
-// What the letter that was typed before a caret makes of itself and those before it: a quote or an
-// apostrophe of its language, a dash, a minus sign, an ellipsis (typography/typed_signs.h); nothing
-// in most cases, and never in code and preformatted text.
+// The letter that was typed before a caret, and those before it, become a quote or an apostrophe of
+// their language, a dash, a minus sign, an ellipsis (typography/typed_signs.h). Nothing: they stay,
+// as in most cases, and always in code and preformatted text.
 [[nodiscard]] std::optional<Step> signTyped(const Manuscript& manuscript, std::size_t caret);
 // The selection; without one, the character or word beside the caret. At the end of a paragraph
 // the next one joins it. Going backward from the start of a list, its first item leaves it.
@@ -117,7 +117,7 @@ struct LinkAround {
 
 // --- language
 
-// What the element at a place, or one around it, has as LANG; "": none says it.
+// The LANG of the element at a place, or of the nearest one around it; "": none says it.
 [[nodiscard]] std::string languageAt(const Manuscript& manuscript, std::size_t place);
 // Of the selected letters of a line; else of the paragraphs, headings and items of the selection.
 [[nodiscard]] Result setLanguage(const Manuscript& manuscript, Selection selection,

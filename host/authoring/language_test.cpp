@@ -92,7 +92,7 @@ TEST(LanguageTest, SignsAreTypedInTheLanguageOfTheText) {
     EXPECT_EQ(Written("<P LANG=\"de\">{|}</P>").typing("\"a\"").body(), "<P LANG=\"de\">{„a“}</P>");
     EXPECT_EQ(Written("<P><T>{a }</T><T LANG=\"fr\">{|}</T></P>").typing("\"a\"").body(),
               "<P><T>{a }</T><T LANG=\"fr\">{«\u202Fa\u202F»}</T></P>");
-    // What is before it in the line counts, whatever element it is in.
+    // The letters before it in the line count, whatever element they are in.
     EXPECT_EQ(Written("<P><E>{a}</E><T>{| b}</T></P>").typing("\"").body(),
               "<P><E>{a}</E><T>{” b}</T></P>");
     EXPECT_EQ(Written("<P>{a}</P><P>{|b}</P>").typing("\"").body(), "<P>{a}</P><P>{“b}</P>");

@@ -60,7 +60,7 @@ public:
     // Asks again for all that were asked for: a round.
     void follow(Objects objects);
     [[nodiscard]] std::size_t rounds() const { return rounds_; }
-    // What has changed in later rounds than that one.
+    // The subdocuments and images whose sizes changed in later rounds than that one.
     [[nodiscard]] Changed changedSince(std::size_t round) const;
     [[nodiscard]] QSizeF subdocument(document::SubdocumentId id);
     [[nodiscard]] QSize image(const std::string& source);

@@ -22,7 +22,7 @@ public:
     [[nodiscard]] bool isOne() const { return count_ > 1 && !hasOthers_; }
     // How wide its cells must be for all its numbers together.
     [[nodiscard]] double ofCells() const;
-    // Where the points stand in cells of that width, from the left of what is in them; nothing:
+    // The place of the points in cells of that width, from the left of the room for text; nothing:
     // there is no room.
     [[nodiscard]] std::optional<double> point(double ofCells) const;
 

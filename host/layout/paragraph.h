@@ -1,6 +1,6 @@
 // Runs of a block broken into lines of a width. typography says where lines end; Qt's text layout
 // measures the words, and places and paints the letters of each line.
-// What is no letter in a line, as an image, is a blank of its width; the line grows to its height.
+// An image or a formula in a line is a blank of its width there; the line grows to its height.
 //
 // Lines are made as they are asked for. A paragraph is laid out in segments of some thousand
 // letters; what a segment's end cuts, its last line, is where the next segment begins. So the first

@@ -21,7 +21,7 @@ constexpr double leastOfLast = 2.5; // times the size of the letters, of a parag
 // size, which no one sees; then the blanks give more, up to this, and then it stays short.
 constexpr double mostApart = 0.025, mostStretch = 2;
 
-// Where a line may end.
+// A place where a line may end.
 bool isBlank(QChar letter) {
     return letter.isSpace() && letter != separator && letter.decompositionTag() != QChar::NoBreak;
 }

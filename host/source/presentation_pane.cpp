@@ -63,15 +63,7 @@ bool PresentationPane::open(const schemas::Schemas::File& file) {
             return false;
         path_ = file.path;
         draft_.emplace(file, schemas::Schemas::standardFolders().first());
-        const QString letters = shown(draft_->savedText());
-        const bool isText = spelled(letters, lineEndOf(draft_->savedText())) == draft_->savedText();
-        edit().setWhyNotWritable(
-            isText ? QString()
-                   : tr("This file is no text of UTF-8 and one kind of line end: another program "
-                        "must change it."));
-        edit().setPlainText(letters);
-        edit().document()->setModified(false);
-        tell();
+        fill();
         if (draft_->savedText() != file.text)
             present(text_); // another program has changed it
         else

@@ -66,6 +66,8 @@ public:
     // a page. And back.
     [[nodiscard]] std::pair<std::size_t, QPointF> pagePointAt(QPointF point) const;
     [[nodiscard]] QRectF inViewport(std::size_t page, const QRectF& twips) const;
+    // The first page that is seen, and the one behind the last.
+    [[nodiscard]] std::pair<std::size_t, std::size_t> seenPages() const;
     // Shows the document as it is now, where edits came that are not laid out yet.
     void settle();
     void settleSoon(); // the same, for as long as nobody notices; the rest follows

@@ -182,4 +182,11 @@ void DocumentView::paintFound(QPainter& painter, std::size_t page) const {
     }
 }
 
+std::pair<std::size_t, std::size_t> DocumentView::seenPages() const {
+    const PagePlaces places = this->places();
+    const int top = verticalScrollBar()->value();
+    return {places.firstAt(top),
+            std::min(places.endAbove(top + viewport()->height()), pages().pages.size())};
+}
+
 } // namespace view

@@ -169,11 +169,8 @@ std::vector<Folds::Mark> Folds::marks() {
     std::vector<Mark> result;
     if (view_.spread() == Spread::single || view_.pages().pages.empty())
         return result;
-    const QRectF seen = view_.viewport()->rect();
-    for (std::size_t page = view_.pagePointAt(seen.topLeft()).first;
-         page < view_.pages().pages.size() &&
-         view_.inViewport(page, {QPointF(), view_.pages().size}).top() < seen.bottom();
-         ++page)
+    const auto [first, end] = view_.seenPages();
+    for (std::size_t page = first; page < end; ++page)
         addMarks(result, page);
     return result;
 }

@@ -317,11 +317,8 @@ QRegion TextHand::region() const {
         add(*caret);
     if (!cursor_.selects())
         return result;
-    const QRectF seen = view_.viewport()->rect();
-    for (std::size_t page = view_.pagePointAt(seen.topLeft()).first;
-         page < view_.pages().pages.size() &&
-         view_.inViewport(page, {QPointF(), view_.pages().size}).top() < seen.bottom();
-         ++page)
+    const auto [first, end] = view_.seenPages();
+    for (std::size_t page = first; page < end; ++page)
         for (const QRectF& rect : selectedOn(page))
             add(view_.inViewport(page, rect));
     for (const document::SubdocumentId id : view_.visibleSubdocuments())

@@ -32,12 +32,7 @@ protected:
         action("showOutline")->trigger();
         ASSERT_TRUE(waitFor([&] { return list().topLevelItemCount() > 0; }));
     }
-    void write() {
-        window_->activateWindow();
-        view().setFocus();
-        ASSERT_TRUE(waitFor([&] { return view().hasFocus(); }));
-        action("write")->trigger();
-    }
+    void write() { writeIn(*window_); }
     view::DocumentView& view() const { return window_->view(); }
     QScrollBar& bar() const { return *view().verticalScrollBar(); }
     document::Document& document() const { return window_->document().document(); }

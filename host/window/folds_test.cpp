@@ -19,12 +19,7 @@ protected:
     void settle() {
         ASSERT_TRUE(waitFor([&] { return view().isLaidOut(); }));
     }
-    void write() {
-        window_->activateWindow();
-        view().setFocus();
-        ASSERT_TRUE(waitFor([&] { return view().hasFocus(); }));
-        action("write")->trigger();
-    }
+    void write() { writeIn(*window_); }
     view::DocumentView& view() const { return window_->view(); }
     session::FoldedPages& folds() const { return view().folds().pages(); }
     document::Document& document() const { return window_->document().document(); }

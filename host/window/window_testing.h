@@ -131,6 +131,13 @@ protected:
                           (place.topLeft() + QPointF(60, 60)).toPoint());
     }
 
+    static void writeIn(DocumentWindow& window) {
+        window.activateWindow();
+        window.view().setFocus();
+        ASSERT_TRUE(waitFor([&] { return window.view().hasFocus(); }));
+        window.findChild<QAction*>("write")->trigger();
+    }
+
     QTemporaryDir folder_;
     int files_ = 0;
     Application application_{{.initialize = 120'000,

@@ -11,11 +11,8 @@ class WritingTest : public WindowTest {
 protected:
     void write(const QByteArray& body) {
         window_ = open(memo(body));
-        view().setFocus();
         ASSERT_TRUE(waitFor([&] { return view().isLaidOut(); }));
-        window_->activateWindow();
-        ASSERT_TRUE(waitFor([&] { return view().hasFocus(); }));
-        action("write")->trigger();
+        writeIn(*window_);
         ASSERT_TRUE(view().isWriting());
     }
     view::DocumentView& view() const { return window_->view(); }

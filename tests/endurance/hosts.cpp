@@ -77,20 +77,20 @@ std::size_t anyText(Random& random, const std::string& bytes) {
 class Folder {
 public:
     Folder() {
-        if (::mkdtemp(path_) == nullptr)
+        if (::mkdtemp(path_.data()) == nullptr)
             std::exit(2);
     }
     ~Folder() { std::filesystem::remove_all(path_); }
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
 
-    [[nodiscard]] std::string file() const { return std::string(path_) + "/memo.ens"; }
+    [[nodiscard]] std::string file() const { return path_ + "/memo.ens"; }
     [[nodiscard]] std::string journal(const std::string& of = {}) const {
-        return std::string(path_) + "/unsaved" + of;
+        return path_ + "/unsaved" + of;
     }
 
 private:
-    char path_[32] = "/tmp/hosts.XXXXXX";
+    std::string path_ = (std::filesystem::temp_directory_path() / "hosts.XXXXXX").string();
 };
 
 // Memory that a host shares with the program that kills it.
