@@ -1,8 +1,8 @@
 // How often a widget is painted, and when: other windows may be painted before the events are
-// through.
+// through. An awaited paint covers `within` (where that is empty: any part of the widget).
 #pragma once
 
-#include <QEvent>
+#include <QPaintEvent>
 #include <QWidget>
 
 #include <chrono>
@@ -17,16 +17,24 @@ public:
             return false;
         of->event(event);
         last = std::chrono::steady_clock::now();
-        if (++count == awaited)
+        ++count;
+        const QRegion painted = static_cast<QPaintEvent*>(event)->region();
+        if (!came_ && (within.isEmpty() || painted.contains(within))) {
+            came_ = true;
             first = last;
+        }
         return true;
     }
     // From now on.
-    void await() { awaited = count + 1; }
-    [[nodiscard]] bool came() const { return count >= awaited; }
+    void await() { came_ = false; }
+    [[nodiscard]] bool came() const { return came_; }
 
-    int count = 0, awaited = 0;
+    QRect within;
+    int count = 0;
     std::chrono::steady_clock::time_point first, last;
+
+private:
+    bool came_ = true;
 };
 
 } // namespace bench

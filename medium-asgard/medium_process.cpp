@@ -1,5 +1,6 @@
 #include "medium_process.h"
 
+#include "charts/canvas.h"
 #include "confinement/confinement.h"
 #include "edit_mode.h"
 #include "screen/display.h"
@@ -89,6 +90,7 @@ void tieToTheHost(int argc, char** argv) {
 int serveAsMedium(script::Reader& reader) {
     std::signal(SIGPIPE, SIG_IGN);
     Windows* windows = nullptr;
+    charts::Canvas::keepFonts();
     service::Platform platform;
     platform.tools = toolsOf(reader);
     platform.version = ASGARD_VERSION;

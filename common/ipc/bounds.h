@@ -34,6 +34,8 @@ inline constexpr Count mostEntries{1000, true};     // of a menu, of a list of p
 inline constexpr Count mostDiagnostics{1000, true}; // of one text
 inline constexpr Count mostParameters{1000};
 inline constexpr Count mostExpressions{1000, false, longestExpression}; // and their values
+inline constexpr Count mostOffers{1000, true};                          // of values
+inline constexpr Count mostValueFaults{1000, false, longestSentence};
 inline constexpr Count mostCapabilities{100, false, longestName};
 inline constexpr Count mostEdits{10'000}; // of one change
 inline constexpr Count mostKeys{16};      // buttons and modifiers that are down at one time

@@ -60,6 +60,11 @@ template <class V> void describe(V& v, ParameterValue& m) {
     v.option("label", m.label, longestLabel);
     v.option("unit", m.unit, longestLabel);
 }
+template <class V> void describe(V& v, ValueOffer& m) {
+    v.field("expression", m.expression, longestExpression);
+    v.field("label", m.label, longestLabel);
+    v.option("unit", m.unit, longestLabel);
+}
 template <class V> void describe(V& v, DiagnosticItem& m) {
     v.field("severity", m.severity);
     v.field("line", m.line, natural);
@@ -91,6 +96,7 @@ template <class V> void describe(V& v, Taken& m) {
 }
 template <class V> void describe(V& v, Values& m) {
     v.numbersOrNull("values", m.values, mostExpressions);
+    v.option("faults", m.faults, mostValueFaults);
 }
 template <class V> void describe(V& v, Evaluated& m) { v.field("result", m.result, longestText); }
 template <class V> void describe(V& v, Revised& m) { v.field("revision", m.revision, natural); }
@@ -193,6 +199,7 @@ template <class V> void describe(V& v, ParameterSet& m) {
     v.field("name", m.name, longestName);
     v.field("value", m.value, anyNumber);
 }
+template <class V> void describe(V&, ValueList&) {}
 template <class V> void describe(V& v, ValueRead& m) {
     v.field("expressions", m.expressions, mostExpressions);
     v.field("time", m.time, anyNumber);
@@ -247,6 +254,7 @@ template <class V> void describe(V& v, ValueChanged& m) {
     v.field("id", m.id, natural);
     v.option("time", m.time, anyNumber);
     v.numbersOrNull("values", m.values, mostExpressions);
+    v.option("faults", m.faults, mostValueFaults);
 }
 template <class V> void describe(V& v, TimeChanged& m) {
     v.field("time", m.time, anyNumber);

@@ -121,7 +121,14 @@ struct Parameters {
     std::vector<ParameterValue> items;
 };
 struct Values {
-    std::vector<double> values; // not a number: null on the wire, not defined now
+    std::vector<double> values;        // not a number: null on the wire, not defined now
+    std::vector<std::string> faults{}; // why each is not; "" for the others; empty: none is said
+};
+struct ValueOffer { // an expression that users may mean
+    std::string expression, label, unit;
+};
+struct ValueOffers {
+    std::vector<ValueOffer> items;
 };
 struct Evaluated {
     std::string result;
@@ -131,7 +138,7 @@ struct Revised {
 };
 
 using AnyResult = std::variant<Done, Initialized, Presentations, PreferredSize, Exported, Taken,
-                               Parameters, Values, Evaluated, Revised>;
+                               Parameters, Values, ValueOffers, Evaluated, Revised>;
 
 // --- host to medium ---------------------------------------------------------------------------
 
@@ -276,6 +283,10 @@ struct ParameterSet {
     std::string name;
     double value = 0;
 };
+struct ValueList { // what users may choose from; any other expression may be asked for
+    static constexpr auto method = "value/list";
+    using Result = ValueOffers;
+};
 struct ValueRead {
     static constexpr auto method = "value/read";
     using Result = Values;
@@ -373,6 +384,7 @@ struct ValueChanged {
     Integer id = 0;
     double time = 0;
     std::vector<double> values;
+    std::vector<std::string> faults{}; // as of Values
 };
 struct TimeChanged {
     static constexpr auto method = "time/changed";
@@ -416,8 +428,8 @@ using ToMedium =
                  PresentationList, PresentationSize, PresentationExport, RenditionCreate,
                  RenditionResize, RenditionDestroy, RenditionShow, RenditionHide, RenditionAck,
                  RenditionInput, RenditionSnapshot, MenuInvoke, TimePlay, TimePause, TimeSeek,
-                 TimeRate, ParameterList, ParameterSet, ValueRead, ValueSubscribe, ValueUnsubscribe,
-                 ScriptEvaluate, ProgressCancel, Shutdown, Exit>;
+                 TimeRate, ParameterList, ParameterSet, ValueList, ValueRead, ValueSubscribe,
+                 ValueUnsubscribe, ScriptEvaluate, ProgressCancel, Shutdown, Exit>;
 
 using ToHost =
     std::variant<RenditionFrame, SubdocumentChanged, EditUndo, EditRedo, RenditionUnhandled,

@@ -90,10 +90,15 @@ std::optional<std::string> readListInto(T& message, const Json& json, const char
 }
 constexpr Count boundOf(const Presentations&) { return mostEntries; }
 constexpr Count boundOf(const Parameters&) { return mostParameters; }
+constexpr Count boundOf(const ValueOffers&) { return mostOffers; }
 std::optional<std::string> readInto(Presentations& m, const Json& json, const char* place) {
     return readListInto(m, json, place, boundOf(m));
 }
 std::optional<std::string> readInto(Parameters& m, const Json& json, const char* place) {
+    return readListInto(m, json, place, boundOf(m));
+}
+
+std::optional<std::string> readInto(ValueOffers& m, const Json& json, const char* place) {
     return readListInto(m, json, place, boundOf(m));
 }
 

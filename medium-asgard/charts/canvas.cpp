@@ -15,6 +15,24 @@ constexpr double pixelsPerPointOfPng = 2;
 
 } // namespace
 
+void Canvas::keepFonts() {
+    static const auto kept = [] {
+        std::vector<cairo_scaled_font_t*> fonts;
+        Canvas canvas(16, 16, 1);
+        const auto keep = [&] {
+            fonts.push_back(cairo_scaled_font_reference(cairo_get_scaled_font(canvas.cairo_)));
+        };
+        for (const bool bold : {false, true}) {
+            canvas.text(0, 8, "a", 8, Anchor::start, bold);
+            keep();
+        }
+        canvas.code(0, 8, "a", 8);
+        keep();
+        return fonts;
+    }();
+    (void)kept;
+}
+
 bool Canvas::knows(const std::string& file) {
     return file.ends_with(".svg") || file.ends_with(".pdf") || file.ends_with(".png");
 }
@@ -107,6 +125,14 @@ void Canvas::text(double x, double y, const std::string& text, double size, Anch
     const double width = widthOf(text, size, bold);
     const double left = anchor == Anchor::start ? 0 : anchor == Anchor::middle ? width / 2 : width;
     cairo_move_to(cairo_, x - left, y);
+    cairo_show_text(cairo_, text.c_str());
+}
+
+void Canvas::code(double x, double y, const std::string& text, double size) {
+    cairo_select_font_face(cairo_, "DejaVu Sans Mono", CAIRO_FONT_SLANT_NORMAL,
+                           CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(cairo_, size);
+    cairo_move_to(cairo_, x, y);
     cairo_show_text(cairo_, text.c_str());
 }
 

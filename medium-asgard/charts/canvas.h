@@ -30,6 +30,9 @@ public:
     Canvas(const Canvas&) = delete;
     Canvas& operator=(const Canvas&) = delete;
 
+    // Loads the letters of texts and codes for the life of the process, which opens no file for
+    // them any more: a confined one must not.
+    static void keepFonts();
     [[nodiscard]] static bool knows(const std::string& file); // by its ending
     [[nodiscard]] cairo_t* cairo() const { return cairo_; }
     // Writes the file; empty, or why it could not be written.
@@ -42,6 +45,8 @@ public:
     enum class Anchor { start, middle, end };
     void text(double x, double y, const std::string& text, double size, Anchor anchor,
               bool bold = false);
+    // In letters of one width.
+    void code(double x, double y, const std::string& text, double size);
     void textUpwards(double x, double y, const std::string& text, double size);
     [[nodiscard]] double widthOf(const std::string& text, double size, bool bold = false);
 

@@ -55,12 +55,14 @@ std::optional<render::CameraControl::Button> buttonOf(ipc::Button button) {
 bool covers(const Look& shown, const Look& wanted) {
     return shown.generation == wanted.generation && shown.time == wanted.time &&
            same(shown.camera, wanted.camera) && same(shown.display, wanted.display) &&
-           shown.handles == wanted.handles && shown.display.samples >= wanted.display.samples;
+           shown.handles == wanted.handles && shown.row == wanted.row &&
+           shown.display.samples >= wanted.display.samples;
 }
 
 void Rendition::shape(const ipc::RenditionGeometry& geometry,
                       std::array<std::shared_ptr<const MappedSlot>, 2> slots) {
     geometry_ = geometry;
+    presentation_ = presentationNamed(geometry.presentation).value_or(Presentation::picture);
     slots_ = std::move(slots);
     own_.clear();
     unacknowledged_.clear();

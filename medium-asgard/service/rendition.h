@@ -10,6 +10,7 @@
 #include "render/view.h"
 #include "service/frame_memory.h"
 #include "service/playback.h"
+#include "service/sheets.h"
 
 #include <array>
 #include <map>
@@ -17,11 +18,12 @@
 namespace service {
 
 struct Look {
-    unsigned generation = 0; // of the scene and its motion
+    unsigned generation = 0; // of the scene and its motion; of a sheet
     double time = 0;
     render::Camera camera;
     render::Display display;
     unsigned handles = 0; // generation of what a gesture makes of them
+    std::size_t row = 0;  // of a text: the first that is seen
 };
 // A picture of one look is as good as one of the other, or better: it may have more samples.
 [[nodiscard]] bool covers(const Look& shown, const Look& wanted);
@@ -35,6 +37,7 @@ public:
                std::array<std::shared_ptr<const MappedSlot>, 2> slots);
     [[nodiscard]] render::Size size() const;
     [[nodiscard]] double scale() const { return geometry_.scale; }
+    [[nodiscard]] Presentation presentation() const { return presentation_; }
 
     // --- how the user sees it
     // The scene, its motion or the picture's size changed: the view that is followed is made anew.
@@ -71,6 +74,7 @@ public:
     bool visible = false;
     Instant calmAt{}; // until then its user is moving the view
     render::Display display;
+    std::size_t row = 0; // of a text: the first that is seen
 
 private:
     [[nodiscard]] std::optional<ipc::Integer> freeSlot() const;
@@ -85,7 +89,8 @@ private:
     std::string viewName_;
     std::optional<render::SceneView> view_;
     std::optional<std::pair<unsigned, render::Size>> viewOf_; // generation and size
-    bool turned_ = false;                                     // by the user: the view is his
+    Presentation presentation_ = Presentation::picture;
+    bool turned_ = false; // by the user: the view is his
     render::CameraControl control_;
 };
 

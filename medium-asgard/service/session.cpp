@@ -15,6 +15,7 @@ constexpr milliseconds longestPause{100}; // between two frames, however long on
 constexpr milliseconds untilSpareTime{1000};
 constexpr milliseconds betweenTimes{33};        // told to a host that shows a rendition
 constexpr milliseconds betweenHiddenTimes{500}; // to one that shows none
+constexpr milliseconds betweenValues{33};
 constexpr milliseconds beforeProgress{400};
 constexpr milliseconds betweenProgress{250};
 constexpr milliseconds whileReadingSettles{250};
@@ -23,6 +24,12 @@ constexpr std::chrono::seconds longEnoughComputed{1};
 bool sameButTime(const ipc::TimeChanged& a, const ipc::TimeChanged& b) {
     return a.playing == b.playing && a.rate == b.rate && a.loop == b.loop && a.start == b.start &&
            a.finish == b.finish && a.predictable == b.predictable && a.state == b.state;
+}
+
+// Not-a-number differs from itself: what is told is compared.
+bool sameValues(const ipc::Values& a, const ipc::Values& b) {
+    const auto same = [](double x, double y) { return x == y || (x != x && y != y); };
+    return std::ranges::equal(a.values, b.values, same) && a.faults == b.faults;
 }
 
 } // namespace
@@ -62,7 +69,7 @@ void Session::attend(Instant now) {
     const Changes changes = subdocument_.update(now);
     if (changes.motion || changes.scene)
         for (auto& [id, subscription] : subscriptions_)
-            subscription.quantities.reset();
+            subscription.reader.reset();
     if (changes.diagnostics && !subdocument_.previewing())
         tellDiagnostics();
     subdocument_.playback.advance(now);
@@ -186,25 +193,19 @@ void Session::tellTime() {
 }
 
 void Session::tellValues() {
-    const auto& motion = subdocument_.motion();
-    if (!motion || channel_.congested())
+    if (!subdocument_.motion() || subscriptions_.empty() || channel_.congested())
         return;
+    if (now_ < nextValuesTold_)
+        return dueAt(nextValuesTold_);
     for (auto& [id, subscription] : subscriptions_) {
-        if (!subscription.quantities) {
-            std::vector<std::string> faults;
-            simulation::Options options;
-            options.parameters = subdocument_.parameters();
-            subscription.quantities.emplace(*subdocument_.scene(), options, motion,
-                                            subscription.expressions, faults);
-            subscription.of = motion;
-        }
-        std::vector<double> values = subscription.quantities->at(shownTime_);
-        // Not-a-number differs from itself: compare what is told.
-        const auto sameValue = [](double a, double b) { return a == b || (a != a && b != b); };
-        if (subscription.told && std::ranges::equal(values, *subscription.told, sameValue))
+        if (!subscription.reader)
+            subscription.reader.emplace(valuesOf(subscription.expressions));
+        ipc::Values now = subscription.reader->at(shownTime_);
+        if (subscription.told && sameValues(*subscription.told, now))
             continue;
-        channel_.notify(ipc::ValueChanged{id, shownTime_, values});
-        subscription.told = std::move(values);
+        channel_.notify(ipc::ValueChanged{id, shownTime_, now.values, now.faults});
+        subscription.told = std::move(now);
+        nextValuesTold_ = now_ + betweenValues;
     }
 }
 
@@ -269,6 +270,13 @@ const scene::Scene& Session::drawnScene() const {
 
 Look Session::lookOf(Rendition& rendition) const {
     Look look;
+    if (rendition.presentation() != Presentation::picture) {
+        const SheetLook sheet = sheets_.lookOf(rendition.presentation(), shownTime_, rendition.row);
+        look.generation = sheet.generation;
+        look.time = sheet.time;
+        look.row = sheet.row;
+        return look;
+    }
     look.generation = subdocument_.generation();
     look.time = shownTime_;
     look.display = rendition.display;
@@ -293,12 +301,13 @@ render::Drawing Session::drawingOf(const Look& look) const {
 void Session::drawOwed() {
     const bool nothingYet =
         !subdocument_.scene() && (subdocument_.computing() || !subdocument_.readAt());
-    if (!platform_.draw || nothingYet || channel_.congested())
+    if (nothingYet || channel_.congested())
         return;
     const Instant begin = Clock::now();
     bool drawn = false;
     for (auto& [id, rendition] : renditions_) {
-        if (!rendition.visible)
+        if (!rendition.visible ||
+            (!platform_.draw && rendition.presentation() == Presentation::picture))
             continue;
         rendition.see(drawnScene(), subdocument_.motion(), subdocument_.viewGeneration());
         const Look look = lookOf(rendition);
@@ -331,6 +340,13 @@ void Session::useSpareTime() {
 
 bool Session::draw(Rendition& rendition, const Look& look) {
     Rendition::Frame frame = rendition.begin(look);
+    if (rendition.presentation() != Presentation::picture) {
+        sheets_.draw(rendition.presentation(), {look.generation, look.time, look.row},
+                     rendition.scale(), frame.into);
+        frame.message.time = shownTime_;
+        send(rendition, frame);
+        return true;
+    }
     render::Drawing drawing = drawingOf(look);
     if (subdocument_.scene())
         drawing.handles = handles_.handles(subdocument_.scene(), drawing);
@@ -341,10 +357,14 @@ bool Session::draw(Rendition& rendition, const Look& look) {
         terminal::complain("asgard: " + platform_.noPictures);
         return false;
     }
+    send(rendition, frame);
+    return true;
+}
+
+void Session::send(const Rendition& rendition, Rendition::Frame& frame) {
     if (!rendition.sharesMemory())
         frame.message.pixels = ipc::toBase64(frame.into.pixels);
     channel_.notify(frame.message);
-    return true;
 }
 
 } // namespace service

@@ -16,6 +16,7 @@
 #include "service/menu.h"
 #include "service/rendition.h"
 #include "service/subdocument.h"
+#include "service/value_reader.h"
 
 namespace service {
 
@@ -61,9 +62,8 @@ private:
     template <class Result> using Reply = ipc::Outcome<Result>;
     struct Subscription {
         std::vector<std::string> expressions;
-        std::optional<simulation::Quantities> quantities;
-        simulation::MotionPointer of; // the motion that they read
-        std::optional<std::vector<double>> told;
+        std::optional<ValueReader> reader; // of the motion as it is
+        std::optional<ipc::Values> told;
     };
     // A request that is answered when the motion is known far enough.
     struct Waiting {
@@ -89,6 +89,7 @@ private:
     Reply<ipc::Done> serve(const ipc::TimeSeek& call);
     Reply<ipc::Done> serve(const ipc::TimeRate& call);
     Reply<ipc::Parameters> serve(const ipc::ParameterList&);
+    Reply<ipc::ValueOffers> serve(const ipc::ValueList&);
     void serve(const ipc::Id& id, const ipc::ValueRead& call);
     Reply<ipc::Done> serve(const ipc::ValueSubscribe& call);
     Reply<ipc::Done> serve(const ipc::ValueUnsubscribe& call);
@@ -113,7 +114,11 @@ private:
 
     std::optional<std::string> shape(Rendition& rendition, const ipc::RenditionGeometry& geometry);
     Reply<ipc::Taken> take(const ipc::RenditionSnapshot& call);
-    std::optional<ipc::Error> noPicture(ipc::Integer width, ipc::Integer height) const;
+    [[nodiscard]] render::Drawing printed(const ipc::RenditionSnapshot& call, double time,
+                                          render::Size size);
+    std::optional<ipc::Error> noPicture(Presentation of, ipc::Integer width,
+                                        ipc::Integer height) const;
+    void inputToSheet(Rendition& rendition, const ipc::Input& input);
     [[nodiscard]] static bool usesKey(const std::string& name);
     bool key(const std::string& name); // true: used
     void step(double pictures);
@@ -122,8 +127,9 @@ private:
 
     // --- session_commands.cpp: script/evaluate
     Reply<ipc::Evaluated> evaluate(const std::string& script);
-    Reply<std::vector<double>> values(const std::vector<std::string>& expressions,
-                                      std::optional<double> time) const;
+    Reply<ipc::Values> values(const std::vector<std::string>& expressions,
+                              std::optional<double> time) const;
+    [[nodiscard]] ValueReader valuesOf(const std::vector<std::string>& expressions) const;
 
     // --- session.cpp: what is told and drawn
     [[nodiscard]] bool settled(Instant now) const;
@@ -144,6 +150,7 @@ private:
     [[nodiscard]] Look lookOf(Rendition& rendition) const;
     [[nodiscard]] render::Drawing drawingOf(const Look& look) const;
     bool draw(Rendition& rendition, const Look& look);
+    void send(const Rendition& rendition, Rendition::Frame& frame);
     [[nodiscard]] const scene::Scene& drawnScene() const;
     // Something is due then, if nothing happens before.
     void dueAt(Instant instant);
@@ -158,6 +165,7 @@ private:
     Platform platform_;
     ipc::MediumChannel& channel_;
     Subdocument subdocument_;
+    Sheets sheets_{subdocument_};
     std::string title_; // what the host calls it
     std::optional<ipc::Mode> mode_;
     bool drafts_ = false; // in windows
@@ -180,7 +188,7 @@ private:
     Instant nextFrame_{}; // no picture is drawn before
     Clock::duration frameCost_{};
     std::optional<ipc::TimeChanged> toldTime_;
-    Instant nextTimeTold_{};
+    Instant nextTimeTold_{}, nextValuesTold_{};
     std::optional<MenuState> toldMenu_;
     std::optional<ipc::Diagnostics> toldDiagnostics_;
     std::optional<ipc::Integer> progress_; // token of what was begun

@@ -1,3 +1,4 @@
+#include "service/offered_values.h"
 #include "service/preferred_size.h"
 #include "service/session.h"
 
@@ -20,9 +21,8 @@ ipc::Error faulty(std::string sentence) {
     return {ipc::ErrorCode::invalidParameters, std::move(sentence)};
 }
 
-bool knownPresentation(const std::string& id) { return id.empty() || id == "picture"; }
-
-const ipc::Error unknownPresentation = faulty("there is only the presentation \"picture\"");
+const ipc::Error unknownPresentation =
+    faulty("there are the presentations \"picture\", \"chart\" and \"text\"");
 const ipc::Error unknownRendition = faulty("there is no such rendition");
 
 } // namespace
@@ -96,20 +96,23 @@ void Session::hear(const ipc::SessionRestore& call) {
 }
 
 auto Session::serve(const ipc::PresentationList&) -> Reply<ipc::Presentations> {
-    return ipc::Presentations{{{"picture", "Picture"}}};
+    return presentations();
 }
 
 void Session::serve(const ipc::Id& id, const ipc::PresentationSize& call) {
-    if (!knownPresentation(call.presentation))
+    const auto presentation = presentationNamed(call.presentation);
+    if (!presentation)
         return channel_.refuse(id, unknownPresentation);
     if (waiting_.size() >= mostWaiting)
         return channel_.refuse(id, notPossible("too many requests wait for the motion"));
+    const auto size = [this, call, presentation] {
+        if (presentation != Presentation::picture)
+            return sheets_.preferredSize(*presentation, call.availableWidth, call.availableHeight);
+        return preferredSize(subdocument_.scene().get(), subdocument_.motion(), call.availableWidth,
+                             call.availableHeight);
+    };
     waiting_.push_back({[this](Instant now) { return settled(now); },
-                        [this, id, call] {
-                            channel_.answer(
-                                id, preferredSize(subdocument_.scene().get(), subdocument_.motion(),
-                                                  call.availableWidth, call.availableHeight));
-                        }});
+                        [this, id, size] { channel_.answer(id, size()); }});
 }
 
 auto Session::serve(const ipc::PresentationExport& call) -> Reply<ipc::Exported> {
@@ -118,8 +121,9 @@ auto Session::serve(const ipc::PresentationExport& call) -> Reply<ipc::Exported>
 
 // --- renditions -------------------------------------------------------------------------------
 
-std::optional<ipc::Error> Session::noPicture(ipc::Integer width, ipc::Integer height) const {
-    if (!platform_.draw)
+std::optional<ipc::Error> Session::noPicture(Presentation of, ipc::Integer width,
+                                             ipc::Integer height) const {
+    if (!platform_.draw && of == Presentation::picture)
         return notPossible(platform_.noPictures);
     if (std::max(width, height) > platform_.maximumSize)
         return notPossible("a picture is at most " + std::to_string(platform_.maximumSize) +
@@ -145,9 +149,10 @@ std::optional<std::string> Session::shape(Rendition& rendition,
 }
 
 auto Session::serve(const ipc::RenditionCreate& call) -> Reply<ipc::Done> {
-    if (!knownPresentation(call.presentation))
+    const auto presentation = presentationNamed(call.presentation);
+    if (!presentation)
         return unknownPresentation;
-    if (const auto error = noPicture(call.width, call.height))
+    if (const auto error = noPicture(*presentation, call.width, call.height))
         return *error;
     if (renditions_.contains(call.rendition))
         return faulty("there is a rendition of that number already");
@@ -167,7 +172,10 @@ auto Session::serve(const ipc::RenditionResize& call) -> Reply<ipc::Done> {
     const auto found = renditions_.find(call.rendition);
     if (found == renditions_.end())
         return unknownRendition;
-    if (const auto error = noPicture(call.width, call.height))
+    const auto presentation = presentationNamed(call.presentation);
+    if (!presentation)
+        return unknownPresentation;
+    if (const auto error = noPicture(*presentation, call.width, call.height))
         return *error;
     if (const auto sentence = shape(found->second, call))
         return faulty(*sentence);
@@ -183,7 +191,7 @@ auto Session::serve(const ipc::RenditionDestroy& call) -> Reply<ipc::Done> {
 }
 
 void Session::serve(const ipc::Id& id, const ipc::RenditionSnapshot& call) {
-    if (!knownPresentation(call.presentation))
+    if (!presentationNamed(call.presentation))
         return channel_.refuse(id, unknownPresentation);
     if (waiting_.size() >= mostWaiting)
         return channel_.refuse(id, notPossible("too many requests wait for the motion"));
@@ -192,34 +200,41 @@ void Session::serve(const ipc::Id& id, const ipc::RenditionSnapshot& call) {
                         [this, id, call] { reply(id, take(call)); }});
 }
 
-auto Session::take(const ipc::RenditionSnapshot& call) -> Reply<ipc::Taken> {
-    if (const auto error = noPicture(call.width, call.height))
-        return *error;
+// How the scene is seen in a snapshot, at that time.
+render::Drawing Session::printed(const ipc::RenditionSnapshot& call, double time,
+                                 render::Size size) {
     const ScenePointer scene = subdocument_.scene();
-    if (!scene) {
+    render::Drawing drawing;
+    drawing.scene = scene.get();
+    drawing.motion = subdocument_.motion();
+    drawing.time = time;
+    const auto seen = call.rendition ? renditions_.find(*call.rendition) : renditions_.end();
+    if (seen != renditions_.end()) {
+        seen->second.see(*scene, subdocument_.motion(), subdocument_.viewGeneration());
+        drawing.camera = seen->second.camera(time);
+        drawing.display = seen->second.display;
+    } else {
+        drawing.camera = render::cameraOf(*scene, subdocument_.motion(), "", time, size);
+        drawing.display = display_;
+    }
+    drawing.display.samples = printedSamples;
+    return drawing;
+}
+
+auto Session::take(const ipc::RenditionSnapshot& call) -> Reply<ipc::Taken> {
+    const Presentation presentation = *presentationNamed(call.presentation);
+    if (const auto error = noPicture(presentation, call.width, call.height))
+        return *error;
+    if (!subdocument_.scene() && presentation != Presentation::text) {
         const auto faults = subdocument_.diagnostics();
         return notPossible(faults.empty() ? "no scene was loaded" : faults.front().message);
     }
     const auto& span = subdocument_.playback.span();
-    render::Drawing drawing;
-    drawing.scene = scene.get();
-    drawing.motion = subdocument_.motion();
-    drawing.time =
-        std::clamp(call.time.value_or(shownTime_), span.start, std::max(span.start, span.computed));
+    ipc::Taken taken{
+        std::clamp(call.time.value_or(shownTime_), span.start, std::max(span.start, span.computed)),
+        std::nullopt};
     render::Image image;
     image.size = {static_cast<int>(call.width), static_cast<int>(call.height)};
-    const auto seen = call.rendition ? renditions_.find(*call.rendition) : renditions_.end();
-    if (seen != renditions_.end()) {
-        seen->second.see(*scene, subdocument_.motion(), subdocument_.viewGeneration());
-        drawing.camera = seen->second.camera(drawing.time);
-        drawing.display = seen->second.display;
-    } else {
-        drawing.camera =
-            render::cameraOf(*scene, subdocument_.motion(), "", drawing.time, image.size);
-        drawing.display = display_;
-    }
-    drawing.display.samples = printedSamples;
-    ipc::Taken taken{drawing.time, std::nullopt};
     std::shared_ptr<const MappedSlot> slot;
     std::vector<std::byte> own;
     if (memory_ && call.offset && call.stride) {
@@ -234,7 +249,9 @@ auto Session::take(const ipc::RenditionSnapshot& call) -> Reply<ipc::Taken> {
         own.resize(image.stride * static_cast<std::size_t>(call.height));
         image.pixels = own;
     }
-    if (!platform_.draw(drawing, image))
+    if (presentation != Presentation::picture)
+        sheets_.draw(presentation, sheets_.lookOf(presentation, taken.time, 0), call.scale, image);
+    else if (!platform_.draw(printed(call, taken.time, image.size), image))
         return notPossible("the graphics driver lost its state");
     if (!slot)
         taken.pixels = ipc::toBase64(own);
@@ -271,6 +288,8 @@ void Session::hear(const ipc::RenditionInput& call) {
     if (found == renditions_.end())
         return;
     Rendition& rendition = found->second;
+    if (rendition.presentation() != Presentation::picture)
+        return inputToSheet(rendition, call);
     if (call.type == ipc::InputType::focusIn)
         tellHint(rendition);
     if (edit(rendition, call))
@@ -281,6 +300,25 @@ void Session::hear(const ipc::RenditionInput& call) {
     if (rendition.beingTurned() != before)
         channel_.notify(ipc::RenditionCursor{call.rendition, before ? ipc::CursorShape::arrow
                                                                     : ipc::CursorShape::grabbing});
+}
+
+// The wheel moves a text; a button that is down on a chart takes time there.
+void Session::inputToSheet(Rendition& rendition, const ipc::Input& input) {
+    using ipc::InputType;
+    const bool isText = rendition.presentation() == Presentation::text;
+    constexpr double rowsOfANotch = 3;
+    if (isText && input.type == InputType::wheel)
+        rendition.row = sheets_.scrolled(rendition.row, -rowsOfANotch * input.dy, rendition.size(),
+                                         rendition.scale());
+    const bool isHeld =
+        input.type == InputType::press
+            ? input.button == ipc::Button::left
+            : input.type == InputType::move &&
+                  std::ranges::find(input.buttons, ipc::Button::left) != input.buttons.end();
+    if (isText || !isHeld)
+        return;
+    subdocument_.playback.seek(sheets_.timeAt(input.x, rendition.size(), rendition.scale()), now_);
+    calmAt_ = now_ + settling;
 }
 
 // --- time -------------------------------------------------------------------------------------
@@ -406,6 +444,11 @@ void Session::hear(const ipc::ParameterSet& call) {
     subdocument_.setParameter(call.name, call.value, now_);
 }
 
+auto Session::serve(const ipc::ValueList&) -> Reply<ipc::ValueOffers> {
+    return subdocument_.newestScene() ? offeredValues(*subdocument_.newestScene())
+                                      : ipc::ValueOffers{};
+}
+
 void Session::serve(const ipc::Id& id, const ipc::ValueRead& call) {
     if (waiting_.size() >= mostWaiting)
         return channel_.refuse(id, notPossible("too many requests wait for the motion"));
@@ -416,8 +459,7 @@ void Session::serve(const ipc::Id& id, const ipc::ValueRead& call) {
                             if (const auto* error = std::get_if<ipc::Error>(&read))
                                 channel_.refuse(id, *error);
                             else
-                                channel_.answer(id,
-                                                ipc::Values{std::get<std::vector<double>>(read)});
+                                channel_.answer(id, std::get<ipc::Values>(std::move(read)));
                         }});
 }
 
@@ -425,7 +467,8 @@ auto Session::serve(const ipc::ValueSubscribe& call) -> Reply<ipc::Done> {
     if (subscriptions_.size() >= mostSubscriptions)
         return notPossible("there are " + std::to_string(mostSubscriptions) +
                            " subscriptions already");
-    subscriptions_[call.id] = Subscription{call.expressions, std::nullopt, nullptr, std::nullopt};
+    subscriptions_[call.id] = Subscription{call.expressions, std::nullopt, std::nullopt};
+    nextValuesTold_ = now_;
     return ipc::Done{};
 }
 

@@ -38,6 +38,12 @@ std::string written(double value) {
     return text;
 }
 
+std::string shown(double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
 const char* inWords(ipc::MotionState state) {
     switch (state) {
     case ipc::MotionState::current:
@@ -100,7 +106,10 @@ auto Session::evaluate(const std::string& script) -> Reply<ipc::Evaluated> {
         const auto read = values({command.argument}, std::nullopt);
         if (const auto* fault = std::get_if<ipc::Error>(&read))
             return *fault;
-        return ipc::Evaluated{written(std::get<std::vector<double>>(read).at(0))};
+        const auto& of = std::get<ipc::Values>(read);
+        if (!of.faults.empty())
+            return error(of.faults.front());
+        return ipc::Evaluated{written(of.values.at(0))};
     }
     if (command.name == "view") {
         if (command.argument.empty())
@@ -123,18 +132,24 @@ auto Session::evaluate(const std::string& script) -> Reply<ipc::Evaluated> {
 }
 
 auto Session::values(const std::vector<std::string>& expressions, std::optional<double> time) const
-    -> Reply<std::vector<double>> {
+    -> Reply<ipc::Values> {
     const auto& motion = subdocument_.motion();
     if (!motion)
         return error("there is no motion to read values from");
-    std::vector<std::string> faults;
+    if (!subdocument_.computing() && !subdocument_.upToDate())
+        return error("the text is faulty: its last values are those of an older text");
+    const ValueReader reader = valuesOf(expressions);
+    const double at = time.value_or(subdocument_.playback.time(now_));
+    if (at >= motion->start() && at <= motion->computed())
+        return reader.at(at);
+    return reader.none("there is no motion at " + shown(at) + " s: it is known from " +
+                       shown(motion->start()) + " s to " + shown(motion->computed()) + " s");
+}
+
+ValueReader Session::valuesOf(const std::vector<std::string>& expressions) const {
     simulation::Options options;
     options.parameters = subdocument_.parameters();
-    const simulation::Quantities quantities(*subdocument_.scene(), options, motion, expressions,
-                                            faults);
-    if (!faults.empty())
-        return error(faults.front());
-    return quantities.at(time.value_or(subdocument_.playback.time(now_)));
+    return {*subdocument_.scene(), options, subdocument_.motion(), expressions};
 }
 
 } // namespace service

@@ -46,7 +46,7 @@ private:
     std::vector<std::string> notes_;
 };
 
-// Texts: "faulty" makes no scene, "p" has a parameter p, all others have one body.
+// Texts: "faulty" makes no scene, "p" has a parameter p, all but "empty" have one body.
 // A motion of 10 s is computed up to what allow() said, and ends there when `ends`.
 class World {
 public:
@@ -81,6 +81,8 @@ private:
         if (text == "p")
             result.scene.parameters.push_back({"p", 1, 0, 2, "", "", {}});
         result.scene.simulator.finish = 10;
+        if (text == "empty")
+            return result;
         result.scene.bodies.emplace_back().name = "b";
         result.scene.bodies.back().source.line = 3;
         return result;
@@ -138,6 +140,8 @@ protected:
             diagnostics = *d;
         else if (auto* frame = std::get_if<ipc::RenditionFrame>(&call))
             frames.push_back(*frame);
+        else if (auto* values = std::get_if<ipc::ValueChanged>(&call))
+            valueReports.push_back(*values);
         else if (auto* state = std::get_if<ipc::RenditionState>(&call))
             states.push_back(state->state);
         else if (std::holds_alternative<ipc::ProgressBegin>(call))
@@ -162,6 +166,19 @@ protected:
             answers.push_back(std::string(R::method) + (error ? ": " + error->message : ""));
         });
         exchange();
+    }
+
+    ipc::Values values(std::vector<std::string> expressions, double time) {
+        ipc::Values read;
+        host.request(ipc::ValueRead{std::move(expressions), time},
+                     [&](ipc::Outcome<ipc::Values> outcome) {
+                         if (const auto* error = std::get_if<ipc::Error>(&outcome))
+                             answers.push_back(error->message);
+                         else
+                             read = std::get<ipc::Values>(outcome);
+                     });
+        exchange();
+        return read;
     }
 
     void load(const std::string& text, ipc::Integer revision = 1) {
@@ -195,6 +212,7 @@ protected:
     std::optional<ipc::TimeChanged> told;
     std::optional<ipc::Diagnostics> diagnostics;
     std::vector<ipc::RenditionFrame> frames;
+    std::vector<ipc::ValueChanged> valueReports;
     std::vector<std::string> answers, progress, states;
     std::vector<ipc::Asked<ipc::ToHost>> asked;
 };
@@ -287,6 +305,38 @@ TEST_F(SessionTest, ProgressIsToldOnlyOfWhatTakesLongAndCanBeCancelled) {
     until([&] { return told->state == ipc::MotionState::failed; });
     EXPECT_THAT(progress, ElementsAre("begin", "end"));
     EXPECT_EQ(told->computed, 1); // what there was is kept
+}
+
+TEST_F(SessionTest, ValuesAreReadWithASentenceForEachThatHasNone) {
+    load("empty");
+    computedTo(10);
+    until([&] { return told->state == ipc::MotionState::current; });
+    const ipc::Values read = values({"2*t", "c.x"}, 1.0);
+    // This motion has no state to read. Faulty expressions: tests/medium.
+    EXPECT_THAT(read.faults,
+                ElementsAre("it has no value at this time", "it has no value at this time"));
+    EXPECT_THAT(values({"2*t"}, 11.0).faults,
+                ElementsAre("there is no motion at 11 s: it is known from 0 s to 10 s"));
+    // Those of a faulty text are not told as its own.
+    load("faulty", 2);
+    until([&] { return told->state == ipc::MotionState::stale; });
+    answers.clear();
+    (void)values({"2*t"}, 1.0);
+    EXPECT_THAT(answers, ElementsAre(HasSubstr("the text is faulty")));
+}
+
+TEST_F(SessionTest, ValuesOfASubscriptionAreToldAtOnceAndWhenTheyChange) {
+    load("empty");
+    computedTo(10);
+    until([&] { return told->state == ipc::MotionState::current; });
+    ask(ipc::ValueSubscribe{7, {"c.x"}});
+    ASSERT_THAT(valueReports, testing::SizeIs(1));
+    EXPECT_EQ(valueReports[0].id, 7);
+    EXPECT_THAT(valueReports[0].faults, ElementsAre("it has no value at this time"));
+    ask(ipc::ValueSubscribe{8, {"d.x"}}); // told at once
+    ASSERT_THAT(valueReports, testing::SizeIs(2));
+    ask(ipc::TimeSeek{5}); // nothing of them is another one
+    EXPECT_THAT(valueReports, testing::SizeIs(2));
 }
 
 TEST_F(SessionTest, AMotionThatStoppedIsSaidAtItsBody) {

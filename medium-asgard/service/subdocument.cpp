@@ -86,6 +86,7 @@ void Subdocument::recompute(Instant now) { start(now); }
 
 void Subdocument::start(Instant now) {
     worker_.start(shownText(), parameters_);
+    ++textGeneration_;
     started_ = now;
     read_.reset();
     awaited_ = {};
@@ -125,6 +126,7 @@ Changes Subdocument::update(Instant now) {
         if (!refusal_.empty())
             awaited_ = {};
     }
+    textGeneration_ += changes.diagnostics ? 1 : 0;
     if (awaited_.scene && takeOverNow(now)) {
         takeOver(now);
         changes.scene = changes.motion = true;

@@ -60,6 +60,8 @@ public:
     }
     // A number that grows whenever pictures of the same time may differ.
     [[nodiscard]] unsigned generation() const { return generation_; }
+    // One that grows whenever the shown text or its faults may be others.
+    [[nodiscard]] unsigned textGeneration() const { return textGeneration_; }
     // One that grows whenever the scene should be framed anew: for a new scene and a whole motion.
     [[nodiscard]] unsigned viewGeneration() const { return viewGeneration_; }
 
@@ -104,7 +106,7 @@ private:
     bool cancelled_ = false; // its motion was not finished because someone said so
     Instant started_{};
     std::optional<Instant> read_;
-    unsigned generation_ = 0, viewGeneration_ = 0;
+    unsigned generation_ = 0, viewGeneration_ = 0, textGeneration_ = 0;
 };
 
 } // namespace service

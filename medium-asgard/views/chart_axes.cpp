@@ -1,6 +1,6 @@
 #include "views/chart_axes.h"
 
-#include "views/scale.h"
+#include "charts/scale.h"
 
 #include <QFontMetricsF>
 #include <QPainter>
@@ -26,27 +26,30 @@ void paintAxes(QPainter& painter, const ChartAxes& axes, const QPalette& palette
         painter.drawText(at, label);
     };
     const double span = axes.to - axes.from, height = axes.high - axes.low;
-    for (const double time : multiplesOf(roundStep(span * 70 / a.width()), axes.from, axes.to)) {
+    for (const double time :
+         charts::multiplesOf(charts::roundStep(span * 70 / a.width()), axes.from, axes.to)) {
         const double x = axes.place(time, axes.low).x();
         setLine(false);
         painter.drawLine(QPointF(x, a.top()), QPointF(x, a.bottom()));
         const QString label = QString::number(time, 'g', 6);
         write({x - metrics.horizontalAdvance(label) / 2, a.bottom() + 4 + metrics.ascent()}, label);
     }
-    const double step = roundStep(height * 30 / a.height());
+    const double step = charts::roundStep(height * 30 / a.height());
     // Values that differ in their last digits only are written by what they are above a round one.
     constexpr int widest = 8; // digits
     const double size = std::max(std::abs(axes.low), std::abs(axes.high));
-    const double round = 10 * roundStep(height);
-    const double base = digitsFor(size, step) > widest ? std::floor(axes.low / round) * round : 0;
+    const double round = 10 * charts::roundStep(height);
+    const double base =
+        charts::digitsFor(size, step) > widest ? std::floor(axes.low / round) * round : 0;
     if (base != 0)
-        write({2, a.top() - 4}, QString::number(base, 'g', digitsFor(base, round)) + " +");
-    for (const double value : multiplesOf(step, axes.low, axes.high)) {
+        write({2, a.top() - 4}, QString::number(base, 'g', charts::digitsFor(base, round)) + " +");
+    for (const double value : charts::multiplesOf(step, axes.low, axes.high)) {
         const double y = axes.place(axes.from, value).y();
         setLine(value == 0);
         painter.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));
         const double above = std::abs(value - base) < step / 2 ? 0 : value - base;
-        const QString label = QString::number(above, 'g', base != 0 ? 4 : digitsFor(value, step));
+        const QString label =
+            QString::number(above, 'g', base != 0 ? 4 : charts::digitsFor(value, step));
         write({a.left() - 6 - metrics.horizontalAdvance(label), y + metrics.ascent() / 2 - 1},
               label);
     }

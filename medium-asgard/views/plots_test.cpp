@@ -35,14 +35,14 @@ TEST_F(PlotsTest, EachQuantityIsACurveOverTheWholeMotion) {
     show(flying);
     PlotsWindow* window = editor.openPlots();
     ASSERT_TRUE(waitFor([&] {
-        return window->charts().size() == 1 && !window->charts()[0]->samples().times.empty();
+        return window->charts().size() == 1 && !window->charts()[0]->plot().times.empty();
     }));
-    const PlotSamples& samples = window->charts()[0]->samples();
-    EXPECT_EQ(samples.title, "Flight");
-    EXPECT_EQ(samples.curves[0].label, "way");
-    EXPECT_EQ(samples.times.back(), 2);
-    EXPECT_NEAR(samples.curves[0].values.back(), 1 + 3 * 2, 1e-12);
-    EXPECT_NEAR(samples.curves[1].values.front(), 6, 1e-12);
+    const charts::Plot& plot = window->charts()[0]->plot();
+    EXPECT_EQ(plot.title, "Flight");
+    EXPECT_EQ(plot.curves[0].label, "way");
+    EXPECT_EQ(plot.times.back(), 2);
+    EXPECT_NEAR(plot.curves[0].values.back(), 1 + 3 * 2, 1e-12);
+    EXPECT_NEAR(plot.curves[1].values.front(), 6, 1e-12);
     PlotChart& chart = *window->charts()[0];
     EXPECT_EQ(chart.readingAt(chart.placeOf(1, 4)), "t = 1 s   way = 4   height = 6");
     EXPECT_EQ(chart.readingAt(QPointF(0, 0)), "");
@@ -53,7 +53,7 @@ TEST_F(PlotsTest, EachQuantityIsACurveOverTheWholeMotion) {
     show(slower.toStdString());
     ASSERT_TRUE(waitFor([&] {
         return window->charts().size() == 1 &&
-               window->charts()[0]->samples().curves[0].values.back() == -1;
+               window->charts()[0]->plot().curves[0].values.back() == -1;
     }));
     EXPECT_NE(window->charts()[0]->grab().toImage(), before);
 }
@@ -79,12 +79,12 @@ TEST_F(PlotsTest, WhatCannotBeReadSaysWhyAndWithoutPlotsNothingIsLeft) {
     EXPECT_TRUE(waitFor([&] { return window->charts().empty(); }));
     PlotChart chart;
     chart.resize(400, 200);
-    PlotSamples samples;
-    samples.title = "p";
-    chart.setSamples(samples, 0, 1);
+    charts::Plot plot;
+    plot.title = "p";
+    chart.setPlot(plot, 0, 1);
     const QImage empty = chart.grab().toImage();
-    samples.fault = "There is no body a.";
-    chart.setSamples(samples, 0, 1);
+    plot.fault = "There is no body a.";
+    chart.setPlot(plot, 0, 1);
     EXPECT_NE(chart.grab().toImage(), empty);
     EXPECT_EQ(chart.readingAt(chart.placeOf(0.5, 0)), "");
 }

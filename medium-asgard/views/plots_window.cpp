@@ -2,7 +2,6 @@
 
 #include "plain/plain.h"
 #include "views/manual.h"
-#include "views/plot_colors.h"
 #include "views/session_actions.h"
 #include "views/undo_actions.h"
 
@@ -13,31 +12,6 @@
 #include <utility>
 
 namespace views {
-
-namespace {
-
-constexpr int intervals = 600; // more than a chart has pixels for each
-
-QString listed(const std::vector<std::string>& sentences) {
-    QString text;
-    for (const std::string& one : sentences)
-        text += (text.isEmpty() ? "" : "\n") + QString::fromStdString(one);
-    return text;
-}
-
-PlotSamples namedOnly(const scene::Scene& scene, const scene::Plot& plot) {
-    PlotSamples samples;
-    samples.title = QString::fromStdString(plot.title.empty() ? plot.name : plot.title);
-    for (std::size_t i = 0; i < plot.values.size(); ++i)
-        samples.curves.push_back(
-            {QString::fromStdString(i < plot.labels.size() ? plot.labels[i] : plot.values[i]),
-             {},
-             {}});
-    colorCurves(scene, plot, samples.curves);
-    return samples;
-}
-
-} // namespace
 
 PlotsWindow::PlotsWindow(SceneDocument& document) : document_(document) {
     setAttribute(Qt::WA_DeleteOnClose);
@@ -72,30 +46,6 @@ PlotsWindow::PlotsWindow(SceneDocument& document) : document_(document) {
     ask();
 }
 
-// None: something newer is asked for, or nothing any more.
-std::optional<PlotSamples> PlotsWindow::samplesOf(const Shown& shown,
-                                                  const scene::Plot& plot) const {
-    PlotSamples samples = namedOnly(*shown.scene, plot);
-    if (!shown.motion)
-        return samples;
-    std::vector<std::string> faults;
-    const simulation::Quantities quantities(*shown.scene, {}, shown.motion, plot.values, faults);
-    samples.fault = listed(faults);
-    if (!faults.empty())
-        return samples;
-    const double start = shown.motion->start(), length = shown.motion->computed() - start;
-    for (int i = 0; i <= intervals; ++i) {
-        if (isOvertaken())
-            return std::nullopt;
-        const double time = start + length * i / intervals;
-        const std::vector<double> values = quantities.at(time);
-        samples.times.push_back(time);
-        for (std::size_t k = 0; k < values.size() && k < samples.curves.size(); ++k)
-            samples.curves[k].values.push_back(values[k]);
-    }
-    return samples;
-}
-
 PlotsWindow::~PlotsWindow() {
     overtaken_ = true;
     {
@@ -127,9 +77,9 @@ void PlotsWindow::makeCharts() {
     while (charts_.size() < scene.plots.size()) {
         charts_.push_back(new PlotChart);
         column_->addWidget(charts_.back(), 1);
-        PlotSamples soon = namedOnly(scene, scene.plots[charts_.size() - 1]);
-        soon.fault = tr("The values are being computed…");
-        charts_.back()->setSamples(std::move(soon), scene.simulator.start, scene.simulator.finish);
+        charts::Plot soon = charts::named(scene, scene.plots[charts_.size() - 1]);
+        soon.fault = tr("The values are being computed…").toStdString();
+        charts_.back()->setPlot(std::move(soon), scene.simulator.start, scene.simulator.finish);
     }
     none_->setVisible(scene.plots.empty());
 }
@@ -144,25 +94,25 @@ void PlotsWindow::run() {
         sampled_ = shown.scene;
         overtaken_ = false;
         lock.unlock();
-        std::vector<PlotSamples> samples;
+        std::vector<charts::Plot> plots;
         for (const scene::Plot& plot : shown.scene->plots)
-            if (auto one = samplesOf(shown, plot))
-                samples.push_back(std::move(*one));
-        if (samples.size() == shown.scene->plots.size())
+            if (auto one = charts::sampled(*shown.scene, plot, shown.motion, {},
+                                           [this] { return isOvertaken(); }))
+                plots.push_back(std::move(*one));
+        if (plots.size() == shown.scene->plots.size())
             QMetaObject::invokeMethod(
-                this, [this, shown, samples] { take(shown, samples); }, Qt::QueuedConnection);
+                this, [this, shown, plots] { take(shown, plots); }, Qt::QueuedConnection);
         lock.lock();
     }
 }
 
-void PlotsWindow::take(const Shown& of, std::vector<PlotSamples> samples) {
-    if (samples.size() != charts_.size())
+void PlotsWindow::take(const Shown& of, std::vector<charts::Plot> plots) {
+    if (plots.size() != charts_.size())
         return; // of a scene that is no more
     const scene::Simulator& simulator = of.scene->simulator;
-    for (std::size_t i = 0; i < samples.size(); ++i)
-        charts_[i]->setSamples(std::move(samples[i]),
-                               of.motion ? of.motion->start() : simulator.start,
-                               of.motion ? of.motion->finish() : simulator.finish);
+    for (std::size_t i = 0; i < plots.size(); ++i)
+        charts_[i]->setPlot(std::move(plots[i]), of.motion ? of.motion->start() : simulator.start,
+                            of.motion ? of.motion->finish() : simulator.finish);
 }
 
 } // namespace views

@@ -33,9 +33,7 @@ private:
     void run();        // on the thread
     // The samples are of no use any more.
     [[nodiscard]] bool isOvertaken() const { return overtaken_; }
-    [[nodiscard]] std::optional<PlotSamples> samplesOf(const Shown& shown,
-                                                       const scene::Plot& plot) const;
-    void take(const Shown& of, std::vector<PlotSamples> samples);
+    void take(const Shown& of, std::vector<charts::Plot> plots);
 
     SceneDocument& document_;
     QVBoxLayout* column_;

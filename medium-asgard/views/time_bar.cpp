@@ -1,6 +1,6 @@
 #include "views/time_bar.h"
 
-#include "views/scale.h"
+#include "charts/scale.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -148,7 +148,7 @@ void TimeBar::paintTrough(QPainter& painter) const {
 void TimeBar::paintScale(QPainter& painter) const {
     const QRectF area = trough();
     const double length = std::max(finish_ - start_, 1e-12);
-    const double step = roundStep(length * 64 / std::max(area.width(), 64.0));
+    const double step = charts::roundStep(length * 64 / std::max(area.width(), 64.0));
     painter.setPen(faint(170));
     for (int i = 0; start_ + i * step <= finish_ + 1e-9 * length; ++i) {
         const double t = start_ + i * step, x = position(t);

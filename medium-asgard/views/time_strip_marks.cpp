@@ -1,7 +1,7 @@
 // How a trajectory's times are drawn.
+#include "charts/scale.h"
 #include "render/handles.h"
 #include "views/readable.h"
-#include "views/scale.h"
 #include "views/time_strip.h"
 
 #include <QPainter>
@@ -51,9 +51,9 @@ void TimeStrip::paintScale(QPainter& painter) const {
         const double right = std::clamp(position(curve.to), a.left(), a.right());
         painter.fillRect(QRectF(left, a.top() + 3, right - left, a.height() - 6), along);
     }
-    const double step = roundStep((to_ - from_) * 64 / a.width());
+    const double step = charts::roundStep((to_ - from_) * 64 / a.width());
     painter.setPen(faint);
-    for (const double time : multiplesOf(step, from_, to_)) {
+    for (const double time : charts::multiplesOf(step, from_, to_)) {
         const double x = position(time);
         painter.drawLine(QPointF(x, a.bottom() + 1), QPointF(x, a.bottom() + 4));
         const QString label = number(time);

@@ -1,14 +1,13 @@
 // What teachers wanted of the windows: a floor's size and its being fixed, plots that are refused
 // or told apart, keys that every window has, and what is typed without Return.
+#include "charts/scale.h"
 #include "views/control_panel.h"
 #include "views/editor.h"
 #include "views/manual_window.h"
 #include "views/motion_span.h"
-#include "views/plot_colors.h"
 #include "views/plot_dialog.h"
 #include "views/plots_window.h"
 #include "views/round_part.h"
-#include "views/scale.h"
 #include "views/shape_editor.h"
 #include "views/test_workshop.h"
 
@@ -285,22 +284,6 @@ TEST_F(WindowsTest, APlotOfNothingIsRefusedWhereItIsAskedFor) {
     EXPECT_EQ(dialog.expression(), "floor.y + 2 * scene.energy");
 }
 
-TEST_F(WindowsTest, CurvesHaveTheColourOfTheirBody) {
-    open("shape_set s -desc {-sub {-sphere 0.5}}\n"
-         "body red s -color {0.8 0.1 0.1}\nbody pale s -color {1 1 0.6} -init_pos {3 0 0}\n"
-         "body grey s -init_pos {6 0 0}\n"
-         "plot p -values {red.x red.y pale.x grey.x {red.x + pale.x}}\n");
-    const auto& scene = *editor.document().shown().scene;
-    std::vector<PlotCurve> curves(5);
-    colorCurves(scene, scene.plots[0], curves);
-    EXPECT_EQ(curves[0].color, QColor::fromRgbF(0.8F, 0.1F, 0.1F));
-    EXPECT_EQ(curves[1].color, curves[0].color);
-    EXPECT_NE(curves[1].line, curves[0].line); // told apart all the same
-    EXPECT_LT(qGray(curves[2].color.rgb()), 170);
-    EXPECT_EQ(curves[3].color, PlotChart::usualColor(3));
-    EXPECT_EQ(curves[4].color, PlotChart::usualColor(4)); // of two bodies
-}
-
 TEST_F(WindowsTest, APlotHasItsPlaceBeforeItsValues) {
     made.blocked = true;
     std::string many = flooring;
@@ -310,7 +293,7 @@ TEST_F(WindowsTest, APlotHasItsPlaceBeforeItsValues) {
     ASSERT_TRUE(waitFor([&] { return editor.document().shown().scene->plots.size() == 9; }));
     PlotsWindow* window = editor.openPlots();
     EXPECT_EQ(window->charts().size(), 9U);
-    EXPECT_EQ(window->charts()[8]->samples().title, "p8");
+    EXPECT_EQ(window->charts()[8]->plot().title, "p8");
     EXPECT_LT(window->height(), 800); // they scroll
     made.blocked = false;
     EXPECT_TRUE(settle(editor.document()));
@@ -319,15 +302,15 @@ TEST_F(WindowsTest, APlotHasItsPlaceBeforeItsValues) {
 TEST_F(WindowsTest, WhatHardlyChangesIsAChartOfItsChange) {
     PlotChart chart;
     chart.resize(500, 300);
-    PlotSamples samples;
-    samples.times = {0, 1, 2};
-    samples.curves.push_back({"energy", {1, 1.0001, 1.0002}, {}});
-    chart.setSamples(samples, 0, 2);
+    charts::Plot plot;
+    plot.times = {0, 1, 2};
+    plot.curves.push_back({"energy", {1, 1.0001, 1.0002}});
+    chart.setPlot(plot, 0, 2);
     EXPECT_LT(chart.axes().high - chart.axes().low, 3e-4);
     EXPECT_GT(chart.placeOf(0, 1).y() - chart.placeOf(2, 1.0002).y(), 100);
     EXPECT_THAT(chart.readingAt(chart.placeOf(2, 1)).toStdString(), HasSubstr("1.0002"));
-    EXPECT_EQ(digitsFor(1, 1e-10), 11);
-    EXPECT_EQ(digitsFor(0, 1e-10), 6);
+    EXPECT_EQ(charts::digitsFor(1, 1e-10), 11);
+    EXPECT_EQ(charts::digitsFor(0, 1e-10), 6);
 }
 
 // --- windows ---------------------------------------------------------------------------------

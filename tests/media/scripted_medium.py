@@ -7,6 +7,7 @@ The text of its subdocument is lines of `WORD VALUES`:
   colour RRGGBB        what it draws, with a moving bar when it has a duration
   size W H             the size that it would like
   duration S           it has time, from 0 to S
+  value NAME V RATE    the value of NAME: V, and RATE more in each second of its time
   fault LINE COLUMN SENTENCE
   menu LABEL           one more entry of its menu, with an icon
   behave BEHAVIOUR     as the argument, from the moment that the text is loaded
@@ -99,6 +100,7 @@ class Medium:
         self.handles = False
         self.draft, self.opened, self.keeps, self.notice = "", 0, "", ""
         self.label = ""
+        self.values, self.watched, self.faulty = {}, {}, False
         self.stay = False
         self.slow = 0.0
         self.serial = 0
@@ -182,13 +184,16 @@ class Medium:
                 {"from": 0, "to": 0, "text": words}] * count}})
         elif what == "title":
             notify("progress/end", token=1, message=words)
+        elif what == "values":
+            for number in self.watched:
+                notify("value/changed", id=number, values=[0.5] * count)
         elif what == "state":
             notify("rendition/state", rendition=1, state=words)
 
     # --- text ----------------------------------------------------------------------------------
 
     def read_text(self):
-        faults, pending, changes = [], [], []
+        faults, pending, changes, values = [], [], [], {}
         for number, line in enumerate(self.text.split("\n"), 1):
             words = line.split()
             if not words:
@@ -200,6 +205,8 @@ class Medium:
                 self.size = (int(words[1]), int(words[2]))
             elif words[0] == "duration":
                 self.duration = float(words[1])
+            elif words[0] == "value":
+                values[words[1]] = (float(words[2]), float(words[3]))
             elif words[0] == "fault":
                 faults.append({"severity": "error", "line": int(words[1]), "column": int(words[2]), "endLine": int(words[1]),
                                "endColumn": int(words[2]) + 1, "message": " ".join(words[3:])})
@@ -219,8 +226,11 @@ class Medium:
             else:
                 faults.append({"severity": "error", "line": number, "column": 1, "endLine": number,
                                "endColumn": 1 + len(words[0]), "message": 'unknown word "%s"' % words[0][:1000]})
+        self.faulty = bool(faults)
+        self.values = self.values if faults else values  # those of the last good text stay
         notify("diagnostics", revision=self.revision, items=faults)
         self.tell_time()
+        self.tell_values()
         notify("menu/changed", menus=self.menus())
         for words in pending:
             self.behave(words)
@@ -231,18 +241,32 @@ class Medium:
             notify("time/changed", time=self.time, playing=self.playing, rate=self.rate, loop=self.loop, start=0.0,
                    finish=self.duration, computed=self.duration, predictable=None, state="current")
 
+    def read_values(self, expressions, at):
+        faults = ["" if e in self.values else 'there is no value "%s"' % e for e in expressions]
+        values = [self.values[e][0] + self.values[e][1] * at if e in self.values else None for e in expressions]
+        return {"values": values, **({"faults": faults} if any(faults) else {})}
+
+    def tell_values(self):
+        for number, watch in self.watched.items():
+            read = self.read_values(watch[0], self.time)
+            if read != watch[1]:
+                watch[1] = read
+                notify("value/changed", id=number, time=self.time, **read)
+
     # --- pictures ------------------------------------------------------------------------------
 
-    def pixels(self, width, height, at, state=""):
+    def pixels(self, width, height, at, state="", presentation=""):
         r, g, b = (255, 0, 255) if state == "magenta" else self.colour
+        if presentation == "source":
+            r, g, b = 255 - r, 255 - g, 255 - b
         row = bytearray(bytes((b, g, r, 255)) * width)
         if self.duration > 0:
             x = int((width - 8) * min(1.0, at / self.duration))
             row[4 * x:4 * (x + 8)] = b"\xff\xff\xff\xff" * 8
         return bytes(row)
 
-    def write(self, offset, stride, width, height, at, state=""):
-        row = self.pixels(width, height, at, state)
+    def write(self, offset, stride, width, height, at, state="", presentation=""):
+        row = self.pixels(width, height, at, state, presentation)
         for y in range(height):
             self.frames[offset + y * stride:offset + y * stride + 4 * width] = row
 
@@ -258,9 +282,10 @@ class Medium:
         message = dict(rendition=rendition, slot=slot, serial=self.serial, width=width, height=height, time=self.time)
         if self.frames is not None and r.get("slots"):
             place = r["slots"][slot]
-            self.write(place["offset"], place["stride"], width, height, self.time, r["state"])
+            self.write(place["offset"], place["stride"], width, height, self.time, r["state"], r["presentation"])
         else:
-            message["pixels"] = base64.b64encode(self.pixels(width, height, self.time, r["state"]) * height).decode()
+            row = self.pixels(width, height, self.time, r["state"], r["presentation"])
+            message["pixels"] = base64.b64encode(row * height).decode()
         notify("rendition/frame", **message)
 
     def draw_all(self):
@@ -279,6 +304,7 @@ class Medium:
                         self.time = 0.0 if self.loop else self.duration
                         self.playing = self.loop
                     self.tell_time()
+                    self.tell_values()
                     self.draw_all()
             last = now
 
@@ -325,11 +351,11 @@ class Medium:
         if method == "presentation/list":
             return [{"id": "picture", "label": "Picture"}, {"id": "source", "label": "Source text"}]
         if method == "presentation/size":
-            return {"width": self.size[0], "height": self.size[1]}
+            return {"width": self.size[0], "height": self.size[1] / (2 if p["presentation"] == "source" else 1)}
         if method in ("rendition/create", "rendition/resize"):
             old = self.renditions.get(p["rendition"], {"shown": False, "state": p.get("state", "")})
             self.renditions[p["rendition"]] = {"width": p["width"], "height": p["height"], "slots": p.get("slots"), "next": 0,
-                                               "unacked": [], "shown": old["shown"], "state": old["state"]}
+                                               "unacked": [], "shown": old["shown"], "state": old["state"], "presentation": p["presentation"]}
             self.after = lambda: self.draw(p["rendition"])
             return {}
         if method == "rendition/destroy":
@@ -338,8 +364,9 @@ class Medium:
         if method == "rendition/snapshot":
             at = self.time if p.get("time") is None else p["time"]
             if p.get("offset") is None:
-                return {"time": at, "pixels": base64.b64encode(self.pixels(p["width"], p["height"], at) * p["height"]).decode()}
-            self.write(p["offset"], p["stride"], p["width"], p["height"], at)
+                row = self.pixels(p["width"], p["height"], at, presentation=p["presentation"])
+                return {"time": at, "pixels": base64.b64encode(row * p["height"]).decode()}
+            self.write(p["offset"], p["stride"], p["width"], p["height"], at, presentation=p["presentation"])
             return {"time": at}
         if method == "menu/invoke":
             if p["id"] == "crash":
@@ -374,7 +401,21 @@ class Medium:
         if method == "time/seek":
             self.time = min(max(p["time"], 0.0), self.duration)
             self.tell_time()
+            self.tell_values()
             self.draw_all()
+            return {}
+        if method == "value/list":
+            return [{"expression": name, "label": "the " + name} for name in self.values]
+        if method == "value/read":
+            if self.faulty:
+                raise Impossible("the text is faulty")
+            return self.read_values(p["expressions"], self.time if p.get("time") is None else p["time"])
+        if method == "value/subscribe":
+            self.watched[p["id"]] = [p["expressions"], None]
+            self.after = self.tell_values
+            return {}
+        if method == "value/unsubscribe":
+            self.watched.pop(p["id"], None)
             return {}
         if method == "time/rate":
             self.rate, self.loop = p["rate"], p.get("loop", False)

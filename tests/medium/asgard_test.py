@@ -109,6 +109,54 @@ class Frames(unittest.TestCase):
             self.assertNotEqual(before, after)
             self.assertEqual([m for m in h.drain(0.3) if m.get("method") == "rendition/frame"], [])
 
+    def test_its_presentations_are_picture_charts_and_text(self):
+        with host() as h:
+            scene = FLYING + "plot p -title Way -values {b.x {2*b.x}}\n" + "# one more line\n" * 40
+            h.start(scene)
+            names = [each["id"] for each in h.call("presentation/list")]
+            self.assertEqual(names, ["picture", "chart", "text"])
+            sizes = {name: h.call("presentation/size", presentation=name, available={"width": 600, "height": None})
+                     for name in names}
+            self.assertGreater(sizes["text"]["height"], 500)  # room for all lines
+            self.assertLess(sizes["chart"]["height"], 300)
+            h.call("subdocument/load", text="# a line\n" * 3000 + "for {set i 0} {$i < 300} {incr i} {plot p$i -values t}", revision=2)
+            for name in names:  # as high as the protocol allows
+                size = h.call("presentation/size", presentation=name, available={"width": 600, "height": None})
+                self.assertLessEqual(size["height"], 16384)
+            h.call("subdocument/load", text=scene, revision=3)
+            pictures = {}
+            for number, name in enumerate(names, 1):
+                h.create(number, 300, 200, presentation=name)
+                pictures[name] = h.still(number)[1]
+            self.assertEqual(len(set(pictures.values())), 3)
+            for name in "chart", "text":
+                self.assertEqual(pictures[name][-4:-1], b"\xff\xff\xff")  # paper
+                self.assertGreater(len(set(pictures[name])), 20)  # letters with smooth edges
+            # The wheel moves the text; a button on the chart takes time there.
+            h.notify("rendition/input", rendition=3, type="wheel", x=9, y=9, dx=0, dy=-5)
+            self.assertNotEqual(h.still(3)[1], pictures["text"])
+            h.notify("rendition/input", rendition=2, type="press", x=175, y=100, button="left", buttons=["left"])
+            self.assertNotEqual(h.still(2)[1], pictures["chart"])
+            time = h.heard("time/changed", where=lambda told: told["time"] > 0)["time"]
+            self.assertTrue(1 < time < 3, time)
+            # On paper, larger; and in another presentation in the same slots.
+            taken = [h.call("rendition/snapshot", presentation=name, width=600, height=400, scale=4, time=1,
+                            **h.allocate(600, 400)) for name in ("chart", "text")]
+            self.assertEqual([each["time"] for each in taken], [1, 1])
+            h.call("rendition/resize", rendition=1, presentation="text", width=300, height=200, scale=1,
+                   slots=h.slots[1])
+            self.assertEqual(h.still(1)[1], pictures["text"])
+            self.assertEqual(h.refused("rendition/create", rendition=9, presentation="film", width=9, height=9,
+                                       slots=[])["code"], -32602)
+
+    def test_a_faulty_text_is_shown_as_text(self):
+        with host() as h:
+            self.assertTrue(h.start("body b nothing\n"))
+            h.create(1, 300, 200, presentation="text")
+            faulty = h.still(1)[1]
+            h.call("subdocument/load", text="shape_set nothing -desc {-sub {-sphere 1}}\nbody b nothing\n", revision=2)
+            self.assertNotEqual(h.still(1)[1], faulty)
+
     def test_a_resized_rendition_goes_on_in_its_new_slots(self):
         with host() as h:
             h.start(FLYING)
@@ -247,6 +295,27 @@ class Text(unittest.TestCase):
             # The override outlives the parameter's removal, and comes back with it.
             h.call("subdocument/load", text=FLYING, revision=2)
             self.assertEqual(h.heard("diagnostics", where=lambda p: p["revision"] == 2)["items"], [])
+
+
+    def test_values_are_read_and_told_while_it_plays(self):
+        with host() as h:
+            h.start(FLYING)
+            read = h.call("value/read", expressions=["b.x", "c.x", "2*t"], time=1)
+            self.assertAlmostEqual(read["values"][0], -1, places=6)
+            self.assertEqual(read["values"][1:], [None, 2])
+            self.assertEqual([bool(fault) for fault in read["faults"]], [False, True, False])
+            self.assertIn("c.x", read["faults"][1])
+            offers = h.call("value/list")
+            self.assertIn({"expression": "b.dx", "label": "b: velocity x"}, offers)
+            values = h.call("value/read", expressions=[offer["expression"] for offer in offers], time=0)
+            self.assertNotIn("faults", values, "what is offered can be read")
+            h.create(1)
+            h.call("value/subscribe", id=3, expressions=["b.x"])
+            self.assertEqual(h.heard("value/changed", where=lambda p: p["id"] == 3)["values"], [-2])
+            h.call("time/seek", time=4)
+            told = h.heard("value/changed", where=lambda p: p["time"] == 4)
+            self.assertAlmostEqual(told["values"][0], 2, places=6)
+            self.assertNotIn("faults", told)
 
 
 class Controls(unittest.TestCase):

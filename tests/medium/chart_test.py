@@ -74,6 +74,10 @@ class Chart(unittest.TestCase):
             self.assertNotEqual(before, after)
             values = h.call("value/read", expressions=["Bergen", "Oslo.max", "Rome"], time=0.25)["values"]
             self.assertEqual(values, [171, 49, None])
+            faults = h.call("value/read", expressions=["Rome", "Oslo.least"], time=0)["faults"]
+            self.assertIn("Bergen", faults[0])
+            self.assertIn("Oslo.min", faults[1])
+            self.assertIn({"expression": "Oslo.max", "label": "Oslo, largest"}, h.call("value/list"))
 
     def test_wrong_requests_are_refused_and_nothing_else_happens(self):
         with host() as h:

@@ -139,10 +139,10 @@ class SmallHost:
         self.free += (stride * height + PAGE - 1) // PAGE * PAGE
         return slot
 
-    def create(self, rendition, width=200, height=150, show=True):
+    def create(self, rendition, width=200, height=150, show=True, presentation=""):
         slots = [self.allocate(width, height) for _ in (0, 1)] if self.frames else []
         self.slots[rendition] = slots
-        self.call("rendition/create", rendition=rendition, presentation="", width=width, height=height, scale=1, slots=slots)
+        self.call("rendition/create", rendition=rendition, presentation=presentation, width=width, height=height, scale=1, slots=slots)
         if show:
             self.notify("rendition/show", rendition=rendition)
 

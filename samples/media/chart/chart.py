@@ -114,7 +114,7 @@ class Medium:
             "rendition/input": self.input, "rendition/snapshot": self.snapshot, "menu/invoke": self.invoke,
             "time/play": self.play, "time/pause": self.pause, "time/seek": self.seek, "time/rate": self.set_rate,
             "parameter/list": lambda p: [], "parameter/set": lambda p: None, "progress/cancel": lambda p: None,
-            "value/read": self.values, "value/subscribe": self.subscribe,
+            "value/list": self.offers, "value/read": self.values, "value/subscribe": self.subscribe,
             "value/unsubscribe": lambda p: self.watched.pop(p.get("id"), None) and None,
         }
 
@@ -219,18 +219,30 @@ class Medium:
     # --- values: NAME now, NAME.min, NAME.max, NAME.mean ------------------------------------------
 
     def value(self, expression, moment):
+        """A number and ""; else None and why."""
         name, _, what = expression.strip().rpartition(".") if "." in expression else (expression.strip(), "", "now")
         if name not in self.table.names:
-            return None
+            return None, f'there is no column "{name}" (columns here: {", ".join(self.table.names)})'
         column = [v for v in self.table.columns[self.table.names.index(name)] if v is not None]
         if what == "now":
-            return self.table.at(self.table.names.index(name), moment / SECONDS_PER_ROW)
+            return self.table.at(self.table.names.index(name), moment / SECONDS_PER_ROW), ""
         known = {"min": min, "max": max, "mean": lambda c: sum(c) / len(c)}
-        return known[what](column) if column and what in known else None
+        if what not in known:
+            return None, f'a column has {name}.min, {name}.max and {name}.mean, not "{expression.strip()}"'
+        return (known[what](column), "") if column else (None, "the column is empty")
+
+    def read_values(self, expressions, moment):
+        values, faults = zip(*(self.value(e, moment) for e in expressions)) if expressions else ((), ())
+        return {"values": list(values), **({"faults": list(faults)} if any(faults) else {})}
 
     def values(self, p):
         moment = self.now if p.get("time") is None else number(p, "time", -1e300, 1e300, whole=False)
-        return {"values": [self.value(e, moment) for e in self.expressions(p)]}
+        return self.read_values(self.expressions(p), moment)
+
+    def offers(self, _):
+        """Each column now, its least and its largest value."""
+        kinds = ("", "now"), (".min", "least"), (".max", "largest"), (".mean", "mean")
+        return [{"expression": name + what, "label": f"{name}, {words}"} for name in self.table.names[:250] for what, words in kinds]
 
     def expressions(self, p):
         wanted = p.get("expressions")
@@ -302,10 +314,10 @@ class Medium:
 
     def tell_values(self):
         for name, watch in self.watched.items():
-            values = [self.value(e, self.now) for e in watch[0]]
-            if values != watch[1]:
-                watch[1] = values
-                self.wire.notify("value/changed", id=name, time=self.now, values=values)
+            read = self.read_values(watch[0], self.now)
+            if read != watch[1]:
+                watch[1] = read
+                self.wire.notify("value/changed", id=name, time=self.now, **read)
 
     def read_text(self):
         table = read(self.text)

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace views {
+namespace charts {
 
 // The smallest of 1, 2, 5 times a power of ten that is at least x.
 [[nodiscard]] inline double roundStep(double x) {
@@ -29,10 +29,10 @@ namespace views {
 // How many digits tell values apart that differ by a step.
 [[nodiscard]] inline int digitsFor(double value, double step) {
     constexpr int usual = 6, most = 17;
-    if (!(step > 0) || !(std::abs(value) > 0))
+    if (!(step > 0) || !(std::abs(value) > 0) || !std::isfinite(value / step))
         return usual;
     return std::clamp(1 + static_cast<int>(std::ceil(std::log10(std::abs(value) / step))), usual,
                       most);
 }
 
-} // namespace views
+} // namespace charts

@@ -1,0 +1,54 @@
+#include "service/offered_values.h"
+
+#include "ipc/bounds.h"
+
+#include <algorithm>
+
+namespace service {
+
+namespace {
+
+constexpr std::size_t most = ipc::mostOffers.most;
+
+void add(ipc::ValueOffers& offers, ipc::ValueOffer offer) {
+    const bool isKnown = std::ranges::any_of(offers.items, [&](const ipc::ValueOffer& other) {
+        return other.expression == offer.expression;
+    });
+    if (!isKnown && offers.items.size() < most &&
+        offer.expression.size() <= ipc::longestExpression.most)
+        offers.items.push_back(std::move(offer));
+}
+
+void addBody(ipc::ValueOffers& offers, const std::string& name) {
+    for (const std::string axis : {"x", "y", "z"})
+        add(offers, {name + "." + axis, name + ": position " + axis, ""});
+    for (const std::string axis : {"x", "y", "z"})
+        add(offers, {name + ".d" + axis, name + ": velocity " + axis, ""});
+    const std::string sum = name + ".dx^2 + " + name + ".dy^2 + " + name + ".dz^2"; // of squares
+    add(offers, {"sqrt(" + sum + ")", name + ": speed", ""});
+    add(offers, {name + ".mass/2*(" + sum + ")", name + ": kinetic energy without spin", ""});
+}
+
+} // namespace
+
+ipc::ValueOffers offeredValues(const scene::Scene& scene) {
+    ipc::ValueOffers offers;
+    for (const scene::Plot& plot : scene.plots)
+        for (std::size_t i = 0; i < plot.values.size(); ++i) {
+            const scene::Expression& text = plot.values[i];
+            const bool isNamed = i < plot.labels.size() && !plot.labels[i].empty();
+            add(offers, {text, isNamed ? plot.labels[i] : text, ""});
+        }
+    for (const scene::Parameter& parameter : scene.parameters)
+        add(offers, {parameter.name, parameter.label.empty() ? parameter.name : parameter.label,
+                     parameter.unit});
+    std::size_t bodies = 0;
+    for (const scene::Body& body : scene.bodies)
+        if (!body.fixed && ++bodies <= mostBodiesOffered)
+            addBody(offers, body.name);
+    add(offers, {"t", "time", ""});
+    add(offers, {"scene.energy", "energy of all bodies", ""});
+    return offers;
+}
+
+} // namespace service

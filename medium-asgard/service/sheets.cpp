@@ -1,0 +1,131 @@
+#include "service/sheets.h"
+
+#include "charts/text_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace service {
+namespace {
+
+constexpr double widest = 480, narrowest = 120, chartHeight = 200; // 1/96 inch
+constexpr double tallest = 16'384;                                 // that the protocol allows
+constexpr std::size_t mostPlots = 20;                              // drawn; what is left is counted
+
+} // namespace
+
+ipc::Presentations presentations() {
+    return {{{"picture", "Picture"}, {"chart", "Charts of its plots"}, {"text", "Its text"}}};
+}
+
+std::optional<Presentation> presentationNamed(const std::string& id) {
+    if (id.empty() || id == "picture")
+        return Presentation::picture;
+    if (id == "text")
+        return Presentation::text;
+    if (id == "chart")
+        return Presentation::chart;
+    return std::nullopt;
+}
+
+ipc::PreferredSize Sheets::preferredSize(Presentation presentation, double availableWidth,
+                                         std::optional<double> availableHeight) const {
+    const double width = std::clamp(availableWidth, narrowest, widest);
+    double height = 0;
+    if (presentation == Presentation::text) {
+        height = charts::TextPage(of_.shownText(), {}, width).height();
+    } else {
+        const std::size_t count = of_.scene() ? of_.scene()->plots.size() : 1;
+        height = chartHeight * static_cast<double>(std::clamp<std::size_t>(count, 1, mostPlots));
+    }
+    if (availableHeight)
+        height = std::min(height, std::max(*availableHeight, narrowest));
+    return {width, std::min(std::ceil(height), tallest)};
+}
+
+SheetLook Sheets::lookOf(Presentation presentation, double time, std::size_t row) const {
+    if (presentation == Presentation::text)
+        return {of_.textGeneration(), 0, row};
+    return {of_.generation(), time, 0};
+}
+
+void Sheets::draw(Presentation presentation, const SheetLook& look, double scale,
+                  const render::Image& into) {
+    const double width = into.size.width / scale, height = into.size.height / scale;
+    charts::Canvas canvas(width, height, scale);
+    if (presentation == Presentation::text)
+        drawText(canvas, width, height, look.row);
+    else
+        drawCharts(canvas, width, height, look.time);
+    const charts::Pixels pixels = canvas.pixels();
+    const auto rows = static_cast<std::size_t>(std::min(pixels.height, into.size.height));
+    const auto columns = static_cast<std::size_t>(std::min(pixels.width, into.size.width));
+    for (std::size_t y = 0; y < rows; ++y)
+        std::memcpy(into.pixels.data() + y * into.stride,
+                    pixels.colors.data() + y * static_cast<std::size_t>(pixels.width), 4 * columns);
+}
+
+// --- the text ----------------------------------------------------------------------------------
+
+std::set<std::size_t> Sheets::faultyLines() const {
+    std::set<std::size_t> lines;
+    for (const scene::Diagnostic& fault : of_.faults())
+        if (fault.line > 0)
+            lines.insert(static_cast<std::size_t>(fault.line));
+    return lines;
+}
+
+void Sheets::drawText(charts::Canvas& canvas, double width, double height, std::size_t row) const {
+    charts::TextPage(of_.shownText(), faultyLines(), width).draw(canvas, height, row);
+}
+
+std::size_t Sheets::scrolled(std::size_t row, double rows, render::Size size, double scale) const {
+    const charts::TextPage page(of_.shownText(), {}, size.width / scale);
+    const double wanted = std::max(0.0, static_cast<double>(row) + rows);
+    return page.top(static_cast<std::size_t>(wanted), size.height / scale);
+}
+
+// --- the charts --------------------------------------------------------------------------------
+
+charts::PlotArea Sheets::areaOf(std::size_t plot, std::size_t count, double width,
+                                double height) const {
+    const double each = height / static_cast<double>(count);
+    const Span& span = of_.playback.span();
+    return {0, each * static_cast<double>(plot), width, each, span.start, span.finish};
+}
+
+void Sheets::drawCharts(charts::Canvas& canvas, double width, double height, double time) {
+    if (!of_.scene())
+        return;
+    const scene::Scene& scene = *of_.scene();
+    if (scene.plots.empty()) {
+        canvas.ink({}, 0.7);
+        canvas.text(width / 2, height / 2, "This scene has no plots.", 12,
+                    charts::Canvas::Anchor::middle);
+        return;
+    }
+    if (plotsOf_ != of_.generation()) {
+        plotsOf_ = of_.generation();
+        simulation::Options options;
+        options.parameters = of_.parameters();
+        plots_.clear();
+        for (std::size_t i = 0; i < std::min(scene.plots.size(), mostPlots); ++i)
+            plots_.push_back(*charts::sampled(scene, scene.plots[i], of_.motion(), options));
+    }
+    for (std::size_t i = 0; i < plots_.size(); ++i)
+        charts::draw(canvas, plots_[i], areaOf(i, plots_.size(), width, height), time);
+    if (scene.plots.size() > plots_.size()) {
+        canvas.ink({}, 0.7);
+        canvas.text(width - 4, height - 4,
+                    std::to_string(scene.plots.size() - plots_.size()) + " more plots", 11,
+                    charts::Canvas::Anchor::end);
+    }
+}
+
+double Sheets::timeAt(double x, render::Size size, double scale) const {
+    return charts::insideOf(areaOf(0, 1, size.width / scale, size.height / scale))
+        .timeAt(x / scale);
+}
+
+} // namespace service

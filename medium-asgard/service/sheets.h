@@ -1,0 +1,61 @@
+// The presentations of a scene that are no picture of its bodies: its text, and charts of its
+// plots.
+#pragma once
+
+#include "charts/plots.h"
+#include "ipc/messages.h"
+#include "render/renderer.h"
+#include "service/subdocument.h"
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace service {
+
+enum class Presentation { picture, text, chart };
+
+// All that the medium has, as a host may ask for them.
+[[nodiscard]] ipc::Presentations presentations();
+// Of a name from there; "" is the first. None: there is no such presentation.
+[[nodiscard]] std::optional<Presentation> presentationNamed(const std::string& id);
+
+// What decides how a sheet looks.
+struct SheetLook {
+    unsigned generation = 0; // of its text, or of the scene and its motion
+    double time = 0;         // of charts
+    std::size_t row = 0;     // of texts: the first that is seen
+};
+
+class Sheets {
+public:
+    explicit Sheets(const Subdocument& of) : of_(of) {}
+
+    // At scale 1. A text has room for all its lines, as far as there is room.
+    [[nodiscard]] ipc::PreferredSize preferredSize(Presentation presentation, double availableWidth,
+                                                   std::optional<double> availableHeight) const;
+    // `row`: where the reader has moved the text to.
+    [[nodiscard]] SheetLook lookOf(Presentation presentation, double time, std::size_t row) const;
+    // `scale`: device pixels to 1/96 inch.
+    void draw(Presentation presentation, const SheetLook& look, double scale,
+              const render::Image& into);
+    // The row at the top of a text after so many more; not behind the last full page.
+    [[nodiscard]] std::size_t scrolled(std::size_t row, double rows, render::Size size,
+                                       double scale) const;
+    // The time at a point of a chart, in device pixels.
+    [[nodiscard]] double timeAt(double x, render::Size size, double scale) const;
+
+private:
+    void drawText(charts::Canvas& canvas, double width, double height, std::size_t row) const;
+    void drawCharts(charts::Canvas& canvas, double width, double height, double time);
+    [[nodiscard]] charts::PlotArea areaOf(std::size_t plot, std::size_t count, double width,
+                                          double height) const;
+    [[nodiscard]] std::set<std::size_t> faultyLines() const;
+
+    const Subdocument& of_;
+    std::vector<charts::Plot> plots_; // of the generation
+    std::optional<unsigned> plotsOf_;
+};
+
+} // namespace service
