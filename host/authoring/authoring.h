@@ -9,6 +9,7 @@
 
 #include "authoring/grammar.h"
 #include "document/document.h"
+#include "document/value_use.h"
 #include "text/edit.h"
 
 #include <QString>
@@ -81,9 +82,14 @@ enum class Unit { character, word }; // a character is a grapheme cluster (Unico
 [[nodiscard]] Result erase(const Manuscript& manuscript, Selection selection, Direction direction,
                            Unit unit = Unit::character);
 // Enter: a new paragraph or item begins; a paragraph follows a heading; an empty item leaves its
-// list; preformatted text gets a line end. Behind what is one line only, as a field of a form, the
-// caret goes on to the next line: a step without edits.
+// list; preformatted text gets a line end. Behind what is one line only, as a heading or a field of
+// a form, the caret goes on to the next line where that is empty, or where no paragraph may stand
+// between them: a step without edits.
 [[nodiscard]] Result breakParagraph(const Manuscript& manuscript, Selection selection);
+// Tab in what is one line only, and in the empty line behind it: to the next such field, or the
+// next empty line; a step without edits. LIMIT: 100 lines on.
+[[nodiscard]] Result goToField(const Manuscript& manuscript, Selection selection,
+                               Direction direction);
 
 // Shift+Enter: a line end in preformatted text; other text has no line breaks of its own.
 [[nodiscard]] Result breakLine(const Manuscript& manuscript, Selection selection);
@@ -190,6 +196,21 @@ struct EmbeddedText {
                                    sgml::NodeId element, const Attributes& attributes,
                                    const QString& label);
 
+// --- values
+
+// A value of a nested document in the line, as its medium tells it. The document gets an ID when it
+// has none; `use.of` does not count.
+[[nodiscard]] Result insertValue(const Manuscript& manuscript, Selection selection,
+                                 sgml::NodeId figure, const document::ValueUse& use);
+// The element shows this value from now on.
+[[nodiscard]] Result changeValue(const Manuscript& manuscript, Selection selection,
+                                 sgml::NodeId element, sgml::NodeId figure,
+                                 const document::ValueUse& use);
+// The ID of a nested document, or the one that it would get; "": it is not there.
+[[nodiscard]] std::string idOf(const Manuscript& manuscript, sgml::NodeId figure);
+// A step that gives it that ID, too, where it has none.
+[[nodiscard]] Result withIdOf(const Manuscript& manuscript, sgml::NodeId figure, Result result);
+
 // --- tables
 
 struct NewTable {
@@ -228,6 +249,13 @@ struct NewTable {
 // Of the columns of a table from the first one on; less than 0: it stays.
 [[nodiscard]] Result setColumnWidths(const Manuscript& manuscript, Selection selection,
                                      sgml::NodeId table, const std::vector<double>& widths);
+// The letters of the selected cells: "left", "center", "right"; "": as the presentation says, where
+// numbers of a column stand with their points one below the other.
+[[nodiscard]] Result alignCells(const Manuscript& manuscript, Selection selection,
+                                std::string_view align);
+// That of all selected cells; nothing: they differ, or there is no table.
+[[nodiscard]] std::optional<std::string> alignmentOfCells(const Manuscript& manuscript,
+                                                          Selection selection);
 enum class TablePart { cell, row, column, table };
 [[nodiscard]] Result selectInTable(const Manuscript& manuscript, Selection selection,
                                    TablePart part);

@@ -5,12 +5,14 @@
 #include "sgml/random_document.h"
 
 #include <string>
+#include <utility>
 
 namespace authoring {
 
 class RandomAuthor {
 public:
     explicit RandomAuthor(std::uint64_t seed) : random_(seed) {}
+    explicit RandomAuthor(sgml::RandomDocument::Numbers numbers) : random_(std::move(numbers)) {}
 
     // A memo or a report in which the class's schema finds no fault.
     [[nodiscard]] std::string document();

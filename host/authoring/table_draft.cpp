@@ -106,6 +106,8 @@ QString TableDraft::insertRow(Direction side) {
                 setSpan(*over, {over->span.columns, over->span.rows + 1});
         } else if (cell != nullptr) {
             Piece& fresh = Draft::put(made, made.children.size(), emptyCell());
+            if (const std::string align(draft_.attribute(piece(*cell), "ALIGN")); !align.empty())
+                draft_.setAttribute(fresh, "ALIGN", align);
             to = to == nullptr || c <= caret ? &fresh : to;
         }
     }

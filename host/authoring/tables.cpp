@@ -93,6 +93,53 @@ Result goToCell(const Manuscript& manuscript, Selection selection, Direction dir
                        [direction](TableDraft& table) { return table.goToCell(direction); });
 }
 
+namespace {
+
+constexpr std::string_view alignAttribute = "ALIGN";
+
+std::vector<sgml::NodeId> cellsOf(const Manuscript& manuscript, Selection selection) {
+    std::vector<sgml::NodeId> cells;
+    if (const auto table = tableAround(manuscript, selection))
+        for (const document::GridCell& cell : table->cellsIn(table->selected))
+            cells.push_back(table->node(cell));
+    return cells;
+}
+
+} // namespace
+
+Result alignCells(const Manuscript& manuscript, Selection selection, std::string_view align) {
+    const sgml::Tree& tree = manuscript.document.tree();
+    const std::vector<sgml::NodeId> cells = cellsOf(manuscript, selection);
+    const Grammar* grammar = manuscript.grammars.of(manuscript.document.className());
+    if (cells.empty() || grammar == nullptr)
+        return refused(QStringLiteral("The caret is in no table."));
+    if (!grammar->hasAttribute(tree.name(cells.front()), alignAttribute))
+        return refused(QStringLiteral("Cells of this class of documents cannot be aligned."));
+    Step step;
+    for (const sgml::NodeId cell : cells)
+        for (text::Edit& edit :
+             align.empty() ? sgml::attributeRemoval(tree, cell, alignAttribute)
+                           : sgml::attributeEdit(tree, cell, alignAttribute, std::string(align)))
+            step.edits.push_back(std::move(edit));
+    std::ranges::sort(step.edits, {}, [](const text::Edit& edit) { return edit.range.from; });
+    step.after = {text::moved(selection.anchor, step.edits, text::Gravity::before),
+                  text::moved(selection.caret, step.edits, text::Gravity::before)};
+    step.label = QStringLiteral("Align Cells");
+    return step;
+}
+
+std::optional<std::string> alignmentOfCells(const Manuscript& manuscript, Selection selection) {
+    const sgml::Tree& tree = manuscript.document.tree();
+    std::optional<std::string> all;
+    for (const sgml::NodeId cell : cellsOf(manuscript, selection)) {
+        const std::string own(tree.attribute(cell, alignAttribute).value_or(""));
+        if (all && *all != own)
+            return std::nullopt;
+        all = own;
+    }
+    return all;
+}
+
 Result setColumnWidths(const Manuscript& manuscript, Selection selection, sgml::NodeId table,
                        const std::vector<double>& widths) {
     const sgml::Tree& tree = manuscript.document.tree();

@@ -1,34 +1,16 @@
-#include "authoring/authoring_testing.h"
+#include "authoring/command_testing.h"
 #include "authoring/table_nodes.h"
-
-#include <gtest/gtest.h>
 
 namespace authoring {
 
 namespace {
 
-using Command = std::function<Result(const Manuscript&, Selection)>;
-
-// The body of a memo after a command, with the marks; or why it was refused.
+// The body of a memo, or of another class, after a command.
 std::string inMemo(const std::string& body, const Command& command,
                    const std::string& className = "CMEMO") {
     const std::string head = "DOCUMENT " + className + "\n<" + className + "><BODY>";
     const std::string tail = "</BODY></" + className + ">\n";
-    const Marked marked = readMarks(renamed(head + body + tail, false));
-    document::Document document(marked.bytes);
-    const Result result = command({document, testGrammars()}, marked.selection);
-    if (const auto* refusal = std::get_if<Refusal>(&result))
-        return "refused: " + refusal->why.toStdString();
-    const auto& step = std::get<Step>(result);
-    if (!step.edits.empty()) {
-        EXPECT_EQ(document.edit(step.edits, step.label), document::EditResult::applied);
-    }
-    std::string after = withMarks(document.bytes(), step.after);
-    after = after.substr(head.size(), after.size() - head.size() - tail.size());
-    if (!step.edits.empty())
-        document.undo();
-    EXPECT_EQ(document.bytes(), marked.bytes);
-    return renamed(after, true);
+    return cut(after(head + body + tail, command), head, tail);
 }
 
 Command in(Result (*command)(const Manuscript&, Selection, Direction), Direction direction) {
@@ -57,6 +39,25 @@ TEST(Tables, AreMadeWithHeaderAndCaption) {
     };
     EXPECT_EQ(inMemo("<P>{|}</P>", plain, "REPORT"),
               "<TABLE>\n<R KIND=\"body\"><C>{|}</C></R>\n</TABLE>");
+}
+
+TEST(Tables, CellsAreAlignedAndANewRowIsAsTheOneBesideIt) {
+    const auto align = [](const char* how) {
+        return [how](const Manuscript& manuscript, Selection selection) {
+            return alignCells(manuscript, selection, how);
+        };
+    };
+    const std::string one = "<TABLE><R><C>{a}</C><C>{|b}</C></R></TABLE>";
+    const std::string centred = "<TABLE><R><C>{a}</C><C ALIGN=\"center\">{|b}</C></R></TABLE>";
+    EXPECT_EQ(inMemo(one, align("center")), centred);
+    EXPECT_EQ(inMemo(centred, align("")), one);
+    EXPECT_EQ(inMemo("<TABLE><R><C>{[a}</C><C>{b|}</C></R></TABLE>", align("right")),
+              "<TABLE><R><C ALIGN=\"right\">{[a}</C><C ALIGN=\"right\">{b|}</C></R></TABLE>");
+    EXPECT_EQ(inMemo("<P>{a|}</P>", align("right")), "refused: The caret is in no table.");
+    EXPECT_EQ(inMemo("<TABLE>\n<R><C>{a}</C><C ALIGN=\"right\">{b|}</C></R>\n</TABLE>",
+                     in(insertRow, Direction::forward)),
+              "<TABLE>\n<R><C>{a}</C><C ALIGN=\"right\">{b}</C></R>\n"
+              "<R><C>{}</C><C ALIGN=\"right\">{|}</C></R>\n</TABLE>");
 }
 
 TEST(Tables, RowsAndColumnsMove) {

@@ -1,4 +1,5 @@
 #include "authoring/commands.h"
+#include "authoring/fields.h"
 #include "authoring/leaves.h"
 
 #include "sgml/edit.h"
@@ -323,22 +324,10 @@ Result breakLine(const Manuscript& manuscript, Selection selection) {
     return draft.result(QStringLiteral("Typing"), true);
 }
 
-namespace {
-
-// Enter behind what is one line only, as in a form, goes to the line behind it.
-std::optional<Step> goToNextLine(const Manuscript& manuscript, std::size_t caret) {
-    const std::size_t end = lineAround(manuscript, caret).caret;
-    const std::optional<std::size_t> next =
-        placeBeside(manuscript, end, Direction::forward, Unit::character);
-    if (caret != end || !next)
-        return std::nullopt;
-    return Step{.after = {*next, *next}, .label = QStringLiteral("New Paragraph")};
-}
-
-} // namespace
-
 Result breakParagraph(const Manuscript& manuscript, Selection selection) {
     const QString label = QStringLiteral("New Paragraph");
+    if (std::optional<Step> step = goToEmptyLine(manuscript, selection))
+        return *std::move(step);
     Draft draft(manuscript, selection);
     if (const QString why = draft.obstacle(); !why.isEmpty())
         return refused(why);
@@ -350,8 +339,7 @@ Result breakParagraph(const Manuscript& manuscript, Selection selection) {
     if (!isInLine)
         return draft.result(label); // beside a unit: a paragraph is there now
     if (const QString why = breakLine(draft); !why.isEmpty()) {
-        if (std::optional<Step> step = goToNextLine(manuscript, selection.caret);
-            step && selection.isEmpty())
+        if (std::optional<Step> step = goToNextLine(manuscript, selection))
             return *std::move(step);
         return refused(why);
     }

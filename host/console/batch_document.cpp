@@ -37,4 +37,11 @@ BatchDocument::BatchDocument(const QString& input)
             live->setMode(media::Mode::batch);
 }
 
+void BatchDocument::settleValues() {
+    QEventLoop loop;
+    QObject::connect(&document_->values(), &session::Values::settled, &loop, &QEventLoop::quit);
+    document_->values().settle();
+    loop.exec();
+}
+
 } // namespace console

@@ -17,6 +17,8 @@ public:
     [[nodiscard]] session::OpenDocument& document() { return *document_; }
     [[nodiscard]] media::LiveMedia& media() { return media_; }
     [[nodiscard]] const schemas::Schemas& schemas() const { return schemas_; }
+    // Waits until its media have told the values that stand in its text, or have said why not.
+    void settleValues();
 
 private:
     schemas::Schemas schemas_;

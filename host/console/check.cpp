@@ -72,6 +72,7 @@ int check(const QString& input) {
     }
     Examination examination(batch);
     examination.run();
+    batch.settleValues();
     std::vector<session::ListedFault> faults = batch.document().faults();
     faults.insert(faults.end(), examination.silent().begin(), examination.silent().end());
     std::stable_sort(faults.begin(), faults.end(), [](const auto& a, const auto& b) {

@@ -64,9 +64,11 @@ QString writePng(const paper::Paper& paper, const QString& name) {
 }
 
 QString writeText(BatchDocument& batch, const QString& presentation, const QString& name) {
+    batch.settleValues();
     const document::Document& of = batch.document().document();
-    const model::Model model = model::buildModel(
-        of, batch.schemas().presentation(of.className(), presentation), batch.schemas());
+    const model::Model model =
+        model::buildModel(of, batch.schemas().presentation(of.className(), presentation),
+                          batch.schemas(), &batch.document().values());
     // Each line is the document's own, so that what orders its letters from right to left stays.
     const std::string shown = text::printable(model::exportText(of, model), text::Direction::kept);
     if (name == "-")
@@ -104,6 +106,8 @@ int convert(const Conversion& conversion) {
     QStringList missing;
     if (conversion.format == "text") {
         failed = writeText(batch, conversion.presentation, name);
+        for (const session::ListedFault& fault : batch.document().valueFaults())
+            missing << QStringLiteral("line %1: %2").arg(fault.position.line).arg(fault.message);
     } else {
         const bool png = conversion.format == "png";
         paper::Paper paper(batch.document(), conversion.presentation, png ? screenDpi : paperDpi,

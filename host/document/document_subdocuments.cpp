@@ -224,6 +224,7 @@ Subdocument Document::described(NodeId element) const {
     result.placement = placementOf(attribute("ALIGN").value_or(""));
     result.poster = numberIn(attribute("POSTER"), -1e12, 1e12);
     result.alternative = attribute("ALT").value_or("");
+    result.presentation = attribute("PRESENTATION").value_or("");
     const NodeId storage = tree_.childElement(result.classElement);
     if (storage != noNode) {
         result.storage = tree_.name(storage);

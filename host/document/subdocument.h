@@ -32,6 +32,7 @@ struct Subdocument {
     Placement placement = Placement::unspecified; // ALIGN
     std::optional<double> poster;                 // s
     std::string alternative;                      // ALT
+    std::string presentation; // PRESENTATION: as what its medium shows it; "": as it does usually
 };
 
 // LIMIT: lengths of attributes, in 1/96 inch: what no paper and no screen reaches.

@@ -25,7 +25,8 @@ const Uses::Shown& Uses::shownIn(NodeId document) {
         return shown;
     shown = {.images = schemas_.presentation(name).namesShownAs("image"),
              .sliders = schemas_.presentation(name).namesShownAs("slider"),
-             .formulas = schemas_.presentation(name).namesShownAs("formula")};
+             .formulas = schemas_.presentation(name).namesShownAs("formula"),
+             .values = schemas_.presentation(name).namesShownAs("value")};
     shown.formulas.merge(schemas_.presentation(name).namesShownAs("equation"));
     return shown;
 }
@@ -38,6 +39,8 @@ void Uses::look(NodeId element, NodeId in) {
         sliders_.insert(element);
     else if (shown.formulas.contains(tree().name(element)))
         formulas_.insert(element);
+    else if (shown.values.contains(tree().name(element)))
+        values_.insert(element);
     else
         forget(element);
 }
@@ -46,12 +49,14 @@ void Uses::forget(NodeId node) {
     images_.erase(node);
     sliders_.erase(node);
     formulas_.erase(node);
+    values_.erase(node);
 }
 
 void Uses::forgetAll() {
     images_.clear();
     sliders_.clear();
     formulas_.clear();
+    values_.clear();
 }
 
 std::vector<NodeId> Uses::inOrder(const std::set<NodeId>& nodes) const {
@@ -94,5 +99,7 @@ std::vector<NodeId> Uses::formulas() const {
             contents.push_back(tree().content(id));
     return contents;
 }
+
+std::vector<NodeId> Uses::values() const { return inOrder(values_); }
 
 } // namespace document

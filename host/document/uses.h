@@ -1,6 +1,6 @@
 // The elements of a document that show the picture of a file, drive a parameter of a subdocument,
-// or hold a formula. They are sound only if file and parameter are there, and the formula can be
-// read.
+// show a value of one, or hold a formula. They are sound only if file, parameter and value are
+// there, and the formula can be read.
 #pragma once
 
 #include "document/element_follower.h"
@@ -28,11 +28,12 @@ public:
     [[nodiscard]] std::vector<ImageUse> images() const;
     [[nodiscard]] std::vector<SliderUse> sliders() const;
     [[nodiscard]] std::vector<sgml::NodeId> formulas() const; // their contents
+    [[nodiscard]] std::vector<sgml::NodeId> values() const;   // the elements
 
 private:
     using Names = std::set<std::string, std::less<>>;
     struct Shown {
-        Names images, sliders, formulas;
+        Names images, sliders, formulas, values;
     };
     void look(sgml::NodeId element, sgml::NodeId in) override;
     void forget(sgml::NodeId node) override;
@@ -42,7 +43,7 @@ private:
 
     const schemas::Schemas& schemas_;
     std::map<std::string, Shown, std::less<>> classes_; // what their presentations show so
-    std::set<sgml::NodeId> images_, sliders_, formulas_;
+    std::set<sgml::NodeId> images_, sliders_, formulas_, values_;
 };
 
 } // namespace document

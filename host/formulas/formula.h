@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -92,10 +93,17 @@ struct Fault {
     std::string message;
 };
 
+// A number from elsewhere: \value[options]{of}{expression}.
+struct ValueCall {
+    std::string options, of, expression;
+    std::size_t offset = 0, end = 0; // bytes of the source
+};
+
 struct Formula {
     std::vector<Node> nodes;
     NodeId root = none; // a list; never none in what read() returns
     std::vector<Fault> faults;
+    std::vector<ValueCall> values;
     [[nodiscard]] const Node& node(NodeId id) const { return nodes[id]; }
     // The node, or the only part of lists of one part.
     [[nodiscard]] const Node& alone(NodeId id) const {
@@ -106,7 +114,16 @@ struct Formula {
     }
 };
 
-[[nodiscard]] Formula read(std::string_view source);
+// The source of a formula that stands for a value, "" for its expression. It is shown as faulty
+// where there is no number.
+struct SuppliedValue {
+    std::string source;
+    bool isFaulty = false;
+};
+using ValueSupply = std::function<SuppliedValue(const ValueCall&)>;
+
+// Without a supply the expression stands for each value.
+[[nodiscard]] Formula read(std::string_view source, const ValueSupply& supply = {});
 
 // In English words, for those who hear the formula.
 [[nodiscard]] std::string spoken(const Formula& formula);

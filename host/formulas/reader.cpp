@@ -19,7 +19,8 @@ const char* ordinal(int index) {
 
 } // namespace
 
-Reader::Reader(std::string_view source) : source_(source) {
+Reader::Reader(std::string_view source, const ValueSupply& supply)
+    : supply_(supply), source_(source) {
     if (source_.size() > longestSource) {
         const std::size_t cut = text::characterStart(source_, longestSource);
         fault(cut, source_.size(),
@@ -337,6 +338,8 @@ std::string_view Reader::raw(const Token& command, bool& there) {
     return inside;
 }
 
-Formula read(std::string_view source) { return Reader(source).take(); }
+Formula read(std::string_view source, const ValueSupply& supply) {
+    return Reader(source, supply).take();
+}
 
 } // namespace formulas

@@ -22,7 +22,7 @@ struct Token {
 
 class Reader {
 public:
-    explicit Reader(std::string_view source);
+    explicit Reader(std::string_view source, const ValueSupply& supply = {});
     Formula take();
 
 private:
@@ -90,11 +90,14 @@ private:
     NodeId modulo(const Token& token);
     NodeId function(const Token& token);
     NodeId accent(const Token& token);
+    NodeId value(const Token& token);
+    NodeId grafted(const SuppliedValue& supplied, const Token& from);
     NodeId environment(const Token& token);
     NodeId array(const Token& token, ArrayForm form, std::string columns);
     void skipRowSpace();
     std::string columnsOf(const Token& token);
 
+    ValueSupply supply_;
     Formula formula_;
     std::string repaired_; // the source, where it had to be made UTF-8
     std::string_view source_;

@@ -144,6 +144,7 @@ const std::unordered_map<std::string_view, Reader::Handler>& Reader::handlers() 
         map["left"] = &Reader::fence;
         map["substack"] = &Reader::substack;
         map["not"] = &Reader::negation;
+        map["value"] = &Reader::value;
         map["begin"] = &Reader::environment;
         return map;
     }();

@@ -54,6 +54,39 @@ TEST(Reading, PlainTextAndWords) {
     }
 }
 
+TEST(Reading, ValuesAreSuppliedAsPartsOfTheFormula) {
+    const auto supply = [](const ValueCall& call) -> SuppliedValue {
+        if (call.of != "ball")
+            return {"", true};
+        return {call.options == "2 decimals" ? "-4.20" : "1.5\\times 10^{-7}"};
+    };
+    const Formula fall = read(R"(v = \value[2 decimals]{ball}{ball.dy} \,\mathrm{m/s})", supply);
+    EXPECT_TRUE(fall.faults.empty());
+    EXPECT_EQ(plain(fall), "v = −4.20 m/s");
+    EXPECT_EQ(spoken(fall), "v equals minus 4.20 m over s");
+    ASSERT_EQ(fall.values.size(), 1u);
+    EXPECT_EQ(fall.values[0].expression, "ball.dy");
+    EXPECT_EQ(fall.values[0].offset, 4u);
+    EXPECT_EQ(fall.values[0].end, 37u);
+    EXPECT_EQ(plain(read(R"(\frac{\value{ball}{E}}{2})", supply)), "(1.5 × 10⁻⁷)/2");
+    EXPECT_EQ(plain(read(R"(\value{ball}{E}^2)")), "[E]²"); // nobody supplies it
+    const Formula other = read(R"(\value{bell}{x})", supply);
+    EXPECT_TRUE(other.alone(other.root).faulty);
+}
+
+TEST(Reading, AValueWithoutItsPartsIsAFault) {
+    const auto faultOf = [](const char* source) {
+        std::string all;
+        for (const Fault& fault : read(source).faults)
+            all += fault.message;
+        return all;
+    };
+    EXPECT_NE(faultOf(R"(\value{ball})").find("each in braces"), std::string::npos);
+    EXPECT_NE(faultOf(R"(\value[2 decimals{ball}{x})").find("no ]"), std::string::npos);
+    EXPECT_TRUE(read(R"(\value{ball})").values.empty());
+    EXPECT_EQ(faultOf(R"(\value{a}{x[0] + \{2\} $})"), "");
+}
+
 TEST(Reading, SignsOfUnicodeAreThemselves) {
     EXPECT_EQ(plain(read("α ≤ β² − γ₁₂")), plain(read(R"(\alpha \le \beta^2 - \gamma_{12})")));
     EXPECT_EQ(plain(read("α ≤ β² − γ₁₂")), "α ≤ β² − γ₁₂");

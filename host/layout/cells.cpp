@@ -1,11 +1,13 @@
 #include "layout/cells.h"
 
-#include "layout/measure.h"
 #include "layout/number_columns.h"
+#include "paragraphs/measure.h"
 
 #include <algorithm>
 
 namespace layout {
+
+using paragraphs::fromPoints;
 
 Cells::Cells(const Surroundings& in, const model::Block& table, const Columns& columns,
              std::size_t band, double left)

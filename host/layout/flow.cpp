@@ -1,13 +1,22 @@
 #include "layout/flow.h"
 
 #include "layout/cells.h"
-#include "layout/measure.h"
 #include "layout/number_columns.h"
+#include "paragraphs/measure.h"
 
 #include <algorithm>
 #include <numeric>
 
 namespace layout {
+
+using paragraphs::BlockPointer;
+using paragraphs::fitted;
+using paragraphs::fromPoints;
+using paragraphs::InlineObject;
+using paragraphs::NoteMark;
+using paragraphs::Paragraph;
+using paragraphs::Widths;
+using paragraphs::widthsOf;
 
 namespace {
 
@@ -279,7 +288,7 @@ void Flow::subdocument(const BlockPointer& block, Strip& strip) const {
     const QSizeF size =
         fitted(in_.stock.sizes().subdocument(block->subdocument), room(block), in_.pictureHeight);
     strip.height = size.height();
-    strip.mayFloat = block->style.keepWithNext;
+    strip.mayFloat = block->style.mayFloat && block->style.keepWithNext;
     strip.pieces.emplace_back(SubdocumentPiece{
         block->subdocument, {QPointF(aligned(block, size.width()), 0), size}, block->style.align});
 }
@@ -288,7 +297,7 @@ void Flow::image(const BlockPointer& block, Strip& strip) const {
     const QSizeF size =
         fitted(in_.stock.sizes().picture(block->picture), room(block), in_.pictureHeight);
     strip.height = size.height();
-    strip.mayFloat = block->style.keepWithNext;
+    strip.mayFloat = block->style.mayFloat && block->style.keepWithNext;
     strip.pieces.emplace_back(pieceOf(block->picture,
                                       {QPointF(aligned(block, size.width()), 0), size},
                                       block->element, block->style.align));

@@ -52,37 +52,39 @@ private:
         std::shared_ptr<const Strip> header{}; // that is repeated
         std::shared_ptr<Cells> cells{};        // of the rows that are being made
     };
-    [[nodiscard]] Made inBlock(const BlockPointer& block, Strip& strip, bool& last);
-    void finish(const BlockPointer& block, Strip& strip, bool last);
+    [[nodiscard]] Made inBlock(const paragraphs::BlockPointer& block, Strip& strip, bool& last);
+    void finish(const paragraphs::BlockPointer& block, Strip& strip, bool last);
     void leaveBlock();
-    void beginText(const BlockPointer& block);
+    void beginText(const paragraphs::BlockPointer& block);
     void countText();
-    [[nodiscard]] Made text(const BlockPointer& block, Strip& strip, bool& last);
-    void addMarker(const BlockPointer& block, Strip& strip, double lineBaseline) const;
-    void subdocument(const BlockPointer& block, Strip& strip) const;
-    void image(const BlockPointer& block, Strip& strip) const;
-    void rule(const BlockPointer& block, Strip& strip) const;
-    [[nodiscard]] Made contents(const BlockPointer& block, Strip& strip, bool& last);
-    void beginTable(const BlockPointer& block);
-    [[nodiscard]] std::shared_ptr<Cells> cellsOf(const BlockPointer& block, std::size_t band) const;
-    [[nodiscard]] std::shared_ptr<const Strip> headerOf(const BlockPointer& block) const;
-    [[nodiscard]] Made table(const BlockPointer& block, Strip& strip, bool& last);
-    [[nodiscard]] double left(const BlockPointer& block) const;
-    [[nodiscard]] double room(const BlockPointer& block) const;
-    [[nodiscard]] double aligned(const BlockPointer& block, double itsWidth) const;
+    [[nodiscard]] Made text(const paragraphs::BlockPointer& block, Strip& strip, bool& last);
+    void addMarker(const paragraphs::BlockPointer& block, Strip& strip, double lineBaseline) const;
+    void subdocument(const paragraphs::BlockPointer& block, Strip& strip) const;
+    void image(const paragraphs::BlockPointer& block, Strip& strip) const;
+    void rule(const paragraphs::BlockPointer& block, Strip& strip) const;
+    [[nodiscard]] Made contents(const paragraphs::BlockPointer& block, Strip& strip, bool& last);
+    void beginTable(const paragraphs::BlockPointer& block);
+    [[nodiscard]] std::shared_ptr<Cells> cellsOf(const paragraphs::BlockPointer& block,
+                                                 std::size_t band) const;
+    [[nodiscard]] std::shared_ptr<const Strip>
+    headerOf(const paragraphs::BlockPointer& block) const;
+    [[nodiscard]] Made table(const paragraphs::BlockPointer& block, Strip& strip, bool& last);
+    [[nodiscard]] double left(const paragraphs::BlockPointer& block) const;
+    [[nodiscard]] double room(const paragraphs::BlockPointer& block) const;
+    [[nodiscard]] double aligned(const paragraphs::BlockPointer& block, double itsWidth) const;
 
     Surroundings in_;
     const model::Blocks& blocks_;
     std::size_t block_ = 0;
     std::size_t made_ = 0; // strips of this block: lines or rows
     bool breakNext_ = false;
-    std::shared_ptr<Paragraph> paragraph_;
+    std::shared_ptr<paragraphs::Paragraph> paragraph_;
     std::size_t lettersBefore_ = 0; // of the paragraph, when this flow came to it
     std::unique_ptr<Table> table_;
     struct Entry {
         std::size_t index = 0, line = 0; // of the next strip
         std::size_t made = 0;            // strips before it
-        std::shared_ptr<Paragraph> paragraph{};
+        std::shared_ptr<paragraphs::Paragraph> paragraph{};
     };
     Entry entry_; // of a table of contents
 };

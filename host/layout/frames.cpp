@@ -1,12 +1,14 @@
 #include "layout/frames.h"
 
-#include "layout/measure.h"
-#include "layout/typeface.h"
+#include "paragraphs/measure.h"
+#include "paragraphs/typeface.h"
 
 #include <algorithm>
 #include <map>
 
 namespace layout {
+
+using paragraphs::fromPoints;
 
 // Boxes come from outside to inside, in order of their first blocks, and lie in each other or
 // beside each other.

@@ -1,6 +1,5 @@
 // Documents that were quadratic, or could be: twice as much of them is twice the work, counted.
 #include "document/faults.h"
-#include "layout/find.h"
 #include "layout/pages.h"
 #include "model/model.h"
 #include "sgml/work.h"
@@ -8,6 +7,9 @@
 #include <gmock/gmock.h>
 
 namespace layout {
+
+using paragraphs::Objects;
+
 namespace {
 
 std::string repeated(const std::string& text, int count) {

@@ -1,10 +1,14 @@
 #include "layout/headers.h"
 
-#include "layout/measure.h"
+#include "paragraphs/measure.h"
 
 #include <algorithm>
 
 namespace layout {
+
+using paragraphs::fromPoints;
+using paragraphs::Materials;
+using paragraphs::Paragraph;
 
 namespace {
 constexpr double leastPoints = 50; // of a text area, whatever the margins are

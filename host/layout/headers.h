@@ -28,16 +28,16 @@ private:
     struct Line {
         std::string text;
         schemas::Align align = schemas::Align::left;
-        std::shared_ptr<const Paragraph> paragraph;
+        std::shared_ptr<const paragraphs::Paragraph> paragraph;
     };
     static constexpr std::size_t mostLines = 32; // those of some pages are kept
-    [[nodiscard]] std::shared_ptr<const Paragraph> line(const std::string& text,
-                                                        schemas::Align align) const;
+    [[nodiscard]] std::shared_ptr<const paragraphs::Paragraph> line(const std::string& text,
+                                                                    schemas::Align align) const;
 
     schemas::PageStyle style_;
     std::string title_;
     TextArea area_;
-    std::shared_ptr<Materials> materials_;
+    std::shared_ptr<paragraphs::Materials> materials_;
     mutable std::deque<Line> lines_;
 };
 

@@ -1,12 +1,18 @@
 #include "layout/number_columns.h"
 
-#include "layout/measure.h"
+#include "paragraphs/measure.h"
 #include "typography/numbers.h"
 
 #include <QFontMetricsF>
 #include <algorithm>
 
 namespace layout {
+
+using paragraphs::BlockPointer;
+using paragraphs::fromPoints;
+using paragraphs::Looks;
+using paragraphs::Paragraph;
+using paragraphs::widthsOf;
 
 namespace {
 

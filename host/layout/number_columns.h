@@ -12,7 +12,7 @@ namespace layout {
 
 // A block of a cell, measured once for so many letters.
 [[nodiscard]] std::shared_ptr<const Measured>
-measuredOf(const Surroundings& in, const BlockPointer& block, std::size_t letters);
+measuredOf(const Surroundings& in, const paragraphs::BlockPointer& block, std::size_t letters);
 
 // Of one column, as its cells are read.
 class NumberColumn {

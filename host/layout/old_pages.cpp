@@ -4,6 +4,8 @@
 
 namespace layout {
 
+using paragraphs::Sizes;
+
 void PageStart::shift(std::size_t by) {
     group.at.block += by;
     for (GroupStart& waiting : floats)

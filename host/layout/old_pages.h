@@ -21,7 +21,7 @@ struct Basis {
 class OldPages {
 public:
     // Without `old` there are none. `resized`: objects whose sizes are others.
-    OldPages(Pages old, const Basis& now, const Sizes::Changed& resized);
+    OldPages(Pages old, const Basis& now, const paragraphs::Sizes::Changed& resized);
 
     // Old pages that follow those that are made, and what is made after them.
     struct Part {

@@ -1,12 +1,15 @@
 #include "layout/pages.h"
 
-#include "layout/measure.h"
 #include "layout/paginator.h"
-#include "layout/typeface.h"
+#include "paragraphs/measure.h"
+#include "paragraphs/typeface.h"
 
 #include <utility>
 
 namespace layout {
+
+using paragraphs::Objects;
+using paragraphs::twipsPerPoint;
 
 std::vector<TextPiece> Pages::headersOf(std::size_t page) const {
     return headers ? headers->on(page, pages.size()) : std::vector<TextPiece>{};

@@ -1,11 +1,11 @@
 // The pages of a document: every piece with its place.
 //
 // Strips go onto pages from the top, by a first fit that keeps together what asks for it: headings
-// with what follows, at least two lines of a paragraph, a picture with its caption. A figure for
-// which there is no room is put at the top of the next page, and the text after it fills the page
-// before. Footnotes stand on the page of their mark; of what does not fit there, and of a table's
-// row that is taller than a page, the rest goes on to the next pages. All of it is linear in the
-// size of the document, and may be done in slices: see Pagination.
+// with what follows, at least two lines of a paragraph, a picture with its caption. A figure that
+// may float and has no room is put at the top of the next page, and the text after it fills the
+// page before. Footnotes stand on the page of their mark; of what does not fit there, and of a
+// table's row that is taller than a page, the rest goes on to the next pages. All of it is linear
+// in the size of the document, and may be done in slices: see Pagination.
 //
 // Pages follow a change of the model. Those before the first changed block stay. From there on
 // pages are filled until one begins as an old one did, with the same blocks behind it; the old ones
@@ -83,15 +83,17 @@ struct Pages {
 
 using ModelPointer = std::shared_ptr<const model::Model>;
 
-[[nodiscard]] Pages layOut(const ModelPointer& model, const Objects& objects);
+[[nodiscard]] Pages layOut(const ModelPointer& model, const paragraphs::Objects& objects);
 
 // The pages of `model`, of which as many as possible are those of `old`.
-[[nodiscard]] Pages relaid(const Pages& old, const ModelPointer& model, const Objects& objects);
+[[nodiscard]] Pages relaid(const Pages& old, const ModelPointer& model,
+                           const paragraphs::Objects& objects);
 
 // The same a little at a time, from the first page that is made to the last.
 class Pagination {
 public:
-    Pagination(const ModelPointer& model, const Objects& objects, const Pages& old = {});
+    Pagination(const ModelPointer& model, const paragraphs::Objects& objects,
+               const Pages& old = {});
     ~Pagination();
     Pagination(const Pagination&) = delete;
     Pagination& operator=(const Pagination&) = delete;

@@ -1,12 +1,11 @@
-#include "layout/find.h"
 #include "layout/flow.h"
-#include "layout/measure.h"
-#include "layout/model_testing.h"
 #include "layout/paint.h"
+#include "paragraphs/measure.h"
+#include "paragraphs/model_testing.h"
+#include "places/find.h"
 
 #include <gmock/gmock.h>
 
-#include <QGuiApplication>
 #include <QPainter>
 
 #include <iterator>
@@ -14,6 +13,20 @@
 #include <sstream>
 
 namespace layout {
+
+using paragraphs::fromPixels;
+using paragraphs::fromPoints;
+using paragraphs::Materials;
+using paragraphs::noted;
+using paragraphs::Objects;
+using paragraphs::Paragraph;
+using paragraphs::paragraph;
+using paragraphs::picture;
+using paragraphs::tableOf;
+using paragraphs::twipsPerPixel;
+using places::findText;
+using places::Found;
+
 namespace {
 
 class PagesTest : public ::testing::Test {
@@ -130,6 +143,22 @@ TEST_F(PagesTest, AFigureWithoutRoomMovesToTheNextPageAndTextFillsTheGap) {
     EXPECT_EQ(laid.subdocuments()[0].page, 1u);
     EXPECT_EQ(laid.subdocuments()[0].rect.top(), fromPoints(72));
     EXPECT_EQ(lastText(*laid.pages[0]), "After");
+}
+
+TEST_F(PagesTest, AFigureThatDoesNotFloatKeepsItsPlaceInTheText) {
+    size_ = QSizeF(fromPoints(300), areaHeight() * 0.6);
+    for (int i = 0; i < 25; ++i)
+        model_.blocks.push_back(paragraph("Before"));
+    const auto fixed = picture(7);
+    fixed->style.mayFloat = false;
+    model_.blocks.push_back(fixed);
+    model_.blocks.push_back(paragraph("Caption"));
+    model_.blocks.push_back(paragraph("After"));
+    const Pages laid = pages();
+    ASSERT_EQ(laid.pages.size(), 2U);
+    EXPECT_EQ(lastText(*laid.pages[0]), "Before");
+    EXPECT_EQ(laid.subdocuments()[0].page, 1U);
+    EXPECT_EQ(lastText(*laid.pages[1]), "After");
 }
 
 TEST_F(PagesTest, AFigureThatMovedStandsBeforeTheNextForcedBreak) {
@@ -394,9 +423,3 @@ TEST_F(PagesTest, LettersArePaintedInTheirColour) {
 
 } // namespace
 } // namespace layout
-
-int main(int argc, char** argv) {
-    QGuiApplication application(argc, argv);
-    ::testing::InitGoogleTest(&argc, argv);
-    return RUN_ALL_TESTS();
-}

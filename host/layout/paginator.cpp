@@ -1,12 +1,16 @@
 #include "layout/paginator.h"
 
 #include "layout/cells.h"
-#include "layout/measure.h"
-#include "layout/typeface.h"
+#include "paragraphs/measure.h"
+#include "paragraphs/typeface.h"
 
 #include <algorithm>
 
 namespace layout {
+
+using paragraphs::colorOf;
+using paragraphs::fromPoints;
+using paragraphs::Objects;
 
 namespace {
 

@@ -9,7 +9,7 @@ namespace layout {
 
 class Paginator {
 public:
-    Paginator(const ModelPointer& model, const Objects& objects, const Pages& old);
+    Paginator(const ModelPointer& model, const paragraphs::Objects& objects, const Pages& old);
 
     [[nodiscard]] bool step();
     [[nodiscard]] Pages pages() const;

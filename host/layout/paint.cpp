@@ -1,11 +1,16 @@
 #include "layout/paint.h"
 
-#include "layout/measure.h"
-#include "layout/typeface.h"
+#include "paragraphs/measure.h"
+#include "paragraphs/typeface.h"
 
 #include <QPainter>
 
 namespace layout {
+
+using paragraphs::colorOf;
+using paragraphs::fontOf;
+using paragraphs::fromPoints;
+using paragraphs::Paragraph;
 
 namespace {
 

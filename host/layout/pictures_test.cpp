@@ -1,12 +1,20 @@
 // Images in the lines of a text.
-#include "layout/carets.h"
-#include "layout/measure.h"
-#include "layout/model_testing.h"
 #include "layout/pages.h"
+#include "paragraphs/measure.h"
+#include "paragraphs/model_testing.h"
 
 #include <gtest/gtest.h>
 
 namespace layout {
+
+using paragraphs::fromPixels;
+using paragraphs::fromPoints;
+using paragraphs::NewBlock;
+using paragraphs::Objects;
+using paragraphs::Paragraph;
+using paragraphs::paragraph;
+using paragraphs::tableOf;
+
 namespace {
 
 class PicturesInLinesTest : public testing::Test {

@@ -1,9 +1,9 @@
 // Pages that follow changes of their model are those of a layout from nothing, and cost what has
 // changed.
-#include "layout/find.h"
-#include "layout/measure.h"
-#include "layout/model_testing.h"
 #include "layout/pages.h"
+#include "paragraphs/measure.h"
+#include "paragraphs/model_testing.h"
+#include "places/find.h"
 
 #include <gmock/gmock.h>
 
@@ -11,6 +11,17 @@
 #include <random>
 
 namespace layout {
+
+using paragraphs::NewBlock;
+using paragraphs::noted;
+using paragraphs::Objects;
+using paragraphs::Paragraph;
+using paragraphs::paragraph;
+using paragraphs::picture;
+using paragraphs::tableOf;
+using places::findText;
+using places::Found;
+
 namespace {
 
 using model::Block;
@@ -142,6 +153,7 @@ protected:
         case 1: {
             NewBlock block = picture(1 + below(20));
             block->style.keepWithNext = below(4) != 0;
+            block->style.mayFloat = below(4) != 0;
             return block;
         }
         case 2: {
@@ -149,6 +161,7 @@ protected:
             block->kind = model::BlockKind::image;
             block->picture.source = std::string(1 + below(9), 'i');
             block->style.keepWithNext = below(2) == 0;
+            block->style.mayFloat = below(2) == 0;
             return block;
         }
         case 3: {

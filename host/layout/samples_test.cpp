@@ -1,8 +1,8 @@
 // The lines of the sample documents, and of tables full of numbers, as they come onto paper.
 #include "document/document.h"
-#include "layout/measure.h"
-#include "layout/model_testing.h"
 #include "layout/pages.h"
+#include "paragraphs/measure.h"
+#include "paragraphs/model_testing.h"
 #include "schemas/schemas.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +13,14 @@
 #include <sstream>
 
 namespace layout {
+
+using paragraphs::fromPixels;
+using paragraphs::NewBlock;
+using paragraphs::Objects;
+using paragraphs::Paragraph;
+using paragraphs::paragraph;
+using paragraphs::tableOf;
+
 namespace {
 
 Pages pagesOf(const std::string& bytes, const std::string& presentation) {

@@ -2,7 +2,7 @@
 // block. An entry lives as long as the pages that use it.
 #pragma once
 
-#include "layout/paragraph.h"
+#include "paragraphs/paragraph.h"
 
 #include <unordered_map>
 
@@ -16,17 +16,17 @@ struct NumberWidths {
 // The widths that a block in a cell would like, by so many of its letters, and how many were read
 // for it.
 struct Measured {
-    BlockPointer block;
-    Widths widths{};
+    paragraphs::BlockPointer block;
+    paragraphs::Widths widths{};
     std::size_t letters = 0;
     std::optional<NumberWidths> number{}; // that it is
     bool isNoNumber = false;              // it is empty, or a dash
-    [[nodiscard]] static bool isOf(const Sizes&) { return true; }
+    [[nodiscard]] static bool isOf(const paragraphs::Sizes&) { return true; }
 };
 
 // The widths of a table's columns, and what they depend on beside the table.
 struct Columns {
-    BlockPointer block;
+    paragraphs::BlockPointer block;
     std::vector<std::shared_ptr<const Measured>> cells{}; // for tables to come
     std::vector<double> widths;
     std::vector<std::optional<double>> points{}; // of columns of numbers, from the left of the cell
@@ -34,35 +34,37 @@ struct Columns {
     std::vector<std::size_t> bands{}; // the first row of each, and behind the last
     std::vector<std::pair<document::SubdocumentId, QSizeF>> sizes; // that were asked for
 
-    [[nodiscard]] bool isOf(Sizes& sizesNow) const;
+    [[nodiscard]] bool isOf(paragraphs::Sizes& sizesNow) const;
 };
 
 class Stock {
 public:
-    explicit Stock(Looks::Styles styles)
-        : materials_(std::make_shared<Materials>(std::move(styles))) {}
+    explicit Stock(paragraphs::Looks::Styles styles)
+        : materials_(std::make_shared<paragraphs::Materials>(std::move(styles))) {}
 
     enum class Part { text, withMarker, marker };
 
     // One that is known, or a new one that has no lines yet. `make` makes it.
     template <class Make>
-    [[nodiscard]] std::shared_ptr<Paragraph> paragraph(const BlockPointer& block, double width,
-                                                       Part part, Make make) {
-        return found<Paragraph>(paragraphs_, {block.get(), width, part}, make);
+    [[nodiscard]] std::shared_ptr<paragraphs::Paragraph>
+    paragraph(const paragraphs::BlockPointer& block, double width, Part part, Make make) {
+        return found<paragraphs::Paragraph>(paragraphs_, {block.get(), width, part}, make);
     }
     template <class Make>
-    [[nodiscard]] std::shared_ptr<Columns> columns(const BlockPointer& block, double width,
-                                                   Make make) {
+    [[nodiscard]] std::shared_ptr<Columns> columns(const paragraphs::BlockPointer& block,
+                                                   double width, Make make) {
         return found<Columns>(columns_, {block.get(), width, Part::text}, make);
     }
     template <class Make>
-    [[nodiscard]] std::shared_ptr<Measured> measured(const BlockPointer& block, std::size_t letters,
-                                                     Make make) {
+    [[nodiscard]] std::shared_ptr<Measured> measured(const paragraphs::BlockPointer& block,
+                                                     std::size_t letters, Make make) {
         return found<Measured>(measured_, {block.get(), static_cast<double>(letters), Part::text},
                                make);
     }
-    [[nodiscard]] const std::shared_ptr<Materials>& materials() const { return materials_; }
-    [[nodiscard]] Sizes& sizes() { return materials_->sizes; }
+    [[nodiscard]] const std::shared_ptr<paragraphs::Materials>& materials() const {
+        return materials_;
+    }
+    [[nodiscard]] paragraphs::Sizes& sizes() { return materials_->sizes; }
     [[nodiscard]] std::size_t paragraphsKnown() const { return paragraphs_->size(); }
 
 private:
@@ -101,8 +103,9 @@ private:
         return thing;
     }
 
-    std::shared_ptr<Materials> materials_;
-    std::shared_ptr<Known<Paragraph>> paragraphs_ = std::make_shared<Known<Paragraph>>();
+    std::shared_ptr<paragraphs::Materials> materials_;
+    std::shared_ptr<Known<paragraphs::Paragraph>> paragraphs_ =
+        std::make_shared<Known<paragraphs::Paragraph>>();
     std::shared_ptr<Known<Columns>> columns_ = std::make_shared<Known<Columns>>();
     std::shared_ptr<Known<Measured>> measured_ = std::make_shared<Known<Measured>>();
 };

@@ -4,18 +4,18 @@
 // of its cells.
 #pragma once
 
-#include "layout/paragraph.h"
+#include "paragraphs/paragraph.h"
 
 #include <variant>
 
 namespace layout {
 
 struct TextPiece {
-    std::shared_ptr<const Paragraph> paragraph;
+    std::shared_ptr<const paragraphs::Paragraph> paragraph;
     int line = 0;
     QPointF at;              // its top left
     bool isRepeated = false; // of a table's header, on a later page: it has no places of its own
-    [[nodiscard]] const Paragraph::Line& letters() const {
+    [[nodiscard]] const paragraphs::Paragraph::Line& letters() const {
         return paragraph->lines()[static_cast<std::size_t>(line)];
     }
 };

@@ -1,14 +1,20 @@
-#include "layout/carets.h"
-#include "layout/find.h"
-#include "layout/measure.h"
-#include "layout/model_testing.h"
 #include "layout/stock.h"
+#include "paragraphs/measure.h"
+#include "paragraphs/model_testing.h"
+#include "places/find.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
 namespace layout {
+
+using paragraphs::fromPoints;
+using paragraphs::NewBlock;
+using paragraphs::paragraph;
+using paragraphs::tableOf;
+using places::findText;
+
 namespace {
 
 class TablesTest : public ::testing::Test {

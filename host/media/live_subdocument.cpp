@@ -222,6 +222,8 @@ void LiveSubdocument::adopt(std::unique_ptr<MediumProcess> process) {
     loaded_ = false;
     load();
     steer(time_.forNextProcess());
+    if (const auto values = watched_.forNextProcess())
+        process_->request(*values);
     restoreWindows(why);
     const auto isCurrent = currentProcess();
     process_->request(ipc::PresentationList{},
@@ -231,6 +233,7 @@ void LiveSubdocument::adopt(std::unique_ptr<MediumProcess> process) {
                               return;
                           if (list)
                               presentations_ = std::move(list->items);
+                          Q_EMIT presentationsChanged();
                           for (Rendition* rendition : renditions_)
                               rendition->attach(process_.get());
                           askForSize();
@@ -360,6 +363,12 @@ void LiveSubdocument::told(const ipc::ToHost& report) {
     } else if (const auto* time = std::get_if<ipc::TimeChanged>(&report)) {
         steer(time_.told(*time));
         Q_EMIT timeChanged();
+    } else if (const auto* values = std::get_if<ipc::ValueChanged>(&report)) {
+        const ValueWatch::Heard heard = watched_.told(*values);
+        if (heard == ValueWatch::Heard::faulty)
+            process_->end(QStringLiteral("told more or fewer values than it was asked for"));
+        else if (heard == ValueWatch::Heard::taken)
+            Q_EMIT valuesChanged();
     } else if (const auto* menus = std::get_if<ipc::MenuChanged>(&report)) {
         menus_ = menus->menus;
         Q_EMIT menusChanged();
@@ -435,9 +444,8 @@ void LiveSubdocument::asked(MediumProcess& by, const ipc::Id& id, const ipc::ToH
 
 // --- renditions --------------------------------------------------------------------------------
 
-std::unique_ptr<Rendition> LiveSubdocument::createRendition(const QString& presentation) {
+std::unique_ptr<Rendition> LiveSubdocument::createRendition() {
     auto rendition = std::unique_ptr<Rendition>(new Rendition(*this, ++lastRendition_));
-    rendition->presentation_ = presentation;
     renditions_.push_back(rendition.get());
     if (isReady() && !presentations_.empty())
         rendition->attach(process_.get());
@@ -446,9 +454,23 @@ std::unique_ptr<Rendition> LiveSubdocument::createRendition(const QString& prese
 
 void LiveSubdocument::forget(const Rendition& rendition) { std::erase(renditions_, &rendition); }
 
-QString LiveSubdocument::defaultPresentation() const {
-    return presentations_.empty() ? QStringLiteral("picture")
-                                  : QString::fromStdString(presentations_.front().id);
+std::string LiveSubdocument::presentation() const {
+    const auto isWanted = [&](const ipc::Presentation& one) {
+        return one.id == wantedPresentation_;
+    };
+    if (std::ranges::any_of(presentations_, isWanted))
+        return wantedPresentation_;
+    return presentations_.empty() ? "picture" : presentations_.front().id;
+}
+
+void LiveSubdocument::setPresentation(const std::string& name) {
+    const std::string before = presentation();
+    wantedPresentation_ = name;
+    if (presentation() == before || !isReady() || presentations_.empty())
+        return;
+    for (Rendition* rendition : renditions_)
+        rendition->showAnew();
+    askForSize();
 }
 
 void LiveSubdocument::setAvailable(QSizeF available) {
@@ -461,7 +483,7 @@ void LiveSubdocument::setAvailable(QSizeF available) {
 
 void LiveSubdocument::askForSize() {
     ipc::PresentationSize call;
-    call.presentation = defaultPresentation().toStdString();
+    call.presentation = presentation();
     call.availableWidth = std::clamp(available_.width(), 1.0, 1e6);
     if (available_.height() >= 1)
         call.availableHeight = available_.height();
@@ -488,7 +510,7 @@ void LiveSubdocument::snapshot(QSize pixels, double scale, std::optional<double>
         return;
     }
     ipc::RenditionSnapshot call;
-    call.presentation = defaultPresentation().toStdString();
+    call.presentation = presentation();
     call.width = pixels.width();
     call.height = pixels.height();
     call.scale = scale;

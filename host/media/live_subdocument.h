@@ -15,6 +15,7 @@
 #include "media/medium_process.h"
 #include "media/rendition.h"
 #include "media/restarts.h"
+#include "media/value_watch.h"
 
 #include <QSizeF>
 #include <functional>
@@ -67,8 +68,12 @@ public:
     void setPoster(std::optional<double> time) { time_.setPoster(time); } // s; at first
 
     // --- its renditions
-    [[nodiscard]] std::unique_ptr<Rendition> createRendition(const QString& presentation = {});
-    [[nodiscard]] QString defaultPresentation() const;
+    [[nodiscard]] std::unique_ptr<Rendition> createRendition();
+    // As what all of them show it: a name from presentations(). Of another name, and of "", the
+    // first counts.
+    void setPresentation(const std::string& name);
+    [[nodiscard]] std::string presentation() const; // that counts
+    // As the medium said last; nothing before it did.
     [[nodiscard]] const std::vector<ipc::Presentation>& presentations() const {
         return presentations_;
     }
@@ -97,6 +102,17 @@ public:
     void seek(double time);
     void setRate(double rate, bool loop);
 
+    // --- its values
+    // Expressions whose values are told from now on, as its time goes on: valuesChanged().
+    void watch(std::vector<std::string> expressions);
+    [[nodiscard]] const ValueWatch& watched() const { return watched_; }
+    // The values that users may choose from; nothing where the medium offers none.
+    void listValues(std::function<void(const std::vector<ipc::ValueOffer>&)> done);
+    // At a time, or as it stands, when the motion is known so far: `done` gets one for each, or
+    // why there are none.
+    void readValues(const std::vector<std::string>& expressions, std::optional<double> time,
+                    std::function<void(Outcome<ipc::Values>)> done);
+
     // Of its own: while they are open its process is not for others to end.
     [[nodiscard]] const ipc::WindowsChanged& windows() const { return windows_; }
     // The state of them that the medium wants in its next process, in its own words; "": none.
@@ -121,7 +137,9 @@ Q_SIGNALS:
     void timeChanged();
     void diagnosticsChanged();
     void parametersChanged();
+    void presentationsChanged();
     void preferredSizeChanged();
+    void valuesChanged(); // of what is watched
     void loaded();
     void undoRequested();
     void redoRequested();
@@ -180,10 +198,12 @@ private:
     std::vector<Rendition*> renditions_;
     ipc::Integer lastRendition_ = 0;
     std::vector<ipc::Presentation> presentations_;
+    std::string wantedPresentation_; // "": the first
     std::optional<QSizeF> preferredSize_;
     QSizeF available_{640, 0};
     std::vector<ipc::MenuEntry> menus_;
     KeptTime time_;
+    ValueWatch watched_;
     ipc::Diagnostics diagnostics_;
     std::optional<std::vector<std::string>> parameters_;
     ipc::WindowsChanged windows_;

@@ -61,7 +61,32 @@ TEST_F(MediumProcessTest, DrawsItsTextIntoARendition) {
     EXPECT_EQ(it->menus().size(), 4u);
 }
 
-TEST_F(MediumProcessTest, FollowsEditsResizesAndPresentations) {
+TEST_F(MediumProcessTest, IsShownAsOneOfItsPresentations) {
+    auto it = subdocument("colour 204060\nsize 300 100");
+    it->setPresentation("source");
+    auto rendition = it->createRendition();
+    rendition->setGeometry({64, 48}, 1);
+    rendition->setShown(true);
+    it->start();
+    const auto shows = [&](const QColor& colour, QSizeF size) {
+        return waitFor([&] {
+            rendition->painted();
+            return !rendition->picture().isNull() && middle(rendition->picture()) == colour &&
+                   it->preferredSize() == size;
+        });
+    };
+    EXPECT_TRUE(shows(QColor(0xDF, 0xBF, 0x9F), {300, 50}));
+    EXPECT_EQ(it->presentation(), "source");
+    it->setPresentation("");
+    EXPECT_TRUE(shows(QColor(0x20, 0x40, 0x60), {300, 100}));
+    it->setPresentation("source");
+    EXPECT_TRUE(shows(QColor(0xDF, 0xBF, 0x9F), {300, 50}));
+    it->setPresentation("nothing it knows");
+    EXPECT_TRUE(shows(QColor(0x20, 0x40, 0x60), {300, 100}));
+    EXPECT_EQ(it->presentation(), "picture");
+}
+
+TEST_F(MediumProcessTest, FollowsEditsAndResizes) {
     auto it = subdocument("colour 202020");
     auto small = it->createRendition(), large = it->createRendition();
     small->setGeometry({40, 30}, 1);

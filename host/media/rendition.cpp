@@ -19,10 +19,7 @@ Rendition::~Rendition() {
         subdocument_->forget(*this);
 }
 
-void Rendition::setPresentation(const QString& presentation) {
-    if (presentation == presentation_)
-        return;
-    presentation_ = presentation;
+void Rendition::showAnew() {
     if (process_)
         sendGeometry(false);
 }
@@ -98,9 +95,7 @@ void Rendition::sendGeometry(bool create) {
     ipc::RenditionCreate geometry;
     geometry.rendition = id_;
     geometry.state = state_;
-    geometry.presentation =
-        (presentation_.isEmpty() ? subdocument_->defaultPresentation() : presentation_)
-            .toStdString();
+    geometry.presentation = subdocument_->presentation();
     geometry.width = pixels_.width();
     geometry.height = pixels_.height();
     geometry.scale = scale_;

@@ -1,5 +1,5 @@
-// The picture of one subdocument in one view: it has a size, and outlives the process that drew
-// it.
+// The picture of one subdocument in one view: it has a size, shows the subdocument's presentation,
+// and outlives the process that drew it.
 //
 // It belongs to a LiveSubdocument, which talks to the medium. The medium draws into two slots and
 // may have two frames that are not acknowledged; each frame is copied out when it comes, and
@@ -26,13 +26,11 @@ public:
 
     [[nodiscard]] ipc::Integer id() const { return id_; }
     [[nodiscard]] LiveSubdocument* subdocument() const; // nullptr: it was removed from the document
-    [[nodiscard]] const QString& presentation() const { return presentation_; }
 
     // The newest picture, null before the first. It stays when the medium is gone.
     [[nodiscard]] const QImage& picture() const { return picture_; }
     [[nodiscard]] ipc::CursorShape cursor() const { return cursor_; }
 
-    void setPresentation(const QString& presentation);
     void setGeometry(QSize pixels,
                      double scale); // device pixels, and how many there are to 1/96 inch
     void setShown(bool shown);
@@ -50,6 +48,7 @@ private:
 
     void attach(MediumProcess* process); // makes itself there; nullptr: the process is gone
     void sendGeometry(bool create);
+    void showAnew(); // as the presentation that counts now
     void keepPress(const ipc::Input& input);
     [[nodiscard]] bool take(const ipc::RenditionFrame& frame); // false: not a frame of ours
     void freeSlots(const std::vector<Slot>& slots) const;
@@ -57,8 +56,7 @@ private:
 
     QPointer<LiveSubdocument> subdocument_;
     ipc::Integer id_;
-    QString presentation_; // "": the first that the medium has
-    std::string state_;    // what the medium last said of how it is seen, for the next process
+    std::string state_; // what the medium last said of how it is seen, for the next process
     QSize pixels_{320, 240};
     double scale_ = 1;
     bool shown_ = false;

@@ -4,13 +4,21 @@
 #include "plain/plain.h"
 #include "view/document_view.h"
 
+#include <QTimer>
+
 namespace menus {
 
 CommandMenu::CommandMenu(const QString& title, view::DocumentView& view, QWidget* parent)
     : QMenu(title, parent), view_(view) {
     setToolTipsVisible(true);
     connect(this, &QMenu::aboutToShow, this, &CommandMenu::offer);
-    connect(this, &QMenu::aboutToHide, this, &CommandMenu::offerAll);
+    // Not before the entry that is being chosen has done its work.
+    connect(this, &QMenu::aboutToHide, this, [this] {
+        if (view_.chosen())
+            QTimer::singleShot(0, this, &CommandMenu::offerAll);
+        else
+            offerAll();
+    });
     connect(&view_, &view::DocumentView::writingChanged, this, &CommandMenu::offerAll);
     connect(&view_, &view::DocumentView::chosenChanged, this, &CommandMenu::offerAll);
     offerAll();
@@ -27,7 +35,7 @@ QAction* CommandMenu::append(const QString& name, const QString& text, const QKe
 
 QAction* CommandMenu::add(const QString& name, const QString& text, const QKeySequence& keys,
                           Command command, Role role) {
-    const auto whyNot = [this, command] { return view_.writing().whyNot(command); };
+    const auto whyNot = [this, command] { return this->whyNot(command); };
     const auto done = [this, command = std::move(command)] { perform(command); };
     return append(name, text, keys, {nullptr, whyNot, role}, done);
 }
@@ -35,9 +43,9 @@ QAction* CommandMenu::add(const QString& name, const QString& text, const QKeySe
 // A command that is not allowed says why, and asks nothing.
 QAction* CommandMenu::addAsking(const QString& name, const QString& text, const QKeySequence& keys,
                                 Command probe, std::function<void()> ask) {
-    const auto whyNot = [this, probe] { return view_.writing().whyNot(probe); };
+    const auto whyNot = [this, probe] { return this->whyNot(probe); };
     const auto done = [this, probe = std::move(probe), ask = std::move(ask)] {
-        if (view_.writing().whyNot(probe).isEmpty())
+        if (this->whyNot(probe).isEmpty())
             ask();
         else
             perform(probe);
@@ -47,12 +55,27 @@ QAction* CommandMenu::addAsking(const QString& name, const QString& text, const 
 
 QAction* CommandMenu::addToggle(const QString& name, const QString& text, const QKeySequence& keys,
                                 Role role) {
-    const auto whyNot = [this, role] { return view_.writing().whyNotToggled(role); };
+    const auto whyNot = [this, role] {
+        return view_.chosen() ? tr("A figure is chosen, and no letters.")
+                              : view_.writing().whyNotToggled(role);
+    };
     return append(name, text, keys, {nullptr, whyNot, role},
                   [this, role] { view_.writing().toggle(role); });
 }
 
-bool CommandMenu::perform(const Command& command) { return view_.writing().perform(command); }
+bool CommandMenu::perform(const Command& command) {
+    view_.chosenFigure().standBehind();
+    return view_.writing().perform(command);
+}
+
+QString CommandMenu::whyNot(const Command& command) const {
+    const auto at = view_.chosenFigure().behind();
+    if (!at)
+        return view_.writing().whyNot(command);
+    const authoring::Result result = command(view_.writing().manuscript(), *at);
+    const auto* refusal = std::get_if<authoring::Refusal>(&result);
+    return refusal ? refusal->why : QString();
+}
 
 void CommandMenu::offerAll() {
     const bool writes = view_.isWriting() && !view_.chosen();
@@ -66,7 +89,7 @@ void CommandMenu::offerAll() {
 void CommandMenu::offer() {
     for (const Entry& entry : entries_) {
         const QString why = entry.whyNot();
-        entry.action->setEnabled(entry.action->isEnabled() && why.isEmpty());
+        entry.action->setEnabled(view_.isWriting() && why.isEmpty());
         entry.action->setToolTip(plain::tip(why));
         if (entry.role != Role::none)
             entry.action->setChecked(view_.writing().isMarked(entry.role));

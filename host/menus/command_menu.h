@@ -1,6 +1,7 @@
 // A menu of commands of writing. It is there while its view is written in. The open menu offers the
-// commands that are allowed at the caret, and says of the others why they are not; their keys work
-// at any time, and the status line says then what the tool tip would.
+// commands that are allowed at the caret, or behind the figure that is chosen, and says of the
+// others why they are not; their keys work at any time, and the status line says then what the tool
+// tip would. While a figure is chosen these keys are its medium's.
 #pragma once
 
 #include "view/writing.h"
@@ -36,7 +37,9 @@ public:
 
 protected:
     [[nodiscard]] view::DocumentView& view() const { return view_; }
+    // Of a figure that is chosen, behind it.
     bool perform(const Command& command);
+    [[nodiscard]] QString whyNot(const Command& command) const;
 
 private:
     struct Entry {

@@ -21,11 +21,16 @@ FigureMenu::FigureMenu(view::DocumentView& view, QWidget* parent)
     : QMenu(tr("Fi&gure"), parent), view_(view) {
     setObjectName("figure");
     setToolTipsVisible(true);
+    hint_ =
+        addTo(*this, "figureHint", tr("Click a figure, or write in its caption, first"), {}, {});
+    hint_->setEnabled(false);
     const auto written = [this] { return whyNotWritten(); };
     addAlignment(Placement::left, "figureLeft", tr("Align &Left"));
     addAlignment(Placement::center, "figureCenter", tr("Align &Centre"));
     addAlignment(Placement::right, "figureRight", tr("Align &Right"));
     addSeparator();
+    presentations_ = addMenu(tr("Show As"));
+    presentations_->setObjectName("figurePresentations");
     add("figureSize", tr("&Size..."), written, [this] { askForSize(); });
     add("figureAlternative", tr("Alternative &Text..."), written, [this] { askForAlternative(); });
     add("figureCaption", tr("C&aption"), written, [this] { addCaption(); });
@@ -33,7 +38,10 @@ FigureMenu::FigureMenu(view::DocumentView& view, QWidget* parent)
         "figurePoster", tr("Use This &Moment as Poster"), [this] { return whyNoMoment(); },
         [this] { takeMoment(); });
     addSeparator();
-    add("figureDelete", tr("&Delete Figure"), written, [this] { view_.eraseChosen(); });
+    add("figureDelete", tr("&Delete Figure"), written, [this] {
+        view_.choose(id());
+        view_.chosenFigure().erase();
+    });
     addSeparator();
     add(
         "figureSave", tr("Save a Cop&y..."), [this] { return whyNoText(); },
@@ -81,6 +89,7 @@ void FigureMenu::addAlignment(Placement placement, const QString& name, const QS
 }
 
 void FigureMenu::offer() {
+    hint_->setVisible(!figure());
     for (const Entry& entry : entries_) {
         const QString why = entry.whyNot();
         entry.action->setEnabled(why.isEmpty());
@@ -88,6 +97,32 @@ void FigureMenu::offer() {
     }
     for (const auto& [action, placement] : alignments_)
         action->setChecked(figure() && figure()->placement == placement);
+    offerPresentations();
+}
+
+// As the medium of the figure says; the usual one is said by no attribute.
+void FigureMenu::offerPresentations() {
+    presentations_->clear();
+    const media::LiveSubdocument* of = live();
+    QString why = whyNotWritten();
+    if (why.isEmpty() && (!of || of->presentations().size() < 2))
+        why = tr("Its medium offers nothing else, or does not run yet.");
+    presentations_->setEnabled(why.isEmpty());
+    presentations_->menuAction()->setToolTip(plain::tip(why));
+    if (!of || !why.isEmpty())
+        return;
+    for (const ipc::Presentation& one : of->presentations()) {
+        const bool isUsual = &one == &of->presentations().front();
+        QAction* action =
+            presentations_->addAction(plain::caption(QString::fromStdString(one.label)));
+        action->setObjectName(QStringLiteral("figureAs-") + QString::fromStdString(one.id));
+        action->setCheckable(true);
+        action->setChecked(one.id == of->presentation());
+        connect(action, &QAction::triggered, this, [this, name = isUsual ? "" : one.id] {
+            if (figure())
+                setAttributes({{"PRESENTATION", name}}, tr("Show As"));
+        });
+    }
 }
 
 void FigureMenu::showAt(const QPoint& at, QMenu* ofMedium) {
@@ -104,8 +139,23 @@ void FigureMenu::showAt(const QPoint& at, QMenu* ofMedium) {
 
 // --- what is chosen ----------------------------------------------------------------------------
 
+// That of the caret is the one in the element with the role `figure` around it.
+document::SubdocumentId FigureMenu::id() const {
+    const std::optional<Selection> at = view_.writing().selection();
+    if (view_.chosen() || !view_.isWriting() || !at)
+        return view_.chosen();
+    const document::Document& document = view_.document().document();
+    for (const document::SubdocumentId one : document.subdocuments()) {
+        const sgml::NodeId element = document.subdocument(one)->element;
+        const sgml::NodeId whole = authoring::wholeFigure(view_.writing().manuscript(), element);
+        if (whole != element && document.tree().node(whole).range.contains(at->caret))
+            return one;
+    }
+    return document::noSubdocument;
+}
+
 const document::Subdocument* FigureMenu::figure() const {
-    return view_.document().document().subdocument(view_.chosen());
+    return view_.document().document().subdocument(id());
 }
 
 const media::Manifest* FigureMenu::manifest() const {
@@ -114,7 +164,7 @@ const media::Manifest* FigureMenu::manifest() const {
               : nullptr;
 }
 
-media::LiveSubdocument* FigureMenu::live() const { return view_.document().live(view_.chosen()); }
+media::LiveSubdocument* FigureMenu::live() const { return view_.document().live(id()); }
 
 QString FigureMenu::whyNotChosen() const {
     return figure() && figure()->classElement != sgml::noNode ? QString()
@@ -154,9 +204,8 @@ void FigureMenu::setAttributes(const authoring::Attributes& attributes, const QS
 }
 
 void FigureMenu::askForSize() {
-    const document::SubdocumentId id = view_.chosen();
     const std::optional<QSizeF> wanted =
-        menus::askForSize(view_.document().sizeOf(id), parentWidget());
+        menus::askForSize(view_.document().sizeOf(id()), parentWidget());
     if (!wanted || !figure())
         return;
     const auto spelled = [](double length) { return QString::number(std::lround(length)); };
@@ -199,7 +248,7 @@ void FigureMenu::saveCopy() {
     files::FileStamp stamp;
     const files::SaveResult saved =
         files::writeFile(files::FileSystem::real(), QFile::encodeName(file).toStdString(),
-                         view_.document().document().text(view_.chosen()), stamp);
+                         view_.document().document().text(id()), stamp);
     if (!saved)
         plain::Message::tell(QMessageBox::Critical, parentWidget(), tr("Save a Copy"),
                              QString::fromStdString(saved.sentence));
@@ -214,9 +263,9 @@ void FigureMenu::replace() {
         return plain::Message::tell(QMessageBox::Critical, parentWidget(), tr("Replace"),
                                     read.fault);
     document::Document& document = view_.document().document();
-    const std::size_t length = document.text(view_.chosen()).size();
+    const std::size_t length = document.text(id()).size();
     const document::EditResult result = document.editText(
-        view_.chosen(), figure()->revision, {{{0, length}, read.text}}, tr("Replace Figure"));
+        id(), figure()->revision, {{{0, length}, read.text}}, tr("Replace Figure"));
     if (result != document::EditResult::applied && result != document::EditResult::nothing)
         Q_EMIT view_.writing().refused(tr("This text cannot take the figure's place."));
 }

@@ -1,7 +1,9 @@
-// The menu Figure: what may be done with the figure that is chosen, whatever medium shows it.
+// The menu Figure: what may be done with the figure that is chosen, or whose caption has the caret,
+// whatever medium shows it.
 //
-// The menu is there while the document has figures. What may not be done is grey, and its tip says
-// why: no figure is chosen, the view is read and not written, the medium has no time or no files.
+// The menu is there while the document has figures. Where there is no such figure, its first entry
+// says what to do. What may not be done is grey, and its tip says why: the view is read and not
+// written, the medium has no time or no files.
 #pragma once
 
 #include "session/open_document.h"
@@ -33,7 +35,9 @@ private:
     void add(const QString& name, const QString& text, std::function<QString()> whyNot,
              std::function<void()> done);
     void offer();
-    [[nodiscard]] const document::Subdocument* figure() const; // null: none is chosen
+    void offerPresentations();
+    [[nodiscard]] document::SubdocumentId id() const;
+    [[nodiscard]] const document::Subdocument* figure() const; // null: there is none
     [[nodiscard]] const media::Manifest* manifest() const;     // null: it is not installed
     [[nodiscard]] media::LiveSubdocument* live() const;
     [[nodiscard]] QString whyNotChosen() const;
@@ -50,6 +54,8 @@ private:
     void replace();
 
     view::DocumentView& view_;
+    QAction* hint_;
+    QMenu* presentations_ = nullptr;
     std::vector<Entry> entries_;
     std::vector<std::pair<QAction*, document::Placement>> alignments_;
 };

@@ -26,9 +26,9 @@ FormatMenu::FormatMenu(view::DocumentView& view, QWidget* parent)
     addSeparator();
     addList("bullets", tr("&Bulleted List"), QKeySequence("Shift+F12"), false);
     addList("numbers", tr("&Numbered List"), QKeySequence("F12"), true);
-    add("indent", tr("&Into the Item Before"), QKeySequence("Ctrl+Alt+Right"),
-        authoring::indentItems);
-    add("outdent", tr("&Out of the List"), QKeySequence("Ctrl+Alt+Left"), authoring::outdentItems);
+    // Their keys are the view's: elsewhere they are those of other commands.
+    add("indent", tr("&Into the Item Before") + "\tTab", {}, authoring::indentItems);
+    add("outdent", tr("&Out of the List") + "\tShift+Tab", {}, authoring::outdentItems);
     addSeparator();
     auto* language = new LanguageMenu(tr("&Language"), LanguageMenu::Of::selection, view, this);
     language->setObjectName("language");

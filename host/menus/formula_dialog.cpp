@@ -114,7 +114,8 @@ void FormulaPreview::paintEvent(QPaintEvent*) {
 FormulaDialog::FormulaDialog(const QString& source, Place place, QWidget* parent)
     : QDialog(parent), field_(new QPlainTextEdit(source, this)), preview_(new FormulaPreview(this)),
       fault_(plain::label({}, this)), alone_(new QRadioButton(tr("&On its own"), this)),
-      numbered_(new QRadioButton(tr("On its own, with a &number"), this)) {
+      numbered_(new QRadioButton(tr("On its own, with a &number"), this)),
+      places_(new QHBoxLayout) {
     setObjectName("formulaDialog");
     setWindowTitle(tr("Formula"));
     field_->setObjectName("source");
@@ -136,16 +137,15 @@ FormulaDialog::FormulaDialog(const QString& source, Place place, QWidget* parent
                              : numbered_)
         ->setChecked(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    auto* places = new QHBoxLayout;
     for (QRadioButton* one : {inLine, alone_, numbered_})
-        places->addWidget(one);
-    places->addStretch();
+        places_->addWidget(one);
+    places_->addStretch();
     auto* column = new QVBoxLayout(this);
     column->addWidget(preview_, 1);
     column->addWidget(field_);
     column->addWidget(fault_);
     column->addWidget(makeSigns());
-    column->addLayout(places);
+    column->addLayout(places_);
     column->addWidget(buttons);
     connect(field_, &QPlainTextEdit::textChanged, this, [this, buttons] {
         look();
@@ -158,6 +158,17 @@ FormulaDialog::FormulaDialog(const QString& source, Place place, QWidget* parent
     buttons->button(QDialogButtonBox::Ok)->setEnabled(!source.isEmpty());
     look();
     field_->setFocus();
+}
+
+void FormulaDialog::offerValues(std::function<QString(QWidget* parent)> ask) {
+    auto* button = new QPushButton(tr("&Value of a Figure..."), this);
+    button->setObjectName("value");
+    button->setAutoDefault(false);
+    places_->addWidget(button);
+    connect(button, &QPushButton::clicked, this, [this, ask = std::move(ask)] {
+        if (const QString chosen = ask(this); !chosen.isEmpty())
+            put(chosen, {});
+    });
 }
 
 QWidget* FormulaDialog::makeSigns() {

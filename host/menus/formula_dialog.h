@@ -4,7 +4,9 @@
 #include "formulas/formula.h"
 
 #include <QDialog>
+#include <functional>
 
+class QHBoxLayout;
 class QLabel;
 class QPlainTextEdit;
 class QRadioButton;
@@ -37,6 +39,8 @@ public:
 
     [[nodiscard]] QString source() const;
     [[nodiscard]] Place place() const;
+    // A button that asks for a value of a figure: source of a formula, "" when none was chosen.
+    void offerValues(std::function<QString(QWidget* parent)> ask);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override; // Return ends the dialog
@@ -51,6 +55,7 @@ private:
     QLabel* fault_;
     QRadioButton* alone_;
     QRadioButton* numbered_;
+    QHBoxLayout* places_;
 };
 
 } // namespace menus

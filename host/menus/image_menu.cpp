@@ -7,6 +7,7 @@
 #include "view/resizing.h"
 
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QStandardPaths>
 
 namespace menus {
@@ -54,11 +55,22 @@ bool ImageMenu::isOnImage() const { return !view().chosen() && view::sizedUnit(v
 
 void ImageMenu::insert(bool isInLine) {
     const QString file = QFileDialog::getOpenFileName(
-        parentWidget(), tr("Insert Image"),
-        QStandardPaths::writableLocation(QStandardPaths::PicturesLocation),
+        parentWidget(), tr("Insert Image"), folder(),
         tr("Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.webp *.tif *.tiff);;All files (*)"));
-    if (!file.isEmpty())
-        insertFile(file, isInLine);
+    if (file.isEmpty())
+        return;
+    lastFolder_ = QFileInfo(file).absolutePath();
+    insertFile(file, isInLine);
+}
+
+// That of the last one, else the document's.
+QString ImageMenu::folder() const {
+    const QFileInfo own(view().document().document().fileName());
+    if (!lastFolder_.isEmpty())
+        return lastFolder_;
+    return own.fileName().isEmpty()
+               ? QStandardPaths::writableLocation(QStandardPaths::PicturesLocation)
+               : own.absolutePath();
 }
 
 void ImageMenu::insertFile(const QString& path, bool isInLine) {

@@ -18,6 +18,9 @@ private:
     void insert(bool isInLine);
     void insertFile(const QString& path, bool isInLine);
     void askForWords();
+    [[nodiscard]] QString folder() const; // where to look for pictures
+
+    QString lastFolder_;
 };
 
 } // namespace menus

@@ -55,13 +55,22 @@ CommandMenu::Command contents(schemas::ContainerRole of) {
         const std::string name(grammar ? grammar->named(Display::contents) : std::string_view());
         if (!name.empty() && of == schemas::ContainerRole::heading)
             return authoring::insertBlock(in, at, name);
-        if (!name.empty())
+        if (grammar && !name.empty())
             for (const auto& kind : grammar->variants(name))
                 if (kind.lists == of)
                     return authoring::insertBlock(
                         in, at, name, " " + sgml::attributeText(kind.attribute, kind.value));
         return authoring::Refusal{InsertMenu::tr("This class of documents has no such element.")};
     };
+}
+
+// Of any figure: whether one may stand at the caret.
+authoring::Result valueOfFirst(const Manuscript& in, Selection at) {
+    for (const document::SubdocumentId id : in.document.subdocuments())
+        if (const document::Subdocument* of = in.document.subdocument(id); of->hasText)
+            return authoring::insertValue(in, at, of->element, {.of = {}, .expression = "t"});
+    return authoring::Refusal{
+        InsertMenu::tr("There is no figure whose value could be shown: insert one first.")};
 }
 
 } // namespace
@@ -89,12 +98,14 @@ InsertMenu::InsertMenu(view::DocumentView& view, QWidget* parent)
     addAsking(
         "formula", tr("For&mula..."), QKeySequence("Ctrl+Shift+F"),
         [](const Manuscript& in, Selection at) { return authoring::insertFormula(in, at, "x"); },
-        [this] { askForFormula(selectedFormula()); });
+        [this] { askForFormula(this->view().writing().selectedAlone(Display::formula)); });
+    addAsking("value", tr("&Value of a Figure..."), QKeySequence("Ctrl+Alt+V"), valueOfFirst,
+              [this] { askForValue(this->view().writing().selectedAlone(Display::value)); });
     for (const media::Manifest& manifest : view.document().media().registry().media()) {
         QMenu* ofMedium = new MediumMenu(manifest, view, parent);
         addMenu(ofMedium);
     }
-    add("caption", tr("&Caption"), QKeySequence("Ctrl+Alt+C"), authoring::insertCaption);
+    addCaption();
     addSeparator();
     add("pageBreak", tr("&Page Break"), QKeySequence("Ctrl+Return"), block(Display::pageBreak));
     add("rule", tr("R&ule"), {}, block(Display::rule));
@@ -105,6 +116,35 @@ InsertMenu::InsertMenu(view::DocumentView& view, QWidget* parent)
     add("listOfTables", tr("List of Ta&bles"), {}, contents(ContainerRole::table));
     connect(&this->view(), &view::DocumentView::formulaActivated, this,
             [this](sgml::NodeId element) { askForFormula(element); });
+    connect(&this->view(), &view::DocumentView::valueActivated, this,
+            [this](sgml::NodeId element) { askForValue(element); });
+}
+
+// Of the figure that is chosen, or of the figure or table around the caret. One that is there gets
+// the caret.
+void InsertMenu::addCaption() {
+    const Command caption = [this](const Manuscript& in, Selection at) {
+        const std::optional<std::size_t> figure = chosenFigureEnd();
+        return authoring::insertCaption(in, figure ? Selection{*figure, *figure} : at);
+    };
+    // It is asked for the figure while that is chosen.
+    QAction* entry =
+        addAsking("caption", tr("&Caption"), QKeySequence("Ctrl+Alt+C"), caption, [this] {
+            const std::optional<std::size_t> figure = chosenFigureEnd();
+            perform([figure](const Manuscript& in, Selection at) {
+                return authoring::insertCaption(in, figure ? Selection{*figure, *figure} : at);
+            });
+        });
+    // Behind what the menu offers.
+    connect(this, &QMenu::aboutToShow, this, [entry] {
+        entry->setText(entry->isEnabled() ? tr("&Caption") : tr("&Caption, in a Figure or Table"));
+    });
+}
+
+std::optional<std::size_t> InsertMenu::chosenFigureEnd() const {
+    const document::Document& document = view().document().document();
+    const document::Subdocument* figure = document.subdocument(view().chosen());
+    return figure ? std::optional(document.tree().node(figure->element).range.to) : std::nullopt;
 }
 
 // A link that one is in is changed as a whole.
@@ -137,19 +177,6 @@ void InsertMenu::askForReference() {
     });
 }
 
-// A formula that is selected alone is changed.
-sgml::NodeId InsertMenu::selectedFormula() const {
-    const Manuscript in = view().writing().manuscript();
-    const Selection at = *view().writing().selection();
-    const sgml::Tree& tree = in.document.tree();
-    const authoring::Grammar* grammar = in.grammars.of(in.document.className());
-    const std::size_t first = std::min(at.anchor, at.caret), last = std::max(at.anchor, at.caret);
-    const sgml::NodeId node = tree.innermostAt(first);
-    const bool isFormula = grammar != nullptr && node != sgml::noNode && tree.isElement(node) &&
-                           grammar->of(tree.name(node)).display == Display::formula;
-    return isFormula && tree.node(node).range == text::Range{first, last} ? node : sgml::noNode;
-}
-
 void InsertMenu::askForFormula(sgml::NodeId element) {
     QString source;
     Place place = Place::inLine;
@@ -160,18 +187,80 @@ void InsertMenu::askForFormula(sgml::NodeId element) {
         if (const sgml::NodeId content = tree.content(element); content != sgml::noNode)
             source = QString::fromStdString(std::string(tree.unescaped(content).text()));
     }
+    sgml::NodeId figure = sgml::noNode; // whose value came in, and that may need an ID
     FormulaDialog dialog(source, place, parentWidget());
+    dialog.offerValues([&](QWidget* parent) -> QString {
+        std::vector<ValuedFigure> figures = this->figures();
+        if (figure != sgml::noNode) // LIMIT: a formula gives an ID to one figure
+            std::erase_if(figures, [&](const ValuedFigure& one) {
+                return one.element != figure &&
+                       view().document().document().subdocument(one.id)->name.empty();
+            });
+        const auto wanted = chosenValue(std::move(figures), {}, parent);
+        if (!wanted)
+            return {};
+        const Manuscript in = view().writing().manuscript();
+        const std::string id = authoring::idOf(in, wanted->figure);
+        figure = wanted->figure;
+        const std::string options = document::spelledOptions(wanted->use);
+        return QString::fromStdString("\\value" + (options.empty() ? "" : "[" + options + "]") +
+                                      "{" + id + "}{" + wanted->use.expression + "}");
+    });
     if (dialog.exec() != QDialog::Accepted)
         return;
     const std::string text = dialog.source().toStdString();
+    const auto withId = [&](const Manuscript& in, authoring::Result result) {
+        const bool isUsed = figure != sgml::noNode &&
+                            text.find("{" + authoring::idOf(in, figure) + "}") != std::string::npos;
+        return isUsed ? authoring::withIdOf(in, figure, std::move(result)) : result;
+    };
     perform([&](const Manuscript& in, Selection at) -> authoring::Result {
         if (element == sgml::noNode)
-            return authoring::insertFormula(in, at, text, kindOf(in, dialog.place()));
+            return withId(in, authoring::insertFormula(in, at, text, kindOf(in, dialog.place())));
         if (dialog.place() == place || !tree.holds(element))
-            return authoring::setText(in, element, text);
+            return withId(in, authoring::setText(in, element, text));
         const text::Range range = tree.node(element).range;
-        return authoring::insertFormula(in, {range.from, range.to}, text,
-                                        kindOf(in, dialog.place()));
+        return withId(in, authoring::insertFormula(in, {range.from, range.to}, text,
+                                                   kindOf(in, dialog.place())));
+    });
+}
+
+// --- values ------------------------------------------------------------------------------------
+
+std::vector<ValuedFigure> InsertMenu::figures() {
+    view().settle();
+    return view().model()
+               ? valuedFigures(view().document(), view().writing().manuscript(), *view().model())
+               : std::vector<ValuedFigure>();
+}
+
+std::optional<InsertMenu::ChosenValue> InsertMenu::chosenValue(std::vector<ValuedFigure> figures,
+                                                               const document::ValueUse& now,
+                                                               QWidget* parent) {
+    if (figures.empty()) {
+        Q_EMIT view().writing().refused(tr("No figure here has a medium that tells values."));
+        return std::nullopt;
+    }
+    const Manuscript in = view().writing().manuscript();
+    const auto at = view().writing().selection();
+    ValueDialog dialog(view().document(), std::move(figures), now,
+                       at ? authoring::languageAt(in, at->caret) : std::string(), parent);
+    if (dialog.exec() != QDialog::Accepted)
+        return std::nullopt;
+    return ChosenValue{dialog.figure(), dialog.use()};
+}
+
+void InsertMenu::askForValue(sgml::NodeId element) {
+    const sgml::Tree& tree = view().writing().manuscript().document.tree();
+    const document::ValueUse now =
+        element == sgml::noNode ? document::ValueUse() : document::valueUse(tree, element);
+    const auto wanted = chosenValue(figures(), now, parentWidget());
+    if (!wanted)
+        return;
+    perform([&](const Manuscript& in, Selection at) {
+        return element == sgml::noNode
+                   ? authoring::insertValue(in, at, wanted->figure, wanted->use)
+                   : authoring::changeValue(in, at, element, wanted->figure, wanted->use);
     });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "menus/command_menu.h"
+#include "menus/value_dialog.h"
 
 namespace menus {
 
@@ -12,10 +13,19 @@ public:
     explicit InsertMenu(view::DocumentView& view, QWidget* parent = nullptr);
 
 private:
+    void addCaption();
+    [[nodiscard]] std::optional<std::size_t> chosenFigureEnd() const; // within its element
     void askForLink();
     void askForReference();
-    [[nodiscard]] sgml::NodeId selectedFormula() const; // noNode: none is selected alone
-    void askForFormula(sgml::NodeId element);           // noNode: a new one
+    void askForFormula(sgml::NodeId element); // noNode: a new one
+    void askForValue(sgml::NodeId element);   // the same
+    struct ChosenValue {
+        sgml::NodeId figure = sgml::noNode;
+        document::ValueUse use;
+    };
+    [[nodiscard]] std::vector<ValuedFigure> figures();
+    [[nodiscard]] std::optional<ChosenValue>
+    chosenValue(std::vector<ValuedFigure> figures, const document::ValueUse& now, QWidget* parent);
 };
 
 } // namespace menus

@@ -57,9 +57,50 @@ QString desktopLanguage() {
 
 LanguageMenu::LanguageMenu(const QString& title, Of of, view::DocumentView& view, QWidget* parent)
     : CommandMenu(title, view, parent), of_(of) {
+    addNone();
     for (const Language& one : languages())
         addLanguage(one.code, one.name);
     connect(this, &QMenu::aboutToShow, this, &LanguageMenu::markCurrent);
+}
+
+namespace {
+
+std::size_t topOf(const authoring::Manuscript& in) {
+    const sgml::Tree& tree = in.document.tree();
+    return tree.node(tree.classElement(tree.root())).startTag.from;
+}
+
+// "Deutsch"; a document that says none is English.
+QString nameOf(const QString& code) {
+    if (code.isEmpty())
+        return LanguageMenu::tr("English");
+    const std::vector<Language> all = languages();
+    const auto known = std::ranges::find(all, code, &Language::code);
+    return known != all.end() ? known->name : QLocale(code).nativeLanguageName();
+}
+
+QString spelledAs(std::string_view language) {
+    return QString::fromUtf8(language.data(), static_cast<qsizetype>(language.size()))
+        .replace('_', '-');
+}
+
+} // namespace
+
+// Text is as its document then.
+void LanguageMenu::addNone() {
+    const bool isOfDocument = of_ == Of::document;
+    const auto command = [isOfDocument](const authoring::Manuscript& in, authoring::Selection at) {
+        return isOfDocument ? authoring::setDocumentLanguage(in, at, {})
+                            : authoring::setLanguage(in, at, authoring::languageAt(in, topOf(in)));
+    };
+    none_ = add(isOfDocument ? "documentLanguage-" : "language-", {}, {}, command);
+    none_->setCheckable(true);
+    addSeparator();
+}
+
+QString LanguageMenu::ofDocument() const {
+    const authoring::Manuscript in = view().writing().manuscript();
+    return spelledAs(authoring::languageAt(in, topOf(in)));
 }
 
 void LanguageMenu::addLanguage(const QString& code, const QString& name) {
@@ -78,21 +119,28 @@ void LanguageMenu::addLanguage(const QString& code, const QString& name) {
 void LanguageMenu::markCurrent() {
     const authoring::Manuscript in = view().writing().manuscript();
     const auto at = view().writing().selection();
-    const sgml::Tree& tree = in.document.tree();
-    const std::size_t place = of_ == Of::document || !at
-                                  ? tree.node(tree.classElement(tree.root())).startTag.from
-                                  : std::max(at->anchor, at->caret);
-    const QString said = QString::fromStdString(authoring::languageAt(in, place)).replace('_', '-');
+    const bool isOfDocument = of_ == Of::document || !at;
+    const QString whole = ofDocument();
+    const QString said =
+        isOfDocument ? whole
+                     : spelledAs(authoring::languageAt(in, std::max(at->anchor, at->caret)));
+    none_->setText(plain::caption(of_ == Of::document
+                                      ? tr("Not Said: %1").arg(nameOf({}))
+                                      : tr("As the Document: %1").arg(nameOf(whole))));
     const QList<QAction*> all = actions();
     const auto entryOf = [&](const QString& code) {
-        return std::ranges::find(all, code,
-                                 [](const QAction* action) { return action->data().toString(); });
+        return std::ranges::find_if(all, [&](const QAction* action) {
+            return action != none_ && !code.isEmpty() && action->data().toString() == code;
+        });
     };
     auto current = entryOf(said);
     if (current == all.end())
         current = entryOf(said.section('-', 0, 0));
+    const QAction* marked = current == all.end() ? nullptr : *current;
+    if (said.isEmpty() || (of_ == Of::selection && said == whole))
+        marked = none_;
     for (QAction* action : all)
-        action->setChecked(current != all.end() && action == *current);
+        action->setChecked(action == marked);
 }
 
 } // namespace menus

@@ -27,7 +27,7 @@ MediumMenu::MediumMenu(const media::Manifest& manifest, view::DocumentView& view
     const Command probe = [this](const Manuscript& in, Selection at) {
         return authoring::insertFigure(in, at, embedded({}, {}));
     };
-    addAsking("insertEmpty", tr("&Empty"), {}, probe,
+    addAsking("insertEmpty", tr("&New"), {}, probe,
               [this] { insert(manifest_.newText.toStdString(), {}, Then::edit); });
     if (!manifest.samples.isEmpty())
         addAsking("insertSample", tr("From the &Gallery..."), {}, probe,

@@ -66,6 +66,7 @@ void TableMenu::addCells() {
         "columnWidth", tr("Column &Width..."), {},
         [](const Manuscript& in, Selection at) { return authoring::setColumnWidth(in, at, 0); },
         [this] { askForWidth(); });
+    addAlignment();
     addSeparator();
     auto* parts = new CommandMenu(tr("&Select"), view(), this);
     const auto select = [&](const char* name, const QString& text, TablePart part) {
@@ -78,6 +79,32 @@ void TableMenu::addCells() {
     select("selectColumn", tr("C&olumn"), TablePart::column);
     select("selectTable", tr("&Table"), TablePart::table);
     addMenu(parts);
+}
+
+void TableMenu::addAlignment() {
+    auto* align = new CommandMenu(tr("Al&ign"), view(), this);
+    align->setObjectName("alignCells");
+    std::vector<std::pair<QAction*, std::string>> all;
+    const auto addOne = [&](const char* name, const QString& text, const char* how) {
+        QAction* action = align->add(name, text, {}, [how](const Manuscript& in, Selection at) {
+            return authoring::alignCells(in, at, how);
+        });
+        action->setCheckable(true);
+        all.emplace_back(action, how);
+    };
+    addOne("cellLeft", tr("&Left"), "left");
+    addOne("cellCenter", tr("&Centre"), "center");
+    addOne("cellRight", tr("&Right"), "right");
+    addOne("cellAutomatic", tr("&Automatic: Numbers by Their Point"), "");
+    connect(align, &QMenu::aboutToShow, this, [this, all] {
+        const auto selection = view().writing().selection();
+        const auto now =
+            selection ? authoring::alignmentOfCells(view().writing().manuscript(), *selection)
+                      : std::nullopt;
+        for (const auto& [action, how] : all)
+            action->setChecked(now == how);
+    });
+    addMenu(align);
 }
 
 bool TableMenu::isInTable() const {

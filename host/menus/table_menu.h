@@ -17,6 +17,7 @@ public:
 private:
     void addRowsAndColumns();
     void addCells();
+    void addAlignment();
     void checkHeader();
     void askForTable();
     void askForWidth();

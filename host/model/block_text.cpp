@@ -1,5 +1,7 @@
 #include "model/block_text.h"
 
+#include "model/value_text.h"
+
 #include <algorithm>
 
 namespace model {
@@ -26,7 +28,7 @@ QString wordsFor(const document::Document& document, const Run& run) {
     if (run.formula)
         return QString::fromStdString(run.formula->spoken);
     return figureWords(document, run.subdocument,
-                       run.picture ? run.picture->alternative : run.text);
+                       run.picture ? run.picture->alternative : plainText(run));
 }
 
 thread_local std::size_t BlockText::letters = 0;

@@ -1,5 +1,7 @@
 #include "model/copy_export.h"
 
+#include "model/value_text.h"
+
 #include <algorithm>
 
 namespace model {
@@ -84,7 +86,7 @@ private:
         for (const Run& run : of.runs)
             result += isPicture(run)                   ? "[" + copiedWords(document_, run) + "]"
                       : run.kind == RunKind::lineBreak ? "\n"
-                                                       : run.text;
+                                                       : plainText(run);
         if (isFormula && !of.marker.empty())
             result += " " + of.marker;
         if (of.kind == BlockKind::verbatim && result.ends_with('\n'))
@@ -226,7 +228,7 @@ private:
         std::string result;
         const std::uint32_t own = of.textStyle;
         for (const Run& run : of.runs) {
-            std::string text = escapedHtml(run.text);
+            std::string text = escapedHtml(plainText(run));
             if (run.kind == RunKind::lineBreak)
                 text = "<br>";
             if (isPicture(run))

@@ -1,5 +1,7 @@
 #include "model/folding.h"
 
+#include "model/kept_blocks.h"
+
 #include <algorithm>
 
 namespace model {
@@ -71,38 +73,13 @@ Folding::Pointer Folding::headingOf(const Model& whole, const Section& section) 
     return shown;
 }
 
-namespace {
-
-// Ranges of blocks of which some are gone; without those of which all are.
-template <class Ranges> void moveTo(Ranges& ranges, const std::vector<std::size_t>& shownBefore) {
-    for (auto& range : ranges) {
-        range.first = shownBefore[range.first];
-        range.last = shownBefore[range.last + 1]; // the one behind it
-    }
-    std::erase_if(ranges, [](const auto& range) { return range.first == range.last; });
-    for (auto& range : ranges)
-        --range.last;
-}
-
-} // namespace
-
 std::shared_ptr<const Model> Folding::folded(const Model& whole,
                                              const std::vector<Section>& sections) {
-    auto result = std::make_shared<Model>();
-    result->page = whole.page;
-    result->textStyles = whole.textStyles;
-    result->containers = whole.containers;
-    result->boxes = whole.boxes;
-    result->footnotes = whole.footnotes;
-    result->title = whole.title;
-    result->blocks.reserve(whole.blocks.size());
-    std::vector<std::size_t> shownBefore; // how many are, of each block
-    shownBefore.reserve(whole.blocks.size() + 1);
+    Blocks shown(whole.blocks.size());
     std::vector<Heading> headings;
     auto next = sections.begin();
     std::size_t hiddenTo = 0; // behind the last one
     for (std::size_t i = 0; i < whole.blocks.size(); ++i) {
-        shownBefore.push_back(result->blocks.size());
         while (next != sections.end() && next->heading < i)
             ++next; // it is hidden itself
         if (i < hiddenTo)
@@ -112,13 +89,10 @@ std::shared_ptr<const Model> Folding::folded(const Model& whole,
             headings.push_back({whole.blocks[i], headingOf(whole, *next)});
             hiddenTo = next->last + 1;
         }
-        result->blocks.push_back(isFolded ? headings.back().shown : whole.blocks[i]);
+        shown[i] = isFolded ? headings.back().shown : whole.blocks[i];
     }
-    shownBefore.push_back(result->blocks.size());
     headings_ = std::move(headings);
-    moveTo(result->containers, shownBefore);
-    moveTo(result->boxes, shownBefore);
-    return result;
+    return withBlocks(whole, shown);
 }
 
 } // namespace model

@@ -10,6 +10,7 @@
 
 #include "document/subdocument.h"
 #include "document/table_grid.h"
+#include "document/value_use.h"
 #include "formulas/formula.h"
 #include "schemas/style.h"
 
@@ -32,19 +33,35 @@ enum class RunKind {
     subdocument, // inline, with ALIGN="inline"
     image,       // in the line
     footnote,    // the mark; `text` is its number
-    slider,      // living: `text` is what stands for it until it lives
-    value,
+    slider,      // `text` stands for it
+    value,       // `text` is its number as it is known now, and generated
     lineBreak,
     formula, // in the line or alone: `text` is it as plain text, and generated
 };
 
 struct Footnote;
 
+// How a value looks: a number, one that is out of date, and what stands where there is none.
+struct ValueLooks {
+    std::uint32_t usual = 0, outdated = 0, faulty = 0; // in Model::textStyles
+    std::string language{};                            // of the text around it
+    bool operator==(const ValueLooks&) const = default;
+};
+
+// A value of a subdocument, in the line.
+struct Value {
+    document::ValueUse use;
+    ValueLooks looks;
+    bool operator==(const Value&) const = default;
+};
+
 struct Formula {
     std::string source; // TeX's mathematics
     formulas::Formula read;
-    std::string spoken;   // for who hears it
-    bool isAlone = false; // set as a display
+    std::string spoken;                // for who hears it
+    bool isAlone = false;              // set as a display
+    ValueLooks looks{};                // of its values
+    std::vector<std::string> values{}; // of its calls, as they were supplied
 };
 
 // An image's file, and how its author wants it.
@@ -71,6 +88,7 @@ struct Run {
     std::shared_ptr<const Footnote> footnote{}; // never null in a mark
     std::shared_ptr<const Formula> formula{};   // never null in a formula
     std::shared_ptr<const Picture> picture{};   // never null in an image
+    std::shared_ptr<const Value> value{};       // never null in a value
 };
 
 enum class BlockKind {
@@ -170,9 +188,12 @@ struct Model {
 // The places of a table's cells.
 [[nodiscard]] document::TableGrid gridOf(const Block& table);
 
+class ValueSource;
+// Without a source the expression stands for each value.
 [[nodiscard]] Model buildModel(const document::Document& document,
                                const schemas::Presentation& presentation,
-                               const schemas::Schemas& schemas);
+                               const schemas::Schemas& schemas,
+                               const ValueSource* values = nullptr);
 
 // One line per block, indented by nesting, with styles that differ from the default (for tests).
 [[nodiscard]] std::string printed(const Model& model);

@@ -149,16 +149,23 @@ void ModelWalk::addRun(Run run) {
     run.refers = run.kind == RunKind::text && run.text.empty() && run.target.starts_with('#');
     if (run.refers)
         markReferring();
+    markValued(run);
     flow_.last->runs.push_back(std::move(run));
     markFrames();
 }
 
 // All that is being made is part of the last block of the outermost flow.
-void ModelWalk::markReferring() {
-    Segment& segment = trail_.back();
-    const std::size_t block = model_.blocks.size() - 1 - segment.begin.blocksBefore;
-    if (segment.referring.empty() || segment.referring.back() != block)
-        segment.referring.push_back(block);
+void ModelWalk::mark(std::vector<std::size_t>& blocks) const {
+    const std::size_t block = model_.blocks.size() - 1 - trail_.back().begin.blocksBefore;
+    if (blocks.empty() || blocks.back() != block)
+        blocks.push_back(block);
+}
+
+void ModelWalk::markReferring() { mark(trail_.back().referring); }
+
+void ModelWalk::markValued(const Run& run) {
+    if (run.value || (run.formula && !run.formula->read.values.empty()))
+        mark(trail_.back().valued);
 }
 
 void ModelWalk::addText(std::string text, NodeId content, std::size_t offset) {

@@ -2,6 +2,7 @@
 
 #include "model/contents.h"
 #include "model/same_blocks.h"
+#include "model/value_text.h"
 
 #include <algorithm>
 
@@ -291,13 +292,54 @@ bool ModelBuilder::resolve(Model& model, const Spliced& spliced) {
             elsewhere += now != block && (s < first || s >= end) ? 1 : 0;
             block = std::move(now);
         }
+    for (std::size_t s = first; s < end; ++s)
+        for (const std::size_t i : trail_[s].valued) {
+            std::shared_ptr<const Block>& block = model.blocks[trail_[s].begin.blocksBefore + i];
+            block = withValues(block, values_);
+        }
     work_.blocks += elsewhere;
     return elsewhere > 0;
 }
 
+// --- values ---------------------------------------------------------------------------------
+
+bool ModelBuilder::followValues() {
+    if (!model_ || region_)
+        return false; // step() takes them as they are then
+    std::shared_ptr<Model> now;
+    bool isListed = false, hasNotes = false;
+    for (const ModelWalk::Segment& segment : trail_)
+        for (const std::size_t i : segment.valued) {
+            const std::size_t place = segment.begin.blocksBefore + i;
+            std::shared_ptr<const Block> block = withValues(model_->blocks[place], values_);
+            if (block == model_->blocks[place])
+                continue;
+            if (!now)
+                now = std::make_shared<Model>(*model_);
+            isListed = isListed || std::ranges::any_of(block->anchors, isGeneratedAnchor);
+            hasNotes = hasNotes || !block->rows.empty() ||
+                       std::ranges::any_of(block->runs,
+                                           [](const Run& run) { return run.footnote != nullptr; });
+            now->blocks[place] = std::move(block);
+            ++work_.blocks;
+        }
+    if (!now)
+        return false;
+    if (isListed)
+        work_.blocks += fillContents(*now, model_->blocks);
+    if (hasNotes) {
+        now->footnotes.clear();
+        for (const std::shared_ptr<const Block>& block : now->blocks)
+            addFootnotesOf(*block, now->footnotes);
+    }
+    model_ = std::move(now);
+    return true;
+}
+
 Model buildModel(const document::Document& document, const schemas::Presentation& presentation,
-                 const schemas::Schemas& schemas) {
+                 const schemas::Schemas& schemas, const ValueSource* values) {
     ModelBuilder builder(document, presentation, schemas);
+    builder.setValues(values);
     while (builder.step(1000))
         continue;
     return builder.take();

@@ -27,6 +27,11 @@ public:
         std::shared_ptr<schemas::TextStyles> styles = std::make_shared<schemas::TextStyles>(),
         int spacing = 100);
 
+    // The values of subdocuments, read as long as this lives. Null: nobody knows any.
+    void setValues(const ValueSource* values) { values_ = values; }
+    // Some of them are others: false when this changes no block of the model.
+    [[nodiscard]] bool followValues();
+
     // The document has changed; to be told of each change at once (Document::edited).
     void follow(const sgml::Change& change);
     // Walks over some more nodes; false: the model is that of the document.
@@ -66,6 +71,7 @@ private:
     const schemas::Schemas& schemas_;
     std::shared_ptr<schemas::TextStyles> styles_;
     int spacing_;
+    const ValueSource* values_ = nullptr;
     std::shared_ptr<const Model> model_;
     ModelWalk::Trail trail_;          // of the model
     References references_;           // of the model

@@ -18,13 +18,27 @@ std::optional<schemas::Align> alignOf(document::Placement placement) {
     }
 }
 
-// Shown as text of its own until something gives it life.
+ValueLooks ModelWalk::valueLooks(const Frame& frame) {
+    const auto generated = [&](std::string_view name) {
+        schemas::Presentation::Progress progress = frame.progress;
+        return textStyle(frame.presentation->style({.name = name}, frame.style, progress).text);
+    };
+    return {.usual = textStyle(frame.style.text),
+            .outdated = generated("OUTDATED"),
+            .faulty = generated("FAULTY"),
+            .language = frame.style.text.language};
+}
+
+// LIMIT: a slider is shown as text.
 bool ModelWalk::addLiving(const Frame& frame) {
     const bool slider = frame.style.display == schemas::Display::slider;
     Run run{.kind = slider ? RunKind::slider : RunKind::value, .element = frame.node};
     run.style = textStyle(frame.style.text);
-    run.text = slider ? attribute(frame.node, "NAME") + " = " + attribute(frame.node, "VALUE")
-                      : "[" + attribute(frame.node, "EXPRESSION") + "]";
+    if (slider)
+        run.text = attribute(frame.node, "NAME") + " = " + attribute(frame.node, "VALUE");
+    else
+        run.value = std::make_shared<const Value>(
+            Value{document::valueUse(tree_, frame.node), valueLooks(frame)});
     addRun(std::move(run));
     return false;
 }
@@ -40,15 +54,20 @@ bool ModelWalk::addChart(const Frame& frame) {
     return false;
 }
 
+// Its values come when the walk is over.
 Run ModelWalk::formulaRun(const Frame& frame, bool isAlone) {
     auto formula = std::make_shared<Formula>();
     formula->source = tree_.contentText(frame.node);
     formula->read = formulas::read(formula->source);
-    formula->spoken = formulas::spoken(formula->read);
     formula->isAlone = isAlone;
     Run run{.kind = RunKind::formula, .element = frame.node};
-    run.text = formulas::plain(formula->read);
     run.style = textStyle(frame.style.text);
+    if (formula->read.values.empty()) {
+        formula->spoken = formulas::spoken(formula->read);
+        run.text = formulas::plain(formula->read);
+    } else {
+        formula->looks = valueLooks(frame);
+    }
     run.formula = std::move(formula);
     return run;
 }
@@ -63,7 +82,9 @@ bool ModelWalk::addEquation(const Frame& frame) {
     if (flow_.open) // the text of the same paragraph: it is not left alone at a page's end
         flow_.last->style.keepWithNext = true;
     beginBlock(state_.frames.back());
-    addBlock(BlockKind::formula).runs.push_back(std::move(run));
+    Block& block = addBlock(BlockKind::formula);
+    markValued(run);
+    block.runs.push_back(std::move(run));
     return false;
 }
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -101,7 +102,7 @@ TEST(Model, BlocksOfEveryKind) {
         {"<PARAGRAPH>{a}</PARAGRAPH><PAGEBREAK></PAGEBREAK><RULE></RULE>",
          "text left 11pt after 24 [a]\npage-break left 11pt after 7\nrule left 11pt after 8\n"},
         {"<FIGURE><IMAGE FILE=\"x.png\"></IMAGE><CAPTION>{c}</CAPTION></FIGURE>",
-         "image center 11pt after 24 keep x.png\ntext center 9.9pt after 8 (Figure 1: ) [i|c]\n"},
+         "image center 11pt after 24 keep x.png\ntext center 9.9pt after 8 (Figure 1:) [i|c]\n"},
         {"<PARAGRAPH><TEXT>{a}</TEXT><IMAGE FILE=\"x.png\"></IMAGE><TEXT>{b}</TEXT></PARAGRAPH>"
          "<LIST><ITEM><EMPH><IMAGE FILE=\"y.png\"></IMAGE></EMPH></ITEM></LIST>",
          "text left 11pt after 24 [a][image:x.png][b]\n"
@@ -109,7 +110,7 @@ TEST(Model, BlocksOfEveryKind) {
         {"<TABLE "
          "ID=\"t\"><CAPTION>{c}</CAPTION><ROW><CELL>{a}</CELL>{b}</ROW></TABLE><PARAGRAPH><REF "
          "TO=\"t\"></REF></PARAGRAPH>",
-         "text center 9.9pt after 24 keep #t (Table 1: ) [i|c]\ntable left 11pt after 4\n  row\n   "
+         "text left 9.9pt after 24 keep #t (Table 1:) [i|c]\ntable left 11pt after 4\n  row\n   "
          " cell\n      text left 11pt "
          "[a]\n    cell\n      text left 11pt [b]\ntext left 11pt after 10 [Table\u00A01>#t]\n"},
         {"<PARAGRAPH><TEXT>{a}</TEXT><FOOTNOTE>{n}</FOOTNOTE><TEXT>{b}</TEXT></PARAGRAPH>",
@@ -152,7 +153,7 @@ TEST(Model, ACaptionIsAlignedAsItsFigure) {
     };
     const auto shown = [](const std::string& align) {
         return "subdocument " + align + " 11pt after 24 keep\ntext " + align +
-               " 9.9pt after 8 (Figure 1: ) [i|c]\n";
+               " 9.9pt after 8 (Figure 1:) [i|c]\n";
     };
     EXPECT_EQ(blocksOf(figure("")), shown("center"));
     EXPECT_EQ(blocksOf(figure(" ALIGN=\"left\"")), shown("left"));
@@ -229,6 +230,44 @@ TEST(Model, FootnotesInFootnotesEndSomewhereAndLoseNoText) {
 }
 
 // What was never thought of is at least shown and survived.
+TEST(Model, CellsAreAlignedAsTheySay) {
+    const schemas::Schemas schemas = schemas::Schemas::builtIn();
+    const document::Document document(
+        body("<TABLE><ROW><CELL>{1}</CELL><CELL ALIGN=\"center\">{2}</CELL>"
+             "<CELL ALIGN=\"right\"><PARAGRAPH>{3}</PARAGRAPH></CELL></ROW></TABLE>"));
+    const Model model = buildModel(document, schemas.presentation("CMEMO"), schemas);
+    const auto table = std::ranges::find(model.blocks, BlockKind::table,
+                                         [](const auto& block) { return block->kind; });
+    ASSERT_NE(table, model.blocks.end());
+    const Row& row = (*table)->rows.front();
+    EXPECT_TRUE(row[0].style.alignNumbers);
+    EXPECT_EQ(row[1].style.align, schemas::Align::center);
+    EXPECT_FALSE(row[1].style.alignNumbers);
+    EXPECT_EQ(row[2].blocks.front()->style.align, schemas::Align::right);
+    EXPECT_EQ(sgml::formatted(document::documentFaults(document, schemas, {}), "m"), "");
+}
+
+// A memo of two pages has headings.
+TEST(Model, AMemoHasSections) {
+    const schemas::Schemas schemas = schemas::Schemas::builtIn();
+    const document::Document document(
+        "DOCUMENT CMEMO\n<CMEMO><SUBJECT>{S}</SUBJECT><BODY><SECTION><HEADING>{One}</HEADING>"
+        "<SECTION><HEADING>{Two}</HEADING><PARAGRAPH>{x}</PARAGRAPH></SECTION></SECTION></BODY>"
+        "</CMEMO>");
+    for (const QString name : {"default", "slides", "print", "handout"}) {
+        const Model model = buildModel(document, schemas.presentation("CMEMO", name), schemas);
+        std::vector<int> levels;
+        for (const auto& block : model.blocks)
+            if (block->runs.size() == 1 &&
+                (block->runs.front().text == "One" || block->runs.front().text == "Two"))
+                levels.push_back(block->headingLevel);
+        ASSERT_EQ(levels.size(), 2U);
+        EXPECT_GT(levels[0], 0);
+        EXPECT_EQ(levels[1], levels[0] + 1);
+    }
+    EXPECT_EQ(sgml::formatted(document::documentFaults(document, schemas, {}), "m"), "");
+}
+
 TEST(Model, RandomDocumentsAreShown) {
     sgml::RandomDocument random(50);
     const schemas::Schemas schemas = schemas::Schemas::builtIn();

@@ -25,7 +25,7 @@ ModelWalk::ModelWalk(const document::Document& document, const schemas::Presenta
     root.progress = presentation_.start();
     push(std::move(root));
     state_.at = tree_.node(tree_.root()).firstChild;
-    trail_.push_back({checkpoint(), {}, {}});
+    trail_.push_back({checkpoint(), {}, {}, {}});
 }
 
 // --- rests ----------------------------------------------------------------------------------
@@ -39,7 +39,7 @@ void ModelWalk::resume(const Checkpoint& from, Model model) {
     flow_.containers = &model_.containers;
     flow_.gap = state_.gap;
     trail_.clear();
-    trail_.push_back({from, {}, {}});
+    trail_.push_back({from, {}, {}, {}});
 }
 
 bool ModelWalk::stillHolds(const Checkpoint& checkpoint) const {
@@ -84,7 +84,7 @@ bool ModelWalk::isAt(const Checkpoint& checkpoint) const {
 
 void ModelWalk::next() {
     if (++sinceRest_ > spacing_ && mayRest()) {
-        trail_.push_back({checkpoint(), {}, {}});
+        trail_.push_back({checkpoint(), {}, {}, {}});
         sinceRest_ = 1;
     }
     NodeId id = state_.at;

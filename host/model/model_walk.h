@@ -103,6 +103,7 @@ public:
         Checkpoint begin;
         std::vector<Name> names;            // of its elements, in their order
         std::vector<std::size_t> referring; // its blocks with references, counted from its first
+        std::vector<std::size_t> valued;    // and those with values
     };
     using Trail = std::vector<Segment>;
 
@@ -171,6 +172,7 @@ private:
     bool addFormula(const Frame& frame);
     bool addEquation(const Frame& frame);
     [[nodiscard]] Run formulaRun(const Frame& frame, bool isAlone);
+    [[nodiscard]] ValueLooks valueLooks(const Frame& frame);
     bool addContents();
     bool addImage(const Frame& frame);
     [[nodiscard]] Picture pictureOf(sgml::NodeId node) const; // but its source
@@ -193,6 +195,8 @@ private:
     void addText(std::string text, sgml::NodeId content = sgml::noNode, std::size_t offset = 0);
     void markFrames();
     void markReferring();
+    void markValued(const Run& run);
+    void mark(std::vector<std::size_t>& blocks) const; // the last block, in the segment's list
     void open(std::size_t frame);
     void close();
     [[nodiscard]] bool atLineStart() const;

@@ -23,7 +23,6 @@ public:
 
 private:
     [[nodiscard]] std::string textOf(const std::string& id) const;
-    [[nodiscard]] bool resolve(Blocks& blocks) const;
 
     std::unordered_map<std::string, std::string> names_;
 };

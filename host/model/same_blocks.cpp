@@ -35,21 +35,27 @@ bool isEqual(const std::shared_ptr<const Footnote>& a, const std::shared_ptr<con
 bool isEqual(const std::shared_ptr<const Formula>& a, const std::shared_ptr<const Formula>& b) {
     if (a == b || !a || !b)
         return a == b;
-    return a->source == b->source && a->isAlone == b->isAlone; // all else comes of these
+    // All else comes of these.
+    return a->source == b->source && a->isAlone == b->isAlone && a->looks == b->looks &&
+           a->values == b->values;
 }
 
 bool isEqual(const std::shared_ptr<const Picture>& a, const std::shared_ptr<const Picture>& b) {
     return a == b || (a && b && *a == *b);
 }
 
+bool isEqual(const std::shared_ptr<const Value>& a, const std::shared_ptr<const Value>& b) {
+    return a == b || (a && b && *a == *b);
+}
+
 bool isEqual(const Run& a, const Run& b) {
     const auto& [kind, text, style, element, content, offset, target, refers, subdocument, footnote,
-                 formula, picture] = a;
+                 formula, picture, value] = a;
     return std::tie(kind, style, element, content, offset, refers, subdocument, text, target) ==
                std::tie(b.kind, b.style, b.element, b.content, b.offset, b.refers, b.subdocument,
                         b.text, b.target) &&
            isEqual(footnote, b.footnote) && isEqual(formula, b.formula) &&
-           isEqual(picture, b.picture);
+           isEqual(picture, b.picture) && isEqual(value, b.value);
 }
 
 template <class T> bool areEqual(const std::vector<T>& a, const std::vector<T>& b) {

@@ -1,5 +1,7 @@
 #include "model/text_export.h"
 
+#include "model/value_text.h"
+
 #include "text/characters.h"
 
 #include <algorithm>
@@ -212,7 +214,7 @@ private:
             else if (run.kind == RunKind::footnote)
                 text += "[" + run.text + "]";
             else
-                text += run.text;
+                text += plainText(run);
         return text;
     }
 

@@ -1,6 +1,7 @@
 #include "panes/find_bar.h"
 
 #include "plain/plain.h"
+#include "view/folds.h"
 #include "view/text_hand.h"
 #include "view/writing.h"
 
@@ -117,23 +118,27 @@ void FindBar::offerReplacing() {
 }
 
 void FindBar::look() {
-    view_.find(layout::Search{field_->text(), matchCase_->isChecked(), wholeWords_->isChecked()});
+    view_.find(places::Search{field_->text(), matchCase_->isChecked(), wholeWords_->isChecked()});
     tell();
 }
 
 void FindBar::next(int step) {
     if (isHidden())
         return open();
-    view_.showFound(view_.shownFound() + step);
+    view_.showFound(view_.shownFound() + (isSeen() ? step : 0));
     selectShown();
     tell();
 }
+
+// Or in a section that is folded?
+bool FindBar::isSeen() const { return view_.found().seen(view_.found().shown()) != nullptr; }
 
 void FindBar::tell() {
     const int count = view_.foundCount();
     count_->setText(field_->text().isEmpty() ? QString()
                     : count == 0             ? tr("Not found")
-                                 : tr("%1 of %2").arg(view_.shownFound() + 1).arg(count));
+                    : !isSeen()              ? tr("%1, folded").arg(count)
+                                : tr("%1 of %2").arg(view_.shownFound() + 1).arg(count));
 }
 
 // --- replacing ---------------------------------------------------------------------------------
@@ -142,7 +147,7 @@ std::optional<text::Range> FindBar::placeOfShown() const {
     if (view_.foundCount() == 0)
         return std::nullopt;
     const view::FoundWords& found = view_.found();
-    return layout::placesOf(found.finder().at(found.shown()),
+    return places::placesOf(found.finder().at(found.shown()),
                             model::RunPlaces(view_.document().document().tree()));
 }
 
@@ -156,6 +161,10 @@ void FindBar::selectShown() {
 
 bool FindBar::replace() {
     view_.settle();
+    if (view_.foundCount() > 0 && !isSeen()) { // to be seen first
+        next(0);
+        return false;
+    }
     const std::optional<text::Range> place = placeOfShown();
     if (!place) {
         if (view_.foundCount() > 0)
@@ -181,7 +190,7 @@ void FindBar::replaceAll() {
     std::vector<text::Range> all;
     std::size_t generated = 0;
     for (std::size_t i = 0; i < view_.found().finder().count(); ++i) {
-        if (const auto place = layout::placesOf(view_.found().finder().at(i), places))
+        if (const auto place = places::placesOf(view_.found().finder().at(i), places))
             all.push_back(*place);
         else
             ++generated;
@@ -191,6 +200,8 @@ void FindBar::replaceAll() {
     std::ranges::sort(all, before);
     const auto same = [](const text::Range& a, const text::Range& b) { return a.from == b.from; };
     all.erase(std::unique(all.begin(), all.end(), same), all.end());
+    for (const text::Range& one : all)
+        view_.folds().reveal(one.from);
     const std::string with = with_->text().toStdString();
     authoring::Replacement replacement;
     if (!view_.writing().perform([&](const authoring::Manuscript& in, authoring::Selection) {

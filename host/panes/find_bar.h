@@ -47,6 +47,7 @@ private:
     void look();
     void tell();
     void selectShown();
+    [[nodiscard]] bool isSeen() const;
     [[nodiscard]] std::optional<text::Range> placeOfShown() const;
     void offerReplacing();
 

@@ -116,7 +116,7 @@ void OutlinePane::mark() {
     const sgml::Tree& tree = view_.document().document().tree();
     const auto [page, point] =
         view_.pagePointAt({view_.viewport()->width() / 2.0, 3 * view::PagePlaces::margin});
-    const auto spot = layout::spotAt(view_.pages(), {page, point.y()});
+    const auto spot = places::spotAt(view_.pages(), {page, point.y()});
     if (spot && tree.holds(spot->block->element))
         list_->mark(entryAt(tree.node(spot->block->element).range.from));
 }

@@ -15,7 +15,7 @@ namespace {
 
 // The pages from that of one place to that of the other.
 std::size_t pagesOf(const view::DocumentView& view, text::Range interval) {
-    const layout::Carets carets(view.pages(), view.document().document().tree());
+    const places::Carets carets(view.pages(), view.document().document().tree());
     const auto first = carets.of(interval.from, 0), last = carets.of(interval.to, 0);
     return first && last ? std::max(first->page, last->page) - first->page + 1 : 0;
 }

@@ -1,7 +1,8 @@
 #include "paper/paper.h"
 
-#include "layout/measure.h"
-#include "layout/typeface.h"
+#include "model/empty_places.h"
+#include "paragraphs/measure.h"
+#include "paragraphs/typeface.h"
 
 #include <QPainter>
 #include <QPdfWriter>
@@ -13,19 +14,30 @@ Paper::Paper(session::OpenDocument& document, const QString& presentation, doubl
     : QObject(parent), document_(document), presentation_(presentation), dpi_(dpi),
       pictures_(document, document.document().subdocuments(), dpi / 96, posters) {
     connect(&pictures_, &session::Pictures::progressed, this, &Paper::progressed);
-    connect(&pictures_, &session::Pictures::finished, this, &Paper::present);
+    connect(&pictures_, &session::Pictures::finished, this, &Paper::askForValues);
     connect(&document_.images(), &session::Images::ready, this, &Paper::becomeReady);
 }
 
 void Paper::prepare() { pictures_.start(); }
 
 // Once media have said how large their pictures are.
+void Paper::askForValues() {
+    connect(&document_.values(), &session::Values::settled, this, &Paper::present,
+            Qt::SingleShotConnection);
+    document_.values().settle();
+}
+
 void Paper::present() {
     presented_ = document_.presented(presentation_);
-    if (presented_->isComplete())
-        return askForImages();
-    connect(presented_.get(), &session::Presented::complete, this, &Paper::askForImages,
-            Qt::SingleShotConnection);
+    // Behind those who go on with the pages: they may be made anew.
+    connect(presented_.get(), &session::Presented::complete, this, &Paper::lookAtPages,
+            Qt::QueuedConnection);
+    lookAtPages();
+}
+
+void Paper::lookAtPages() {
+    if (!laidOut_ && presented_->isUpToDate())
+        askForImages();
 }
 
 // Each file at the resolution of its largest place, so that a PDF holds it once. As many are
@@ -33,11 +45,15 @@ void Paper::present() {
 void Paper::askForImages() {
     laidOut_ = true;
     pages_ = presented_->pages();
+    // Empty places that wait for text are not printed.
+    if (const std::shared_ptr<const model::Model> model = presented_->model())
+        if (const auto filled = model::withoutEmptyPlaces(*model))
+            pages_ = layout::relaid(pages_, filled, presented_->objects());
     for (const auto& page : pages_.pages)
         for (const layout::PlacedObject& object : page->objects)
             if (!object.subdocument) {
                 QSize& size = imageSizes_[object.image];
-                const QSizeF pixels = object.rect.size() * (dpi_ / layout::twipsPerInch);
+                const QSizeF pixels = object.rect.size() * (dpi_ / paragraphs::twipsPerInch);
                 size = size.expandedTo(pixels.toSize());
             }
     qint64 bytes = 0;
@@ -62,6 +78,8 @@ void Paper::becomeReady() {
     for (const auto& [source, size] : imageSizes_)
         if (const QString fault = document_.images().fault(source); !fault.isEmpty())
             failures_ << fault;
+    for (const session::ListedFault& fault : document_.valueFaults())
+        failures_ << tr("line %1: %2").arg(fault.position.line).arg(fault.message);
     Q_EMIT ready();
 }
 
@@ -81,12 +99,12 @@ QFont boxFont(bool bold) {
     style.family = "sans";
     style.size = 9;
     style.bold = bold;
-    return layout::fontOf(style);
+    return paragraphs::fontOf(style);
 }
 
 // The lower part of a picture that a sentence about it takes: as high as the sentence is.
 QRectF noteOver(QPainter& painter, const QRectF& picture, const QString& sentence) {
-    const double margin = layout::fromPoints(boxMarginPoints);
+    const double margin = paragraphs::fromPoints(boxMarginPoints);
     painter.setFont(boxFont(true));
     const QRectF inside = picture.adjusted(margin, 0, -margin, 0);
     const double height = painter.boundingRect(inside, boxFlags, sentence).height() + 2 * margin;
@@ -99,9 +117,9 @@ QRectF noteOver(QPainter& painter, const QRectF& picture, const QString& sentenc
 
 void paintBox(QPainter& painter, const QRectF& rect, const QString& title, const QString& text) {
     painter.fillRect(rect, QColor(246, 246, 247));
-    painter.setPen(QPen(QColor(200, 200, 205), layout::fromPoints(0.75)));
+    painter.setPen(QPen(QColor(200, 200, 205), paragraphs::fromPoints(0.75)));
     painter.drawRect(rect);
-    const double margin = layout::fromPoints(boxMarginPoints);
+    const double margin = paragraphs::fromPoints(boxMarginPoints);
     const QRectF inside = rect.adjusted(margin, margin, -margin, -margin);
     painter.setPen(QColor(60, 60, 65));
     painter.setFont(boxFont(true));
@@ -142,11 +160,11 @@ void Paper::paint(QPainter& painter, int page) const {
 
 QString Paper::writePdf(QIODevice& file) const {
     QPdfWriter writer(&file);
-    writer.setResolution(static_cast<int>(layout::twipsPerInch));
+    writer.setResolution(static_cast<int>(paragraphs::twipsPerInch));
     writer.setCreator(QStringLiteral("ensemble"));
     writer.setTitle(title());
     writer.setPageMargins({0, 0, 0, 0});
-    writer.setPageSize(QPageSize(pages_.size / layout::twipsPerPoint, QPageSize::Point, {},
+    writer.setPageSize(QPageSize(pages_.size / paragraphs::twipsPerPoint, QPageSize::Point, {},
                                  QPageSize::ExactMatch));
     QPainter painter;
     if (!painter.begin(&writer))
@@ -160,7 +178,7 @@ QString Paper::writePdf(QIODevice& file) const {
 }
 
 QImage Paper::image(int page, double dpi) const {
-    const double scale = dpi / layout::twipsPerInch;
+    const double scale = dpi / paragraphs::twipsPerInch;
     QImage image((pages_.size * scale).toSize(), QImage::Format_RGB32);
     image.fill(pages_.paper);
     QPainter painter(&image);
@@ -174,7 +192,7 @@ void Paper::print(QPrinter& printer) const {
     QPainter painter(&printer);
     const int from = printer.fromPage() > 0 ? printer.fromPage() - 1 : 0;
     const int to = printer.toPage() > 0 ? std::min(printer.toPage(), pageCount()) : pageCount();
-    const double scale = printer.resolution() / layout::twipsPerInch;
+    const double scale = printer.resolution() / paragraphs::twipsPerInch;
     for (int page = from; page < to; ++page) {
         if (page > from)
             printer.newPage();

@@ -21,10 +21,12 @@ public:
     Paper(session::OpenDocument& document, const QString& presentation, double dpi, bool posters,
           QObject* parent = nullptr);
 
-    void prepare(); // emits ready() when all pictures are there and the pages are laid out
+    // Emits ready() when all pictures and values are there and the pages are laid out.
+    void prepare();
 
     // --- when ready
     [[nodiscard]] int pageCount() const { return static_cast<int>(pages_.pages.size()); }
+    [[nodiscard]] const layout::Pages& pages() const { return pages_; }
     [[nodiscard]] const QStringList& failures() const { return failures_; }
     [[nodiscard]] const QString& title() const { return presented_->title(); }
     [[nodiscard]] QString writePdf(QIODevice& file) const; // what failed; empty: nothing
@@ -36,7 +38,9 @@ Q_SIGNALS:
     void ready();
 
 private:
+    void askForValues();
     void present();
+    void lookAtPages();
     void askForImages();
     void becomeReady();
     [[nodiscard]] QImage imageOf(const layout::ImagePiece& piece) const;

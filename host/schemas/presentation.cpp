@@ -63,6 +63,7 @@ std::vector<Presentation::Variant> Presentation::variantsOf(std::string_view nam
                     (void)applyProperty(style, property, root);
         }
     std::vector<Variant> variants;
+    variants.reserve(found.size());
     for (const auto& [asked, style] : found)
         variants.push_back({asked.first, asked.second, !style.number.empty(), style.lists});
     return variants;
@@ -81,6 +82,7 @@ ElementStyle Presentation::style(const Subject& subject, const ElementStyle& out
     style.text = outer.text;
     style.block.align = outer.block.align;
     style.block.lineHeight = outer.block.lineHeight;
+    style.block.mayFloat = outer.block.mayFloat;
     for (std::size_t i = 0; i < selectors_.size(); ++i) {
         const std::vector<Selector::Name>& names = selectors_[i].names;
         const std::size_t last = names.size() - 1;

@@ -8,7 +8,7 @@
 // `NAME:first` the first of its name among its siblings, `NAME[KIND=number]` one with that
 // attribute. Generated text (`before`, `after`) looks as if it stood in an element BEFORE or AFTER.
 // Of two blocks that say different things the one with more names counts, of equals the later one.
-// Text properties (font, color, align, line-height) are inherited, the others are not.
+// Text properties (font, color, align, line-height) and float are inherited, the others are not.
 #pragma once
 
 #include "schemas/style.h"

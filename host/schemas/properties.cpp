@@ -323,6 +323,8 @@ const std::map<std::string_view, StyleSetter>& styleSetters() {
         {"show", [](E& e, const Words& w, const E&) { return setFlag(e.show, w); }},
         {"before", [](E& e, const Words& w, const E&) { return setText(e.before, w); }},
         {"after", [](E& e, const Words& w, const E&) { return setText(e.after, w); }},
+        {"float", [](E& e, const Words& w, const E&) { return setFlag(e.block.mayFloat, w); }},
+        {"hint", [](E& e, const Words& w, const E&) { return setText(e.block.hint, w); }},
         {"marker", [](E& e, const Words& w, const E&) { return setText(e.marker, w); }},
         {"number", [](E& e, const Words& w, const E&) { return setText(e.number, w); }},
         {"reference", [](E& e, const Words& w, const E&) { return setText(e.reference, w); }},

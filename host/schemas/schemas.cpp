@@ -153,6 +153,20 @@ const Schemas::File& Schemas::fileOf(std::string_view className,
     return files_.at(baseFile);
 }
 
+std::optional<Schemas::File> Schemas::suppliedFile(const QString& name) {
+    for (const QString& folder : standardFolders().mid(1)) {
+        const QString path = folder + QLatin1Char('/') + name;
+        files::ReadFile file = files::readFile(files::FileSystem::real(),
+                                               QFile::encodeName(path).toStdString(), longestFile);
+        if (file.read)
+            return File{name, path, std::move(file.bytes)};
+    }
+    for (const BuiltInSchema& file : builtInSchemas())
+        if (name == QString::fromUtf8(file.name))
+            return File{name, QStringLiteral(":/") + name, std::string(file.text)};
+    return std::nullopt;
+}
+
 void Schemas::setText(const QString& name, const QString& path, std::string text) {
     const auto edited = files_.find(name);
     if (edited == files_.end())

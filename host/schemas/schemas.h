@@ -15,6 +15,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,8 @@ public:
     };
     // The one that gives a class's presentation of that name.
     [[nodiscard]] const File& fileOf(std::string_view className, const QString& presentation) const;
+    // The one that would count without the user's own of that name; nothing: there is none.
+    [[nodiscard]] static std::optional<File> suppliedFile(const QString& name);
     // Another text counts in the place of a presentation's file from now on, and what inherits from
     // it follows. Presentations stay where they are: a reference to one is one to the new one.
     void setText(const QString& name, const QString& path, std::string text);

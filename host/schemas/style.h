@@ -76,6 +76,10 @@ struct BlockStyle {
     bool keepWithNext = false; // not the last on a page
     bool keepTogether = false; // not split over pages if it fits on one
     bool pageBreakBefore = false;
+    // A picture with its caption goes to the top of the next page where there is no room for it,
+    // and what follows fills the page before.
+    bool mayFloat = false;
+    std::string hint; // what stands in it, said where it is written and has no text
     bool operator==(const BlockStyle&) const = default;
 };
 

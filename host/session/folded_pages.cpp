@@ -14,6 +14,21 @@ std::size_t placeOf(const std::shared_ptr<const document::Tracker::Place>& fold)
     return fold->offset;
 }
 
+// Where the text of an element begins, behind its tags and the brace, and where it ends.
+std::size_t firstLetterIn(const sgml::Tree& tree, NodeId element) {
+    NodeId at = element;
+    while (tree.node(at).firstChild != sgml::noNode)
+        at = tree.node(at).firstChild;
+    return tree.isElement(at) ? tree.node(at).startTag.to : tree.node(at).range.from + 1;
+}
+
+std::size_t lastLetterIn(const sgml::Tree& tree, NodeId element) {
+    NodeId at = element;
+    while (tree.node(at).lastChild != sgml::noNode)
+        at = tree.node(at).lastChild;
+    return tree.isElement(at) ? tree.node(at).range.from : tree.node(at).range.to - 1;
+}
+
 } // namespace
 
 FoldedPages::FoldedPages(OpenDocument& document)
@@ -89,8 +104,8 @@ void FoldedPages::forgetOthers(const Sections& folded) {
 // Of the whole. The first pages with folds begin with these.
 void FoldedPages::followPages() {
     if (isOwn_)
-        return;
-    if (hides())
+        Q_EMIT wholeChanged();
+    else if (hides())
         update();
     else
         Q_EMIT complete();
@@ -217,7 +232,6 @@ void FoldedPages::change(std::vector<Fold> folds) {
 void FoldedPages::setFolded(NodeId heading, bool isFolded) {
     if (isFolded == this->isFolded(heading) || (isFolded && !isFoldable(heading)))
         return;
-    isSearching_ = false;
     std::vector<Fold> folds = folds_;
     std::erase(folds, foldIn(heading));
     if (isFolded)
@@ -228,7 +242,6 @@ void FoldedPages::setFolded(NodeId heading, bool isFolded) {
 
 void FoldedPages::foldAll() {
     whole_->settleModel();
-    isSearching_ = false;
     std::vector<std::size_t> places;
     for (const model::Section& section : sections())
         if (const NodeId heading = elementOf(section.heading); heading != sgml::noNode)
@@ -270,9 +283,42 @@ bool FoldedPages::reveal(const std::string& anchor) {
     });
 }
 
-void FoldedPages::setSearching(bool isSearching) {
-    if (std::exchange(isSearching_, isSearching) != isSearching)
-        update();
+// The heading's own text is seen. What is selected from its first letter on to the last hidden one
+// is all of the section.
+FoldedPages::Touched FoldedPages::isTouched(const model::Section& section, const text::Edits& edits,
+                                            text::Range selected) const {
+    const NodeId heading = elementOf(section.heading), last = elementOf(section.last);
+    if (heading == sgml::noNode || last == sgml::noNode)
+        return Touched::no;
+    const sgml::Tree& tree = document_.document().tree();
+    const sgml::Node& title = tree.node(heading);
+    const text::Range all{title.range.from, tree.node(last).range.to};
+    const bool isOne = std::ranges::any_of(edits, [&](const text::Edit& edit) {
+        const auto [from, to] = edit.range;
+        const bool isAll = from <= all.from && to >= all.to;
+        const bool isBefore = to <= all.from, isBehind = from >= all.to;
+        const bool isInHeading = from >= title.startTag.to && to <= title.endTag.from;
+        return !isAll && !isBefore && !isBehind && !isInHeading;
+    });
+    if (!isOne)
+        return Touched::no;
+    const bool isSelected =
+        selected.from <= firstLetterIn(tree, heading) && selected.to >= lastLetterIn(tree, last);
+    return isSelected ? Touched::selected : Touched::partly;
+}
+
+bool FoldedPages::revealTouched(const text::Edits& edits, text::Range selected) {
+    const auto revealThose = [&](Touched how) {
+        return revealWhere([&](const model::Section& section) {
+            return isTouched(section, edits, selected) == how;
+        });
+    };
+    if (edits.empty())
+        return false;
+    if (revealThose(Touched::partly))
+        return true;
+    (void)revealThose(Touched::selected);
+    return false;
 }
 
 std::vector<std::size_t> FoldedPages::places() const {

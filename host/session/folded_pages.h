@@ -30,6 +30,11 @@ public:
     [[nodiscard]] const layout::Pages& pages() const override;
     void settle(int mostMs = std::numeric_limits<int>::max()) override;
 
+Q_SIGNALS:
+    // The pages of all views are new, while these are others.
+    void wholeChanged();
+
+public:
     // --- what is folded
     // The headings of the sections that a place of the document is in, outer ones first; those that
     // have something under them.
@@ -48,8 +53,10 @@ public:
     // does.
     bool reveal(std::size_t place);
     bool reveal(const std::string& anchor);
-    // While words are looked for, nothing is hidden.
-    void setSearching(bool isSearching);
+    // Unfolds the sections that edits change where nobody sees it: in what is hidden, or in the
+    // tags of its heading. True: of some a part would change. One that is selected with its heading
+    // is a unit, which is changed knowingly; one that goes or moves as a whole stays folded.
+    bool revealTouched(const text::Edits& edits, text::Range selected);
 
     // Places in the headings that are folded, to be kept and brought back.
     [[nodiscard]] std::vector<std::size_t> places() const;
@@ -58,7 +65,10 @@ public:
 private:
     using Fold = std::shared_ptr<const document::Tracker::Place>;
     using Sections = std::vector<model::Section>;
-    [[nodiscard]] bool hides() const { return !folds_.empty() && !isSearching_; }
+    enum class Touched { no, partly, selected };
+    [[nodiscard]] Touched isTouched(const model::Section& section, const text::Edits& edits,
+                                    text::Range selected) const;
+    [[nodiscard]] bool hides() const { return !folds_.empty(); }
     [[nodiscard]] bool step() override;
     void forgetOthers(const Sections& folded);
     void followPages();
@@ -76,9 +86,8 @@ private:
     document::Tracker tracker_;
     std::shared_ptr<Presented> whole_;
     std::vector<Fold> folds_; // in order of place
-    bool isSearching_ = false;
-    bool isOwn_ = false; // the pages are not the shared ones
-    bool isDue_ = false; // they are of an older state
+    bool isOwn_ = false;      // the pages are not the shared ones
+    bool isDue_ = false;      // they are of an older state
     model::Folding folding_;
     std::shared_ptr<const model::Model> read_; // what the sections are of
     Sections sections_;

@@ -1,7 +1,7 @@
 // Sections that a view folds: pages without them, at the cost of what has changed.
 #include "session/folded_pages.h"
 
-#include "layout/find.h"
+#include "places/find.h"
 
 #include <gmock/gmock.h>
 
@@ -57,7 +57,7 @@ protected:
         pages_->settle();
     }
     [[nodiscard]] bool shows(const std::string& words) const {
-        return !layout::findText(pages_->pages(), QString::fromStdString(words)).empty();
+        return !places::findText(pages_->pages(), QString::fromStdString(words)).empty();
     }
     [[nodiscard]] std::vector<std::string> headings() const {
         std::vector<std::string> result;
@@ -88,7 +88,7 @@ TEST_F(FoldedPagesTest, WhileNothingIsFoldedThePagesAreThoseOfAllViews) {
     EXPECT_NE(pages_->pages().basis, pages_->whole().pages().basis);
     EXPECT_FALSE(shows("A1 some"));
     EXPECT_TRUE(shows("B1 some"));
-    EXPECT_EQ(layout::findText(pages_->whole().pages(), "A1 some").size(), 1u);
+    EXPECT_EQ(places::findText(pages_->whole().pages(), "A1 some").size(), 1u);
     FoldedPages other(*document_); // another view
     other.present({});
     EXPECT_EQ(other.pages().basis, pages_->whole().pages().basis);
@@ -159,15 +159,26 @@ TEST_F(FoldedPagesTest, WhatLeadsIntoASectionUnfoldsItAndThoseAroundIt) {
     EXPECT_FALSE(pages_->reveal("nothing"));
 }
 
-TEST_F(FoldedPagesTest, ASearchSeesAllAndFoldsComeBackBehindIt) {
-    open(section("A", 2) + section("B", 2));
-    fold("A");
-    pages_->setSearching(true);
-    EXPECT_TRUE(shows("A1 some"));
-    EXPECT_FALSE(pages_->isFolded(heading("A")));
-    pages_->setSearching(false);
-    pages_->settle();
-    EXPECT_FALSE(shows("A1 some"));
+TEST_F(FoldedPagesTest, WhatAnEditWouldTouchUnfoldsUnlessItGoesAsAWhole) {
+    open(section("A", 1) + section("B", 1) + section("C", 1));
+    fold("B");
+    const std::size_t behind = place("{B}</HEADING>") + 13, hidden = place("B0 some");
+    const auto isTouched = [&](text::Range range, text::Range selected = {}) {
+        const bool touched = pages_->revealTouched({{range, ""}}, selected);
+        EXPECT_NE(touched, pages_->isFolded(heading("B")));
+        fold("B");
+        return touched;
+    };
+    EXPECT_TRUE(isTouched({behind, behind}));            // as Return does
+    EXPECT_TRUE(isTouched({behind - 11, hidden}));       // as Delete
+    EXPECT_TRUE(isTouched({hidden, place("{C}") + 1}));  // as Backspace behind it
+    EXPECT_FALSE(isTouched({behind - 12, behind - 11})); // a letter of the heading
+    EXPECT_FALSE(isTouched({place("{C}") + 1, place("{C}") + 2}));
+    EXPECT_FALSE(isTouched({place("<SECTION ID=\"B"), place("<SECTION ID=\"C")}));
+    // Of one that is selected with its heading it is wanted.
+    const text::Range selected{place("{B}") + 1, place("{C}") + 2};
+    EXPECT_FALSE(pages_->revealTouched({{{hidden, hidden + 1}, ""}}, selected));
+    EXPECT_FALSE(pages_->isFolded(heading("B")));
 }
 
 TEST_F(FoldedPagesTest, FoldsAreKeptAndBroughtBackAndStayInOtherPresentations) {
@@ -228,7 +239,7 @@ TEST_F(FoldedPagesTest, FoldsOfALongDocumentWaitForItsPages) {
     while (!pages.isComplete())
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     EXPECT_EQ(completed, 1);
-    EXPECT_TRUE(layout::findText(pages.pages(), "S29919 some").empty());
+    EXPECT_TRUE(places::findText(pages.pages(), "S29919 some").empty());
     EXPECT_LE(pages.pages().work.paragraphs, 2u); // the others are those of all views
 }
 

@@ -26,6 +26,7 @@ const FormulaFaults::Known& FormulaFaults::known(const std::string& source) {
             place->second.warnings =
                 formulas::typeset(formula, formulas::Style::text, 1, *font).faults;
         place->second.errors = std::move(formula.faults);
+        place->second.values = std::move(formula.values);
     }
     return place->second;
 }

@@ -15,9 +15,15 @@ public:
     // Without any font the first formula has a warning that says so.
     void add(const sgml::Tree& tree, sgml::NodeId content, std::vector<sgml::Fault>& to);
 
+    // The values that a source asks for.
+    [[nodiscard]] const std::vector<formulas::ValueCall>& valuesIn(const std::string& source) {
+        return known(source).values;
+    }
+
 private:
     struct Known {
         std::vector<formulas::Fault> errors, warnings;
+        std::vector<formulas::ValueCall> values;
     };
     static constexpr std::size_t mostKnown = 10'000;
     [[nodiscard]] const Known& known(const std::string& source);

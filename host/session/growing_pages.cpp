@@ -32,7 +32,7 @@ void GrowingPages::setBase(const layout::Pages& base) {
     told_ = 0;
 }
 
-void GrowingPages::layOut(const layout::ModelPointer& model, const layout::Objects& objects) {
+void GrowingPages::layOut(const layout::ModelPointer& model, const paragraphs::Objects& objects) {
     told_ = 0;
     pagination_ = std::make_unique<layout::Pagination>(model, objects, base_);
 }

@@ -36,7 +36,7 @@ protected:
     // The pages that those to come follow, and that are shown until then.
     void setBase(const layout::Pages& base);
     // The next steps make these pages.
-    void layOut(const layout::ModelPointer& model, const layout::Objects& objects);
+    void layOut(const layout::ModelPointer& model, const paragraphs::Objects& objects);
     void goOn(); // in slices; those who show the pages are told of those that are there
 
 private:

@@ -74,6 +74,9 @@ OpenDocument::OpenDocument(std::unique_ptr<document::Document> document,
         nameSubdocuments();
         Q_EMIT resized(); // of pictures
     });
+    // Behind the connections above: a medium has a text before it is asked for its values.
+    values_ = std::make_unique<Values>(*this, [this] { return placedValues(); });
+    connect(values_.get(), &Values::faultsChanged, this, &OpenDocument::faultsChanged);
 }
 
 OpenDocument::~OpenDocument() = default;
@@ -118,6 +121,7 @@ void OpenDocument::readSubdocuments() {
             continue;
         made->setText(QByteArray::fromStdString(document_->text(id)));
         made->setPoster(subdocument->poster);
+        made->setPresentation(subdocument->presentation);
         made->onChange(
             [this, id](const ipc::SubdocumentChanged& change) { return applyChange(id, change); });
         connectLive(id, *made);
@@ -151,6 +155,7 @@ void OpenDocument::connectLive(document::SubdocumentId id, media::LiveSubdocumen
             });
     connect(&live, &LiveSubdocument::loaded, this, askForParameters);
     connect(&live, &LiveSubdocument::parametersChanged, this, &OpenDocument::faultsChanged);
+    connect(&live, &LiveSubdocument::presentationsChanged, this, &OpenDocument::faultsChanged);
     connect(&live, &LiveSubdocument::preferredSizeChanged, this, &OpenDocument::resized);
     connect(&live, &LiveSubdocument::windowsChanged, this, &OpenDocument::draftsChanged);
     connect(&live, &LiveSubdocument::keptStateChanged, this, &OpenDocument::draftsChanged);
@@ -241,8 +246,11 @@ void OpenDocument::textChanged(document::SubdocumentId id, const text::Edits& ed
 
 void OpenDocument::documentChanged() {
     placed_.clear();
-    if (!std::exchange(onlyText_, false))
+    if (!std::exchange(onlyText_, false)) {
+        for (const auto& [id, subdocument] : live_)
+            subdocument->setPresentation(document_->subdocument(id)->presentation);
         Q_EMIT structureChanged();
+    }
     Q_EMIT faultsChanged();
 }
 
@@ -358,10 +366,58 @@ std::vector<sgml::Fault> OpenDocument::ofSliders() const {
     return result;
 }
 
+// LIMIT: a medium is asked only when it runs.
+std::vector<sgml::Fault> OpenDocument::ofPresentations() const {
+    std::vector<sgml::Fault> result;
+    for (const auto& [id, subdocument] : live_) {
+        const document::Subdocument* of = document_->subdocument(id);
+        const auto& offered = subdocument->presentations();
+        const auto isIt = [&](const ipc::Presentation& one) { return one.id == of->presentation; };
+        if (of->presentation.empty() || offered.empty() || std::ranges::any_of(offered, isIt))
+            continue;
+        std::string names;
+        for (const ipc::Presentation& one : offered)
+            names += (names.empty() ? "" : ", ") + one.id;
+        result.push_back(warningAt(document_->tree().node(of->classElement).startTag,
+                                   subdocument->name().toStdString() + " has no presentation \"" +
+                                       of->presentation + "\"; it has: " + names));
+    }
+    return result;
+}
+
 std::vector<sgml::Fault> OpenDocument::ofFormulas() {
     std::vector<sgml::Fault> result;
     for (const sgml::NodeId content : uses_.formulas())
         formulas_.add(document_->tree(), content, result);
+    return result;
+}
+
+std::vector<ListedFault> OpenDocument::valueFaults() const {
+    std::vector<sgml::Fault> faults = values_->faults();
+    sgml::placeFaults(faults, document_->tree());
+    std::vector<ListedFault> result;
+    result.reserve(faults.size());
+    for (const sgml::Fault& fault : faults)
+        result.push_back(listed(fault));
+    return result;
+}
+
+// Of elements, and of parts of formulas.
+std::vector<PlacedValue> OpenDocument::placedValues() {
+    std::vector<PlacedValue> result;
+    const sgml::Tree& tree = document_->tree();
+    for (const sgml::NodeId element : uses_.values())
+        result.push_back({document::valueUse(tree, element), tree.node(element).startTag});
+    for (const sgml::NodeId content : uses_.formulas()) {
+        if (tree.text(tree.node(content).range).find("value") == std::string_view::npos)
+            continue;
+        const sgml::Unescaped spelling = tree.unescaped(content);
+        for (const formulas::ValueCall& call : formulas_.valuesIn(spelling.text()))
+            result.push_back(
+                {.use = document::valueUse(call.of, call.expression, call.options),
+                 .range = {spelling.fileOffset(call.offset), spelling.fileOffset(call.end)},
+                 .isElement = false});
+    }
     return result;
 }
 
@@ -389,7 +445,9 @@ std::vector<ListedFault> OpenDocument::faults() {
     };
     add(ofImages(), document::noSubdocument);
     add(ofSliders(), document::noSubdocument);
+    add(ofPresentations(), document::noSubdocument);
     add(ofFormulas(), document::noSubdocument);
+    add(values_->faults(), document::noSubdocument);
     for (const auto& [id, subdocument] : live_)
         add(saidBy(id), id);
     std::vector<std::size_t> order(all.size());

@@ -14,6 +14,7 @@
 #include "session/formula_faults.h"
 #include "session/images.h"
 #include "session/unsaved.h"
+#include "session/values.h"
 #include "text/edit.h"
 #include "text/places.h"
 
@@ -49,6 +50,8 @@ public:
     [[nodiscard]] const schemas::Schemas& schemas() const { return schemas_; }
     [[nodiscard]] media::LiveMedia& media() { return media_; }
     [[nodiscard]] Images& images() { return images_; }
+    // The numbers of subdocuments that stand in its texts and formulas.
+    [[nodiscard]] Values& values() { return *values_; }
 
     // Presentations say something else now (Schemas::setText): its pages follow. LIMIT: what is a
     // picture, a formula or a reference, for commands and faults, is as it was when it was opened.
@@ -71,12 +74,14 @@ public:
     void takeDrafts();
 
     // All that is known to be wrong: of the format, of what its schemas do not allow, references to
-    // nothing, formulas and pictures that cannot be read, parameters that sliders do not find, of
-    // subdocuments as their media say, and why media failed; in order of place. Before these, what
-    // is wrong in the files of its schemas.
+    // nothing, formulas and pictures that cannot be read, parameters that sliders do not find,
+    // values that are not known, of subdocuments as their media say, and why media failed; in order
+    // of place. Before these, what is wrong in the files of its schemas.
     [[nodiscard]] std::vector<ListedFault> faults();
     // Faults that a subdocument's medium finds, and why it failed, placed in the file.
     [[nodiscard]] const std::vector<ListedFault>& faultsOf(document::SubdocumentId id) const;
+    // Of values that stand in its texts and formulas and have no number.
+    [[nodiscard]] std::vector<ListedFault> valueFaults() const;
     // Are there sliders for its parameters?
     [[nodiscard]] bool hasSliders(document::SubdocumentId id) const { return driven_.contains(id); }
 
@@ -100,7 +105,9 @@ private:
     [[nodiscard]] std::vector<sgml::Fault> ofDocument();
     [[nodiscard]] std::vector<sgml::Fault> ofImages();
     [[nodiscard]] std::vector<sgml::Fault> ofSliders() const;
+    [[nodiscard]] std::vector<sgml::Fault> ofPresentations() const;
     [[nodiscard]] std::vector<sgml::Fault> ofFormulas();
+    [[nodiscard]] std::vector<PlacedValue> placedValues();
     [[nodiscard]] std::vector<sgml::Fault> saidBy(document::SubdocumentId id) const;
     [[nodiscard]] std::vector<ListedFault> ofSchemas() const;
     void nameSubdocuments(); // for the windows of media
@@ -119,6 +126,7 @@ private:
     std::map<document::SubdocumentId, std::unique_ptr<media::LiveSubdocument>> live_;
     std::set<document::SubdocumentId> driven_;                                   // by sliders
     mutable std::map<document::SubdocumentId, std::vector<ListedFault>> placed_; // what media said
+    std::unique_ptr<Values> values_;
     bool onlyText_ = false; // the change that is being announced
     std::unique_ptr<Unsaved> unsaved_;
     std::map<QString, std::weak_ptr<Presented>> presented_;

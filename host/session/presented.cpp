@@ -1,7 +1,7 @@
 #include "session/presented.h"
 
-#include "layout/measure.h"
-#include "layout/typeface.h"
+#include "paragraphs/measure.h"
+#include "paragraphs/typeface.h"
 
 namespace session {
 
@@ -21,6 +21,7 @@ Presented::Presented(OpenDocument& document, QString presentation)
         require(Due::layout);
     });
     connect(&document_, &OpenDocument::resized, this, [this] { require(Due::layout); });
+    connect(&document_.values(), &Values::changed, this, &Presented::followValues);
     connect(&document_, &OpenDocument::presentedAnew, this, [this] {
         readAnew(); // the old pages are shown meanwhile
         startAnew();
@@ -34,8 +35,8 @@ Presented::~Presented() = default;
 void Presented::begin() {
     readAnew();
     layout::Pages none;
-    none.size = {layout::fromPoints(page().width), layout::fromPoints(page().height)};
-    none.paper = layout::colorOf(page().background);
+    none.size = {paragraphs::fromPoints(page().width), paragraphs::fromPoints(page().height)};
+    none.paper = paragraphs::colorOf(page().background);
     stop();
     setBase(none);
     for (int i = 0; i < firstSteps; ++i)
@@ -49,6 +50,7 @@ void Presented::readAnew() {
     by_ = &document_.schemas().presentation(className_, presentation_);
     builder_ =
         std::make_unique<model::ModelBuilder>(document_.document(), *by_, document_.schemas());
+    builder_->setValues(&document_.values());
     due_ = Due::model;
 }
 
@@ -62,9 +64,21 @@ void Presented::require(Due due) {
     startAnew();
 }
 
+// Not while pages are being made: numbers that change on and on would never let them be finished.
+void Presented::followValues() {
+    areValuesDue_ = due_ != Due::nothing || !isComplete();
+    if (!areValuesDue_ && builder_->followValues())
+        require(Due::layout);
+}
+
 bool Presented::step() {
-    if (due_ == Due::nothing)
-        return GrowingPages::step();
+    if (due_ == Due::nothing) {
+        if (GrowingPages::step())
+            return true;
+        if (areValuesDue_)
+            followValues();
+        return !isComplete();
+    }
     if (due_ == Due::model) {
         if (document_.document().className() != className_) {
             begin(); // another class has other presentations
@@ -89,9 +103,10 @@ void Presented::settleModel(int mostMs) {
     }
 }
 
-layout::Objects Presented::objects() {
-    return {[this](document::SubdocumentId id) { return layout::fromPixels(document_.sizeOf(id)); },
-            [this](const std::string& source) { return imageSize(source); }};
+paragraphs::Objects Presented::objects() {
+    return {
+        [this](document::SubdocumentId id) { return paragraphs::fromPixels(document_.sizeOf(id)); },
+        [this](const std::string& source) { return imageSize(source); }};
 }
 
 QSize Presented::imageSize(const std::string& source) {

@@ -2,7 +2,7 @@
 // paper (OpenDocument::presented), in step with the document.
 //
 // A short document is there at once, a long one in slices. After an edit, or when a figure has
-// another size, model and pages follow in the same way.
+// another size, model and pages follow in the same way, and when a value of a figure is another.
 #pragma once
 
 #include "model/model_builder.h"
@@ -29,10 +29,12 @@ public:
     }
     // It is the document's, and pages are being made of it.
     [[nodiscard]] bool isModelled() const { return due_ == Due::nothing; }
+    // All pages are there, with the values of figures that are known.
+    [[nodiscard]] bool isUpToDate() const { return isComplete() && !areValuesDue_; }
     // Goes on until it is, or so long.
     void settleModel(int mostMs = std::numeric_limits<int>::max());
     // What its pages are made with. To be used as long as this lives.
-    [[nodiscard]] layout::Objects objects();
+    [[nodiscard]] paragraphs::Objects objects();
 
     // Steps that are taken before the document is shown: what some 50 pages need.
     static constexpr int firstSteps = 4000;
@@ -46,6 +48,7 @@ private:
     void readAnew();
     void follow(const sgml::Change& change);
     void require(Due due);
+    void followValues();
     [[nodiscard]] bool step() override;
     [[nodiscard]] QSize imageSize(const std::string& source);
 
@@ -55,6 +58,7 @@ private:
     const schemas::Presentation* by_ = nullptr; // of that class
     std::unique_ptr<model::ModelBuilder> builder_;
     Due due_ = Due::nothing;
+    bool areValuesDue_ = false;
     QString title_;
     std::map<std::string, QSize> imageSizes_; // as the files said lately
     QElapsedTimer imagesAsked_;

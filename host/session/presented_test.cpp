@@ -1,10 +1,10 @@
 #include "session/presented.h"
 
-#include "layout/find.h"
+#include "places/find.h"
 
 #include <gmock/gmock.h>
 
-#include <QGuiApplication>
+#include <QCoreApplication>
 #include <QTemporaryDir>
 
 namespace session {
@@ -107,7 +107,7 @@ TEST_F(PresentedTest, AChangeCostsItsPagesAndTheOthersStay) {
     EXPECT_EQ(presented->pages().work.paragraphs, 1u);
     EXPECT_EQ(presented->pages().pages.front(), before.pages.front());
     EXPECT_EQ(presented->pages().pages.back(), before.pages.back());
-    EXPECT_EQ(layout::findText(presented->pages(), "3000x").size(), 1u);
+    EXPECT_EQ(places::findText(presented->pages(), "3000x").size(), 1u);
 
     insert("{paragraph 3000x}</PARAGRAPH>\n", "<PARAGRAPH>{new}</PARAGRAPH>\n");
     EXPECT_EQ(presented->pages().work.paragraphs, 1u);
@@ -249,9 +249,3 @@ TEST_F(PresentedTest, WhyAMediumFailedIsInTheOneListWhileItHasFailed) {
 
 } // namespace
 } // namespace session
-
-int main(int argc, char** argv) {
-    QGuiApplication application(argc, argv);
-    ::testing::InitGoogleTest(&argc, argv);
-    return RUN_ALL_TESTS();
-}

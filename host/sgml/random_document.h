@@ -1,17 +1,21 @@
 // Documents for tests, made from a seed: sound ones, and ones that a byte, a tag or a brace was
 // changed in. The same seed makes the same document on every machine (std::mt19937_64; no
-// std::distribution, whose results are not laid down).
+// std::distribution, whose results are not laid down). A fuzzer gives numbers of its own.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <random>
 #include <string>
+#include <utility>
 
 namespace sgml {
 
 class RandomDocument {
 public:
-    explicit RandomDocument(std::uint64_t seed) : random_(seed) {}
+    using Numbers = std::function<std::uint64_t()>;
+    explicit RandomDocument(std::uint64_t seed) : numbers_(std::mt19937_64(seed)) {}
+    explicit RandomDocument(Numbers numbers) : numbers_(std::move(numbers)) {}
 
     [[nodiscard]] std::string sound();
     [[nodiscard]] std::string mutated(std::string document);
@@ -20,7 +24,7 @@ public:
     // As `text` is spelled between braces, partly with bare balanced braces.
     [[nodiscard]] std::string spelling(int depth);
     [[nodiscard]] std::size_t below(std::size_t bound) {
-        return static_cast<std::size_t>(random_() % bound);
+        return static_cast<std::size_t>(numbers_() % bound);
     }
 
 private:
@@ -30,7 +34,7 @@ private:
     std::string nestedDocument(int depth);
     std::string mutatedOnce(std::string document);
 
-    std::mt19937_64 random_;
+    Numbers numbers_;
 };
 
 } // namespace sgml

@@ -8,7 +8,8 @@
 namespace source {
 
 EditFrame::EditFrame(const QString& name, const QString& accessibleName, QWidget* parent)
-    : QWidget(parent), edit_(new SourceEdit(this)), place_(plain::label({}, this)) {
+    : QWidget(parent), edit_(new SourceEdit(this)), find_(new FindLine(*edit_, this)),
+      place_(plain::label({}, this)) {
     edit_->setObjectName(name + QStringLiteral("Text"));
     edit_->setAccessibleName(accessibleName);
     place_->setObjectName(name + QStringLiteral("Place"));
@@ -18,6 +19,7 @@ EditFrame::EditFrame(const QString& name, const QString& accessibleName, QWidget
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(edit_, 1);
+    column->addWidget(find_);
     column->addWidget(place_);
     connect(edit_, &QPlainTextEdit::cursorPositionChanged, this, &EditFrame::tell);
     tell();

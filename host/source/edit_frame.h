@@ -1,7 +1,8 @@
 // A text to be typed in, and below it a line: where the caret is, and what is wrong there, or
-// elsewhere in the text.
+// elsewhere in the text; above that line, when it is asked for, one to find words.
 #pragma once
 
+#include "source/find_line.h"
 #include "source/source_edit.h"
 
 #include <QLabel>
@@ -26,6 +27,7 @@ private:
     void tell();
 
     SourceEdit* edit_;
+    FindLine* find_;
     QLabel* place_;
     QString note_;
 };

@@ -132,9 +132,9 @@ void InStep::showInPages(const document::Selection& selection) {
     if (const document::SubdocumentId figure = figureAt(selection.caret);
         figure != document::noSubdocument)
         return view_.scrollTo(figure);
-    const layout::Carets carets(view_.pages(), view_.document().document().tree());
+    const places::Carets carets(view_.pages(), view_.document().document().tree());
     const auto placeOf = [&](std::size_t offset) -> std::optional<std::size_t> {
-        const std::optional<layout::Caret> caret = carets.of(offset, view_.currentPage());
+        const std::optional<places::Caret> caret = carets.of(offset, view_.currentPage());
         return caret ? std::optional(carets.placeOf(*caret)) : std::nullopt;
     };
     const std::optional<std::size_t> caret = placeOf(selection.caret);
@@ -163,7 +163,7 @@ void InStep::paint(QPainter& painter, std::size_t page) const {
     if (marked_.empty())
         return;
     const document::Document& document = view_.document().document();
-    const layout::Carets carets(view_.pages(), document.tree());
+    const places::Carets carets(view_.pages(), document.tree());
     QColor tint = controls::accent;
     constexpr double faint = 0.12;
     tint.setAlphaF(faint);

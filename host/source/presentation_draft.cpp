@@ -6,6 +6,18 @@
 
 namespace source {
 
+QString ownPresentation(const QString& name) {
+    return QDir(schemas::Schemas::standardFolders().first()).filePath(name);
+}
+
+bool hasOwnPresentation(const QString& name) { return QFileInfo::exists(ownPresentation(name)); }
+
+QString putOwnPresentationAside(const QString& name) {
+    QFile own(ownPresentation(name));
+    QFile::remove(own.fileName() + '~');
+    return own.rename(own.fileName() + '~') ? QString() : own.errorString();
+}
+
 PresentationDraft::PresentationDraft(const schemas::Schemas::File& file, const QString& own)
     : name_(file.name), saved_(file.text) {
     file_.path = QFile::encodeName(QDir(own).filePath(name_)).toStdString();

@@ -11,6 +11,13 @@
 
 namespace source {
 
+// The user's own file of that name, and whether it is there.
+[[nodiscard]] QString ownPresentation(const QString& name);
+[[nodiscard]] bool hasOwnPresentation(const QString& name);
+// Gives it another name, NAME~, in the place of one from before. "": it is done; else the reason
+// why not.
+[[nodiscard]] QString putOwnPresentationAside(const QString& name);
+
 class PresentationDraft {
 public:
     // `own`: the user's folder of schemas.

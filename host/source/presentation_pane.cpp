@@ -1,5 +1,6 @@
 #include "source/presentation_pane.h"
 
+#include "controls/keyboard.h"
 #include "panes/asked_save.h"
 #include "panes/making_room.h"
 #include "plain/plain.h"
@@ -155,6 +156,31 @@ bool PresentationPane::save() {
     present(text_);
     Q_EMIT said(tr("Saved %1").arg(draft_->path()));
     return true;
+}
+
+bool PresentationPane::hasKeyboard() const {
+    const QWidget* focus = controls::keyboardWidget();
+    return focus && isAncestorOf(focus);
+}
+
+QString PresentationPane::fileName() const { return draft_ ? draft_->name() : QString(); }
+
+void PresentationPane::bringSupplied(const QString& name) {
+    const auto supplied = schemas::Schemas::suppliedFile(name);
+    const bool isShown = fileName() == name;
+    if (!supplied || (isShown && !mayClose()))
+        return;
+    if (const QString why = putOwnPresentationAside(name); !why.isEmpty())
+        return Q_EMIT said(tr("%1 stays: %2").arg(ownPresentation(name), why));
+    if (isShown) {
+        path_ = supplied->path;
+        draft_.emplace(*supplied, schemas::Schemas::standardFolders().first());
+        fill();
+    }
+    pause_.stop();
+    Q_EMIT edited(name, supplied->path, supplied->text);
+    Q_EMIT said(tr("%1 is as it comes with the program. Your own file is kept as %2")
+                    .arg(name, ownPresentation(name) + '~'));
 }
 
 bool PresentationPane::mayClose() {

@@ -23,6 +23,10 @@ public:
     // False: another one is there, is not saved, and stays.
     bool open(const schemas::Schemas::File& file);
     bool save();
+    [[nodiscard]] bool hasKeyboard() const;
+    [[nodiscard]] QString fileName() const; // that is shown; "": none
+    // The presentation is as it comes with the program again; the user's own file is put aside.
+    void bringSupplied(const QString& name);
     // Asks about what is not saved. False: it stays.
     [[nodiscard]] bool mayClose();
 

@@ -2,6 +2,8 @@
 
 #include "typography/tokens.h"
 
+#include <QLocale>
+
 #include <algorithm>
 
 namespace typography {
@@ -72,8 +74,9 @@ std::optional<qsizetype> pointBy(QStringView text, QChar point) {
 std::optional<qsizetype> pointOf(QStringView text, const QString& language) {
     while (!text.isEmpty() && text.back().isSpace())
         text.chop(1);
-    const bool isEnglish = language.isEmpty() || language.startsWith("en");
-    const QChar first = isEnglish ? '.' : ',', second = isEnglish ? ',' : '.';
+    // A language that Qt does not know has the point of English.
+    const QChar point = language.isEmpty() ? u'.' : QLocale(language).decimalPoint().front();
+    const QChar first = point == ',' ? ',' : '.', second = point == ',' ? '.' : ',';
     const auto place = pointBy(text, first);
     return place ? place : pointBy(text, second);
 }

@@ -29,6 +29,8 @@ TEST(NumbersTest, HaveACommaInOtherLanguages) {
     EXPECT_EQ(whole("1.234,5", "de"), "1.234");
     EXPECT_EQ(whole("3,25", "en"), "3"); // no group of three
     EXPECT_EQ(whole("3.25", "de"), "3");
+    EXPECT_EQ(whole("2.006", "he"), "2"); // a language that has a point, as English does
+    EXPECT_EQ(whole("2.006", "de"), "2.006");
 }
 
 TEST(NumbersTest, AreNotTexts) {

@@ -2,8 +2,8 @@
 
 #include "controls/accent.h"
 
-#include "layout/measure.h"
 #include "layout/stock.h"
+#include "paragraphs/measure.h"
 #include "view/document_view.h"
 #include "view/writing.h"
 
@@ -65,12 +65,12 @@ void ColumnDrag::drag(QPointF point) {
     const std::size_t column = taken_->column;
     const double origin = view_.inViewport(taken_->page, {}).x();
     const double one = view_.inViewport(taken_->page, {0, 0, 1, 1}).width(); // pixels to a twip
-    const double least = layout::fromPoints(leastPoints);
+    const double least = paragraphs::fromPoints(leastPoints);
     const double left = taken_->x - widths[column];
     double right = taken_->x + (column + 1 < widths.size() ? widths[column + 1] : 0) - least;
     if (column + 1 == widths.size())
         if (const std::shared_ptr<const model::Model> model = view_.model())
-            right = layout::fromPoints(model->page.width - model->page.marginRight);
+            right = paragraphs::fromPoints(model->page.width - model->page.marginRight);
     x_ =
         std::clamp((point.x() - grip_ - origin) / one, left + least, std::max(right, left + least));
 }
@@ -79,7 +79,7 @@ void ColumnDrag::finish() {
     const std::optional<Border> done = std::exchange(taken_, std::nullopt);
     if (!done || std::abs(x_ - done->x) < 1)
         return;
-    const auto points = [](double twips) { return twips / layout::twipsPerPoint; };
+    const auto points = [](double twips) { return twips / paragraphs::twipsPerPoint; };
     const std::vector<double>& widths = done->rows.columns->widths;
     const std::size_t column = done->column;
     std::vector<double> now(column + 1, -1);

@@ -1,10 +1,8 @@
 #include "view/document_view.h"
 
-#include "controls/play_bar.h"
-#include "layout/measure.h"
-#include "view/accessible_view.h"
+#include "paragraphs/measure.h"
+#include "view/figures.h"
 #include "view/folds.h"
-#include "view/key_names.h"
 #include "view/text_drag.h"
 #include "view/text_hand.h"
 #include "view/writing.h"
@@ -19,10 +17,6 @@
 namespace view {
 
 namespace {
-
-// Renditions further away than this many heights of the view give their pictures back.
-constexpr double farHeights = 8;
-constexpr int geometryDelayMs = 90;
 
 QColor backdrop(const QPalette& palette) {
     const bool dark = palette.color(QPalette::Window).lightness() < 128;
@@ -40,38 +34,22 @@ void paintShadow(QPainter& painter, const QRectF& page) {
 
 DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
     : QAbstractScrollArea(parent), document_(document), folds_(std::make_unique<Folds>(*this)),
-      playBar_(new controls::PlayBar(true, viewport())), text_(std::make_unique<TextHand>(*this)),
+      figures_(std::make_unique<Figures>(*this)), text_(std::make_unique<TextHand>(*this)),
       writing_(std::make_unique<Writing>(*this, *text_)),
       drag_(std::make_unique<TextDrag>(*this, *text_, *writing_)) {
     viewport()->setAcceptDrops(true);
-    AccessibleView::install();
     setFrameShape(QFrame::NoFrame);
     setAccessibleName(tr("Document"));
     setFocusPolicy(Qt::StrongFocus);
     viewport()->setMouseTracking(true);
     verticalScrollBar()->setSingleStep(40);
-    playBar_->hide();
-    geometryTimer_.setSingleShot(true);
-    connect(&geometryTimer_, &QTimer::timeout, this, &DocumentView::updateGeometries);
     connect(&document_.images(), &session::Images::ready, viewport(),
             qOverload<>(&QWidget::update));
-    connect(&document_, &session::OpenDocument::structureChanged, this, [this] {
-        std::erase_if(shown_, [this](const auto& one) {
-            return !document_.document().subdocument(one.first);
-        });
-    });
-    connect(playBar_, &controls::PlayBar::playWanted, this, [this] {
-        if (media::LiveSubdocument* live = document_.live(hovered_))
-            live->play();
-    });
-    connect(playBar_, &controls::PlayBar::pauseWanted, this, [this] {
-        if (media::LiveSubdocument* live = document_.live(hovered_))
-            live->pause();
-    });
-    connect(playBar_, &controls::PlayBar::seekWanted, this, [this](double time) {
-        if (media::LiveSubdocument* live = document_.live(hovered_))
-            live->seek(time);
-    });
+    connect(figures_.get(), &Figures::chosenChanged, this, &DocumentView::chosenChanged);
+    connect(figures_.get(), &Figures::visibleChanged, this, &DocumentView::visibleChanged);
+    connect(figures_.get(), &Figures::unusedKey, this, &DocumentView::useKey);
+    connect(figures_.get(), &Figures::cursorChanged, this,
+            [this] { updateCursor(viewport()->mapFromGlobal(QCursor::pos())); });
     connect(&document_.document(), &document::Document::edited, this, [this] { isBehind_ = true; });
     connect(&document_, &session::OpenDocument::presentedAnew, this, [this] { isBehind_ = true; });
     connect(&text_->cursor(), &TextCursor::changed, this, &DocumentView::selectionChanged);
@@ -79,16 +57,12 @@ DocumentView::DocumentView(session::OpenDocument& document, QWidget* parent)
     connect(&text_->cursor(), &TextCursor::changed, folds_.get(), &Folds::followCaret);
     connect(&folds_->pages(), &session::FoldedPages::grown, this, &DocumentView::showPages);
     connect(&folds_->pages(), &session::FoldedPages::complete, this, &DocumentView::showPages);
-    connect(this, &DocumentView::selectionChanged, this, [this] { AccessibleView::tell(*this); });
-    connect(this, &DocumentView::laidOut, this, [this] { AccessibleView::tell(*this); });
+    connect(&folds_->pages(), &session::FoldedPages::wholeChanged, this,
+            &DocumentView::followFound);
     present();
 }
 
-DocumentView::~DocumentView() {
-    for (const document::SubdocumentId id : document_.document().subdocuments())
-        if (media::LiveSubdocument* live = document_.live(id))
-            document_.media().setDistance(*live, this, media::LiveMedia::notNeeded);
-}
+DocumentView::~DocumentView() = default;
 
 // --- layout ------------------------------------------------------------------------------------
 
@@ -105,21 +79,21 @@ void DocumentView::showPages() {
         return;
     const std::size_t top = places().firstAt(bar->value());
     const double y = -pageTopLeft(top).y() / scale();
-    const std::optional<layout::Spot> spot =
-        bar->value() > 0 ? layout::spotAt(pages_, {top, y}) : std::nullopt;
-    const auto heightOf = [this](const layout::PlaceOnPage& place) {
+    const std::optional<places::Spot> spot =
+        bar->value() > 0 ? places::spotAt(pages_, {top, y}) : std::nullopt;
+    const auto heightOf = [this](const places::PlaceOnPage& place) {
         return pageTopLeft(place.page).y() + place.y * scale();
     };
-    const auto was = spot ? layout::placeOf(pages_, *spot, top) : std::nullopt;
+    const auto was = spot ? places::placeOf(pages_, *spot, top) : std::nullopt;
     const double stood = was ? heightOf(*was) : 0;
     const layout::Pages before = std::exchange(pages_, folds_->pages().pages());
     isBehind_ = isBehind_ && !isLaidOut();
-    placeSubdocuments();
+    figures_->takePlaces();
     setScrollBars();
-    if (const auto place = was ? layout::placeOf(pages_, *spot, top) : std::nullopt)
+    if (const auto place = was ? places::placeOf(pages_, *spot, top) : std::nullopt)
         bar->setValue(bar->value() + static_cast<int>(std::lround(heightOf(*place) - stood)));
-    updateNearness();
-    found_.follow(pages_);
+    figures_->follow();
+    followFound();
     showChanged(before);
     text_->refresh();
     Q_EMIT laidOut();
@@ -136,37 +110,13 @@ void DocumentView::showChanged(const layout::Pages& before) {
             viewport()->update(QRectF(pageTopLeft(i), pageSize()).toAlignedRect());
 }
 
-void DocumentView::placeSubdocuments() {
-    std::map<document::SubdocumentId, Shown> before;
-    before.swap(shown_);
-    for (const layout::PlacedSubdocument& placed : pages().subdocuments()) {
-        const auto old = before.find(placed.subdocument);
-        Shown shown;
-        if (old != before.end())
-            shown = std::move(old->second);
-        shown.id = placed.subdocument;
-        shown.page = placed.page;
-        shown.onPage = placed.rect;
-        shown_[placed.subdocument] = std::move(shown);
-    }
-    for (const auto& [id, gone] : before)
-        if (media::LiveSubdocument* live = document_.live(id))
-            document_.media().setDistance(*live, this, media::LiveMedia::notNeeded);
-    if (chosen_ && !shown_.contains(chosen_))
-        choose(document::noSubdocument);
-    if (!shown_.contains(hovered_))
-        hovered_ = document::noSubdocument;
-    updateGeometries();
-    updatePlayBar();
-}
-
 void DocumentView::setPresentation(const QString& name) {
     presentation_ = name;
     present();
     setZoom(usualZoom()); // pages of another one may be wider
 }
 
-double DocumentView::scale() const { return zoom_ / layout::twipsPerPixel; }
+double DocumentView::scale() const { return zoom_ / paragraphs::twipsPerPixel; }
 
 QSizeF DocumentView::pageSize() const { return pages().size * scale(); }
 
@@ -204,25 +154,6 @@ void DocumentView::settleSoon() {
         folds_->pages().settle(mostMs);
 }
 
-// On whole device pixels, so that a picture of that many pixels is copied and not resampled.
-QRectF DocumentView::placeOf(const Shown& shown) const {
-    const double ratio = devicePixelRatioF();
-    const QPointF corner = pageTopLeft(shown.page) + shown.onPage.topLeft() * scale();
-    const auto snapped = [ratio](double x) { return std::round(x * ratio) / ratio; };
-    return {snapped(corner.x()), snapped(corner.y()), snapped(shown.onPage.width() * scale()),
-            snapped(shown.onPage.height() * scale())};
-}
-
-QRectF DocumentView::placeOf(document::SubdocumentId id) const {
-    const auto found = shown_.find(id);
-    return found == shown_.end() ? QRectF() : placeOf(found->second);
-}
-
-media::Rendition* DocumentView::rendition(document::SubdocumentId id) const {
-    const auto found = shown_.find(id);
-    return found == shown_.end() ? nullptr : found->second.rendition.get();
-}
-
 void DocumentView::setScrollBars() {
     const QSizeF all = places().size();
     const auto most = [](double length) {
@@ -247,8 +178,8 @@ void DocumentView::setZoom(double zoom) {
     verticalScrollBar()->setValue(static_cast<int>(at * zoom_ + margin - middle));
     horizontalScrollBar()->setValue(
         static_cast<int>(x * zoom_ + margin - viewport()->width() / 2.0));
-    geometryTimer_.start(geometryDelayMs);
-    updateNearness();
+    figures_->fitSoon();
+    figures_->follow();
     viewport()->update();
     Q_EMIT zoomChanged();
 }
@@ -273,133 +204,20 @@ void DocumentView::zoomBy(int steps) {
     setZoom((zoom_ < 0.999 && next > 1) || (zoom_ > 1.001 && next < 1) ? 1 : next);
 }
 
-// --- renditions --------------------------------------------------------------------------------
+// --- figures ------------------------------------------------------------------------------------
 
-void DocumentView::connectShown(Shown& shown) {
-    media::LiveSubdocument* live = document_.live(shown.id);
-    shown.context = std::make_unique<QObject>();
-    QObject* context = shown.context.get();
-    const document::SubdocumentId id = shown.id;
-    const auto update = [this, id] { updateOne(id); };
-    connect(shown.rendition.get(), &media::Rendition::pictureChanged, context, update);
-    connect(shown.rendition.get(), &media::Rendition::cursorChanged, context, [this, id] {
-        if (hovered_ == id)
-            updateCursor(viewport()->mapFromGlobal(QCursor::pos()));
-    });
-    connect(shown.rendition.get(), &media::Rendition::unhandledInput, context,
-            [this](const ipc::Input& input) {
-                if (input.type != ipc::InputType::keyPress)
-                    return;
-                Qt::KeyboardModifiers modifiers;
-                for (const ipc::Modifier modifier : input.modifiers)
-                    modifiers |=
-                        modifier == ipc::Modifier::shift ? Qt::ShiftModifier : Qt::NoModifier;
-                int key = keyNamed(input.key);
-                if (key == 0 && input.key.size() == 1)
-                    key = QChar::toUpper(static_cast<uint>(input.key[0]));
-                useKey(key, modifiers);
-            });
-    connect(live, &media::LiveSubdocument::conditionChanged, context, [this, id] {
-        updateOne(id);
-        if (hovered_ == id)
-            updatePlayBar();
-    });
-    connect(live, &media::LiveSubdocument::diagnosticsChanged, context, update);
-    connect(live, &media::LiveSubdocument::timeChanged, context, [this, id] {
-        if (hovered_ == id)
-            updatePlayBar();
-    });
+document::SubdocumentId DocumentView::chosen() const { return figures_->chosen(); }
+void DocumentView::choose(document::SubdocumentId id) { figures_->choose(id); }
+
+std::vector<document::SubdocumentId> DocumentView::visibleSubdocuments() const {
+    return figures_->visible();
 }
 
-// Which renditions are needed: those that are seen and those close by. Media are told what is seen.
-void DocumentView::updateNearness() {
-    std::vector<document::SubdocumentId> seen;
-    const double height = std::max(1, viewport()->height());
-    const bool canBeSeen = isVisible() && !(window()->windowState() & Qt::WindowMinimized);
-    for (auto& [id, shown] : shown_) {
-        media::LiveSubdocument* live = document_.live(id);
-        if (!live)
-            continue;
-        const QRectF place = placeOf(shown);
-        const double distance = std::max({0.0, place.top() - height, -place.bottom()});
-        const bool near = distance < height;
-        if (near && !shown.rendition) {
-            shown.rendition = live->createRendition();
-            connectShown(shown);
-            updateGeometry(shown);
-        } else if (shown.rendition && distance > farHeights * height) {
-            shown.context.reset();
-            shown.rendition.reset();
-        }
-        const bool isSeen = canBeSeen && distance == 0 && place.bottom() > 0;
-        if (shown.rendition)
-            shown.rendition->setShown(isSeen);
-        const double wanted = id == chosen_ ? -0.5 : distance; // what is in use lives
-        document_.media().setDistance(*live, this,
-                                      near && canBeSeen ? wanted : media::LiveMedia::notNeeded);
-        if (isSeen)
-            seen.push_back(id);
-    }
-    std::sort(seen.begin(), seen.end(), [this](auto a, auto b) {
-        return std::pair(shown_.at(a).page, shown_.at(a).onPage.top()) <
-               std::pair(shown_.at(b).page, shown_.at(b).onPage.top());
-    });
-    if (seen == visible_)
-        return;
-    visible_ = seen;
-    Q_EMIT visibleChanged();
+media::Rendition* DocumentView::rendition(document::SubdocumentId id) const {
+    return figures_->rendition(id);
 }
 
-std::vector<document::SubdocumentId> DocumentView::visibleSubdocuments() const { return visible_; }
-
-void DocumentView::updateGeometry(Shown& shown) {
-    if (!shown.rendition)
-        return;
-    const double ratio = devicePixelRatioF();
-    shown.rendition->setGeometry((placeOf(shown).size() * ratio).toSize(), zoom_ * ratio);
-    const schemas::PageStyle& page = folds_->pages().whole().page();
-    const double margins = layout::fromPoints(page.marginLeft + page.marginRight);
-    if (media::LiveSubdocument* live = document_.live(shown.id))
-        live->setAvailable(layout::toPixels({pages().size.width() - margins, 0}));
-}
-
-void DocumentView::updateGeometries() {
-    for (auto& [id, shown] : shown_)
-        updateGeometry(shown);
-}
-
-void DocumentView::updateOne(document::SubdocumentId id) {
-    viewport()->update(placeOf(id).toAlignedRect().adjusted(-4, -4, 4, 4));
-}
-
-void DocumentView::choose(document::SubdocumentId id) {
-    if (id == chosen_)
-        return;
-    const auto tell = [this](document::SubdocumentId to, ipc::InputType type) {
-        if (media::Rendition* of = rendition(to)) {
-            ipc::Input input;
-            input.type = type;
-            of->input(input);
-        }
-        updateOne(to);
-    };
-    tell(chosen_, ipc::InputType::focusOut);
-    chosen_ = id;
-    tell(chosen_, ipc::InputType::focusIn);
-    updateNearness();
-    Q_EMIT chosenChanged();
-}
-
-Shown* DocumentView::shownAt(QPointF point) {
-    for (auto& [id, shown] : shown_)
-        if (placeOf(shown).contains(point))
-            return &shown;
-    return nullptr;
-}
-
-QPointF DocumentView::pixelsIn(const Shown& shown, QPointF point) const {
-    return (point - placeOf(shown).topLeft()) * devicePixelRatioF();
-}
+QRectF DocumentView::placeOf(document::SubdocumentId id) const { return figures_->placeOf(id); }
 
 void DocumentView::scrollTo(document::SubdocumentId id) {
     if (const document::Subdocument* of = document_.document().subdocument(id))
@@ -418,15 +236,7 @@ void DocumentView::paintEvent(QPaintEvent* event) {
     QPainter painter(viewport());
     painter.fillRect(event->rect(), spread_ == Spread::single ? Qt::black : backdrop(palette()));
     paintPages(painter, event->rect());
-    for (auto& [id, shown] : shown_) {
-        const QRectF place = placeOf(shown);
-        if (!place.adjusted(-4, -4, 4, 4).intersects(QRectF(event->rect())))
-            continue;
-        paintShown(painter, place, shown, noticeOf(document_, shown), id == chosen_);
-        text_->paintSelection(painter, id, place);
-        if (shown.rendition)
-            shown.rendition->painted();
-    }
+    figures_->paint(painter, event->rect());
     writing_->gestures().paint(painter);
     folds_->paint(painter);
 }

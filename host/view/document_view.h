@@ -7,23 +7,20 @@
 // then belong to it, Escape gives them back.
 #pragma once
 
-#include "layout/carets.h"
 #include "layout/paint.h"
-#include "layout/spot.h"
+#include "places/carets.h"
+#include "places/spot.h"
 #include "session/open_document.h"
 #include "view/found_words.h"
 #include "view/page_places.h"
-#include "view/shown.h"
 
 #include <QAbstractScrollArea>
 #include <QTimer>
 
-namespace controls {
-class PlayBar;
-}
-
 namespace view {
 
+class ChosenFigure;
+class Figures;
 class Folds;
 class TextDrag;
 class TextHand;
@@ -54,7 +51,7 @@ public:
     [[nodiscard]] Spread spread() const { return spread_; }
     void setSpread(Spread spread); // the page at the top stays there
 
-    [[nodiscard]] document::SubdocumentId chosen() const { return chosen_; }
+    [[nodiscard]] document::SubdocumentId chosen() const;
     void choose(document::SubdocumentId id);
     [[nodiscard]] std::vector<document::SubdocumentId> visibleSubdocuments() const;
     [[nodiscard]] media::Rendition* rendition(document::SubdocumentId id) const;
@@ -80,7 +77,7 @@ public:
     [[nodiscard]] TextHand& text() const { return *text_; }
     [[nodiscard]] bool canCopy() const; // a figure that is chosen, else what is selected
     void copy();
-    void eraseChosen(); // the figure, with its caption
+    [[nodiscard]] ChosenFigure& chosenFigure() const;
     void selectAll();
 
     // --- writing: a matter of the view, not of the document
@@ -90,8 +87,8 @@ public:
 
     // Marks the words wherever they stand, also when the document changes, and shows the first of
     // them at or below what is seen; "": none any more.
-    void find(const layout::Search& search);
-    void find(const QString& words) { find(layout::Search{words}); }
+    void find(const places::Search& search);
+    void find(const QString& words) { find(places::Search{words}); }
     [[nodiscard]] const FoundWords& found() const { return found_; }
     [[nodiscard]] int foundCount() const { return static_cast<int>(found_.finder().count()); }
     [[nodiscard]] int shownFound() const { return static_cast<int>(found_.shown()); }
@@ -127,8 +124,11 @@ Q_SIGNALS:
     void textMenuWanted(const QPoint& global);
     void writingChanged(bool on);
     void selectionChanged(); // or what may be done with it
+    void focusChanged();
     void linkActivated(const QString& target);
-    void formulaActivated(sgml::NodeId element); // by a double click, while it is written
+    // By a double click, or by Return where it is selected alone, while it is written.
+    void formulaActivated(sgml::NodeId element);
+    void valueActivated(sgml::NodeId element);
     void unhandledKey(int key, Qt::KeyboardModifiers modifiers);
     // Before the view goes far away from where one reads, and after it has.
     void jumping(bool isSearch);
@@ -165,35 +165,30 @@ protected:
 private:
     [[nodiscard]] double scale() const; // logical pixels to a twip
     [[nodiscard]] PagePlaces places() const;
-    [[nodiscard]] double topOf(sgml::NodeId element, const layout::Caret& caret) const;
-    void jumpTo(const layout::Carets& carets, const layout::Caret& caret, double top);
+    [[nodiscard]] double topOf(sgml::NodeId element, const places::Caret& caret) const;
+    void jumpTo(const places::Carets& carets, const places::Caret& caret, double top);
     void scrollBy(double pixels);
     [[nodiscard]] QSizeF pageSize() const;
     [[nodiscard]] QPointF pageTopLeft(std::size_t page) const;
-    [[nodiscard]] QRectF placeOf(const Shown& shown) const;
-    [[nodiscard]] Shown* shownAt(QPointF point);
     [[nodiscard]] const model::Run* runAt(QPointF point) const; // null: none is there
     [[nodiscard]] const model::Run* linkAt(QPointF point) const;
-    [[nodiscard]] QPointF pixelsIn(const Shown& shown, QPointF point) const;
 
     void present();
     void showPages();
     void showChanged(const layout::Pages& before);
-    void placeSubdocuments();
-    void connectShown(Shown& shown);
     void setScrollBars();
-    void updateNearness();
-    void updateGeometry(Shown& shown);
-    void updateGeometries();
-    void updateOne(document::SubdocumentId id);
     void paintPages(QPainter& painter, const QRect& area);
     [[nodiscard]] QImage imageOf(const layout::ImagePiece& piece);
+    void followFound();
     void paintFound(QPainter& painter, std::size_t page) const;
     void useKey(int key, Qt::KeyboardModifiers modifiers);
-    void copyChosen();
     void pasteSelection(const QMouseEvent& event);
-    void updatePlayBar();
     void updateCursor(QPointF point);
+
+    struct Press { // of a button, the last one
+        QPointF at;
+        bool wasDragged = false;
+    };
 
     session::OpenDocument& document_;
     QString presentation_;
@@ -201,22 +196,15 @@ private:
     std::unique_ptr<Folds> folds_;
     layout::Pages pages_; // that are shown
     int pagesPainted_ = 0;
-    std::map<document::SubdocumentId, Shown> shown_;
     FoundWords found_;
     Spread spread_ = Spread::column;
-    document::SubdocumentId chosen_ = document::noSubdocument;
-    document::SubdocumentId grabbed_ = document::noSubdocument; // has a button held down
-    document::SubdocumentId hovered_ = document::noSubdocument;
-    QPointF pressedAt_;
-    bool wasDragged_ = false;
+    Press press_;
     bool wasShown_ = false;
-    controls::PlayBar* playBar_;
+    std::unique_ptr<Figures> figures_;
     std::unique_ptr<TextHand> text_;
     std::unique_ptr<Writing> writing_;
     std::unique_ptr<TextDrag> drag_;
     bool isBehind_ = false; // edits came that are not laid out
-    QTimer geometryTimer_;
-    std::vector<document::SubdocumentId> visible_;
 };
 
 } // namespace view

@@ -1,9 +1,7 @@
 // What the user does in a DocumentView: pointer, wheel, keys, links, the play bar.
 #include "view/document_view.h"
 
-#include "controls/play_bar.h"
-#include "view/accessible_view.h"
-#include "view/copying.h"
+#include "view/figures.h"
 #include "view/folds.h"
 #include "view/key_names.h"
 #include "view/text_drag.h"
@@ -19,23 +17,15 @@
 
 namespace view {
 
-namespace {
-
-bool erases(int key) { return key == Qt::Key_Delete || key == Qt::Key_Backspace; }
-
-} // namespace
-
 // --- events ------------------------------------------------------------------------------------
 
 void DocumentView::resizeEvent(QResizeEvent*) {
     setScrollBars();
-    updateNearness();
-    updatePlayBar();
+    figures_->follow();
 }
 
 void DocumentView::scrollContentsBy(int, int) {
-    updateNearness();
-    updatePlayBar();
+    figures_->follow();
     text_->refresh();
     viewport()->update();
 }
@@ -44,41 +34,40 @@ void DocumentView::showEvent(QShowEvent* event) {
     QAbstractScrollArea::showEvent(event);
     if (!std::exchange(wasShown_, true))
         setZoom(usualZoom());
-    updateGeometries();
-    updateNearness();
+    figures_->fit();
+    figures_->follow();
 }
 
 void DocumentView::hideEvent(QHideEvent* event) {
     QAbstractScrollArea::hideEvent(event);
-    updateNearness();
+    figures_->follow();
 }
 
 bool DocumentView::event(QEvent* event) {
     // Plain keys belong to the chosen rendition before they are shortcuts of a menu.
-    if (event->type() == QEvent::ShortcutOverride && chosen_) {
+    if (event->type() == QEvent::ShortcutOverride && chosen()) {
         const auto* key = static_cast<QKeyEvent*>(event);
         constexpr auto commands = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
         if (!(key->modifiers() & commands) && key->key() != Qt::Key_Tab &&
-            key->key() != Qt::Key_Backtab) {
+            key->key() != Qt::Key_Backtab && !Writing::isForClipboard(*key)) {
             event->accept();
             return true;
         }
     }
-    if (event->type() == QEvent::ShortcutOverride && !chosen_ && isWriting() &&
+    if (event->type() == QEvent::ShortcutOverride && !chosen() && isWriting() &&
         (Writing::isForText(*static_cast<QKeyEvent*>(event)) ||
          writing_->movesInTable(*static_cast<QKeyEvent*>(event)))) {
         event->accept();
         return true;
     }
     if (event->type() == QEvent::WindowStateChange)
-        updateNearness();
+        figures_->follow();
     return QAbstractScrollArea::event(event);
 }
 
 bool DocumentView::viewportEvent(QEvent* event) {
     if (event->type() == QEvent::Leave) {
-        hovered_ = document::noSubdocument;
-        updatePlayBar();
+        figures_->leave();
         folds_->hover({-1, -1});
     }
     if (event->type() == QEvent::ToolTip) {
@@ -90,66 +79,45 @@ bool DocumentView::viewportEvent(QEvent* event) {
 }
 
 void DocumentView::mousePressEvent(QMouseEvent* event) {
-    pressedAt_ = event->position();
-    wasDragged_ = false;
+    press_ = {event->position()};
     if (event->button() == Qt::LeftButton &&
         (folds_->press(event->position()) || writing_->gestures().press(event->position())))
         return;
-    Shown* shown = shownAt(event->position());
-    choose(shown ? shown->id : document::noSubdocument);
-    if (!shown) {
-        if (event->button() == Qt::LeftButton && !drag_->press(*event))
-            text_->press(*event);
-        else if (event->button() == Qt::MiddleButton)
-            pasteSelection(*event);
+    if (figures_->press(*event))
         return;
-    }
-    media::LiveSubdocument* live = document_.live(shown->id);
-    if (!live || !shown->rendition)
-        return;
-    if (live->condition() == media::Condition::failed) {
-        live->startAgain();
-        return;
-    }
-    live->dismissNotice();
-    grabbed_ = shown->id;
-    shown->rendition->input(inputOf(*event, pixelsIn(*shown, event->position())));
+    if (event->button() == Qt::LeftButton && !drag_->press(*event))
+        text_->press(*event);
+    else if (event->button() == Qt::MiddleButton)
+        pasteSelection(*event);
 }
 
 void DocumentView::mouseDoubleClickEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton &&
         (folds_->press(event->position()) || writing_->gestures().pressTwice(event->position())))
         return;
-    if (event->button() != Qt::LeftButton || shownAt(event->position()))
+    if (event->button() != Qt::LeftButton || figures_->isAt(event->position()))
         return mousePressEvent(event);
-    wasDragged_ = true; // no click on a link
+    press_.wasDragged = true; // no click on a link
     const model::Run* run = isWriting() ? runAt(event->position()) : nullptr;
     if (run && run->kind == model::RunKind::formula)
         Q_EMIT formulaActivated(run->element);
+    else if (run && run->kind == model::RunKind::value)
+        Q_EMIT valueActivated(run->element);
     else
         text_->pressTwice(*event);
 }
 
 void DocumentView::mouseMoveEvent(QMouseEvent* event) {
     constexpr double dragLength = 4;
-    wasDragged_ |= (event->position() - pressedAt_).manhattanLength() > dragLength;
+    press_.wasDragged |= (event->position() - press_.at).manhattanLength() > dragLength;
     if (writing_->gestures().drag(event->position()) || drag_->move(*event))
         return;
     if (text_->isDragging()) {
-        if (wasDragged_)
+        if (press_.wasDragged)
             text_->drag(event->position());
         return;
     }
-    Shown* shown = shownAt(event->position());
-    const document::SubdocumentId hovered =
-        shown && document_.live(shown->id) ? shown->id : document::noSubdocument;
-    if (hovered != hovered_ && !grabbed_) {
-        hovered_ = hovered;
-        updatePlayBar();
-    }
-    const document::SubdocumentId to = grabbed_ ? grabbed_ : hovered == chosen_ ? chosen_ : 0;
-    if (media::Rendition* of = rendition(to))
-        of->input(inputOf(*event, pixelsIn(shown_.at(to), event->position())));
+    figures_->move(*event);
     folds_->hover(event->position());
     updateCursor(event->position());
 }
@@ -158,18 +126,17 @@ void DocumentView::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton &&
         (writing_->gestures().release() || drag_->release(*event)))
         return;
-    const auto held = shown_.find(grabbed_);
-    if (held != shown_.end() && held->second.rendition) {
-        held->second.rendition->input(inputOf(*event, pixelsIn(held->second, event->position())));
+    if (const document::SubdocumentId held = figures_->release(*event)) {
         // With Shift it is the medium's, as where it edits its picture.
-        if (event->button() == Qt::RightButton && !wasDragged_ &&
+        if (event->button() == Qt::RightButton && !press_.wasDragged &&
             !(event->modifiers() & Qt::ShiftModifier))
-            Q_EMIT contextMenuWanted(grabbed_, event->globalPosition().toPoint());
-    } else if (event->button() == Qt::RightButton && !wasDragged_) {
+            Q_EMIT contextMenuWanted(held, event->globalPosition().toPoint());
+    } else if (event->button() == Qt::RightButton && !press_.wasDragged) {
         if (isWriting())
             writing_->goTo(event->position());
         Q_EMIT textMenuWanted(event->globalPosition().toPoint());
-    } else if (event->button() == Qt::LeftButton && !wasDragged_ && !text_->cursor().selects() &&
+    } else if (event->button() == Qt::LeftButton && !press_.wasDragged &&
+               !text_->cursor().selects() &&
                (!isWriting() || (event->modifiers() & Qt::ControlModifier))) {
         if (const model::Run* link = linkAt(event->position()))
             follow(QString::fromStdString(link->target));
@@ -177,7 +144,7 @@ void DocumentView::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton)
         text_->release();
     if (!event->buttons())
-        grabbed_ = document::noSubdocument;
+        figures_->letGo();
 }
 
 void DocumentView::dragEnterEvent(QDragEnterEvent* event) {
@@ -203,9 +170,9 @@ void DocumentView::contextMenuEvent(QContextMenuEvent* event) {
     if (event->reason() != QContextMenuEvent::Keyboard)
         return;
     const QRectF caret = text_->caretRect().value_or(QRectF(viewport()->rect().center(), QSizeF()));
-    if (chosen_)
-        Q_EMIT contextMenuWanted(chosen_,
-                                 viewport()->mapToGlobal(placeOf(chosen_).center().toPoint()));
+    if (chosen())
+        Q_EMIT contextMenuWanted(chosen(),
+                                 viewport()->mapToGlobal(placeOf(chosen()).center().toPoint()));
     else
         Q_EMIT textMenuWanted(viewport()->mapToGlobal(caret.bottomLeft().toPoint()));
 }
@@ -217,9 +184,7 @@ void DocumentView::wheelEvent(QWheelEvent* event) {
         event->accept();
         return;
     }
-    const Shown* shown = shownAt(event->position());
-    if (shown && shown->id == chosen_ && shown->rendition) {
-        shown->rendition->input(inputOf(*event, pixelsIn(*shown, event->position())));
+    if (figures_->turnWheel(*event)) {
         event->accept();
         return;
     }
@@ -229,28 +194,27 @@ void DocumentView::wheelEvent(QWheelEvent* event) {
 void DocumentView::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape && writing_->gestures().cancel())
         return;
-    const media::LiveSubdocument* live = document_.live(chosen_);
+    const media::LiveSubdocument* live = document_.live(chosen());
     const bool isHeard = live && live->condition() == media::Condition::live;
-    if (chosen_ && event->key() == Qt::Key_Escape && !grabbed_) // else what is dragged is given up
-        choose(document::noSubdocument);
-    else if (chosen_ && !isHeard && erases(event->key()))
-        useKey(event->key(), event->modifiers());
-    else if (media::Rendition* of = rendition(chosen_))
+    if (chosen() && event->key() == Qt::Key_Escape &&
+        !figures_->isHeld()) // else what is dragged is given up
+        chosenFigure().leave();
+    else if (media::Rendition* of = rendition(chosen()); of && isHeard)
         of->input(inputOf(*event));
-    else if (chosen_ || !isWriting() || !writing_->useKey(*event))
+    else if (chosen() || !isWriting() || !writing_->useKey(*event))
         useKey(event->key(), event->modifiers());
 }
 
 void DocumentView::keyReleaseEvent(QKeyEvent* event) {
-    if (media::Rendition* of = rendition(chosen_))
+    if (media::Rendition* of = rendition(chosen()))
         of->input(inputOf(*event));
 }
 
 // A key that is the host's: because nothing is chosen, or because the medium did not use it.
 void DocumentView::useKey(int key, Qt::KeyboardModifiers modifiers) {
-    if (chosen_ && isWriting() && erases(key))
-        return eraseChosen();
-    if (!chosen_ && text_->useKey(key, modifiers, false))
+    if (chosen() && chosenFigure().useKey(key, modifiers))
+        return;
+    if (!chosen() && text_->useKey(key, modifiers, false))
         return;
     QScrollBar* bar = verticalScrollBar();
     switch (key) {
@@ -280,8 +244,8 @@ void DocumentView::useKey(int key, Qt::KeyboardModifiers modifiers) {
         break;
     case Qt::Key_Return:
     case Qt::Key_Enter:
-        if (!chosen_ && !visible_.empty())
-            choose(visible_.front());
+        if (!chosen() && !figures_->visible().empty())
+            choose(figures_->visible().front());
         break;
     default:
         Q_EMIT unhandledKey(key, modifiers);
@@ -290,35 +254,13 @@ void DocumentView::useKey(int key, Qt::KeyboardModifiers modifiers) {
 
 // --- the text that is selected -----------------------------------------------------------------
 
-bool DocumentView::canCopy() const { return chosen_ || text_->cursor().selects(); }
+bool DocumentView::canCopy() const { return chosen() || text_->cursor().selects(); }
 
 void DocumentView::copy() {
-    if (chosen_)
-        copyChosen();
+    if (chosen())
+        chosenFigure().copy();
     else if (canCopy())
         text_->copy();
-}
-
-// With its caption; other programs get its picture.
-void DocumentView::copyChosen() {
-    settle();
-    const document::Document& document = document_.document();
-    const document::Subdocument* figure = document.subdocument(chosen_);
-    if (!figure || !model())
-        return;
-    const sgml::NodeId whole = authoring::wholeFigure(writing_->manuscript(), figure->element);
-    std::unique_ptr<QMimeData> copy = copied(document, *model(), document.tree().node(whole).range);
-    if (const media::Rendition* of = rendition(chosen_); of && !of->picture().isNull())
-        copy->setImageData(of->picture());
-    QApplication::clipboard()->setMimeData(copy.release());
-}
-
-void DocumentView::eraseChosen() {
-    if (const document::Subdocument* figure = document_.document().subdocument(chosen_))
-        writing_->perform([figure](const authoring::Manuscript& in, authoring::Selection) {
-            return authoring::removeElement(in, authoring::wholeFigure(in, figure->element),
-                                            tr("Delete Figure"));
-        });
 }
 
 void DocumentView::selectAll() {
@@ -327,6 +269,8 @@ void DocumentView::selectAll() {
 }
 
 bool DocumentView::isWriting() const { return writing_->isOn(); }
+
+ChosenFigure& DocumentView::chosenFigure() const { return writing_->chosenFigure(); }
 
 void DocumentView::setWriting(bool on) {
     if (on == isWriting())
@@ -353,7 +297,7 @@ void DocumentView::pasteSelection(const QMouseEvent& event) {
 }
 
 void DocumentView::inputMethodEvent(QInputMethodEvent* event) {
-    if (isWriting() && !chosen_)
+    if (isWriting() && !chosen())
         writing_->compose(*event);
     event->accept();
 }
@@ -367,26 +311,26 @@ QVariant DocumentView::inputMethodQuery(Qt::InputMethodQuery query) const {
 void DocumentView::focusInEvent(QFocusEvent* event) {
     QAbstractScrollArea::focusInEvent(event);
     text_->refresh();
-    AccessibleView::tell(*this);
+    Q_EMIT focusChanged();
 }
 
 void DocumentView::focusOutEvent(QFocusEvent* event) {
     QAbstractScrollArea::focusOutEvent(event);
-    AccessibleView::tell(*this);
+    Q_EMIT focusChanged();
     text_->refresh();
 }
 
 // Tab goes from rendition to rendition, then on to the other widgets. In text that one writes it is
 // a command of writing.
 bool DocumentView::focusNextPrevChild(bool next) {
-    if (isWriting() && !chosen_) {
+    if (isWriting() && !chosen()) {
         writing_->goBy(next);
         return true;
     }
     std::vector<document::SubdocumentId> order;
     for (const layout::PlacedSubdocument& placed : pages().subdocuments())
         order.push_back(placed.subdocument);
-    const auto at = std::find(order.begin(), order.end(), chosen_);
+    const auto at = std::find(order.begin(), order.end(), chosen());
     std::size_t index = at == order.end() ? (next ? 0 : order.size() - 1)
                                           : static_cast<std::size_t>(at - order.begin()) +
                                                 (next ? 1 : static_cast<std::size_t>(-1));
@@ -399,7 +343,7 @@ bool DocumentView::focusNextPrevChild(bool next) {
     return true;
 }
 
-// --- links, bar, cursor ------------------------------------------------------------------------
+// --- links, cursor -----------------------------------------------------------------------------
 
 const model::Run* DocumentView::runAt(QPointF point) const {
     if (pages().pages.empty())
@@ -428,37 +372,17 @@ void DocumentView::follow(const QString& target) {
     Q_EMIT jumped();
 }
 
-void DocumentView::updatePlayBar() {
-    const auto found = shown_.find(hovered_);
-    const media::LiveSubdocument* live = document_.live(hovered_);
-    const bool hasTime = live && live->time() && live->time()->finish > live->time()->start &&
-                         live->condition() == media::Condition::live;
-    constexpr double leastWidth = 160;
-    if (found == shown_.end() || !hasTime || placeOf(found->second).width() < leastWidth) {
-        playBar_->hide();
-        return;
-    }
-    constexpr int inset = 8;
-    const QRectF place = placeOf(found->second);
-    playBar_->setTime(*live->time());
-    playBar_->setGeometry(QRectF(place.left() + inset,
-                                 place.bottom() - controls::PlayBar::barHeight - inset,
-                                 place.width() - 2 * inset, controls::PlayBar::barHeight)
-                              .toRect());
-    playBar_->show();
-}
-
 void DocumentView::updateCursor(QPointF point) {
-    Shown* shown = shownAt(point);
+    const bool isOnFigure = figures_->isAt(point);
     if (const auto cursor = writing_->gestures().cursorAt(point))
         viewport()->setCursor(*cursor);
     else if (folds_->isOver(point))
         viewport()->setCursor(Qt::PointingHandCursor);
-    else if (shown && shown->rendition && (shown->id == chosen_ || shown->id == grabbed_))
-        viewport()->setCursor(cursorOf(shown->rendition->cursor()));
-    else if (!shown && linkAt(point))
+    else if (const auto ofMedium = figures_->cursorAt(point))
+        viewport()->setCursor(*ofMedium);
+    else if (!isOnFigure && linkAt(point))
         viewport()->setCursor(Qt::PointingHandCursor);
-    else if (!shown && text_->isOverText(point))
+    else if (!isOnFigure && text_->isOverText(point))
         viewport()->setCursor(Qt::IBeamCursor);
     else
         viewport()->setCursor(Qt::ArrowCursor);

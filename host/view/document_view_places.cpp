@@ -1,7 +1,8 @@
 // Where the pages of a DocumentView stand, what of them one reads, and the words that are found.
 #include "view/document_view.h"
 
-#include "layout/measure.h"
+#include "paragraphs/measure.h"
+#include "view/figures.h"
 #include "view/folds.h"
 #include "view/text_hand.h"
 
@@ -31,7 +32,7 @@ void DocumentView::setSpread(Spread spread) {
     if (!pages().pages.empty())
         scrollBy(pageTopLeft(page).y() - (spread == Spread::single ? 0 : PagePlaces::gap));
     setZoom(std::min(zoom_, widthZoom()));
-    updateNearness();
+    figures_->follow();
     text_->refresh();
     viewport()->update();
 }
@@ -45,9 +46,9 @@ std::size_t DocumentView::currentPage() const {
 std::optional<ReadingPlace> DocumentView::readingPlace() const {
     if (pages().pages.empty())
         return std::nullopt;
-    const layout::Carets carets(pages(), document_.document().tree());
+    const places::Carets carets(pages(), document_.document().tree());
     const auto [page, point] = pagePointAt({viewport()->width() / 2.0, 0});
-    const std::optional<layout::Caret> caret = carets.at(page, point);
+    const std::optional<places::Caret> caret = carets.at(page, point);
     if (!caret)
         return std::nullopt;
     const QRectF line = inViewport(caret->page, carets.rectOf(*caret));
@@ -56,14 +57,14 @@ std::optional<ReadingPlace> DocumentView::readingPlace() const {
 
 void DocumentView::show(const ReadingPlace& place) {
     folds_->reveal(place.place);
-    const layout::Carets carets(pages(), document_.document().tree());
-    const std::optional<layout::Caret> caret = carets.of(place.place, currentPage());
+    const places::Carets carets(pages(), document_.document().tree());
+    const std::optional<places::Caret> caret = carets.of(place.place, currentPage());
     if (caret)
         scrollBy(inViewport(caret->page, carets.rectOf(*caret)).top() - place.below * scale());
 }
 
 // `top`: what comes to stand near the top of the view.
-void DocumentView::jumpTo(const layout::Carets& carets, const layout::Caret& caret, double top) {
+void DocumentView::jumpTo(const places::Carets& carets, const places::Caret& caret, double top) {
     Q_EMIT jumping(false);
     choose(document::noSubdocument);
     if (isWriting()) {
@@ -77,8 +78,8 @@ void DocumentView::jumpTo(const layout::Carets& carets, const layout::Caret& car
 void DocumentView::goTo(std::size_t place) {
     settle();
     folds_->reveal(place);
-    const layout::Carets carets(pages(), document_.document().tree());
-    if (const std::optional<layout::Caret> caret = carets.of(place, currentPage()))
+    const places::Carets carets(pages(), document_.document().tree());
+    if (const std::optional<places::Caret> caret = carets.of(place, currentPage()))
         jumpTo(carets, *caret, inViewport(caret->page, carets.rectOf(*caret)).top());
 }
 
@@ -88,20 +89,20 @@ void DocumentView::goToElement(sgml::NodeId element) {
     if (!tree.holds(element))
         return;
     folds_->reveal(tree.node(element).startTag.to);
-    const layout::Carets carets(pages(), tree);
+    const places::Carets carets(pages(), tree);
     const auto caret = carets.of(tree.node(element).startTag.to, currentPage());
     if (caret)
         jumpTo(carets, *caret, topOf(element, *caret));
 }
 
 // A figure's caption stands below its picture.
-double DocumentView::topOf(sgml::NodeId element, const layout::Caret& caret) const {
+double DocumentView::topOf(sgml::NodeId element, const places::Caret& caret) const {
     const sgml::Tree& tree = document_.document().tree();
-    const layout::Carets carets(pages(), tree);
+    const places::Carets carets(pages(), tree);
     const QRectF line = carets.rectOf(caret);
     const text::Range all = tree.node(element).range;
     double top = line.top();
-    constexpr double nearest = 60 * layout::twipsPerPixel;
+    constexpr double nearest = 60 * paragraphs::twipsPerPixel;
     for (const layout::PlacedObject& object : pages().pages[caret.page]->objects) {
         const document::Subdocument* of = document_.document().subdocument(object.subdocument);
         const bool isInside = of ? all.contains(tree.node(of->element).range.from)
@@ -124,14 +125,29 @@ void DocumentView::goToPage(std::size_t page) {
 
 // --- finding -----------------------------------------------------------------------------------
 
-void DocumentView::find(const layout::Search& search) {
-    folds_->setSearching(!search.words.isEmpty());
-    found_.look(search, pages());
+// Words in folded sections count, too.
+void DocumentView::find(const places::Search& search) {
+    const session::FoldedPages& pages = folds_->pages();
+    if (pages.foldsAny())
+        found_.look(search, pages.whole().pages(), &pages_);
+    else
+        found_.look(search, pages_);
     viewport()->update();
-    if (pages().pages.empty())
+    if (pages_.pages.empty())
         return;
     const auto [page, point] = pagePointAt({0, 0});
-    showFound(static_cast<int>(found_.firstFrom(page, point.y())));
+    const std::size_t first = found_.firstFrom(page, point.y());
+    found_.show(first);
+    if (found_.seen(first)) // while one types, no section unfolds
+        showFound(static_cast<int>(first));
+}
+
+void DocumentView::followFound() {
+    const session::FoldedPages& pages = folds_->pages();
+    if (pages.foldsAny())
+        found_.follow(pages.whole().pages(), &pages_);
+    else
+        found_.follow(pages_);
 }
 
 void DocumentView::showFound(int which) {
@@ -140,8 +156,12 @@ void DocumentView::showFound(int which) {
         return;
     const auto shown = static_cast<std::size_t>((which % count + count) % count);
     found_.show(shown);
-    const layout::Found& one = found_.finder().at(shown);
-    const double y = pageTopLeft(one.page).y() + one.parts.front().bottom() * scale();
+    if (!found_.seen(shown))
+        folds_->reveal(found_.finder().at(shown));
+    const places::Found* one = found_.seen(found_.shown());
+    if (!one)
+        return;
+    const double y = pageTopLeft(one->page).y() + one->parts.front().bottom() * scale();
     constexpr double edge = 40;
     if (y < edge || y > viewport()->height() - edge) {
         Q_EMIT jumping(true);
@@ -152,34 +172,32 @@ void DocumentView::showFound(int which) {
 }
 
 void DocumentView::showFoundFrom(std::size_t place) {
-    const layout::Finder& finder = found_.finder();
-    const layout::Carets carets(pages(), document_.document().tree());
-    const std::optional<layout::Caret> caret = carets.of(place, currentPage());
+    const places::Finder& finder = found_.onPages();
+    const places::Carets carets(pages(), document_.document().tree());
+    const std::optional<places::Caret> caret = carets.of(place, currentPage());
     if (!caret || finder.count() == 0)
         return;
     const QPointF at = carets.rectOf(*caret).center();
     std::size_t index = finder.firstFrom(caret->page);
-    const auto isBefore = [&](const layout::Found& one) {
-        const layout::Found::Part& part = one.parts.front();
+    const auto isBefore = [&](const places::Found& one) {
+        const places::Found::Part& part = one.parts.front();
         return part.bottom() <= at.y() ||
                (part.at.y() <= at.y() && part.rect().left() < at.x() - 1);
     };
-    for (const layout::Found& one : finder.on(caret->page)) {
+    for (const places::Found& one : finder.on(caret->page)) {
         if (!isBefore(one))
             break;
         ++index;
     }
-    showFound(static_cast<int>(index));
+    showFound(static_cast<int>(found_.numberOf(index % finder.count())));
 }
 
 void DocumentView::paintFound(QPainter& painter, std::size_t page) const {
-    std::size_t index = found_.finder().firstFrom(page);
-    for (const layout::Found& one : found_.finder().on(page)) {
-        for (const layout::Found::Part& part : one.parts)
-            painter.fillRect(part.rect(), index == found_.shown() ? QColor(255, 150, 30, 130)
-                                                                  : QColor(255, 220, 60, 110));
-        ++index;
-    }
+    const places::Found* shown = found_.seen(found_.shown());
+    for (const places::Found& one : found_.onPages().on(page))
+        for (const places::Found::Part& part : one.parts)
+            painter.fillRect(part.rect(),
+                             &one == shown ? QColor(255, 150, 30, 130) : QColor(255, 220, 60, 110));
 }
 
 std::pair<std::size_t, std::size_t> DocumentView::seenPages() const {

@@ -1,7 +1,7 @@
 #include "view/folds.h"
 
-#include "layout/carets.h"
-#include "layout/measure.h"
+#include "paragraphs/measure.h"
+#include "places/carets.h"
 #include "view/document_view.h"
 #include "view/text_hand.h"
 
@@ -92,7 +92,7 @@ void Folds::unfoldAll() {
 // The words at the top of the view stay there when pages change: the heading is among them then.
 void Folds::bringIntoView(NodeId heading) {
     const sgml::Tree& tree = view_.document().document().tree();
-    const layout::Carets carets(view_.pages(), tree);
+    const places::Carets carets(view_.pages(), tree);
     const auto caret = carets.of(tree.node(heading).startTag.to, view_.currentPage());
     if (!caret)
         return;
@@ -115,7 +115,7 @@ void Folds::moveCaretOut() {
     if (heading == sgml::noNode)
         return;
     const sgml::Tree& tree = view_.document().document().tree();
-    const layout::Carets carets(view_.pages(), tree);
+    const places::Carets carets(view_.pages(), tree);
     if (const auto end = carets.of(tree.node(heading).endTag.from, view_.currentPage()))
         cursor.moveTo(carets, *end, false);
 }
@@ -132,27 +132,26 @@ void Folds::reveal(const std::string& anchor) {
         pages_.settle();
 }
 
+// What is generated, such as a number, stands where its block does.
+void Folds::reveal(const places::Found& found) {
+    const sgml::Tree& tree = view_.document().document().tree();
+    if (const auto place = places::placesOf(found, model::RunPlaces(tree)))
+        return reveal(place->from);
+    const NodeId element = found.parts.front().paragraph->block()->element;
+    if (tree.holds(element))
+        reveal(tree.node(element).range.from);
+}
+
 void Folds::followCaret() {
     if (const auto selection = view_.text().cursor().selection())
         reveal(selection->caret);
 }
 
-// The section of the words that were shown last stays open.
-void Folds::setSearching(bool isSearching) {
-    if (!pages_.foldsAny())
-        return;
-    std::optional<std::size_t> shown;
-    const layout::Finder& finder = view_.found().finder();
-    if (!isSearching && finder.count() > 0) {
-        const layout::Found& found = finder.at(view_.found().shown());
-        const layout::Carets carets(view_.pages(), view_.document().document().tree());
-        if (const auto caret = carets.at(found.page, found.parts.front().rect().center()))
-            shown = carets.placeOf(*caret);
-    }
-    pages_.setSearching(isSearching);
-    if (shown)
-        pages_.reveal(*shown);
-    pages_.settle(isSearching ? std::numeric_limits<int>::max() : promptMs);
+bool Folds::opensBefore(const text::Edits& edits, text::Range selected) {
+    const bool wouldChangePart = pages_.revealTouched(edits, selected);
+    if (wouldChangePart)
+        pages_.settle();
+    return wouldChangePart;
 }
 
 // --- how headings are marked -------------------------------------------------------------------
@@ -198,7 +197,7 @@ void Folds::addMarks(std::vector<Mark>& marks, std::size_t page) {
         if (block.headingLevel <= 0 || text->line > 0)
             continue;
         constexpr double wide = 20, gap = 3;
-        const double column = layout::fromPoints(block.style.markerWidth);
+        const double column = paragraphs::fromPoints(block.style.markerWidth);
         const double markers = view_.inViewport(page, {0, 0, column, 0}).width();
         Mark& mark = marks.emplace_back();
         mark.heading = block.element;

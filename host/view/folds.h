@@ -5,6 +5,7 @@
 // leads into a section unfolds it: a reference, the outline, a search, undo, the caret.
 #pragma once
 
+#include "places/find.h"
 #include "session/folded_pages.h"
 
 #include <QPainter>
@@ -32,8 +33,11 @@ public:
     // --- what leads into a section; its pages are there then
     void reveal(std::size_t place);
     void reveal(const std::string& anchor);
+    void reveal(const places::Found& found);
     void followCaret();
-    void setSearching(bool isSearching); // while words are marked nothing is hidden
+    // A folded section is a unit behind its heading: a command that would change part of it unfolds
+    // it instead. True: it has.
+    bool opensBefore(const text::Edits& edits, text::Range selected);
 
     // --- the pointer, in the viewport
     void hover(QPointF point);

@@ -2,7 +2,7 @@
 
 #include "controls/accent.h"
 
-#include "layout/measure.h"
+#include "paragraphs/measure.h"
 #include "view/document_view.h"
 #include "view/text_hand.h"
 #include "view/writing.h"
@@ -150,7 +150,7 @@ QSizeF Resizing::mostSize() const {
     const schemas::PageStyle& page = model->page;
     const QSizeF points(page.width - page.marginLeft - page.marginRight,
                         page.height - page.marginTop - page.marginBottom);
-    return layout::toPixels(points * layout::twipsPerPoint) * view_.zoom();
+    return paragraphs::toPixels(points * paragraphs::twipsPerPoint) * view_.zoom();
 }
 
 // The handle follows the pointer, on the side where the unit is not held; one in the middle grows

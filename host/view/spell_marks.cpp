@@ -1,6 +1,6 @@
 #include "view/spell_marks.h"
 
-#include "layout/find.h"
+#include "places/find.h"
 #include "view/document_view.h"
 #include "view/text_hand.h"
 
@@ -32,7 +32,7 @@ std::string languageOf(const session::OpenDocument& of) {
 
 // Which letters were written by the author as words: neither generated nor code nor in another
 // language than the document.
-std::vector<bool> writtenLetters(const layout::Paragraph& paragraph, const model::Model& model,
+std::vector<bool> writtenLetters(const paragraphs::Paragraph& paragraph, const model::Model& model,
                                  std::string_view language) {
     const std::vector<model::Run>& runs = paragraph.block()->runs;
     std::vector<bool> written;
@@ -118,7 +118,7 @@ void SpellMarks::checkSome() {
     view_.viewport()->update();
 }
 
-std::vector<spelling::Word> SpellMarks::wrongOf(const layout::Paragraph& paragraph) const {
+std::vector<spelling::Word> SpellMarks::wrongOf(const paragraphs::Paragraph& paragraph) const {
     std::vector<spelling::Word> wrong;
     const std::shared_ptr<const model::Model> model = view_.model();
     if (!model)
@@ -135,13 +135,13 @@ std::vector<spelling::Word> SpellMarks::wrongOf(const layout::Paragraph& paragra
     return wrong;
 }
 
-std::optional<text::Range> SpellMarks::placeOf(const layout::Paragraph& paragraph,
+std::optional<text::Range> SpellMarks::placeOf(const paragraphs::Paragraph& paragraph,
                                                spelling::Word word) const {
-    return layout::placesOf(paragraph, word.from, word.to,
+    return places::placesOf(paragraph, word.from, word.to,
                             model::RunPlaces(view_.document().document().tree()));
 }
 
-bool SpellMarks::isBeingTyped(const layout::Paragraph& paragraph, spelling::Word word) const {
+bool SpellMarks::isBeingTyped(const paragraphs::Paragraph& paragraph, spelling::Word word) const {
     const std::optional<document::Selection> at = view_.text().cursor().selection();
     if (!at || !at->isEmpty() || !view_.hasFocus())
         return false;
@@ -157,7 +157,7 @@ void SpellMarks::paint(QPainter& painter, std::size_t page) const {
         const auto of = text ? checked_.find(text->paragraph.get()) : checked_.end();
         if (of == checked_.end())
             continue;
-        const layout::Paragraph::Line& line = text->letters();
+        const paragraphs::Paragraph::Line& line = text->letters();
         for (const spelling::Word& word : of->second.wrong) {
             const int from = std::max(word.from, line.from), to = std::min(word.to, line.to);
             if (from >= to || isBeingTyped(*text->paragraph, word))
@@ -182,7 +182,7 @@ std::optional<SpellMarks::Wrong> SpellMarks::wrongAt(QPointF point) const {
         if (of == checked_.end() || y < 0 || y > text->letters().height)
             continue;
         for (const spelling::Word& word : of->second.wrong) {
-            const layout::Paragraph::Line& line = text->letters();
+            const paragraphs::Paragraph::Line& line = text->letters();
             const int from = std::max(word.from, line.from), to = std::min(word.to, line.to);
             if (from >= to)
                 continue;
@@ -200,7 +200,7 @@ std::optional<SpellMarks::Wrong> SpellMarks::wrongAt(QPointF point) const {
 
 std::size_t SpellMarks::count() const {
     std::size_t count = 0;
-    const layout::Paragraph* last = nullptr;
+    const paragraphs::Paragraph* last = nullptr;
     const auto [first, end] = seen();
     for (std::size_t page = first; page < end; ++page)
         for (const layout::Piece& piece : view_.pages().pages[page]->pieces) {

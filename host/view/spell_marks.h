@@ -42,18 +42,19 @@ public:
 
 private:
     struct Checked {
-        std::shared_ptr<const layout::Paragraph> paragraph;
+        std::shared_ptr<const paragraphs::Paragraph> paragraph;
         std::vector<spelling::Word> wrong;
     };
-    using Paragraphs = std::map<const layout::Paragraph*, Checked>;
+    using Paragraphs = std::map<const paragraphs::Paragraph*, Checked>;
     void paint(QPainter& painter, std::size_t page) const;
     void checkSoon();
     void checkSome();
     [[nodiscard]] std::pair<std::size_t, std::size_t> seen() const; // pages [first, second)
-    [[nodiscard]] std::vector<spelling::Word> wrongOf(const layout::Paragraph& paragraph) const;
-    [[nodiscard]] std::optional<text::Range> placeOf(const layout::Paragraph& paragraph,
+    [[nodiscard]] std::vector<spelling::Word> wrongOf(const paragraphs::Paragraph& paragraph) const;
+    [[nodiscard]] std::optional<text::Range> placeOf(const paragraphs::Paragraph& paragraph,
                                                      spelling::Word word) const;
-    [[nodiscard]] bool isBeingTyped(const layout::Paragraph& paragraph, spelling::Word word) const;
+    [[nodiscard]] bool isBeingTyped(const paragraphs::Paragraph& paragraph,
+                                    spelling::Word word) const;
 
     DocumentView& view_;
     std::shared_ptr<spelling::Speller> speller_;

@@ -39,20 +39,20 @@ void TextCursor::clear() {
     Q_EMIT changed();
 }
 
-std::optional<layout::Caret> TextCursor::caret(const layout::Carets& carets) const {
+std::optional<places::Caret> TextCursor::caret(const places::Carets& carets) const {
     return caret_ ? carets.of(caret_->offset, page_) : std::nullopt;
 }
 
-void TextCursor::moveTo(const layout::Carets& carets, const layout::Caret& caret, bool extend) {
+void TextCursor::moveTo(const places::Carets& carets, const places::Caret& caret, bool extend) {
     page_ = caret.page;
     const std::size_t place = carets.placeOf(caret);
     set({extend && anchor_ ? anchor_->offset : place, place});
 }
 
 // Without extending, left and right go to the end of what is selected first.
-void TextCursor::move(const layout::Carets& carets, layout::Move move, bool extend) {
-    using layout::Move;
-    const std::optional<layout::Caret> from = caret(carets);
+void TextCursor::move(const places::Carets& carets, places::Move move, bool extend) {
+    using places::Move;
+    const std::optional<places::Caret> from = caret(carets);
     if (!from)
         return;
     if (!extend && selects() && (move == Move::left || move == Move::right)) {
@@ -67,16 +67,16 @@ void TextCursor::move(const layout::Carets& carets, layout::Move move, bool exte
         wish_ = x;
 }
 
-void TextCursor::selectAll(const layout::Carets& carets) {
-    const std::optional<layout::Caret> any = carets.at(0, {0, 0});
+void TextCursor::selectAll(const places::Carets& carets) {
+    const std::optional<places::Caret> any = carets.at(0, {0, 0});
     if (!any)
         return;
-    const layout::Caret last = carets.moved(*any, layout::Move::documentEnd);
+    const places::Caret last = carets.moved(*any, places::Move::documentEnd);
     page_ = last.page;
-    set({carets.placeOf(carets.moved(*any, layout::Move::documentStart)), carets.placeOf(last)});
+    set({carets.placeOf(carets.moved(*any, places::Move::documentStart)), carets.placeOf(last)});
 }
 
-Selection TextCursor::around(const layout::Carets& carets, const layout::Caret& at,
+Selection TextCursor::around(const places::Carets& carets, const places::Caret& at,
                              Unit unit) const {
     if (unit == Unit::letter)
         return {carets.placeOf(at), carets.placeOf(at)};
@@ -84,7 +84,7 @@ Selection TextCursor::around(const layout::Carets& carets, const layout::Caret& 
     return {carets.placeOf(first), carets.placeOf(last)};
 }
 
-void TextCursor::press(const layout::Carets& carets, const layout::Caret& at, Unit unit,
+void TextCursor::press(const places::Carets& carets, const places::Caret& at, Unit unit,
                        bool extend) {
     page_ = at.page;
     unit_ = unit;
@@ -97,7 +97,7 @@ void TextCursor::press(const layout::Carets& carets, const layout::Caret& at, Un
 }
 
 // What it began with stays selected.
-void TextCursor::drag(const layout::Carets& carets, const layout::Caret& at) {
+void TextCursor::drag(const places::Carets& carets, const places::Caret& at) {
     page_ = at.page;
     const Selection here = around(carets, at, unit_);
     if (here.anchor < pressed_.anchor)

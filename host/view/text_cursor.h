@@ -4,7 +4,7 @@
 
 #include "document/selection.h"
 #include "document/tracker.h"
-#include "layout/carets.h"
+#include "places/carets.h"
 
 #include <QObject>
 
@@ -25,21 +25,21 @@ public:
     void clear();
 
     // The caret on pages of the document.
-    [[nodiscard]] std::optional<layout::Caret> caret(const layout::Carets& carets) const;
-    void move(const layout::Carets& carets, layout::Move move, bool extend);
-    void moveTo(const layout::Carets& carets, const layout::Caret& caret, bool extend);
-    void selectAll(const layout::Carets& carets);
+    [[nodiscard]] std::optional<places::Caret> caret(const places::Carets& carets) const;
+    void move(const places::Carets& carets, places::Move move, bool extend);
+    void moveTo(const places::Carets& carets, const places::Caret& caret, bool extend);
+    void selectAll(const places::Carets& carets);
 
     // By how much a pointer selects at a time.
     enum class Unit { letter, word, paragraph };
-    void press(const layout::Carets& carets, const layout::Caret& at, Unit unit, bool extend);
-    void drag(const layout::Carets& carets, const layout::Caret& at);
+    void press(const places::Carets& carets, const places::Caret& at, Unit unit, bool extend);
+    void drag(const places::Carets& carets, const places::Caret& at);
 
 Q_SIGNALS:
     void changed();
 
 private:
-    [[nodiscard]] document::Selection around(const layout::Carets& carets, const layout::Caret& at,
+    [[nodiscard]] document::Selection around(const places::Carets& carets, const places::Caret& at,
                                              Unit unit) const;
 
     document::Tracker tracker_;

@@ -104,7 +104,7 @@ void TextDrag::paint(QPainter& painter, std::size_t page) const {
     if (!hovered_ || hovered_->page != page)
         return;
     const QRectF rect =
-        layout::Carets(view_.pages(), view_.document().document().tree()).rectOf(*hovered_);
+        places::Carets(view_.pages(), view_.document().document().tree()).rectOf(*hovered_);
     const double width = 2 / painter.transform().m11();
     painter.fillRect(QRectF(rect.left() - width / 2, rect.top(), width, rect.height()),
                      view_.palette().color(QPalette::Highlight));

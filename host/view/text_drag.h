@@ -38,7 +38,7 @@ private:
     Writing& writing_;
     std::optional<QPointF> pressed_;
     std::optional<text::Range> dragged_;   // of this view
-    std::optional<layout::Caret> hovered_; // where it would be dropped
+    std::optional<places::Caret> hovered_; // where it would be dropped
 };
 
 } // namespace view

@@ -3,6 +3,7 @@
 #include "authoring/table_nodes.h"
 #include "view/copying.h"
 #include "view/document_view.h"
+#include "view/folds.h"
 #include "view/writing.h"
 
 #include <QApplication>
@@ -48,11 +49,11 @@ TextHand::TextHand(DocumentView& view) : view_(view), cursor_(view.document().do
     connect(&scrolling_, &QTimer::timeout, this, &TextHand::scrollOn);
 }
 
-layout::Carets TextHand::carets() const {
+places::Carets TextHand::carets() const {
     return {view_.pages(), view_.document().document().tree()};
 }
 
-std::optional<layout::Caret> TextHand::caretAt(QPointF point) const {
+std::optional<places::Caret> TextHand::caretAt(QPointF point) const {
     if (view_.pages().pages.empty())
         return std::nullopt;
     const auto [page, on] = view_.pagePointAt(point);
@@ -65,7 +66,7 @@ void TextHand::begin(QPointF point, TextCursor::Unit unit, bool extend) {
     view_.settle();
     dragging_ = true;
     at_ = point;
-    if (const std::optional<layout::Caret> caret = caretAt(point))
+    if (const std::optional<places::Caret> caret = caretAt(point))
         cursor_.press(carets(), *caret, unit, extend);
 }
 
@@ -93,7 +94,7 @@ void TextHand::drag(QPointF point) {
         scrolling_.start();
     else
         scrolling_.stop();
-    if (const std::optional<layout::Caret> caret = caretAt(point))
+    if (const std::optional<places::Caret> caret = caretAt(point))
         cursor_.drag(carets(), *caret);
 }
 
@@ -137,12 +138,12 @@ bool TextHand::isSelected(QPointF point) const {
                                [&](const QRectF& rect) { return rect.contains(at.second); });
 }
 
-void TextHand::moveTo(const layout::Caret& caret) { cursor_.moveTo(carets(), caret, false); }
+void TextHand::moveTo(const places::Caret& caret) { cursor_.moveTo(carets(), caret, false); }
 
 // --- keys --------------------------------------------------------------------------------------
 
 bool TextHand::useKey(int key, Qt::KeyboardModifiers modifiers, bool moves) {
-    using layout::Move;
+    using places::Move;
     const bool extend = modifiers & Qt::ShiftModifier, far = modifiers & Qt::ControlModifier;
     if (!cursor_.selection() || (!extend && !moves) ||
         (modifiers & (Qt::AltModifier | Qt::MetaModifier)))
@@ -151,6 +152,8 @@ bool TextHand::useKey(int key, Qt::KeyboardModifiers modifiers, bool moves) {
         view_.settle();
         cursor_.move(carets(), by, extend);
         showCaret();
+        if (by == Move::documentStart)
+            showEdge();
         if (extend)
             publish();
         return true;
@@ -197,6 +200,13 @@ void TextHand::movePage(int by, bool extend) {
 void TextHand::selectAll() {
     view_.settle();
     cursor_.selectAll(carets());
+    // Also what is folded at the end; the caret is where it is seen.
+    if (const std::optional<document::Selection> seen = cursor_.selection()) {
+        const document::Selection all =
+            authoring::everything(view_.writing().manuscript(), seen->anchor);
+        if (view_.folds().pages().hiding(all.caret) != sgml::noNode)
+            cursor_.set({all.caret, seen->anchor});
+    }
     publish();
 }
 
@@ -212,7 +222,7 @@ std::vector<QRectF> TextHand::selectedOn(std::size_t page) const {
     if (cells.empty())
         return carets().selected(page, cursor_.interval());
     std::vector<QRectF> all;
-    const layout::Carets places = carets();
+    const places::Carets places = carets();
     for (const sgml::NodeId cell : cells) {
         const std::vector<QRectF> one =
             places.selected(page, view_.document().document().tree().node(cell).range);
@@ -281,8 +291,8 @@ void TextHand::paintSelection(QPainter& painter, document::SubdocumentId id,
 }
 
 std::optional<QRectF> TextHand::caretRect() const {
-    const layout::Carets all = carets();
-    const std::optional<layout::Caret> caret = cursor_.caret(all);
+    const places::Carets all = carets();
+    const std::optional<places::Caret> caret = cursor_.caret(all);
     if (!caret)
         return std::nullopt;
     return view_.inViewport(caret->page, all.rectOf(*caret));
@@ -290,21 +300,82 @@ std::optional<QRectF> TextHand::caretRect() const {
 
 void TextHand::showCaret() {
     const std::optional<QRectF> rect = caretRect();
-    if (!rect)
-        return;
+    if (rect && showRect(*rect))
+        showEdge();
+}
+
+bool TextHand::showRect(const QRectF& rect) {
     constexpr double edge = 30;
     const auto show = [](QScrollBar* bar, double from, double to, double length) {
+        const int before = bar->value();
         if (from < edge)
-            bar->setValue(bar->value() + static_cast<int>(std::floor(from - edge)));
+            bar->setValue(before + static_cast<int>(std::floor(from - edge)));
         else if (to > length - edge)
-            bar->setValue(bar->value() + static_cast<int>(std::ceil(to - length + edge)));
+            bar->setValue(before + static_cast<int>(std::ceil(to - length + edge)));
+        return bar->value() != before;
     };
-    show(view_.verticalScrollBar(), rect->top(), rect->bottom(), view_.viewport()->height());
-    show(view_.horizontalScrollBar(), rect->left(), rect->right(), view_.viewport()->width());
+    const bool down =
+        show(view_.verticalScrollBar(), rect.top(), rect.bottom(), view_.viewport()->height());
+    const bool across =
+        show(view_.horizontalScrollBar(), rect.left(), rect.right(), view_.viewport()->width());
+    return down || across;
+}
+
+// Beside the first and the last line of the document the edge of its page is seen, where there is
+// room for both.
+void TextHand::showEdge() {
+    const places::Carets all = carets();
+    const std::optional<places::Caret> caret = cursor_.caret(all);
+    QScrollBar* bar = view_.verticalScrollBar();
+    if (!caret)
+        return;
+    const auto showEnd = [&](places::Move end, int value) {
+        const places::Caret last = all.moved(*caret, end);
+        const QRectF line = all.rectOf(last), own = all.rectOf(*caret);
+        if (last.page != caret->page || std::abs(line.top() - own.top()) > own.height() / 2)
+            return;
+        const QRectF rect = *caretRect();
+        const double by = bar->value() - value;
+        if (rect.top() + by >= 0 && rect.bottom() + by <= view_.viewport()->height())
+            bar->setValue(value);
+    };
+    showEnd(places::Move::documentStart, bar->minimum());
+    showEnd(places::Move::documentEnd, bar->maximum());
+}
+
+bool TextHand::isSeen(std::size_t place) const {
+    const document::Document& document = view_.document().document();
+    const sgml::Tree& tree = document.tree();
+    const QRectF seen = view_.viewport()->rect();
+    const auto [first, end] = view_.seenPages();
+    for (std::size_t page = first; page < end; ++page)
+        for (const layout::PlacedObject& object : view_.pages().pages[page]->objects) {
+            const document::Subdocument* of = document.subdocument(object.subdocument);
+            const sgml::NodeId element = of ? of->element : object.element;
+            if (element != sgml::noNode && tree.holds(element) &&
+                tree.node(element).range.contains(place) &&
+                view_.inViewport(page, object.rect).intersects(seen))
+                return true;
+        }
+    return false;
+}
+
+void TextHand::showPlace(std::size_t place) {
+    view_.folds().reveal(place);
+    if (isSeen(place))
+        return;
+    const document::Document& document = view_.document().document();
+    for (const document::SubdocumentId id : document.subdocuments())
+        if (document.tree().node(document.subdocument(id)->element).range.contains(place) &&
+            !view_.placeOf(id).isNull())
+            return view_.scrollTo(id);
+    const places::Carets all = carets();
+    if (const std::optional<places::Caret> caret = all.of(place, view_.currentPage()))
+        showRect(view_.inViewport(caret->page, all.rectOf(*caret)));
 }
 
 void TextHand::moveIntoView() {
-    if (const std::optional<layout::Caret> caret = caretAt({0, 0}))
+    if (const std::optional<places::Caret> caret = caretAt({0, 0}))
         cursor_.moveTo(carets(), *caret, false);
 }
 

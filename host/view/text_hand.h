@@ -35,8 +35,8 @@ public:
     [[nodiscard]] bool isDragging() const { return dragging_; }
     [[nodiscard]] bool isOverText(QPointF point) const;
     [[nodiscard]] bool isSelected(QPointF point) const; // what is there
-    [[nodiscard]] std::optional<layout::Caret> caretAt(QPointF point) const;
-    void moveTo(const layout::Caret& caret);
+    [[nodiscard]] std::optional<places::Caret> caretAt(QPointF point) const;
+    void moveTo(const places::Caret& caret);
 
     // False: the key is not for the text. `moves`: arrows move the caret, with Shift or without;
     // else they select with Shift alone.
@@ -50,17 +50,22 @@ public:
     void paintSelection(QPainter& painter, document::SubdocumentId id, const QRectF& place) const;
     // Where the caret stands in the viewport; nothing: it has no place.
     [[nodiscard]] std::optional<QRectF> caretRect() const;
-    void showCaret();    // scrolls
+    void showCaret(); // scrolls
+    // Scrolls to what stands at a place of the document, unless a part of it is seen.
+    void showPlace(std::size_t place);
     void moveIntoView(); // to the first text that is seen
     void refresh();      // paints what of it has changed
 
 private:
-    [[nodiscard]] layout::Carets carets() const;
+    [[nodiscard]] places::Carets carets() const;
     // The selection on a page, in twips: text, or whole cells of a table.
     [[nodiscard]] std::vector<QRectF> selectedOn(std::size_t page) const;
     [[nodiscard]] std::vector<sgml::NodeId> selectedCells() const;
     void begin(QPointF point, TextCursor::Unit unit, bool extend);
     void scrollOn();
+    bool showRect(const QRectF& rect); // false: it is seen
+    void showEdge();
+    [[nodiscard]] bool isSeen(std::size_t place) const; // an object that it is in
     void movePage(int by, bool extend);
     void publish();
     [[nodiscard]] QColor tint() const;

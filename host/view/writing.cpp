@@ -5,6 +5,7 @@
 #include "view/copying.h"
 #include "view/document_view.h"
 #include "view/folds.h"
+#include "view/hints.h"
 #include "view/pasted_html.h"
 #include "view/pictures_in.h"
 #include "view/resizing.h"
@@ -31,6 +32,7 @@ bool isPrintable(const QKeyEvent& event) {
     return !isCommand && !text.isEmpty() && (text[0].isPrint() || text[0].isHighSurrogate());
 }
 
+// One of the keys of text; those of the clipboard are commands.
 bool isEditing(int key) {
     return key == Qt::Key_Backspace || key == Qt::Key_Delete || key == Qt::Key_Return ||
            key == Qt::Key_Enter;
@@ -41,7 +43,8 @@ bool isMoving(int key) { return (key >= Qt::Key_Home && key <= Qt::Key_PageDown)
 } // namespace
 
 Writing::Writing(DocumentView& view, TextHand& hand)
-    : view_(view), hand_(hand), grammars_(view.document().schemas()), gestures_(view) {
+    : view_(view), hand_(hand), grammars_(view.document().schemas()), gestures_(view),
+      figure_(view), changed_(view.document().document()) {
     connect(&hand_.cursor(), &TextCursor::changed, this, [this] {
         next_ = schemas::ContainerRole::none;
         if (on_)
@@ -57,12 +60,19 @@ Writing::Writing(DocumentView& view, TextHand& hand)
     // In the view that has the keys; other views of the document keep their places.
     connect(&view_.document().document(), &document::Document::selectionRestored, this,
             [this](const document::Selection& selection) {
-                if (!on_ || !view_.isActiveWindow())
-                    return;
-                hand_.cursor().set(selection);
-                view_.settle();
-                hand_.showCaret();
+                if (on_ && view_.isActiveWindow())
+                    goBack(selection);
             });
+}
+
+// The selection may be far from what was changed, as where a figure was resized.
+void Writing::goBack(const document::Selection& selection) {
+    hand_.cursor().set(selection);
+    view_.settle();
+    if (changed_.holds(selection.caret))
+        hand_.showCaret();
+    else
+        hand_.showPlace(changed_.from());
 }
 
 authoring::Manuscript Writing::manuscript() const {
@@ -77,6 +87,10 @@ void Writing::begin() {
     on_ = true;
     if (!hand_.cursor().selection())
         hand_.moveIntoView();
+    // Where all is figures no text is seen.
+    if (const auto place = authoring::place(manuscript(), 0, authoring::Direction::forward);
+        place && !hand_.cursor().selection())
+        hand_.cursor().set({*place, *place});
     blink();
 }
 
@@ -109,10 +123,12 @@ void Writing::timerEvent(QTimerEvent* event) {
 }
 
 void Writing::paint(QPainter& painter, std::size_t page) const {
+    if (on_)
+        paintHints(painter, view_, page);
     if (!on_ || view_.chosen() || !view_.hasFocus())
         return;
-    const layout::Carets carets(view_.pages(), view_.document().document().tree());
-    const std::optional<layout::Caret> caret = hand_.cursor().caret(carets);
+    const places::Carets carets(view_.pages(), view_.document().document().tree());
+    const std::optional<places::Caret> caret = hand_.cursor().caret(carets);
     if (!caret || caret->page != page)
         return;
     const QColor paper = view_.pages().paper;
@@ -171,9 +187,13 @@ bool Writing::apply(const Command& command, const QString& group) {
     }
     const auto& step = std::get<authoring::Step>(result);
     const document::Selection after{step.after.anchor, step.after.caret};
-    for (const text::Edit& edit : step.edits) // nothing changes unseen
-        for (const std::size_t end : {edit.range.from, edit.range.to})
-            view_.folds().reveal(end);
+    // Nothing changes unseen: what is folded is seen first.
+    if (view_.folds().opensBefore(step.edits, hand_.cursor().interval())) {
+        hand_.showCaret();
+        Q_EMIT refused(tr("This would change text that was folded. It is unfolded now, and nothing "
+                          "has changed: do it again to go on."));
+        return false;
+    }
     if (!step.edits.empty()) {
         document::EditNote note{.label = step.label, .group = group};
         note.before = selection;
@@ -251,7 +271,7 @@ void Writing::goTo(QPointF point) {
         return selectImage(view_, image);
     if (hand_.isSelected(point))
         return;
-    if (const std::optional<layout::Caret> caret = hand_.caretAt(point))
+    if (const std::optional<places::Caret> caret = hand_.caretAt(point))
         hand_.moveTo(*caret);
 }
 
@@ -261,19 +281,57 @@ bool Writing::movesInTable(const QKeyEvent& event) const {
            authoring::tableAround(manuscript(), *selection());
 }
 
+bool Writing::isForClipboard(const QKeyEvent& event) {
+    return event.modifiers() == Qt::ShiftModifier &&
+           (event.key() == Qt::Key_Delete || event.key() == Qt::Key_Insert);
+}
+
 bool Writing::isForText(const QKeyEvent& event) {
+    if (isForClipboard(event))
+        return false;
     const bool isCommand = event.modifiers() & (Qt::AltModifier | Qt::MetaModifier); // Alt+Left
     return isPrintable(event) || (!isCommand && (isEditing(event.key()) || isMoving(event.key())));
 }
 
+// Where another window has taken the text with the caret, it goes on with what follows.
+void Writing::settleCaret() {
+    using authoring::Direction;
+    const std::optional<authoring::Selection> at = selection();
+    if (!at || !at->isEmpty())
+        return;
+    const auto next = authoring::place(manuscript(), at->caret, Direction::forward);
+    if (next && next != at->caret &&
+        authoring::place(manuscript(), at->caret, Direction::backward) != at->caret)
+        hand_.cursor().set({*next, *next});
+}
+
+// From the caption of a figure that has floated one comes to the page before, and learns why.
+void Writing::breakLine(bool isWithinParagraph) {
+    const auto page = [this] {
+        const places::Carets carets(view_.pages(), view_.document().document().tree());
+        const std::optional<places::Caret> caret = hand_.cursor().caret(carets);
+        return caret ? caret->page : 0;
+    };
+    const std::size_t before = page();
+    const bool isDone = perform([&](const authoring::Manuscript& in, authoring::Selection at) {
+        return isWithinParagraph ? authoring::breakLine(in, at) : authoring::breakParagraph(in, at);
+    });
+    if (isDone && page() < before)
+        Q_EMIT refused(tr("The figure had no room here and stands on the next page. The text "
+                          "behind it fills this one."));
+}
+
 bool Writing::useKey(const QKeyEvent& event) {
     using authoring::Direction, authoring::Unit;
+    settleCaret();
     const Unit unit = event.modifiers() & Qt::ControlModifier ? Unit::word : Unit::character;
     const auto erase = [&](Direction direction) {
         perform([&](const authoring::Manuscript& in, authoring::Selection at) {
             return authoring::erase(in, at, direction, unit);
         });
     };
+    if (isForClipboard(event))
+        return true; // there was nothing to cut or paste
     if (movesInTable(event)) {
         const bool isRow = event.key() == Qt::Key_Up || event.key() == Qt::Key_Down;
         const bool isBack = event.key() == Qt::Key_Up || event.key() == Qt::Key_Left;
@@ -292,10 +350,8 @@ bool Writing::useKey(const QKeyEvent& event) {
         return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
-        perform([&](const authoring::Manuscript& in, authoring::Selection at) {
-            return event.modifiers() & Qt::ShiftModifier ? authoring::breakLine(in, at)
-                                                         : authoring::breakParagraph(in, at);
-        });
+        if (!activateSelected())
+            breakLine(event.modifiers() & Qt::ShiftModifier);
         return true;
     default:
         break;
@@ -308,12 +364,39 @@ bool Writing::useKey(const QKeyEvent& event) {
     return true;
 }
 
+sgml::NodeId Writing::selectedAlone(schemas::Display display) const {
+    const auto at = selection();
+    const sgml::Tree& tree = view_.document().document().tree();
+    const authoring::Grammar* grammar = grammars_.of(view_.document().document().className());
+    if (!at || grammar == nullptr)
+        return sgml::noNode;
+    const std::size_t first = std::min(at->anchor, at->caret),
+                      last = std::max(at->anchor, at->caret);
+    const sgml::NodeId node = tree.innermostAt(first);
+    const bool isIt = node != sgml::noNode && tree.isElement(node) &&
+                      grammar->of(tree.name(node)).display == display;
+    return isIt && tree.node(node).range == text::Range{first, last} ? node : sgml::noNode;
+}
+
+// What has a dialog of its own opens it.
+bool Writing::activateSelected() {
+    if (const sgml::NodeId formula = selectedAlone(schemas::Display::formula);
+        formula != sgml::noNode)
+        Q_EMIT view_.formulaActivated(formula);
+    else if (const sgml::NodeId value = selectedAlone(schemas::Display::value);
+             value != sgml::noNode)
+        Q_EMIT view_.valueActivated(value);
+    else
+        return false;
+    return true;
+}
+
 // --- the clipboard -----------------------------------------------------------------------------
 
 void Writing::cut() {
     if (view_.chosen()) {
-        view_.copy();
-        view_.eraseChosen();
+        figure_.copy();
+        figure_.erase();
     } else if (hand_.copy()) {
         cutAway();
     }
@@ -355,7 +438,7 @@ bool Writing::paste(const QMimeData& data, const QString& group) {
         Q_EMIT refused(tr("The clipboard holds no text."));
         return false;
     }
-    standBehindChosen();
+    figure_.standBehind();
     return perform(
         [&](const authoring::Manuscript& in, authoring::Selection at) {
             if (fragment.empty())
@@ -369,7 +452,7 @@ bool Writing::paste(const QMimeData& data, const QString& group) {
 
 // What is moved goes first, so that it keeps its IDs; it is back where nothing of it may come in.
 void Writing::drop(const QMimeData& data, QPointF at, std::optional<text::Range> moved) {
-    const std::optional<layout::Caret> caret = hand_.caretAt(at);
+    const std::optional<places::Caret> caret = hand_.caretAt(at);
     if (!caret)
         return;
     const std::optional<document::Selection> before = hand_.cursor().selection();
@@ -398,25 +481,15 @@ void Writing::drop(const QMimeData& data, QPointF at, std::optional<text::Range>
         document.undo();
 }
 
-// What is pasted while a figure is chosen comes in behind it.
-void Writing::standBehindChosen() {
-    const document::Document& document = view_.document().document();
-    const document::Subdocument* figure = document.subdocument(view_.chosen());
-    if (!figure)
-        return;
-    const std::size_t place =
-        document.tree().node(authoring::wholeFigure(manuscript(), figure->element)).range.to;
-    view_.choose(document::noSubdocument);
-    hand_.cursor().set({place, place});
-}
-
-// In a table to the cell beside, in a list the item into the one before or out of its list.
+// In a table to the cell beside, in a form to the field; in a list the item into the one before or
+// out of its list.
 void Writing::goBy(bool forward) {
     perform([forward](const authoring::Manuscript& in, authoring::Selection at) {
-        authoring::Result result = authoring::goToCell(
-            in, at, forward ? authoring::Direction::forward : authoring::Direction::backward);
-        if (std::holds_alternative<authoring::Step>(result))
-            return result;
+        const auto side = forward ? authoring::Direction::forward : authoring::Direction::backward;
+        for (const auto go : {authoring::goToCell, authoring::goToField})
+            if (authoring::Result result = go(in, at, side);
+                std::holds_alternative<authoring::Step>(result))
+                return result;
         return forward ? authoring::indentItems(in, at) : authoring::outdentItems(in, at);
     });
 }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "authoring/authoring.h"
+#include "view/changed_place.h"
+#include "view/chosen_figure.h"
 #include "view/gestures.h"
 #include "view/text_hand.h"
 
@@ -25,6 +27,8 @@ public:
 
     // Whether a key is for the text, before menus take it for a shortcut.
     [[nodiscard]] static bool isForText(const QKeyEvent& event);
+    // Shift+Delete and Shift+Insert: those of the menu Edit.
+    [[nodiscard]] static bool isForClipboard(const QKeyEvent& event);
     // False: it is not.
     bool useKey(const QKeyEvent& event);
     void cut();
@@ -48,6 +52,7 @@ public:
     void goTo(QPointF point);
     [[nodiscard]] bool movesInTable(const QKeyEvent& event) const; // rows and columns: Alt, arrows
     [[nodiscard]] Gestures& gestures() { return gestures_; }
+    [[nodiscard]] ChosenFigure& chosenFigure() { return figure_; }
 
     // The arguments of commands: the document with its grammars, and the selection; nothing
     // where no caret is in the text.
@@ -56,6 +61,8 @@ public:
     // Why a command may not be where the selection is; "": it may.
     [[nodiscard]] QString whyNot(const Command& command) const;
     [[nodiscard]] bool isMarked(schemas::ContainerRole role) const;
+    // The element with that display that is selected, and nothing else; noNode: none is.
+    [[nodiscard]] sgml::NodeId selectedAlone(schemas::Display display) const;
     // Quotes and the like become typographic signs as they are typed (authoring::signTyped).
     void setMakesSigns(bool makes) { makesSigns_ = makes; }
 
@@ -74,10 +81,13 @@ protected:
 private:
     bool perform(const Command& command, const QString& group);
     bool paste(const QMimeData& data, const QString& group);
+    bool activateSelected();
     [[nodiscard]] bool apply(const Command& command, const QString& group);
     void type(const QString& text);
     void makeSign();
-    void standBehindChosen();
+    void settleCaret();
+    void breakLine(bool isWithinParagraph);
+    void goBack(const document::Selection& selection);
     void blink(); // from now on, shown first
 
     DocumentView& view_;
@@ -91,6 +101,8 @@ private:
     bool wantsCaret_ = false; // to be seen, as soon as its page is there
     schemas::ContainerRole next_ = schemas::ContainerRole::none; // toggled for what is typed next
     Gestures gestures_;
+    ChosenFigure figure_;
+    ChangedPlace changed_;
 };
 
 } // namespace view

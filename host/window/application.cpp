@@ -1,8 +1,10 @@
 #include "window/application.h"
 
+#include "accessibility/accessible_view.h"
+#include "filing/choosing.h"
+#include "filing/recovery.h"
 #include "plain/plain.h"
 #include "terminal/terminal.h"
-#include "window/recovery.h"
 
 #include <QApplication>
 #include <QFile>
@@ -59,6 +61,7 @@ Application::Application(media::TimeLimits limits, std::string journal)
       schemas_(schemas::Schemas::load(schemas::Schemas::standardFolders())),
       media_(media::Registry::read(media::registryFolders(QCoreApplication::applicationDirPath())),
              QCoreApplication::applicationDirPath(), pipes_, limits) {
+    accessibility::AccessibleView::install();
     media_.setMostLive(QSettings().value("media/mostLive", media_.mostLive()).toInt());
     constexpr int kib = 1024;
     const auto mostMiB = QSettings().value("media/mostMemory", 0).toULongLong(); // 0: the usual
@@ -94,8 +97,8 @@ DocumentWindow* Application::open(const QString& fileName, QWidget* parent) {
 }
 
 // It has no file of its own yet.
-DocumentWindow* Application::openNew(const Template& from, QWidget* parent) {
-    const Template::Read read = from.read();
+DocumentWindow* Application::openNew(const filing::Template& from, QWidget* parent) {
+    const filing::Template::Read read = from.read();
     if (!read.failure.isEmpty()) {
         plain::Message::tell(QMessageBox::Critical, parent, tr("New"), read.failure);
         return nullptr;
@@ -106,14 +109,14 @@ DocumentWindow* Application::openNew(const Template& from, QWidget* parent) {
     return made;
 }
 
-DocumentWindow* Application::openNew() { return openNew(templates().front(), nullptr); }
+DocumentWindow* Application::openNew() { return openNew(filing::templates().front(), nullptr); }
 
 DocumentWindow* Application::addWindow(std::shared_ptr<session::OpenDocument> document) {
     std::erase_if(windows_, [](const QPointer<DocumentWindow>& one) { return !one; });
     if (!document->unsaved())
         connect(&document->keepUnsavedIn(journal_), &session::Unsaved::failed, this,
                 [this](const QString& sentence) {
-                    tell(windows_.empty() ? nullptr : windows_.back(), sentence);
+                    filing::tell(windows_.empty() ? nullptr : windows_.back(), sentence);
                 });
     auto* made = new DocumentWindow(*this, std::move(document));
     windows_.emplace_back(made);
@@ -129,13 +132,13 @@ void Application::offerRecovered() {
         return windows_.empty() ? nullptr : windows_.back().data();
     };
     for (const std::string& fault : all.faults)
-        tell(over(), QString::fromStdString(fault));
+        filing::tell(over(), QString::fromStdString(fault));
     bool recovered = false;
     for (files::LeftBehind& left : all.texts) {
-        const Answer answer = askAbout(over(), left.kept);
-        if (answer == Answer::discard)
+        const filing::Answer answer = filing::askAbout(over(), left.kept);
+        if (answer == filing::Answer::discard)
             left.place->remove();
-        if (answer == Answer::open)
+        if (answer == filing::Answer::open)
             recovered = recover(std::move(left)) || recovered;
     }
     if (recovered)
@@ -213,6 +216,7 @@ QStringList Application::recentFiles() const {
 }
 
 void Application::remember(const QString& fileName) {
+    filing::rememberFolderOf(fileName);
     QStringList files = recentFiles();
     files.removeAll(fileName);
     files.prepend(fileName);

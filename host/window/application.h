@@ -3,9 +3,9 @@
 
 #include "dialogs/windows_stay.h"
 #include "files/journal.h"
+#include "filing/templates.h"
 #include "media/live_media.h"
 #include "window/document_window.h"
-#include "window/templates.h"
 
 #include <QPointer>
 
@@ -28,7 +28,7 @@ public:
     DocumentWindow* open(const QString& fileName, QWidget* parent = nullptr);
     // A document that begins as the template, to be written. Null, after a message, when it cannot
     // be read.
-    DocumentWindow* openNew(const Template& from, QWidget* parent);
+    DocumentWindow* openNew(const filing::Template& from, QWidget* parent);
     DocumentWindow* openNew(); // from the first one
     DocumentWindow* addWindow(std::shared_ptr<session::OpenDocument> document);
     // Asks about each text that a program which ended had not saved, and opens what is wanted.

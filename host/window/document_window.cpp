@@ -1,5 +1,7 @@
 #include "window/document_window.h"
 
+#include "filing/printing.h"
+#include "filing/saving.h"
 #include "menus/figure_menu.h"
 #include "menus/format_menu.h"
 #include "menus/image_menu.h"
@@ -23,8 +25,6 @@
 #include "window/help_menu.h"
 #include "window/link.h"
 #include "window/medium_commands.h"
-#include "window/printing.h"
-#include "window/saving.h"
 #include "window/view_menu.h"
 
 #include <QApplication>
@@ -59,8 +59,8 @@ DocumentWindow::DocumentWindow(Application& application,
       faults_(new panes::FaultsPane(*document_, this)),
       outline_(new panes::OutlinePane(*view_, this)), source_(new source::SourcePane(*view_, this)),
       presentation_(new source::PresentationPane(*view_, this)),
-      tools_(new QToolBar(tr("Tools"), this)), saving_(new Saving(application, *document_, *this)),
-      printing_(new Printing(*document_, *this)), pageLabel_(plain::label({}, this)),
+      tools_(new QToolBar(tr("Tools"), this)), saving_(new filing::Saving(*document_, *this)),
+      printing_(new filing::Printing(*document_, *this)), pageLabel_(plain::label({}, this)),
       zoomLabel_(plain::label({}, this)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName("documentWindow");
@@ -121,9 +121,11 @@ DocumentWindow::DocumentWindow(Application& application,
     connect(of, &document::Document::fileNameChanged, this, &DocumentWindow::updateTitle);
     connect(view_, &view::DocumentView::laidOut, this, &DocumentWindow::updateTitle);
     connect(document_.get(), &session::OpenDocument::message, this, &DocumentWindow::say);
-    connect(saving_, &Saving::said, this, &DocumentWindow::say);
-    connect(saving_, &Saving::mayCloseNow, this, &DocumentWindow::close);
-    connect(printing_, &Printing::said, this, &DocumentWindow::say);
+    connect(saving_, &filing::Saving::said, this, &DocumentWindow::say);
+    connect(saving_, &filing::Saving::savedAs, this,
+            [this](const QString& file) { application_.remember(file); });
+    connect(saving_, &filing::Saving::mayCloseNow, this, &DocumentWindow::close);
+    connect(printing_, &filing::Printing::said, this, &DocumentWindow::say);
     connect(find_, &panes::FindBar::replaced, this, &DocumentWindow::say);
     connect(faults_, &panes::FaultsPane::countChanged, this, &DocumentWindow::updateFaults);
     connect(faults_, &panes::FaultsPane::activated, this, &DocumentWindow::goTo);
@@ -189,6 +191,8 @@ void DocumentWindow::connectPresentation(ViewMenu& menu) {
         presentation_->open(
             document_->schemas().fileOf(document_->document().className(), view_->presentation()));
     });
+    connect(&menu, &ViewMenu::suppliedPresentationWanted, presentation_,
+            &source::PresentationPane::bringSupplied);
     connect(presentation_, &source::PresentationPane::edited, this,
             [this](const QString& name, const QString& path, const std::string& text) {
                 application_.setPresentation(name, path, text);
@@ -284,7 +288,8 @@ void DocumentWindow::goTo(const session::ListedFault& fault) {
         source_->goTo(fault.position);
 }
 
-// A key that neither a chosen rendition nor the view uses may still be a shortcut of a menu.
+// A key that neither a chosen rendition nor the view uses may still be a shortcut of a menu. Who
+// types while a figure has the keys learns why no letter comes.
 void DocumentWindow::useShortcut(int key, Qt::KeyboardModifiers modifiers) {
     if (key == 0)
         return;
@@ -294,6 +299,10 @@ void DocumentWindow::useShortcut(int key, Qt::KeyboardModifiers modifiers) {
             action->trigger();
             return;
         }
+    constexpr int firstOfOthers = Qt::Key_Escape; // behind all letters
+    if (view_->chosen() && view_->isWriting() && key < firstOfOthers)
+        say(tr("The figure has the keyboard. Press Escape to write behind it, or click in the "
+               "text."));
 }
 
 // What a watched folder does not tell, as on a network, is seen when the reader comes back.
@@ -304,7 +313,8 @@ void DocumentWindow::changeEvent(QEvent* event) {
 }
 
 void DocumentWindow::closeEvent(QCloseEvent* event) {
-    event->setAccepted(presentation_->mayClose() && saving_->mayClose());
+    const bool isLast = application_.windowsOf(*document_).size() <= 1;
+    event->setAccepted(presentation_->mayClose() && (!isLast || saving_->mayClose()));
 }
 
 void DocumentWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -12,6 +12,11 @@ class PresentationPane;
 class SourcePane;
 } // namespace source
 
+namespace filing {
+class Printing;
+class Saving;
+} // namespace filing
+
 namespace panes {
 class FaultsPane;
 class FindBar;
@@ -22,8 +27,6 @@ namespace window {
 
 class Application;
 class MediumCommands;
-class Printing;
-class Saving;
 class ViewMenu;
 
 class DocumentWindow : public QMainWindow {
@@ -38,8 +41,9 @@ public:
     [[nodiscard]] view::DocumentView& view() const { return *view_; }
     [[nodiscard]] MediumCommands& commands() const { return *commands_; }
 
-    [[nodiscard]] Saving& saving() const { return *saving_; }
-    [[nodiscard]] Printing& printing() const { return *printing_; }
+    [[nodiscard]] filing::Saving& saving() const { return *saving_; }
+    [[nodiscard]] filing::Printing& printing() const { return *printing_; }
+    [[nodiscard]] source::PresentationPane& presentation() const { return *presentation_; }
     // Its own, as the presentation says which element that is, else its file's name.
     [[nodiscard]] QString documentTitle() const;
 
@@ -73,8 +77,8 @@ private:
     source::SourcePane* source_;
     source::PresentationPane* presentation_;
     QToolBar* tools_;
-    Saving* saving_;
-    Printing* printing_;
+    filing::Saving* saving_;
+    filing::Printing* printing_;
     MediumCommands* commands_ = nullptr;
     QLabel* pageLabel_;
     QLabel* zoomLabel_;

@@ -1,9 +1,11 @@
 #include "window/edit_menu.h"
 
+#include "controls/keyboard.h"
 #include "menus/actions.h"
 #include "panes/find_bar.h"
 #include "panes/text_count_dialog.h"
 #include "plain/plain.h"
+#include "source/find_line.h"
 #include "view/document_view.h"
 #include "view/writing.h"
 
@@ -17,7 +19,7 @@ namespace window {
 namespace {
 
 // A text beside the pages that has the keyboard: what it is told in the menu is for it.
-QPlainTextEdit* typedIn() { return qobject_cast<QPlainTextEdit*>(QApplication::focusWidget()); }
+QPlainTextEdit* typedIn() { return qobject_cast<QPlainTextEdit*>(controls::keyboardWidget()); }
 
 std::function<void()> orInText(void (QPlainTextEdit::*inText)(),
                                const std::function<void()>& inPages) {
@@ -51,6 +53,9 @@ EditMenu::EditMenu(view::DocumentView& view, panes::FindBar& find, QWidget* pare
                               if (view_.isWriting())
                                   view_.writing().paste(*QApplication::clipboard()->mimeData());
                           }));
+    cut_->setShortcuts({QKeySequence(QKeySequence::Cut), QKeySequence("Shift+Del")});
+    copy_->setShortcuts({QKeySequence(QKeySequence::Copy), QKeySequence("Ctrl+Ins")});
+    paste_->setShortcuts({QKeySequence(QKeySequence::Paste), QKeySequence("Shift+Ins")});
     selectAll_ = menus::addTo(*this, "selectAll", tr("Select &All"), QKeySequence::SelectAll,
                               orInText(&QPlainTextEdit::selectAll, [this] { view_.selectAll(); }));
     addSeparator();
@@ -61,11 +66,7 @@ EditMenu::EditMenu(view::DocumentView& view, panes::FindBar& find, QWidget* pare
     write_->setToolTip(tr("Write in the document (Ctrl+E)"));
     addSigns();
     addSeparator();
-    menus::addTo(*this, "find", tr("&Find..."), QKeySequence::Find, [&find] { find.open(); });
-    menus::addTo(*this, "findNext", tr("Find &Next"), QKeySequence(Qt::Key_F3),
-                 [&find] { find.next(1); });
-    menus::addTo(*this, "findPrevious", tr("Find Pre&vious"), QKeySequence(Qt::SHIFT | Qt::Key_F3),
-                 [&find] { find.next(-1); });
+    addFinding(find);
     replace_ = menus::addTo(*this, "replaceWords", tr("R&eplace..."), QKeySequence("Ctrl+H"),
                             [&find] { find.openReplace(); });
     addSeparator();
@@ -76,8 +77,32 @@ EditMenu::EditMenu(view::DocumentView& view, panes::FindBar& find, QWidget* pare
     connect(&view_, &view::DocumentView::writingChanged, this, &EditMenu::updateSelection);
     connect(this, &QMenu::aboutToShow, this, &EditMenu::updateSelection);
     connect(this, &QMenu::aboutToShow, this, &EditMenu::updateUndo);
+    (void)controls::keyboardWidget(); // is followed from now on
     updateUndo();
     updateSelection();
+}
+
+// A text beside the pages has a line of its own for what is looked for in it.
+void EditMenu::addFinding(panes::FindBar& find) {
+    const auto add = [this](const char* name, const QString& text, const QKeySequence& keys,
+                            const std::function<void()>& inPages,
+                            const std::function<void(source::FindLine&)>& inText) {
+        menus::addTo(*this, name, text, keys, [inPages, inText] {
+            if (source::FindLine* line = source::FindLine::of(controls::keyboardWidget()))
+                inText(*line);
+            else
+                inPages();
+        });
+    };
+    add(
+        "find", tr("&Find..."), QKeySequence::Find, [&find] { find.open(); },
+        [](source::FindLine& line) { line.open(); });
+    add(
+        "findNext", tr("Find &Next"), QKeySequence(Qt::Key_F3), [&find] { find.next(1); },
+        [](source::FindLine& line) { line.next(1); });
+    add(
+        "findPrevious", tr("Find Pre&vious"), QKeySequence(Qt::SHIFT | Qt::Key_F3),
+        [&find] { find.next(-1); }, [](source::FindLine& line) { line.next(-1); });
 }
 
 // The user's wish, for all windows that open from now on.

@@ -34,6 +34,7 @@ Q_SIGNALS:
     void aboutToShowAt(QMenu& menu, const QPoint& at);
 
 private:
+    void addFinding(panes::FindBar& find);
     void addSigns();
     void undo();
     void redo();

@@ -1,11 +1,12 @@
 #include "window/file_menu.h"
 
+#include "filing/choosing.h"
+#include "filing/printing.h"
+#include "filing/saving.h"
 #include "menus/actions.h"
 #include "plain/plain.h"
+#include "source/presentation_pane.h"
 #include "window/application.h"
-#include "window/choosing.h"
-#include "window/printing.h"
-#include "window/saving.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -18,15 +19,18 @@ FileMenu::FileMenu(Application& application, DocumentWindow& window)
     fillNew(*fresh);
     connect(fresh, &QMenu::aboutToShow, this, [this, fresh] { fillNew(*fresh); });
     menus::addTo(*this, "open", tr("&Open..."), QKeySequence::Open, [this] {
+        const QFileInfo own(window_.document().document().fileName());
+        const QString folder = own.fileName().isEmpty() ? filing::folderUsedLast() : own.path();
         const QStringList files =
-            QFileDialog::getOpenFileNames(&window_, tr("Open"), {}, documentFilter());
+            QFileDialog::getOpenFileNames(&window_, tr("Open"), folder, filing::documentFilter());
         for (const QString& file : files)
             application_.open(file, &window_);
     });
     recent_ = addMenu(tr("Open &Recent"));
     connect(recent_, &QMenu::aboutToShow, this, &FileMenu::fillRecent);
     addSeparator();
-    menus::addTo(*this, "save", tr("&Save"), QKeySequence::Save, [this] { window_.save(); });
+    save_ = menus::addTo(*this, "save", tr("&Save"), QKeySequence::Save, [this] { save(); });
+    connect(this, &QMenu::aboutToShow, this, &FileMenu::nameSave);
     menus::addTo(*this, "saveAs", tr("Save &As..."), QKeySequence("Ctrl+Shift+S"),
                  [this] { window_.saveAs(); });
     QAction* backup = menus::addTo(*this, "backup", tr("&Version Before the Last Save"), {},
@@ -45,11 +49,26 @@ FileMenu::FileMenu(Application& application, DocumentWindow& window)
                  [this] { application_.quit(); });
 }
 
+// What has the keyboard is saved: the document, or the presentation that is edited beside it.
+void FileMenu::save() {
+    if (window_.presentation().hasKeyboard())
+        window_.presentation().save();
+    else
+        window_.save();
+}
+
+void FileMenu::nameSave() {
+    const source::PresentationPane& presentation = window_.presentation();
+    save_->setText(presentation.hasKeyboard()
+                       ? tr("&Save %1").arg(plain::caption(presentation.fileName()))
+                       : tr("&Save"));
+}
+
 // Anew each time, since the user's own templates are files.
 void FileMenu::fillNew(QMenu& menu) {
     menu.clear();
     bool isFirst = true;
-    for (const Template& one : templates()) {
+    for (const filing::Template& one : filing::templates()) {
         menus::addTo(menu, "new" + QString(one.name).remove(' '), plain::caption(one.name),
                      isFirst ? QKeySequence(QKeySequence::New) : QKeySequence(),
                      [this, one] { application_.openNew(one, &window_); });

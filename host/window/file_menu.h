@@ -16,12 +16,15 @@ public:
     FileMenu(Application& application, DocumentWindow& window);
 
 private:
+    void save();
+    void nameSave();
     void fillNew(QMenu& menu);
     void fillRecent();
 
     Application& application_;
     DocumentWindow& window_;
     QMenu* recent_;
+    QAction* save_;
 };
 
 } // namespace window

@@ -15,6 +15,10 @@
 
 class QLabel;
 
+namespace controls {
+class PlayBar;
+}
+
 namespace window {
 
 class MediumCommands : public QObject {

@@ -1,6 +1,6 @@
 // What is not saved when a program ends is offered by the next one. A program that ends without its
 // windows being closed is an Application that is destroyed; tests/host kills real ones.
-#include "window/recovery.h"
+#include "filing/recovery.h"
 #include "window/window_testing.h"
 
 #include <fstream>
@@ -305,9 +305,9 @@ TEST_F(RecoveryTest, WhatCannotBeReadIsSaidAndHoldsUpNothing) {
 TEST(RecoveryQuestion, SaysTheDayWhenItIsAnother) {
     const QDateTime at(QDate(2026, 3, 5), QTime(14, 3));
     const files::Kept kept{.file = {"/a/b.ens", {}}, .at = at.toSecsSinceEpoch()};
-    EXPECT_EQ(questionAbout(kept, at.addSecs(3600)),
+    EXPECT_EQ(filing::questionAbout(kept, at.addSecs(3600)),
               "b.ens was not saved before Ensemble stopped at 14:03. Open the recovered text?");
-    EXPECT_THAT(questionAbout(kept, at.addDays(1)).toStdString(),
+    EXPECT_THAT(filing::questionAbout(kept, at.addDays(1)).toStdString(),
                 testing::MatchesRegex("b.ens was not saved before Ensemble stopped on .*2026 at "
                                       "14:03. Open the recovered text\\?"));
 }

@@ -4,6 +4,7 @@
 #include "navigation/fold_commands.h"
 #include "navigation/page_commands.h"
 #include "plain/plain.h"
+#include "source/presentation_draft.h"
 #include "window/application.h"
 
 #include <QActionGroup>
@@ -17,10 +18,16 @@ ViewMenu::ViewMenu(Application& application, DocumentWindow& window, const QList
     menus::addTo(*this, "newWindow", tr("&New Window"), QKeySequence("Ctrl+Shift+N"),
                  [&application, &window] { application.addWindow(window.shared()); });
     presentations_ = addMenu(tr("&Presentation"));
+    presentations_->setObjectName("presentations");
+    presentations_->setToolTipsVisible(true);
     connect(presentations_, &QMenu::aboutToShow, this, &ViewMenu::fillPresentations);
     edit_ = new QAction(tr("&Edit This Presentation"), this);
     edit_->setObjectName("editPresentation");
     connect(edit_, &QAction::triggered, this, &ViewMenu::editPresentationWanted);
+    supplied_ = new QAction(tr("As It &Comes with the Program"), this);
+    supplied_->setObjectName("suppliedPresentation");
+    connect(supplied_, &QAction::triggered, this,
+            [this] { Q_EMIT suppliedPresentationWanted(presentationFile()); });
     addSeparator();
     menus::addTo(
         *this, "zoomIn", tr("Zoom &In"), QKeySequence("Ctrl++"), [&view] { view.zoomBy(1); },
@@ -59,6 +66,16 @@ void ViewMenu::fillPresentations() {
     }
     presentations_->addSeparator();
     presentations_->addAction(edit_);
+    presentations_->addAction(supplied_);
+    const bool isOwn = source::hasOwnPresentation(presentationFile());
+    supplied_->setEnabled(isOwn);
+    supplied_->setToolTip(plain::tip(
+        isOwn ? tr("Your own file is kept beside it, with another name") : tr("It is so")));
+}
+
+QString ViewMenu::presentationFile() const {
+    const session::OpenDocument& of = window_.document();
+    return of.schemas().fileOf(of.document().className(), window_.view().presentation()).name;
 }
 
 } // namespace window

@@ -17,13 +17,16 @@ public:
 
 Q_SIGNALS:
     void editPresentationWanted(); // the one that the view has
+    void suppliedPresentationWanted(const QString& file);
 
 private:
     void fillPresentations();
+    [[nodiscard]] QString presentationFile() const; // its name
 
     DocumentWindow& window_;
     QMenu* presentations_;
     QAction* edit_; // the one that the view has
+    QAction* supplied_;
 };
 
 } // namespace window

@@ -1,4 +1,5 @@
-#include "window/printing.h"
+#include "filing/printing.h"
+#include "view/shown.h"
 #include "window/window_testing.h"
 
 namespace window {
@@ -419,16 +420,3 @@ TEST_F(WindowTest, TheTitleIsTheDocumentsAndElseItsFiles) {
 
 } // namespace
 } // namespace window
-
-int main(int argc, char** argv) {
-    QTemporaryDir settings;
-    qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
-    qputenv("XDG_STATE_HOME", settings.path().toUtf8()); // texts that tests leave unsaved
-    qputenv("ENSEMBLE_MEDIA", SOURCE_DIR "/tests/media");
-    QApplication application(argc, argv);
-    QApplication::setOrganizationName("ensemble-test");
-    QApplication::setApplicationName("ensemble-test");
-    window::dress();
-    ::testing::InitGoogleTest(&argc, argv);
-    return RUN_ALL_TESTS();
-}

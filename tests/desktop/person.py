@@ -54,7 +54,7 @@ class Person:
         test.addCleanup(self.screen.close)
         plugins = os.path.join(os.path.dirname(os.path.abspath(program)), os.pardir, "test-plugins")
         if not os.path.exists(os.path.join(plugins, "generic", "libplaces.so")):
-            raise FileNotFoundError(f"{plugins}: the target `places` is not built")
+            raise FileNotFoundError(f"{plugins}: the target `widget_places` is not built")
         self.places = os.path.join(folder, "places")
         os.mkdir(self.places)
         self.program = subprocess.Popen(

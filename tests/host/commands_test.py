@@ -61,6 +61,37 @@ class Convert(InFolder):
         self.assertIn("One two\n", out.decode())
         self.assertIn("[SCRIPTED: A colour]", out.decode())
 
+    def test_a_value_of_a_figure_stands_in_the_text_on_paper_and_as_text(self):
+        value = '<PARAGRAPH><TEXT>{It is }</TEXT><VALUE OF="f" EXPRESSION="%s" FORMAT="2 decimals"%s></VALUE><TEXT>{ m.}</TEXT></PARAGRAPH>\n'
+        formula = "<PARAGRAPH><FORMULA>{h = \\value[1 decimal, at 3 s]{f}{height}}</FORMULA></PARAGRAPH>\n"
+        figure = scripted("duration 4\nvalue height 1 2", 'ID="f" POSTER="1.5"')
+        self.write("a.ens", memo(value % ("height", ""), value % ("height", ' TIME="4 s"'), formula, figure))
+        self.assertEqual(self.ensemble("--check", "a.ens"), (0, b"", ""))
+        code, out, _ = self.ensemble("--convert-to", "text", "--output", "-", "a.ens")
+        self.assertEqual(code, 0)
+        for words in ("It is 4.00 m.", "It is 9.00 m.", "h = 7.0"):
+            self.assertIn(words, out.decode())
+        self.assertEqual(self.ensemble("--convert-to", "pdf", "a.ens"), (0, b"", ""))
+        text = subprocess.run(["pdftotext", self.path("a.pdf"), "-"], capture_output=True, check=True).stdout.decode()
+        self.assertIn("It is 4.00 m.", text)
+        self.assertIn("It is 9.00 m.", text)
+
+    def test_a_value_that_is_not_known_is_a_fault_and_never_a_number(self):
+        value = '<PARAGRAPH><TEXT>{It is }</TEXT><VALUE OF="%s" EXPRESSION="%s"></VALUE><TEXT>{ m.}</TEXT></PARAGRAPH>\n'
+        self.write("a.ens", memo(value % ("f", "width"), value % ("g", "x"), scripted("value height 1 2", 'ID="f"'),
+                                 scripted("behave crash", 'ID="g"')))
+        code, out, _ = self.ensemble("--check", "a.ens")
+        self.assertEqual(code, 1)
+        self.assertIn('a.ens:5:33: error: there is no number here: there is no value "width"\n', out.decode())
+        self.assertIn("a.ens:6:33: error: there is no number here: Scripted was ended by signal 11", out.decode())
+        code, out, error = self.ensemble("--convert-to", "text", "--output", "-", "a.ens")
+        self.assertEqual(code, 1)
+        self.assertIn("It is [width] m.", out.decode())
+        self.assertIn('a.ens: error: line 5: there is no number here: there is no value "width"', error)
+        code, _, error = self.ensemble("--convert-to", "pdf", "a.ens")
+        self.assertEqual(code, 1)
+        self.assertIn("line 5: there is no number here", error)
+
     def test_pages_as_png_are_numbered(self):
         self.write("a.ens", memo(*["<PARAGRAPH><TEXT>{line}</TEXT></PARAGRAPH>\n"] * 100))
         self.assertEqual(self.ensemble("--convert-to", "png", "a.ens")[0], 0)

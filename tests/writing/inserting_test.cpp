@@ -1,0 +1,199 @@
+// What comes in at the caret: links, references, formulas, pasted and dropped text.
+#include "menus/formula_dialog.h"
+#include "menus/reference_dialog.h"
+#include "places/carets.h"
+#include "view/pasted_html.h"
+#include "writing/writing_testing.h"
+
+#include <QListWidget>
+#include <QMimeData>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QRadioButton>
+
+namespace writing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST_F(WritingTest, ALinkIsMadeChangedAndTakenAway) {
+    write(paragraph("One two three"));
+    goTo("wo three");
+    answering("link", [](QDialog& dialog) {
+        dialog.findChild<QLineEdit*>("address")->setText("www.example.org");
+        dialog.accept();
+    });
+    EXPECT_THAT(body(), HasSubstr("<LINK TO=\"https://www.example.org\">{two}</LINK>"));
+    goTo("wo}");
+    answering("link", [](QDialog& dialog) {
+        auto* field = dialog.findChild<QLineEdit*>("address");
+        EXPECT_EQ(field->text(), "https://www.example.org");
+        field->setText("#figure-1");
+        dialog.accept();
+    });
+    EXPECT_THAT(body(), HasSubstr("<LINK TO=\"#figure-1\">{two}</LINK>"));
+    goTo("wo}");
+    answering("link",
+              [](QDialog& dialog) { dialog.findChild<QPushButton*>("removeLink")->click(); });
+    EXPECT_THAT(body(), Not(HasSubstr("LINK")));
+    while (document().canUndo())
+        document().undo();
+    EXPECT_EQ(body(), paragraph("One two three").toStdString());
+}
+
+TEST_F(WritingTest, BetweenWordsAnAddressIsTheTextOfItsLink) {
+    write(paragraph("See "));
+    goTo("}</TEXT></PARAGRAPH>\n</BODY>");
+    answering("link", [](QDialog& dialog) {
+        dialog.findChild<QLineEdit*>("address")->setText("https://example.org/");
+        dialog.accept();
+    });
+    EXPECT_THAT(body(), HasSubstr("<LINK TO=\"https://example.org/\">{https://example.org/}"));
+}
+
+TEST_F(WritingTest, AReferenceIsChosenByTheWordsOfWhatItLeadsTo) {
+    write(paragraph("See ") + "<TABLE><ROW><CELL>{a}</CELL></ROW><CAPTION>{Some masses}</CAPTION>"
+                              "</TABLE>\n<TABLE><ROW><CELL>{b}</CELL></ROW><CAPTION>{Some "
+                              "lengths}</CAPTION></TABLE>\n");
+    goTo("}</TEXT></PARAGRAPH>");
+    answering("reference", [](QDialog& dialog) {
+        const auto* list = dialog.findChild<QListWidget*>("targets");
+        EXPECT_EQ(list->count(), 2);
+        EXPECT_EQ(list->item(0)->text(), "Table 1: Some masses");
+        dialog.findChild<QLineEdit*>("words")->setText("LENGTH");
+        EXPECT_EQ(list->count(), 1);
+        dialog.accept();
+    });
+    EXPECT_THAT(body(), HasSubstr("<REF TO=\"table-1\"></REF>"));
+    EXPECT_THAT(body(), HasSubstr("<TABLE ID=\"table-1\"><ROW><CELL>{b}"));
+    EXPECT_TRUE(waitFor([&] { return shown().find("See Table\u00A02") != std::string::npos; }));
+}
+
+TEST_F(WritingTest, AFormulaIsWrittenWithItsPictureAndItsFaults) {
+    write(paragraph("The energy "));
+    goTo("}</TEXT></PARAGRAPH>\n</BODY>");
+    answering("formula", [](QDialog& dialog) {
+        auto* source = dialog.findChild<QPlainTextEdit*>("source");
+        const auto* fault = dialog.findChild<QLabel*>("fault");
+        source->setPlainText("\\frac{1}{2} m v^");
+        EXPECT_FALSE(fault->text().isEmpty());
+        source->setPlainText("\\frac{1}{2} m v^2");
+        EXPECT_TRUE(fault->text().isEmpty());
+        EXPECT_FALSE(dialog.findChild<QWidget*>("preview")->accessibleName().isEmpty());
+        QTest::keyClick(source, Qt::Key_Return);
+    });
+    EXPECT_THAT(body(), HasSubstr("<FORMULA>{\\\\frac\\{1\\}\\{2\\} m v^2}</FORMULA>"));
+    ASSERT_TRUE(waitFor([&] { return view().isLaidOut(); }));
+    // The formula that is selected alone is changed.
+    const std::string& bytes = document().bytes();
+    const std::size_t from = bytes.find("<FORMULA"), to = bytes.find("</FORMULA>") + 10;
+    view().text().cursor().set({from, to});
+    answering("formula", [](QDialog& dialog) {
+        auto* source = dialog.findChild<QPlainTextEdit*>("source");
+        EXPECT_EQ(source->toPlainText(), "\\frac{1}{2} m v^2");
+        source->setPlainText("m g h");
+        dialog.findChild<QRadioButton*>("numbered")->setChecked(true);
+        dialog.accept();
+    });
+    EXPECT_THAT(body(), HasSubstr("<FORMULA KIND=\"numbered\">{m g h}</FORMULA>"));
+    EXPECT_THAT(body(), Not(HasSubstr("frac")));
+}
+
+TEST_F(WritingTest, EmphasisBetweenWordsIsForWhatIsTypedNext) {
+    write(paragraph("One "));
+    goTo("}</TEXT></PARAGRAPH>\n</BODY>");
+    const std::size_t steps = document().steps();
+    action("strong")->trigger();
+    EXPECT_EQ(document().steps(), steps);
+    EXPECT_TRUE(view().writing().isMarked(schemas::ContainerRole::strong));
+    type("two");
+    EXPECT_THAT(body(), HasSubstr("<STRONG>{two}</STRONG>"));
+    action("strong")->trigger(); // at its end: what follows is none
+}
+
+TEST_F(WritingTest, PastedHtmlKeepsItsStructure) {
+    write(paragraph("One"));
+    goTo("}</TEXT></PARAGRAPH>\n</BODY>");
+    press(Qt::Key_Return);
+    QMimeData data;
+    data.setHtml("<p style='color:red'>A <b>bold</b> &amp; <i>sloping</i> <a "
+                 "href='https://example.org/'>link</a><img src='/dev/zero'></p>"
+                 "<ul><li>one</li><li>two<ol><li>inner</li></ol></li></ul>"
+                 "<table><tr><td>a</td><td>b</td></tr><tr><td>c</td><td>d</td></tr></table>");
+    data.setText("unused");
+    EXPECT_TRUE(view().writing().paste(data));
+    EXPECT_THAT(body(), HasSubstr("<STRONG>{bold}</STRONG>"));
+    EXPECT_THAT(body(), HasSubstr("<EMPH>{sloping}</EMPH>"));
+    EXPECT_THAT(body(), HasSubstr("<LINK TO=\"https://example.org/\">{link}</LINK>"));
+    EXPECT_THAT(body(), HasSubstr("<LIST KIND=\"number\">"));
+    EXPECT_THAT(body(), HasSubstr("<TEXT>{d}</TEXT></CELL>"));
+    EXPECT_THAT(body(), Not(HasSubstr("unused")));
+    EXPECT_THAT(body(), Not(HasSubstr("zero")));
+    document().undo();
+    EXPECT_EQ(view().text().cursor().selects(), false);
+    EXPECT_THAT(body(), Not(HasSubstr("bold")));
+}
+
+TEST_F(WritingTest, HeadingsOfPastedHtmlBeginSectionsWhereTheClassHasThem) {
+    const authoring::Grammars grammars(window_ ? view().document().schemas()
+                                               : open(memo(""))->document().schemas());
+    const std::string report = view::fragmentOf(
+        "<h1>Top</h1><p>a</p><h2>Inner</h2><p>b</p><h1>Next</h1>", *grammars.of("REPORT"));
+    EXPECT_EQ(report, "<SECTION><HEADING><TEXT>{Top}</TEXT></HEADING><PARAGRAPH><TEXT>{a}</TEXT>"
+                      "</PARAGRAPH><SECTION><HEADING><TEXT>{Inner}</TEXT></HEADING><PARAGRAPH>"
+                      "<TEXT>{b}</TEXT></PARAGRAPH></SECTION></SECTION><SECTION><HEADING>"
+                      "<TEXT>{Next}</TEXT></HEADING></SECTION>");
+    EXPECT_EQ(view::fragmentOf("<h1>Top</h1>", *grammars.of("CMEMO")),
+              "<SECTION><HEADING><TEXT>{Top}</TEXT></HEADING></SECTION>");
+    EXPECT_EQ(view::fragmentOf("<p> </p><img src='a'>", *grammars.of("CMEMO")), "");
+}
+
+TEST_F(WritingTest, WhatIsDraggedMovesInOneStepAndKeepsItsIds) {
+    write(paragraph("One <two") + "<PARAGRAPH><TEXT ID=\"x\">{three}</TEXT></PARAGRAPH>\n" +
+          paragraph("four"));
+    ASSERT_TRUE(waitFor([&] { return view().isLaidOut(); }));
+    const std::string before = document().bytes();
+    const std::size_t from = before.find("three"), to = from + 5;
+    view().text().cursor().set({from, to});
+    const std::unique_ptr<QMimeData> data = view().text().copied();
+    ASSERT_TRUE(data);
+    const std::size_t steps = document().steps();
+    // Behind "four".
+    view().text().cursor().set({before.find("four") + 4, before.find("four") + 4});
+    const QPointF at = view().text().caretRect()->center();
+    view().text().cursor().set({from, to});
+    view().writing().drop(*data, at, text::Range{from, to});
+    EXPECT_THAT(body(), HasSubstr("{four}</TEXT><TEXT ID=\"x\">{three}</TEXT>"));
+    EXPECT_EQ(document().steps(), steps + 1);
+    document().undo();
+    EXPECT_EQ(document().bytes(), before);
+}
+
+TEST_F(WritingTest, BackspaceSelectsAFigureBeforeItTakesIt) {
+    write(scripted("colour 20A040") + paragraph("One"));
+    goTo("One");
+    press(Qt::Key_Backspace);
+    EXPECT_TRUE(view().text().cursor().selects());
+    EXPECT_THAT(body(), HasSubstr("SCRIPTED"));
+    press(Qt::Key_Backspace);
+    EXPECT_THAT(body(), Not(HasSubstr("SCRIPTED")));
+    document().undo();
+    EXPECT_THAT(body(), HasSubstr("SCRIPTED"));
+}
+
+TEST_F(WritingTest, TheCaretIsSeenAfterEachNewParagraph) {
+    write(paragraph("One"));
+    window_->resize(700, 400);
+    goTo("}</TEXT></PARAGRAPH>\n</BODY>");
+    for (int i = 0; i < 40; ++i) {
+        press(Qt::Key_Return);
+        ASSERT_TRUE(waitFor([&] { return view().isLaidOut(); }));
+        const std::optional<QRectF> caret = view().text().caretRect();
+        ASSERT_TRUE(caret);
+        EXPECT_TRUE(QRectF(view().viewport()->rect()).contains(caret->center())) << i;
+    }
+}
+
+} // namespace
+} // namespace writing

@@ -1,0 +1,282 @@
+// What somebody meets who writes a first document: keys while a figure is chosen, places that wait
+// for text, what undo shows, where files are proposed.
+#include "filing/choosing.h"
+#include "filing/templates.h"
+#include "paper/paper.h"
+#include "places/find.h"
+#include "writing/writing_testing.h"
+
+#include <QMimeData>
+#include <QSettings>
+#include <QStatusBar>
+
+namespace writing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class NewcomerTest : public WritingTest {
+protected:
+    void writeFrom(const char* name) {
+        const std::vector<filing::Template> all = filing::templates();
+        const auto one = std::ranges::find(all, QString(name), &filing::Template::name);
+        ASSERT_NE(one, all.end());
+        window_ = application_.openNew(*one, nullptr);
+        window_->resize(900, 1000);
+        window_->activateWindow();
+        view().setFocus();
+        ASSERT_TRUE(waitFor([&] { return view().hasFocus() && view().isLaidOut(); }));
+    }
+    static QByteArray inFigure(const QByteArray& text) {
+        return "<FIGURE>" +
+               scripted(text).replace("<PARAGRAPH>", "").replace("</PARAGRAPH>\n", "") +
+               "<CAPTION>{Words}</CAPTION></FIGURE>\n";
+    }
+    void choose(std::size_t n) const {
+        ASSERT_TRUE(waitFor([&] { return hasPicture(*window_, n); }));
+        view().choose(nth(*window_, n));
+    }
+    [[nodiscard]] bool says(const char* words) const {
+        return waitFor([&] { return window_->statusBar()->currentMessage().contains(words); });
+    }
+    [[nodiscard]] bool isNoneChosen() const {
+        return waitFor([&] { return view().chosen() == document::noSubdocument; });
+    }
+    [[nodiscard]] int scrolled() const { return view().verticalScrollBar()->value(); }
+    static QByteArray lines(int count) {
+        QByteArray all;
+        for (int i = 0; i < count; ++i)
+            all += paragraph("line " + QByteArray::number(i) + ".");
+        return all;
+    }
+};
+
+// --- keys while a figure is chosen
+
+TEST_F(NewcomerTest, WhoTypesWhileAFigureIsChosenLearnsWhyNoLetterComes) {
+    write(paragraph("One") + inFigure("colour 20A040") + paragraph("Two"));
+    goTo("One");
+    choose(0);
+    const std::string before = document().bytes();
+    type("k");
+    EXPECT_TRUE(says("Escape"));
+    EXPECT_EQ(document().bytes(), before);
+    press(Qt::Key_Escape);
+    type("k"); // behind the figure, not where the caret was before
+    EXPECT_THAT(body(), HasSubstr("{kTwo}"));
+}
+
+TEST_F(NewcomerTest, ArrowsAndEnterLeaveAFigureThatHasNoUseForThem) {
+    write(paragraph("One") + inFigure("colour 20A040") + paragraph("Two"));
+    choose(0);
+    press(Qt::Key_Up);
+    ASSERT_TRUE(isNoneChosen());
+    type("!");
+    EXPECT_THAT(body(), HasSubstr("{One!}"));
+    choose(0);
+    press(Qt::Key_Down);
+    ASSERT_TRUE(isNoneChosen());
+    type("!");
+    EXPECT_THAT(body(), HasSubstr("{!Two}"));
+    choose(0);
+    press(Qt::Key_Return);
+    ASSERT_TRUE(isNoneChosen());
+    type("New");
+    EXPECT_THAT(body(),
+                HasSubstr("</FIGURE>\n<PARAGRAPH>{New}</PARAGRAPH>\n<PARAGRAPH><TEXT>{!Two"));
+}
+
+TEST_F(NewcomerTest, CommandsOfWritingComeInBehindAChosenFigure) {
+    write(paragraph("One") + inFigure("colour 20A040") + paragraph("Two"));
+    goTo("One");
+    choose(0);
+    auto* insert = window_->findChild<QMenu*>("insert");
+    Q_EMIT insert->aboutToShow();
+    EXPECT_TRUE(action("rule")->isEnabled());
+    action("rule")->trigger();
+    Q_EMIT insert->aboutToHide();
+    EXPECT_THAT(body(), HasSubstr("</FIGURE>\n<RULE></RULE>"));
+    choose(0);
+    Q_EMIT insert->aboutToShow();
+    EXPECT_TRUE(action("caption")->isEnabled());
+    action("caption")->trigger();
+    Q_EMIT insert->aboutToHide();
+    type("!");
+    EXPECT_THAT(body(), HasSubstr("{Words!}"));
+}
+
+TEST_F(NewcomerTest, TheMenuFigureIsForTheOneWhoseCaptionIsWritten) {
+    write(paragraph("One") + inFigure("colour 20A040"));
+    auto* figure = window_->findChild<QMenu*>("figure");
+    goTo("One");
+    Q_EMIT figure->aboutToShow();
+    EXPECT_TRUE(action("figureHint")->isVisible());
+    EXPECT_FALSE(action("figureRight")->isEnabled());
+    goTo("Words");
+    Q_EMIT figure->aboutToShow();
+    EXPECT_FALSE(action("figureHint")->isVisible());
+    ASSERT_TRUE(action("figureRight")->isEnabled());
+    action("figureRight")->trigger();
+    EXPECT_EQ(document().subdocument(nth(*window_, 0))->placement, document::Placement::right);
+    action("figureDelete")->trigger();
+    EXPECT_EQ(body(), paragraph("One").toStdString());
+}
+
+// --- where the caret is, and what is seen
+
+TEST_F(NewcomerTest, UndoOfAChangeThatIsSeenScrollsNothing) {
+    write(lines(100) + inFigure("colour 20A040") + lines(100));
+    goTo("line 3.");
+    view().scrollTo(nth(*window_, 0));
+    ASSERT_TRUE(waitFor([&] { return hasPicture(*window_, 0); }));
+    view().choose(nth(*window_, 0));
+    action("figureRight")->trigger();
+    const int before = scrolled();
+    ASSERT_GT(before, 1000);
+    action("undo")->trigger();
+    EXPECT_EQ(scrolled(), before);
+    // One that is not seen is shown, and not the caret.
+    view().choose(document::noSubdocument);
+    view().verticalScrollBar()->setValue(0);
+    action("redo")->trigger();
+    EXPECT_GT(scrolled(), 1000);
+    EXPECT_TRUE(view().placeOf(nth(*window_, 0)).intersects(QRectF(view().viewport()->rect())));
+}
+
+TEST_F(NewcomerTest, TheEndsOfADocumentShowTheEdgeOfThePage) {
+    write(lines(200));
+    view().setZoom(0.5);
+    goTo("line 100.");
+    view().text().showCaret();
+    press(Qt::Key_Home, Qt::ControlModifier);
+    EXPECT_EQ(scrolled(), 0);
+    press(Qt::Key_End, Qt::ControlModifier);
+    EXPECT_EQ(scrolled(), view().verticalScrollBar()->maximum());
+    // Also where the caret is there already.
+    press(Qt::Key_Home, Qt::ControlModifier);
+    view().verticalScrollBar()->setValue(20);
+    press(Qt::Key_Home, Qt::ControlModifier);
+    EXPECT_EQ(scrolled(), 0);
+}
+
+TEST_F(NewcomerTest, TheCaretStaysWhileOneScrollsAndAKeyGoesBackToIt) {
+    write(lines(200));
+    goTo("line 3.");
+    view().verticalScrollBar()->setValue(3000);
+    type("x");
+    EXPECT_THAT(body(), HasSubstr("{xline 3.}"));
+    EXPECT_LT(scrolled(), 500);
+    view().verticalScrollBar()->setValue(3000);
+    press(Qt::Key_Right);
+    EXPECT_LT(scrolled(), 500);
+}
+
+TEST_F(NewcomerTest, ACaretWhoseTextAnotherWindowTookWritesOn) {
+    write(paragraph("One") + paragraph("Two") + paragraph("Three"));
+    goTo("wo}");
+    document().edit({{{document().bytes().find("<PARAGRAPH><TEXT>{Two"),
+                       document().bytes().find("<PARAGRAPH><TEXT>{Three")},
+                      ""}},
+                    "Away");
+    type("x");
+    EXPECT_EQ(body(), (paragraph("One") + paragraph("xThree")).toStdString());
+}
+
+TEST_F(NewcomerTest, ADocumentThatIsOneFigureIsWrittenIn) {
+    window_ =
+        open("DOCUMENT REPORT\n<REPORT>" +
+             inFigure("colour 20A040").replace("<CAPTION>{Words}</CAPTION>", "") + "</REPORT>\n");
+    ASSERT_TRUE(waitFor([&] { return view().isLaidOut(); }));
+    writeIn(*window_);
+    type("Before");
+    EXPECT_THAT(document().bytes(), HasSubstr("{Before}"));
+}
+
+TEST_F(NewcomerTest, AnInputMethodReplacesWhatIsSelected) {
+    write(paragraph("One two"));
+    goTo("two");
+    press(Qt::Key_End, Qt::ShiftModifier);
+    QInputMethodEvent event;
+    event.setCommitString("drei");
+    QApplication::sendEvent(&view(), &event);
+    EXPECT_EQ(body(), paragraph("One drei").toStdString());
+}
+
+// --- places that wait for text
+
+TEST_F(NewcomerTest, ReturnLeadsThroughATemplateWhosePlacesSayWhatTheyAre) {
+    writeFrom("Report");
+    const auto pixels = [&] { return view().viewport()->grab().toImage(); };
+    goTo("}</TITLE>");
+    const QImage hinted = pixels();
+    type("Falling");
+    press(Qt::Key_Return);
+    type("Me");
+    press(Qt::Key_Return);
+    type("Question");
+    press(Qt::Key_Return);
+    type("Why?");
+    EXPECT_THAT(document().bytes(), HasSubstr("<TITLE>{Falling}</TITLE>\n<AUTHOR>{Me}</AUTHOR>\n"
+                                              "<SECTION>\n<HEADING>{Question}</HEADING>\n"
+                                              "<PARAGRAPH><TEXT>{Why?}</TEXT></PARAGRAPH>"));
+    while (document().canUndo())
+        document().undo();
+    action("write")->trigger(); // who reads sees no hints
+    EXPECT_NE(pixels(), hinted);
+    EXPECT_THAT(shown(), Not(HasSubstr("Title")));
+}
+
+TEST_F(NewcomerTest, TabGoesFromFieldToField) {
+    writeFrom("Memo");
+    goTo("}</TO>");
+    type("You");
+    press(Qt::Key_Tab);
+    type("Me");
+    press(Qt::Key_Tab);
+    type("It");
+    press(Qt::Key_Tab);
+    type("Text");
+    press(Qt::Key_Backtab, Qt::ShiftModifier);
+    EXPECT_THAT(document().bytes(), HasSubstr("<TO>{You}</TO>\n<FROM>{Me}</FROM>\n"
+                                              "<SUBJECT>{It}</SUBJECT>\n<BODY>\n"
+                                              "<PARAGRAPH><TEXT>{Text}</TEXT></PARAGRAPH>"));
+}
+
+TEST_F(NewcomerTest, PaperHasNoPlacesThatNobodyFilled) {
+    writeFrom("Laboratory Report");
+    goTo("}</TITLE>");
+    type("Falling");
+    ASSERT_TRUE(waitFor([&] { return view().isLaidOut(); }));
+    EXPECT_EQ(places::findText(view().pages(), "Abstract").size(), 1U);
+    paper::Paper paper(window_->document(), {}, 72, true);
+    bool isReady = false;
+    QObject::connect(&paper, &paper::Paper::ready, [&] { isReady = true; });
+    paper.prepare();
+    ASSERT_TRUE(waitFor([&] { return isReady; }));
+    EXPECT_TRUE(places::findText(paper.pages(), "Abstract").empty());
+    EXPECT_EQ(places::findText(paper.pages(), "Falling").size(), 1U);
+    EXPECT_EQ(places::findText(paper.pages(), "Question").size(), 1U);
+}
+
+// --- files
+
+TEST_F(NewcomerTest, AFileIsProposedByTheTitleInTheFolderUsedLast) {
+    EXPECT_EQ(filing::fileNameOf("  A/B: \"what?\"\n now "), "A B what now");
+    EXPECT_EQ(filing::fileNameOf(".hidden"), "hidden");
+    EXPECT_EQ(filing::fileNameOf("///"), "Untitled");
+    EXPECT_LE(filing::fileNameOf(QString("word ").repeated(40)).size(), 80);
+    filing::rememberFolderOf(folder_.filePath("other.ens"));
+    writeFrom("Memo");
+    goTo("}</SUBJECT>");
+    type("On/falling");
+    QString proposed;
+    answering("saveAs", [&](QDialog& dialog) {
+        proposed = qobject_cast<QFileDialog*>(&dialog)->selectedFiles().value(0);
+        dialog.reject();
+    });
+    EXPECT_EQ(proposed, folder_.filePath("On falling.ens"));
+}
+
+} // namespace
+} // namespace writing
