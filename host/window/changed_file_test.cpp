@@ -2,7 +2,6 @@
 #include "window/window_testing.h"
 
 #include <QPushButton>
-#include <QSignalSpy>
 
 namespace window {
 namespace {
@@ -30,14 +29,12 @@ TEST_F(ChangedFileTest, PagesFollowAndMediaGoOn) {
     view::DocumentView& view = window->view();
     view.verticalScrollBar()->setValue(view.verticalScrollBar()->maximum() / 2);
     const int value = view.verticalScrollBar()->value();
-    QSignalSpy laidOut(&view, &view::DocumentView::laidOut);
     const QByteArray changed = memo(scripted("figure") + paragraphs(900, 905) + paragraphs(0, 200));
     write(*window, changed);
     ASSERT_TRUE(waitFor([&] {
         return window->document().document().bytes() == changed.toStdString() &&
-               laidOut.count() > 0;
+               view.verticalScrollBar()->value() > value; // the words stay where they were
     }));
-    EXPECT_GT(view.verticalScrollBar()->value(), value);
     EXPECT_EQ(children(), media);
     EXPECT_FALSE(window->isWindowModified());
 }
