@@ -121,6 +121,21 @@ TEST(Authoring, AParagraphFollowsAHeading) {
               "refused: This field takes one line only.");
 }
 
+TEST(Authoring, ASelectionThatReachesIntoADocumentBehindTheEndEndsBehindIt) {
+    const std::string other =
+        "<DOCUMENT>\nDOCUMENT CMEMO\n<CMEMO><BODY><P>{there|}</P></BODY></CMEMO>\n</DOCUMENT>\n";
+    const Marked marked = readMarks(renamed(memoHead + "<P>{he[re}</P>" + memoTail + other, false));
+    const document::Document document(marked.bytes);
+    const std::size_t end = marked.bytes.size() - 1; // before the last line's end
+    const Selection wide = widened({document, testGrammars()}, marked.selection);
+    EXPECT_EQ(wide.anchor, marked.selection.anchor);
+    EXPECT_EQ(wide.caret, end);
+    const Selection back =
+        widened({document, testGrammars()}, {marked.selection.caret, marked.selection.anchor});
+    EXPECT_EQ(back.caret, marked.selection.anchor);
+    EXPECT_EQ(back.anchor, end);
+}
+
 TEST(Authoring, TogglesEmphasis) {
     const auto emphasis = [](const Manuscript& manuscript, Selection selection) {
         return toggle(manuscript, selection, schemas::ContainerRole::emphasis);

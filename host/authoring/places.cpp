@@ -81,10 +81,11 @@ Selection widened(const Manuscript& manuscript, Selection selection) {
         const Leaves anchor(manuscript, selection.anchor), caret(manuscript, selection.caret);
         if (!anchor.isText() || !caret.isText() || anchor.top() == caret.top())
             return selection;
-        // The flow that does not hold the other one is left.
+        // The flow that does not hold the other one is left; the file's own flow never is.
         const text::Range range = tree.node(anchor.top()).range;
         const text::Range other = tree.node(caret.top()).range;
-        const bool leavesCaret = range.from <= other.from && other.to <= range.to;
+        const bool leavesCaret = (range.from <= other.from && other.to <= range.to) ||
+                                 tree.node(anchor.top()).parent == tree.root();
         NodeId unit = leavesCaret ? caret.top() : anchor.top();
         if (tree.node(tree.node(unit).parent).kind == sgml::NodeKind::document)
             unit = tree.node(tree.node(unit).parent).parent;
