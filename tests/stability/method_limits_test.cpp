@@ -4,7 +4,7 @@
 // the engine's methods.
 #include "marks.h"
 
-#include "solution/testing.h"
+#include "integrators/testing.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 //
 // The guards of sign, abs, min, max and comparisons are written in one way, whatever numbers stand
 // in front of them: sign(3*v) is sign(v), 3*a < 3*b is a < b, and so is sign(v*abs(v)). Two that
-// switch at the same place can then be seen to (solution/switching.h).
+// switch at the same place can then be seen to (equations/surfaces.h).
 #pragma once
 
 #include "expression/graph.h"

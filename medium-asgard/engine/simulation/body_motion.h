@@ -3,9 +3,9 @@
 #pragma once
 
 #include "collision/moving_shape.h"
+#include "dense/histories.h"
 #include "physics/equations_of_motion.h"
 #include "simulation/motion.h"
-#include "solution/histories.h"
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 #include "simulation/collision_source.h"
 
-#include "solution/partition.h"
+#include "equations/partition.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "simulation/explanation.h"
 
+#include "equations/partition.h"
+#include "equations/phases_text.h"
 #include "simulation/run.h"
-#include "solution/partition.h"
-#include "solution/phases_text.h"
 
 #include "expression/operation.h"
 

@@ -1,6 +1,6 @@
 #include "simulation/impacts.h"
 
-#include "solution/polynomial.h"
+#include "dense/polynomial.h"
 
 #include <algorithm>
 #include <mutex>

@@ -1,8 +1,8 @@
 #include "simulation/resting_bodies.h"
 
+#include "equations/directions.h"
 #include "simulation/bearing_rates.h"
 #include "simulation/encounter_search.h"
-#include "solution/directions.h"
 
 #include <algorithm>
 #include <cmath>

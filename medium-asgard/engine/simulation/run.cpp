@@ -1,8 +1,8 @@
 #include "simulation/run.h"
 
+#include "equations/partition.h"
 #include "scene/shape_of.h"
 #include "simulation/budget.h"
-#include "solution/partition.h"
 
 #include <algorithm>
 #include <cmath>

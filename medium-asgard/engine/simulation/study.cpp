@@ -1,8 +1,8 @@
 #include "simulation/study.h"
 
+#include "integrators/methods.h"
 #include "simulation/cpu_seconds.h"
 #include "simulation/failures.h"
-#include "solution/method.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,12 +12,13 @@
 // integrate exactly), `explicit`, `implicit` (method_choice.h).
 #pragma once
 
+#include "equations/equations_in_force.h"
+#include "equations/prepared_equations.h"
+#include "integrators/method_choice.h"
+#include "oversight/peak_centres.h"
+#include "oversight/watched_times.h"
 #include "solution/component_equations.h"
-#include "solution/equations_in_force.h"
 #include "solution/linear_motion.h"
-#include "solution/method_choice.h"
-#include "solution/oversight.h"
-#include "solution/prepared_equations.h"
 #include "solution/solver.h"
 
 #include <cmath>

@@ -4,9 +4,9 @@
 // Held values are put into the derivatives symbolically, so that f reads time, the differential
 // unknowns (states) and other components only. The Jacobian is derived symbolically.
 //
-// Sides of surfaces (switching.h). A surface is passed when the field behind it leads away from it.
-// When it leads back, motion slides on the surface (Filippov 1988): with f- and f+ the fields of
-// both sides,
+// Sides of surfaces (equations/surfaces.h). A surface is passed when the field behind it leads away
+// from it. When it leads back, motion slides on the surface (Filippov 1988): with f- and f+ the
+// fields of both sides,
 //
 //     f = f- + w (f+ - f-),   w such that grad g . f + dg/dt = 0,
 //
@@ -32,11 +32,11 @@
 // reason when it cannot go on.
 #pragma once
 
+#include "dense/first_violation.h"
+#include "dense/inputs.h"
+#include "equations/bound_model.h"
 #include "expression/function.h"
-#include "solution/bound_model.h"
-#include "solution/inputs.h"
-#include "solution/switching.h"
-#include "solution/system.h"
+#include "integrators/system.h"
 
 #include <Eigen/Core>
 
@@ -115,7 +115,8 @@ public:
     [[nodiscard]] std::optional<double> constantOf(expression::Node symbol) const;
     [[nodiscard]] bool readsStates() const { return model_.readsStates(); }
 
-    // The model's peaks (oversight.h): causes and their rates where states have these, and heights.
+    // The model's peaks (equations/peaks.h): causes and their rates where states have these, and
+    // heights.
     void peakCauses(const ComponentModel::PeakFunctions& peaks, double t, std::span<const double> y,
                     std::span<const double> rates, std::span<double> out);
     void peakHeights(double t, std::span<const double> y, std::span<double> out);

@@ -1,5 +1,5 @@
 // Alike components are one model; what is made once stays made. Counts, not times.
-#include "solution/component_model.h"
+#include "equations/component_model.h"
 
 #include "solution/solver_testing.h"
 

@@ -1,4 +1,4 @@
-// What a component's long steps might pass over; see oversight.h.
+// What a component's long steps might pass over; see oversight/
 #include "solution/component.h"
 
 #include <algorithm>

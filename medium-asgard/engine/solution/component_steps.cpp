@@ -1,4 +1,5 @@
 // How a component steps; see component.h and solver.h.
+#include "integrators/methods.h"
 #include "solution/component.h"
 #include "solution/pace.h"
 

@@ -1,5 +1,5 @@
 // Steps that are made beside those of other components; see component.h and side_by_side.h.
-#include "solution/alike_steps.h"
+#include "batches/alike_steps.h"
 #include "solution/component.h"
 
 #include <algorithm>

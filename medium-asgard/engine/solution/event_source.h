@@ -19,8 +19,8 @@
 // an event does not touch, and that read nothing it touches, keep every step they made.
 #pragma once
 
-#include "solution/equations_in_force.h"
-#include "solution/histories.h"
+#include "dense/histories.h"
+#include "equations/equations_in_force.h"
 
 #include <array>
 #include <cstddef>

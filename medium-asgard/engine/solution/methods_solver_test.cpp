@@ -1,5 +1,5 @@
 // Methods asked for by name, through the solver: which models are switched off, where steps end.
-#include "solution/method.h"
+#include "integrators/methods.h"
 #include "solution/solver_testing.h"
 
 #include <gtest/gtest.h>

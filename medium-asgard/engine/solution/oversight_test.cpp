@@ -1,5 +1,7 @@
 // Pushes that last a moment are not passed over.
-#include "solution/oversight.h"
+#include "equations/peaks.h"
+#include "oversight/peak_centres.h"
+#include "oversight/watched_times.h"
 
 #include "expression/testing.h"
 #include "solution/solver_testing.h"

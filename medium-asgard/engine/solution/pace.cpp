@@ -1,6 +1,6 @@
 #include "solution/pace.h"
 
-#include "solution/polynomial.h"
+#include "dense/polynomial.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,6 +1,6 @@
 // Which switches do outputs read on the branches that are in force? The others are none.
+#include "equations/surfaces.h"
 #include "solution/solver_testing.h"
-#include "solution/switching.h"
 
 #include <gtest/gtest.h>
 

@@ -12,8 +12,8 @@
 // number, change neither motion nor counts.
 #pragma once
 
+#include "equations/partition.h"
 #include "solution/component.h"
-#include "solution/partition.h"
 
 #include <memory>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "solution/side_by_side.h"
 
-#include "solution/alike_steps.h"
+#include "batches/alike_steps.h"
 
 #include <algorithm>
 #include <array>

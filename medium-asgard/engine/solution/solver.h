@@ -35,10 +35,10 @@
 // Rounds follow from times and steps, so that counts too are the same for any number of threads.
 #pragma once
 
+#include "dense/histories.h"
+#include "equations/prepared_equations.h"
 #include "expression/equations.h"
 #include "solution/event_source.h"
-#include "solution/histories.h"
-#include "solution/prepared_equations.h"
 
 #include <functional>
 #include <limits>
@@ -93,7 +93,7 @@ struct Options {
     std::string method = "auto"; // or a name of methodNames(): then for all components and states
     std::optional<double> fixedStep;
     std::optional<double> firstStep;
-    bool isWatched = true;   // long steps are watched for what they might pass over (oversight.h)
+    bool isWatched = true;   // long steps are watched for what they might pass over (oversight/)
     bool whole = false;      // one component of everything
     bool eventDriven = true; // false: run each component to the end before the next
     std::size_t threads = 1; // 0: as many as the machine has cores; the motion is the same

@@ -2,11 +2,11 @@
 // solver_equations.cpp changes equations.
 #pragma once
 
+#include "equations/partition.h"
+#include "equations/prepared_equations.h"
 #include "solution/component.h"
 #include "solution/kept_bytes.h"
 #include "solution/pace.h"
-#include "solution/partition.h"
-#include "solution/prepared_equations.h"
 #include "solution/schedule.h"
 #include "solution/solver.h"
 #include "solution/workers.h"

@@ -1,8 +1,8 @@
 // An event source for tests: reverses given unknowns at given times.
 #pragma once
 
+#include "dense/histories.h"
 #include "solution/event_source.h"
-#include "solution/histories.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,7 @@
 // Switching expressions: located, passed, slid upon; and what cannot be.
+#include "dense/first_violation.h"
+#include "equations/surfaces.h"
 #include "solution/solver_testing.h"
-#include "solution/switching.h"
 
 #include <gtest/gtest.h>
 

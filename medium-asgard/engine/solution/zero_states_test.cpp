@@ -1,6 +1,6 @@
 // What stays 0 is not integrated, until an event wakes it.
+#include "equations/zero_states.h"
 #include "solution/solver_testing.h"
-#include "solution/zero_states.h"
 
 #include <gmock/gmock.h>
 

@@ -1,0 +1,291 @@
+#include "dense/first_violation.h"
+
+#include "dense/polynomial.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace solution {
+
+namespace {
+
+using Evaluate = std::function<void(double, std::span<double>)>;
+using Samples = std::array<double, maximumCoefficients>;
+
+// Between the points of interpolation, where it is worst.
+constexpr double checkPoints[] = {0.09, 0.405, 0.595, 0.91};
+constexpr int deepest = 24;
+constexpr int mostPieces = 500, mostSearches = 100;
+
+class Search {
+public:
+    enum class Next { none, another }; // search, from where this one runs out of pieces
+    Search(std::size_t watches, const Evaluate& evaluate, double from, Search::Next next, Care care)
+        : evaluate_(evaluate), values_(watches), samples_(watches), from_(from), next_(next),
+          care_(care) {}
+
+    // Where the search ended for lack of pieces; what is later is left to the next one.
+    [[nodiscard]] std::optional<double> unsearchedFrom() const { return unsearched_; }
+
+    std::optional<Violation> in(double a, double b, int depth) {
+        if (unsearched_)
+            return std::nullopt;
+        if (budget_ <= 0 && a > from_ && next_ == Next::another) {
+            unsearched_ = a;
+            return std::nullopt;
+        }
+        sample(a, b);
+        if (a == from_)
+            if (Violation violation = atStart(); !violation.watches.empty()) {
+                const auto bump =
+                    depth < deepest ? endOfBump(violation.watches, a, b) : std::nullopt;
+                if (!bump)
+                    return violation;
+                const auto found = in(a, bump->time, depth + 1);
+                return found ? found : bump;
+            }
+        if (depth < deepest && budget_ > 0 && (!explained(a, b) || almostTouches())) {
+            const double middle = a + 0.5 * (b - a);
+            if (auto found = in(a, middle, depth + 1))
+                return found;
+            return in(middle, b, depth + 1);
+        }
+        if (auto found = refine(a, b))
+            return found;
+        return depth == deepest && care_ == Care::great ? atMinimum(a, b) : std::nullopt;
+    }
+
+private:
+    void sample(double a, double b) {
+        const auto& points = interpolationPoints();
+        --budget_;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            evaluate_(i + 1 == points.size() ? b : a + points[i] * (b - a), values_);
+            for (std::size_t k = 0; k < values_.size(); ++k)
+                samples_[k][i] = values_[k];
+        }
+    }
+
+    // At or below 0 at the start and below before it has ever been above.
+    static bool fallsFromStart(const Samples& samples) {
+        if (samples[0] > 0)
+            return false;
+        double largest = 0;
+        for (const double x : samples)
+            largest = std::max(largest, std::abs(x));
+        for (std::size_t i = 1; i < samples.size(); ++i) {
+            if (samples[i] > 0)
+                return false;
+            if (samples[i] < -1e-9 * largest)
+                return true;
+        }
+        return false;
+    }
+
+    // What starts at 0 may rise for less than the samples see before it falls: an expression that
+    // grazes its surface is passed there and back within a small part of a step. The end of such a
+    // rise, where each of these watches has one.
+    std::optional<Violation> endOfBump(const std::vector<std::size_t>& falling, double a,
+                                       double b) {
+        constexpr int halvings = 40;
+        constexpr double rounding = 1e-12;
+        Violation earliest{b, {}};
+        const std::vector<Samples> samples = samples_;
+        for (const std::size_t k : falling) {
+            double largest = 0;
+            for (const double x : samples[k])
+                largest = std::max(largest, std::abs(x));
+            const double high = a + interpolationPoints()[1] * (b - a);
+            double t = high;
+            bool isAbove = false;
+            for (int i = 0; i < halvings && !isAbove && t > a; ++i) {
+                t = a + 0.5 * (t - a);
+                isAbove = watch(k, t) > rounding * largest;
+            }
+            const auto root = isAbove ? between(k, t, high) : std::nullopt;
+            if (!root)
+                return std::nullopt;
+            if (*root < earliest.time)
+                earliest = {*root, {k}};
+        }
+        return earliest;
+    }
+
+    // Does a polynomial of degree 8 follow the watches here? Far above 0 it need not do so closely.
+    bool explained(double a, double b) {
+        std::vector<Coefficients> curves;
+        for (const Samples& samples : samples_)
+            curves.push_back(interpolate(samples));
+        for (const double point : checkPoints) {
+            evaluate_(a + point * (b - a), values_);
+            for (std::size_t k = 0; k < values_.size(); ++k) {
+                const auto [low, high] =
+                    std::minmax_element(samples_[k].begin(), samples_[k].end());
+                const double size = std::max(std::abs(*low), std::abs(*high));
+                const double wrong = std::abs(evaluate(curves[k], point) - values_[k]);
+                if (!(wrong <= std::max(1e-4 * size, 0.02 * *low)))
+                    return false;
+            }
+        }
+        return true;
+    }
+
+    // A minimum that lies on one of the samples is below 0 there by next to nothing.
+    bool isAboveOrTouches(const Samples& samples, double low, double high) const {
+        constexpr double nothing = 1e-9;
+        return low > 0 || (care_ == Care::great && samples[0] > 0 && low > -nothing * high);
+    }
+
+    // Above 0 at all samples, and its curve comes so near 0 between them that it may be below
+    // there.
+    bool almostTouches() const {
+        constexpr int looks = 40;
+        for (const Samples& samples : samples_) {
+            const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
+            if (!isAboveOrTouches(samples, *low, *high) || *low > 0.1 * *high)
+                continue;
+            const Coefficients curve = interpolate(samples);
+            for (int i = 1; i < looks; ++i)
+                if (const double value = evaluate(curve, static_cast<double>(i) / looks);
+                    value < 1e-3 * *high && (value > 0 || care_ == Care::great))
+                    return true;
+        }
+        return false;
+    }
+
+    // What touches 0, or nearly, in a piece as short as they get: at the minimum of its curve, or
+    // on the last sample.
+    std::optional<Violation> atMinimum(double a, double b) {
+        Violation earliest{b, {}};
+        const std::vector<Samples> samples = samples_;
+        for (std::size_t k = 0; k < samples.size(); ++k) {
+            const double minimum = a + minimumOf(interpolate(samples[k])) * (b - a);
+            for (const double end : {minimum, b}) {
+                const auto root = between(k, a, end);
+                if (root && *root < earliest.time)
+                    earliest = {*root, {k}};
+            }
+        }
+        if (earliest.watches.empty())
+            return std::nullopt;
+        return earliest;
+    }
+
+    // In 0 to 1, by golden sections.
+    static double minimumOf(const Coefficients& curve) {
+        constexpr double golden = 0.618033988749895;
+        double low = 0, high = 1;
+        for (int i = 0; i < 60; ++i) {
+            const double left = high - golden * (high - low), right = low + golden * (high - low);
+            if (evaluate(curve, left) < evaluate(curve, right))
+                high = right;
+            else
+                low = left;
+        }
+        return std::midpoint(low, high);
+    }
+
+    // The earliest root of any watch in this piece, on the watches themselves.
+    std::optional<Violation> refine(double a, double b) {
+        Violation earliest{b, {}};
+        const std::vector<Samples> samples = samples_; // bisection evaluates too
+        for (std::size_t k = 0; k < samples.size(); ++k) {
+            const auto time = firstRoot(k, samples[k], a, earliest.time, b - a);
+            if (!time)
+                continue;
+            if (*time < earliest.time)
+                earliest = {*time, {}};
+            earliest.watches.push_back(k);
+        }
+        if (earliest.watches.empty())
+            return std::nullopt;
+        return earliest;
+    }
+
+    std::optional<double> firstRoot(std::size_t k, const Samples& samples, double a, double b,
+                                    double length) {
+        const Coefficients curve = interpolate(samples);
+        double s = armedFrom(samples);
+        const double end = (b - a) / length;
+        while (s < end) {
+            const auto crossing = firstCrossing(curve, +1, s, end, 1e-7);
+            if (!crossing)
+                return between(k, a + s * length, b);
+            // The curve is good to 1e-4 of its size: look a little around it.
+            for (const double margin : {1e-7, 1e-5, 1e-3, 0.02}) {
+                const double low = a + std::max(s, crossing->low - margin) * length;
+                const double high = std::min(b, a + (crossing->high + margin) * length);
+                if (const auto root = between(k, low, high))
+                    return root;
+            }
+            s = crossing->high + 0.02; // a touch, or the curve's own error
+        }
+        return std::nullopt;
+    }
+
+    // To the last bit: above 0 at the double before the answer, and not at it.
+    std::optional<double> between(std::size_t k, double low, double high) {
+        if (!(watch(k, low) > 0 && watch(k, high) <= 0))
+            return std::nullopt;
+        for (;;) {
+            const double middle = low + 0.5 * (high - low);
+            if (middle <= low || middle >= high)
+                return high;
+            (watch(k, middle) > 0 ? low : high) = middle;
+        }
+    }
+
+    static double armedFrom(const Samples& samples) {
+        const auto& points = interpolationPoints();
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            if (samples[i] > 0)
+                return points[i];
+        return 1;
+    }
+
+    double watch(std::size_t k, double t) {
+        evaluate_(t, values_);
+        return values_[k];
+    }
+
+    Violation atStart() const {
+        Violation violation{from_, {}};
+        for (std::size_t k = 0; k < samples_.size(); ++k)
+            if (fallsFromStart(samples_[k]))
+                violation.watches.push_back(k);
+        return violation;
+    }
+
+    const Evaluate& evaluate_;
+    std::vector<double> values_;
+    std::vector<Samples> samples_;
+    double from_;
+    Next next_;
+    Care care_;
+    std::optional<double> unsearched_;
+    int budget_ = mostPieces;
+};
+
+} // namespace
+
+std::optional<Violation> firstViolation(std::size_t watches, const Evaluate& evaluate, double from,
+                                        double to, Care care) {
+    if (watches == 0 || !(to > from))
+        return std::nullopt;
+    for (int left = care == Care::great ? mostSearches : 1;; --left) {
+        Search search(watches, evaluate, from,
+                      left > 1 ? Search::Next::another : Search::Next::none, care);
+        if (auto found = search.in(from, to, 0))
+            return found;
+        if (!search.unsearchedFrom())
+            return std::nullopt;
+        from = *search.unsearchedFrom();
+    }
+}
+
+} // namespace solution

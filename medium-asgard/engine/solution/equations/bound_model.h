@@ -1,0 +1,31 @@
+// The equations of one component while no phase of its unknowns begins or ends: a model, and what
+// is the component's own, which is where its inputs come from and its constants.
+#pragma once
+
+#include "equations/component_model.h"
+#include "equations/partition.h"
+#include "expression/equations.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace solution {
+
+struct BoundModel {
+    std::shared_ptr<const ComponentModel> model; // none when there is a loop
+    // Places in the component's unknowns of the differential ones and of the held ones, in order
+    // of evaluation; and of held ones that are defined by each other.
+    std::vector<std::size_t> states, held, loop;
+    std::vector<std::size_t> inputs; // unknowns of other components, in the model's order
+    std::vector<double> constants;
+    bool canPeak = false; // peaks.h
+};
+
+// `phases[i]` is the phase of unknowns[i] that is in force; unknowns are in order. What stays 0 is
+// put in as a 0. Linear in the size of the component's expressions, whatever else the set has.
+[[nodiscard]] BoundModel boundModel(const expression::EquationSet& set, const UnknownIndex& index,
+                                    const ZeroStates& zero, std::span<const std::size_t> unknowns,
+                                    std::span<const std::size_t> phases, ComponentModels& models);
+
+} // namespace solution

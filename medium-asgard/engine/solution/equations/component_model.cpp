@@ -1,0 +1,389 @@
+#include "equations/component_model.h"
+
+#include "equations/peaks.h"
+#include "expression/operation.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <numbers>
+
+namespace solution {
+
+using expression::Graph;
+using expression::Node;
+using expression::Op;
+
+namespace {
+
+// atan2(y, x), which jumps by 2 pi where y passes 0 on the left: with switches there, and on each
+// branch an angle that goes on.
+Node angleOf(Graph& graph, Node y, Node x) {
+    const Node zero = graph.constant(0), quarter = graph.constant(std::numbers::pi / 2);
+    const Node left = graph.negate(x), down = graph.negate(y);
+    const Node above = graph.add(quarter, graph.apply(Op::atan2, left, y));
+    const Node below = graph.negate(graph.add(quarter, graph.apply(Op::atan2, left, down)));
+    const Node behind = graph.apply(Op::select, graph.apply(Op::less, y, zero), below, above);
+    const Node ahead = graph.apply(Op::atan2, y, x);
+    return graph.apply(Op::select, graph.apply(Op::less, x, zero), behind, ahead);
+}
+
+} // namespace
+
+ComponentModel::ComponentModel(Key key) : key_(std::move(key)) {
+    readKey();
+    findStructure();
+    function_ = expression::Function(expression::Tape(graph_, symbols_, outputs_));
+    if (dividesByLength(graph_))
+        findDirections();
+}
+
+void ComponentModel::readKey() {
+    std::size_t at = 0;
+    const auto next = [&] { return key_[at++]; };
+    states_ = next();
+    const std::size_t held = next();
+    for (std::size_t i = 0; i < states_; ++i)
+        if (next() != 0)
+            configuration_.push_back(i);
+    symbols_.push_back(graph_.symbol("t"));
+    for (std::size_t i = 0; i < states_; ++i)
+        symbols_.push_back(graph_.symbol("y" + std::to_string(i)));
+    std::vector<Node> constants, entries;
+    const auto moves = [&](Node a, Node b) {
+        return std::ranges::any_of(
+            expression::symbolsOf(graph_, std::array{a, b}),
+            [&](Node symbol) { return std::ranges::find(constants, symbol) == constants.end(); });
+    };
+    while (key_[at] != key::outputs) {
+        const std::uint32_t word = next();
+        if (word == key::time) {
+            entries.push_back(symbols_[0]);
+        } else if (word == key::state) {
+            entries.push_back(symbols_[1 + next()]);
+        } else if (word == key::input) {
+            symbols_.push_back(graph_.symbol("u" + std::to_string(inputs_++)));
+            entries.push_back(symbols_.back());
+        } else if (word == key::constant) {
+            constants.push_back(graph_.symbol("c" + std::to_string(constants.size())));
+            entries.push_back(constants.back());
+        } else if (static_cast<Op>(word) == Op::constant) {
+            const std::uint64_t low = next(), high = next();
+            entries.push_back(graph_.constant(std::bit_cast<double>(low | high << 32)));
+        } else {
+            const Op op = static_cast<Op>(word);
+            const int count = expression::argumentCount(op);
+            const Node a = entries[next()], b = count > 1 ? entries[next()] : Node{},
+                       c = count > 2 ? entries[next()] : Node{};
+            entries.push_back(op == Op::atan2 && moves(a, b) ? angleOf(graph_, a, b)
+                              : count == 1                   ? graph_.apply(op, a)
+                              : count == 2                   ? graph_.apply(op, a, b)
+                                                             : graph_.apply(op, a, b, c));
+        }
+    }
+    ++at;
+    for (std::size_t i = 0; i < states_ + held; ++i)
+        outputs_.push_back(entries[next()]);
+    symbols_.insert(symbols_.end(), constants.begin(), constants.end());
+    for (std::size_t i = 0; i < symbols_.size(); ++i)
+        places_.emplace(symbols_[i].index, i);
+}
+
+void ComponentModel::findStructure() {
+    const auto stateOf = [this](Node n) -> std::optional<std::size_t> {
+        const auto place = placeOf(n);
+        return place && *place >= 1 && *place <= states_ ? std::optional(*place - 1) : std::nullopt;
+    };
+    for (std::size_t x = 0; x < states_; ++x)
+        if (const auto v = stateOf(outputs_[x]))
+            integrals_.emplace_back(x, *v);
+    const std::vector<Node> read = expression::symbolsOf(graph_, outputs_);
+    readsStates_ = std::ranges::any_of(read, [&](Node n) { return stateOf(n).has_value(); });
+    canPeak_ =
+        solution::canPeak(graph_, outputs_, std::span(symbols_).subspan(variables()), attitudes());
+    if (canPeak_)
+        peaks_ = peaksAmong(outputs_);
+    surfaces_ = surfacesOf(graph_, outputs_);
+    readSurfaces_ = ReadSurfaces(graph_, outputs_, surfaces_);
+    if (canPeak_ && !surfaces_.empty()) {
+        std::vector<Node> guards;
+        std::ranges::transform(surfaces_, std::back_inserter(guards), &Surface::guard);
+        guardPeaks_ = peaksAmong(guards);
+    }
+    switches_ = switchesOf(graph_, outputs_);
+    gradients_.resize(surfaces_.size());
+    for (std::size_t s = 0; s < surfaces_.size(); ++s)
+        if (const auto state = stateOf(surfaces_[s].guard); state && !surfaces_[s].whole)
+            ownGuards_.emplace_back(s, *state);
+}
+
+ComponentModel::PeakFunctions ComponentModel::peaksAmong(std::span<const Node> nodes) const {
+    PeakFunctions found;
+    Graph graph = graph_;
+    std::vector<Node> symbols = symbols_;
+    std::vector<Moving> moving = {{symbols_[0], graph.constant(1)}};
+    for (std::size_t i = 1; i < variables(); ++i) {
+        moving.push_back({symbols_[i], graph.symbol("rate of " + graph.name(symbols_[i]))});
+        symbols.push_back(moving.back().rate);
+    }
+    const Peaks peaks =
+        peaksOf(graph, nodes, std::span(symbols_).subspan(variables()), attitudes(), moving);
+    std::vector<Node> causes, rates;
+    for (const Peaks::Cause& cause : peaks.causes) {
+        causes.push_back(cause.value);
+        rates.push_back(cause.rate);
+        found.ratios.push_back(cause.ratio);
+    }
+    causes.insert(causes.end(), rates.begin(), rates.end());
+    found.causes = expression::Function(expression::Tape(graph, symbols, causes));
+    found.heights = expression::Function(expression::Tape(graph, symbols_, peaks.heights));
+    found.arePolynomials = peaks.arePolynomials;
+    return found;
+}
+
+std::vector<Node> ComponentModel::attitudes() const {
+    std::vector<Node> attitudes;
+    for (const std::size_t state : configuration_)
+        if (std::ranges::find(integrals_, state, &std::pair<std::size_t, std::size_t>::first) ==
+            integrals_.end())
+            attitudes.push_back(symbols_[1 + state]);
+    return attitudes;
+}
+
+bool ComponentModel::canPeak(std::span<const double> values) const {
+    return canPeak_ && solution::canPeak(graph_, outputs_, std::span(symbols_).subspan(variables()),
+                                         attitudes(), values);
+}
+
+std::optional<std::size_t> ComponentModel::placeOf(Node symbol) const {
+    const auto found = places_.find(symbol.index);
+    return found == places_.end() ? std::nullopt : std::optional(found->second);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Derivatives
+
+const ComponentModel::Jacobian& ComponentModel::jacobian() const {
+    const std::scoped_lock lock(deriving_);
+    if (!jacobian_)
+        jacobian_ = derivedJacobian();
+    return *jacobian_;
+}
+
+std::unique_ptr<ComponentModel::Jacobian> ComponentModel::derivedJacobian() const {
+    auto jacobian = std::make_unique<Jacobian>();
+    Graph graph = graph_;
+    std::vector<std::vector<std::pair<int, Node>>> columns(states_);
+    const auto rows = expression::gradients(graph, std::span(outputs_).first(states_),
+                                            std::span(symbols_).subspan(1, states_));
+    for (std::size_t row = 0; row < states_; ++row)
+        for (const auto& [state, derivative] : rows[row])
+            columns[state].emplace_back(static_cast<int>(row), derivative);
+    Pattern& pattern = jacobian->pattern;
+    std::vector<Node> entries;
+    pattern.columnStarts.push_back(0);
+    for (const auto& column : columns) {
+        for (const auto& [row, node] : column) {
+            pattern.rows.push_back(row);
+            entries.push_back(node);
+        }
+        pattern.columnStarts.push_back(static_cast<int>(pattern.rows.size()));
+    }
+    jacobian->entries = derive(graph, entries);
+    return jacobian;
+}
+
+const ComponentModel::Gradient& ComponentModel::gradient(std::size_t surface) const {
+    const std::scoped_lock lock(deriving_);
+    std::unique_ptr<const Gradient>& place = gradients_[surface];
+    if (!place)
+        place = std::make_unique<Gradient>(gradientOf(surfaces_[surface].guard));
+    return *place;
+}
+
+ComponentModel::Gradient ComponentModel::gradientOf(Node node) const {
+    Gradient gradient;
+    Graph graph = graph_;
+    std::vector<Node> derivatives;
+    for (const Node symbol : std::span(symbols_).first(variables()))
+        derivatives.push_back(expression::differentiate(graph, node, symbol));
+    derivatives.push_back(node);
+    gradient.derivatives = derive(graph, derivatives);
+    const auto place = placeOf(node);
+    if (place && *place >= 1 && *place <= states_)
+        gradient.state = *place - 1;
+    return gradient;
+}
+
+// Its own switches are ours, or stand on the same surfaces as ours.
+// Nodes read the symbols and `more`.
+ComponentModel::Derived ComponentModel::derive(Graph& graph, std::span<const Node> nodes,
+                                               std::span<const Node> more) const {
+    Derived derived;
+    std::vector<Node> symbols = symbols_;
+    symbols.insert(symbols.end(), more.begin(), more.end());
+    derived.function = expression::Function(expression::Tape(graph, symbols, nodes));
+    for (const Node switching : switchesOf(graph, nodes)) {
+        Derived::Source source;
+        const auto same = std::ranges::lower_bound(switches_, switching);
+        const Op op = graph.op(switching);
+        if (same != switches_.end() && *same == switching) {
+            source.decision = static_cast<std::size_t>(same - switches_.begin());
+        } else if (op != Op::floor && op != Op::ceil) {
+            const Guard guard = guardOf(graph, switching);
+            source.orientation = guard.orientation;
+            for (std::size_t s = 0; s < surfaces_.size(); ++s)
+                if (!surfaces_[s].whole && surfaces_[s].guard == guard.node)
+                    source.surface = s;
+        }
+        derived.sources.push_back(source);
+    }
+    return derived;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Directions
+
+// Some state that its parts read has a rate that reads it: it can hold itself at 0.
+bool ComponentModel::actsOnItself(const Direction& direction) const {
+    std::vector<Node> parts;
+    for (const Direction::Part& part : direction.parts)
+        parts.push_back(part.node);
+    return std::ranges::any_of(expression::symbolsOf(graph_, parts), [&](Node symbol) {
+        const auto place = placeOf(symbol);
+        if (!place || *place < 1 || *place > states_)
+            return false;
+        const auto nodes = expression::reachable(graph_, std::span(&outputs_[*place - 1], 1));
+        return std::ranges::find(nodes, direction.length) != nodes.end();
+    });
+}
+
+// Two lengths of the same parts are one; parts that others have too are in none but the first.
+void ComponentModel::findDirections() {
+    Graph graph = graph_;
+    const auto isNumber = [&](Node n) {
+        const auto place = placeOf(n);
+        return graph.op(n) == Op::constant || (place && *place >= variables());
+    };
+    std::vector<Direction> found;
+    std::vector<std::pair<Node, std::size_t>> lengths; // and of which direction
+    for (const Node length : lengthsDividedBy(graph, outputs_)) {
+        const auto direction = directionOf(graph, length, isNumber);
+        if (!direction || !actsOnItself(*direction))
+            continue;
+        const auto has = [&](const Direction& other, bool all) {
+            const auto isIn = [&](const Direction::Part& part) {
+                return std::ranges::find(other.parts, part.node, &Direction::Part::node) !=
+                       other.parts.end();
+            };
+            return all ? std::ranges::all_of(direction->parts, isIn)
+                       : std::ranges::any_of(direction->parts, isIn);
+        };
+        const auto shares =
+            std::ranges::find_if(found, [&](const Direction& other) { return has(other, false); });
+        if (shares == found.end()) {
+            lengths.emplace_back(length, found.size());
+            found.push_back(*direction);
+        } else if (has(*shares, true) && shares->parts.size() == direction->parts.size()) {
+            lengths.emplace_back(length, static_cast<std::size_t>(shares - found.begin()));
+        }
+    }
+    if (!found.empty())
+        deriveDirections(graph, found, lengths);
+}
+
+void ComponentModel::deriveDirections(Graph& graph, const std::vector<Direction>& found,
+                                      const std::vector<std::pair<Node, std::size_t>>& lengths) {
+    std::vector<Node> parts, weights, symbols;
+    std::unordered_map<std::uint32_t, Node> replacements;
+    for (const Direction& direction : found) {
+        directions_.ranges.push_back({parts.size(), direction.parts.size()});
+        directions_.lengths.push_back(direction.length);
+        for (const Direction::Part& part : direction.parts) {
+            symbols.push_back(graph.symbol("a" + std::to_string(parts.size())));
+            parts.push_back(part.node);
+            weights.push_back(part.weight ? *part.weight : graph.constant(1));
+            directions_.gradients.push_back(gradientOf(part.node));
+            replacements.emplace(part.node.index, symbols.back());
+            if (graph.op(part.node) == Op::subtract) {
+                const std::vector<Node> terms(graph.arguments(part.node).begin(),
+                                              graph.arguments(part.node).end());
+                replacements.emplace(graph.subtract(terms[1], terms[0]).index,
+                                     graph.negate(symbols.back()));
+            }
+        }
+    }
+    directions_.parts = parts.size();
+    for (std::size_t d = 0; d < found.size(); ++d)
+        symbols.push_back(graph.symbol("l" + std::to_string(d)));
+    std::vector<Node> divided;
+    for (const auto& [length, direction] : lengths) {
+        divided.push_back(length);
+        replacements.emplace(length.index, symbols[parts.size() + direction]);
+    }
+    const std::vector<Node> outputs = withDirections(graph, outputs_, divided, replacements);
+    directions_.outputs = derive(graph, outputs, symbols);
+    std::vector<Node> measures = parts;
+    measures.insert(measures.end(), weights.begin(), weights.end());
+    measures.insert(measures.end(), directions_.lengths.begin(), directions_.lengths.end());
+    directions_.measures = derive(graph, measures);
+}
+
+std::string ComponentModel::print() const {
+    std::string text;
+    for (std::size_t i = 0; i < outputs_.size(); ++i)
+        text += (i < states_ ? "y" + std::to_string(i) + "' = "
+                             : "h" + std::to_string(i - states_) + " = ") +
+                expression::print(graph_, outputs_[i]) + "\n";
+    return text;
+}
+
+std::string ComponentModel::printJacobian() const {
+    Graph graph = graph_;
+    const auto rows = expression::gradients(graph, std::span(outputs_).first(states_),
+                                            std::span(symbols_).subspan(1, states_));
+    std::string text;
+    for (std::size_t row = 0; row < states_; ++row)
+        for (const auto& [state, derivative] : rows[row])
+            text += "dy" + std::to_string(row) + "'/dy" + std::to_string(state) + " = " +
+                    expression::print(graph, derivative) + "\n";
+    return text;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Models by content
+
+std::size_t ComponentModels::Hash::operator()(const ComponentModel::Key& key) const {
+    std::uint64_t hash = key.size();
+    for (const std::uint32_t word : key)
+        hash = (hash ^ word) * 0x9e3779b97f4a7c15u + (hash >> 29);
+    return hash;
+}
+
+std::shared_ptr<const ComponentModel> ComponentModels::of(const ComponentModel::Key& key) {
+    const std::scoped_lock lock(mutex_);
+    auto& model = models_[key];
+    if (!model) {
+        model = std::make_shared<const ComponentModel>(key);
+        ++made_;
+    }
+    return model;
+}
+
+std::size_t ComponentModels::size() const {
+    const std::scoped_lock lock(mutex_);
+    return models_.size();
+}
+
+std::size_t ComponentModels::made() const {
+    const std::scoped_lock lock(mutex_);
+    return made_;
+}
+
+void ComponentModels::forgetUnused() {
+    const std::scoped_lock lock(mutex_);
+    std::erase_if(models_, [](const auto& entry) { return entry.second.use_count() == 1; });
+}
+
+} // namespace solution

@@ -1,0 +1,182 @@
+// The equations of a component, without names and numbers: f of y' = f(t, y), h of held values,
+// their switches and derivatives.
+//
+// A thousand alike pendulums are one model with a thousand sets of constants. A model is made from
+// its key and nothing else: the code of its expressions over places,
+//
+//     time, states y0 y1 ..., inputs u0 u1 ... (unknowns of other components), constants c0 c1 ...
+//
+// so that models are found again by content, in other components, in another run, after an edit.
+// Constants that shape expressions (0, 1, -1 and exponents) are part of the key; equal constants of
+// a component are one place. Terms of constants alone are computed when the constants are bound.
+//
+// A model never changes once it is made; what is derived when first asked for is guarded, so that
+// any thread may ask.
+#pragma once
+
+#include "equations/directions.h"
+#include "equations/surfaces.h"
+#include "expression/function.h"
+#include "integrators/pattern.h"
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace solution {
+
+class ComponentModel {
+public:
+    using Key = std::vector<std::uint32_t>;
+    explicit ComponentModel(Key key);
+
+    [[nodiscard]] const Key& key() const { return key_; }
+    [[nodiscard]] std::size_t states() const { return states_; }
+    [[nodiscard]] std::size_t held() const { return outputs_.size() - states_; }
+    [[nodiscard]] std::size_t inputs() const { return inputs_; }
+    [[nodiscard]] std::size_t constants() const { return symbols_.size() - variables(); }
+    // Time, states and inputs: the symbols that stand before the constants.
+    [[nodiscard]] std::size_t variables() const { return 1 + states_ + inputs_; }
+
+    [[nodiscard]] const expression::Graph& graph() const { return graph_; }
+    [[nodiscard]] const std::vector<expression::Node>& symbols() const { return symbols_; }
+    // Rates of states, then held values: what function() evaluates from symbols().
+    [[nodiscard]] const std::vector<expression::Node>& outputs() const { return outputs_; }
+    [[nodiscard]] const expression::Function& function() const { return function_; }
+    [[nodiscard]] std::optional<std::size_t> placeOf(expression::Node symbol) const;
+    [[nodiscard]] bool readsStates() const { return readsStates_; } // other than in guards
+    // peaks.h: with these constants.
+    [[nodiscard]] bool canPeak(std::span<const double> values) const;
+    // Where it can peak (peaks.h): values of causes, then their rates, from symbols() and the
+    // rates of states and inputs; and what peaks there, from symbols().
+    struct PeakFunctions {
+        expression::Function causes, heights;
+        std::vector<double> ratios;
+        bool arePolynomials = true;
+    };
+    [[nodiscard]] const PeakFunctions& peaks() const { return peaks_; }
+    // Those of the guards alone: what switches for a moment.
+    [[nodiscard]] const PeakFunctions& guardPeaks() const { return guardPeaks_; }
+
+    // Pairs of states (x, v) with x' = v, and the states that are positions or attitudes.
+    [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& integrals() const {
+        return integrals_;
+    }
+    [[nodiscard]] const std::vector<std::size_t>& configuration() const { return configuration_; }
+
+    [[nodiscard]] const std::vector<expression::Node>& switches() const { return switches_; }
+    [[nodiscard]] const std::vector<Surface>& surfaces() const { return surfaces_; }
+    // Which of these the outputs read, on given branches.
+    [[nodiscard]] const ReadSurfaces& readSurfaces() const { return readSurfaces_; }
+    // Pairs of a surface and the state that is its guard.
+    [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& ownGuards() const {
+        return ownGuards_;
+    }
+
+    // Derived expressions; their switches are those of the equations, or stand on their surfaces.
+    struct Derived {
+        expression::Function function;
+        struct Source { // of each of its decisions
+            std::optional<std::size_t> decision, surface;
+            int orientation = 1;
+        };
+        std::vector<Source> sources;
+    };
+    struct Jacobian {
+        Pattern pattern;
+        Derived entries;
+    };
+    [[nodiscard]] const Jacobian& jacobian() const;
+    struct Gradient {
+        Derived derivatives;              // dg/dt, dg/dy, dg/dinputs; then g
+        std::optional<std::size_t> state; // g is this state itself
+    };
+    [[nodiscard]] const Gradient& gradient(std::size_t surface) const;
+
+    // Unit vectors a/|a| (directions.h) that act on what a is made of: friction in a plane, as a
+    // rule. Their parts a_k are numbered through, one direction after the other.
+    struct Directions {
+        struct Range {
+            std::size_t first, count; // of its parts
+        };
+        std::vector<Range> ranges;
+        std::vector<expression::Node> lengths; // |a|, of each
+        std::size_t parts = 0;
+        Derived measures; // parts, then the weights of their squares, then lengths
+        // Outputs with symbols in place of parts, and then of lengths, where these are divided by.
+        // The symbols stand behind all others.
+        Derived outputs;
+        std::vector<Gradient> gradients; // of each part
+    };
+    [[nodiscard]] const Directions& directions() const { return directions_; }
+
+    // The equations as text, one per line: y0' = ..., then held values h0 = ...
+    [[nodiscard]] std::string print() const;
+    // The entries of the Jacobian that are not 0, one per line: dy0'/dy1 = ...
+    [[nodiscard]] std::string printJacobian() const;
+
+private:
+    void readKey();
+    void findStructure();
+    [[nodiscard]] PeakFunctions peaksAmong(std::span<const expression::Node> nodes) const;
+    [[nodiscard]] std::vector<expression::Node> attitudes() const;
+    [[nodiscard]] std::unique_ptr<Jacobian> derivedJacobian() const;
+    [[nodiscard]] Gradient gradientOf(expression::Node node) const;
+    [[nodiscard]] Derived derive(expression::Graph& graph, std::span<const expression::Node> nodes,
+                                 std::span<const expression::Node> more = {}) const;
+    void findDirections();
+    void deriveDirections(expression::Graph& graph, const std::vector<Direction>& found,
+                          const std::vector<std::pair<expression::Node, std::size_t>>& lengths);
+    [[nodiscard]] bool actsOnItself(const Direction& direction) const;
+
+    Key key_;
+    expression::Graph graph_; // of the outputs and guards alone; derivatives go into copies
+    std::size_t states_ = 0, inputs_ = 0;
+    std::vector<expression::Node> symbols_, outputs_;
+    std::unordered_map<std::uint32_t, std::size_t> places_; // of symbols
+    expression::Function function_;
+    bool readsStates_ = false, canPeak_ = false;
+    std::vector<std::pair<std::size_t, std::size_t>> integrals_, ownGuards_;
+    std::vector<std::size_t> configuration_;
+    std::vector<expression::Node> switches_;
+    std::vector<Surface> surfaces_;
+    ReadSurfaces readSurfaces_;
+    Directions directions_;
+    PeakFunctions peaks_, guardPeaks_;
+
+    mutable std::mutex deriving_;
+    mutable std::unique_ptr<const Jacobian> jacobian_;
+    mutable std::vector<std::unique_ptr<const Gradient>> gradients_;
+};
+
+// Models by content. Any thread may ask; two that ask for the same get the same.
+class ComponentModels {
+public:
+    [[nodiscard]] std::shared_ptr<const ComponentModel> of(const ComponentModel::Key& key);
+    [[nodiscard]] std::size_t size() const;
+    [[nodiscard]] std::size_t made() const; // since the start, those that were forgotten too
+    void forgetUnused();
+
+private:
+    struct Hash {
+        std::size_t operator()(const ComponentModel::Key& key) const;
+    };
+    mutable std::mutex mutex_;
+    std::unordered_map<ComponentModel::Key, std::shared_ptr<const ComponentModel>, Hash> models_;
+    std::size_t made_ = 0;
+};
+
+// Words of a key: counts of states and of held values, 1 or 0 for each state (configuration or
+// not), then entries, then the entries that are outputs. An entry is an operation with the entries
+// that are its arguments, a literal (Op::constant and the two halves of its bits), or a leaf.
+namespace key {
+inline constexpr std::uint32_t time = 0x100, state = 0x101, input = 0x102, constant = 0x103,
+                               outputs = 0x104;
+} // namespace key
+
+} // namespace solution

@@ -1,0 +1,289 @@
+#include "equations/partition.h"
+
+#include "equations/directions.h"
+
+#include "expression/operation.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace solution {
+
+namespace {
+
+using expression::Node;
+
+std::vector<Node> nodesAfter(const expression::Unknown& unknown, double from) {
+    std::vector<Node> nodes;
+    for (std::size_t i = 0; i < unknown.phases.size(); ++i) {
+        const expression::Phase& phase = unknown.phases[i];
+        const bool over = i + 1 < unknown.phases.size() && unknown.phases[i + 1].from <= from;
+        if (over)
+            continue;
+        if (phase.given)
+            nodes.push_back(*phase.given);
+        else
+            nodes.push_back(phase.derivative);
+        if (phase.jump)
+            nodes.push_back(*phase.jump);
+    }
+    return nodes;
+}
+
+bool hasSwitch(const expression::Graph& graph) {
+    for (std::uint32_t n = 0; n < graph.size(); ++n)
+        if (expression::isSwitch(graph.op(Node{n})))
+            return true;
+    return false;
+}
+
+// What a switch compares, the same for all that have the same surface (surfaces.h), whichever way
+// round they write it.
+using Compared = std::pair<Node, Node>;
+constexpr Node nothing{std::numeric_limits<std::uint32_t>::max()};
+
+Compared comparedBy(const expression::Graph& graph, Node switching) {
+    const auto arguments = graph.arguments(switching);
+    Compared pair{arguments[0], arguments.size() == 2 ? arguments[1] : nothing};
+    const auto isZero = [&graph](Node n) {
+        return n != nothing && graph.op(n) == expression::Op::constant && graph.value(n) == 0;
+    };
+    if (isZero(pair.first))
+        std::swap(pair.first, pair.second);
+    if (isZero(pair.second))
+        pair.second = nothing;
+    while (pair.second == nothing && graph.op(pair.first) == expression::Op::negate)
+        pair.first = graph.arguments(pair.first)[0];
+    if (pair.second == nothing && graph.op(pair.first) == expression::Op::subtract)
+        pair = {graph.arguments(pair.first)[0], graph.arguments(pair.first)[1]};
+    if (pair.second != nothing && pair.second < pair.first)
+        std::swap(pair.first, pair.second);
+    return pair;
+}
+
+// Places of those whose rates have a switch, by what it compares.
+std::map<Compared, std::vector<std::size_t>> sharersOf(const expression::EquationSet& equations,
+                                                       std::span<const std::size_t> unknowns,
+                                                       double from, const ZeroStates& zero) {
+    std::map<Compared, std::vector<std::size_t>> sharers;
+    for (std::size_t place = 0; place < unknowns.size(); ++place) {
+        if (zero.contains(unknowns[place]))
+            continue;
+        const std::vector<Node> nodes = nodesAfter(equations.unknowns[unknowns[place]], from);
+        for (const Node n : expression::reachable(equations.graph, nodes)) {
+            const expression::Op op = equations.graph.op(n);
+            if (!expression::isSwitch(op) || op == expression::Op::floor ||
+                op == expression::Op::ceil)
+                continue;
+            std::vector<std::size_t>& places = sharers[comparedBy(equations.graph, n)];
+            if (places.empty() || places.back() != place)
+                places.push_back(place);
+        }
+        for (const Node length : lengthsDividedBy(equations.graph, nodes)) // friction in a plane
+            sharers[{length, nothing}].push_back(place);
+    }
+    return sharers;
+}
+
+} // namespace
+
+UnknownIndex::UnknownIndex(const expression::EquationSet& set) {
+    for (std::size_t i = 0; i < set.unknowns.size(); ++i) {
+        const std::uint32_t symbol = set.unknowns[i].symbol.index;
+        if (symbol >= bySymbol_.size())
+            bySymbol_.resize(symbol + 1, none);
+        if (bySymbol_[symbol] == none)
+            bySymbol_[symbol] = static_cast<std::uint32_t>(i);
+    }
+    quaternions_.resize(set.unknowns.size(), none);
+    for (std::size_t q = 0; q < set.quaternions.size(); ++q)
+        for (const std::size_t i : set.quaternions[q])
+            quaternions_[i] = static_cast<std::uint32_t>(q);
+}
+
+Reads readsOf(const expression::EquationSet& equations, double from, const ZeroStates& zero) {
+    return readsOf(equations, UnknownIndex(equations), from, zero);
+}
+
+std::vector<std::size_t> readsOf(const expression::EquationSet& equations,
+                                 const UnknownIndex& index, std::size_t unknown, double from,
+                                 const ZeroStates& zero) {
+    std::vector<std::size_t> reads;
+    const std::vector<Node> nodes = nodesAfter(equations.unknowns[unknown], from);
+    for (const Node symbol : zero.symbolsLeft(equations.graph, nodes))
+        if (const auto read = index.of(symbol))
+            reads.push_back(*read);
+    if (const auto four = index.quaternionOf(unknown))
+        std::ranges::copy_if(equations.quaternions[*four], std::back_inserter(reads),
+                             [&](std::size_t i) { return !zero.contains(i); });
+    std::ranges::sort(reads);
+    reads.erase(std::unique(reads.begin(), reads.end()), reads.end());
+    return reads;
+}
+
+Reads readsOf(const expression::EquationSet& equations, const UnknownIndex& index, double from,
+              const ZeroStates& zero) {
+    Reads reads(equations.unknowns.size());
+    for (std::size_t i = 0; i < reads.size(); ++i)
+        if (!zero.contains(i))
+            reads[i] = readsOf(equations, index, i, from, zero);
+    if (hasSwitch(equations.graph) || dividesByLength(equations.graph)) {
+        std::vector<std::size_t> all(reads.size());
+        std::iota(all.begin(), all.end(), 0);
+        addSharedSwitches(equations, index, all, from, zero, reads);
+    }
+    return reads;
+}
+
+void addSharedSwitches(const expression::EquationSet& equations, const UnknownIndex& index,
+                       std::span<const std::size_t> unknowns, double from, const ZeroStates& zero,
+                       Reads& reads) {
+    for (const auto& [compared, places] : sharersOf(equations, unknowns, from, zero)) {
+        if (places.size() < 2)
+            continue;
+        std::vector<Node> guard{compared.first};
+        if (compared.second != nothing)
+            guard.push_back(compared.second);
+        for (const Node symbol : zero.symbolsLeft(equations.graph, guard)) {
+            const auto moved = index.of(symbol);
+            const auto isMoved = [&](std::size_t p) { return moved && unknowns[p] == *moved; };
+            const auto place = std::ranges::find_if(places, isMoved);
+            if (place == places.end())
+                continue;
+            std::vector<std::size_t>& list = reads[*place];
+            list.insert(list.end(), places.begin(), places.end());
+            std::ranges::sort(list);
+            list.erase(std::unique(list.begin(), list.end()), list.end());
+        }
+    }
+}
+
+namespace {
+
+void connect(Partition& partition, const Reads& reads) {
+    partition.componentOf.assign(reads.size(), noComponent);
+    for (std::size_t c = 0; c < partition.components.size(); ++c)
+        for (const std::size_t i : partition.components[c])
+            partition.componentOf[i] = c;
+    partition.reads.resize(partition.components.size());
+    for (std::size_t c = 0; c < partition.components.size(); ++c) {
+        std::vector<std::size_t>& list = partition.reads[c];
+        for (const std::size_t i : partition.components[c])
+            for (const std::size_t j : reads[i])
+                if (partition.componentOf[j] != c)
+                    list.push_back(partition.componentOf[j]);
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+    }
+}
+
+} // namespace
+
+std::vector<bool> unreadBy(const std::vector<std::size_t>& asked, const Reads& reads) {
+    std::vector<bool> unread(reads.size(), true);
+    std::vector<std::size_t> open = asked;
+    while (!open.empty()) {
+        const std::size_t u = open.back();
+        open.pop_back();
+        if (!unread[u])
+            continue;
+        unread[u] = false;
+        open.insert(open.end(), reads[u].begin(), reads[u].end());
+    }
+    return unread;
+}
+
+namespace {
+
+// Tarjan's strongly connected components, without recursion. Arcs are followed from an equation to
+// what it reads, so that a component closes after its inputs.
+class StrongComponents {
+public:
+    explicit StrongComponents(const Reads& reads)
+        : reads_(reads), number_(reads.size(), unseen), low_(reads.size(), 0),
+          onStack_(reads.size(), false) {}
+
+    // Adds those that are reached from here and were not seen before.
+    void visit(std::size_t start, std::vector<std::vector<std::size_t>>& components) {
+        if (number_[start] == unseen)
+            enter(start);
+        while (!visits_.empty()) {
+            Visit& last = visits_.back();
+            if (last.arc < reads_[last.node].size())
+                look(last.node, reads_[last.node][last.arc++]);
+            else
+                leave(components);
+        }
+    }
+
+private:
+    static constexpr std::size_t unseen = std::numeric_limits<std::size_t>::max();
+    struct Visit {
+        std::size_t node, arc;
+    };
+
+    void enter(std::size_t v) {
+        number_[v] = low_[v] = count_++;
+        stack_.push_back(v);
+        onStack_[v] = true;
+        visits_.push_back({v, 0});
+    }
+    void look(std::size_t from, std::size_t to) {
+        if (number_[to] == unseen)
+            enter(to);
+        else if (onStack_[to])
+            low_[from] = std::min(low_[from], number_[to]);
+    }
+    void leave(std::vector<std::vector<std::size_t>>& components) {
+        const std::size_t v = visits_.back().node;
+        visits_.pop_back();
+        if (!visits_.empty())
+            low_[visits_.back().node] = std::min(low_[visits_.back().node], low_[v]);
+        if (low_[v] == number_[v])
+            components.push_back(closed(v));
+    }
+    std::vector<std::size_t> closed(std::size_t root) {
+        std::vector<std::size_t> component;
+        do {
+            component.push_back(stack_.back());
+            onStack_[stack_.back()] = false;
+            stack_.pop_back();
+        } while (component.back() != root);
+        std::sort(component.begin(), component.end());
+        return component;
+    }
+
+    const Reads& reads_;
+    std::vector<std::size_t> number_, low_, stack_;
+    std::vector<bool> onStack_;
+    std::vector<Visit> visits_;
+    std::size_t count_ = 0;
+};
+
+} // namespace
+
+Partition partitionOf(const Reads& reads, const std::vector<bool>& leftOut) {
+    Partition partition;
+    StrongComponents search(reads);
+    for (std::size_t start = 0; start < reads.size(); ++start)
+        if (leftOut.empty() || !leftOut[start])
+            search.visit(start, partition.components);
+    connect(partition, reads);
+    return partition;
+}
+
+Partition wholePartition(const Reads& reads) {
+    Partition partition;
+    if (!reads.empty()) {
+        partition.components.emplace_back(reads.size());
+        for (std::size_t i = 0; i < reads.size(); ++i)
+            partition.components[0][i] = i;
+    }
+    connect(partition, reads);
+    return partition;
+}
+
+} // namespace solution

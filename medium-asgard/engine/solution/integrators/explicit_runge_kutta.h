@@ -1,0 +1,109 @@
+// Explicit Runge-Kutta methods, from tables.
+//
+//   k_i = f(t + c_i h, y + h sum_j a_ij k_j)       y1 = y + h sum_i b_i k_i
+//
+// Stages after the first `stages` belong to dense output alone and are computed only for accepted
+// steps; stage number `stages` is f(t + h, y1), the first of the next step. Error estimates are
+// sums of k_i; with two of them (Hairer's 853) the estimate is e1^2 / sqrt(e1^2 + 0.01 e2^2).
+// Dense output: y(s) = y + h sum_i B_i(s) k_i. Where it needs stages of its own, they are computed
+// only for steps whose ends, with the start of the step before, do not say enough.
+//
+// Without an estimate of its own a method needs StepDoubling. Step control: PI (exponents 0.7/p and
+// 0.4/p), factors 1/5 to 6. Stiffness: |lambda| = |k_a - k_b| / |Y_a - Y_b| of the last two stages
+// at t + h. Sources: Dormand and Prince 1980; Hairer, Norsett, Wanner, Solving ODEs I, II.5, II.6,
+// IV.2.
+#pragma once
+
+#include "dense/dense_output.h"
+#include "dense/weighted_sum.h"
+#include "integrators/direct_step.h"
+#include "integrators/method.h"
+
+namespace solution {
+
+struct Tableau {
+    const char* name;
+    std::size_t order = 0;
+    std::size_t stages = 0;                  // that make y1; stage `stages` is f at the end
+    std::vector<double> c = {};              // of all stages
+    std::vector<std::vector<double>> a = {}; // rows of all stages; row `stages` is b
+    std::vector<double> error = {}, secondError = {}; // sums of k_0..k_{stages}; may be empty
+    std::vector<std::vector<double>> dense = {};      // [stage][power - 1]: B_i(s) = sum B_ip s^p
+    std::size_t stiffStage = 0;                       // compared with the stage at the end
+    double stabilityLimit = 0;                        // on the negative real axis
+    std::vector<std::size_t> checkStages = {};        // that show how good the ends' polynomial is
+
+    // The same without zeros, made by finished().
+    std::vector<Terms> rows = {};
+    Terms errorTerms = {}, secondErrorTerms = {};
+    std::vector<Terms> denseTerms = {};        // by power - 1
+    std::vector<std::size_t> denseStages = {}; // that any of them has
+};
+
+[[nodiscard]] Tableau finished(Tableau table);
+
+// Of what a step may err by, what the polynomials between its ends may; more of it where the guess
+// is some ten times too large.
+struct BetweenEnds {
+    static constexpr double allowed = 0.5, allowedSpeed = 1, pessimism = 8;
+    // Of what a velocity may err by, what it may move by to be its position's derivative: then
+    // history keeps one of them.
+    static constexpr double ownEnd = 0.1;
+};
+
+// Null for a name that is not in the tables: dop853, dopri5, tsit5, gbs, rk4, forward-euler.
+[[nodiscard]] const Tableau* tableauNamed(const std::string& name);
+
+class ExplicitRungeKutta final : public Method {
+public:
+    ExplicitRungeKutta(const Tableau& tableau, System& system, ErrorControl& control, bool fixed);
+
+    [[nodiscard]] const Tableau& tableau() const { return tableau_; }
+    [[nodiscard]] const char* name() const override { return tableau_.name; }
+    [[nodiscard]] std::size_t order() const override { return tableau_.order; }
+    [[nodiscard]] bool implicit() const override { return false; }
+    [[nodiscard]] bool begin(double t, std::span<const double> y) override;
+    [[nodiscard]] Attempt attempt(double h) override;
+    void dense(std::span<Coefficients> columns) override;
+    [[nodiscard]] bool proceed(std::span<const double> y) override;
+    [[nodiscard]] double stabilityUsed() const override { return stabilityUsed_; }
+
+private:
+    friend class AlikeSteps; // which makes its steps beside those of others
+    // All stages of a step; of so many unknowns, or of any number (0).
+    template <std::size_t Size> [[nodiscard]] bool makeStages();
+    template <std::size_t Size> [[nodiscard]] bool stage(std::size_t i, double* at);
+    void finishStages(std::size_t size);
+    [[nodiscard]] std::optional<bool> makeDirectly(DirectStep::Make make);
+    [[nodiscard]] bool makeAllStages();
+    [[nodiscard]] bool makeStagesBeyond();
+    using Stages = bool (ExplicitRungeKutta::*)();
+    [[nodiscard]] static Stages stagesFor(std::size_t size);
+    [[nodiscard]] double* slopesOf(std::size_t stage) { return k_.data() + stage * size_; }
+    [[nodiscard]] StepEnds ends();
+    [[nodiscard]] bool endsSuffice(std::span<const Coefficients> columns);
+    [[nodiscard]] bool correct(std::span<Coefficients> columns);
+    [[nodiscard]] bool extend(std::span<Coefficients> columns);
+    [[nodiscard]] double errorNorm();
+    [[nodiscard]] Attempt judge(double error);
+    void estimateStiffness();
+
+    const Tableau& tableau_;
+    std::size_t size_;
+    Stages stages_;         // makeStages() for this size
+    DirectStep direct_;     // the same, where rates are machine code
+    std::vector<double> k_; // slopes of all stages, one after the other
+    std::vector<double> at_, stiffAt_, sum_;
+    std::vector<double> lost_, lostNext_; // to rounding, by the state at the start and at the end
+    std::vector<double> error_, secondError_;
+    std::vector<std::size_t>
+        unpaired_; // neither positions nor velocities of which the other is known
+    std::vector<double> before_, beforeSlope_; // at the start of the step before
+    std::vector<Correction> corrections_;
+    double beforeStep_ = 0;        // its length; 0: none
+    double previousLogarithm_ = 0; // of the error before
+    bool afterRejection_ = false;
+    double stabilityUsed_ = 0;
+};
+
+} // namespace solution
