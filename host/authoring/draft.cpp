@@ -133,8 +133,11 @@ Piece& Draft::openRest(Piece& whole, NodeId before, NodeId child) {
 }
 
 bool Draft::isInside(NodeId node) const {
-    while (node != noNode && node != root_->start)
+    while (node != noNode && node != root_->start) {
+        if (tree_.node(node).kind == sgml::NodeKind::document)
+            return false; // a document within this one is its medium's
         node = tree_.node(node).parent;
+    }
     return node != noNode;
 }
 

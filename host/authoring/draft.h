@@ -99,7 +99,7 @@ public:
     [[nodiscard]] bool isLineBlank(Piece& at, Direction direction);
     // The element piece of a node; opens what holds it.
     Piece& opened(sgml::NodeId element);
-    // Is the node within the draft's class element?
+    // Is the node within the draft's class element, and within no document in it?
     [[nodiscard]] bool isInside(sgml::NodeId node) const;
     // Takes every rest among the element's children apart.
     void openChildren(Piece& element);

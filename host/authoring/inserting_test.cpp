@@ -65,6 +65,17 @@ TEST(Inserting, AFigureGoesWithItsCaptionAndAloneWhereItIsNotAlone) {
     EXPECT_EQ(memo("<P>" + scene + "</P>\n<P>{a|}</P>", removed), "<P>{|}</P>\n<P>{a}</P>");
 }
 
+TEST(Inserting, WhatLiesInADocumentOfAMediumIsNotRemoved) {
+    const Command removed =
+        onElement("IMAGE", false, [](const Manuscript& manuscript, sgml::NodeId element) {
+            return removeElement(manuscript, element, "Delete Figure");
+        });
+    EXPECT_EQ(memo("<P>{a|}</P>\n<DOCUMENT>\nDOCUMENT ANIMATION\n<ANIMATION><IMAGE></IMAGE>"
+                   "</ANIMATION>\n</DOCUMENT>",
+                   removed),
+              "refused: What was to be changed is not there any more.");
+}
+
 TEST(Inserting, WhatIsPastedHasIdsOfItsOwnThatItsReferencesFollow) {
     const auto pasted = [](const std::string& fragment) {
         return [fragment](const Manuscript& manuscript, Selection selection) {
