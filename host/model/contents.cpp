@@ -1,5 +1,6 @@
 #include "model/contents.h"
 
+#include "model/empty_places.h"
 #include "model/same_blocks.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ struct Listed {
 std::vector<Listed> headingsOf(const Model& model) {
     std::vector<Listed> found;
     for (const auto& block : model.blocks)
-        if (block->headingLevel > 0)
+        if (block->headingLevel > 0 && !isWithoutText(*block))
             found.push_back({block.get(), block->headingLevel});
     return found;
 }
@@ -45,7 +46,7 @@ std::vector<Listed> captionsOf(const Model& model, ContainerRole role) {
             return one->role == ContainerRole::figure || one->role == ContainerRole::table;
         });
         if (container.role == ContainerRole::caption && outer != around.rend() &&
-            (*outer)->role == role)
+            (*outer)->role == role && !isWithoutText(*model.blocks[container.first]))
             found.push_back({model.blocks[container.first].get(), 1});
         around.push_back(&container);
     }

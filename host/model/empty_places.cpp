@@ -8,12 +8,6 @@ namespace model {
 
 namespace {
 
-bool hasNoText(const Block& block) {
-    return block.kind == BlockKind::text && std::ranges::all_of(block.runs, [](const Run& run) {
-               return run.kind == RunKind::text && run.text.empty();
-           });
-}
-
 // Such as the word "Abstract" before what is one.
 bool isGenerated(const Block& block) {
     return block.kind == BlockKind::text && !block.runs.empty() &&
@@ -24,7 +18,13 @@ bool isGenerated(const Block& block) {
 
 } // namespace
 
-bool isEmptyPlace(const Block& block) { return !block.style.hint.empty() && hasNoText(block); }
+bool isWithoutText(const Block& block) {
+    return block.kind == BlockKind::text && std::ranges::all_of(block.runs, [](const Run& run) {
+               return run.kind == RunKind::text && run.text.empty();
+           });
+}
+
+bool isEmptyPlace(const Block& block) { return !block.style.hint.empty() && isWithoutText(block); }
 
 std::shared_ptr<const Model> withoutEmptyPlaces(const Model& whole) {
     Blocks shown = whole.blocks;

@@ -5,6 +5,8 @@
 
 namespace model {
 
+// A block of text without a letter.
+[[nodiscard]] bool isWithoutText(const Block& block);
 // A view in which one writes shows the hint there.
 [[nodiscard]] bool isEmptyPlace(const Block& block);
 // As paper shows it: without them, and without what has nothing but them and generated words. Null:

@@ -54,5 +54,27 @@ TEST(EmptyPlacesTest, AMemoLosesItsEmptyHeadAndAFilledOneIsItself) {
     EXPECT_EQ(withoutEmptyPlaces(filled), nullptr);
 }
 
+// On the screen as on paper; what is said of it there by its ID is said by the ID itself.
+TEST(EmptyPlacesTest, ASectionCountsFromTheFirstLetterOfItsHeadingOn) {
+    const Model model =
+        formOf("REPORT", "<CONTENTS></CONTENTS><SECTION ID=\"a\"><HEADING><TEXT>{}</TEXT></HEADING>"
+                         "<SECTION><HEADING>{Within}</HEADING></SECTION></SECTION>"
+                         "<SECTION><HEADING>{Behind}</HEADING>"
+                         "<SECTION><HEADING>{}</HEADING></SECTION>"
+                         "<SECTION><HEADING><FORMULA>{x}</FORMULA></HEADING></SECTION></SECTION>"
+                         "<PARAGRAPH><REF TO=\"a\"></REF></PARAGRAPH>"
+                         "<FIGURE><VERBATIM>{v}</VERBATIM><CAPTION>{}</CAPTION></FIGURE>"
+                         "<CONTENTS OF=\"figures\"></CONTENTS>");
+    EXPECT_THAT(shownLines(model),
+                ElementsAre("Contents", "There is no heading yet.", "", "1  Within", "2  Behind",
+                            "", "2.1  x", "a", "v", "Figure 1:", "Figures",
+                            "There is no figure with a caption yet."));
+    std::vector<std::string> listed;
+    for (const auto& block : model.blocks)
+        for (const auto& entry : block->entries)
+            listed.push_back(entry->runs.front().text);
+    EXPECT_THAT(listed, ElementsAre("1  Within", "2  Behind", "2.1  x"));
+}
+
 } // namespace
 } // namespace model

@@ -228,6 +228,30 @@ TEST(ModelFollow, ContentsFollowTheirHeadingsAndCaptions) {
     EXPECT_EQ(entries(0), "1  New|02  One|02.1  xTwo|1");
 }
 
+// A section before it that is entered by a checkpoint already counts from then on, too.
+TEST(ModelFollow, AHeadingThatGetsItsFirstLetterBeginsToCount) {
+    Followed followed(
+        "DOCUMENT REPORT\n<REPORT><SECTION><HEADING>{}</HEADING><SECTION><HEADING>{}"
+        "</HEADING><PARAGRAPH>{a}</PARAGRAPH></SECTION></SECTION><SECTION><HEADING>{b}"
+        "</HEADING></SECTION></REPORT>",
+        "", 1);
+    const auto type = [&](std::size_t at, std::string_view text, std::size_t erased) {
+        (void)followed.document.edit({{{at, at + erased}, std::string(text)}}, "Edit");
+        return followed.difference();
+    };
+    const auto lastMarker = [&] { return followed.builder.model()->blocks.back()->marker; };
+    const std::size_t first = followed.document.bytes().find("{}") + 1;
+    const std::size_t second = followed.document.bytes().find("{}", first) + 1;
+    EXPECT_EQ(lastMarker(), "1  ");
+    EXPECT_EQ(type(second, "x", 0), "");
+    EXPECT_EQ(lastMarker(), "2  ");
+    EXPECT_EQ(type(first, "y", 0), "");
+    EXPECT_EQ(lastMarker(), "2  ");
+    EXPECT_EQ(followed.builder.model()->blocks[1]->marker, "1.1  ");
+    EXPECT_EQ(type(second + 1, "", 1), "");
+    EXPECT_EQ(followed.builder.model()->blocks[1]->marker, "");
+}
+
 // The numbers of all sections behind it change, and what refers to these wherever it stands.
 TEST(ModelFollow, AHeadingNumbersWhatFollowsAndNothingElse) {
     const ModelBuilder::Work work =

@@ -46,7 +46,7 @@ bool ModelWalk::stillHolds(const Checkpoint& checkpoint) const {
     const auto holds = [this](const Frame& frame) {
         if (frame.nested)
             return presentationOf(frame.node) == frame.presentation;
-        if (frame.placement != placementIn(frame))
+        if (frame.placement != placementIn(frame) || frame.isUncounted != waitsForHeading(frame))
             return false;
         return frame.style.display != schemas::Display::unknown || !tree_.isElement(frame.node) ||
                frame.holdsElements == (tree_.childElement(frame.node) != noNode);
@@ -233,16 +233,56 @@ void ModelWalk::leave() {
 
 // --- numbers and names ----------------------------------------------------------------------
 
+// A line with nothing in it but empty words. LIMIT: what has many parts counts as more than that.
+bool ModelWalk::isWithoutText(NodeId line, const Frame& frame) const {
+    constexpr std::size_t most = 40;
+    std::vector<std::string_view> names; // of elements in it
+    std::size_t parts = 0;
+    for (NodeId id = tree_.node(line).firstChild; id != noNode;) {
+        const sgml::Node& node = tree_.node(id);
+        const bool isContent = node.kind == NodeKind::content;
+        if (++parts > most ||
+            (isContent ? !tree_.unescaped(id).text().empty() : !tree_.isElement(id)))
+            return false;
+        if (!isContent)
+            names.push_back(tree_.name(id));
+        NodeId next = node.firstChild != noNode ? node.firstChild : node.next;
+        for (NodeId up = id; next == noNode && tree_.node(up).parent != line;) {
+            up = tree_.node(up).parent;
+            next = tree_.node(up).next;
+        }
+        id = next;
+    }
+    return std::ranges::all_of(names, [&](std::string_view name) {
+        return frame.presentation->styleNamed(name).display == schemas::Display::inlined;
+    });
+}
+
+// A section counts from the first letter of its heading on. Until then, sections in it count as
+// those of the section around it do.
+bool ModelWalk::waitsForHeading(const Frame& section) const {
+    if (section.style.role != schemas::ContainerRole::section || section.style.counter.empty())
+        return false;
+    const NodeId first = tree_.childElement(section.node);
+    return first != noNode && isWithoutText(first, section) &&
+           section.presentation->styleNamed(tree_.name(first)).role ==
+               schemas::ContainerRole::heading;
+}
+
 void ModelWalk::beginNumbering(Frame& frame) {
     const schemas::ElementStyle& style = frame.style;
-    if (!style.counter.empty()) {
+    frame.isUncounted = waitsForHeading(frame);
+    if (frame.isUncounted) {
+        frame.reference.clear();
+    } else if (!style.counter.empty()) {
         frame.path = state_.counters.step(style.counter);
         const std::string& pattern = style.reference.empty() ? style.number : style.reference;
         frame.reference = withoutPunctuation(numbered(pattern, frame.path));
     }
     for (const std::string& counter : style.restart)
         state_.counters.restart(counter);
-    frame.marker = style.number.empty() ? style.marker : numbered(style.number, frame.path);
+    const bool isNumbered = !style.number.empty() && !state_.frames.back().isUncounted;
+    frame.marker = isNumbered ? numbered(style.number, frame.path) : style.marker;
     const std::string id =
         tree_.isElement(frame.node) ? attribute(frame.node, "ID") : std::string{};
     if (id.empty())
@@ -255,7 +295,7 @@ void ModelWalk::beginNumbering(Frame& frame) {
 void ModelWalk::endNumbering(const Frame& frame) {
     for (const std::string& counter : frame.style.restart)
         state_.counters.leaveRestart(counter);
-    if (!frame.style.counter.empty())
+    if (!frame.style.counter.empty() && !frame.isUncounted)
         state_.counters.leaveStep(frame.style.counter);
 }
 

@@ -67,6 +67,7 @@ public:
         bool filled = false;                     // it has a block in its flow
         bool nested = false;                     // a nested document of text
         bool holdsElements = false;              // asked of an unknown one
+        bool isUncounted = false;                // a section whose heading waits for text
         document::Placement placement{};         // of a figure: its subdocument's
         std::array<int, 8> levels{};             // of each ContainerRole, here
         std::size_t together = none;             // the first block of what is kept together here
@@ -151,6 +152,8 @@ private:
     void pop();
 
     // numbers and names
+    [[nodiscard]] bool waitsForHeading(const Frame& section) const;
+    [[nodiscard]] bool isWithoutText(sgml::NodeId line, const Frame& frame) const;
     void beginNumbering(Frame& frame);
     void endNumbering(const Frame& frame);
 
