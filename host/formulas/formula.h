@@ -50,6 +50,7 @@ enum class Kind {
     space,     // `amount` em
     style,     // for the rest of its list
     phantom,   // the room of the child: `code` is b(oth), h(orizontal), v(ertical)
+    room,      // the first child, at the right end of the width of the second where that is wider
 };
 
 enum class Style { display, text, script, scriptscript };
@@ -115,10 +116,12 @@ struct Formula {
 };
 
 // The source of a formula that stands for a value, "" for its expression. It is shown as faulty
-// where there is no number.
+// where there is no number, and takes as much width as `room` at least, "": as it is.
 struct SuppliedValue {
-    std::string source;
+    std::string source{};
     bool isFaulty = false;
+    std::string room{};
+    bool operator==(const SuppliedValue&) const = default;
 };
 using ValueSupply = std::function<SuppliedValue(const ValueCall&)>;
 

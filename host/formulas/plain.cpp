@@ -236,6 +236,7 @@ void Writer::node(NodeId id) {
         append(text_, node.code);
         break;
     case Kind::stretch:
+    case Kind::room:
         this->node(node.children.front());
         break;
     case Kind::arrow:

@@ -92,6 +92,7 @@ private:
     NodeId accent(const Token& token);
     NodeId value(const Token& token);
     NodeId grafted(const SuppliedValue& supplied, const Token& from);
+    NodeId grafted(const std::string& source, bool isFaulty, const Token& from);
     NodeId environment(const Token& token);
     NodeId array(const Token& token, ArrayForm form, std::string columns);
     void skipRowSpace();

@@ -50,7 +50,17 @@ NodeId Reader::value(const Token& token) {
 
 // The number is one sign of the formula: no line ends in it.
 NodeId Reader::grafted(const SuppliedValue& supplied, const Token& from) {
-    const Formula part = read(std::string_view(supplied.source).substr(0, longestValue));
+    const NodeId number = grafted(supplied.source, supplied.isFaulty, from);
+    if (supplied.room.empty())
+        return number;
+    const NodeId room = grafted(supplied.room, false, from);
+    const NodeId id = add(Kind::room, from);
+    formula_.nodes[id].children = {number, room};
+    return id;
+}
+
+NodeId Reader::grafted(const std::string& source, bool isFaulty, const Token& from) {
+    const Formula part = read(std::string_view(source).substr(0, longestValue));
     const auto first = static_cast<NodeId>(formula_.nodes.size());
     const auto moved = [first](NodeId id) { return id == none ? none : id + first; };
     for (const Node& node : part.nodes) {
@@ -58,7 +68,7 @@ NodeId Reader::grafted(const SuppliedValue& supplied, const Token& from) {
         Node& made = formula_.nodes.back();
         made.offset = from.offset;
         made.end = from.end();
-        made.faulty = made.faulty || supplied.isFaulty;
+        made.faulty = made.faulty || isFaulty;
         for (NodeId& child : made.children)
             child = moved(child);
     }

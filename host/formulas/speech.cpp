@@ -273,6 +273,7 @@ void Speaker::node(NodeId id) {
         say(node.code == 0x305 ? "bar" : "underlined");
         break;
     case Kind::stretch:
+    case Kind::room:
         this->node(node.children.front());
         break;
     case Kind::arrow: {

@@ -168,6 +168,8 @@ Box Typesetter::node(NodeId id, Setting setting) {
         return array(node, setting);
     case Kind::phantom:
         return phantom(node, setting);
+    case Kind::room:
+        return inRoom(node, setting);
     case Kind::space:
     case Kind::style:
         break;
@@ -259,6 +261,15 @@ Box Typesetter::phantom(const Node& node, Setting setting) {
         box.ascent = box.descent = 0;
     if (node.code == U'v')
         box.width = 0;
+    return box;
+}
+
+Box Typesetter::inRoom(const Node& node, Setting setting) {
+    const Box number = this->node(node.children[0], setting);
+    const double width = std::max(number.width, this->node(node.children[1], setting).width);
+    Box box;
+    box.put(number, width - number.width, 0);
+    box.width = width;
     return box;
 }
 

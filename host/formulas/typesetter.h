@@ -58,6 +58,7 @@ private:
     [[nodiscard]] Box delimiter(char32_t code, double atLeast, Setting setting);
     [[nodiscard]] Box array(const Node& node, Setting setting);
     [[nodiscard]] Box phantom(const Node& node, Setting setting);
+    [[nodiscard]] Box inRoom(const Node& node, Setting setting);
     [[nodiscard]] Box glyphBox(GlyphId glyph, double size) const;
     [[nodiscard]] Box grownBox(const Grown& grown, bool vertical, double size) const;
     void centre(Box& box, Setting setting) const; // about the axis

@@ -29,6 +29,12 @@ double freeBefore(schemas::Align align, double free) {
     }
 }
 
+// A number that plays counts as the widest so far.
+QString measuredText(const model::Run& run) {
+    const bool hasRoom = run.value && !run.value->room.empty();
+    return QString::fromStdString(hasRoom ? run.value->room : run.text);
+}
+
 // The number that a block is, and how wide it is on both sides of its point.
 void measureNumber(Looks& looks, const model::Block& block, Measured& measured) {
     std::size_t length = 0;
@@ -38,7 +44,7 @@ void measureNumber(Looks& looks, const model::Block& block, Measured& measured) 
         return;
     QString text;
     for (const model::Run& run : block.runs)
-        text += QString::fromStdString(run.text);
+        text += measuredText(run);
     measured.isNoNumber = typography::isNoNumber(text);
     const QString language =
         block.runs.empty() ? QString()
@@ -49,7 +55,7 @@ void measureNumber(Looks& looks, const model::Block& block, Measured& measured) 
     NumberWidths widths;
     qsizetype left = *point;
     for (const model::Run& run : block.runs) {
-        const QString part = QString::fromStdString(run.text);
+        const QString part = measuredText(run);
         const QFontMetricsF metrics(looks.font(run.style));
         const qsizetype before = std::clamp<qsizetype>(left, 0, part.size());
         widths.before += metrics.horizontalAdvance(part.first(before));

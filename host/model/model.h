@@ -50,18 +50,19 @@ struct ValueLooks {
 
 // A value of a subdocument, in the line.
 struct Value {
-    document::ValueUse use;
-    ValueLooks looks;
+    document::ValueUse use{};
+    ValueLooks looks{};
+    std::string room{}; // while it plays: the widest number so far, each digit a 0; "": it does not
     bool operator==(const Value&) const = default;
 };
 
 struct Formula {
     std::string source; // TeX's mathematics
     formulas::Formula read;
-    std::string spoken;                // for who hears it
-    bool isAlone = false;              // set as a display
-    ValueLooks looks{};                // of its values
-    std::vector<std::string> values{}; // of its calls, as they were supplied
+    std::string spoken;                            // for who hears it
+    bool isAlone = false;                          // set as a display
+    ValueLooks looks{};                            // of its values
+    std::vector<formulas::SuppliedValue> values{}; // of its calls
 };
 
 // An image's file, and how its author wants it.

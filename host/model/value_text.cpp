@@ -20,7 +20,6 @@ using document::ValueUse;
 constexpr std::string_view minus = "\u2212", waiting = "\u2026";
 constexpr int leastPower = -4; // of ten: what is smaller, or larger than its digits, has a power
 constexpr int mostWhole = 15;  // digits before the point
-constexpr std::size_t mostRoom = 12; // letters that a number keeps while it plays
 
 // A number in parts: "-", "4.20" with a point, and the power of ten.
 struct Parts {
@@ -89,9 +88,31 @@ std::string raised(int power) {
     return text;
 }
 
-std::size_t letters(std::string_view text) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(text, [](char c) { return !text::isContinuation(c); }));
+// A number of the same look: one that takes as much width, or more.
+std::string shapeOf(std::string_view number) {
+    std::string shape(number);
+    std::ranges::replace_if(
+        shape, [](char c) { return c >= '1' && c <= '9'; }, '0');
+    return shape;
+}
+
+// Of numbers without knowing their font: a point is narrower than a digit, any other sign (a minus,
+// the cross before a power of ten) wider.
+int roughWidth(std::string_view number) {
+    constexpr int digit = 4, point = 2, other = 5;
+    int width = 0;
+    for (const char c : number)
+        width += c >= '0' && c <= '9'      ? digit
+                 : c == '.' || c == ','    ? point
+                 : text::isContinuation(c) ? 0
+                                           : other;
+    return width;
+}
+
+// The room of a number that plays, where `before` was its room or what stood there.
+std::string roomFor(const std::string& before, const std::string& number) {
+    std::string room = shapeOf(number);
+    return roughWidth(before) >= roughWidth(room) ? before : room;
 }
 
 // The text of a number that stood there; else "".
@@ -119,11 +140,17 @@ std::optional<Run> valueNow(const Run& run, const ValueSource* source) {
     else
         made.text = now.fault.empty() && source != nullptr ? std::string(waiting)
                                                            : "[" + value.use.expression + "]";
-    if (now.moves && now.number)
-        for (std::size_t room = std::min(letters(numberIn(run)), mostRoom);
-             room > letters(made.text);)
-            made.text.insert(0, figureSpace);
-    if (made.text == run.text && made.style == run.style)
+    std::string room;
+    if (now.moves && now.number && now.fault.empty()) {
+        room = roomFor(value.room.empty() ? shapeOf(numberIn(run)) : value.room, made.text);
+        made.text.insert(0, figureSpace);
+    }
+    if (room != value.room) {
+        auto roomy = std::make_shared<Value>(value);
+        roomy->room = std::move(room);
+        made.value = std::move(roomy);
+    }
+    if (made.text == run.text && made.style == run.style && made.value == run.value)
         return std::nullopt;
     return made;
 }
@@ -134,28 +161,30 @@ ValueUse useOf(const formulas::ValueCall& call) {
 
 std::optional<Run> formulaNow(const Run& run, const ValueSource* source) {
     const Formula& was = *run.formula;
-    std::vector<std::string> values;
+    std::vector<formulas::SuppliedValue> values;
     bool isOutdated = false;
-    const auto supply = [&](const formulas::ValueCall& call) {
+    for (const formulas::ValueCall& call : was.read.values) {
         const ValueUse use = useOf(call);
         const ValueNow now = nowOf(use, source);
-        formulas::SuppliedValue supplied{.source = {}, .isFaulty = !now.fault.empty()};
-        if (now.number && now.fault.empty())
+        formulas::SuppliedValue supplied{.isFaulty = !now.fault.empty()};
+        if (now.number && now.fault.empty()) {
             supplied.source = asFormula(*now.number, use.digits, was.looks.language);
-        else if (now.fault.empty() && source != nullptr)
+            const bool isFirst = values.size() >= was.values.size();
+            if (now.moves)
+                supplied.room = roomFor(isFirst ? std::string() : was.values[values.size()].room,
+                                        supplied.source);
+        } else if (now.fault.empty() && source != nullptr) {
             supplied.source = "\\ldots ";
+        }
         isOutdated = isOutdated || now.isOutdated;
-        values.push_back(supplied.isFaulty ? "faulty" : supplied.source);
-        return supplied;
-    };
-    for (const formulas::ValueCall& call : was.read.values)
-        (void)supply(call);
+        values.push_back(std::move(supplied));
+    }
     const std::uint32_t style = isOutdated ? was.looks.outdated : was.looks.usual;
     if (values == was.values && style == run.style)
         return std::nullopt;
     auto formula = std::make_shared<Formula>(was);
-    values.clear();
-    formula->read = formulas::read(was.source, supply);
+    formula->read = formulas::read(
+        was.source, [&, next = std::size_t{0}](const auto&) mutable { return values[next++]; });
     formula->spoken = formulas::spoken(formula->read);
     formula->values = std::move(values);
     Run made = run;

@@ -2,8 +2,9 @@
 // model they stand.
 //
 // A number is written by the language of its text: its point, and how a power of ten is said. While
-// its time plays it keeps the room of the longest that stood there, so that what is behind it does
-// not move to and fro: figure spaces in front of it, which no text that leaves the pages has.
+// its time plays it keeps the room of the widest that stood there (Value::room), so that what is
+// behind it does not move to and fro: a figure space in front of it, which no text that leaves the
+// pages has, takes what is left of the room. In a formula a supplied value has its room.
 #pragma once
 
 #include "model/model.h"

@@ -134,15 +134,36 @@ TEST_F(ValuesInModelTest, WhatHasNoValueIsMarkedAndSoIsWhatIsOutOfDate) {
 TEST_F(ValuesInModelTest, WhileItPlaysANumberKeepsItsRoom) {
     values_.now = {{"ball.t", {.number = -12.5, .moves = true}}};
     built(landing);
-    EXPECT_EQ(runOf(0, 1).text, "\u221212.50");
+    EXPECT_EQ(runOf(0, 1).text, "\u2007\u221212.50");
+    EXPECT_EQ(runOf(0, 1).value->room, "\u221200.00");
     values_.now["ball.t"].number = 7;
     EXPECT_EQ(following(), 1u);
-    EXPECT_EQ(runOf(0, 1).text, "\u2007\u20077.00");
+    EXPECT_EQ(runOf(0, 1).text, "\u20077.00");
+    EXPECT_EQ(runOf(0, 1).value->room, "\u221200.00");
     EXPECT_EQ(plainText(runOf(0, 1)), "7.00");
     EXPECT_THAT(text(), HasSubstr("at 7.00 s"));
     values_.now["ball.t"].moves = false; // at rest it is set as it is
     EXPECT_EQ(following(), 1u);
     EXPECT_EQ(runOf(0, 1).text, "7.00");
+    EXPECT_EQ(runOf(0, 1).value->room, "");
+}
+
+TEST_F(ValuesInModelTest, WhileItPlaysANumberInAFormulaKeepsItsRoom) {
+    values_.now = {{"ball.E", {.number = -9.5, .moves = true}}};
+    built(landing);
+    const auto room = [this] { return runOf(2, 1).formula->values.front().room; };
+    EXPECT_EQ(room(), "-0.0");
+    values_.now["ball.E"].number = 10.5; // a digit more, but no minus sign
+    EXPECT_EQ(following(), 1u);
+    EXPECT_EQ(room(), "-0.0");
+    EXPECT_THAT(text(), HasSubstr("E = 10.5"));
+    EXPECT_EQ(runOf(2, 1).formula->spoken, "E equals 10.5");
+    values_.now["ball.E"].number = -10.5;
+    EXPECT_EQ(following(), 1u);
+    EXPECT_EQ(room(), "-00.0");
+    values_.now["ball.E"].moves = false;
+    EXPECT_EQ(following(), 1u);
+    EXPECT_EQ(room(), "");
 }
 
 TEST_F(ValuesInModelTest, ValuesInTablesFootnotesAndHeadingsFollow) {

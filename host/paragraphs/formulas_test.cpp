@@ -47,6 +47,33 @@ TEST_F(FormulasInLinesTest, StandOnTheBaseLineBetweenTheWords) {
     EXPECT_EQ(of->lines()[0].height, laid(paragraph("As, so."))->lines()[0].height);
 }
 
+// Neither a digit of another width nor one more or less moves the words behind a number that plays.
+TEST_F(FormulasInLinesTest, ANumberThatPlaysKeepsItsRoomInTextAndInAFormula) {
+    const auto endOfText = [this](const std::string& number) {
+        NewBlock block = paragraph("At ");
+        model::Run& run = block->runs.emplace_back();
+        run.kind = model::RunKind::value;
+        run.text = "\u2007" + number;
+        run.value = std::make_shared<model::Value>(model::Value{.room = "\u22120.00"});
+        block->runs.emplace_back().text = " s, so.";
+        const auto of = laid(block);
+        return of->leftOf(0, of->startOfRun(2) + 1);
+    };
+    const double wide = endOfText("\u22124.00");
+    for (const char* number : {"4.44", "1.11", "\u22121.11", "\u22129.99"})
+        EXPECT_NEAR(endOfText(number), wide, 1) << number; // of 1/20 point
+    const auto widthOf = [](const std::string& number, const std::string& room) {
+        const auto supply = [&](const formulas::ValueCall&) {
+            return formulas::SuppliedValue{.source = number, .room = room};
+        };
+        return formulas::typeset(formulas::read("E = \\value{a}{E}", supply), formulas::Style::text,
+                                 200, *formulas::Font::standard())
+            .width;
+    };
+    EXPECT_NEAR(widthOf("1.0", "-0.0"), widthOf("-0.0", ""), 1e-6);
+    EXPECT_NEAR(widthOf("100.0", "-0.0"), widthOf("100.0", ""), 1e-6); // none is torn
+}
+
 TEST_F(FormulasInLinesTest, AloneInACellHaveTheBaseLineOfAWord) {
     auto block = std::make_shared<model::Block>();
     block->runs.push_back(formulaRun("r"));

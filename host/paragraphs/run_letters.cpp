@@ -1,8 +1,10 @@
 #include "paragraphs/run_letters.h"
 
+#include "model/value_text.h"
 #include "paragraphs/measure.h"
 #include "text/characters.h"
 
+#include <QFontMetricsF>
 #include <algorithm>
 
 namespace paragraphs {
@@ -121,6 +123,8 @@ void RunLetters::append(std::size_t index) const {
     letters_->runStarts.push_back(start);
     if (run.kind == model::RunKind::subdocument || run.picture)
         appendBlank(noBreak, sizeOfObject(index, start).width(), run.style);
+    else if (run.value && !run.value->room.empty())
+        appendNumber(run);
     else
         appendText(run);
     if (run.kind == model::RunKind::footnote && index >= runsRead_ && run.footnote)
@@ -150,6 +154,32 @@ void RunLetters::appendText(const model::Run& run) const {
                                     .style = run.style,
                                     .blank = isVerbatim ? 0 : materials_->looks.blank(run.style)});
     letters_->lastStyle = run.style;
+}
+
+namespace {
+
+// As if each digit were the widest one of the font.
+double widthOfRoom(const std::string& room, const QFont& font) {
+    const QFontMetricsF metrics(font);
+    const double zero = metrics.horizontalAdvance(QLatin1Char('0'));
+    double widest = zero;
+    for (char digit = '1'; digit <= '9'; ++digit)
+        widest = std::max(widest, metrics.horizontalAdvance(QLatin1Char(digit)));
+    return metrics.horizontalAdvance(QString::fromStdString(room)) +
+           static_cast<double>(std::ranges::count(room, '0')) * (widest - zero);
+}
+
+} // namespace
+
+// The figure space before a number that plays is as wide as what is left of its room.
+void RunLetters::appendNumber(const model::Run& run) const {
+    model::Run number = run;
+    number.text.erase(0, model::figureSpace.size());
+    const QFont font = materials_->looks.font(run.style);
+    const double left = widthOfRoom(run.value->room, font) -
+                        QFontMetricsF(font).horizontalAdvance(QString::fromStdString(number.text));
+    appendBlank(noBreak, left, run.style);
+    appendText(number);
 }
 
 // A sign of that width, which does not stretch.

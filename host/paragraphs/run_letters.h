@@ -88,6 +88,7 @@ private:
     void begin() const;
     void append(std::size_t index) const;
     void appendText(const model::Run& run) const;
+    void appendNumber(const model::Run& run) const;
     void appendFormula(std::size_t index) const;
     LetterRange& appendBlank(QChar sign, double width, std::uint32_t style) const;
     [[nodiscard]] const InlineObject& objectAt(int position) const; // that was read before
