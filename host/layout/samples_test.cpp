@@ -124,6 +124,29 @@ private:
     std::mt19937 random_;
 };
 
+// As the words of a paragraph are, in the document's language; those of a header stay whole.
+TEST(TablesOfWordsTest, CellsOfANarrowColumnAreHyphenatedAndItsHeaderIsNot) {
+    for (const std::string className : {"CMEMO", "REPORT"}) {
+        const std::string cell =
+            "<CELL>{It is an extraordinary thing}</CELL><CELL>{x}</CELL></ROW>";
+        const Pages pages =
+            pagesOf("DOCUMENT " + className + "\n<" + className +
+                        "><BODY><TABLE WIDTHS=\"27mm auto\"><ROW KIND=\"header\">" + cell +
+                        "<ROW>" + cell + "</TABLE></BODY></" + className + ">",
+                    "default");
+        std::array<int, 2> hyphens{};
+        const Paragraph* first = nullptr;
+        for (const Piece& piece : pages.pages.front()->pieces)
+            if (const auto* text = std::get_if<TextPiece>(&piece);
+                text != nullptr && text->paragraph->text(0, 6) == "It is ") {
+                first = first == nullptr ? text->paragraph.get() : first;
+                hyphens.at(text->paragraph.get() == first ? 0 : 1) += text->letters().hyphen;
+            }
+        EXPECT_EQ(hyphens[0], 0) << className;
+        EXPECT_GT(hyphens[1], 0) << className;
+    }
+}
+
 bool isOfNumber(QChar sign) { return sign.isDigit() || QStringView(u".,-+e").contains(sign); }
 
 // Neither a digit is torn off its number nor a group of digits or a unit.
