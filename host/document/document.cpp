@@ -177,6 +177,7 @@ void Document::play(Change& change, Direction direction, const QString& label) {
 
 // --- undo -----------------------------------------------------------------------------------
 
+QString Document::lastGroup() const { return canUndo() ? steps_[done_ - 1].note.group : QString(); }
 QString Document::undoLabel() const { return canUndo() ? steps_[done_ - 1].note.label : QString(); }
 QString Document::redoLabel() const { return canRedo() ? steps_[done_].note.label : QString(); }
 

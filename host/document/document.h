@@ -55,6 +55,7 @@ public:
     [[nodiscard]] SubdocumentId subdocumentOf(sgml::NodeId documentElement) const;
     [[nodiscard]] SubdocumentId subdocumentNamed(const std::string& name) const;
     [[nodiscard]] std::string text(SubdocumentId id) const; // unescaped
+    [[nodiscard]] bool isBlank(SubdocumentId id) const;     // it has a text, of blanks alone
     // The place in the file of a place in a subdocument's text, escapes counted.
     [[nodiscard]] text::Position filePosition(SubdocumentId id, text::Position inText) const;
     // The bytes of the file at many places, in any order: reads the text once. Those of a text that
@@ -78,6 +79,7 @@ public:
     [[nodiscard]] bool canUndo() const { return done_ > 0; }
     [[nodiscard]] bool canRedo() const { return done_ < steps_.size(); }
     [[nodiscard]] std::size_t steps() const { return done_; } // that can be undone
+    [[nodiscard]] QString lastGroup() const; // EditNote::group of the step that undo() takes back
     [[nodiscard]] QString undoLabel() const;
     [[nodiscard]] QString redoLabel() const;
     void undo();

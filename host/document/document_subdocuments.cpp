@@ -60,6 +60,13 @@ std::string Document::text(SubdocumentId id) const {
                                                         : tree_.unescaped(found->content).text();
 }
 
+bool Document::isBlank(SubdocumentId id) const {
+    const Subdocument* found = subdocument(id);
+    return found != nullptr && found->content != noNode &&
+           tree_.text(tree_.contentRange(found->content)).find_first_not_of(" \t\r\n") ==
+               std::string_view::npos;
+}
+
 text::Position Document::filePosition(SubdocumentId id, text::Position inText) const {
     return subdocument(id) == nullptr ? text::Position{}
                                       : tree_.position(fileOffsets(id, {inText}).front());

@@ -25,6 +25,9 @@ FigureMenu::FigureMenu(view::DocumentView& view, QWidget* parent)
         addTo(*this, "figureHint", tr("Click a figure, or write in its caption, first"), {}, {});
     hint_->setEnabled(false);
     const auto written = [this] { return whyNotWritten(); };
+    add(
+        "figureEdit", tr("&Edit"), [this] { return whyNotEdited(); }, [this] { edit(); });
+    addSeparator();
     addAlignment(Placement::left, "figureLeft", tr("Align &Left"));
     addAlignment(Placement::center, "figureCenter", tr("Align &Centre"));
     addAlignment(Placement::right, "figureRight", tr("Align &Right"));
@@ -178,6 +181,13 @@ QString FigureMenu::whyNotWritten() const {
     return why;
 }
 
+QString FigureMenu::whyNotEdited() const {
+    QString why = whyNotWritten();
+    if (why.isEmpty() && (!live() || manifest()->newEditor.isEmpty()))
+        return tr("Its medium has no window in which it is built.");
+    return why;
+}
+
 QString FigureMenu::whyNoMoment() const {
     QString why = whyNotWritten();
     if (!why.isEmpty())
@@ -195,6 +205,25 @@ QString FigureMenu::whyNoText() const {
 }
 
 // --- what is done ------------------------------------------------------------------------------
+
+// Where its entry leads to: one process is enough.
+void openEditor(view::DocumentView& view, document::SubdocumentId id) {
+    const document::Subdocument* of = view.document().document().subdocument(id);
+    media::LiveSubdocument* live = view.document().live(id);
+    const media::Manifest* manifest =
+        live ? view.document().media().registry().forClass(QString::fromStdString(of->className))
+             : nullptr;
+    if (!manifest || manifest->newEditor.isEmpty())
+        return;
+    live->setMode(media::Mode::edit);
+    live->invoke(manifest->newEditor, view.rendition(id));
+}
+
+void FigureMenu::edit() {
+    const document::SubdocumentId edited = id();
+    view_.choose(edited);
+    openEditor(view_, edited);
+}
 
 void FigureMenu::setAttributes(const authoring::Attributes& attributes, const QString& label) {
     const sgml::NodeId element = figure()->classElement;

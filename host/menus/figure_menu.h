@@ -17,6 +17,9 @@ class DocumentView;
 
 namespace menus {
 
+// The window of its medium in which a figure is built, where there is one.
+void openEditor(view::DocumentView& view, document::SubdocumentId id);
+
 class FigureMenu : public QMenu {
     Q_OBJECT
 
@@ -42,10 +45,12 @@ private:
     [[nodiscard]] media::LiveSubdocument* live() const;
     [[nodiscard]] QString whyNotChosen() const;
     [[nodiscard]] QString whyNotWritten() const;
+    [[nodiscard]] QString whyNotEdited() const;
     [[nodiscard]] QString whyNoMoment() const;
     [[nodiscard]] QString whyNoText() const;
     void setAttributes(const authoring::Attributes& attributes, const QString& label);
     void addAlignment(document::Placement placement, const QString& name, const QString& text);
+    void edit();
     void askForSize();
     void askForAlternative();
     void takeMoment();

@@ -1,5 +1,6 @@
 #include "menus/medium_menu.h"
 
+#include "menus/figure_menu.h"
 #include "menus/gallery_dialog.h"
 #include "menus/medium_files.h"
 #include "plain/plain.h"
@@ -63,11 +64,8 @@ void MediumMenu::insert(const std::string& text, const authoring::Attributes& mo
         view().choose(id);
         view().scrollTo(id);
         view().setFocus();
-        media::LiveSubdocument* live = open.live(id);
-        if (!live || then == Then::show || manifest_.newEditor.isEmpty())
-            return;
-        live->setMode(media::Mode::edit); // where the entry leads to: one process is enough
-        live->invoke(manifest_.newEditor, view().rendition(id));
+        if (then == Then::edit)
+            openEditor(view(), id);
         return;
     }
 }

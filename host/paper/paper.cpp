@@ -102,15 +102,22 @@ QFont boxFont(bool bold) {
     return paragraphs::fontOf(style);
 }
 
-// The lower part of a picture that a sentence about it takes: as high as the sentence is.
-QRectF noteOver(QPainter& painter, const QRectF& picture, const QString& sentence) {
+// The lower part of a figure that a sentence about it takes: as high as the sentence is, and no
+// more than half of the figure.
+QRectF noteIn(QPainter& painter, const QRectF& figure, const QString& sentence) {
     const double margin = paragraphs::fromPoints(boxMarginPoints);
     painter.setFont(boxFont(true));
-    const QRectF inside = picture.adjusted(margin, 0, -margin, 0);
+    const QRectF inside = figure.adjusted(margin, 0, -margin, 0);
     const double height = painter.boundingRect(inside, boxFlags, sentence).height() + 2 * margin;
-    QRectF note = picture;
-    note.setTop(std::max(picture.top(), picture.bottom() - height));
+    QRectF note = figure;
+    note.setTop(std::max(figure.center().y(), figure.bottom() - height));
     return note;
+}
+
+// As large as there is room for it: paper hides no part of a picture under words.
+QRectF fittedInto(const QRectF& room, const QSizeF& picture) {
+    const QSizeF size = picture.scaled(room.size(), Qt::KeepAspectRatio);
+    return {room.topLeft() + QPointF((room.width() - size.width()) / 2, 0), size};
 }
 
 } // namespace
@@ -137,14 +144,17 @@ void Paper::paintSubdocument(QPainter& painter, const layout::SubdocumentPiece& 
     if (picture.image.isNull()) {
         const QString alternative =
             subdocument ? QString::fromStdString(subdocument->alternative) : QString();
-        paintBox(painter, piece.rect, picture.error, alternative);
+        paintBox(painter, piece.rect, picture.note, alternative);
         return;
     }
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(piece.rect, picture.image);
     if (picture.error.isEmpty())
-        return;
-    paintBox(painter, noteOver(painter, piece.rect, picture.error), picture.error, {});
+        return painter.drawImage(piece.rect, picture.image);
+    const QRectF note = noteIn(painter, piece.rect, picture.error);
+    QRectF above = piece.rect;
+    above.setBottom(note.top());
+    painter.drawImage(fittedInto(above, piece.rect.size()), picture.image);
+    paintBox(painter, note, picture.error, {});
 }
 
 void Paper::paint(QPainter& painter, int page) const {

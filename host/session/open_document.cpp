@@ -223,6 +223,14 @@ QString OpenDocument::whyNotLive(document::SubdocumentId id) const {
         .arg(manifest->name, manifest->storage);
 }
 
+QString OpenDocument::emptyNotice(document::SubdocumentId id) const {
+    const media::Manifest* manifest =
+        document_->isBlank(id) ? media_.registry().forClass(
+                                     QString::fromStdString(document_->subdocument(id)->className))
+                               : nullptr;
+    return manifest ? tr("%1: still empty").arg(manifest->title) : QString();
+}
+
 QSizeF OpenDocument::sizeOf(document::SubdocumentId id) const {
     const document::Subdocument* subdocument = document_->subdocument(id);
     const media::LiveSubdocument* of = live(id);

@@ -64,6 +64,8 @@ public:
     [[nodiscard]] media::LiveSubdocument* live(document::SubdocumentId id) const;
     // Why a subdocument has no medium, as a sentence.
     [[nodiscard]] QString whyNotLive(document::SubdocumentId id) const;
+    // That its text is empty; "": it is not.
+    [[nodiscard]] QString emptyNotice(document::SubdocumentId id) const;
 
     // How large it is shown, in 1/96 inch: by its WIDTH and HEIGHT, else as its medium would like.
     [[nodiscard]] QSizeF sizeOf(document::SubdocumentId id) const;

@@ -107,7 +107,8 @@ void Pictures::done(document::SubdocumentId wanted, Picture picture) {
     for (const ListedFault& fault : document_.faultsOf(wanted))
         if (fault.isError && picture.error.isEmpty())
             picture.error = tr("line %1: %2").arg(fault.position.line).arg(fault.message);
-    if (!picture.error.isEmpty() && isEmpty(picture.image))
+    picture.note = picture.error.isEmpty() ? document_.emptyNotice(wanted) : picture.error;
+    if (!picture.note.isEmpty() && (picture.error.isEmpty() || isEmpty(picture.image)))
         picture.image = {};
     pictures_[wanted] = std::move(picture);
     if (media::LiveSubdocument* live = document_.live(wanted))

@@ -10,8 +10,9 @@
 namespace session {
 
 struct Picture {
-    QImage image;  // null when there is none
-    QString error; // why there is none, or what is wrong with it
+    QImage image;    // null when there is none
+    QString error{}; // why there is none, or what is wrong with it
+    QString note{};  // what stands in its place and is no error
 };
 
 class Pictures : public QObject {

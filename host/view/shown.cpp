@@ -53,6 +53,27 @@ void paintWaiting(QPainter& painter, const QRectF& rect, const Notice& notice) {
                      notice.text.isEmpty() ? notice.title : notice.text);
 }
 
+// Words on an empty stage.
+void paintEmpty(QPainter& painter, const QRectF& rect, const Notice& notice) {
+    const QRectF inside = rect.adjusted(18, 16, -18, -16);
+    painter.setFont(noticeFont(true));
+    painter.setPen(QColor(50, 52, 58));
+    const QRectF title = painter.boundingRect(inside, Qt::TextWordWrap, notice.title);
+    painter.setFont(noticeFont(false));
+    const QRectF text = painter.boundingRect(inside, Qt::TextWordWrap, notice.text);
+    constexpr double gap = 6;
+    QRectF line = inside;
+    line.setTop(inside.top() +
+                std::max(0.0, (inside.height() - title.height() - gap - text.height()) / 2));
+    constexpr int flags = Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap;
+    painter.setFont(noticeFont(true));
+    painter.drawText(line, flags, notice.title);
+    line.setTop(line.top() + title.height() + gap);
+    painter.setFont(noticeFont(false));
+    painter.setPen(QColor(95, 98, 106));
+    painter.drawText(line, flags, notice.text);
+}
+
 void paintNote(QPainter& painter, const QRectF& rect, const Notice& notice) {
     painter.setFont(noticeFont(false));
     constexpr int mostLines = 4; // of a sentence that may be long; more would hide the picture
@@ -140,6 +161,11 @@ Notice noticeOf(const session::OpenDocument& document, const Shown& shown) {
         return {Notice::Kind::waiting, QObject::tr("%1 is drawing").arg(live->name()), alternative};
     if (fault.kind == Notice::Kind::none && !live->notice().isEmpty())
         return {Notice::Kind::note, live->notice(), {}};
+    if (const QString empty = document.emptyNotice(shown.id);
+        fault.kind == Notice::Kind::none && !empty.isEmpty())
+        return {
+            Notice::Kind::empty, empty,
+            QObject::tr("Click here, then Figure > Edit opens the window in which it is built.")};
     return fault;
 }
 
@@ -155,6 +181,9 @@ void paintShown(QPainter& painter, const QRectF& rect, const Shown& shown, const
         break;
     case Notice::Kind::waiting:
         paintWaiting(painter, rect, notice);
+        break;
+    case Notice::Kind::empty:
+        paintEmpty(painter, rect, notice);
         break;
     case Notice::Kind::note:
         paintNote(painter, rect, notice);

@@ -3,7 +3,7 @@
 // Picture and medium alive: the picture alone. No picture yet: the ALT text or that the medium
 // starts. A medium that does not respond: a note in the corner. One that ended: its last picture,
 // what happened, and that a click starts it again. A faulty text: its first fault with the place in
-// the file.
+// the file. A text that is still empty: that it is, and how one begins.
 #pragma once
 
 #include "media/live_subdocument.h"
@@ -23,7 +23,7 @@ struct Shown {
 
 // The words over or instead of its picture.
 struct Notice {
-    enum class Kind { none, waiting, note, box, stopped };
+    enum class Kind { none, waiting, empty, note, box, stopped };
     Kind kind = Kind::none;
     QString title, text;
 };

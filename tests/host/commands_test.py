@@ -54,6 +54,21 @@ class Convert(InFolder):
         self.assertEqual(code, 1)
         self.assertIn('line 7: unknown word "colur"', error)
 
+    def test_a_sentence_about_a_picture_stands_below_it_and_covers_nothing(self):
+        self.write("a.ens", memo(scripted("duration 4"), scripted("duration 4\ncolur 1")))
+        self.assertEqual(self.ensemble("--convert-to", "pdf", "a.ens")[0], 1)
+        images = subprocess.run(["pdfimages", "-list", self.path("a.pdf")], capture_output=True, check=True).stdout.decode()
+        resolutions = [int(found) for found in re.findall(r"\s938\s+625\s.*?\s(\d+)\s+\d+\s+\S+\s+\S+$", images, re.M)]
+        self.assertEqual(len(resolutions), 2, images)
+        self.assertEqual(resolutions[0], 300)
+        self.assertGreater(resolutions[1], 330)  # smaller, above its sentence
+
+    def test_a_figure_without_a_text_is_a_box_that_says_so_and_no_failure(self):
+        self.write("a.ens", memo(scripted(" \n", 'ALT="What falls"')))
+        self.assertEqual(self.ensemble("--convert-to", "pdf", "a.ens"), (0, b"", ""))
+        text = subprocess.run(["pdftotext", self.path("a.pdf"), "-"], capture_output=True, check=True).stdout.decode()
+        self.assertIn("Coloured Box: still empty\nWhat falls", text)
+
     def test_text(self):
         self.write("a.ens", memo("<PARAGRAPH><TEXT>{One }</TEXT><EMPH>{two}</EMPH></PARAGRAPH>\n", scripted("colour 0", 'ALT="A colour"')))
         code, out, _ = self.ensemble("--convert-to", "text", "--output", "-", "a.ens")

@@ -90,6 +90,20 @@ TEST_F(FiguresTest, AnEmptyOneIsAFigureThatIsChosenAndOpensItsEditor) {
     EXPECT_EQ(view().chosen(), document::noSubdocument);
 }
 
+// It may come from a file, or of a text that somebody has erased.
+TEST_F(FiguresTest, OneWithoutATextSaysSoAndFigureEditOpensItsEditor) {
+    write(inFigure("  \n") + inFigure("colour 20A040"));
+    ASSERT_TRUE(waitFor([&] { return hasPicture(*window_, 0) && hasPicture(*window_, 1); }));
+    EXPECT_EQ(window_->document().emptyNotice(nth(*window_, 0)), "Coloured Box: still empty");
+    EXPECT_EQ(window_->document().emptyNotice(nth(*window_, 1)), "");
+    choose(0);
+    EXPECT_EQ(whyNot("figure", "figureEdit"), "");
+    entry("figure", "figureEdit")->trigger();
+    EXPECT_TRUE(waitFor([&] { return live(*window_, 0).windows().open == 1; }));
+    action("write")->trigger(); // who reads is told why not
+    EXPECT_THAT(whyNot("figure", "figureEdit"), HasSubstr("Edit > Write"));
+}
+
 TEST_F(FiguresTest, ASampleIsChosenByItsPicture) {
     write(paragraph("One"));
     goTo("}</TEXT></PARAGRAPH>\n</BODY>");
