@@ -1,6 +1,6 @@
 // Typed letters that become typographic signs.
 #include "authoring/authoring.h"
-#include "authoring/leaves.h"
+#include "authoring/line_text.h"
 
 #include "sgml/edit.h"
 #include "typography/typed_signs.h"
@@ -12,28 +12,11 @@ using sgml::noNode;
 
 namespace {
 
-// LIMIT: of a line no more is looked at.
-constexpr qsizetype mostBefore = 2000;
-constexpr QChar unit(0xFFFC);
-
 bool isCode(const sgml::Tree& tree, const Grammar& grammar, NodeId node) {
     for (NodeId at = node; at != noNode; at = tree.node(at).parent)
         if (tree.isElement(at) && grammar.of(tree.name(at)).role == schemas::ContainerRole::code)
             return true;
     return false;
-}
-
-QString lineBefore(const Leaves& leaves, const sgml::Tree& tree, NodeId leaf, QString line) {
-    const NodeId block = leaves.blockOf(leaf);
-    while (line.size() < mostBefore) {
-        leaf = leaves.beside(leaf, Direction::backward);
-        if (leaf == noNode || leaves.blockOf(leaf) != block)
-            break;
-        line = (leaves.isContent(leaf) ? QString::fromStdString(tree.unescaped(leaf).text())
-                                       : QString(unit)) +
-               line;
-    }
-    return line;
 }
 
 } // namespace
@@ -48,7 +31,8 @@ std::optional<Step> signTyped(const Manuscript& manuscript, std::size_t caret) {
     const sgml::Unescaped unescaped = tree.unescaped(leaf);
     const std::size_t at = unescaped.textOffset(caret);
     const QString own = QString::fromStdString(unescaped.text().substr(0, at));
-    const auto made = typography::signTyped(lineBefore(leaves, tree, leaf, own),
+    const LineText line(manuscript, caret);
+    const auto made = typography::signTyped(line.letters().first(line.place()),
                                             QString::fromStdString(languageAt(manuscript, caret)));
     if (!made || made->letters > own.size())
         return std::nullopt; // it would reach into another element

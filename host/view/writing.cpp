@@ -1,19 +1,13 @@
 #include "view/writing.h"
 
-#include "authoring/images.h"
 #include "authoring/table_nodes.h"
-#include "view/copying.h"
 #include "view/document_view.h"
 #include "view/folds.h"
 #include "view/hints.h"
-#include "view/pasted_html.h"
-#include "view/pictures_in.h"
 #include "view/resizing.h"
 
 #include <QApplication>
-#include <QClipboard>
 #include <QMimeData>
-#include <QUuid>
 #include <chrono>
 
 namespace view {
@@ -43,8 +37,8 @@ bool isMoving(int key) { return (key >= Qt::Key_Home && key <= Qt::Key_PageDown)
 } // namespace
 
 Writing::Writing(DocumentView& view, TextHand& hand)
-    : view_(view), hand_(hand), grammars_(view.document().schemas()), gestures_(view),
-      figure_(view), changed_(view.document().document()) {
+    : view_(view), hand_(hand), grammars_(view.document().schemas()), composing_(*this, hand),
+      gestures_(view), figure_(view), changed_(view.document().document()) {
     connect(&hand_.cursor(), &TextCursor::changed, this, [this] {
         next_ = schemas::ContainerRole::none;
         if (on_)
@@ -96,7 +90,7 @@ void Writing::begin() {
 
 void Writing::end() {
     on_ = false;
-    composed_.clear();
+    composing_.clear();
     blinking_.stop();
     hand_.refresh();
 }
@@ -133,30 +127,16 @@ void Writing::paint(QPainter& painter, std::size_t page) const {
         return;
     const QColor paper = view_.pages().paper;
     const QColor ink = paper.lightness() < 128 ? Qt::white : Qt::black;
-    QRectF rect = carets.rectOf(*caret);
-    if (!composed_.isEmpty()) {
-        // LIMIT: it covers what follows until it is typed.
-        QFont font = QApplication::font();
-        font.setPixelSize(static_cast<int>(rect.height() * 0.7));
-        font.setUnderline(true);
-        painter.setFont(font);
-        rect.setWidth(QFontMetricsF(font).horizontalAdvance(composed_));
-        painter.fillRect(rect, paper);
-        painter.setPen(ink);
-        painter.drawText(rect, Qt::AlignVCenter | Qt::TextDontClip, composed_);
-        rect.setLeft(rect.right());
-    }
-    if (!isShown_)
+    const auto rect = composing_.paint(painter, carets.rectOf(*caret), ink, paper);
+    if (!isShown_ || !rect)
         return;
     const double pixel = 1 / painter.transform().m11();
     constexpr double width = 1.6;
     painter.fillRect(
-        QRectF(rect.left() - pixel * width / 2, rect.top(), pixel * width, rect.height()), ink);
+        QRectF(rect->left() - pixel * width / 2, rect->top(), pixel * width, rect->height()), ink);
 }
 
 // --- commands ----------------------------------------------------------------------------------
-
-bool Writing::perform(const Command& command) { return perform(command, {}); }
 
 bool Writing::perform(const Command& command, const QString& group) {
     if (!apply(command, group))
@@ -247,14 +227,16 @@ bool Writing::isMarked(schemas::ContainerRole role) const {
                                             role) != (next_ == role);
 }
 
-void Writing::type(const QString& text) {
+void Writing::takeBack() { view_.document().document().undo(); }
+
+void Writing::type(const QString& text, const QString& group) {
     const std::string bytes = text.toStdString();
     const auto command = [&, role = next_](const authoring::Manuscript& in,
                                            authoring::Selection at) {
         return role == schemas::ContainerRole::none ? authoring::type(in, at, bytes)
                                                     : authoring::typeToggled(in, at, bytes, role);
     };
-    if (perform(command) && makesSigns_ && text.size() == 1)
+    if (perform(command, group) && makesSigns_ && text.size() == 1)
         makeSign();
 }
 
@@ -391,96 +373,6 @@ bool Writing::activateSelected() {
     return true;
 }
 
-// --- the clipboard -----------------------------------------------------------------------------
-
-void Writing::cut() {
-    if (view_.chosen()) {
-        figure_.copy();
-        figure_.erase();
-    } else if (hand_.copy()) {
-        cutAway();
-    }
-}
-
-void Writing::cutAway() {
-    perform([](const authoring::Manuscript& in, authoring::Selection at) {
-        return authoring::erase(in, at, authoring::Direction::forward);
-    });
-}
-
-bool Writing::paste(const QMimeData& data) { return paste(data, {}); }
-
-// Our own bytes keep the structure, and HTML most of it; where that may not stand, the text comes
-// alone.
-bool Writing::paste(const QMimeData& data, const QString& group) {
-    // Each picture in a figure, where the class has figures; all are one step.
-    if (holdsPictures(data)) {
-        const Pictures pictures =
-            taken(data, session::PictureHome(view_.document().document().fileName()));
-        const QString step = group.isEmpty() ? QUuid::createUuid().toString() : group;
-        bool done = false;
-        for (const std::string& source : pictures.sources) {
-            const auto put = [&](const authoring::Manuscript& in, authoring::Selection at) {
-                return authoring::insertImage(in, at, {.file = source});
-            };
-            done = perform(put, step) || done;
-        }
-        if (!pictures.fault.isEmpty())
-            Q_EMIT refused(pictures.fault);
-        return done;
-    }
-    std::string fragment = data.data(fragmentFormat).toStdString();
-    const std::string text = data.text().toStdString();
-    const authoring::Grammar* grammar = grammars_.of(view_.document().document().className());
-    if (fragment.empty() && data.hasHtml() && grammar)
-        fragment = fragmentOf(data.html(), *grammar);
-    if (fragment.empty() && text.empty()) {
-        Q_EMIT refused(tr("The clipboard holds no text."));
-        return false;
-    }
-    figure_.standBehind();
-    return perform(
-        [&](const authoring::Manuscript& in, authoring::Selection at) {
-            if (fragment.empty())
-                return authoring::pasteText(in, at, text);
-            authoring::Result result = authoring::paste(in, at, fragment);
-            const bool isRefused = std::holds_alternative<authoring::Refusal>(result);
-            return isRefused && !text.empty() ? authoring::pasteText(in, at, text) : result;
-        },
-        group);
-}
-
-// What is moved goes first, so that it keeps its IDs; it is back where nothing of it may come in.
-void Writing::drop(const QMimeData& data, QPointF at, std::optional<text::Range> moved) {
-    const std::optional<places::Caret> caret = hand_.caretAt(at);
-    if (!caret)
-        return;
-    const std::optional<document::Selection> before = hand_.cursor().selection();
-    hand_.moveTo(*caret);
-    if (!moved) {
-        (void)paste(data);
-        return;
-    }
-    document::Document& document = view_.document().document();
-    document::Tracker tracker(document);
-    const std::size_t place = hand_.cursor().selection()->caret;
-    const auto target = tracker.track(place, text::Gravity::behind);
-    hand_.cursor().set(*before);
-    if (moved->from <= place && place <= moved->to)
-        return; // dropped on itself
-    const QString group = QUuid::createUuid().toString();
-    const bool isTaken = perform(
-        [](const authoring::Manuscript& in, authoring::Selection all) {
-            return authoring::erase(in, all, authoring::Direction::forward);
-        },
-        group);
-    if (!isTaken)
-        return;
-    hand_.cursor().set({target->offset, target->offset});
-    if (!paste(data, group))
-        document.undo();
-}
-
 // In a table to the cell beside, in a form to the field; in a list the item into the one before or
 // out of its list.
 void Writing::goBy(bool forward) {
@@ -496,11 +388,8 @@ void Writing::goBy(bool forward) {
 
 // --- input methods -----------------------------------------------------------------------------
 
-// LIMIT: what an input method wants to replace beside the caret stays.
 void Writing::compose(const QInputMethodEvent& event) {
-    composed_ = event.preeditString();
-    if (!event.commitString().isEmpty())
-        type(event.commitString());
+    composing_.take(event);
     view_.viewport()->update();
 }
 
@@ -517,7 +406,7 @@ QVariant Writing::answer(Qt::InputMethodQuery query) const {
         return copy ? copy->text() : QString();
     }
     default:
-        return {};
+        return composing_.answer(query);
     }
 }
 

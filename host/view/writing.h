@@ -5,11 +5,11 @@
 #include "authoring/authoring.h"
 #include "view/changed_place.h"
 #include "view/chosen_figure.h"
+#include "view/composing.h"
 #include "view/gestures.h"
 #include "view/text_hand.h"
 
 #include <QBasicTimer>
-#include <QInputMethodEvent>
 
 namespace view {
 
@@ -41,7 +41,12 @@ public:
     // A command at what is selected. refused() says why one is not allowed.
     using Command =
         std::function<authoring::Result(const authoring::Manuscript&, authoring::Selection)>;
-    bool perform(const Command& command);
+    bool perform(const Command& command) { return perform(command, {}); }
+    // Of one group (document::EditNote::group): one step of undo.
+    bool perform(const Command& command, const QString& group);
+    void takeBack(); // the last step
+    // Instead of what is selected.
+    void type(const QString& text, const QString& group = {});
     // Emphasis and the like for what is selected, or the word at the caret; between words, for what
     // is typed next.
     void toggle(schemas::ContainerRole role);
@@ -66,7 +71,7 @@ public:
     // Quotes and the like become typographic signs as they are typed (authoring::signTyped).
     void setMakesSigns(bool makes) { makesSigns_ = makes; }
 
-    void compose(const QInputMethodEvent& event);
+    void compose(const QInputMethodEvent& event); // of an input method
     [[nodiscard]] QVariant answer(Qt::InputMethodQuery query) const;
 
     // The caret, and over what follows it the text that an input method composes; in twips.
@@ -79,11 +84,9 @@ protected:
     void timerEvent(QTimerEvent* event) override;
 
 private:
-    bool perform(const Command& command, const QString& group);
     bool paste(const QMimeData& data, const QString& group);
     bool activateSelected();
     [[nodiscard]] bool apply(const Command& command, const QString& group);
-    void type(const QString& text);
     void makeSign();
     void settleCaret();
     void breakLine(bool isWithinParagraph);
@@ -96,7 +99,7 @@ private:
     bool on_ = false;
     bool isShown_ = true; // the caret
     QBasicTimer blinking_;
-    QString composed_; // not typed yet
+    Composing composing_;
     bool makesSigns_ = true;
     bool wantsCaret_ = false; // to be seen, as soon as its page is there
     schemas::ContainerRole next_ = schemas::ContainerRole::none; // toggled for what is typed next

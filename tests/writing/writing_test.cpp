@@ -104,6 +104,50 @@ TEST_F(WritingTest, AnInputMethodComposesAtTheCaret) {
     EXPECT_GT(asWidget().inputMethodQuery(Qt::ImCursorRectangle).toRectF().height(), 5);
 }
 
+// As when a word is converted again, and as Japanese is typed over a selection.
+TEST_F(WritingTest, AnInputMethodReplacesWhatIsSelectedAndWhatIsBesideTheCaret) {
+    write("<PARAGRAPH><TEXT>{Say }</TEXT><EMPH>{h\xC3\xA4"
+          "el}</EMPH><TEXT>{o now}</TEXT></PARAGRAPH>\n");
+    const std::string before = body();
+    const auto send = [&](const QString& composed, const QString& typed, int from, int length) {
+        QInputMethodEvent event(composed, {});
+        event.setCommitString(typed, from, length);
+        QApplication::sendEvent(&view(), &event);
+    };
+    const auto asked = [&](Qt::InputMethodQuery query) {
+        return asWidget().inputMethodQuery(query);
+    };
+    goTo("o now"); // behind "häel"
+    EXPECT_EQ(asked(Qt::ImSurroundingText), QString::fromUtf8("Say h\xC3\xA4"
+                                                              "elo now"));
+    EXPECT_EQ(asked(Qt::ImCursorPosition), 8);
+    EXPECT_EQ(asked(Qt::ImTextBeforeCursor), QString::fromUtf8("Say h\xC3\xA4"
+                                                               "el"));
+    send({}, QStringLiteral("ello"), -3, 4);
+    EXPECT_THAT(body(), HasSubstr("{Say }</TEXT><EMPH>{hello}</EMPH><TEXT>{ now}"));
+    EXPECT_EQ(document().steps(), 1U);
+    document().undo();
+    EXPECT_EQ(body(), before);
+    // What is selected goes as soon as something is composed, and comes back where nothing is
+    // typed.
+    const std::size_t at = document().bytes().find("now");
+    view().text().cursor().set({at, at + 3});
+    EXPECT_EQ(asked(Qt::ImAnchorPosition), 10);
+    EXPECT_EQ(asked(Qt::ImCursorPosition), 13);
+    send(QStringLiteral("ima"), {}, 0, 0);
+    EXPECT_THAT(body(), HasSubstr("{o }"));
+    send({}, {}, 0, 0);
+    EXPECT_EQ(body(), before);
+    EXPECT_EQ(view().text().cursor().interval(), (text::Range{at, at + 3}));
+    send(QStringLiteral("ima"), {}, 0, 0);
+    send(QStringLiteral("im"), {}, 0, 0);
+    send({}, QString(QChar(0x4ECA)), 0, 0);
+    EXPECT_THAT(body(), HasSubstr("{o \xE4\xBB\x8A}"));
+    EXPECT_EQ(document().steps(), 1U);
+    document().undo();
+    EXPECT_EQ(body(), before);
+}
+
 TEST_F(WritingTest, AClipboardWithoutTextTakesNothingAway) {
     write(paragraph("One two"));
     auto* other = new QMimeData;
