@@ -156,8 +156,9 @@ void DocumentView::settleSoon() {
 
 void DocumentView::setScrollBars() {
     const QSizeF all = places().size();
-    const auto most = [](double length) {
-        return std::max(0, static_cast<int>(std::ceil(length)));
+    const auto most = [](double length) { // sums of widths that fill the view are rounded
+        constexpr double rounding = 0.01;
+        return std::max(0, static_cast<int>(std::ceil(length - rounding)));
     };
     verticalScrollBar()->setPageStep(viewport()->height());
     verticalScrollBar()->setRange(0, most(all.height() - viewport()->height()));
@@ -170,12 +171,13 @@ void DocumentView::setZoom(double zoom) {
     if (zoom == zoom_)
         return;
     const double middle = viewport()->height() / 2.0;
+    const bool isAtTop = verticalScrollBar()->value() == 0 && verticalScrollBar()->maximum() > 0;
     constexpr double margin = PagePlaces::margin;
     const double at = (verticalScrollBar()->value() + middle - margin) / zoom_;
     const double x = (horizontalScrollBar()->value() + viewport()->width() / 2.0 - margin) / zoom_;
     zoom_ = zoom;
     setScrollBars();
-    verticalScrollBar()->setValue(static_cast<int>(at * zoom_ + margin - middle));
+    verticalScrollBar()->setValue(isAtTop ? 0 : static_cast<int>(at * zoom_ + margin - middle));
     horizontalScrollBar()->setValue(
         static_cast<int>(x * zoom_ + margin - viewport()->width() / 2.0));
     figures_->fitSoon();

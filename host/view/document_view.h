@@ -43,7 +43,8 @@ public:
     [[nodiscard]] const QString& presentation() const { return presentation_; }
     void setPresentation(const QString& name);
     [[nodiscard]] double zoom() const { return zoom_; }
-    void setZoom(double zoom); // the middle of the view stays where it is
+    // The middle of the view stays where it is, and at its top the top of the document.
+    void setZoom(double zoom);
     void zoomBy(int steps);
     [[nodiscard]] double widthZoom() const; // at which a page is as wide as the view
     [[nodiscard]] double pageZoom() const;  // at which a page is seen whole

@@ -52,6 +52,22 @@ protected:
     std::size_t pages_ = 0;
 };
 
+// Slides are wider than a sheet: they fill the view without a scroll bar below, from their top.
+TEST_F(PresentationTest, AnotherPresentationFitsTheViewAndBeginsAtItsTop) {
+    window_ = open(memo(paragraph("One") + paragraph("Two")));
+    ASSERT_TRUE(waitFor([&] { return view().isLaidOut(); }));
+    for (int width = 900; width < 960; width += 3) {
+        window_->resize(width, 700);
+        QApplication::processEvents();
+        for (const char* name : {"slides", "default"}) {
+            view().setPresentation(name);
+            ASSERT_TRUE(waitFor([&] { return view().isLaidOut(); }));
+            EXPECT_EQ(view().horizontalScrollBar()->maximum(), 0) << name << width;
+            EXPECT_EQ(view().verticalScrollBar()->value(), 0) << name << width;
+        }
+    }
+}
+
 TEST_F(PresentationTest, ThePagesFollowWhatIsTypedAndUndoIsTheTextsOwn) {
     edit();
     DocumentWindow* other = application_.addWindow(window_->shared());
