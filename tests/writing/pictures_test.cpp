@@ -110,6 +110,18 @@ TEST_F(PicturesTest, DroppedFilesOfPicturesComeIn) {
     view().writing().drop(data, view().text().caretRect()->center(), std::nullopt);
     EXPECT_THAT(body(), HasSubstr("FILE=\"pictures/red-ball-"));
     EXPECT_TRUE(QFileInfo::exists(path()));
+    EXPECT_EQ(QFileInfo(path()).absolutePath(),
+              QFileInfo(document().fileName()).absolutePath() + "/pictures");
+    const QString first = path();
+    // A second document beside it shows another picture: neither takes what is the other's.
+    const QString own = QFileInfo(first).absolutePath() + "/not-ours.png";
+    ASSERT_TRUE(picture().save(own));
+    QTemporaryDir other;
+    ASSERT_TRUE(document().saveAs(other.filePath("copy.ens")));
+    EXPECT_EQ(path(), other.filePath(QString::fromStdString(source())));
+    EXPECT_EQ(QImage(path()).size(), picture().size());
+    EXPECT_TRUE(QFileInfo::exists(first));
+    EXPECT_EQ(QDir(other.filePath("pictures")).entryList(QDir::Files).size(), 1);
 }
 
 TEST_F(PicturesTest, AnImageIsSelectedNamedAndResized) {

@@ -1,4 +1,5 @@
 // The source beside the pages: in step both ways, written in, and never in the way.
+#include "source/find_line.h"
 #include "source/source_pane.h"
 #include "writing/writing_testing.h"
 
@@ -114,6 +115,39 @@ TEST_F(SourceTest, WhatIsWrittenInThePagesComesIntoTheSource) {
 }
 
 // A tag that is being typed is a fault for a while: it is underlined, and nothing else happens.
+// The same keys as in the pages: they are for the text that has the keyboard.
+TEST_F(SourceTest, FindLooksInTheSourceWhereTheKeyboardIsThere) {
+    showSource(numbered(30));
+    auto* line = pane().findChild<source::FindLine*>();
+    const auto selected = [this] { return edit().textCursor().selectedText().toStdString(); };
+    const auto at = [this] { return edit().textCursor().block().text().toStdString(); };
+    goInSource("line 5.");
+    action("find")->trigger();
+    ASSERT_TRUE(waitFor([&] { return line->isVisible() && line->field().hasFocus(); }));
+    EXPECT_FALSE(window_->findChild<panes::FindBar*>()->isVisible());
+    QTest::keyClicks(&line->field(), "LINE 2"); // its case is nobody's
+    EXPECT_EQ(selected(), "line 2");
+    EXPECT_THAT(at(), ::testing::HasSubstr("line 20."));
+    action("findNext")->trigger();
+    EXPECT_THAT(at(), ::testing::HasSubstr("line 21."));
+    action("findPrevious")->trigger();
+    action("findPrevious")->trigger();
+    EXPECT_THAT(at(), ::testing::HasSubstr("line 2."));
+    QTest::keyClick(&line->field(), Qt::Key_Return, Qt::ShiftModifier); // around the beginning
+    EXPECT_THAT(at(), ::testing::HasSubstr("line 29."));
+    QTest::keyClicks(&line->field(), "x");
+    EXPECT_EQ(line->says(), "Not found");
+    EXPECT_THAT(at(), ::testing::HasSubstr("line 29."));
+    EXPECT_EQ(document().steps(), 0U);
+    // What is found can be typed over at once.
+    line->field().setText("<TEXT>{line 7");
+    QTest::keyClick(&line->field(), Qt::Key_Escape);
+    EXPECT_TRUE(edit().hasFocus());
+    EXPECT_FALSE(line->isVisible());
+    typeInSource("<TEXT>{seven");
+    EXPECT_THAT(body(), ::testing::HasSubstr("<TEXT>{seven.}"));
+}
+
 TEST_F(SourceTest, ATagThatIsBeingTypedMovesNothing) {
     showSource(numbered(100));
     goInSource("<PARAGRAPH><TEXT>{line 50.");
