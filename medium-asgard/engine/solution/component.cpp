@@ -8,9 +8,9 @@ namespace solution {
 
 Component::Component(const Surroundings& surroundings, std::vector<std::size_t> unknowns)
     : around_(surroundings), set_(surroundings.set), histories_(surroundings.histories),
-      options_(surroundings.options), unknowns_(std::move(unknowns)),
-      history_(std::make_shared<History>(unknowns_.size())), tolerance_(options_.tolerance),
-      values_(unknowns_.size()), watched_(options_.start) {
+      options_(surroundings.options), unknowns_(std::move(unknowns)), writer_(unknowns_.size()),
+      history_(*writer_.history()), tolerance_(options_.tolerance), values_(unknowns_.size()),
+      watched_(options_.start), switches_(options_.start) {
     if (!options_.tolerances.empty()) {
         tolerance_ = infinity;
         for (const std::size_t u : unknowns_)
@@ -48,7 +48,7 @@ void Component::findQuaternions() {
 void Component::use(const PreparedEquations::Component& prepared) {
     phases_ = prepared.phases;
     equations_ = std::make_unique<ComponentEquations>(prepared.bound, histories_);
-    findPairs();
+    takeLayout();
 }
 
 std::string Component::names(const std::vector<std::size_t>& places) const {
@@ -115,7 +115,7 @@ void Component::takeEquations(std::vector<std::size_t> phases) {
         std::make_shared<const BoundModel>(
             boundModel(*set_, around_.index, around_.zero, unknowns_, phases_, around_.models)),
         histories_);
-    findPairs();
+    takeLayout();
 }
 
 // Jumps of phases that begin now; they read the values before.
@@ -225,10 +225,10 @@ void Component::begin() {
     keepCounts();
     model_ = Model::undecided;
     proposed_ = 0;
-    fresh_ = true;
+    writer_.beginAnew();
     suspect_ = -infinity;
     falling_.clear();
-    immediate_ = 0;
+    switches_.goOn();
     choice_ = choice_.restarted();
     equations_->inputs().window(infinity);
     std::vector<double> y = stateValues();
@@ -246,8 +246,33 @@ void Component::begin() {
     (void)overflows();
 }
 
+void Component::takeLayout() {
+    writer_.takeLayout(equations_->states(), equations_->held(), equations_->integrals());
+}
+
+// Held values of the component, for its pieces.
+struct Component::Held final : HeldValues {
+    explicit Held(Component& component) : of(component) {}
+    bool valuesAt(double t, std::span<const double> y, std::span<double> out) override {
+        return of.equations_->heldValues(t, y, out);
+    }
+    std::vector<double> peaksOn(const StateCurves& curves) override {
+        return of.centresIn(curves.columns, curves.origin, curves.scale, curves.until);
+    }
+    Component& of;
+};
+
+void Component::append(std::span<const Coefficients> states, double scale, double until) {
+    Held held(*this);
+    writer_.append({states, time_, scale, until}, held, heldPart * tolerance_);
+}
+
+bool Component::fitHeld(double until, double part, std::span<Coefficients> columns) {
+    Held held(*this);
+    return PieceWriter::fit({{}, time_, 1, until}, held, part * tolerance_, columns);
+}
+
 void Component::placeAnchor() {
-    history_->dropAnchor();
     const std::vector<double> y = stateValues();
     std::vector<double> slopes(y.size(), 0.0);
     ++counts_.evaluations;
@@ -258,7 +283,7 @@ void Component::placeAnchor() {
         rows[2 * place] = values_[place];
     for (std::size_t i = 0; i < y.size(); ++i)
         rows[2 * equations_->states()[i] + 1] = slopes[i];
-    history_->append({time_, time_, 1, true, 2}, rows);
+    writer_.standAt(time_, rows);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -271,18 +296,13 @@ void Component::backTo(double t) {
         return;
     stop_.reset();
     // Values at t: those after an event of its own at t, if there was one.
-    const std::size_t index = history_->find(t);
+    const std::size_t index = history_.find(t);
     for (std::size_t place = 0; place < unknowns_.size(); ++place)
-        values_[place] = history_->piece(index, place).value(t);
-    counts_.discardedSteps += history_->cut(t);
+        values_[place] = history_.piece(index, place).value(t);
+    counts_.discardedSteps += history_.cut(t);
     while (checkpoints_.size() > 1 && checkpoints_.back().time > t)
         checkpoints_.pop_back();
-    while (!recentSwitches_.empty() && recentSwitches_.back().time > t)
-        recentSwitches_.pop_back();
-    while (!rests_.empty() && rests_.back() > t)
-        rests_.pop_back();
-    while (!stays_.empty() && stays_.back() > t)
-        stays_.pop_back();
+    switches_.backTo(t);
     time_ = t;
     openRegime(false);
     if (stop_)
@@ -292,10 +312,10 @@ void Component::backTo(double t) {
     if (last.phases != phases_)
         return;
     control_ = last.control;
-    for (std::size_t k = history_->find(last.time); k < history_->size(); ++k) {
+    for (std::size_t k = history_.find(last.time); k < history_.size(); ++k) {
         std::vector<double> seen;
         for (const std::size_t place : equations_->states())
-            seen.push_back(history_->piece(k, place).coefficients[0]);
+            seen.push_back(history_.piece(k, place).coefficients[0]);
         control_.observe(seen);
     }
 }

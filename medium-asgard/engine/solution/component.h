@@ -12,9 +12,11 @@
 // integrate exactly), `explicit`, `implicit` (method_choice.h).
 #pragma once
 
+#include "dense/piece_writer.h"
 #include "equations/equations_in_force.h"
 #include "equations/prepared_equations.h"
 #include "integrators/method_choice.h"
+#include "modes/switch_log.h"
 #include "oversight/peak_centres.h"
 #include "oversight/watched_times.h"
 #include "solution/component_equations.h"
@@ -22,7 +24,6 @@
 #include "solution/solver.h"
 
 #include <cmath>
-#include <deque>
 #include <functional>
 #include <limits>
 #include <map>
@@ -63,7 +64,7 @@ public:
     void use(const PreparedEquations::Component& prepared);
 
     [[nodiscard]] const std::vector<std::size_t>& unknowns() const { return unknowns_; }
-    [[nodiscard]] const std::shared_ptr<History>& history() const { return history_; }
+    [[nodiscard]] const std::shared_ptr<History>& history() const { return writer_.history(); }
     [[nodiscard]] double time() const { return time_; }
     // Where its next step would end, as far as that is known; else time().
     [[nodiscard]] double nextEnd() const { return time_ + proposed_; }
@@ -209,10 +210,6 @@ private:
     // Passes in a row, without time going on, that may go to and fro.
     [[nodiscard]] std::size_t patience() const { return equations_->watches() + 1; }
     [[nodiscard]] ComponentEquations::Passing passing(const Violation& violation, bool immediate);
-    [[nodiscard]] bool haveSwitched(std::size_t times, double part = 1e-10) const;
-    [[nodiscard]] bool isEndless(std::size_t times, double part) const;
-    [[nodiscard]] bool swingsShrink() const;
-    [[nodiscard]] bool goesToAndFro() const;
     [[nodiscard]] bool comesToRest(std::vector<double>& y);
     [[nodiscard]] bool leaves(const Violation& found, double scale,
                               std::span<const Coefficients> columns);
@@ -227,16 +224,9 @@ private:
 
     // Pieces: `columns` of the states over [time_, until], polynomials of (t - time_)/scale.
     void append(std::span<const Coefficients> states, double scale, double until);
-    void appendPart(std::span<const Coefficients> states, double origin, double scale, double until,
-                    int depth);
-    [[nodiscard]] bool fitHeld(std::span<const Coefficients> states, double origin, double scale,
-                               double until, double part, std::span<Coefficients> held);
-    void appendRow(std::span<const Coefficients> states, std::span<const Coefficients> held,
-                   double origin, double scale, double until);
-    void findPairs();
-    [[nodiscard]] std::uint8_t lengthOf(std::span<const std::size_t> columns,
-                                        std::size_t least) const;
-    [[nodiscard]] bool tellVelocities(double scale) const;
+    struct Held;
+    void takeLayout();
+    [[nodiscard]] bool fitHeld(double until, double part, std::span<Coefficients> columns);
 
     void reconsider(double h);
     [[nodiscard]] double spectralRadius();
@@ -250,7 +240,8 @@ private:
     const Histories& histories_;
     const Options& options_;
     std::vector<std::size_t> unknowns_;
-    std::shared_ptr<History> history_;
+    PieceWriter writer_;
+    History& history_;
     double tolerance_;
     double longestPart_ = 1;            // of what is watched, that an explicit step may be
     std::vector<std::size_t> lookedAt_; // of each input, the step that the last one began in
@@ -293,16 +284,7 @@ private:
     WatchedTimes watched_;
     double suspect_ = -infinity; // a watched time that a step passed over
     int invented_ = 0;           // switches in a row that were not believed
-    bool fresh_ = true;          // the next piece begins at an event
-
-    std::size_t immediate_ = 0; // switches since time last advanced
-    struct Switch {
-        double time;
-        std::vector<std::size_t> surfaces;
-    };
-    std::deque<Switch> recentSwitches_;
-    std::vector<double> rests_; // when swings came to their end
-    std::vector<double> stays_; // on surfaces that rounding crossed to and fro: when
+    SwitchLog switches_;
 
     // The state that later steps depend on besides the values, for going back.
     struct Checkpoint {

@@ -52,7 +52,7 @@ bool Component::tryLinear() {
 // it strides over, and readers may amplify that: what is read stays exact.
 bool Component::isUnseen(double h) {
     constexpr std::size_t interval = 512;
-    if (isRead_ || history_->size() % interval != 0) // what events throw away does not count
+    if (isRead_ || history_.size() % interval != 0) // what events throw away does not count
         return false;
     control_.prepare(y_, h);
     for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -109,13 +109,13 @@ const Component::PlainRate* Component::plainRate() const {
                                                                                     : nullptr;
 }
 
-void Component::leave(double t) { counts_.discardedSteps += history_->cut(t); }
+void Component::leave(double t) { counts_.discardedSteps += history_.cut(t); }
 
 void Component::goOn(double origin, std::span<const double> coefficients) {
     while (coefficients.size() > 1 && coefficients.back() == 0)
         coefficients = coefficients.first(coefficients.size() - 1);
-    history_->append({origin, infinity, 1, true, static_cast<std::uint8_t>(coefficients.size())},
-                     coefficients);
+    writer_.append({origin, infinity, 1, true, static_cast<std::uint8_t>(coefficients.size())},
+                   coefficients);
 }
 
 // From t on for ever, when its rate goes on so too.
@@ -146,21 +146,21 @@ std::optional<Component::PlainPiece> Component::plainPiece(double t, double valu
 
 void Component::append(double t, const PlainPiece& piece) {
     ++counts_.evaluations;
-    history_->append({t, infinity, piece.scale, true, static_cast<std::uint8_t>(piece.count)},
-                     std::span(piece.row).first(piece.count));
+    writer_.append({t, infinity, piece.scale, true, static_cast<std::uint8_t>(piece.count)},
+                   std::span(piece.row).first(piece.count));
 }
 
 // Bit for bit what backTo(), restart() and stepClosedForm() do, without their anchor.
 bool Component::resume(double t, std::optional<double> jump) {
-    if (!plainRate() || history_->empty())
+    if (!plainRate() || history_.empty())
         return false;
-    const Piece last = history_->piece(history_->size() - 1, 0);
+    const Piece last = history_.piece(history_.size() - 1, 0);
     if (last.origin > t)
         return false;
     const auto piece = plainPiece(t, jump.value_or(last.value(t)));
     if (!piece)
         return false;
-    counts_.discardedSteps += history_->cut(t);
+    counts_.discardedSteps += history_.cut(t);
     append(t, *piece);
     return true;
 }
@@ -172,9 +172,8 @@ bool Component::stepPlainly() {
     const auto piece = plainPiece(time_, values_[0]);
     if (!piece)
         return false;
-    history_->dropAnchor();
+    history_.dropAnchor();
     append(time_, *piece);
-    fresh_ = false;
     time_ = infinity;
     return true;
 }
@@ -207,8 +206,7 @@ void Component::stepClosedForm() {
         return;
     }
     const double to = found ? found->time : until;
-    history_->dropAnchor();
-    appendRow(states, held, time_, form->scale, to);
+    writer_.append({states, time_, form->scale, to}, held);
     if (to == infinity) {
         time_ = to;
         return;
@@ -252,21 +250,20 @@ void Component::stepHeld() {
             return;
         }
         const double until = found ? found->time : to;
-        if (!fitHeld({}, time_, 1, until, part, held)) {
+        if (!fitHeld(until, part, held)) {
             ++counts_.rejectedSteps;
             ++refused;
             h *= 0.5;
             continue;
         }
         ++counts_.steps;
-        history_->dropAnchor();
-        appendRow({}, held, time_, until - time_, until);
+        writer_.append({{}, time_, until - time_, until}, held);
         proposed_ = 2 * h;
         time_ = until;
         takeHeldValues();
         if (stop_)
             return;
-        immediate_ = 0;
+        switches_.goOn();
         if (found)
             pass(*found, false);
         if (!stop_ && time_ >= limit_)

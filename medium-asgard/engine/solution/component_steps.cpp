@@ -86,7 +86,7 @@ void Component::step() {
         stop_->culprits.push_back(*ends_);
         return;
     }
-    if (history_->size() > options_.maximumSteps) { // what events threw away does not count
+    if (history_.size() > options_.maximumSteps) { // what events threw away does not count
         end(Stop::Reason::tooManySteps, {},
             names({0}) + " took more than " + std::to_string(options_.maximumSteps) +
                 " steps up to here");
@@ -125,7 +125,7 @@ void Component::step() {
 // Looked at after so many steps, twice, four times as many, and so on.
 bool Component::isPaceDue() const {
     constexpr std::size_t least = 16'384;
-    const std::size_t n = history_->size();
+    const std::size_t n = history_.size();
     return n >= least && (n & (n - 1)) == 0;
 }
 
@@ -133,14 +133,14 @@ bool Component::isPaceDue() const {
 // as many steps are made first as a burst is likely to need.
 bool Component::isHopeless() {
     constexpr std::size_t burst = 2'097'152;
-    const std::size_t n = history_->size();
+    const std::size_t n = history_.size();
     if (!isPaceDue())
         return false;
     const bool mayChange = nextPhase_ < infinity || !equations_->model().surfaces().empty() ||
                            equations_->hasDirections() || !equations_->inputs().unknowns().empty();
     if (mayChange && n < burst)
         return false;
-    const auto at = [this](std::size_t step) { return history_->step(step).origin; };
+    const auto at = [this](std::size_t step) { return history_.step(step).origin; };
     const double beyond = farthestFinish(n, {.start = at(0),
                                              .first = at(n / 4),
                                              .second = at(n / 2),
@@ -165,8 +165,8 @@ double Component::longestFirst() const {
     constexpr std::size_t asked = 8;
     constexpr double times = 16;
     double longest = 0;
-    for (std::size_t k = history_->size(); k-- > 0 && k + asked >= history_->size();)
-        if (const auto step = history_->step(k); step.until > step.origin) // no anchor
+    for (std::size_t k = history_.size(); k-- > 0 && k + asked >= history_.size();)
+        if (const auto step = history_.step(k); step.until > step.origin) // no anchor
             longest = std::max(longest, step.scale);
     return longest > 0 ? times * longest : infinity;
 }
@@ -342,7 +342,7 @@ bool Component::land(double to) {
         takeStates(y_);
     control_.observe(y_);
     equations_->lookNoMoreBeyond();
-    immediate_ = 0;
+    switches_.goOn();
     return true;
 }
 

@@ -21,7 +21,7 @@ bool Component::mayStride() const {
 ExplicitRungeKutta& Component::stride() const { return static_cast<ExplicitRungeKutta&>(*method_); }
 
 std::optional<double> Component::strideEnd() const {
-    if (history_->size() > options_.maximumSteps || isPaceDue())
+    if (history_.size() > options_.maximumSteps || isPaceDue())
         return std::nullopt;
     const double wanted = std::max(std::min(proposed_, longest()), shortestStep(time_));
     if (time_ + landingOf(options_) * wanted >= nextPhase_)
@@ -41,7 +41,7 @@ void Component::endStride(const Attempt& attempt, double h) { (void)refuse(attem
 
 void Component::takeStride(double h, double to, double next) {
     invented_ = 0;
-    immediate_ = 0;
+    switches_.goOn();
     ++counts_.steps;
     ++counts_.integratedSteps;
     counts_.integratedFrom = std::min(counts_.integratedFrom, time_);

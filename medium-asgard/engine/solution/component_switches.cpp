@@ -4,26 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <set>
 
 namespace solution {
-
-namespace {
-
-constexpr std::size_t often = 10; // switches in next to no time
-
-// So many switches in such a part of the time since the start have no end. What goes to and fro by
-// itself, however fast, has as many in a part of that time as in any other.
-struct Endless {
-    std::size_t times;
-    double part;
-};
-constexpr Endless endless[] = {{100, 1e-10}, {1'000, 1e-7}};
-constexpr double resolved = 16;     // units in the last place of the time, from switch to switch
-constexpr std::size_t kept = 4'000; // an event may take some back
-
-} // namespace
 
 std::optional<Violation> Component::violation(double from, double to, double scale,
                                               std::span<const Coefficients> columns) {
@@ -60,15 +42,11 @@ void Component::pass(const Violation& violation, bool immediate) {
     };
     ++counts_.switches;
     if (immediate) {
-        if (++immediate_ > 8 * equations_->watches() + 8)
+        if (switches_.addAtOnce() > 8 * equations_->watches() + 8)
             return giveUp();
     } else {
-        immediate_ = 0;
-        recentSwitches_.push_back({time_, equations_->surfacesOf(violation)});
-        if (recentSwitches_.size() > kept)
-            recentSwitches_.pop_front();
-        if (std::ranges::any_of(endless,
-                                [this](const Endless& e) { return isEndless(e.times, e.part); }))
+        switches_.add(time_, equations_->surfacesOf(violation));
+        if (switches_.isEndless(time_))
             return giveUp();
     }
     std::vector<double> y = stateValues();
@@ -96,7 +74,7 @@ void Component::settle() {
     keepCounts();
     model_ = Model::undecided;
     proposed_ = 0;
-    fresh_ = true;
+    writer_.beginAnew();
     remember();
     placeAnchor();
 }
@@ -109,72 +87,23 @@ std::string Component::switchingWith(const Violation& violation) const {
     return text.empty() ? "the time" : text;
 }
 
-// So often in that part of the time.
-bool Component::haveSwitched(std::size_t times, double part) const {
-    const double shortest = part * std::max(std::abs(time_), time_ - options_.start) + 1e-16;
-    return recentSwitches_.size() >= times &&
-           time_ - recentSwitches_[recentSwitches_.size() - times].time <= shortest;
-}
-
-bool Component::isEndless(std::size_t times, double part) const {
-    const double units = resolved * std::numeric_limits<double>::epsilon() * std::abs(time_);
-    return recentSwitches_.size() >= times &&
-           time_ - recentSwitches_[recentSwitches_.size() - times].time <=
-               std::max(part * (time_ - options_.start), static_cast<double>(times) * units) +
-                   1e-16;
-}
-
-// By the same factor again and again: they end at a time that is hardly later.
-bool Component::swingsShrink() const {
-    constexpr std::size_t group = 8;
-    constexpr double least = 0.9, alike = 4;
-    if (!haveSwitched(often) || recentSwitches_.size() <= 3 * group)
-        return false;
-    const double begin = recentSwitches_[recentSwitches_.size() - 1 - 3 * group].time;
-    if (begin < phasesFrom_ || (!rests_.empty() && begin <= rests_.back()))
-        return false;
-    const auto last = [this](std::size_t groups) {
-        return recentSwitches_[recentSwitches_.size() - 1 - groups * group].time;
-    };
-    const double now = last(0) - last(1), before = last(1) - last(2), first = last(2) - last(3);
-    return now > 0 && now < least * before && before < least * first &&
-           now * first < alike * before * before && before * before < alike * now * first;
-}
-
-// As long each time, within next to no time.
-bool Component::goesToAndFro() const {
-    constexpr double shortWhile = 1e-4, hardlyLess = 0.9;
-    if (!haveSwitched(2 * often, shortWhile))
-        return false;
-    const auto since = [this](std::size_t switches) {
-        return recentSwitches_[recentSwitches_.size() - switches].time;
-    };
-    const double first = since(2 * often);
-    return first >= phasesFrom_ && (rests_.empty() || first > rests_.back()) &&
-           time_ - since(often) > hardlyLess * (since(often) - first);
-}
-
 // On all surfaces about which it swung, where that is no farther away than a step may err by. Or on
 // those that it passes in turn about a point where all of them meet: what a switching curve leads
 // to its end goes to and fro there by what counts as standing on a surface.
 bool Component::comesToRest(std::vector<double>& y) {
-    const bool shrinks = swingsShrink();
-    if (!shrinks && !goesToAndFro())
+    const bool shrinks = switches_.swingsShrink(time_, phasesFrom_);
+    if (!shrinks && !switches_.goesToAndFro(time_, phasesFrom_))
         return false;
-    const auto last = recentSwitches_.end() - static_cast<std::ptrdiff_t>(often);
-    std::set<std::size_t> found;
-    for (auto passed = last; passed != recentSwitches_.end(); ++passed)
-        found.insert(passed->surfaces.begin(), passed->surfaces.end());
-    const std::vector<std::size_t> surfaces(found.begin(), found.end());
+    const std::vector<std::size_t> surfaces = switches_.surfacesOfLast();
     if (surfaces.size() < 2 || (!shrinks && !equations_->standsOn(surfaces, time_, y)))
         return false;
-    control_.prepare(y, time_ - last->time);
+    control_.prepare(y, time_ - switches_.timeOfLast());
     std::vector<double> reach(y.size());
     for (std::size_t i = 0; i < y.size(); ++i)
         reach[i] = control_.scale(i);
     if (!equations_->holdOn(surfaces, time_, reach, y))
         return false;
-    rests_.push_back(time_);
+    switches_.rest(time_);
     return true;
 }
 
@@ -185,15 +114,16 @@ ComponentEquations::Passing Component::passing(const Violation& violation, bool 
     using enum ComponentEquations::Passing;
     if (immediate && violation.time > time_)
         return leaves;
-    if (immediate && immediate_ == patience() + 1)
+    if (immediate && switches_.atOnce() == patience() + 1)
         return solved;
     if (immediate)
-        return immediate_ > 2 * patience() ? stays : immediate_ > patience() ? stands : across;
-    const double near = 1e-5 * std::max(std::abs(time_), time_ - options_.start);
-    if (!haveSwitched(often) || swingsShrink() ||
-        (!stays_.empty() && time_ - stays_.back() <= near))
+        return switches_.atOnce() > 2 * patience() ? stays
+               : switches_.atOnce() > patience()   ? stands
+                                                   : across;
+    if (!switches_.hasSwitched(time_) || switches_.swingsShrink(time_, phasesFrom_) ||
+        switches_.hasStayedNear(time_))
         return across;
-    stays_.push_back(time_);
+    switches_.stay(time_);
     return stays;
 }
 
@@ -201,7 +131,7 @@ ComponentEquations::Passing Component::passing(const Violation& violation, bool 
 // side on which it is then holds from time_ on. Where that was tried in vain it stays.
 bool Component::leaves(const Violation& found, double scale,
                        std::span<const Coefficients> columns) {
-    if (immediate_ > 2 * patience() || (!stays_.empty() && stays_.back() == time_))
+    if (switches_.atOnce() > 2 * patience() || switches_.staysAt(time_))
         return false;
     std::vector<double> y(columns.size());
     for (std::size_t i = 0; i < y.size(); ++i)

@@ -1,15 +1,16 @@
-// How a component's steps become pieces of its history; see component.h.
-#include "solution/component.h"
+#include "dense/piece_writer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace solution {
 
 namespace {
 
-// What values change by when the time changes by its last places: what their formulas lose to
-// rounding, however small they are themselves. `valuesAt` puts them into `values`.
+// By how much values change when the time changes by its last places: what their formulas lose to
+// rounding, however small the values are. `valuesAt` puts them into `values`.
 template <typename ValuesAt>
 std::vector<double> roughness(std::span<const double> times, const ValuesAt& valuesAt,
                               const std::vector<double>& values) {
@@ -64,54 +65,88 @@ bool follow(std::span<const Coefficients> curves, std::span<const double> allowe
 
 } // namespace
 
-void Component::append(std::span<const Coefficients> states, double scale, double until) {
+void PieceWriter::takeLayout(std::span<const std::size_t> states, std::span<const std::size_t> held,
+                             std::span<const std::pair<std::size_t, std::size_t>> integrals) {
+    states_.assign(states.begin(), states.end());
+    held_.assign(held.begin(), held.end());
+    pairs_.clear();
+    for (const auto& [x, v] : integrals)
+        pairs_.emplace_back(states_[x], states_[v]);
+    if (!pairs_.empty() && !history_->takePairs(pairs_))
+        pairs_.clear();
+    std::vector<char> isOther(unknowns_, 1);
+    places_.clear();
+    for (const auto& [place, velocity] : pairs_) {
+        places_.push_back(place);
+        isOther[place] = isOther[velocity] = 0;
+    }
+    all_.clear();
+    others_.clear();
+    for (std::size_t n = 0; n < unknowns_; ++n) {
+        all_.push_back(n);
+        if (isOther[n])
+            others_.push_back(n);
+    }
+}
+
+void PieceWriter::append(const StateCurves& states, HeldValues& values, double allowed) {
     history_->dropAnchor();
-    appendPart(states, time_, scale, until, 0);
+    appendPart(states, values, allowed, 0);
 }
 
-// Held values follow the states by polynomials of their own; where one does not fit, the step is
-// kept in halves.
-void Component::appendPart(std::span<const Coefficients> states, double origin, double scale,
-                           double until, int depth) {
+void PieceWriter::append(const StateCurves& states, std::span<const Coefficients> held) {
+    history_->dropAnchor();
+    appendRow(states, held);
+}
+
+void PieceWriter::standAt(double t, std::span<const double> valuesAndRates) {
+    history_->dropAnchor();
+    history_->append({t, t, 1, true, 2}, valuesAndRates);
+}
+
+void PieceWriter::append(const History::Step& step, std::span<const double> row) {
+    history_->append(step, row);
+    isFresh_ = false;
+}
+
+void PieceWriter::appendPart(const StateCurves& states, HeldValues& values, double allowed,
+                             int depth) {
     constexpr int deepest = 10;
-    if (equations_->held().empty()) {
-        appendRow(states, {}, origin, scale, until);
+    if (held_.empty()) {
+        appendRow(states, {});
         return;
     }
-    std::vector<Coefficients> held(equations_->held().size());
-    if (!held.empty() && !fitHeld(states, origin, scale, until, heldPart, held) &&
-        depth < deepest) {
+    const auto [columns, origin, scale, until] = states;
+    std::vector<Coefficients> held(held_.size());
+    if (!fit(states, values, allowed, held) && depth < deepest) {
         const double middle = origin + 0.5 * (until - origin);
-        appendPart(states, origin, scale, middle, depth + 1);
+        appendPart({columns, origin, scale, middle}, values, allowed, depth + 1);
         std::vector<Coefficients> second;
-        for (const Coefficients& column : states)
+        for (const Coefficients& column : columns)
             second.push_back(reparametrize(column, (middle - origin) / scale, 1));
-        appendPart(second, middle, scale, until, depth + 1);
+        appendPart({second, middle, scale, until}, values, allowed, depth + 1);
         return;
     }
-    if (!held.empty() && until - origin != scale) { // one scale for all
+    if (until - origin != scale) { // one scale for all
         std::vector<Coefficients> rescaled;
-        for (const Coefficients& column : states)
+        for (const Coefficients& column : columns)
             rescaled.push_back(reparametrize(column, 0, (until - origin) / scale));
-        appendRow(rescaled, held, origin, until - origin, until);
+        appendRow({rescaled, origin, until - origin, until}, held);
         return;
     }
-    appendRow(states, held, origin, scale, until);
+    appendRow(states, held);
 }
 
-// Polynomials of (t - origin)/(until - origin). False: they do not fit, by more than this part of
-// the tolerance of what they span, and by more than rounding, of time too, makes of them.
-bool Component::fitHeld(std::span<const Coefficients> states, double origin, double scale,
-                        double until, double part, std::span<Coefficients> held) {
+bool PieceWriter::fit(const StateCurves& states, HeldValues& values, double allowed,
+                      std::span<Coefficients> held) {
     const auto& points = interpolationPoints();
-    std::vector<double> y(states.size()), out(held.size());
+    std::vector<double> y(states.columns.size()), out(held.size());
     std::vector<std::array<double, maximumCoefficients>> samples(held.size());
     const auto valuesAt = [&](double t) {
-        for (std::size_t i = 0; i < y.size(); ++i)
-            y[i] = evaluate(states[i], (t - origin) / scale);
-        return equations_->heldValues(t, y, out);
+        states.at(t, y);
+        return values.valuesAt(t, y, out);
     };
-    const double length = until - origin;
+    const double origin = states.origin, until = states.until, length = until - origin;
     const double latest = std::max(std::abs(origin), std::abs(until));
     const double late = 16 * std::numeric_limits<double>::epsilon() * latest / length;
     for (std::size_t p = 0; p < points.size(); ++p) {
@@ -120,43 +155,21 @@ bool Component::fitHeld(std::span<const Coefficients> states, double origin, dou
         for (std::size_t k = 0; k < held.size(); ++k)
             samples[k][p] = out[k];
     }
-    std::vector<double> allowed;
+    std::vector<double> errors;
     for (std::size_t k = 0; k < held.size(); ++k) {
         held[k] = interpolate(samples[k]);
         const auto [low, high] = std::ranges::minmax(samples[k]);
         const double size = std::max(std::abs(low), std::abs(high)), spanned = high - low;
-        allowed.push_back(std::max({part * tolerance_ * spanned, late * spanned, 1e-13 * size}));
+        errors.push_back(std::max({allowed * spanned, late * spanned, 1e-13 * size}));
     }
-    std::vector<double> checks = centresIn(states, origin, scale, until);
+    std::vector<double> checks = values.peaksOn(states);
     for (const double s : {0.13, 0.31, 0.6, 0.93})
         checks.push_back(origin + s * length);
-    return follow(held, allowed, checks, {origin, length}, valuesAt, out);
-}
-
-// Which columns are places whose velocities are here too, and which are neither.
-void Component::findPairs() {
-    pairs_.clear();
-    for (const auto& [x, v] : equations_->integrals())
-        pairs_.emplace_back(equations_->states()[x], equations_->states()[v]);
-    if (!pairs_.empty() && !history_->takePairs(pairs_))
-        pairs_.clear();
-    std::vector<char> isOther(unknowns_.size(), 1);
-    places_.clear();
-    for (const auto& [place, velocity] : pairs_) {
-        places_.push_back(place);
-        isOther[place] = isOther[velocity] = 0;
-    }
-    all_.clear();
-    others_.clear();
-    for (std::size_t n = 0; n < unknowns_.size(); ++n) {
-        all_.push_back(n);
-        if (isOther[n])
-            others_.push_back(n);
-    }
+    return follow(held, errors, checks, {origin, length}, valuesAt, out);
 }
 
 // The number of coefficients that all these columns need.
-std::uint8_t Component::lengthOf(std::span<const std::size_t> columns, std::size_t least) const {
+std::uint8_t PieceWriter::lengthOf(std::span<const std::size_t> columns, std::size_t least) const {
     std::size_t count = least;
     for (const std::size_t column : columns)
         for (std::size_t k = maximumDegree; k >= count; --k)
@@ -167,28 +180,28 @@ std::uint8_t Component::lengthOf(std::span<const std::size_t> columns, std::size
     return static_cast<std::uint8_t>(count);
 }
 
-bool Component::tellVelocities(double scale) const {
+bool PieceWriter::tellVelocities(double scale) const {
     return std::ranges::all_of(pairs_, [&](const auto& pair) {
         return History::tells(*kept_[pair.first], *kept_[pair.second], scale);
     });
 }
 
-void Component::appendRow(std::span<const Coefficients> states, std::span<const Coefficients> held,
-                          double origin, double scale, double until) {
-    kept_.resize(unknowns_.size());
-    for (std::size_t i = 0; i < states.size(); ++i)
-        kept_[equations_->states()[i]] = &states[i];
+void PieceWriter::appendRow(const StateCurves& states, std::span<const Coefficients> held) {
+    kept_.resize(unknowns_);
+    for (std::size_t i = 0; i < states.columns.size(); ++i)
+        kept_[states_[i]] = &states.columns[i];
     for (std::size_t i = 0; i < held.size(); ++i)
-        kept_[equations_->held()[i]] = &held[i];
-    History::Step step{.origin = origin, .until = until, .scale = scale, .fresh = fresh_};
-    if (!pairs_.empty() && tellVelocities(scale)) {
+        kept_[held_[i]] = &held[i];
+    History::Step step{
+        .origin = states.origin, .until = states.until, .scale = states.scale, .fresh = isFresh_};
+    if (!pairs_.empty() && tellVelocities(states.scale)) {
         step.coefficients = lengthOf(places_, 2);
         step.others = lengthOf(others_, 1);
     } else {
         step.coefficients = lengthOf(all_, 1);
     }
     history_->append(step, kept_);
-    fresh_ = false;
+    isFresh_ = false;
 }
 
 } // namespace solution
