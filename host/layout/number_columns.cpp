@@ -38,8 +38,10 @@ QString measuredText(const model::Run& run) {
 // The number that a block is, and how wide it is on both sides of its point.
 void measureNumber(Looks& looks, const model::Block& block, Measured& measured) {
     std::size_t length = 0;
-    for (const model::Run& run : block.runs)
-        length += run.kind == model::RunKind::text ? run.text.size() : longestNumber + 1;
+    for (const model::Run& run : block.runs) {
+        const bool isText = run.kind == model::RunKind::text || run.kind == model::RunKind::value;
+        length += isText ? run.text.size() : longestNumber + 1;
+    }
     if (block.kind != model::BlockKind::text || !block.marker.empty() || length > longestNumber)
         return;
     QString text;

@@ -173,6 +173,38 @@ TEST_F(TablesTest, NumbersStandByTheirPoints) {
     EXPECT_EQ(pointOf("1.5", 0), pointOf("Name", 0));
 }
 
+// Values of figures are numbers, too, and stay in their places while they play.
+TEST_F(TablesTest, ValuesStandByTheirPointsWhileTheyPlay) {
+    const auto value = [](const std::string& text, const std::string& room) {
+        model::Cell made = cell(room.empty() ? text : "\u2007" + text);
+        made.style.alignNumbers = true;
+        const auto block = std::make_shared<model::Block>(*made.blocks.front());
+        block->runs.front().kind = model::RunKind::value;
+        block->runs.front().value = std::make_shared<model::Value>(model::Value{.room = room});
+        made.blocks.front() = block;
+        return made;
+    };
+    const auto pointsOf = [&](const std::string& first, const std::string& room) {
+        model_.blocks = {tableOf({{cell("Now")}, {value(first, room)}, {value("8.25", "")}})};
+        std::vector<double> points;
+        const Pages laid = pages();
+        for (const Piece& piece : laid.pages.front()->pieces)
+            if (const auto* line = std::get_if<TextPiece>(&piece)) {
+                const auto point = line->paragraph->textOfLine(line->line).indexOf('.');
+                if (point > 0)
+                    points.push_back(line->at.x() +
+                                     line->paragraph->leftOf(line->line, static_cast<int>(point)));
+            }
+        return points;
+    };
+    const std::vector<double> atRest = pointsOf("120.5", "");
+    ASSERT_EQ(atRest.size(), 2u);
+    EXPECT_NEAR(atRest[0], atRest[1], 1e-6);
+    const std::vector<double> playing = pointsOf("9.5", "\u2212000.0");
+    EXPECT_NEAR(playing[0], playing[1], 1);
+    EXPECT_NEAR(pointsOf("\u2212111.1", "\u2212000.0")[0], playing[0], 1); // of 1/20 point
+}
+
 TEST_F(TablesTest, AuthorsSayHowWideColumnsAre) {
     const NewBlock table = tableOf({{cell("a"), cell("b"), cell("c")}});
     table->columnWidths = {100, 0, 50};
