@@ -37,6 +37,23 @@ QPalette lightPalette() {
     return palette;
 }
 
+// Some desktops name dark colours but none for the hints in empty fields, which would be dark, too.
+void dressHints() {
+    const QPalette now = QApplication::palette();
+    const QColor base = now.color(QPalette::Base), text = now.color(QPalette::Text);
+    const QColor hint = now.color(QPalette::PlaceholderText);
+    const bool isLikeText =
+        (hint.lightness() < base.lightness()) == (text.lightness() < base.lightness());
+    if (isLikeText)
+        return;
+    constexpr double faint = 0.65;
+    QColor made = text;
+    made.setAlphaF(faint);
+    QPalette hints; // all else goes on following the desktop
+    hints.setColor(QPalette::PlaceholderText, made);
+    QApplication::setPalette(hints);
+}
+
 } // namespace
 
 void dress() {
@@ -44,6 +61,7 @@ void dress() {
     font.setFamilies(QStringList{"Inter"} + font.families());
     font.setPointSizeF(9.5);
     QApplication::setFont(font);
+    dressHints();
     const bool desktopHasStyle =
         QApplication::style()->name().compare("fusion", Qt::CaseInsensitive) != 0;
     if (desktopHasStyle || QApplication::palette().color(QPalette::Window).lightness() < 128)

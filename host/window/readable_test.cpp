@@ -75,6 +75,22 @@ TEST_P(ReadableTest, EveryTextOfAWindow) {
     }
 }
 
+// Such as KDE's colours: they have none for it.
+TEST_P(ReadableTest, TheHintOfAnEmptyField) {
+    QPalette palette = QApplication::palette();
+    palette.setColor(QPalette::PlaceholderText,
+                     GetParam() ? QColor(0, 0, 0, 128) : QColor(255, 255, 255, 128));
+    QApplication::setPalette(palette);
+    dress();
+    QWidget window;
+    auto* field = new QLineEdit(&window);
+    field->setPlaceholderText("Words of a caption");
+    field->resize(300, field->sizeHint().height());
+    window.resize(320, 60);
+    window.show();
+    expectReadable(window, "field", 1);
+}
+
 TEST_P(ReadableTest, EveryTextOfAMessage) {
     plain::Message box(QMessageBox::Question, "Save", "The document has changes.",
                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, nullptr);
