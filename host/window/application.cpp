@@ -39,7 +39,7 @@ QPalette lightPalette() {
 
 // Some desktops name dark colours but none for the hints in empty fields, which would be dark, too.
 void dressHints() {
-    const QPalette now = QApplication::palette();
+    QPalette now = QApplication::palette(); // all else of it goes on following the desktop
     const QColor base = now.color(QPalette::Base), text = now.color(QPalette::Text);
     const QColor hint = now.color(QPalette::PlaceholderText);
     const bool isLikeText =
@@ -49,9 +49,8 @@ void dressHints() {
     constexpr double faint = 0.65;
     QColor made = text;
     made.setAlphaF(faint);
-    QPalette hints; // all else goes on following the desktop
-    hints.setColor(QPalette::PlaceholderText, made);
-    QApplication::setPalette(hints);
+    now.setColor(QPalette::PlaceholderText, made);
+    QApplication::setPalette(now);
 }
 
 } // namespace
