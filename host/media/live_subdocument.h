@@ -1,23 +1,22 @@
 // One subdocument of a medium, whether its process lives or not: what all views of it share.
 //
-// It holds the text (the document's, kept in step by edit()), the renditions, and what the medium
-// last said: menus, time, diagnostics. When its process fails, all of that stays, reason() says in
-// a sentence what happened, and it is started again, a few times by itself (restarts.h), else when
-// startAgain() is called; windows of its own that were open, it opens again with what was typed
-// there (kept_windows.h). A text that no message holds is refused: it has no process until it is
-// shorter. An entry of its menu that needs another mode starts a second process in
-// that mode with the current text, moves the renditions there, and ends the first.
+// It holds the text (subdocument_text.h: the document's, kept in step by edit()), the renditions
+// (renditions.h), and what the medium last said: menus, time, diagnostics. Its processes follow one
+// another (succession.h). When one fails, all of that stays, reason() says in a sentence what
+// happened, and it is started again, a few times by itself, else when startAgain() is called;
+// windows of its own that were open, it opens again with what was typed there (kept_windows.h). A
+// text that no message holds is refused: it has no process until it is shorter. An entry of its
+// menu that needs another mode starts a second process in that mode with the current text, moves
+// the renditions there, and ends the first.
 #pragma once
 
 #include "media/kept_time.h"
 #include "media/kept_windows.h"
-#include "media/manifest.h"
-#include "media/medium_process.h"
-#include "media/rendition.h"
-#include "media/restarts.h"
+#include "media/renditions.h"
+#include "media/subdocument_text.h"
+#include "media/succession.h"
 #include "media/value_watch.h"
 
-#include <QSizeF>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -32,9 +31,6 @@ enum class Condition {
     failed,        // reason() says why; startAgain() tries again
 };
 
-// An edit that the medium asks for: {} when it was applied, else why not.
-using ChangeHandler = std::function<std::optional<QString>(const ipc::SubdocumentChanged& change)>;
-
 class LiveSubdocument : public QObject {
     Q_OBJECT
 
@@ -43,28 +39,29 @@ public:
                     TimeLimits limits = {}, QObject* parent = nullptr);
     ~LiveSubdocument() override;
 
-    [[nodiscard]] const Manifest& manifest() const { return manifest_; }
+    [[nodiscard]] const Manifest& manifest() const { return processes_.manifest(); }
     [[nodiscard]] Condition condition() const { return condition_; }
     [[nodiscard]] const QString& reason() const { return reason_; } // of the last failure
-    [[nodiscard]] bool hasProcess() const { return process_ || next_; }
+    [[nodiscard]] bool hasProcess() const { return processes_.any(); }
     // Something of it is seen already, so that it may be a still.
-    [[nodiscard]] bool hasPicture() const;
+    [[nodiscard]] bool hasPicture() const { return renditions_.anyPicture(); }
     [[nodiscard]] QString name() const; // what the medium calls itself, else the manifest's
 
     // --- its text
     void setText(const QByteArray& text); // whole: at first, and after a reload of the document
     void edit(const text::Edits& edits, const QString& label);
-    [[nodiscard]] const QByteArray& text() const { return text_; }
-    void setTitle(const QString& title) { title_ = title; } // for the medium's own windows
-    void onChange(ChangeHandler handler) { changeHandler_ = std::move(handler); }
+    [[nodiscard]] const QByteArray& text() const { return text_.bytes(); }
+    void setTitle(const QString& title) { text_.setTitle(title); } // for the medium's own windows
+    void onChange(ChangeHandler handler) { text_.onChange(std::move(handler)); }
 
     // --- its process
-    void setMode(Mode mode) { mode_ = mode; } // of the next process
-    void start();                             // if there is none
-    void startAgain();                        // and forgets past failures: after a click
-    [[nodiscard]] bool mayStart() const { return !isTooLong(); } // whatever happened before
-    [[nodiscard]] bool hasWindows() const; // perhaps: its process may open some
-    void makeStill();                      // ends the process; pictures and menus stay
+    void setMode(Mode mode) { processes_.setMode(mode); } // of the next process
+    void start();                                         // if there is none
+    void startAgain(); // and forgets past failures: after a click
+    [[nodiscard]] bool mayStart() const { return !text_.isTooLong(); } // whatever happened before
+    // Perhaps: its process may open some.
+    [[nodiscard]] bool hasWindows() const { return processes_.mayHaveWindows(); }
+    void makeStill(); // ends the process; pictures and menus stay
     void setPoster(std::optional<double> time) { time_.setPoster(time); } // s; at first
 
     // --- its renditions
@@ -72,13 +69,15 @@ public:
     // As what all of them show it: a name from presentations(). Of another name, and of "", the
     // first counts.
     void setPresentation(const std::string& name);
-    [[nodiscard]] std::string presentation() const; // that counts
+    [[nodiscard]] std::string presentation() const { return renditions_.presentation(); }
     // As the medium said last; nothing before it did.
     [[nodiscard]] const std::vector<ipc::Presentation>& presentations() const {
-        return presentations_;
+        return renditions_.presentations();
     }
     // The size that the medium wants, in 1/96 inch; nothing before it said so.
-    [[nodiscard]] std::optional<QSizeF> preferredSize() const { return preferredSize_; }
+    [[nodiscard]] std::optional<QSizeF> preferredSize() const {
+        return renditions_.preferredSize();
+    }
     void setAvailable(QSizeF available); // what there is at most
     struct Snapshot {
         QImage picture;
@@ -88,7 +87,7 @@ public:
                   std::function<void(Snapshot)> done);
 
     // --- its commands
-    [[nodiscard]] const std::vector<ipc::MenuEntry>& menus() const { return menus_; }
+    [[nodiscard]] const std::vector<ipc::MenuEntry>& menus() const { return said_.menus; }
     // While its process starts or changes, it is done as soon as it can be.
     void invoke(const QString& id, const Rendition* rendition);
     // Text typed in windows of the medium can be made a change of the text, by the entry
@@ -114,7 +113,7 @@ public:
                     std::function<void(Outcome<ipc::Values>)> done);
 
     // Of its own: while they are open its process is not for others to end.
-    [[nodiscard]] const ipc::WindowsChanged& windows() const { return windows_; }
+    [[nodiscard]] const ipc::WindowsChanged& windows() const { return said_.windows; }
     // The state of them that the medium wants in its next process, in its own words; "": none.
     [[nodiscard]] const std::string& keptState() const { return kept_.state(); }
     // As keptState() was in an earlier run of the host: the next process opens them.
@@ -122,12 +121,12 @@ public:
     // A sentence about the end of its windows, for the reader until dismissNotice().
     [[nodiscard]] const QString& notice() const { return kept_.notice(); }
     void dismissNotice();
-    [[nodiscard]] const ipc::Diagnostics& diagnostics() const { return diagnostics_; }
+    [[nodiscard]] const ipc::Diagnostics& diagnostics() const { return said_.diagnostics; }
     // The text is loaded and the medium has said what is wrong with it.
     [[nodiscard]] bool hasLoaded() const { return loaded_; }
     // The names of what a slider may drive, as the medium said last; nothing before it answered.
     [[nodiscard]] const std::optional<std::vector<std::string>>& parameters() const {
-        return parameters_;
+        return said_.parameters;
     }
     void askForParameters(); // of the text that is loaded
 
@@ -151,68 +150,52 @@ Q_SIGNALS:
 
 private:
     friend class Rendition;
-    void forget(const Rendition& rendition);
+    void forget(const Rendition& rendition) { renditions_.forget(rendition); }
 
-    [[nodiscard]] std::unique_ptr<MediumProcess> createProcess(Mode mode);
-    void begin(Mode mode);
-    void adopt(std::unique_ptr<MediumProcess> process);
-    [[nodiscard]] std::function<bool()> currentProcess() const;
+    void followProcesses();
+    void adopt();
     void load();
+    void askForPresentations();
     void steer(const KeptTime::Commands& commands);
     void restoreWindows(const QString& why);
     void askForSize();
     void told(const ipc::ToHost& report);
+    void toldOfRenditions(const ipc::ToHost& report);
     void asked(MediumProcess& by, const ipc::Id& id, const ipc::ToHost& request);
     void takeFrame(const ipc::RenditionFrame& frame);
     void applyChange(MediumProcess& by, const ipc::Id& id, const ipc::SubdocumentChanged& change);
-    void processEnded(const QString& reason, bool mayStartAgain);
-    void nextEnded(const QString& reason);
-    void switchMode(Mode mode, std::function<void()> then);
+    void processLeft(const MediumProcess& process);
+    void processFailed(const QString& reason, bool mayStartAgain);
     void invokeWaiting();
-    void discard(std::unique_ptr<MediumProcess>& process);
     void setCondition(Condition condition);
-    [[nodiscard]] bool isTooLong() const;
-    [[nodiscard]] bool isReady() const;
+    [[nodiscard]] bool isReady() const { return processes_.isReady(); }
+    [[nodiscard]] bool hasCurrent() const { return processes_.current() != nullptr; }
+    [[nodiscard]] MediumProcess& process() { return *processes_.current(); }
     [[nodiscard]] bool judgeText(bool wasTooLong);
 
-    Manifest manifest_;
-    QString program_;
-    PipeThread& pipes_;
-    TimeLimits limits_;
-    QByteArray text_;
-    QString title_;
-    ipc::Integer revision_ = 1;
-    bool applyingOwnChange_ = false;
-    ChangeHandler changeHandler_;
-    Mode mode_ = Mode::play;
-    Condition condition_ = Condition::still;
-    QString reason_;
-    std::unique_ptr<MediumProcess> process_;
-    std::unique_ptr<MediumProcess> next_; // of another mode, until it is ready
-    std::vector<std::function<void()>> afterSwitch_;
-    struct Invocation {
+    struct Said { // by the medium, last; it outlives the process
+        QString name;
+        std::vector<ipc::MenuEntry> menus;
+        ipc::Diagnostics diagnostics;
+        std::optional<std::vector<std::string>> parameters;
+        ipc::WindowsChanged windows;
+    };
+    struct Invocation { // of an entry of the menu
         QString id;
         ipc::Integer rendition; // 0: none
     };
+
+    SubdocumentText text_;
+    Succession processes_;
+    Condition condition_ = Condition::still;
+    QString reason_;
+    bool loaded_ = false;
+    Renditions renditions_;
+    Said said_;
     std::vector<Invocation> whenReady_;
-    std::vector<Rendition*> renditions_;
-    ipc::Integer lastRendition_ = 0;
-    std::vector<ipc::Presentation> presentations_;
-    std::string wantedPresentation_; // "": the first
-    std::optional<QSizeF> preferredSize_;
-    QSizeF available_{640, 0};
-    std::vector<ipc::MenuEntry> menus_;
     KeptTime time_;
     ValueWatch watched_;
-    ipc::Diagnostics diagnostics_;
-    std::optional<std::vector<std::string>> parameters_;
-    ipc::WindowsChanged windows_;
     KeptWindows kept_;
-    bool loaded_ = false;
-    QString ownName_;
-    Restarts restarts_;
-    QElapsedTimer clock_;
-    QTimer restartTimer_;
 };
 
 } // namespace media

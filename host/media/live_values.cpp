@@ -8,15 +8,15 @@ void LiveSubdocument::watch(std::vector<std::string> expressions) {
     if (!isReady())
         return; // the next process is asked
     if (commands.end)
-        process_->request(*commands.end);
+        process().request(*commands.end);
     if (commands.begin)
-        process_->request(*commands.begin);
+        process().request(*commands.begin);
 }
 
 void LiveSubdocument::listValues(std::function<void(const std::vector<ipc::ValueOffer>&)> done) {
     if (!isReady())
         return done({});
-    process_->request(ipc::ValueList{}, [done = std::move(done)](auto outcome) {
+    process().request(ipc::ValueList{}, [done = std::move(done)](auto outcome) {
         const auto* offers = std::get_if<ipc::ValueOffers>(&outcome);
         done(offers ? offers->items : std::vector<ipc::ValueOffer>());
     });
@@ -36,7 +36,7 @@ void LiveSubdocument::readValues(const std::vector<std::string>& expressions,
         QTimer::singleShot(0, this, [done = std::move(done), error] { done(error); });
         return;
     }
-    process_->request(ipc::ValueRead{expressions, time},
+    process().request(ipc::ValueRead{expressions, time},
                       [done = std::move(done), count = expressions.size()](auto outcome) {
                           const auto* read = std::get_if<ipc::Values>(&outcome);
                           const bool isWrong =

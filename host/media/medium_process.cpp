@@ -21,8 +21,8 @@ constexpr int mostMsPerTurn = 8;
 MediumProcess::MediumProcess(const Manifest& manifest, QString program, Mode mode,
                              PipeThread& pipes, TimeLimits limits, QObject* parent)
     : QObject(parent), manifest_(manifest), program_(std::move(program)), mode_(mode),
-      pipes_(pipes), limits_(limits), frames_(std::make_shared<FrameMemory>()),
-      mailbox_(std::make_shared<Mailbox>(this, "readMail")) {
+      pipes_(pipes), frames_(std::make_shared<FrameMemory>()),
+      mailbox_(std::make_shared<Mailbox>(this, "readMail")), pulse_(limits) {
     connect(&clock_, &QTimer::timeout, this, &MediumProcess::tick);
 }
 
@@ -43,7 +43,7 @@ Launch MediumProcess::launchRequest() const {
 }
 
 void MediumProcess::start() {
-    sinceStart_.start();
+    pulse_.begin();
     if (program_.isEmpty()) {
         end(QStringLiteral("could not be started: there is no program \"%1\"")
                 .arg(manifest_.command.first()),
@@ -51,7 +51,7 @@ void MediumProcess::start() {
         return;
     }
     link_ = pipes_.start(launchRequest(), mailbox_);
-    clock_.start(std::min({limits_.pingEvery, limits_.quiet, limits_.shutdown}) / 2 + 1);
+    clock_.start(pulse_.interval());
     introduce();
 }
 
@@ -74,14 +74,13 @@ void MediumProcess::introduce() {
         }
         introduction_ = std::get<ipc::Initialized>(std::move(outcome));
         state_ = State::ready;
-        sincePong_.start();
+        pulse_.introduced();
         Q_EMIT ready();
     });
 }
 
-void MediumProcess::ask(const ipc::ToMedium& call, std::function<void(AnyOutcome)> done) {
-    const ipc::Integer id = ++lastId_;
-    waiting_[id] = {std::move(done)};
+void MediumProcess::ask(const ipc::ToMedium& call, Calls::Done done) {
+    const ipc::Integer id = calls_.await(std::move(done));
     if (isOver()) {
         QMetaObject::invokeMethod(this, &MediumProcess::tellEnd, Qt::QueuedConnection);
         return;
@@ -155,45 +154,26 @@ void MediumProcess::readMessage(ipc::Decoded<ipc::ToHost>& message) {
     } else if (const auto* wrong = std::get_if<ipc::Unanswerable>(&message)) {
         refuse(wrong->id, wrong->error);
     } else if (auto* answered = std::get_if<ipc::Answered>(&message)) {
-        const auto found = waiting_.find(answered->id);
-        if (found == waiting_.end())
-            return;
-        const auto done = std::move(found->second.done);
-        waiting_.erase(found);
-        done(std::move(answered->outcome));
+        calls_.take(std::move(*answered));
     }
 }
 
 void MediumProcess::ping() {
-    sincePing_.start();
+    pulse_.pinged();
     request(ipc::Ping{}, [this](const Outcome<ipc::Done>& outcome) {
-        if (!std::holds_alternative<ipc::Done>(outcome))
-            return;
-        sincePing_.invalidate();
-        sincePong_.start();
-        if (!responding_) {
-            responding_ = true;
+        if (std::holds_alternative<ipc::Done>(outcome) && pulse_.answered())
             Q_EMIT respondingChanged();
-        }
     });
 }
 
-// LIMIT: a process that is being debugged by its author is ended like one that hangs.
 void MediumProcess::tick() {
-    if (state_ == State::starting && sinceStart_.hasExpired(limits_.initialize)) {
-        end(QStringLiteral("did not answer within %1 s of its start")
-                .arg(limits_.initialize / 1e3));
-    } else if (state_ == State::closing && sinceShutdown_.hasExpired(limits_.shutdown)) {
-        end(QStringLiteral("did not end when asked to"));
-    } else if (state_ == State::ready && !sincePing_.isValid()) {
-        if (sincePong_.hasExpired(limits_.pingEvery))
-            ping();
-    } else if (state_ == State::ready && sincePing_.hasExpired(limits_.hung)) {
-        end(QStringLiteral("did not respond for %1 s").arg(limits_.hung / 1e3));
-    } else if (state_ == State::ready && responding_ && sincePing_.hasExpired(limits_.quiet)) {
-        responding_ = false;
+    const Pulse::Due due = pulse_.due();
+    if (due.what == Pulse::Due::What::end)
+        end(due.why);
+    else if (due.what == Pulse::Due::What::ping)
+        ping();
+    else if (due.what == Pulse::Due::What::sayThatItIsQuiet)
         Q_EMIT respondingChanged();
-    }
 }
 
 void MediumProcess::shutdown() {
@@ -205,7 +185,7 @@ void MediumProcess::shutdown() {
         return;
     }
     state_ = State::closing;
-    sinceShutdown_.start();
+    pulse_.askedToEnd();
     request(ipc::Shutdown{}, [this](const Outcome<ipc::Done>&) { notify(ipc::Exit{}); });
 }
 
@@ -225,8 +205,7 @@ void MediumProcess::tellEnd() {
     const QPointer<MediumProcess> self = this;
     const bool first = std::exchange(state_, State::ended) != State::ended;
     const ipc::Error closed(ipc::ErrorCode::closed, "the medium " + reason_.toStdString());
-    for (auto& [id, request] : std::exchange(waiting_, {}))
-        request.done(closed);
+    calls_.refuse(closed);
     if (first && self)
         Q_EMIT ended(reason_, mayStartAgain_);
 }

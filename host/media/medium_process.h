@@ -6,18 +6,19 @@
 // hears of an end from the event loop. Between the two it is `over`: nothing is sent or read.
 //
 // It is asked by requests and told by notifications; answers and reports come back as calls and
-// signals in the interface thread, a few at a time, so that a flood cannot hold the window. It is
-// pinged: without an answer for `quiet` it is not responding, for `hung` it is ended. Nothing here
-// waits; nothing the medium sends is believed before ipc has checked it.
+// signals in the interface thread, a few at a time, so that a flood cannot hold the window
+// (calls.h). It is pinged, and ended when it hangs (pulse.h). Nothing here waits; nothing the
+// medium sends is believed before ipc has checked it.
 #pragma once
 
+#include "media/calls.h"
 #include "media/frame_memory.h"
 #include "media/manifest.h"
 #include "media/pipe_thread.h"
+#include "media/pulse.h"
 
 #include "ipc/messages.h"
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 #include <functional>
@@ -26,17 +27,6 @@
 namespace media {
 
 using ipc::Mode;
-
-// In ms; tests make them shorter.
-struct TimeLimits {
-    int initialize = 10'000;
-    int quiet = 2'000;
-    int hung = 10'000;
-    int shutdown = 2'000;
-    int pingEvery = 1'000;
-    int restartsPerMinute = 3; // by itself
-    int restartsPerHour = 10;
-};
 
 template <class Result> using Outcome = std::variant<Result, ipc::Error>;
 
@@ -57,7 +47,7 @@ public:
 
     [[nodiscard]] State state() const { return state_; }
     [[nodiscard]] Mode mode() const { return mode_; }
-    [[nodiscard]] bool isResponding() const { return responding_; }
+    [[nodiscard]] bool isResponding() const { return pulse_.isResponding(); }
     [[nodiscard]] const ipc::Initialized& introduction() const { return introduction_; }
     [[nodiscard]] FrameMemory& frames() { return *frames_; }
     // True while it has much unread: leave out what can be left out, such as pointer moves.
@@ -68,7 +58,7 @@ public:
     template <ipc::IsRequest R>
     void request(R call, std::function<void(Outcome<typename R::Result>)> done = {}) {
         using Result = typename R::Result;
-        ask(ipc::ToMedium(std::move(call)), [done = std::move(done)](AnyOutcome outcome) {
+        ask(ipc::ToMedium(std::move(call)), [done = std::move(done)](Calls::Outcome outcome) {
             if (!done)
                 return;
             if (auto* error = std::get_if<ipc::Error>(&outcome))
@@ -89,16 +79,11 @@ Q_SIGNALS:
     void ended(const QString& reason, bool mayStartAgain); // by itself, that is
 
 private:
-    using AnyOutcome = std::variant<ipc::AnyResult, ipc::Error>;
-    struct Waiting {
-        std::function<void(AnyOutcome)> done;
-    };
-
     Q_INVOKABLE void readMail();
     void read(Letter& letter);
     void readMessage(ipc::Decoded<ipc::ToHost>& message);
     void introduce();
-    void ask(const ipc::ToMedium& call, std::function<void(AnyOutcome)> done);
+    void ask(const ipc::ToMedium& call, Calls::Done done);
     void send(const std::string& body);
     void ping();
     void tick();
@@ -110,22 +95,16 @@ private:
     QString program_;
     Mode mode_;
     PipeThread& pipes_;
-    TimeLimits limits_;
     std::shared_ptr<FrameMemory> frames_;
     std::shared_ptr<Mailbox> mailbox_;
     PipeThread::Link link_ = 0;
     State state_ = State::starting;
-    bool responding_ = true;
     bool mayStartAgain_ = true;
     QString reason_; // why it is over
     ipc::Initialized introduction_;
-    ipc::Integer lastId_ = 0;
-    std::map<ipc::Integer, Waiting> waiting_;
-    QTimer clock_;
-    QElapsedTimer sinceStart_;
-    QElapsedTimer sincePing_; // valid while a ping is unanswered
-    QElapsedTimer sincePong_;
-    QElapsedTimer sinceShutdown_;
+    Calls calls_;
+    Pulse pulse_;
+    QTimer clock_; // of the pulse
     QString log_;
 };
 

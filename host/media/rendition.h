@@ -43,7 +43,7 @@ Q_SIGNALS:
     void unhandledInput(const ipc::Input& input); // keys that the medium does not use
 
 private:
-    friend class LiveSubdocument;
+    friend class Renditions;
     Rendition(LiveSubdocument& subdocument, ipc::Integer id);
 
     void attach(MediumProcess* process); // makes itself there; nullptr: the process is gone
