@@ -266,6 +266,7 @@ template <class V> void describe(V& v, TimeChanged& m) {
     v.field("computed", m.computed, anyNumber);
     v.field("predictable", m.predictable, anyNumber);
     v.option("state", m.state);
+    v.option("motion", m.motion, natural);
 }
 template <class V> void describe(V& v, ProgressBegin& m) {
     v.field("token", m.token, natural);

@@ -396,6 +396,7 @@ struct TimeChanged {
     double computed = 0;               // how far the motion is known
     std::optional<double> predictable; // from here on it is not; none: to the finish
     MotionState state = MotionState::current;
+    Integer motion = 0; // another number: another motion
 };
 struct ProgressBegin {
     static constexpr auto method = "progress/begin";

@@ -181,10 +181,7 @@ void Values::gather() {
             continue;
         figure.moving = std::move(now.moving);
         figure.fixed = std::move(now.fixed);
-        ++figure.text; // there may be one more
-        figure.refusal.clear();
-        if (!late_.isActive())
-            late_.start(lateMs);
+        expectOthers(figure); // there may be one more
         follow(id, figure);
         ask(id);
     }
@@ -331,24 +328,34 @@ void Values::takeTime(SubdocumentId id) {
     Figure& figure = found->second;
     const ipc::TimeChanged& time = *figure.live->time();
     const bool hadMotion = std::exchange(figure.hasMotion, isKnowingMotion(time));
+    const bool isAnother =
+        figure.hasMotion && std::exchange(figure.motion, time.motion) != time.motion && hadMotion;
     const bool hasMoved = std::exchange(figure.shown, time.time) != time.time;
     if (std::exchange(figure.isPlaying, time.playing) != time.playing)
         hasChanged_ = true;
     const bool isUnwatched = figure.moving.size() > media::ValueWatch::most && hasMoved;
-    if (figure.awaited == 0 && isReady(*figure.live) &&
-        ((figure.hasMotion && !hadMotion) || (isUnwatched && !time.playing)))
+    if (isAnother)
+        expectOthers(figure);
+    if (isReady(*figure.live) &&
+        (isAnother || (figure.awaited == 0 &&
+                       ((figure.hasMotion && !hadMotion) || (isUnwatched && !time.playing)))))
         ask(id);
     tell();
+}
+
+// Those that are known may be out of date.
+void Values::expectOthers(Figure& figure) {
+    ++figure.text;
+    figure.refusal.clear();
+    if (!late_.isActive())
+        late_.start(lateMs);
 }
 
 void Values::textChanged(SubdocumentId id) {
     const auto found = figures_.find(id);
     if (found == figures_.end())
         return;
-    ++found->second.text;
-    found->second.refusal.clear();
-    if (!late_.isActive())
-        late_.start(lateMs);
+    expectOthers(found->second);
     ask(id);
 }
 

@@ -6,9 +6,9 @@
 // process starts, behind the scenes and few at a time; when it has answered, it rests as others do,
 // and the value stays true as long as text and time stay. A number of an older text is out of date
 // when its medium takes long to say the new one, or cannot.
-// LIMIT: a value at a fixed time follows a slider of its figure once the medium has said that it
-// computes, and that the motion is known; a medium that says neither keeps the number of before.
-// LIMIT: at most 1000 values for one time of a figure, and 100 fixed times: the others are faults.
+// A value at a fixed time follows a slider of its figure, too: it is read again when the medium
+// knows a motion after it did not, or tells that its motion is another one. LIMIT: at most 1000
+// values for one time of a figure, and 100 fixed times: the others are faults.
 #pragma once
 
 #include "document/subdocument.h"
@@ -78,6 +78,7 @@ private:
         std::string refusal{};            // a sentence: it tells nothing of this text
         bool isLate = false;
         bool hasMotion = false, isPlaying = false; // as it was told last
+        ipc::Integer motion = 0;                   // its number, of the last that was known
         std::optional<double> shown{};
     };
 
@@ -92,6 +93,7 @@ private:
               Known known);
     void takeTold(document::SubdocumentId id);
     void takeTime(document::SubdocumentId id);
+    void expectOthers(Figure& figure);
     void textChanged(document::SubdocumentId id);
     void markLate();
     void want(document::SubdocumentId id);

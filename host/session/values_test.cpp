@@ -109,6 +109,21 @@ TEST_F(ValuesTest, ItFollowsTheTimeAndItsTextAndRestsWithoutProcess) {
     EXPECT_EQ(fault(), "");
 }
 
+// A medium that is never heard to compute: its motion is another one at once.
+TEST_F(ValuesTest, AValueAtAFixedTimeFollowsASlider) {
+    open(value("a", "x", " TIME=\"3 s\" FORMAT=\"1 decimal\"") +
+         figure("a", "duration 8\nslider\nvalue x 1 1"));
+    settle();
+    ASSERT_TRUE(comesToShow("now 4.0 m"));
+    live(0).startAgain();
+    ASSERT_TRUE(waitFor([&] { return live(0).condition() == media::Condition::live; }));
+    for (const char* words : {"now 5.0 m", "now 6.0 m"}) {
+        live(0).invoke("slide", nullptr);
+        ASSERT_TRUE(comesToShow(words));
+    }
+    EXPECT_EQ(fault(), "");
+}
+
 TEST_F(ValuesTest, WhatTheMediumDoesNotKnowIsAFaultAtItsPlace) {
     open(value("a", "y") + value("b", "x") + value("a", "x", " FORMAT=\"0.0\"") +
          "<PARAGRAPH><FORMULA>{\\value{c}{x}}</FORMULA></PARAGRAPH>\n" +

@@ -8,6 +8,7 @@ The text of its subdocument is lines of `WORD VALUES`:
   size W H             the size that it would like
   duration S           it has time, from 0 to S
   value NAME V RATE    the value of NAME: V, and RATE more in each second of its time
+  slider               its menu has an entry that makes every value greater by 1 at once: another motion
   fault LINE COLUMN SENTENCE
   menu LABEL           one more entry of its menu, with an icon
   behave BEHAVIOUR     as the argument, from the moment that the text is loaded
@@ -100,6 +101,7 @@ class Medium:
         self.handles = False
         self.draft, self.opened, self.keeps, self.notice = "", 0, "", ""
         self.label = ""
+        self.has_slider, self.slid = False, 0
         self.values, self.watched, self.faulty = {}, {}, False
         self.stay = False
         self.slow = 0.0
@@ -219,6 +221,8 @@ class Medium:
             elif words[0] == "draft":
                 self.draft = " ".join(words[1:])
                 notify("windows/changed", open=1, drafts=True)
+            elif words[0] == "slider":
+                self.has_slider = True
             elif words[0] == "keep":
                 self.keeps = " ".join(words[1:])
             elif words[0] == "change":
@@ -239,11 +243,11 @@ class Medium:
     def tell_time(self):
         if self.duration > 0:
             notify("time/changed", time=self.time, playing=self.playing, rate=self.rate, loop=self.loop, start=0.0,
-                   finish=self.duration, computed=self.duration, predictable=None, state="current")
+                   finish=self.duration, computed=self.duration, predictable=None, state="current", motion=self.slid)
 
     def read_values(self, expressions, at):
         faults = ["" if e in self.values else 'there is no value "%s"' % e for e in expressions]
-        values = [self.values[e][0] + self.values[e][1] * at if e in self.values else None for e in expressions]
+        values = [self.slid + self.values[e][0] + self.values[e][1] * at if e in self.values else None for e in expressions]
         return {"values": values, **({"faults": faults} if any(faults) else {})}
 
     def tell_values(self):
@@ -319,6 +323,8 @@ class Medium:
         ]
         if self.label:
             menus.append({"id": "more", "label": self.label, "icon": "view-refresh"})
+        if self.has_slider:
+            menus.append({"id": "slide", "label": "Slide"})
         if self.draft:
             menus.append({"id": "update-drafts", "label": "Update", "enabled": True})
         return menus
@@ -375,6 +381,10 @@ class Medium:
                 raise Impossible("there is no such command")
             if p["id"] == "play":
                 self.playing = True
+            if p["id"] == "slide":
+                self.slid += 1
+                self.tell_time()
+                self.tell_values()
             if p["id"] == "editor":
                 self.opened += 1
                 self.draft = self.keeps
