@@ -212,19 +212,18 @@ Plot named(const scene::Scene& scene, const scene::Plot& plot) {
     return result;
 }
 
-std::optional<Plot> sampled(const scene::Scene& scene, const scene::Plot& plot,
-                            const simulation::MotionPointer& motion,
-                            const simulation::Options& options,
+std::optional<Plot> sampled(simulation::ReadableScene& readable, const scene::Scene& scene,
+                            const scene::Plot& plot, const simulation::MotionPointer& motion,
                             const std::function<bool()>& isOvertaken) {
     constexpr int intervals = 600; // more than a chart has pixels for each
     Plot result = named(scene, plot);
     if (!motion)
         return result;
-    std::vector<std::string> faults;
-    const simulation::Quantities quantities(scene, options, motion, plot.values, faults);
-    for (const std::string& fault : faults)
-        result.fault += (result.fault.empty() ? "" : "\n") + fault;
-    if (!faults.empty())
+    const simulation::Quantities quantities = readable.quantities(motion, plot.values);
+    for (const std::string& fault : quantities.faults())
+        if (!fault.empty())
+            result.fault += (result.fault.empty() ? "" : "\n") + fault;
+    if (!result.fault.empty())
         return result;
     const double start = motion->start(), length = motion->computed() - start;
     for (int i = 0; i <= intervals; ++i) {

@@ -34,10 +34,11 @@ struct Plot {
 // strokes.
 [[nodiscard]] Plot named(const scene::Scene& scene, const scene::Plot& plot);
 
-// With the values as far as the motion is computed. None: `isOvertaken` said so meanwhile.
+// With the values as far as the motion is computed; `readable` is of that scene. None:
+// `isOvertaken` said so meanwhile.
 [[nodiscard]] std::optional<Plot> sampled(
-    const scene::Scene& scene, const scene::Plot& plot, const simulation::MotionPointer& motion,
-    const simulation::Options& options = {},
+    simulation::ReadableScene& readable, const scene::Scene& scene, const scene::Plot& plot,
+    const simulation::MotionPointer& motion,
     const std::function<bool()>& isOvertaken = [] { return false; });
 
 // The least and the greatest value, with some room about them.

@@ -54,7 +54,8 @@ TEST(Plots, CurvesHaveTheColourOfTheirBody) {
 TEST(Plots, HaveTheValuesOfTheMotion) {
     const scene::Scene scene = threeBodies();
     const auto motion = simulation::simulate(scene).motion;
-    const auto plot = charts::sampled(scene, scene.plots[0], motion);
+    simulation::ReadableScene readable(scene);
+    const auto plot = charts::sampled(readable, scene, scene.plots[0], motion);
     ASSERT_TRUE(plot);
     EXPECT_EQ(plot->times.back(), 2);
     EXPECT_NEAR(plot->curves[0].values.back(), 2, 1e-12);
@@ -62,10 +63,10 @@ TEST(Plots, HaveTheValuesOfTheMotion) {
     const charts::Range range = charts::rangeOf(*plot);
     EXPECT_LT(range.low, 0);
     EXPECT_GT(range.high, 60);
-    EXPECT_FALSE(charts::sampled(scene, scene.plots[0], motion, {}, [] { return true; }));
+    EXPECT_FALSE(charts::sampled(readable, scene, scene.plots[0], motion, [] { return true; }));
     scene::Scene faulty = scene;
     faulty.plots[0].values = {"nobody.x"};
-    EXPECT_THAT(charts::sampled(faulty, faulty.plots[0], motion)->fault,
+    EXPECT_THAT(charts::sampled(readable, faulty, faulty.plots[0], motion)->fault,
                 testing::HasSubstr("nobody"));
 }
 

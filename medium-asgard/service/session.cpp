@@ -23,7 +23,8 @@ constexpr std::chrono::seconds longEnoughComputed{1};
 
 bool sameButTime(const ipc::TimeChanged& a, const ipc::TimeChanged& b) {
     return a.playing == b.playing && a.rate == b.rate && a.loop == b.loop && a.start == b.start &&
-           a.finish == b.finish && a.predictable == b.predictable && a.state == b.state;
+           a.finish == b.finish && a.predictable == b.predictable && a.state == b.state &&
+           a.motion == b.motion;
 }
 
 // Not-a-number differs from itself: what is told is compared.
@@ -175,6 +176,7 @@ ipc::TimeChanged Session::timeNow() const {
     if (const auto& motion = subdocument_.motion())
         time.predictable = motion->predictableUntil();
     time.state = subdocument_.state();
+    time.motion = subdocument_.viewGeneration(); // another scene, or a whole motion
     return time;
 }
 
@@ -309,6 +311,8 @@ void Session::drawOwed() {
         if (!rendition.visible ||
             (!platform_.draw && rendition.presentation() == Presentation::picture))
             continue;
+        if (!sheets_.drawable(rendition.presentation()))
+            continue; // until its plots are there
         rendition.see(drawnScene(), subdocument_.motion(), subdocument_.viewGeneration());
         const Look look = lookOf(rendition);
         if (const Instant calm = std::max(calmAt_, rendition.calmAt); now_ < calm)

@@ -49,6 +49,7 @@ public:
     [[nodiscard]] bool over() const { return over_; }
 
     [[nodiscard]] Subdocument& subdocument() { return subdocument_; }
+    [[nodiscard]] const ValueSource& valueSource() const { return values_; }
     [[nodiscard]] const std::string& title() const { return title_; } // for windows; may be ""
     // One change of the text, made in one of the medium's windows: it is the host's to accept. Then
     // it is the text here too, and `done` hears nothing; else why not.
@@ -128,8 +129,8 @@ private:
     // --- session_commands.cpp: script/evaluate
     Reply<ipc::Evaluated> evaluate(const std::string& script);
     Reply<ipc::Values> values(const std::vector<std::string>& expressions,
-                              std::optional<double> time) const;
-    [[nodiscard]] ValueReader valuesOf(const std::vector<std::string>& expressions) const;
+                              std::optional<double> time);
+    [[nodiscard]] ValueReader valuesOf(const std::vector<std::string>& expressions);
 
     // --- session.cpp: what is told and drawn
     [[nodiscard]] bool settled(Instant now) const;
@@ -173,6 +174,7 @@ private:
     std::map<ipc::Integer, Rendition> renditions_;
     render::Display display_; // that new renditions start with
     std::map<ipc::Integer, Subscription> subscriptions_;
+    ValueSource values_;
     std::vector<Waiting> waiting_;
     HandleEditing handles_;
     ipc::Integer editedIn_ = 0;               // the rendition whose handle is held

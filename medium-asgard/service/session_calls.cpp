@@ -191,12 +191,15 @@ auto Session::serve(const ipc::RenditionDestroy& call) -> Reply<ipc::Done> {
 }
 
 void Session::serve(const ipc::Id& id, const ipc::RenditionSnapshot& call) {
-    if (!presentationNamed(call.presentation))
+    const auto presentation = presentationNamed(call.presentation);
+    if (!presentation)
         return channel_.refuse(id, unknownPresentation);
     if (waiting_.size() >= mostWaiting)
         return channel_.refuse(id, notPossible("too many requests wait for the motion"));
     const double time = call.time.value_or(subdocument_.playback.time(now_));
-    waiting_.push_back({[this, time](Instant now) { return knownAt(time, now); },
+    waiting_.push_back({[this, time, presentation](Instant now) {
+                            return knownAt(time, now) && sheets_.upToDate(*presentation);
+                        },
                         [this, id, call] { reply(id, take(call)); }});
 }
 

@@ -131,7 +131,7 @@ auto Session::evaluate(const std::string& script) -> Reply<ipc::Evaluated> {
                  "\" (commands: time play pause stop rate loop value view bodies state)");
 }
 
-auto Session::values(const std::vector<std::string>& expressions, std::optional<double> time) const
+auto Session::values(const std::vector<std::string>& expressions, std::optional<double> time)
     -> Reply<ipc::Values> {
     const auto& motion = subdocument_.motion();
     if (!motion)
@@ -146,10 +146,9 @@ auto Session::values(const std::vector<std::string>& expressions, std::optional<
                        shown(motion->start()) + " s to " + shown(motion->computed()) + " s");
 }
 
-ValueReader Session::valuesOf(const std::vector<std::string>& expressions) const {
-    simulation::Options options;
-    options.parameters = subdocument_.parameters();
-    return {*subdocument_.scene(), options, subdocument_.motion(), expressions};
+ValueReader Session::valuesOf(const std::vector<std::string>& expressions) {
+    return values_.reader(subdocument_.scene(), subdocument_.parameters(), subdocument_.motion(),
+                          expressions);
 }
 
 } // namespace service

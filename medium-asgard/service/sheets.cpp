@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace service {
 namespace {
@@ -29,6 +30,17 @@ std::optional<Presentation> presentationNamed(const std::string& id) {
     return std::nullopt;
 }
 
+Sheets::Sheets(const Subdocument& of)
+    : of_(of), sampler_(
+                   [this](const charts::PlotSampler::Wish& wish, std::vector<charts::Plot> plots) {
+                       {
+                           const std::lock_guard lock(mutex_);
+                           came_ = {std::move(plots), wish.number};
+                       }
+                       of_.wake();
+                   },
+                   mostPlots) {}
+
 ipc::PreferredSize Sheets::preferredSize(Presentation presentation, double availableWidth,
                                          std::optional<double> availableHeight) const {
     const double width = std::clamp(availableWidth, narrowest, widest);
@@ -47,11 +59,11 @@ ipc::PreferredSize Sheets::preferredSize(Presentation presentation, double avail
 SheetLook Sheets::lookOf(Presentation presentation, double time, std::size_t row) const {
     if (presentation == Presentation::text)
         return {of_.textGeneration(), 0, row};
-    return {of_.generation(), time, 0};
+    return {shown_.generation.value_or(0), time, 0};
 }
 
 void Sheets::draw(Presentation presentation, const SheetLook& look, double scale,
-                  const render::Image& into) {
+                  const render::Image& into) const {
     const double width = into.size.width / scale, height = into.size.height / scale;
     charts::Canvas canvas(width, height, scale);
     if (presentation == Presentation::text)
@@ -95,7 +107,28 @@ charts::PlotArea Sheets::areaOf(std::size_t plot, std::size_t count, double widt
     return {0, each * static_cast<double>(plot), width, each, span.start, span.finish};
 }
 
-void Sheets::drawCharts(charts::Canvas& canvas, double width, double height, double time) {
+void Sheets::collect() {
+    if (of_.scene() && asked_ != of_.generation()) {
+        asked_ = of_.generation();
+        sampler_.sample({of_.scene(), of_.motion(), of_.parameters(), of_.generation()});
+    }
+    const std::lock_guard lock(mutex_);
+    if (came_)
+        shown_ = *std::exchange(came_, std::nullopt);
+}
+
+bool Sheets::upToDate(Presentation presentation) {
+    if (presentation != Presentation::chart || !of_.scene())
+        return true;
+    collect();
+    return shown_.generation == of_.generation();
+}
+
+bool Sheets::drawable(Presentation presentation) {
+    return upToDate(presentation) || shown_.generation;
+}
+
+void Sheets::drawCharts(charts::Canvas& canvas, double width, double height, double time) const {
     if (!of_.scene())
         return;
     const scene::Scene& scene = *of_.scene();
@@ -105,20 +138,13 @@ void Sheets::drawCharts(charts::Canvas& canvas, double width, double height, dou
                     charts::Canvas::Anchor::middle);
         return;
     }
-    if (plotsOf_ != of_.generation()) {
-        plotsOf_ = of_.generation();
-        simulation::Options options;
-        options.parameters = of_.parameters();
-        plots_.clear();
-        for (std::size_t i = 0; i < std::min(scene.plots.size(), mostPlots); ++i)
-            plots_.push_back(*charts::sampled(scene, scene.plots[i], of_.motion(), options));
-    }
-    for (std::size_t i = 0; i < plots_.size(); ++i)
-        charts::draw(canvas, plots_[i], areaOf(i, plots_.size(), width, height), time);
-    if (scene.plots.size() > plots_.size()) {
+    const std::vector<charts::Plot>& plots = shown_.plots;
+    for (std::size_t i = 0; i < plots.size(); ++i)
+        charts::draw(canvas, plots[i], areaOf(i, plots.size(), width, height), time);
+    if (scene.plots.size() > plots.size()) {
         canvas.ink({}, 0.7);
         canvas.text(width - 4, height - 4,
-                    std::to_string(scene.plots.size() - plots_.size()) + " more plots", 11,
+                    std::to_string(scene.plots.size() - plots.size()) + " more plots", 11,
                     charts::Canvas::Anchor::end);
     }
 }

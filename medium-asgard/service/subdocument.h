@@ -42,6 +42,8 @@ public:
     void cancel() { worker_.cancel(); }
 
     [[nodiscard]] int descriptor() const { return worker_.descriptor(); }
+    // Any thread: the descriptor becomes readable, for what is done beside.
+    void wake() const { worker_.wake(); }
     [[nodiscard]] std::optional<Instant> deadline() const;
     Changes update(Instant now);
 

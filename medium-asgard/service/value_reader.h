@@ -1,10 +1,9 @@
 // Values of a motion for a host: each expression has a number or a sentence, whatever is wrong with
-// the others. LIMIT: one faulty expression costs equations of motion for each of the others, and so
-// does each time that is asked for: hundreds of times on a large scene are slow.
+// the others.
 #pragma once
 
 #include "ipc/messages.h"
-#include "simulation/simulation.h"
+#include "service/worker.h"
 
 #include <optional>
 #include <string>
@@ -14,9 +13,7 @@ namespace service {
 
 class ValueReader {
 public:
-    ValueReader(const scene::Scene& scene, const simulation::Options& options,
-                const simulation::MotionPointer& motion,
-                const std::vector<std::string>& expressions);
+    explicit ValueReader(simulation::Quantities of) : of_(std::move(of)) {}
 
     // At a time in start..computed.
     [[nodiscard]] ipc::Values at(double time) const;
@@ -24,8 +21,25 @@ public:
     [[nodiscard]] ipc::Values none(const std::string& why) const;
 
 private:
-    std::vector<std::string> faults_;             // of each expression; "" for a sound one
-    std::optional<simulation::Quantities> sound_; // of the sound ones
+    simulation::Quantities of_;
+};
+
+// Makes the readers of a scene's motions. It builds the equations of a scene once, for all
+// expressions, times and motions that are asked for.
+class ValueSource {
+public:
+    [[nodiscard]] ValueReader reader(const ScenePointer& scene, const ParameterValues& parameters,
+                                     const simulation::MotionPointer& motion,
+                                     const std::vector<std::string>& expressions);
+    // How often it has built equations.
+    [[nodiscard]] std::size_t built() const { return built_; }
+
+private:
+    ScenePointer of_;
+    ParameterValues with_;
+    std::optional<simulation::ReadableScene> scene_;
+    std::size_t read_ = 0; // expressions of that scene
+    std::size_t built_ = 0;
 };
 
 } // namespace service

@@ -76,6 +76,10 @@ void Worker::publish(unsigned number, const std::function<void(News&)>& add) {
             return;
         add(news_);
     }
+    wake();
+}
+
+void Worker::wake() const {
     const std::uint64_t one = 1;
     [[maybe_unused]] const auto written = write(descriptor_, &one, sizeof one);
 }

@@ -48,8 +48,9 @@ public:
     void cancel();
     [[nodiscard]] bool busy() const; // until the end of the job has been collected
 
-    // Readable while there are news.
+    // Readable while there are news, and after wake().
     [[nodiscard]] int descriptor() const { return descriptor_; }
+    void wake() const; // any thread
     [[nodiscard]] News collect();
 
 private:

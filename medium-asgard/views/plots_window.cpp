@@ -13,7 +13,13 @@
 
 namespace views {
 
-PlotsWindow::PlotsWindow(SceneDocument& document) : document_(document) {
+PlotsWindow::PlotsWindow(SceneDocument& document)
+    : document_(document),
+      sampler_([this](const charts::PlotSampler::Wish& of, std::vector<charts::Plot> plots) {
+          QMetaObject::invokeMethod(
+              this, [this, of, plots = std::move(plots)] { take(of, plots); },
+              Qt::QueuedConnection);
+      }) {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName("plots");
     auto* whole = new QWidget;
@@ -42,29 +48,11 @@ PlotsWindow::PlotsWindow(SceneDocument& document) : document_(document) {
     connect(&document_, &SceneDocument::motionChanged, this, &PlotsWindow::ask);
     closeByEscape(*this);
     resize(620, 380);
-    thread_ = std::thread([this] { run(); });
     ask();
 }
 
-PlotsWindow::~PlotsWindow() {
-    overtaken_ = true;
-    {
-        const std::lock_guard lock(mutex_);
-        stop_ = true;
-    }
-    asked_.notify_one();
-    thread_.join();
-}
-
 void PlotsWindow::ask() {
-    {
-        const std::lock_guard lock(mutex_);
-        // While a motion grows each piece is shown; another scene's is not waited for.
-        if (sampled_ != document_.shown().scene)
-            overtaken_ = true;
-        wish_ = document_.shown();
-    }
-    asked_.notify_one();
+    sampler_.sample({document_.shown().scene, document_.shown().motion});
     makeCharts();
 }
 
@@ -84,29 +72,7 @@ void PlotsWindow::makeCharts() {
     none_->setVisible(scene.plots.empty());
 }
 
-void PlotsWindow::run() {
-    std::unique_lock lock(mutex_);
-    while (true) {
-        asked_.wait(lock, [this] { return stop_ || wish_; });
-        if (stop_)
-            return;
-        const Shown shown = *std::exchange(wish_, std::nullopt);
-        sampled_ = shown.scene;
-        overtaken_ = false;
-        lock.unlock();
-        std::vector<charts::Plot> plots;
-        for (const scene::Plot& plot : shown.scene->plots)
-            if (auto one = charts::sampled(*shown.scene, plot, shown.motion, {},
-                                           [this] { return isOvertaken(); }))
-                plots.push_back(std::move(*one));
-        if (plots.size() == shown.scene->plots.size())
-            QMetaObject::invokeMethod(
-                this, [this, shown, plots] { take(shown, plots); }, Qt::QueuedConnection);
-        lock.lock();
-    }
-}
-
-void PlotsWindow::take(const Shown& of, std::vector<charts::Plot> plots) {
+void PlotsWindow::take(const charts::PlotSampler::Wish& of, std::vector<charts::Plot> plots) {
     if (plots.size() != charts_.size())
         return; // of a scene that is no more
     const scene::Simulator& simulator = of.scene->simulator;
