@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """How long does a document take to appear? From the start of `ensemble` to its text, and to its last change of picture.
 
-usage: first_page.py ENSEMBLE DOCUMENT [--runs N] [--display :N]
+usage: first_page.py ENSEMBLE [DOCUMENT] [--pages N] [--runs N] [--display :N]
+
+Without a document it writes a report of 1,000 pages, each with an animation. The goal is the text within 1 s.
 
 Starts Xvfb with its frame buffer in a file and looks at that every few milliseconds: `text` is when dark pixels first show on
 the page, `settled` is the last change of any pixel within the time watched. Each run also times a fixed loop of arithmetic
@@ -17,6 +19,19 @@ import tempfile
 import time
 
 WIDTH, HEIGHT = 1280, 900
+
+
+def report(pages):
+    """Each page has a heading, words and an animation of its own."""
+    text = ["DOCUMENT REPORT\n<REPORT>\n<TITLE>{A long report}</TITLE>\n"]
+    for page in range(pages):
+        words = " ".join(f"word{(page * 31 + i * 17) % 997}" for i in range(150))
+        text.append(f"<SECTION><HEADING>{{Section number {page}}}</HEADING>\n<PARAGRAPH><TEXT>{{{words}}}</TEXT></PARAGRAPH>\n"
+                    "<PARAGRAPH><DOCUMENT>\nDOCUMENT ANIMATION\n<ANIMATION WIDTH=\"300\" HEIGHT=\"200\"><ASGARD>"
+                    "{simulator -finish 10\nshape_set s -desc \\{-sub \\{-sphere 0.5\\}\\}\nbody b s -init_pos \\{1 0 0\\}\n"
+                    f"force -body b -x \\{{-{page + 1}*b.x\\}}\n}}</ASGARD></ANIMATION>\n</DOCUMENT></PARAGRAPH>\n"
+                    "<PAGEBREAK></PAGEBREAK>\n</SECTION>\n")
+    return "".join(text) + "</REPORT>\n"
 
 
 def calibration():
@@ -72,12 +87,18 @@ def run(options, folder):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("ensemble")
-    parser.add_argument("document")
+    parser.add_argument("document", nargs="?")
+    parser.add_argument("--pages", type=int, default=1000)
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--watch", type=float, default=6.0)
     parser.add_argument("--display", default=":91")
     options = parser.parse_args()
     results = []
+    own = tempfile.TemporaryDirectory()
+    if not options.document:
+        options.document = os.path.join(own.name, "report.ens")
+        with open(options.document, "w", encoding="utf-8") as file:
+            file.write(report(options.pages))
     for i in range(options.runs):
         with tempfile.TemporaryDirectory() as folder:
             result = run(options, folder)

@@ -38,7 +38,7 @@ private:
     QString executableFolder_;
     PipeThread& pipes_;
     TimeLimits limits_;
-    int mostLive_ = 8;
+    int mostLive_ = 16; // more than a page has figures, mostly
     QHash<LiveSubdocument*, QHash<const void*, double>> distances_;
     QTimer choice_;
 };

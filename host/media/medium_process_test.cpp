@@ -516,6 +516,26 @@ TEST_F(MediumProcessTest, OnlyTheNearestLive) {
     })) << living();
 }
 
+// A reader who sees ten sees each of them play.
+TEST_F(MediumProcessTest, TenThatAreSeenPlayAtOnce) {
+    Registry registry;
+    registry.add(scriptedManifest());
+    LiveMedia live(registry, {}, pipes_, shortLimits());
+    std::vector<std::unique_ptr<LiveSubdocument>> all;
+    for (int i = 0; i < 10; ++i) {
+        all.push_back(live.create("SCRIPTED"));
+        all.back()->setText("duration 1000");
+        live.setDistance(*all.back(), this, 0);
+    }
+    const auto each = [&](auto is) {
+        return waitFor([&] { return std::ranges::all_of(all, is); });
+    };
+    ASSERT_TRUE(each([](const auto& one) { return one->time().has_value(); }));
+    for (const auto& one : all)
+        one->play();
+    EXPECT_TRUE(each([](const auto& one) { return one->time()->playing; }));
+}
+
 } // namespace
 } // namespace media
 
